@@ -1,0 +1,45 @@
+# Options of the build and the defaults that VTK's module system needs.
+
+option(BUILD_SHARED_LIBS "Build shared libraries (Python wrapping needs them)" ON)
+option(BUILD_TESTING "Build the tests" ON)
+option(VTK_INDIRECT_WRAP_PYTHON "Wrap the modules for Python" ON)
+option(VTK_INDIRECT_ENABLE_HEADLESS "Build VTK::IndirectHeadless (needs EGL)" ON)
+option(VTK_INDIRECT_ENABLE_OPENEXR "Build VTK::IndirectOpenEXR (needs OpenEXR)" ON)
+option(VTK_INDIRECT_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
+set(VTK_INDIRECT_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
+
+if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif ()
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+
+if (BUILD_TESTING)
+  set(VTK_INDIRECT_TESTS_WANTED WANT)
+  enable_testing()
+else ()
+  set(VTK_INDIRECT_TESTS_WANTED OFF)
+endif ()
+
+# Applies our warnings and sanitizers to a target of ours; wrapped sources are VTK's to worry about.
+function (vtk_indirect_compile_options target)
+  target_compile_options("${target}" PRIVATE
+    "$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-Wall;-Wextra;-Wshadow;-Wno-unused-parameter>")
+  if (VTK_INDIRECT_WARNINGS_AS_ERRORS)
+    target_compile_options("${target}" PRIVATE
+      "$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-Werror>")
+  endif ()
+endfunction ()
+
+if (VTK_INDIRECT_SANITIZE)
+  add_compile_options("-fsanitize=${VTK_INDIRECT_SANITIZE}" -fno-omit-frame-pointer)
+  add_link_options("-fsanitize=${VTK_INDIRECT_SANITIZE}")
+endif ()
