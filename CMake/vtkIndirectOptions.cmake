@@ -8,6 +8,15 @@ option(VTK_INDIRECT_ENABLE_OPENEXR "Build VTK::IndirectOpenEXR (needs OpenEXR)" 
 option(VTK_INDIRECT_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 set(VTK_INDIRECT_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
 
+# Repeated builds are faster with ccache.
+if (NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  find_program(VTK_INDIRECT_CCACHE ccache DOC "Compiler cache, used if found")
+  mark_as_advanced(VTK_INDIRECT_CCACHE)
+  if (VTK_INDIRECT_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${VTK_INDIRECT_CCACHE}")
+  endif ()
+endif ()
+
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif ()
@@ -21,6 +30,12 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+
+# An installed tree can be moved: libraries and programs look for each other relative to themselves.
+if (NOT DEFINED CMAKE_INSTALL_RPATH)
+  file(RELATIVE_PATH _bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
+  set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/${_bin_to_lib}")
+endif ()
 
 if (BUILD_TESTING)
   set(VTK_INDIRECT_TESTS_WANTED WANT)

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkEGLHeadlessRenderWindow
+ * @brief   a render window with a real OpenGL context and no display
+ *
+ * The window owns an OpenGL core-profile context that it makes with EGL, so it renders where there
+ * is no X server, no Wayland compositor and no monitor: on a cluster node with a GPU, and in a
+ * container with Mesa's software rasterizer. It behaves as VTK's on-screen OpenGL windows do,
+ * except that it is always off screen: SetShowWindow() and SetUseOffScreenBuffers() change nothing.
+ *
+ * The context is made by the first Render() or Initialize(), on the first of these that works:
+ *
+ * -# an EGL device that is a GPU,
+ * -# Mesa's surfaceless platform,
+ * -# an EGL device that renders in software,
+ * -# EGL's default display.
+ *
+ * SetDeviceIndex() asks for one EGL device instead. The newest OpenGL version that the driver
+ * offers is taken, from 4.6 down to 3.2. Every window has a context of its own; windows on the same
+ * device share one EGL display, which is closed with the last of them. Finalize() releases the
+ * context; rendering again makes a new one.
+ *
+ * When no context can be made, the first Render() or Initialize() reports one error, which says
+ * what was tried and what to install; see GetLastErrorMessage(). The window then stays empty:
+ * Render() does nothing, and reading pixels back returns VTK_ERROR and zeros (depth 1).
+ *
+ * @par Interactors:
+ * An interactor must not need a display either. MakeRenderWindowInteractor() creates a
+ * vtkGenericRenderWindowInteractor. A vtkXRenderWindowInteractor, which is what
+ * vtkRenderWindowInteractor::New() gives on Linux, is refused with an error; see
+ * vtkIndirectHeadlessFactory for programs that cannot be changed.
+ *
+ * @warning
+ * A thread has one current context, be it of EGL or of GLX. In a program that also draws in an X
+ * window from the same thread, call ReleaseCurrent() on one window before the other one is
+ * rendered. To go on in another thread, call ReleaseCurrent() in the old one first.
+ *
+ * @sa
+ * vtkIndirectHeadlessFactory vtkGenericOpenGLRenderWindow
+ */
+
+#ifndef vtkEGLHeadlessRenderWindow_h
+#define vtkEGLHeadlessRenderWindow_h
+
+#include "vtkGenericOpenGLRenderWindow.h"
+#include "vtkIndirectHeadlessModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class VTKINDIRECTHEADLESS_EXPORT vtkEGLHeadlessRenderWindow : public vtkGenericOpenGLRenderWindow
+{
+public:
+  static vtkEGLHeadlessRenderWindow* New();
+  vtkTypeMacro(vtkEGLHeadlessRenderWindow, vtkGenericOpenGLRenderWindow);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Whether a window made now, with the default DeviceIndex, could render. Makes a context to find
+   * out, once in a process, and reports no error.
+   */
+  static bool IsSupported();
+
+  /**
+   * Why the last attempt to make a context failed; empty when it worked or was not made yet.
+   */
+  std::string GetLastErrorMessage();
+
+  ///@{
+  /**
+   * OpenGL's own description of the context, for instance "4.5 (Core Profile) Mesa 22.3.6" and
+   * "llvmpipe (LLVM 15.0.6, 256 bits)". Empty while there is no context.
+   */
+  std::string GetGLVersion();
+  std::string GetGLRenderer();
+  ///@}
+
+  /**
+   * Where the context comes from: "EGL device <n>", "EGL surfaceless platform" or
+   * "EGL default display". Empty while there is no context.
+   */
+  std::string GetPlatformName();
+
+  /**
+   * The number of EGL devices, GPUs and software ones, that DeviceIndex can choose from. Unlike in
+   * other render windows the default DeviceIndex is -1, which chooses automatically; it is read
+   * when the context is made. With an index that does not exist, or a device that does not work, no
+   * other is tried and the window reports an error.
+   */
+  int GetNumberOfDevices() override;
+
+  ///@{
+  /**
+   * Make the context, if there is none, and make it current. Initialize() and CreateAWindow() are
+   * the same.
+   */
+  void Initialize() override;
+  void CreateAWindow() override;
+  ///@}
+
+  ///@{
+  /**
+   * Release all graphics resources, then the context. Finalize() and DestroyWindow() are the same.
+   */
+  void Finalize() override;
+  void DestroyWindow() override;
+  ///@}
+
+  ///@{
+  /**
+   * Make the context current in the calling thread, ask whether it is, or let go of it. Without a
+   * context MakeCurrent() does nothing.
+   */
+  void MakeCurrent() override;
+  bool IsCurrent() override;
+  void ReleaseCurrent() override;
+  void PushContext() override;
+  void PopContext() override;
+  ///@}
+
+  ///@{
+  /**
+   * The stages of a frame. They do nothing without a context.
+   */
+  void Render() override;
+  void Start() override;
+  void End() override;
+  void Frame() override;
+  void WaitForCompletion() override;
+  ///@}
+
+  ///@{
+  /**
+   * What the context can do. Both make it if needed; SupportsOpenGL() reports no error.
+   */
+  const char* ReportCapabilities() override;
+  int SupportsOpenGL() override;
+  ///@}
+
+  /**
+   * A context of EGL is always direct. Returns 1.
+   */
+  vtkTypeBool IsDirect() override { return 1; }
+
+  /**
+   * This window never takes over a context. Returns false.
+   */
+  bool InitializeFromCurrentContext() override { return false; }
+
+  ///@{
+  /**
+   * The window is always off screen, whatever is set.
+   */
+  void SetShowWindow(bool) override {}
+  void SetUseOffScreenBuffers(bool) override {}
+  ///@}
+
+  /**
+   * The EGLContext, or nullptr while there is none. There is no window and no drawable, and the
+   * display is not given away, because interactors take it for one of X.
+   */
+  void* GetGenericContext() override;
+
+  ///@{
+  /**
+   * Interactors that do not need a display.
+   */
+  vtkRenderWindowInteractor* MakeRenderWindowInteractor() override;
+  void SetInteractor(vtkRenderWindowInteractor* interactor) override;
+  ///@}
+
+  ///@{
+  /**
+   * Read depths back. Without a context they return VTK_ERROR and fill in 1.
+   */
+  float* GetZbufferData(int x1, int y1, int x2, int y2) override;
+  int GetZbufferData(int x1, int y1, int x2, int y2, float* z) override;
+  int GetZbufferData(int x1, int y1, int x2, int y2, vtkFloatArray* buffer) override;
+  ///@}
+
+  void OpenGLInit() override;
+  void OpenGLInitContext() override;
+
+protected:
+  vtkEGLHeadlessRenderWindow();
+  ~vtkEGLHeadlessRenderWindow() override;
+
+  int ReadPixels(
+    const vtkRecti& rect, int front, int glFormat, int glType, void* data, int right) override;
+
+private:
+  vtkEGLHeadlessRenderWindow(const vtkEGLHeadlessRenderWindow&) = delete;
+  void operator=(const vtkEGLHeadlessRenderWindow&) = delete;
+
+  bool EnsureContext();
+  void Fail(const std::string& reason);
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

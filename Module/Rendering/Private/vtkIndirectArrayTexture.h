@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// VTK 9.1's texture object knows no two-dimensional arrays; this one adds them and leaves binding,
+// parameters and release to it.
+#ifndef vtkIndirectArrayTexture_h
+#define vtkIndirectArrayTexture_h
+
+#include "vtkTextureObject.h"
+
+class vtkIndirectArrayTexture : public vtkTextureObject
+{
+public:
+  static vtkIndirectArrayTexture* New();
+  vtkTypeMacro(vtkIndirectArrayTexture, vtkTextureObject);
+
+  /** Square layers; a depth format is set up for comparisons with linear filtering. */
+  void Allocate(
+    vtkOpenGLRenderWindow* window, unsigned int internalFormat, int texels, int layers);
+
+  /** Attaches one layer to the framebuffer that is bound for drawing. */
+  void AttachLayer(unsigned int attachment, int layer);
+
+protected:
+  vtkIndirectArrayTexture() = default;
+  ~vtkIndirectArrayTexture() override = default;
+
+private:
+  vtkIndirectArrayTexture(const vtkIndirectArrayTexture&) = delete;
+  void operator=(const vtkIndirectArrayTexture&) = delete;
+};
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a stage's textures hold, declared once: texture formats, uniform names, PrintSelf and the
+// documentation are read off these tables.
+#ifndef vtkIndirectChannel_h
+#define vtkIndirectChannel_h
+
+#include "vtkIndent.h" // for printing
+
+#include <ostream> // for printing
+
+struct vtkIndirectChannel
+{
+  const char* Name;    // as users meet it
+  const char* Uniform; // sampler in shaders
+  const char* Meaning;
+  unsigned int InternalFormat; // OpenGL; 0 ends a table
+  const char* Space;
+  const char* Unit;
+};
+
+inline void vtkIndirectPrintChannels(
+  std::ostream& os, vtkIndent indent, const vtkIndirectChannel* channels)
+{
+  for (const vtkIndirectChannel* c = channels; c->InternalFormat; ++c)
+  {
+    os << indent << c->Name << ": " << c->Meaning << " (" << c->Space << ", " << c->Unit << ")\n";
+  }
+}
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What every stage of a frame needs to know, taken from the scene once at its start.
+//
+// Scene units: positions are relative to the centre of the scene's bounds and divided by their
+// diagonal, so that shaders see numbers of order one whether the scene measures a nanometre or lies
+// a million metres from the origin. The transforms are made in double precision here.
+#ifndef vtkIndirectFrame_h
+#define vtkIndirectFrame_h
+
+#include "vtkType.h" // for vtkMTimeType
+
+#include <glm/glm.hpp> // for vectors and matrices
+#include <string>      // for reasons
+#include <utility>     // for pairs
+#include <vector>      // for lists
+
+class vtkLight;
+class vtkMatrix4x4;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+class vtkRenderState;
+
+/** A light that is on, as VTK's shaders will use it. */
+struct vtkIndirectLight
+{
+  vtkLight* Light = nullptr;
+  int Index = 0; // N of VTK's lightColorN
+  bool Positional = false;
+  glm::dvec3 PositionWC{ 0.0 };
+  glm::dvec3 DirectionWC{ 0.0, 0.0, -1.0 }; // the way the light travels, unit
+  glm::dvec3 Color{ 0.0 };                  // colour times intensity
+  glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 };  // c, l, q for world units
+  double ConeAngle = 90.0;                  // half angle, degrees; from 90 on there is no cone
+  double Exponent = 0.0;
+  bool FollowsCamera = false; // headlight or camera light
+};
+
+/** A prop that casts shadows and reflects light. */
+struct vtkIndirectCaster
+{
+  vtkProp* Prop = nullptr;
+  double Bounds[6];
+  vtkMTimeType RedrawMTime = 0;
+};
+
+struct vtkIndirectFrame
+{
+  vtkRenderer* Renderer = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  int Size[2] = { 0, 0 };
+  int Origin[2] = { 0, 0 };
+
+  double SceneBounds[6] = { 0, 0, 0, 0, 0, 0 };
+  glm::dvec3 SceneCenter{ 0.0 }; // world
+  double SceneScale = 1.0;       // scene units per world unit
+
+  std::vector<vtkProp*> Props; // all visible ones
+  std::vector<vtkIndirectCaster> Casters;
+  std::vector<vtkIndirectLight> Lights;
+  /** Props and lights that take no part, and why. */
+  std::vector<std::pair<std::string, std::string>> LeftOut;
+
+  // The eye. View coordinates in the shaders are scaled to scene units.
+  bool Parallel = false;
+  double Near = 0.0; // scene units
+  double Far = 1.0;
+  glm::dmat4 WorldToView{ 1.0 };  // unscaled
+  glm::dmat4 ViewToScene{ 1.0 };  // from scaled view coordinates
+  glm::dmat4 Projection{ 1.0 };   // of unscaled view coordinates
+  glm::dmat3 RayOrigin{ 0.0 };    // see vtkiReconstruct
+  glm::dmat3 RayDirection{ 0.0 };
+
+  /**
+   * Reads the scene. Returns false when there is nothing that could reflect light (no opaque prop
+   * with bounds, or no light on); `why` then says so.
+   */
+  bool Build(const vtkRenderState* state, std::string& why);
+
+  /** Transform from an affine frame given in world coordinates to scene units. */
+  glm::dmat4 ToScene(const glm::dmat4& frameToWorld) const;
+
+  static glm::dmat4 ToGLM(vtkMatrix4x4* matrix);
+
+private:
+  void CollectProps();
+  void CollectLights();
+  void SetUpEye();
+};
+
+#endif

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The OpenGL loader of the VTK at hand; include in sources only, before any other GL header.
+#ifndef vtkIndirectGL_h
+#define vtkIndirectGL_h
+
+#if __has_include("vtk_glad.h")
+#include "vtk_glad.h" // VTK 9.4 and newer
+#else
+#include "vtk_glew.h"
+#endif
+
+#endif

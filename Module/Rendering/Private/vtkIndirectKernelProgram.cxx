@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectKernelProgram.h"
+
+#include "vtkIndirectShaderLibrary.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+
+vtkIndirectKernelProgram::vtkIndirectKernelProgram(const char* stage, const char* gather)
+  : Stage(stage)
+  , Gather(gather)
+{
+}
+
+vtkIndirectKernelProgram::~vtkIndirectKernelProgram() = default;
+
+namespace
+{
+// VTK's quad helper insists on both attributes; stages need neither past the position.
+const char* const VertexShader = R"(//VTK::System::Dec
+in vec4 ndCoordIn;
+in vec2 texCoordIn;
+void main()
+{
+  gl_Position = vec4(2.0 * texCoordIn - 1.0, 0.0, ndCoordIn.w);
+}
+)";
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkIndirectKernelProgram::Use(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Quad)
+  {
+    const std::string text = vtkIndirectShaderLibrary::GetText(this->Stage, this->Gather);
+    // Four arguments up to VTK 9.1; the fifth of later versions has a default.
+    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, VertexShader, text.c_str(), "");
+  }
+  else if (this->Quad->Program)
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  }
+  vtkShaderProgram* program = this->Quad->Program;
+  return program && program->GetCompiled() ? program : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectKernelProgram::Draw()
+{
+  this->Quad->Render();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectKernelProgram::Release()
+{
+  this->Quad.reset();
+}

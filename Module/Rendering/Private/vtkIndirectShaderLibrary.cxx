@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectShaderLibrary.h"
+
+#include "vtkIndirectShaderTable.h"
+#include "vtkObject.h" // for the error macro
+
+#include <set>
+#include <sstream>
+
+namespace
+{
+const char* FindText(const std::string& fileName)
+{
+  for (const vtkIndirectShaderTableEntry* entry = vtkIndirectShaderTable; entry->Name; ++entry)
+  {
+    if (fileName == entry->Name)
+    {
+      return entry->Text;
+    }
+  }
+  return nullptr;
+}
+
+bool Expand(const std::string& fileName, const std::string& gather, std::set<std::string>& seen,
+  std::string& out)
+{
+  if (!seen.insert(fileName).second)
+  {
+    return true;
+  }
+  const char* text = FindText(fileName);
+  if (!text)
+  {
+    vtkGenericWarningMacro("ERROR: shader file '" << fileName << "' is not embedded.");
+    return false;
+  }
+  std::istringstream lines(text);
+  std::string line;
+  const std::string directive = "#include ";
+  while (std::getline(lines, line))
+  {
+    if (line.compare(0, directive.size(), directive) != 0)
+    {
+      out += line + "\n";
+      continue;
+    }
+    std::string name = line.substr(directive.size());
+    name = name == "VTKI_GATHER" ? gather : name.substr(1, name.find_last_of('"') - 1);
+    if (!Expand(name, gather, seen, out))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectShaderLibrary::GetText(
+  const std::string& fileName, const std::string& gather)
+{
+  std::set<std::string> seen;
+  std::string out;
+  return Expand(fileName, gather, seen, out) ? out : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectShaderLibrary::GetHash()
+{
+  return vtkIndirectShaderTableHash;
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Complete shader texts from the embedded files.
+#ifndef vtkIndirectShaderLibrary_h
+#define vtkIndirectShaderLibrary_h
+
+#include <string> // for texts
+
+namespace vtkIndirectShaderLibrary
+{
+/**
+ * Text of a file with its includes expanded, each once, depth first. The name `gather` stands for
+ * VTKI_GATHER, the one include that a stage leaves open. Returns an empty string, after one error,
+ * for a file that is not embedded.
+ */
+std::string GetText(const std::string& fileName, const std::string& gather = std::string());
+
+/** MD5 of all shader text, so that a figure can be traced to the shaders that made it. */
+std::string GetHash();
+}
+
+#endif

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
+#include "vtkIndirectTarget.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+namespace
+{
+struct Format
+{
+  unsigned int Internal;
+  unsigned int External;
+  unsigned int Type;
+  int Components;
+  int VTKType;
+  size_t Bytes;
+};
+
+const Format Formats[] = {
+  { GL_RGBA32F, GL_RGBA, GL_FLOAT, 4, VTK_FLOAT, 16 },
+  { GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 4, VTK_FLOAT, 8 },
+};
+
+const Format& FindFormat(unsigned int internalFormat)
+{
+  for (const Format& format : Formats)
+  {
+    if (format.Internal == internalFormat)
+    {
+      return format;
+    }
+  }
+  return Formats[0];
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectTarget::vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth)
+  : Channels(channels)
+  , WithDepth(depth)
+{
+}
+
+vtkIndirectTarget::~vtkIndirectTarget() = default;
+
+//------------------------------------------------------------------------------
+bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  if (this->Framebuffer && window == this->Window && width == this->Width &&
+    height == this->Height)
+  {
+    return true;
+  }
+  if (this->Framebuffer && window != this->Window)
+  {
+    this->Release(this->Window);
+  }
+  this->Window = window;
+  this->Width = width;
+  this->Height = height;
+
+  if (!this->Framebuffer)
+  {
+    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    this->Framebuffer->SetContext(window);
+    for (const vtkIndirectChannel* c = this->Channels; c->InternalFormat; ++c)
+    {
+      const Format& format = FindFormat(c->InternalFormat);
+      vtkNew<vtkTextureObject> texture;
+      texture->SetContext(window);
+      texture->SetInternalFormat(format.Internal);
+      texture->SetFormat(format.External);
+      texture->SetDataType(format.Type);
+      texture->SetMinificationFilter(vtkTextureObject::Nearest);
+      texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+      texture->SetWrapS(vtkTextureObject::ClampToEdge);
+      texture->SetWrapT(vtkTextureObject::ClampToEdge);
+      texture->Allocate2D(width, height, format.Components, format.VTKType);
+      this->Textures.emplace_back(texture);
+    }
+    if (this->WithDepth)
+    {
+      this->Depth = vtkSmartPointer<vtkTextureObject>::New();
+      this->Depth->SetContext(window);
+      this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
+      this->Depth->SetMagnificationFilter(vtkTextureObject::Nearest);
+      this->Depth->AllocateDepth(width, height, vtkTextureObject::Float32);
+    }
+  }
+  else
+  {
+    for (auto& texture : this->Textures)
+    {
+      texture->Resize(width, height);
+    }
+    if (this->Depth)
+    {
+      this->Depth->Resize(width, height);
+    }
+  }
+
+  window->GetState()->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  for (size_t i = 0; i < this->Textures.size(); ++i)
+  {
+    this->Framebuffer->AddColorAttachment(static_cast<unsigned int>(i), this->Textures[i]);
+  }
+  if (this->Depth)
+  {
+    this->Framebuffer->AddDepthAttachment(this->Depth);
+  }
+  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->Textures.size()));
+  const char* reason = "";
+  const bool complete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
+    vtkOpenGLFramebufferObject::GetDrawMode(), reason);
+  window->GetState()->PopFramebufferBindings();
+  if (!complete)
+  {
+    vtkErrorWithObjectMacro(window,
+      "A framebuffer of " << width << " x " << height
+                          << " pixels for indirect illumination is incomplete: " << reason);
+    this->Release(window);
+  }
+  return complete;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Begin()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->Textures.size()));
+  this->Framebuffer->StartNonOrtho(this->Width, this->Height);
+  state->vtkglViewport(0, 0, this->Width, this->Height);
+  state->vtkglScissor(0, 0, this->Width, this->Height);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::End()
+{
+  this->Window->GetState()->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Clear()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  unsigned int bits = GL_COLOR_BUFFER_BIT;
+  if (this->Depth)
+  {
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglClearDepth(1.0);
+    bits |= GL_DEPTH_BUFFER_BIT;
+  }
+  state->vtkglClear(bits);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Activate(int channel, vtkShaderProgram* program) const
+{
+  vtkTextureObject* texture = this->Textures[channel];
+  texture->Activate();
+  program->SetUniformi(this->Channels[channel].Uniform, texture->GetTextureUnit());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::ActivateDepth(vtkShaderProgram* program, const char* uniform) const
+{
+  this->Depth->Activate();
+  program->SetUniformi(uniform, this->Depth->GetTextureUnit());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Deactivate() const
+{
+  for (const auto& texture : this->Textures)
+  {
+    texture->Deactivate();
+  }
+  if (this->Depth)
+  {
+    this->Depth->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkIndirectTarget::ReadBack(int channel)
+{
+  std::vector<float> values(static_cast<size_t>(this->Width) * this->Height * 4);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->ActivateReadBuffer(static_cast<unsigned int>(channel));
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, values.data());
+  state->PopFramebufferBindings();
+  return values;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectTarget::GetBytes() const
+{
+  size_t perPixel = this->Depth ? 4 : 0;
+  for (size_t i = 0; i < this->Textures.size(); ++i)
+  {
+    perPixel += FindFormat(this->Channels[i].InternalFormat).Bytes;
+  }
+  return this->Framebuffer ? perPixel * this->Width * this->Height : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Print(std::ostream& os, vtkIndent indent) const
+{
+  os << indent << "Size: " << this->Width << " x " << this->Height << ", " << this->GetBytes()
+     << " bytes\n";
+  vtkIndirectPrintChannels(os, indent, this->Channels);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Release(vtkWindow* window)
+{
+  if (this->Framebuffer)
+  {
+    this->Framebuffer->ReleaseGraphicsResources(window);
+    this->Framebuffer = nullptr;
+  }
+  for (auto& texture : this->Textures)
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->Textures.clear();
+  if (this->Depth)
+  {
+    this->Depth->ReleaseGraphicsResources(window);
+    this->Depth = nullptr;
+  }
+  this->Width = this->Height = 0;
+  this->Window = nullptr;
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A framebuffer with the textures of a channel table, owned by the stage that writes it.
+#ifndef vtkIndirectTarget_h
+#define vtkIndirectTarget_h
+
+#include "vtkIndirectChannel.h" // for the table
+#include "vtkIndent.h"          // for Print
+#include "vtkOpenGLFramebufferObject.h" // for members
+#include "vtkSmartPointer.h"    // for members
+#include "vtkTextureObject.h" // for members
+
+#include <cstddef> // for size_t
+#include <ostream> // for Print
+#include <vector>  // for textures
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+
+class vtkIndirectTarget
+{
+public:
+  /** channels: table ended by InternalFormat 0; depth: whether a 32-bit float depth texture comes too. */
+  vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth);
+  ~vtkIndirectTarget();
+
+  /** Creates or resizes the textures. Returns false, after an error, when OpenGL refuses. */
+  bool Resize(vtkOpenGLRenderWindow* window, int width, int height);
+
+  /** Binds for drawing to all channels with the viewport over the whole target. Pair with End. */
+  void Begin();
+  void End();
+
+  /** Clears all channels to zero and depth to one; between Begin and End. */
+  void Clear();
+
+  vtkOpenGLFramebufferObject* GetFramebuffer() const { return this->Framebuffer; }
+  vtkTextureObject* GetTexture(int channel) const { return this->Textures[channel]; }
+  vtkTextureObject* GetDepthTexture() const { return this->Depth; }
+
+  /** Binds a channel's texture and sets its sampler uniform; pair with Deactivate. */
+  void Activate(int channel, vtkShaderProgram* program) const;
+  void ActivateDepth(vtkShaderProgram* program, const char* uniform) const;
+  void Deactivate() const;
+
+  /** Reads a channel back, four floats a pixel, bottom row first. */
+  std::vector<float> ReadBack(int channel);
+
+  /** One line a channel: name, meaning, size, format, space and unit. */
+  void Print(std::ostream& os, vtkIndent indent) const;
+
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  size_t GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  const vtkIndirectChannel* Channels;
+  bool WithDepth;
+  int Width = 0;
+  int Height = 0;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  std::vector<vtkSmartPointer<vtkTextureObject>> Textures;
+  vtkSmartPointer<vtkTextureObject> Depth;
+};
+
+#endif

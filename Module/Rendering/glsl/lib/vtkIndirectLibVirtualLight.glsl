@@ -1,0 +1,21 @@
+// Irradiance from one virtual light.
+#ifndef vtkIndirectLibVirtualLight
+#define vtkIndirectLibVirtualLight
+#include "vtkIndirectLibPortable.glsl"
+
+/* Weight w such that a virtual light of reflected density times area BA adds BA * w to a receiver's
+ * irradiance (VTK units: radiance physical, irradiance physical / pi).
+ *   w = cosS cosR / (pi r^2 + A),  the form factor of a disk of area A seen at distance r, over A
+ * (Wallace, Elmquist, Haines 1989, "A ray tracing algorithm for progressive radiosity").
+ * toSender: sender minus receiver, scene units; normals unit; area > 0 in scene units squared.
+ * Bounded by 1/A with no clamp. Bias <= 0 where r^2 < A. No visibility. */
+float vtkiVirtualLightWeight(vec3 toSender, vec3 normalS, vec3 normalR, float area)
+{
+  float r2 = dot(toSender, toSender);
+  float projectedS = max(-dot(normalS, toSender), 0.0f);
+  float projectedR = max(dot(normalR, toSender), 0.0f);
+  float denominator = r2 * (VTKI_PI * r2 + area);
+  // Zero only where sender and receiver coincide; neither sees the other there.
+  return denominator > 0.0f ? projectedS * projectedR / denominator : 0.0f;
+}
+#endif

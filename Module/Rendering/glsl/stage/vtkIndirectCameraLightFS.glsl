@@ -1,0 +1,50 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Virtual lights of a headlight, read from the geometry buffer: the eye's view is its map.
+#include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectLibLightMap.glsl"
+
+uniform sampler2D vtkiPattern;
+uniform sampler2D vtkiSurface;
+uniform sampler2D vtkiAlbedo;
+uniform vec2 vtkiSize;
+uniform mat3 vtkiRayOrigin;
+uniform mat3 vtkiRayDirection;
+uniform mat4 vtkiViewToScene;
+uniform vec3 vtkiLightColor;  // colour times intensity
+uniform vec3 vtkiToLight;     // view coordinates, unit
+uniform int vtkiParallel;
+
+void main()
+{
+  vec4 sampled = texelFetch(vtkiPattern, ivec2(gl_FragCoord.xy), 0);
+  ivec2 texel = ivec2(min(sampled.xy * vtkiSize, vtkiSize - 1.0f));
+  vec4 surface = texelFetch(vtkiSurface, texel, 0);
+  vec3 position = vec3(0.0f);
+  vec3 normal = vec3(0.0f, 0.0f, 1.0f);
+  vec3 densityArea = vec3(0.0f);
+  float area = 1.0f;
+  if (sampled.w > 0.0f && vtkiSurfaceIsLit(surface))
+  {
+    vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vtkiSize - 1.0f;
+    vec3 p = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
+    normal = vtkiSurfaceNormal(surface);
+    // Edge vectors of the pixel on the plane at this depth: its area there, whatever the projection.
+    vec3 dx = (vtkiRayOrigin[0] + surface.z * vtkiRayDirection[0]) * (2.0f / vtkiSize.x);
+    vec3 dy = (vtkiRayOrigin[1] + surface.z * vtkiRayDirection[1]) * (2.0f / vtkiSize.y);
+    float pixelArea = length(cross(dx, dy));
+    vec3 toEye = vtkiParallel != 0 ? vec3(0.0f, 0.0f, 1.0f) : -normalize(p);
+    // pixelArea is perpendicular to the axis: seen from the eye it covers area * toEye.z / (n.v).
+    float cosEye = max(dot(normal, toEye), sqrt(pixelArea));
+    float covered = pixelArea * toEye.z / cosEye * sampled.w;
+    float encoded = vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED ? 1.0f / VTKI_PI : 1.0f;
+    position = (vtkiViewToScene * vec4(p, 1.0f)).xyz;
+    densityArea = texelFetch(vtkiAlbedo, texel, 0).rgb * vtkiLightColor *
+      (max(dot(normal, vtkiToLight), 0.0f) * covered * encoded);
+    area = covered;
+    normal = mat3(vtkiViewToScene) * normal;
+  }
+  gl_FragData[0] = vec4(position, area);
+  gl_FragData[1] = vec4(normal, 0.0f);
+  gl_FragData[2] = vec4(densityArea, 0.0f);
+}

@@ -1,0 +1,129 @@
+// Added to the fragment shader of every surface mapper. One text serves both stages, so that a
+// frame that draws a light's map and then the eye's view rebuilds no shader source.
+#include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectLibLightMap.glsl"
+#include "vtkIndirectLibShadow.glsl"
+
+uniform int vtkiStage;          // 0: from the eye, 1: from a light
+uniform float vtkiSceneScale;   // scene units per world unit
+uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel projection
+
+// From the eye: where each light's shadow map is. The arrays are as long as the scene has lights.
+uniform sampler2DArrayShadow vtkiShadowMaps;
+uniform mat4 vtkiViewToLight[VTKI_LIGHT_COUNT]; // view coordinates to light frame, scene units
+uniform vec4 vtkiShadowMap[VTKI_LIGHT_COUNT];   // first layer (-1: none), projection, half width, texels
+uniform vec4 vtkiShadowDepth[VTKI_LIGHT_COUNT]; // near, far, shadow strength, number of layers
+
+// From a light: the light whose map is drawn.
+uniform vec3 vtkiMapAttenuation; // c, l, q for distances in scene units
+uniform vec3 vtkiMapAxis;        // direction of the light in this face's view coordinates
+uniform vec4 vtkiMapLight;       // 1 if positional, cos(cone) or -2, exponent, texel size
+
+// The depth buffer holds floats just below one; interpolation loses about four of their steps.
+const float VTKI_DEPTH_ROUNDING = 2.4e-7f;
+
+vec3 vtkiFacetNormal(vec3 positionVC, vec3 fallback)
+{
+  vec3 p = positionVC * vtkiSceneScale;
+  vec3 n = cross(dFdx(p), dFdy(p));
+  float length2 = dot(n, n);
+  if (!(length2 > 0.0f))
+  {
+    return fallback;
+  }
+  n *= inversesqrt(length2);
+  bool away = vtkiDepthRange.z > 0.5f ? n.z < 0.0f : dot(n, p) > 0.0f;
+  return away ? -n : n;
+}
+
+float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormalVC)
+{
+  vec4 map = vtkiShadowMap[light];
+  if (vtkiStage != 0 || map.x < 0.0f)
+  {
+    return 1.0f;
+  }
+  vec4 depthRange = vtkiShadowDepth[light];
+  mat4 viewToLight = vtkiViewToLight[light];
+  mat3 rotation = mat3(viewToLight) * (1.0f / vtkiSceneScale);
+  vec3 p = (viewToLight * vec4(positionVC, 1.0f)).xyz;
+  vec3 n = rotation * normalVC;
+  vec3 facet = rotation * facetNormalVC;
+  int projection = int(map.y + 0.5f);
+  bool parallel = projection == VTKI_MAP_PARALLEL;
+  int face = 0;
+  if (projection == VTKI_MAP_FACES)
+  {
+    face = vtkiFaceOf(p);
+    if (float(face) >= depthRange.w)
+    {
+      return 1.0f;
+    }
+    p = vtkiToFace(p, face);
+    n = vtkiToFace(n, face);
+    facet = vtkiToFace(facet, face);
+  }
+  float depth = -p.z;
+  if (!parallel && !(depth > 0.0f))
+  {
+    return 1.0f;
+  }
+  vec2 ndc = p.xy / (parallel ? map.z : depth * map.z);
+  if (max(abs(ndc.x), abs(ndc.y)) > 1.0f)
+  {
+    return 1.0f;
+  }
+  // Four bilinear comparisons half a texel off the centre reach one and a half texels.
+  float texel = 2.0f * map.z / map.w;
+  float reach = 1.5f * texel;
+  float offset = vtkiPlaneDepthOffset(p, n, reach, parallel);
+  // A facet may be steeper than the interpolated normal says; one turned away cannot be asked.
+  float facetOffset = vtkiPlaneDepthOffset(p, facet, reach, parallel);
+  bool facetLit = parallel ? facet.z > 0.0f : dot(facet, p) < 0.0f;
+  if (offset < 0.0f || (facetLit && facetOffset < 0.0f))
+  {
+    return 1.0f;
+  }
+  offset = facetLit ? max(offset, facetOffset) : offset;
+  float reference = vtkiDepthToBuffer(
+    max(depth - offset, depthRange.x), depthRange.x, depthRange.y, parallel) - VTKI_DEPTH_ROUNDING;
+  vec2 uv = 0.5f * ndc + 0.5f;
+  vec2 h = vec2(0.5f / map.w);
+  float layer = map.x + float(face);
+  float lit = texture(vtkiShadowMaps, vec4(uv.x - h.x, uv.y - h.y, layer, reference)) +
+    texture(vtkiShadowMaps, vec4(uv.x + h.x, uv.y - h.y, layer, reference)) +
+    texture(vtkiShadowMaps, vec4(uv.x - h.x, uv.y + h.y, layer, reference)) +
+    texture(vtkiShadowMaps, vec4(uv.x + h.x, uv.y + h.y, layer, reference));
+  return mix(1.0f, 0.25f * lit, depthRange.z);
+}
+
+// Reflected density of a texel per unit light intensity, and the cosine at its geometric normal.
+// positionVC: this face's view coordinates. Positional lights: albedo att d^2 cone (n_s.l)/(n_g.l),
+// to be multiplied by the texel's solid angle; directional: without att d^2 and cone, by its area.
+vec4 vtkiReflectedDensity(vec3 positionVC, vec3 normalVC, vec3 facetNormalVC, vec3 albedo)
+{
+  vec3 p = positionVC * vtkiSceneScale;
+  bool positional = vtkiMapLight.x > 0.5f;
+  float d = positional ? length(p) : 1.0f;
+  if (!(d > 0.0f))
+  {
+    return vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  }
+  vec3 toLight = positional ? -p / d : -vtkiMapAxis;
+  float cosGeometric = dot(facetNormalVC, toLight);
+  // One texel may not cover more depth than the scene has.
+  float cosGeometricMin = positional ? d * vtkiMapLight.w : vtkiMapLight.w;
+  float scale = vtkiCosineRatio(dot(normalVC, toLight), cosGeometric, cosGeometricMin);
+  if (positional)
+  {
+    scale *= vtkiConeFactor(-dot(toLight, vtkiMapAxis), vtkiMapLight.y, vtkiMapLight.z) *
+      vtkiAttenuationTimesDistance2(vtkiMapAttenuation, d);
+  }
+  return vec4(albedo * scale, max(cosGeometric, cosGeometricMin));
+}
+
+float vtkiLinearDepth()
+{
+  return vtkiDepthRange.z > 0.5f ? mix(vtkiDepthRange.x, vtkiDepthRange.y, gl_FragCoord.z)
+                                 : vtkiSceneScale / gl_FragCoord.w;
+}

@@ -1,0 +1,58 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// One channel of the frame as floats, in world units and world coordinates; background 0.
+#include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectLibColor.glsl"
+
+uniform sampler2D vtkiLit;
+uniform sampler2D vtkiSurface;
+uniform sampler2D vtkiAlbedo;
+uniform sampler2D vtkiIrradiance;
+uniform ivec2 vtkiOrigin;
+uniform float vtkiIndirectScale;
+uniform mat3 vtkiViewToWorldDirection;
+uniform float vtkiSceneScale;
+uniform int vtkiChannel; // index in vtkIndirectCompositePass's table
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - vtkiOrigin;
+  vec4 surface = texelFetch(vtkiSurface, pixel, 0);
+  float kind = vtkiSurfaceKind(surface);
+  bool lit = kind > 0.5f && kind < 2.5f;
+  vec3 direct = texelFetch(vtkiLit, pixel, 0).rgb;
+  vec3 albedo = lit ? texelFetch(vtkiAlbedo, pixel, 0).rgb : vec3(0.0f);
+  vec3 irradiance = lit ? texelFetch(vtkiIrradiance, pixel, 0).rgb : vec3(0.0f);
+  vec3 indirect = vtkiIndirectScale > 0.0f ? albedo * irradiance * vtkiIndirectScale : vec3(0.0f);
+  vec3 value = vec3(0.0f);
+  if (vtkiChannel == 0)
+  {
+    value = kind == VTKI_SURFACE_ENCODED ? vtkiEncodeGamma(vtkiDecodeGamma(direct) + indirect)
+                                         : direct + indirect;
+  }
+  else if (vtkiChannel == 1)
+  {
+    value = direct;
+  }
+  else if (vtkiChannel == 2)
+  {
+    value = indirect;
+  }
+  else if (vtkiChannel == 3)
+  {
+    value = irradiance;
+  }
+  else if (vtkiChannel == 5)
+  {
+    value = albedo;
+  }
+  else if (vtkiChannel == 6 && lit)
+  {
+    value = vtkiViewToWorldDirection * vtkiSurfaceNormal(surface);
+  }
+  else if (vtkiChannel == 7)
+  {
+    value = vec3(surface.z / vtkiSceneScale);
+  }
+  gl_FragData[0] = vec4(value, 1.0f);
+}

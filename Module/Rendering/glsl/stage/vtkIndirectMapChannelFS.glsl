@@ -1,0 +1,34 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// One channel of a light's map as floats, its faces in a row; world units and coordinates.
+#include "vtkIndirectMapTexel.glsl"
+
+uniform int vtkiFirstLayer;
+uniform int vtkiChannel; // 0 depth, 1 normal, 2 density
+uniform float vtkiSceneScale;
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 map = texelFetch(vtkiMapTable, ivec2(3, vtkiFirstLayer), 0);
+  int texels = int(map.z + 0.5f);
+  int layer = vtkiFirstLayer + pixel.x / texels;
+  ivec3 at = ivec3(pixel.x % texels, pixel.y, layer);
+  vec4 surface = texelFetch(vtkiMapSurface, at, 0);
+  vec3 value = vec3(0.0f);
+  if (vtkiChannel == 0)
+  {
+    value = vec3(surface.z / vtkiSceneScale);
+  }
+  else if (vtkiChannel == 1 && vtkiSurfaceIsLit(surface))
+  {
+    value = vtkiTransformRows(layer, 0, vec4(vtkiSurfaceNormal(surface), 0.0f));
+  }
+  else if (vtkiChannel == 2)
+  {
+    bool parallel = int(map.x + 0.5f) == VTKI_MAP_PARALLEL;
+    value = texelFetch(vtkiMapDensity, at, 0).rgb /
+      (parallel ? 1.0f : vtkiSceneScale * vtkiSceneScale);
+  }
+  gl_FragData[0] = vec4(value, 1.0f);
+}

@@ -1,0 +1,30 @@
+// The surface at a pixel of the geometry buffer, in scene units.
+#include "vtkIndirectLibSurface.glsl"
+
+uniform sampler2D vtkiSurface;
+uniform ivec2 vtkiSize;
+uniform mat3 vtkiRayOrigin;
+uniform mat3 vtkiRayDirection;
+uniform mat4 vtkiViewToScene;
+
+struct vtkiReceiver
+{
+  vec3 positionVC;
+  vec3 normalVC;
+  vec3 position; // scene
+  vec3 normal;   // scene
+  float depth;
+};
+
+// Returns false where nothing lit was drawn.
+bool vtkiFetchReceiver(ivec2 pixel, out vtkiReceiver receiver)
+{
+  vec4 surface = texelFetch(vtkiSurface, pixel, 0);
+  receiver.depth = surface.z;
+  vec2 ndc = 2.0f * (vec2(pixel) + 0.5f) / vec2(vtkiSize) - 1.0f;
+  receiver.positionVC = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
+  receiver.normalVC = vtkiSurfaceNormal(surface);
+  receiver.position = (vtkiViewToScene * vec4(receiver.positionVC, 1.0f)).xyz;
+  receiver.normal = mat3(vtkiViewToScene) * receiver.normalVC;
+  return vtkiSurfaceIsLit(surface);
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
+#include "vtkGeometryBufferPass.h"
+
+#include "vtkIndirectFrame.h"
+#include "vtkIndirectTarget.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkSurfaceCapturePass.h"
+
+vtkStandardNewMacro(vtkGeometryBufferPass);
+
+namespace
+{
+const vtkIndirectChannel Channels[] = {
+  { "geometry.lit", "vtkiLit", "VTK's shading with shadows, premultiplied alpha", GL_RGBA32F, "view",
+    "VTK radiance" },
+  { "geometry.surface", "vtkiSurface", "octahedral normal and kind, linear depth", GL_RGBA32F,
+    "view", "1, 1, scene units" },
+  { "geometry.albedo", "vtkiAlbedo", "diffuse reflectance", GL_RGBA16F, "-", "1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+}
+
+//------------------------------------------------------------------------------
+vtkGeometryBufferPass::vtkGeometryBufferPass()
+  : Target(new vtkIndirectTarget(Channels, true))
+{
+}
+
+vtkGeometryBufferPass::~vtkGeometryBufferPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkGeometryBufferPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  this->Target->Print(os, indent);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeometryBufferPass::Render(const vtkRenderState* s)
+{
+  vtkIndirectFrame frame;
+  std::string why;
+  // Nothing lit is no failure here: there are surfaces all the same.
+  frame.Build(s, why);
+  if (frame.Size[0] < 1 || frame.Size[1] < 1)
+  {
+    return;
+  }
+  vtkNew<vtkSurfaceCapturePass> capture;
+  capture->Attach(frame);
+  this->Update(s, frame, capture, nullptr);
+  capture->Detach();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFrame& frame,
+  vtkSurfaceCapturePass* capture, vtkReflectiveShadowMapPass* shadows)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+
+  if (!this->Target->Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  {
+    return false;
+  }
+  this->Target->Begin();
+  this->Target->Clear();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  // VTK draws opaque props blended too: textures and point sprites have soft edges.
+  state->vtkglEnable(GL_BLEND);
+
+  vtkRenderState s2(s->GetRenderer());
+  s2.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
+  s2.SetFrameBuffer(this->Target->GetFramebuffer());
+  s2.SetRequiredKeys(s->GetRequiredKeys());
+  capture->BeginEye(frame, shadows);
+  capture->Render(&s2);
+  capture->EndStage();
+  this->NumberOfRenderedProps = capture->GetNumberOfRenderedProps();
+  this->Target->End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeometryBufferPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Target->Release(window);
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkGeometryBufferPass
+ * @brief Receivers: what the eye sees, as VTK shades it, with the surfaces it is made of
+ *
+ * Textures of the size of the viewport, read by the stages that follow:
+ * - geometry.lit, RGBA32F: VTK's own shading, each light times its visibility, premultiplied alpha
+ * - geometry.surface, RGBA32F: octahedral normal (view coordinates) with the kind of shading, linear
+ *   depth in scene units
+ * - geometry.albedo, RGBA16F: diffuse reflectance; of PBR times (1 - metallic)
+ * and a 32-bit float depth texture.
+ *
+ * @sa vtkSurfaceCapturePass vtkIndirectIlluminationPass
+ */
+
+#ifndef vtkGeometryBufferPass_h
+#define vtkGeometryBufferPass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkRenderingIndirectModule.h" // For export macro
+
+#include <memory> // for the target
+
+struct vtkIndirectFrame;
+class vtkIndirectTarget;
+class vtkReflectiveShadowMapPass;
+class vtkSurfaceCapturePass;
+
+class VTKRENDERINGINDIRECT_EXPORT vtkGeometryBufferPass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkGeometryBufferPass* New();
+  vtkTypeMacro(vtkGeometryBufferPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Fills the buffer from a state's opaque props, without shadows. vtkIndirectIlluminationPass does
+   * not call this: it calls Update with the lights' maps.
+   */
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+#ifndef __VTK_WRAP__
+  enum Channel
+  {
+    Lit,
+    Surface,
+    Albedo
+  };
+
+  /**
+   * Draws the opaque props, attached to `capture`, into the buffer. shadows: the lights' maps, or
+   * null for light that nothing blocks. Returns false, after an error, when OpenGL refuses.
+   */
+  bool Update(const vtkRenderState* s, const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
+    vtkReflectiveShadowMapPass* shadows);
+
+  const vtkIndirectTarget& GetTarget() const { return *this->Target; }
+#endif
+
+protected:
+  vtkGeometryBufferPass();
+  ~vtkGeometryBufferPass() override;
+
+private:
+  vtkGeometryBufferPass(const vtkGeometryBufferPass&) = delete;
+  void operator=(const vtkGeometryBufferPass&) = delete;
+
+  std::unique_ptr<vtkIndirectTarget> Target;
+};
+
+#endif

@@ -1,0 +1,631 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
+#include "vtkIndirectIlluminationPass.h"
+
+#include "vtkGeometryBufferPass.h"
+#include "vtkImageData.h"
+#include "vtkIndirectCompositePass.h"
+#include "vtkIndirectFrame.h"
+#include "vtkIndirectLightMap.h"
+#include "vtkIndirectReport.h"
+#include "vtkIndirectStageTimer.h"
+#include "vtkIndirectTarget.h"
+#include "vtkLight.h"
+#include "vtkLightsPass.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLFXAAFilter.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkRSMGatherPass.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderState.h"
+#include "vtkSequencePass.h"
+#include "vtkSurfaceCapturePass.h"
+#include "vtkUniformLightSampler.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <vector>
+
+vtkStandardNewMacro(vtkIndirectIlluminationPass);
+vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Estimator, vtkIndirectEstimatorPass);
+vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Sampler, vtkVirtualLightSampler);
+vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, DelegatePass, vtkRenderPass);
+
+//------------------------------------------------------------------------------
+struct vtkIndirectIlluminationPass::Internals
+{
+  // Stages of the frame, in order; the first two are members of the class.
+  vtkNew<vtkGeometryBufferPass> Geometry;
+  vtkNew<vtkUniformLightSampler> DefaultSampler;
+  vtkNew<vtkRSMGatherPass> DefaultEstimator;
+  vtkNew<vtkIndirectCompositePass> Composite;
+
+  vtkNew<vtkSequencePass> DefaultDelegate;
+  vtkSmartPointer<vtkOpenGLFXAAFilter> FXAA;
+
+  // The last frame.
+  vtkIndirectFrame Frame;
+  vtkWeakPointer<vtkRenderer> Renderer; // guards Frame's pointers
+  bool HasBuffers = false;
+  bool HasIrradiance = false;
+  bool EyeIsMap = false;
+  std::string WhyDelegate = "no frame has been rendered yet";
+  vtkIndirectReport Report;
+  vtkIndirectStageTimer Timer;
+
+  // What the irradiance was computed from; empty when there is none.
+  std::vector<double> EstimateKey;
+
+  std::string ReportedError;
+};
+
+//------------------------------------------------------------------------------
+vtkIndirectIlluminationPass::vtkIndirectIlluminationPass()
+  : SurfaceCapture(vtkSurfaceCapturePass::New())
+  , ReflectiveShadowMaps(vtkReflectiveShadowMapPass::New())
+  , Internal(new Internals)
+{
+  vtkNew<vtkRenderPassCollection> passes;
+  vtkNew<vtkLightsPass> lights;
+  vtkNew<vtkOpaquePass> opaque;
+  passes->AddItem(lights);
+  passes->AddItem(opaque);
+  this->Internal->DefaultDelegate->SetPasses(passes);
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectIlluminationPass::~vtkIndirectIlluminationPass()
+{
+  this->SetEstimator(nullptr);
+  this->SetSampler(nullptr);
+  this->SetDelegatePass(nullptr);
+  this->SurfaceCapture->Delete();
+  this->ReflectiveShadowMaps->Delete();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  auto flag = [](bool on) { return on ? "On" : "Off"; };
+  os << indent << "Estimator: " << this->Estimator << (this->Estimator ? "" : " (automatic)") << "\n";
+  os << indent << "Sampler: " << this->Sampler << (this->Sampler ? "" : " (automatic)") << "\n";
+  os << indent << "DelegatePass: " << this->DelegatePass << "\n";
+  os << indent << "Shadows: " << flag(this->Shadows) << "\n";
+  os << indent << "ReflectiveShadowMapResolution: " << this->GetReflectiveShadowMapResolution()
+     << "\n";
+  os << indent << "NumberOfBounces: " << this->NumberOfBounces << "\n";
+  os << indent << "IndirectScale: " << this->IndirectScale << "\n";
+  os << indent << "Caching: " << flag(this->Caching) << "\n";
+  os << indent << "RemainingGeometry: " << flag(this->RemainingGeometry) << "\n";
+  os << indent << "DebugView: \"" << this->DebugView << "\"\n";
+  os << indent << "Timing: " << flag(this->GetTiming()) << "\n";
+  os << indent << "NumberOfEstimates: " << this->NumberOfEstimates << "\n";
+  os << indent << "SurfaceCapture:\n";
+  this->SurfaceCapture->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "ReflectiveShadowMaps:\n";
+  this->ReflectiveShadowMaps->PrintSelf(os, indent.GetNextIndent());
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectEstimatorPass* vtkIndirectIlluminationPass::GetActiveEstimator()
+{
+  return this->Estimator ? this->Estimator : this->Internal->DefaultEstimator;
+}
+
+//------------------------------------------------------------------------------
+vtkVirtualLightSampler* vtkIndirectIlluminationPass::GetActiveSampler()
+{
+  return this->Sampler ? this->Sampler : this->Internal->DefaultSampler;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::SetReflectiveShadowMapResolution(int texels)
+{
+  const vtkMTimeType before = this->ReflectiveShadowMaps->GetMTime();
+  this->ReflectiveShadowMaps->SetResolution(texels);
+  if (this->ReflectiveShadowMaps->GetMTime() != before)
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectIlluminationPass::GetReflectiveShadowMapResolution()
+{
+  return this->ReflectiveShadowMaps->GetResolution();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::SetCaching(bool caching)
+{
+  if (caching != this->Caching)
+  {
+    this->Caching = caching;
+    this->ReflectiveShadowMaps->SetCaching(caching);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::SetTiming(bool timing)
+{
+  if (timing != this->Internal->Timer.Enabled)
+  {
+    this->Internal->Timer.Enabled = timing;
+    this->Internal->Timer.Reset();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectIlluminationPass::GetTiming()
+{
+  return this->Internal->Timer.Enabled;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::BeginView(const vtkRenderState* s)
+{
+  // As vtkCameraPass: viewport, scissor, and the background with its gradient or texture.
+  vtkRenderer* renderer = s->GetRenderer();
+  if (!renderer->IsActiveCameraCreated())
+  {
+    renderer->GetActiveCamera();
+    renderer->ResetCamera();
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  int size[2];
+  int origin[2] = { 0, 0 };
+  if (auto* framebuffer = vtkOpenGLFramebufferObject::SafeDownCast(s->GetFrameBuffer()))
+  {
+    framebuffer->GetLastSize(size);
+  }
+  else
+  {
+    renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglViewport(origin[0], origin[1], size[0], size[1]);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(origin[0], origin[1], size[0], size[1]);
+  if (window->GetErase() && renderer->GetErase())
+  {
+    renderer->Clear();
+  }
+  this->ClearLights(renderer);
+  this->UpdateLightGeometry(renderer);
+  this->UpdateLights(renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  this->NumberOfRenderedProps = 0;
+  vtkRenderer* renderer = s->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    vtkErrorMacro("vtkIndirectIlluminationPass needs an OpenGL render window.");
+    return;
+  }
+  window->MakeCurrent();
+  if (renderer->GetSelector())
+  {
+    // Selection draws identifiers, not colours; the renderer's own path knows how.
+    this->UpdateCamera(renderer);
+    this->UpdateLightGeometry(renderer);
+    this->UpdateLights(renderer);
+    this->UpdateGeometry(renderer, s->GetFrameBuffer());
+    return;
+  }
+
+  vtkOpenGLClearErrorMacro();
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+
+  in.Timer.BeginFrame();
+  this->BeginView(s);
+
+  in.Report = vtkIndirectReport();
+  in.Frame = vtkIndirectFrame();
+  in.Renderer = renderer;
+  in.HasBuffers = in.HasIrradiance = in.EyeIsMap = false;
+  std::string why;
+  if (this->IndirectScale == 0.0 && !this->Shadows)
+  {
+    why = "IndirectScale is 0 and Shadows are off";
+  }
+  else
+  {
+    in.Frame.Build(s, why);
+  }
+  if (!why.empty() || !this->RenderIndirect(s))
+  {
+    this->RenderDelegate(s, why.empty() ? "OpenGL could not hold the frame's textures" : why);
+  }
+  if (this->RemainingGeometry)
+  {
+    this->RenderRemaining(s);
+  }
+  in.Timer.EndFrame();
+  vtkOpenGLCheckErrorMacro("failed after indirect illumination");
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::RenderDelegate(const vtkRenderState* s, const std::string& why)
+{
+  Internals& in = *this->Internal;
+  in.HasBuffers = in.HasIrradiance = false;
+  in.EstimateKey.clear();
+  in.WhyDelegate = why;
+  in.Timer.Begin(vtkIndirectStageTimer::Delegate);
+  vtkRenderPass* delegate = this->DelegatePass ? this->DelegatePass : in.DefaultDelegate;
+  delegate->Render(s);
+  this->NumberOfRenderedProps += delegate->GetNumberOfRenderedProps();
+  in.Timer.End(vtkIndirectStageTimer::Delegate);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  vtkIndirectFrame& frame = in.Frame;
+  const vtkIndirectLight& first = frame.Lights.front();
+  in.EyeIsMap = frame.Lights.size() == 1 && first.Light->LightTypeIsHeadlight() && !first.Positional;
+
+  this->SurfaceCapture->SetDelegatePass(
+    this->DelegatePass ? this->DelegatePass : in.DefaultDelegate.Get());
+  this->SurfaceCapture->Attach(frame);
+  bool drawn = true;
+  if (!in.EyeIsMap)
+  {
+    in.Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
+    drawn = this->ReflectiveShadowMaps->Update(frame, this->SurfaceCapture);
+    in.Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
+  }
+  in.Timer.Begin(vtkIndirectStageTimer::Geometry);
+  const bool shadowed =
+    this->Shadows && !in.EyeIsMap && this->ReflectiveShadowMaps->GetNumberOfMaps() > 0;
+  drawn = drawn &&
+    in.Geometry->Update(
+      s, frame, this->SurfaceCapture, shadowed ? this->ReflectiveShadowMaps : nullptr);
+  in.Timer.End(vtkIndirectStageTimer::Geometry);
+  this->SurfaceCapture->Detach();
+  if (!drawn)
+  {
+    return false;
+  }
+  this->NumberOfRenderedProps += in.Geometry->GetNumberOfRenderedProps();
+  in.HasBuffers = true;
+
+  const bool lit = in.EyeIsMap || this->ReflectiveShadowMaps->GetNumberOfMaps() > 0;
+  in.HasIrradiance = this->IndirectScale > 0.0 && lit && this->UpdateIrradiance();
+
+  in.Timer.Begin(vtkIndirectStageTimer::Composite);
+  const vtkIndirectCompositePass::Input input = { frame, *in.Geometry,
+    in.EyeIsMap ? nullptr : this->ReflectiveShadowMaps,
+    in.HasIrradiance ? &this->GetActiveEstimator()->GetIrradiance() : nullptr,
+    this->IndirectScale };
+  in.Composite->Composite(input);
+  if (!this->DebugView.empty())
+  {
+    if (in.Composite->RenderChannel(input, this->DebugView))
+    {
+      in.Composite->ShowImage(input);
+    }
+    else if (in.ReportedError != this->DebugView)
+    {
+      in.ReportedError = this->DebugView;
+      vtkErrorMacro("DebugView '" << this->DebugView << "' is no channel of this frame; known are "
+                                  << vtkIndirectCompositePass::GetChannelNames() << ".");
+    }
+  }
+  in.Timer.End(vtkIndirectStageTimer::Composite);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkIndirectIlluminationPass::MakeEstimateKey()
+{
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = in.Frame;
+  vtkIndirectEstimatorPass* estimator = this->GetActiveEstimator();
+  vtkVirtualLightSampler* sampler = this->GetActiveSampler();
+  std::vector<double> key = { static_cast<double>(frame.Size[0]),
+    static_cast<double>(frame.Size[1]), static_cast<double>(estimator->GetMTime()),
+    static_cast<double>(sampler->GetMTime()), static_cast<double>(in.EyeIsMap),
+    static_cast<double>(in.EyeIsMap ? 0 : this->ReflectiveShadowMaps->GetContentTime()) };
+  auto append = [&key](const double* values, int count) {
+    key.insert(key.end(), values, values + count);
+  };
+  append(&frame.WorldToView[0][0], 16);
+  append(&frame.Projection[0][0], 16);
+  append(frame.SceneBounds, 6);
+  for (const vtkIndirectLight& light : frame.Lights)
+  {
+    append(&light.Color[0], 3);
+    append(&light.DirectionWC[0], 3);
+  }
+  for (vtkProp* prop : frame.Props)
+  {
+    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(prop)));
+    key.push_back(static_cast<double>(prop->GetRedrawMTime()));
+  }
+  return key;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectIlluminationPass::UpdateIrradiance()
+{
+  Internals& in = *this->Internal;
+  vtkIndirectEstimatorPass* estimator = this->GetActiveEstimator();
+  const std::vector<double> key = this->MakeEstimateKey();
+  if (this->Caching && key == in.EstimateKey)
+  {
+    return true;
+  }
+  in.EstimateKey.clear();
+
+  in.Timer.Begin(vtkIndirectStageTimer::Lights);
+  vtkVirtualLightSampler* sampler = estimator->ChooseSampler(this->GetActiveSampler());
+  const bool sampled = !sampler ||
+    sampler->Update(in.Frame, this->ReflectiveShadowMaps, in.EyeIsMap ? in.Geometry.Get() : nullptr);
+  in.Timer.End(vtkIndirectStageTimer::Lights);
+
+  const vtkIndirectEstimatorPass::Input input = { in.Frame, *in.Geometry,
+    *this->ReflectiveShadowMaps, sampler, in.EyeIsMap };
+  if (!sampled || !estimator->Estimate(input, in.Timer))
+  {
+    return false;
+  }
+  ++this->NumberOfEstimates;
+  in.EstimateKey = key;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::RenderRemaining(const vtkRenderState* s)
+{
+  // As vtkOpenGLRenderer::UpdateGeometry after its opaque part.
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+  vtkProp** props = s->GetPropArray();
+  const int count = s->GetPropArrayCount();
+  const bool translucent = std::any_of(
+    props, props + count, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
+  if (translucent)
+  {
+    renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer());
+  }
+  if (renderer->GetUseFXAA() && !s->GetFrameBuffer())
+  {
+    if (!this->Internal->FXAA)
+    {
+      this->Internal->FXAA = vtkSmartPointer<vtkOpenGLFXAAFilter>::New();
+    }
+    if (renderer->GetFXAAOptions())
+    {
+      this->Internal->FXAA->UpdateConfiguration(renderer->GetFXAAOptions());
+    }
+    this->Internal->FXAA->Execute(renderer);
+  }
+  if (!translucent || !renderer->GetUseDepthPeeling() || !renderer->GetUseDepthPeelingForVolumes())
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      this->NumberOfRenderedProps += props[i]->RenderVolumetricGeometry(renderer);
+    }
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    this->NumberOfRenderedProps += props[i]->RenderOverlay(renderer);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageData* image)
+{
+  Internals& in = *this->Internal;
+  int map = 0;
+  int channel = 0;
+  const bool known = name == "lights" || vtkIndirectCompositePass::FindChannel(name) >= 0 ||
+    vtkIndirectCompositePass::ParseMapChannel(name, map, channel);
+  if (!known || !image)
+  {
+    vtkErrorMacro("'" << name << "' is no buffer; known are "
+                      << vtkIndirectCompositePass::GetChannelNames() << ".");
+    return false;
+  }
+  if (!in.HasBuffers || !in.Renderer || in.Renderer->GetRenderWindow() != in.Frame.Window)
+  {
+    vtkErrorMacro("There is no buffer '" << name << "': only the delegate drew the last frame, because "
+                                         << in.WhyDelegate << ".");
+    return false;
+  }
+  in.Frame.Window->MakeCurrent();
+  if (name == "lights")
+  {
+    return this->CopyLights(image);
+  }
+  const vtkIndirectCompositePass::Input input = { in.Frame, *in.Geometry,
+    in.EyeIsMap ? nullptr : this->ReflectiveShadowMaps,
+    in.HasIrradiance ? &this->GetActiveEstimator()->GetIrradiance() : nullptr,
+    this->IndirectScale };
+  if (!in.Composite->RenderChannel(input, name))
+  {
+    vtkErrorMacro("There is no buffer '"
+      << name << "': "
+      << (in.EyeIsMap ? "a single headlight is read from the geometry buffer and has no map."
+                      : "the frame has fewer lights."));
+    return false;
+  }
+  in.Composite->CopyImage(image);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectIlluminationPass::CopyLights(vtkImageData* image)
+{
+  Internals& in = *this->Internal;
+  vtkVirtualLightSampler* sampler =
+    this->GetActiveEstimator()->ChooseSampler(this->GetActiveSampler());
+  if (!in.HasIrradiance || !sampler)
+  {
+    vtkErrorMacro("There is no buffer 'lights': the last frame used no virtual lights.");
+    return false;
+  }
+  const double scale = in.Frame.SceneScale;
+  const int count = sampler->GetActualNumberOfLights();
+  image->SetDimensions(3, count, 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  auto* out = static_cast<float*>(image->GetScalarPointer());
+  const std::vector<float> channels[3] = { sampler->GetTarget().ReadBack(0),
+    sampler->GetTarget().ReadBack(1), sampler->GetTarget().ReadBack(2) };
+  for (int i = 0; i < count; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      std::copy(&channels[c][4 * i], &channels[c][4 * i] + 4, out + 12 * i + 4 * c);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      out[12 * i + k] =
+        static_cast<float>(out[12 * i + k] / scale + in.Frame.SceneCenter[k]);
+      out[12 * i + 8 + k] = static_cast<float>(out[12 * i + 8 + k] / scale / scale);
+    }
+    out[12 * i + 3] = static_cast<float>(out[12 * i + 3] / scale / scale);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectIlluminationPass::GetReport()
+{
+  Internals& in = *this->Internal;
+  vtkIndirectReport report;
+  auto flag = [](bool on) { return on ? "true" : "false"; };
+  std::copy(in.Frame.Size, in.Frame.Size + 2, report.Size);
+  report.Settings = { { "Shadows", flag(this->Shadows) },
+    { "ReflectiveShadowMapResolution", std::to_string(this->GetReflectiveShadowMapResolution()) },
+    { "NumberOfBounces", std::to_string(this->NumberOfBounces) },
+    { "IndirectScale", std::to_string(this->IndirectScale) }, { "Caching", flag(this->Caching) } };
+  report.LeftOut = in.Frame.LeftOut;
+  if (!in.HasBuffers)
+  {
+    report.Modelled.emplace_back("the delegate alone", in.WhyDelegate);
+    return report.ToJSON(in.Timer);
+  }
+
+  vtkIndirectEstimatorPass* estimator = this->GetActiveEstimator();
+  report.Bytes = in.Geometry->GetTarget().GetBytes();
+  if (in.EyeIsMap)
+  {
+    report.Modelled.emplace_back(
+      "a headlight, from the geometry buffer", "the eye sees what it lights; no shadow is visible");
+    report.LeftOut.emplace_back("senders outside the view", "the headlight has no map of its own");
+  }
+  else
+  {
+    report.Bytes += this->ReflectiveShadowMaps->GetBytes();
+    static const char* const names[] = { "a parallel map", "a perspective map", "faces of a cube" };
+    for (int i = 0; i < this->ReflectiveShadowMaps->GetNumberOfMaps(); ++i)
+    {
+      const vtkIndirectLightMap& map = this->ReflectiveShadowMaps->GetMap(i);
+      report.Modelled.emplace_back("light " + std::to_string(map.Light.Index),
+        std::string(names[map.Projection]) + ", " + std::to_string(map.NumberOfFaces) + " of " +
+          std::to_string(this->GetReflectiveShadowMapResolution()) + " texels squared");
+    }
+    for (const vtkIndirectLight& light : in.Frame.Lights)
+    {
+      if (light.Color == glm::dvec3(0.0))
+      {
+        report.LeftOut.emplace_back("light " + std::to_string(light.Index), "it emits nothing");
+      }
+    }
+  }
+  if (in.HasIrradiance)
+  {
+    vtkVirtualLightSampler* sampler = estimator->ChooseSampler(this->GetActiveSampler());
+    report.Method = estimator->GetMethodName();
+    report.VirtualLights = sampler ? sampler->GetActualNumberOfLights() : 0;
+    report.Bytes += estimator->GetBytes() + (sampler ? sampler->GetBytes() : 0);
+    report.Modelled.emplace_back("one diffuse bounce",
+      std::string(estimator->GetClassName()) +
+        (this->Estimator ? "" : ", the automatic choice"));
+    if (this->NumberOfBounces > estimator->GetMaximumNumberOfBounces())
+    {
+      report.LeftOut.emplace_back("bounces beyond " +
+          std::to_string(estimator->GetMaximumNumberOfBounces()),
+        std::string(estimator->GetClassName()) + " computes no more; the result is too dark");
+    }
+    report.LeftOut.emplace_back("visibility between sender and receiver",
+      std::string(estimator->GetClassName()) + " does not test it; the result is too bright");
+    report.LeftOut.emplace_back(
+      "specular indirect light", "senders and receivers are taken as diffuse");
+  }
+  else if (this->IndirectScale > 0.0)
+  {
+    report.LeftOut.emplace_back("indirect light", "no light emits anything, or the estimator failed");
+  }
+  else
+  {
+    report.LeftOut.emplace_back("indirect light", "IndirectScale is 0");
+  }
+  if (in.Renderer && in.Frame.Window && in.Renderer->GetRenderWindow() == in.Frame.Window)
+  {
+    in.Frame.Window->MakeCurrent();
+    auto text = [](GLenum name) {
+      const auto* value = reinterpret_cast<const char*>(glGetString(name));
+      return std::string(value ? value : "");
+    };
+    report.GLRenderer = text(GL_RENDERER);
+    report.GLVersion = text(GL_VERSION);
+  }
+  return report.ToJSON(in.Timer);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Internal;
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->SurfaceCapture->ReleaseGraphicsResources(window);
+  this->ReflectiveShadowMaps->ReleaseGraphicsResources(window);
+  in.Geometry->ReleaseGraphicsResources(window);
+  in.DefaultSampler->ReleaseGraphicsResources(window);
+  in.DefaultEstimator->ReleaseGraphicsResources(window);
+  in.Composite->ReleaseGraphicsResources(window);
+  in.DefaultDelegate->ReleaseGraphicsResources(window);
+  if (this->Estimator)
+  {
+    this->Estimator->ReleaseGraphicsResources(window);
+  }
+  if (this->Sampler)
+  {
+    this->Sampler->ReleaseGraphicsResources(window);
+  }
+  if (this->DelegatePass)
+  {
+    this->DelegatePass->ReleaseGraphicsResources(window);
+  }
+  if (in.FXAA)
+  {
+    in.FXAA->ReleaseGraphicsResources();
+    in.FXAA = nullptr;
+  }
+  in.EstimateKey.clear();
+  in.HasBuffers = in.HasIrradiance = false;
+  in.WhyDelegate = "its resources have been released";
+}

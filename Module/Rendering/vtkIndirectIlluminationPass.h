@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkIndirectIlluminationPass
+ * @brief Real-time indirect illumination: the pass to give to vtkRenderer::SetPass
+ *
+ * A frame is one straight line: each light's reflective shadow map, the geometry buffer (VTK's own
+ * shading, shadowed light by light), virtual lights, the estimator, the composite; then translucent
+ * props (with depth peeling when the renderer asks for it), FXAA, volumes and overlays as in a renderer
+ * without a pass.
+ *
+ * The pass models what the scene needs. It leaves the picture to the delegate alone when nothing is
+ * lit, when nothing opaque is visible, and during hardware selection; a single headlight needs no map,
+ * because the eye sees what it lights. GetReport says what was decided.
+ *
+ * Units: VTK's. Radiance is physical; irradiance and light strength are physical divided by pi. With
+ * IndirectScale 1 the result agrees with a path tracer's single diffuse bounce without visibility
+ * between sender and receiver.
+ *
+ * Multisampling has no effect on what this pass draws: its targets are float textures. Use FXAA
+ * (vtkRenderer::SetUseFXAA) or vtkSSAAPass around it.
+ *
+ * @code
+ * vtkNew<vtkIndirectIlluminationPass> pass;
+ * renderer->SetPass(pass);
+ * @endcode
+ */
+
+#ifndef vtkIndirectIlluminationPass_h
+#define vtkIndirectIlluminationPass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkRenderingIndirectModule.h" // For export macro
+
+#include <memory> // for the internals
+#include <string> // for names and reports
+#include <vector> // for keys
+
+class vtkImageData;
+class vtkIndirectCompositePass;
+class vtkIndirectEstimatorPass;
+class vtkGeometryBufferPass;
+class vtkReflectiveShadowMapPass;
+class vtkSurfaceCapturePass;
+class vtkVirtualLightSampler;
+
+class VTKRENDERINGINDIRECT_EXPORT vtkIndirectIlluminationPass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkIndirectIlluminationPass* New();
+  vtkTypeMacro(vtkIndirectIlluminationPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * What computes the irradiance. Default null: automatic, a vtkRSMGatherPass over virtual lights with
+   * interpolation.
+   */
+  virtual void SetEstimator(vtkIndirectEstimatorPass* estimator);
+  vtkGetObjectMacro(Estimator, vtkIndirectEstimatorPass);
+  ///@}
+
+  ///@{
+  /** What chooses virtual lights. Default null: automatic, a vtkUniformLightSampler of 256 lights. */
+  virtual void SetSampler(vtkVirtualLightSampler* sampler);
+  vtkGetObjectMacro(Sampler, vtkVirtualLightSampler);
+  ///@}
+
+  ///@{
+  /** The opaque part of the picture. Default null: VTK's lights pass, then its opaque pass. */
+  virtual void SetDelegatePass(vtkRenderPass* delegate);
+  vtkGetObjectMacro(DelegatePass, vtkRenderPass);
+  ///@}
+
+  ///@{
+  /** The estimator and the sampler in use, the automatic ones included; never null. */
+  vtkIndirectEstimatorPass* GetActiveEstimator();
+  vtkVirtualLightSampler* GetActiveSampler();
+  ///@}
+
+  ///@{
+  /**
+   * Whether lights cast shadows. Default on: the maps send only from lit surfaces, so direct light
+   * without shadows would not match the indirect light.
+   */
+  vtkSetMacro(Shadows, bool);
+  vtkGetMacro(Shadows, bool);
+  vtkBooleanMacro(Shadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Texels along an edge of a light's map. Default 512, range 1 to 16384. Larger maps make sharper
+   * shadows; the indirect light's mean does not depend on it.
+   */
+  void SetReflectiveShadowMapResolution(int texels);
+  int GetReflectiveShadowMapResolution();
+  ///@}
+
+  ///@{
+  /**
+   * Bounces of indirect light. Default 1, range 1 to 16. What the estimator cannot compute is listed
+   * in the report under left_out.
+   */
+  vtkSetClampMacro(NumberOfBounces, int, 1, 16);
+  vtkGetMacro(NumberOfBounces, int);
+  ///@}
+
+  ///@{
+  /**
+   * Factor on the indirect light. Default 1, the physically calibrated value; range 0 to 1e6. At 0 it
+   * is not computed; with Shadows off too only the delegate runs and the picture is bitwise its own.
+   */
+  vtkSetClampMacro(IndirectScale, double, 0.0, 1.0e6);
+  vtkGetMacro(IndirectScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether maps, virtual lights and irradiance are kept while nothing that they depend on has
+   * changed. Default on; off for timing whole frames.
+   */
+  void SetCaching(bool caching);
+  vtkGetMacro(Caching, bool);
+  vtkBooleanMacro(Caching, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the pass draws translucent props, volumes and overlays after the composite. Default on;
+   * off when other passes of the renderer's chain draw them.
+   */
+  vtkSetMacro(RemainingGeometry, bool);
+  vtkGetMacro(RemainingGeometry, bool);
+  vtkBooleanMacro(RemainingGeometry, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the channel to show in place of the picture; empty (default) for the picture. See
+   * CopyBuffer for the names. Vectors are shown as 0.5 v + 0.5, lengths over the far plane.
+   */
+  vtkSetMacro(DebugView, std::string);
+  vtkGetMacro(DebugView, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Whether stages are timed, by wall clock between glFinish calls, which costs a little of the
+   * overlap between them. Default off. Switching it forgets earlier times.
+   */
+  void SetTiming(bool timing);
+  bool GetTiming();
+  vtkBooleanMacro(Timing, bool);
+  ///@}
+
+  /**
+   * The last frame as JSON (schema vtkindirect.report/1): settings, what was modelled and left out and
+   * why, bytes of textures, virtual lights, and with Timing on median and 95th percentile of each
+   * stage's milliseconds over the frames since.
+   */
+  std::string GetReport();
+
+  /**
+   * Copies a channel of the last frame, floats, bottom row first, vectors in world coordinates,
+   * lengths in world units, background 0: `final`, `direct`, `indirect` (albedo E + glossy),
+   * `irradiance` (E in VTK's units), `glossy`, `albedo`, `normal`, `depth` (along the view axis);
+   * `rsm<i>.depth`, `rsm<i>.normal`, `rsm<i>.density` (the faces of a map in a row); `lights` (four
+   * components, one row a virtual light: position, area; normal, lobe exponent; B A, source).
+   * Returns false, after one error, for an unknown name or when the last frame has no such channel.
+   */
+  bool CopyBuffer(const std::string& name, vtkImageData* image);
+
+  ///@{
+  /** The stages, for inspection and tests. */
+  vtkGetObjectMacro(SurfaceCapture, vtkSurfaceCapturePass);
+  vtkGetObjectMacro(ReflectiveShadowMaps, vtkReflectiveShadowMapPass);
+  ///@}
+
+  /** How many frames computed the irradiance anew since construction. */
+  vtkGetMacro(NumberOfEstimates, vtkIdType);
+
+protected:
+  vtkIndirectIlluminationPass();
+  ~vtkIndirectIlluminationPass() override;
+
+  vtkIndirectEstimatorPass* Estimator = nullptr;
+  vtkVirtualLightSampler* Sampler = nullptr;
+  vtkRenderPass* DelegatePass = nullptr;
+  vtkSurfaceCapturePass* SurfaceCapture;
+  vtkReflectiveShadowMapPass* ReflectiveShadowMaps;
+  bool Shadows = true;
+  int NumberOfBounces = 1;
+  double IndirectScale = 1.0;
+  bool Caching = true;
+  bool RemainingGeometry = true;
+  std::string DebugView;
+  vtkIdType NumberOfEstimates = 0;
+
+private:
+  vtkIndirectIlluminationPass(const vtkIndirectIlluminationPass&) = delete;
+  void operator=(const vtkIndirectIlluminationPass&) = delete;
+
+  void BeginView(const vtkRenderState* s);
+  bool RenderIndirect(const vtkRenderState* s);
+  bool UpdateIrradiance();
+  void RenderDelegate(const vtkRenderState* s, const std::string& why);
+  void RenderRemaining(const vtkRenderState* s);
+  bool CopyLights(vtkImageData* image);
+  std::vector<double> MakeEstimateKey();
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
+#include "vtkRSMGatherPass.h"
+
+#include "vtkGeometryBufferPass.h"
+#include "vtkIndirectAllTexelsSampler.h"
+#include "vtkIndirectKernelProgram.h"
+#include "vtkIndirectStageTimer.h"
+#include "vtkIndirectTarget.h"
+#include "vtkIndirectUniforms.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkRSMGatherPass);
+
+namespace
+{
+const vtkIndirectChannel CoarseChannels[] = {
+  { "gather.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel", GL_RGBA32F, "-",
+    "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+const char* const LightsFile = "vtkIndirectGatherVirtualLights.glsl";
+const char* const NeighborhoodFile = "vtkIndirectGatherNeighborhood.glsl";
+
+// Rows of 256 lights in one draw: long draws stall a desktop, and some drivers end them.
+constexpr int RowsPerDraw = 16;
+}
+
+//------------------------------------------------------------------------------
+struct vtkRSMGatherPass::Internals
+{
+  vtkIndirectTarget Coarse{ CoarseChannels, false };
+  vtkIndirectKernelProgram Gather[2] = { { "vtkIndirectGatherFS.glsl", LightsFile },
+    { "vtkIndirectGatherFS.glsl", NeighborhoodFile } };
+  vtkIndirectKernelProgram Upsample[2] = { { "vtkIndirectUpsampleFS.glsl", LightsFile },
+    { "vtkIndirectUpsampleFS.glsl", NeighborhoodFile } };
+  vtkNew<vtkIndirectAllTexelsSampler> AllTexels;
+
+  void SetUniforms(
+    vtkShaderProgram* program, const Input& input, const vtkRSMGatherPass* self, bool neighborhood);
+};
+
+//------------------------------------------------------------------------------
+void vtkRSMGatherPass::Internals::SetUniforms(
+  vtkShaderProgram* program, const Input& input, const vtkRSMGatherPass* self, bool neighborhood)
+{
+  vtkIndirectSetEyeUniforms(program, input.Frame);
+  program->SetUniform2i("vtkiSize", input.Frame.Size);
+  input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
+  if (neighborhood)
+  {
+    input.Maps.Activate(program);
+    program->SetUniformi("vtkiSampleCount", self->NumberOfSamples);
+    program->SetUniformf("vtkiRadius", static_cast<float>(self->NeighborhoodRadius));
+    program->SetUniformi("vtkiLayerCount", input.Maps.GetNumberOfLayers());
+    return;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    input.Sampler->GetTarget().Activate(i, program);
+  }
+  program->SetUniformi("vtkiRowLength", vtkVirtualLightSampler::RowLength);
+  program->SetUniformi("vtkiLightCount", input.Sampler->GetActualNumberOfLights());
+}
+
+//------------------------------------------------------------------------------
+vtkRSMGatherPass::vtkRSMGatherPass()
+  : Internal(new Internals)
+{
+}
+
+vtkRSMGatherPass::~vtkRSMGatherPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkRSMGatherPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  static const char* const names[] = { "AllTexels", "VirtualLights", "Neighborhood" };
+  os << indent << "Mode: " << names[this->Mode] << "\n";
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "NeighborhoodRadius: " << this->NeighborhoodRadius << "\n";
+  os << indent << "Interpolation: " << (this->Interpolation ? "On" : "Off") << "\n";
+  os << indent << "InterpolationStep: " << this->InterpolationStep << "\n";
+  os << indent << "InterpolationMinimumCosine: " << this->InterpolationMinimumCosine << "\n";
+  os << indent << "InterpolationPlaneTolerance: " << this->InterpolationPlaneTolerance << "\n";
+}
+
+//------------------------------------------------------------------------------
+size_t vtkRSMGatherPass::GetBytes() const
+{
+  return this->Superclass::GetBytes() + this->Internal->Coarse.GetBytes() +
+    this->Internal->AllTexels->GetBytes();
+}
+
+//------------------------------------------------------------------------------
+vtkVirtualLightSampler* vtkRSMGatherPass::ChooseSampler(vtkVirtualLightSampler* users)
+{
+  switch (this->Mode)
+  {
+    case ALL_TEXELS:
+      return this->Internal->AllTexels;
+    case NEIGHBORHOOD:
+      return nullptr;
+    default:
+      return users;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer)
+{
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = input.Frame;
+  const bool neighborhood = input.Sampler == nullptr;
+  if (neighborhood && input.EyeIsMap)
+  {
+    vtkErrorMacro("Mode NEIGHBORHOOD needs a light with a map of its own; a single headlight has "
+                  "none. Use VIRTUAL_LIGHTS.");
+    return false;
+  }
+  const bool interpolate = this->Interpolation && this->Mode != ALL_TEXELS;
+  const int step = interpolate ? this->InterpolationStep : 1;
+  const int coarse[2] = { (frame.Size[0] + step - 1) / step, (frame.Size[1] + step - 1) / step };
+  if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
+    (interpolate && !in.Coarse.Resize(frame.Window, coarse[0], coarse[1])))
+  {
+    return false;
+  }
+  if (!interpolate)
+  {
+    in.Coarse.Release(frame.Window);
+  }
+
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  vtkIndirectKernelState kernelState(frame.Window);
+
+  auto releaseTextures = [&]() {
+    input.Geometry.GetTarget().Deactivate();
+    if (neighborhood)
+    {
+      input.Maps.Deactivate();
+    }
+    else
+    {
+      input.Sampler->GetTarget().Deactivate();
+    }
+  };
+
+  // The sum at coarse samples, or at every pixel.
+  timer.Begin(vtkIndirectStageTimer::Estimate);
+  vtkIndirectTarget& sums = interpolate ? in.Coarse : *this->Irradiance;
+  vtkShaderProgram* program = in.Gather[neighborhood].Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  const int rows = neighborhood
+    ? 1
+    : (input.Sampler->GetActualNumberOfLights() + vtkVirtualLightSampler::RowLength - 1) /
+      vtkVirtualLightSampler::RowLength;
+  sums.Begin();
+  if (rows > RowsPerDraw)
+  {
+    sums.Clear();
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  }
+  in.SetUniforms(program, input, this, neighborhood);
+  program->SetUniformi("vtkiStep", step);
+  for (int row = 0; row < rows; row += RowsPerDraw)
+  {
+    if (!neighborhood)
+    {
+      const int block[2] = { row, std::min(row + RowsPerDraw, rows) };
+      program->SetUniform2i("vtkiLightRows", block);
+    }
+    in.Gather[neighborhood].Draw();
+    if (rows > RowsPerDraw)
+    {
+      glFlush();
+    }
+  }
+  state->vtkglDisable(GL_BLEND);
+  sums.End();
+  releaseTextures();
+  timer.End(vtkIndirectStageTimer::Estimate);
+  if (!interpolate)
+  {
+    return true;
+  }
+
+  timer.Begin(vtkIndirectStageTimer::Upsample);
+  program = in.Upsample[neighborhood].Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  this->Irradiance->Begin();
+  in.SetUniforms(program, input, this, neighborhood);
+  in.Coarse.Activate(0, program);
+  program->SetUniformi("vtkiStep", step);
+  program->SetUniform2i("vtkiCoarseSize", coarse);
+  program->SetUniformf("vtkiMinimumCosine", static_cast<float>(this->InterpolationMinimumCosine));
+  program->SetUniformf("vtkiPlaneTolerance", static_cast<float>(this->InterpolationPlaneTolerance));
+  program->SetUniformi("vtkiShowGathered", 0);
+  if (!neighborhood)
+  {
+    const int all[2] = { 0, rows };
+    program->SetUniform2i("vtkiLightRows", all);
+  }
+  in.Upsample[neighborhood].Draw();
+  in.Coarse.Deactivate();
+  this->Irradiance->End();
+  releaseTextures();
+  timer.End(vtkIndirectStageTimer::Upsample);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRSMGatherPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  Internals& in = *this->Internal;
+  in.Coarse.Release(window);
+  in.AllTexels->ReleaseGraphicsResources(window);
+  for (int i = 0; i < 2; ++i)
+  {
+    in.Gather[i].Release();
+    in.Upsample[i].Release();
+  }
+}

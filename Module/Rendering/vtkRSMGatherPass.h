@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRSMGatherPass
+ * @brief One bounce of diffuse light, summed at each pixel over senders in the lights' maps
+ *
+ * Equation: E(x) = sum over senders p of B_p A_p cosS cosR / (pi r^2 + A_p), the disk kernel in place
+ * of equation (1) of Dachsbacher and Stamminger 2005, "Reflective shadow maps". B_p A_p comes from the
+ * maps (vtkReflectiveShadowMapPass).
+ *
+ * Modes:
+ * - ALL_TEXELS: every texel of every map is a sender; the reference for the other two. Its time grows
+ *   with pixels times texels.
+ * - VIRTUAL_LIGHTS: the lights that the sampler chose, the same for all pixels.
+ * - NEIGHBORHOOD: the paper's own: per pixel, texels in a disk around the pixel's place in each map.
+ *   Its expectation is the sum restricted to that disk.
+ *
+ * Approximations: no visibility between sender and receiver (bias >= 0), one bounce (<= 0), diffuse
+ * only (<= 0); the kernel is low where r^2 < A, by about -0.6 / sqrt(N) for walls that meet.
+ *
+ * Interpolation (section 5.2 of the paper): the sum is taken at every InterpolationStep-th pixel and
+ * interpolated where three of the four around lie on the same surface; other pixels sum for themselves.
+ */
+
+#ifndef vtkRSMGatherPass_h
+#define vtkRSMGatherPass_h
+
+#include "vtkIndirectEstimatorPass.h"
+#include "vtkRenderingIndirectModule.h" // For export macro
+
+class VTKRENDERINGINDIRECT_EXPORT vtkRSMGatherPass : public vtkIndirectEstimatorPass
+{
+public:
+  static vtkRSMGatherPass* New();
+  vtkTypeMacro(vtkRSMGatherPass, vtkIndirectEstimatorPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  const char* GetMethodName() const override { return "gather"; }
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  enum ModeType
+  {
+    ALL_TEXELS = 0,
+    VIRTUAL_LIGHTS = 1,
+    NEIGHBORHOOD = 2
+  };
+
+  ///@{
+  /** Which senders are summed. Default VIRTUAL_LIGHTS. */
+  vtkSetClampMacro(Mode, int, ALL_TEXELS, NEIGHBORHOOD);
+  vtkGetMacro(Mode, int);
+  void SetModeToAllTexels() { this->SetMode(ALL_TEXELS); }
+  void SetModeToVirtualLights() { this->SetMode(VIRTUAL_LIGHTS); }
+  void SetModeToNeighborhood() { this->SetMode(NEIGHBORHOOD); }
+  ///@}
+
+  ///@{
+  /** NEIGHBORHOOD: samples per map and pixel. Default 256, range 1 to 65536. */
+  vtkSetClampMacro(NumberOfSamples, int, 1, 65536);
+  vtkGetMacro(NumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * NEIGHBORHOOD: radius of the disk as a fraction of the map's width. Default 0.3, range 0.001 to
+   * 1.5; from 1.5 on the disk covers the map from everywhere in it.
+   */
+  vtkSetClampMacro(NeighborhoodRadius, double, 0.001, 1.5);
+  vtkGetMacro(NeighborhoodRadius, double);
+  ///@}
+
+  ///@{
+  /** Whether pixels are interpolated from coarser samples. Default on; ALL_TEXELS never does. */
+  vtkSetMacro(Interpolation, bool);
+  vtkGetMacro(Interpolation, bool);
+  vtkBooleanMacro(Interpolation, bool);
+  ///@}
+
+  ///@{
+  /** Pixels from one coarse sample to the next. Default 4, range 2 to 32. */
+  vtkSetClampMacro(InterpolationStep, int, 2, 32);
+  vtkGetMacro(InterpolationStep, int);
+  ///@}
+
+  ///@{
+  /** Least cosine between normals that are interpolated. Default 0.9, range 0 to 1. */
+  vtkSetClampMacro(InterpolationMinimumCosine, double, 0.0, 1.0);
+  vtkGetMacro(InterpolationMinimumCosine, double);
+  ///@}
+
+  ///@{
+  /**
+   * Farthest that a sample may lie from a pixel's tangent plane, as a fraction of the distance between
+   * samples on a surface that faces the eye. Default 0.5, range 0 to 100.
+   */
+  vtkSetClampMacro(InterpolationPlaneTolerance, double, 0.0, 100.0);
+  vtkGetMacro(InterpolationPlaneTolerance, double);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  vtkVirtualLightSampler* ChooseSampler(vtkVirtualLightSampler* users) override;
+  bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
+  size_t GetBytes() const override;
+#endif
+
+protected:
+  vtkRSMGatherPass();
+  ~vtkRSMGatherPass() override;
+
+  int Mode = VIRTUAL_LIGHTS;
+  int NumberOfSamples = 256;
+  double NeighborhoodRadius = 0.3;
+  bool Interpolation = true;
+  int InterpolationStep = 4;
+  double InterpolationMinimumCosine = 0.9;
+  double InterpolationPlaneTolerance = 0.5;
+
+private:
+  vtkRSMGatherPass(const vtkRSMGatherPass&) = delete;
+  void operator=(const vtkRSMGatherPass&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
+#include "vtkReflectiveShadowMapPass.h"
+
+#include "vtkIndirectFrame.h"
+#include "vtkIndirectKernels.h"
+#include "vtkIndirectLayeredTarget.h"
+#include "vtkIndirectLightMap.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkSurfaceCapturePass.h"
+#include "vtkTextureObject.h"
+
+#include <vector>
+
+vtkStandardNewMacro(vtkReflectiveShadowMapPass);
+
+namespace
+{
+const vtkIndirectChannel Channels[] = {
+  { "rsm.density", "vtkiMapDensity", "reflected density per unit light intensity", GL_RGBA32F, "-",
+    "scene units squared, or 1 for directional lights" },
+  { "rsm.surface", "vtkiMapSurface", "octahedral normal and kind, linear depth", GL_RGBA32F,
+    "face view", "1, 1, scene units" },
+  { "rsm.cosine", "vtkiMapCosine", "cosine at the geometric normal", GL_R16F, "-", "1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+// Texels of a row of the table that vtkIndirectMapTexel.glsl reads.
+constexpr int TableWidth = 8;
+
+// Draws for another camera without the events and modification times of SetActiveCamera, which also
+// frees a camera that only the renderer holds.
+class RendererCamera : public vtkRenderer
+{
+public:
+  static vtkCamera*& Of(vtkRenderer* renderer)
+  {
+    return renderer->*(&RendererCamera::ActiveCamera);
+  }
+};
+
+struct CasterKey
+{
+  vtkProp* Prop;
+  vtkMTimeType RedrawMTime;
+  bool operator==(const CasterKey& other) const
+  {
+    return this->Prop == other.Prop && this->RedrawMTime == other.RedrawMTime;
+  }
+};
+
+struct FaceKey
+{
+  bool Valid = false;
+  std::vector<double> Map;
+  std::vector<CasterKey> Casters;
+};
+}
+
+//------------------------------------------------------------------------------
+struct vtkReflectiveShadowMapPass::Internals
+{
+  vtkIndirectLayeredTarget Target{ Channels };
+  std::vector<std::unique_ptr<vtkIndirectLightMap>> Maps;
+  int NumberOfMaps = 0;
+  int NumberOfLayers = 0;
+  std::vector<FaceKey> Faces; // by layer
+  std::vector<float> Table;
+  vtkSmartPointer<vtkTextureObject> TableTexture;
+  vtkOpenGLRenderWindow* Window = nullptr;
+};
+
+vtkReflectiveShadowMapPass::vtkReflectiveShadowMapPass()
+  : Internal(new Internals)
+{
+}
+
+vtkReflectiveShadowMapPass::~vtkReflectiveShadowMapPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkReflectiveShadowMapPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "Caching: " << (this->Caching ? "On" : "Off") << "\n";
+  os << indent << "NumberOfMaps: " << this->GetNumberOfMaps() << "\n";
+  os << indent << "NumberOfFacesDrawn: " << this->NumberOfFacesDrawn << "\n";
+  vtkIndirectPrintChannels(os, indent, Channels);
+}
+
+//------------------------------------------------------------------------------
+int vtkReflectiveShadowMapPass::GetNumberOfMaps() const
+{
+  return this->Internal->NumberOfMaps;
+}
+
+//------------------------------------------------------------------------------
+int vtkReflectiveShadowMapPass::GetNumberOfLayers() const
+{
+  return this->Internal->NumberOfLayers;
+}
+
+//------------------------------------------------------------------------------
+const vtkIndirectLightMap& vtkReflectiveShadowMapPass::GetMap(int i) const
+{
+  return *this->Internal->Maps[i];
+}
+
+//------------------------------------------------------------------------------
+size_t vtkReflectiveShadowMapPass::GetBytes() const
+{
+  return this->Internal->Target.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkReflectiveShadowMapPass::Render(const vtkRenderState* s)
+{
+  vtkIndirectFrame frame;
+  std::string why;
+  if (!frame.Build(s, why))
+  {
+    this->Internal->NumberOfMaps = 0;
+    return;
+  }
+  vtkNew<vtkSurfaceCapturePass> capture;
+  capture->Attach(frame);
+  this->Update(frame, capture);
+  capture->Detach();
+}
+
+//------------------------------------------------------------------------------
+bool vtkReflectiveShadowMapPass::Update(
+  const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture)
+{
+  Internals& in = *this->Internal;
+  in.NumberOfMaps = 0;
+  in.NumberOfLayers = 0;
+  for (const vtkIndirectLight& light : frame.Lights)
+  {
+    if (light.Color == glm::dvec3(0.0))
+    {
+      continue;
+    }
+    if (in.NumberOfMaps == static_cast<int>(in.Maps.size()))
+    {
+      in.Maps.emplace_back(new vtkIndirectLightMap);
+    }
+    vtkIndirectLightMap& map = *in.Maps[in.NumberOfMaps++];
+    map.Fit(frame, light);
+    map.FirstLayer = in.NumberOfLayers;
+    in.NumberOfLayers += map.NumberOfFaces;
+  }
+  if (in.NumberOfMaps == 0)
+  {
+    return true;
+  }
+
+  bool lost = false;
+  in.Window = frame.Window;
+  if (!in.Target.Resize(frame.Window, this->Resolution, in.NumberOfLayers, lost))
+  {
+    in.NumberOfMaps = in.NumberOfLayers = 0;
+    return false;
+  }
+  if (lost)
+  {
+    in.Faces.clear();
+  }
+  in.Faces.resize(in.Target.GetLayers());
+
+  for (int i = 0; i < in.NumberOfMaps; ++i)
+  {
+    vtkIndirectLightMap& map = *in.Maps[i];
+    const std::vector<double> mapKey = map.GetKey();
+    for (int face = 0; face < map.NumberOfFaces; ++face)
+    {
+      FaceKey key;
+      key.Valid = true;
+      key.Map = mapKey;
+      for (const vtkIndirectCaster& caster : frame.Casters)
+      {
+        if (map.Sees(face, caster.Bounds))
+        {
+          key.Casters.push_back({ caster.Prop, caster.RedrawMTime });
+        }
+      }
+      FaceKey& last = in.Faces[map.FirstLayer + face];
+      if (this->Caching && last.Valid && last.Map == key.Map && last.Casters == key.Casters)
+      {
+        continue;
+      }
+      last = key;
+      this->DrawFace(frame, capture, map, face);
+      ++this->NumberOfFacesDrawn;
+      this->ContentTime.Modified();
+    }
+  }
+  this->UpdateTable(frame);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkReflectiveShadowMapPass::DrawFace(const vtkIndirectFrame& frame,
+  vtkSurfaceCapturePass* capture, vtkIndirectLightMap& map, int face)
+{
+  Internals& in = *this->Internal;
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  in.Target.BeginLayer(map.FirstLayer + face);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+
+  vtkCamera*& active = RendererCamera::Of(frame.Renderer);
+  vtkCamera* const eye = active;
+  active = map.GetCamera(face, frame.Parallel);
+  capture->BeginMap(frame, map, face, this->Resolution);
+  for (const CasterKey& caster : in.Faces[map.FirstLayer + face].Casters)
+  {
+    caster.Prop->RenderOpaqueGeometry(frame.Renderer);
+  }
+  capture->EndStage();
+  active = eye;
+  in.Target.End();
+}
+
+//------------------------------------------------------------------------------
+void vtkReflectiveShadowMapPass::UpdateTable(const vtkIndirectFrame& frame)
+{
+  Internals& in = *this->Internal;
+  std::vector<float> table(static_cast<size_t>(in.NumberOfLayers) * TableWidth * 4);
+  for (int i = 0; i < in.NumberOfMaps; ++i)
+  {
+    const vtkIndirectLightMap& map = *in.Maps[i];
+    for (int face = 0; face < map.NumberOfFaces; ++face)
+    {
+      const int layer = map.FirstLayer + face;
+      glm::vec4 row[TableWidth];
+      const glm::dmat4 toScene = map.FaceToScene[face];
+      const glm::dmat4 fromScene = glm::inverse(toScene);
+      for (int r = 0; r < 3; ++r)
+      {
+        for (int c = 0; c < 4; ++c)
+        {
+          row[r][c] = static_cast<float>(toScene[c][r]);
+          row[5 + r][c] = static_cast<float>(fromScene[c][r]);
+        }
+      }
+      row[3] = glm::vec4(map.Projection, map.HalfWidth, this->Resolution, map.FirstLayer);
+      row[4] = glm::vec4(glm::vec3(map.Light.Color), map.Light.Index);
+      std::copy(&row[0][0], &row[0][0] + 4 * TableWidth, table.begin() + 4 * TableWidth * layer);
+    }
+  }
+  if (in.TableTexture && table == in.Table)
+  {
+    return;
+  }
+  in.Table = table;
+  this->ContentTime.Modified();
+  if (!in.TableTexture)
+  {
+    in.TableTexture = vtkSmartPointer<vtkTextureObject>::New();
+  }
+  in.TableTexture->SetContext(frame.Window);
+  in.TableTexture->SetMinificationFilter(vtkTextureObject::Nearest);
+  in.TableTexture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  in.TableTexture->Create2DFromRaw(
+    TableWidth, in.NumberOfLayers, 4, VTK_FLOAT, in.Table.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkReflectiveShadowMapPass::Activate(vtkShaderProgram* program)
+{
+  Internals& in = *this->Internal;
+  for (int i = 0; Channels[i].InternalFormat; ++i)
+  {
+    in.Target.Activate(i, program);
+  }
+  in.TableTexture->Activate();
+  program->SetUniformi("vtkiMapTable", in.TableTexture->GetTextureUnit());
+}
+
+//------------------------------------------------------------------------------
+int vtkReflectiveShadowMapPass::ActivateShadow()
+{
+  return this->Internal->Target.ActivateShadow();
+}
+
+//------------------------------------------------------------------------------
+void vtkReflectiveShadowMapPass::Deactivate()
+{
+  this->Internal->Target.Deactivate();
+  if (this->Internal->TableTexture)
+  {
+    this->Internal->TableTexture->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkReflectiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Internal;
+  in.Target.Release(window);
+  in.Faces.clear();
+  if (in.TableTexture)
+  {
+    in.TableTexture->ReleaseGraphicsResources(window);
+    in.TableTexture = nullptr;
+  }
+  in.Window = nullptr;
+}

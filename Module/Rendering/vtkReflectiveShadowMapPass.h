@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkReflectiveShadowMapPass
+ * @brief Senders: the surfaces that each light sees, and how much light they reflect
+ *
+ * One map a light, after Dachsbacher and Stamminger 2005, "Reflective shadow maps": a perspective map
+ * for spots of up to 60 degrees half angle, the faces of a cube for wider spots (five) and point
+ * lights (six), a parallel map for directional lights. All faces of all lights are layers of the same
+ * array textures, so a shader that samples them needs one unit a channel:
+ * - rsm.density, RGBA32F: reflected density per unit light intensity; times the texel's solid angle
+ *   (directional: its area) and the light's intensity it is the reflected radiance times area, B A.
+ *   Positional lights: albedo att(d) d^2 cone (n_s.l)/(n_g.l); directional: albedo (n_s.l)/(n_g.l)
+ * - rsm.surface, RGBA32F: octahedral normal (the face's view coordinates), linear depth along its axis
+ * - rsm.cosine, RGBA16F: n_g.l, which turns a texel's footprint into the area it covers
+ * and a depth array for percentage-closer shadow look-ups.
+ *
+ * The density does not depend on the resolution: the sum of B A over a map is the light's reflected
+ * flux at any number of texels. A face is drawn again only when its light, what it can see
+ * (GetRedrawMTime) or the resolution has changed.
+ */
+
+#ifndef vtkReflectiveShadowMapPass_h
+#define vtkReflectiveShadowMapPass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkRenderingIndirectModule.h" // For export macro
+
+#include <memory> // for the internals
+
+class vtkIndirectLightMap;
+class vtkIndirectTarget;
+class vtkShaderProgram;
+class vtkSurfaceCapturePass;
+struct vtkIndirectFrame;
+
+class VTKRENDERINGINDIRECT_EXPORT vtkReflectiveShadowMapPass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkReflectiveShadowMapPass* New();
+  vtkTypeMacro(vtkReflectiveShadowMapPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Texels along an edge of a map. Default 512, range 1 to 16384; OpenGL's own limit is reported as
+   * an error when a frame is drawn.
+   */
+  vtkSetClampMacro(Resolution, int, 1, 16384);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /** Whether faces whose light and scene are unchanged are kept. Default on. */
+  vtkSetMacro(Caching, bool);
+  vtkGetMacro(Caching, bool);
+  vtkBooleanMacro(Caching, bool);
+  ///@}
+
+  /** Number of lights that have a map in the last frame. */
+  int GetNumberOfMaps() const;
+
+  /** How many faces were drawn since construction. */
+  vtkGetMacro(NumberOfFacesDrawn, vtkIdType);
+
+  /** Draws the maps of a state's lights. */
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+#ifndef __VTK_WRAP__
+  /**
+   * Brings the maps of all lights that emit anything up to date. Returns false, after an error, when
+   * OpenGL cannot hold them.
+   */
+  bool Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture);
+
+  const vtkIndirectLightMap& GetMap(int i) const;
+  int GetNumberOfLayers() const;
+  /** Grows whenever the content of a map, or the table below, has changed. */
+  vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
+
+  /** Binds the maps and their table for vtkIndirectMapTexel.glsl; pair with Deactivate. */
+  void Activate(vtkShaderProgram* program);
+  /** Unit with the depth array bound for comparison; pair with Deactivate. */
+  int ActivateShadow();
+  void Deactivate();
+
+  size_t GetBytes() const;
+#endif
+
+protected:
+  vtkReflectiveShadowMapPass();
+  ~vtkReflectiveShadowMapPass() override;
+
+  int Resolution = 512;
+  bool Caching = true;
+  vtkIdType NumberOfFacesDrawn = 0;
+  vtkTimeStamp ContentTime;
+
+private:
+  vtkReflectiveShadowMapPass(const vtkReflectiveShadowMapPass&) = delete;
+  void operator=(const vtkReflectiveShadowMapPass&) = delete;
+
+  void UpdateTable(const vtkIndirectFrame& frame);
+  void DrawFace(
+    const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture, vtkIndirectLightMap& map, int face);
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfaceCapturePass.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkCamera.h"
+#include "vtkIndirectFrame.h"
+#include "vtkIndirectKernels.h"
+#include "vtkIndirectLightMap.h"
+#include "vtkIndirectShaderLibrary.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkLight.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <cmath>
+#include <unordered_map>
+#include <vector>
+
+vtkStandardNewMacro(vtkSurfaceCapturePass);
+vtkCxxSetObjectMacro(vtkSurfaceCapturePass, DelegatePass, vtkRenderPass);
+
+//------------------------------------------------------------------------------
+struct vtkSurfaceCapturePass::Internals
+{
+  std::vector<vtkWeakPointer<vtkProp>> Attached;
+
+  // Uniforms of the current stage.
+  int Stage = 0;
+  float SceneScale = 1.0f;
+  float DepthRange[3] = { 0.0f, 1.0f, 0.0f };
+  int EyeIsParallel = 0;
+  int StageIsParallel = 0;
+  std::vector<glm::mat4> ViewToLight;
+  std::vector<glm::vec4> ShadowMap;
+  std::vector<glm::vec4> ShadowDepth;
+  int ShadowUnit = -1;
+  glm::vec3 MapAttenuation{ 1.0f, 0.0f, 0.0f };
+  glm::vec3 MapAxis{ 0.0f, 0.0f, -1.0f };
+  glm::vec4 MapLight{ 0.0f };
+
+  vtkReflectiveShadowMapPass* Shadows = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+
+  // A stage without shadows looks none up, but its sampler still needs a texture unit that no
+  // sampler of another type uses.
+  void ReserveUnit()
+  {
+    this->ShadowUnit = this->Window->GetState()->GetTextureUnitManager()->Allocate();
+  }
+
+  // The camera that a program's lighting uniforms were last set for.
+  std::unordered_map<vtkShaderProgram*, vtkCamera*> ProgramCameras;
+  vtkCamera* Camera = nullptr;
+};
+
+namespace
+{
+const std::string PreLightMarker = "//VTKI::PreLight";
+
+void ReplaceAll(std::string& text, const std::string& from, const std::string& to)
+{
+  for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+  {
+    text.replace(at, from.size(), to);
+  }
+}
+
+bool Contains(const std::string& text, const char* what)
+{
+  return text.find(what) != std::string::npos;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceCapturePass::vtkSurfaceCapturePass()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceCapturePass::~vtkSurfaceCapturePass()
+{
+  this->Detach();
+  this->SetDelegatePass(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DelegatePass: " << this->DelegatePass << "\n";
+  os << indent << "NumberOfShaderBuilds: " << this->NumberOfShaderBuilds << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
+{
+  this->Detach();
+  auto* key = vtkOpenGLRenderPass::RenderPasses();
+  for (vtkProp* prop : frame.Props)
+  {
+    vtkInformation* info = prop->GetPropertyKeys();
+    if (!info)
+    {
+      info = vtkInformation::New();
+      prop->SetPropertyKeys(info);
+      info->Delete();
+    }
+    // Assemblies share their information with their parts: a second entry would inject twice.
+    bool attached = false;
+    for (int i = 0; info->Has(key) && i < info->Length(key); ++i)
+    {
+      attached = attached || info->Get(key, i) == this;
+    }
+    if (!attached)
+    {
+      info->Append(key, this);
+    }
+    this->Internal->Attached.emplace_back(prop);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::Detach()
+{
+  auto* key = vtkOpenGLRenderPass::RenderPasses();
+  for (const auto& prop : this->Internal->Attached)
+  {
+    vtkInformation* info = prop ? prop->GetPropertyKeys() : nullptr;
+    if (info && info->Has(key))
+    {
+      info->Remove(key, this);
+      if (info->Length(key) == 0)
+      {
+        info->Remove(key);
+      }
+    }
+  }
+  this->Internal->Attached.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::BeginEye(
+  const vtkIndirectFrame& frame, vtkReflectiveShadowMapPass* shadows)
+{
+  Internals& in = *this->Internal;
+  in.Stage = 0;
+  in.SceneScale = static_cast<float>(frame.SceneScale);
+  in.EyeIsParallel = in.StageIsParallel = frame.Parallel ? 1 : 0;
+  in.DepthRange[0] = static_cast<float>(frame.Near);
+  in.DepthRange[1] = static_cast<float>(frame.Far);
+  in.DepthRange[2] = frame.Parallel ? 1.0f : 0.0f;
+  in.Camera = frame.Renderer->GetActiveCamera();
+
+  const size_t count = std::max<size_t>(frame.Lights.size(), 1);
+  in.ViewToLight.assign(count, glm::mat4(1.0f));
+  in.ShadowMap.assign(count, glm::vec4(-1.0f));
+  in.ShadowDepth.assign(count, glm::vec4(0.0f));
+  in.Shadows = shadows;
+  in.Window = frame.Window;
+  if (!shadows)
+  {
+    in.ReserveUnit();
+  }
+  else
+  {
+    const glm::dmat4 viewToWorld = glm::inverse(frame.WorldToView);
+    for (int i = 0; i < shadows->GetNumberOfMaps(); ++i)
+    {
+      const vtkIndirectLightMap& map = shadows->GetMap(i);
+      glm::dmat4 m = map.WorldToLight * viewToWorld;
+      m *= frame.SceneScale;
+      in.ViewToLight[map.Light.Index] = glm::mat4(m);
+      in.ShadowMap[map.Light.Index] = glm::vec4(map.FirstLayer, map.Projection, map.HalfWidth,
+        shadows->GetResolution());
+      in.ShadowDepth[map.Light.Index] = glm::vec4(
+        map.Near, map.Far, map.Light.Light->GetShadowAttenuation(), map.NumberOfFaces);
+    }
+    in.ShadowUnit = shadows->ActivateShadow();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::BeginMap(
+  const vtkIndirectFrame& frame, const vtkIndirectLightMap& map, int face, int texels)
+{
+  Internals& in = *this->Internal;
+  const vtkIndirectLight& light = map.Light;
+  const double s = frame.SceneScale;
+  in.Stage = 1;
+  in.SceneScale = static_cast<float>(s);
+  in.EyeIsParallel = frame.Parallel ? 1 : 0;
+  in.StageIsParallel = map.Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL ? 1 : 0;
+  in.DepthRange[0] = static_cast<float>(map.Near);
+  in.DepthRange[1] = static_cast<float>(map.Far);
+  in.DepthRange[2] = static_cast<float>(in.StageIsParallel);
+  in.Camera = frame.Renderer->GetActiveCamera();
+  // Distances reach the shader in scene units: c + l (d'/s) + q (d'/s)^2.
+  in.MapAttenuation =
+    glm::vec3(light.Attenuation.x, light.Attenuation.y / s, light.Attenuation.z / (s * s));
+  in.MapAxis = glm::vec3(map.FaceAxis[face]);
+  const bool cone = light.Positional && light.ConeAngle < 90.0;
+  in.MapLight = glm::vec4(light.Positional ? 1.0f : 0.0f,
+    cone ? std::cos(glm::radians(light.ConeAngle)) : -2.0, light.Exponent,
+    2.0 * map.HalfWidth / texels);
+  const size_t count = std::max<size_t>(frame.Lights.size(), 1);
+  in.ViewToLight.assign(count, glm::mat4(1.0f));
+  in.ShadowMap.assign(count, glm::vec4(-1.0f));
+  in.ShadowDepth.assign(count, glm::vec4(0.0f));
+  in.Shadows = nullptr;
+  in.Window = frame.Window;
+  in.ReserveUnit();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::EndStage()
+{
+  Internals& in = *this->Internal;
+  if (in.Shadows)
+  {
+    in.Shadows->Deactivate();
+  }
+  else if (in.ShadowUnit >= 0)
+  {
+    in.Window->GetState()->GetTextureUnitManager()->Free(in.ShadowUnit);
+  }
+  in.Shadows = nullptr;
+  in.ShadowUnit = -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::Render(const vtkRenderState* s)
+{
+  this->NumberOfRenderedProps = 0;
+  if (this->DelegatePass && this->Internal->Stage == 0)
+  {
+    this->DelegatePass->Render(s);
+    this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
+    return;
+  }
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    this->NumberOfRenderedProps += s->GetPropArray()[i]->RenderOpaqueGeometry(s->GetRenderer());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->DelegatePass)
+  {
+    this->DelegatePass->ReleaseGraphicsResources(window);
+  }
+  this->Internal->ProgramCameras.clear();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceCapturePass::PreReplaceShaderValues(std::string&, std::string&,
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  // What the mapper declares is known only after it has written its own text; leave a marker here.
+  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper) && !Contains(fragmentShader, "//VTKI::PreLight"))
+  {
+    vtkShaderProgram::Substitute(
+      fragmentShader, "//VTK::Light::Impl", PreLightMarker + "\n  //VTK::Light::Impl", false);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (!vtkOpenGLPolyDataMapper::SafeDownCast(mapper) || Contains(fragmentShader, "vtkiStage"))
+  {
+    return true;
+  }
+  ++this->NumberOfShaderBuilds;
+
+  // A map's projection may differ from the eye's; see vtkIndirectLightMap::GetCamera.
+  for (std::string* text : { &vertexShader, &geometryShader, &fragmentShader })
+  {
+    ReplaceAll(*text, "cameraParallel", "vtkiParallel");
+  }
+
+  const bool positioned = Contains(fragmentShader, "vertexVC");
+  const bool lit = positioned && Contains(fragmentShader, "normalVCVSOutput");
+  const bool pbr = Contains(fragmentShader, "vec3 albedo =");
+  const bool textured = !pbr && Contains(fragmentShader, "vec4 tcolor =");
+
+  // Visibility, light by light, as a factor on VTK's own light colour.
+  std::string visibility;
+  int lights = 0;
+  for (;; ++lights)
+  {
+    const std::string n = std::to_string(lights);
+    if (!Contains(fragmentShader, ("uniform vec3 lightColor" + n + ";").c_str()))
+    {
+      break;
+    }
+    if (lit)
+    {
+      visibility += "  vec3 lightColor" + n + " = lightColor" + n + " * vtkiVisibility(" + n +
+        ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC);\n";
+    }
+  }
+  if (lit)
+  {
+    visibility =
+      "vec3 vtkiFacetNormalVC = vtkiFacetNormal(vertexVC.xyz, normalVCVSOutput);\n" + visibility;
+  }
+  ReplaceAll(fragmentShader, PreLightMarker, visibility);
+
+  std::string declarations = "#define VTKI_LIGHT_COUNT " + std::to_string(std::max(lights, 1)) +
+    "\n" + vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureDecFS.glsl");
+  if (!Contains(fragmentShader, "uniform int vtkiParallel"))
+  {
+    declarations += "uniform int vtkiParallel;\n";
+  }
+  std::string albedo = "diffuseColor";
+  if (pbr)
+  {
+    albedo = "(albedo * (1.0 - metallic))";
+  }
+  else if (textured)
+  {
+    albedo = "(diffuseColor * vtkiTextureColor)";
+  }
+  const char* const kind =
+    !lit ? "VTKI_SURFACE_UNLIT" : (pbr ? "VTKI_SURFACE_ENCODED" : "VTKI_SURFACE_LINEAR");
+  declarations += "#define VTKI_ALBEDO " + albedo + "\n";
+  declarations += std::string("#define VTKI_NORMAL ") + (lit ? "normalVCVSOutput" : "vec3(0.0)") +
+    "\n#define VTKI_FACET_NORMAL " + (lit ? "vtkiFacetNormalVC" : "vec3(0.0, 0.0, 1.0)") +
+    "\n#define VTKI_POSITION " + (positioned ? "vertexVC.xyz" : "vec3(0.0)") +
+    "\n#define VTKI_KIND " + kind + "\n#define VTKI_DEPTH " +
+    (positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()") +
+    // VTK's PBR divides diffuse reflection by pi, its Phong does not.
+    "\n#define VTKI_SENDER_SCALE " + (pbr ? "(1.0 / VTKI_PI)" : "1.0") + "\n";
+  vtkShaderProgram::Substitute(fragmentShader, "void main()", declarations + "void main()", false);
+
+  std::string outputs;
+  if (textured)
+  {
+    outputs += Contains(fragmentShader, "showTexturesOnBackface")
+      ? "  vec3 vtkiTextureColor = gl_FrontFacing || showTexturesOnBackface ? tcolor.rgb : "
+        "vec3(1.0);\n"
+      : "  vec3 vtkiTextureColor = tcolor.rgb;\n";
+  }
+  outputs += vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureImplFS.glsl");
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
+    outputs + "  //VTK::DepthPeeling::Impl", false);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceCapturePass::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  Internals& in = *this->Internal;
+  if (!program->IsUniformUsed("vtkiStage"))
+  {
+    return true;
+  }
+  program->SetUniformi("vtkiStage", in.Stage);
+  program->SetUniformf("vtkiSceneScale", in.SceneScale);
+  program->SetUniform3f("vtkiDepthRange", in.DepthRange);
+  if (program->IsUniformUsed("vtkiParallel"))
+  {
+    program->SetUniformi("vtkiParallel", in.StageIsParallel);
+  }
+  if (program->IsUniformUsed("vtkiShadowMaps"))
+  {
+    const int count = static_cast<int>(in.ShadowMap.size());
+    program->SetUniformi("vtkiShadowMaps", in.ShadowUnit);
+    program->SetUniformMatrix4x4v(
+      "vtkiViewToLight", count, glm::value_ptr(in.ViewToLight.front()));
+    program->SetUniform4fv(
+      "vtkiShadowMap", count, reinterpret_cast<const float(*)[4]>(in.ShadowMap.data()));
+    program->SetUniform4fv(
+      "vtkiShadowDepth", count, reinterpret_cast<const float(*)[4]>(in.ShadowDepth.data()));
+  }
+  if (in.Stage == 1)
+  {
+    program->SetUniform3f("vtkiMapAttenuation", glm::value_ptr(in.MapAttenuation));
+    program->SetUniform3f("vtkiMapAxis", glm::value_ptr(in.MapAxis));
+    program->SetUniform4f("vtkiMapLight", glm::value_ptr(in.MapLight));
+  }
+
+  // VTK sends light directions in view coordinates only when the camera or a light has changed; it
+  // does not notice that the program last drew for another camera.
+  vtkCamera*& last = in.ProgramCameras[program];
+  if (last != in.Camera)
+  {
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+    last = in.Camera;
+  }
+  return true;
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSurfaceCapturePass
+ * @brief Draws surfaces into whatever target is bound, from the eye or from a light
+ *
+ * The only object of the module that hooks into mappers' shaders. A light's map is a geometry buffer
+ * seen from the light: one object attached to the props serves both, the stage being a uniform. Two
+ * objects that alternate would make VTK rebuild every actor's shader source twice a frame.
+ *
+ * From the eye it writes VTK's own shading times each light's visibility, the surface (unit normal in
+ * view coordinates, linear depth, kind of shading) and the albedo. From a light it writes the
+ * reflected density per unit light intensity, the surface and the cosine at the geometric normal.
+ *
+ * Visibility enters VTK's shading by a local variable that shadows the uniform lightColorN; no light
+ * code is matched as text, so every material of VTK keeps working.
+ *
+ * Approximations: PBR's diffuse part is taken as albedo (1 - metallic) / pi, without VTK's (1 - F):
+ * high by the Fresnel reflectance, about 4 %. Specular reflection sends no light.
+ *
+ * @sa vtkGeometryBufferPass vtkReflectiveShadowMapPass
+ */
+
+#ifndef vtkSurfaceCapturePass_h
+#define vtkSurfaceCapturePass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkRenderingIndirectModule.h" // For export macro
+
+#include <memory> // for the internals
+
+struct vtkIndirectFrame;
+class vtkIndirectLightMap;
+class vtkReflectiveShadowMapPass;
+
+class VTKRENDERINGINDIRECT_EXPORT vtkSurfaceCapturePass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkSurfaceCapturePass* New();
+  vtkTypeMacro(vtkSurfaceCapturePass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Pass that draws the opaque props from the eye. Default: null, all opaque props of the state.
+   */
+  virtual void SetDelegatePass(vtkRenderPass* delegate);
+  vtkGetObjectMacro(DelegatePass, vtkRenderPass);
+  ///@}
+
+  /**
+   * Draws the opaque props of the state in the current stage. Props that are not attached are drawn
+   * as VTK draws them.
+   */
+  void Render(const vtkRenderState* s) override;
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /**
+   * How often VTK asked for a shader source since construction. A frame in which only lights, the
+   * camera or float properties changed asks for none.
+   */
+  vtkGetMacro(NumberOfShaderBuilds, vtkIdType);
+
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+
+#ifndef __VTK_WRAP__
+  ///@{
+  /**
+   * Attaches this object to the visible props of a frame, and detaches it from those it is attached
+   * to. Between the two, mappers of these props draw with the capture's outputs.
+   */
+  void Attach(const vtkIndirectFrame& frame);
+  void Detach();
+  ///@}
+
+  /** Next stage: from the eye, with shadows from the maps unless null. */
+  void BeginEye(const vtkIndirectFrame& frame, vtkReflectiveShadowMapPass* shadows);
+  /** Next stage: one face of a light's map. */
+  void BeginMap(const vtkIndirectFrame& frame, const vtkIndirectLightMap& map, int face, int texels);
+  /** Ends a stage; unbinds its textures. */
+  void EndStage();
+#endif
+
+protected:
+  vtkSurfaceCapturePass();
+  ~vtkSurfaceCapturePass() override;
+
+  vtkRenderPass* DelegatePass = nullptr;
+  vtkIdType NumberOfShaderBuilds = 0;
+
+private:
+  vtkSurfaceCapturePass(const vtkSurfaceCapturePass&) = delete;
+  void operator=(const vtkSurfaceCapturePass&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

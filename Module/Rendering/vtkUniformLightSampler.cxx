@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkUniformLightSampler.h"
+
+#include "vtkIndirectSamplePattern.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkUniformLightSampler);
+
+//------------------------------------------------------------------------------
+void vtkUniformLightSampler::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  static const char* const names[] = { "Grid", "Jittered", "LowDiscrepancy" };
+  os << indent << "Pattern: " << names[this->Pattern] << "\n";
+  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkUniformLightSampler::MakePattern(
+  const std::vector<Source>& sources, std::vector<Sample>& pattern)
+{
+  if (sources.empty())
+  {
+    return;
+  }
+  const int lights = sources.back().Light + 1;
+  const int perLight = std::max(1, this->NumberOfLights / lights);
+  for (size_t first = 0, end; first < sources.size(); first = end)
+  {
+    end = first;
+    while (end < sources.size() && sources[end].Light == sources[first].Light)
+    {
+      ++end;
+    }
+    const int faces = static_cast<int>(end - first);
+    const Source& shape = sources[first];
+    // A disk in its square: the concentric map spends every light on the lit part.
+    const double texels = static_cast<double>(shape.Size[0]) * shape.Size[1] *
+      (shape.Disk ? vtkIndirectSamplePattern::DiskShare : 1.0);
+    auto add = [&](double u, double v, int face, double weight) {
+      if (shape.Disk)
+      {
+        vtkIndirectSamplePattern::SquareToDisk(u, v);
+      }
+      pattern.push_back({ static_cast<float>(u), static_cast<float>(v),
+        static_cast<float>(sources[first + face].Layer), static_cast<float>(weight) });
+    };
+
+    if (this->Pattern == LOW_DISCREPANCY)
+    {
+      // The faces side by side are one long rectangle with a lattice over it.
+      for (int i = 0; i < perLight; ++i)
+      {
+        const double along = (i + 0.5) / perLight * faces;
+        const int face = std::min(static_cast<int>(along), faces - 1);
+        add(along - face, vtkIndirectSamplePattern::GoldenRatioFraction(i), face,
+          texels * faces / perLight);
+      }
+      continue;
+    }
+    const int edge =
+      std::max(1, static_cast<int>(std::sqrt(static_cast<double>(perLight) / faces) + 1e-9));
+    vtkIndirectSamplePattern::Random random(static_cast<unsigned int>(first));
+    for (int face = 0; face < faces; ++face)
+    {
+      for (int j = 0; j < edge; ++j)
+      {
+        for (int i = 0; i < edge; ++i)
+        {
+          const double x = this->Pattern == JITTERED ? random.Next() : 0.5;
+          const double y = this->Pattern == JITTERED ? random.Next() : 0.5;
+          add((i + x) / edge, (j + y) / edge, face, texels / edge / edge);
+        }
+      }
+    }
+  }
+}

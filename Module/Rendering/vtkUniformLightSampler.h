@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkUniformLightSampler
+ * @brief Virtual lights spread evenly over the lights' maps
+ *
+ * The lights of the scene share NumberOfLights equally. Patterns depend on nothing but the numbers
+ * given here: the same scene gives the same lights on every machine.
+ */
+
+#ifndef vtkUniformLightSampler_h
+#define vtkUniformLightSampler_h
+
+#include "vtkRenderingIndirectModule.h" // For export macro
+#include "vtkVirtualLightSampler.h"
+
+class VTKRENDERINGINDIRECT_EXPORT vtkUniformLightSampler : public vtkVirtualLightSampler
+{
+public:
+  static vtkUniformLightSampler* New();
+  vtkTypeMacro(vtkUniformLightSampler, vtkVirtualLightSampler);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum PatternType
+  {
+    GRID = 0,         // regular grid, the largest square number of lights that fits
+    JITTERED = 1,     // one random place in each cell of that grid, from a fixed seed
+    LOW_DISCREPANCY = 2 // Fibonacci lattice, any number of lights
+  };
+
+  ///@{
+  /** How the lights are spread. Default LOW_DISCREPANCY. */
+  vtkSetClampMacro(Pattern, int, GRID, LOW_DISCREPANCY);
+  vtkGetMacro(Pattern, int);
+  void SetPatternToGrid() { this->SetPattern(GRID); }
+  void SetPatternToJittered() { this->SetPattern(JITTERED); }
+  void SetPatternToLowDiscrepancy() { this->SetPattern(LOW_DISCREPANCY); }
+  ///@}
+
+  ///@{
+  /**
+   * Virtual lights of a frame. Default 256, range 1 to 1048576. The cost of an estimator grows with
+   * it, and its sampling error falls about as one over it.
+   */
+  vtkSetClampMacro(NumberOfLights, int, 1, 1048576);
+  vtkGetMacro(NumberOfLights, int);
+  ///@}
+
+protected:
+  vtkUniformLightSampler() = default;
+  ~vtkUniformLightSampler() override = default;
+
+#ifndef __VTK_WRAP__
+  void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override;
+#endif
+
+  int Pattern = LOW_DISCREPANCY;
+  int NumberOfLights = 256;
+
+private:
+  vtkUniformLightSampler(const vtkUniformLightSampler&) = delete;
+  void operator=(const vtkUniformLightSampler&) = delete;
+};
+
+#endif
