@@ -18,8 +18,8 @@ vtkStandardNewMacro(vtkGeometryBufferPass);
 namespace
 {
 const vtkIndirectChannel Channels[] = {
-  { "geometry.lit", "vtkiLit", "VTK's shading with shadows, premultiplied alpha", GL_RGBA32F, "view",
-    "VTK radiance" },
+  { "geometry.lit", "vtkiLit", "VTK's shading with shadows, premultiplied alpha", GL_RGBA32F,
+    "view", "VTK radiance" },
   { "geometry.surface", "vtkiSurface", "octahedral normal and kind, linear depth", GL_RGBA32F,
     "view", "1, 1, scene units" },
   { "geometry.albedo", "vtkiAlbedo", "diffuse reflectance", GL_RGBA16F, "-", "1" },

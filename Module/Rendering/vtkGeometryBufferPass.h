@@ -5,8 +5,8 @@
  *
  * Textures of the size of the viewport, read by the stages that follow:
  * - geometry.lit, RGBA32F: VTK's own shading, each light times its visibility, premultiplied alpha
- * - geometry.surface, RGBA32F: octahedral normal (view coordinates) with the kind of shading, linear
- *   depth in scene units
+ * - geometry.surface, RGBA32F: octahedral normal (view coordinates) with the kind of shading,
+ * linear depth in scene units
  * - geometry.albedo, RGBA16F: diffuse reflectance; of PBR times (1 - metallic)
  * and a 32-bit float depth texture.
  *
@@ -52,10 +52,13 @@ public:
    * Draws the opaque props, attached to `capture`, into the buffer. shadows: the lights' maps, or
    * null for light that nothing blocks. Returns false, after an error, when OpenGL refuses.
    */
-  bool Update(const vtkRenderState* s, const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-    vtkReflectiveShadowMapPass* shadows);
+  bool Update(const vtkRenderState* s, const vtkIndirectFrame& frame,
+    vtkSurfaceCapturePass* capture, vtkReflectiveShadowMapPass* shadows);
 
-  const vtkIndirectTarget& GetTarget() const { return *this->Target; }
+  const vtkIndirectTarget& GetTarget() const
+  {
+    return *this->Target;
+  }
 #endif
 
 protected:

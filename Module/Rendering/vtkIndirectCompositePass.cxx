@@ -73,11 +73,11 @@ struct vtkIndirectCompositePass::Internals
     }
     else
     {
-      program->SetUniformi("vtkiIrradiance",
-        geometry.GetTexture(vtkGeometryBufferPass::Albedo)->GetTextureUnit());
+      program->SetUniformi(
+        "vtkiIrradiance", geometry.GetTexture(vtkGeometryBufferPass::Albedo)->GetTextureUnit());
     }
-    program->SetUniformf("vtkiIndirectScale",
-      input.Irradiance ? static_cast<float>(input.IndirectScale) : 0.0f);
+    program->SetUniformf(
+      "vtkiIndirectScale", input.Irradiance ? static_cast<float>(input.IndirectScale) : 0.0f);
   }
 
   static void DeactivateFrame(const Input& input)
@@ -245,8 +245,8 @@ bool vtkIndirectCompositePass::RenderChannel(const Input& input, const std::stri
     Internals::ActivateFrame(program, input);
     program->SetUniform2i("vtkiOrigin", origin);
     program->SetUniformi("vtkiChannel", channel);
-    vtkIndirectSetUniform(program, "vtkiViewToWorldDirection",
-      glm::mat3(glm::inverse(glm::dmat3(frame.WorldToView))));
+    vtkIndirectSetUniform(
+      program, "vtkiViewToWorldDirection", glm::mat3(glm::inverse(glm::dmat3(frame.WorldToView))));
     kernel.Draw();
     Internals::DeactivateFrame(input);
     in.Shown = &FrameChannels[channel];

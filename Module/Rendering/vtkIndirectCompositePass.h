@@ -3,10 +3,10 @@
  * @class vtkIndirectCompositePass
  * @brief Direct light plus albedo times irradiance, and every channel of a frame as an image
  *
- * Draws over what the target holds: background, gradients and transparency stay as they are, and the
- * depth of the opaque props is written. Pixels of VTK's PBR are decoded with gamma 2.2, added to and
- * encoded again; others are linear. VTK divides PBR's diffuse reflection by pi in its lights, while
- * the irradiance here is physical over pi, so both kinds add albedo times E.
+ * Draws over what the target holds: background, gradients and transparency stay as they are, and
+ * the depth of the opaque props is written. Pixels of VTK's PBR are decoded with gamma 2.2, added
+ * to and encoded again; others are linear. VTK divides PBR's diffuse reflection by pi in its
+ * lights, while the irradiance here is physical over pi, so both kinds add albedo times E.
  *
  * Channels, as floats in world units and coordinates, background 0: `final`, `direct`, `indirect`
  * (albedo E + glossy), `irradiance`, `glossy` (zero: no estimator computes it yet), `albedo`,
@@ -60,8 +60,8 @@ public:
   bool Composite(const Input& input);
 
   /**
-   * Renders a channel into an image of this pass's own. Returns false for unknown names and maps that
-   * the frame does not have.
+   * Renders a channel into an image of this pass's own. Returns false for unknown names and maps
+   * that the frame does not have.
    */
   bool RenderChannel(const Input& input, const std::string& name);
   /** Copies that image: float, one component for lengths, three for colours and vectors. */

@@ -49,15 +49,21 @@ public:
   };
 
   /**
-   * The sampler whose lights this estimator reads: the user's, one of its own, or null when it reads
-   * the maps themselves.
+   * The sampler whose lights this estimator reads: the user's, one of its own, or null when it
+   * reads the maps themselves.
    */
-  virtual vtkVirtualLightSampler* ChooseSampler(vtkVirtualLightSampler* users) { return users; }
+  virtual vtkVirtualLightSampler* ChooseSampler(vtkVirtualLightSampler* users)
+  {
+    return users;
+  }
 
   /** Fills the irradiance texture. Returns false, after an error, when it cannot. */
   virtual bool Estimate(const Input& input, vtkIndirectStageTimer& timer) = 0;
 
-  vtkIndirectTarget& GetIrradiance() { return *this->Irradiance; }
+  vtkIndirectTarget& GetIrradiance()
+  {
+    return *this->Irradiance;
+  }
   virtual size_t GetBytes() const;
 #endif
 

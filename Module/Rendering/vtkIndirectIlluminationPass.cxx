@@ -11,22 +11,21 @@
 #include "vtkIndirectReport.h"
 #include "vtkIndirectStageTimer.h"
 #include "vtkIndirectTarget.h"
+#include "vtkIndirectView.h"
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLError.h"
-#include "vtkOpenGLFXAAFilter.h"
-#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
+#include "vtkRenderer.h"
 #include "vtkSequencePass.h"
 #include "vtkSurfaceCapturePass.h"
 #include "vtkUniformLightSampler.h"
@@ -50,7 +49,7 @@ struct vtkIndirectIlluminationPass::Internals
   vtkNew<vtkIndirectCompositePass> Composite;
 
   vtkNew<vtkSequencePass> DefaultDelegate;
-  vtkSmartPointer<vtkOpenGLFXAAFilter> FXAA;
+  vtkIndirectView View;
 
   // The last frame.
   vtkIndirectFrame Frame;
@@ -97,7 +96,8 @@ void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   auto flag = [](bool on) { return on ? "On" : "Off"; };
-  os << indent << "Estimator: " << this->Estimator << (this->Estimator ? "" : " (automatic)") << "\n";
+  os << indent << "Estimator: " << this->Estimator << (this->Estimator ? "" : " (automatic)")
+     << "\n";
   os << indent << "Sampler: " << this->Sampler << (this->Sampler ? "" : " (automatic)") << "\n";
   os << indent << "DelegatePass: " << this->DelegatePass << "\n";
   os << indent << "Shadows: " << flag(this->Shadows) << "\n";
@@ -174,40 +174,6 @@ bool vtkIndirectIlluminationPass::GetTiming()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectIlluminationPass::BeginView(const vtkRenderState* s)
-{
-  // As vtkCameraPass: viewport, scissor, and the background with its gradient or texture.
-  vtkRenderer* renderer = s->GetRenderer();
-  if (!renderer->IsActiveCameraCreated())
-  {
-    renderer->GetActiveCamera();
-    renderer->ResetCamera();
-  }
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  int size[2];
-  int origin[2] = { 0, 0 };
-  if (auto* framebuffer = vtkOpenGLFramebufferObject::SafeDownCast(s->GetFrameBuffer()))
-  {
-    framebuffer->GetLastSize(size);
-  }
-  else
-  {
-    renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
-  }
-  vtkOpenGLState* state = window->GetState();
-  state->vtkglViewport(origin[0], origin[1], size[0], size[1]);
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(origin[0], origin[1], size[0], size[1]);
-  if (window->GetErase() && renderer->GetErase())
-  {
-    renderer->Clear();
-  }
-  this->ClearLights(renderer);
-  this->UpdateLightGeometry(renderer);
-  this->UpdateLights(renderer);
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
 {
   Internals& in = *this->Internal;
@@ -237,7 +203,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
 
   in.Timer.BeginFrame();
-  this->BeginView(s);
+  in.View.Begin(s);
 
   in.Report = vtkIndirectReport();
   in.Frame = vtkIndirectFrame();
@@ -258,7 +224,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   }
   if (this->RemainingGeometry)
   {
-    this->RenderRemaining(s);
+    this->NumberOfRenderedProps += in.View.RenderRemaining(s);
   }
   in.Timer.EndFrame();
   vtkOpenGLCheckErrorMacro("failed after indirect illumination");
@@ -284,7 +250,8 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
   Internals& in = *this->Internal;
   vtkIndirectFrame& frame = in.Frame;
   const vtkIndirectLight& first = frame.Lights.front();
-  in.EyeIsMap = frame.Lights.size() == 1 && first.Light->LightTypeIsHeadlight() && !first.Positional;
+  in.EyeIsMap =
+    frame.Lights.size() == 1 && first.Light->LightTypeIsHeadlight() && !first.Positional;
 
   this->SurfaceCapture->SetDelegatePass(
     this->DelegatePass ? this->DelegatePass : in.DefaultDelegate.Get());
@@ -348,9 +315,8 @@ std::vector<double> vtkIndirectIlluminationPass::MakeEstimateKey()
     static_cast<double>(frame.Size[1]), static_cast<double>(estimator->GetMTime()),
     static_cast<double>(sampler->GetMTime()), static_cast<double>(in.EyeIsMap),
     static_cast<double>(in.EyeIsMap ? 0 : this->ReflectiveShadowMaps->GetContentTime()) };
-  auto append = [&key](const double* values, int count) {
-    key.insert(key.end(), values, values + count);
-  };
+  auto append = [&key](const double* values, int count)
+  { key.insert(key.end(), values, values + count); };
   append(&frame.WorldToView[0][0], 16);
   append(&frame.Projection[0][0], 16);
   append(frame.SceneBounds, 6);
@@ -382,7 +348,8 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
   in.Timer.Begin(vtkIndirectStageTimer::Lights);
   vtkVirtualLightSampler* sampler = estimator->ChooseSampler(this->GetActiveSampler());
   const bool sampled = !sampler ||
-    sampler->Update(in.Frame, this->ReflectiveShadowMaps, in.EyeIsMap ? in.Geometry.Get() : nullptr);
+    sampler->Update(
+      in.Frame, this->ReflectiveShadowMaps, in.EyeIsMap ? in.Geometry.Get() : nullptr);
   in.Timer.End(vtkIndirectStageTimer::Lights);
 
   const vtkIndirectEstimatorPass::Input input = { in.Frame, *in.Geometry,
@@ -394,44 +361,6 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
   ++this->NumberOfEstimates;
   in.EstimateKey = key;
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectIlluminationPass::RenderRemaining(const vtkRenderState* s)
-{
-  // As vtkOpenGLRenderer::UpdateGeometry after its opaque part.
-  auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
-  vtkProp** props = s->GetPropArray();
-  const int count = s->GetPropArrayCount();
-  const bool translucent = std::any_of(
-    props, props + count, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
-  if (translucent)
-  {
-    renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer());
-  }
-  if (renderer->GetUseFXAA() && !s->GetFrameBuffer())
-  {
-    if (!this->Internal->FXAA)
-    {
-      this->Internal->FXAA = vtkSmartPointer<vtkOpenGLFXAAFilter>::New();
-    }
-    if (renderer->GetFXAAOptions())
-    {
-      this->Internal->FXAA->UpdateConfiguration(renderer->GetFXAAOptions());
-    }
-    this->Internal->FXAA->Execute(renderer);
-  }
-  if (!translucent || !renderer->GetUseDepthPeeling() || !renderer->GetUseDepthPeelingForVolumes())
-  {
-    for (int i = 0; i < count; ++i)
-    {
-      this->NumberOfRenderedProps += props[i]->RenderVolumetricGeometry(renderer);
-    }
-  }
-  for (int i = 0; i < count; ++i)
-  {
-    this->NumberOfRenderedProps += props[i]->RenderOverlay(renderer);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -450,8 +379,8 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
   }
   if (!in.HasBuffers || !in.Renderer || in.Renderer->GetRenderWindow() != in.Frame.Window)
   {
-    vtkErrorMacro("There is no buffer '" << name << "': only the delegate drew the last frame, because "
-                                         << in.WhyDelegate << ".");
+    vtkErrorMacro("There is no buffer '"
+      << name << "': only the delegate drew the last frame, because " << in.WhyDelegate << ".");
     return false;
   }
   in.Frame.Window->MakeCurrent();
@@ -501,8 +430,7 @@ bool vtkIndirectIlluminationPass::CopyLights(vtkImageData* image)
     }
     for (int k = 0; k < 3; ++k)
     {
-      out[12 * i + k] =
-        static_cast<float>(out[12 * i + k] / scale + in.Frame.SceneCenter[k]);
+      out[12 * i + k] = static_cast<float>(out[12 * i + k] / scale + in.Frame.SceneCenter[k]);
       out[12 * i + 8 + k] = static_cast<float>(out[12 * i + 8 + k] / scale / scale);
     }
     out[12 * i + 3] = static_cast<float>(out[12 * i + 3] / scale / scale);
@@ -562,12 +490,11 @@ std::string vtkIndirectIlluminationPass::GetReport()
     report.VirtualLights = sampler ? sampler->GetActualNumberOfLights() : 0;
     report.Bytes += estimator->GetBytes() + (sampler ? sampler->GetBytes() : 0);
     report.Modelled.emplace_back("one diffuse bounce",
-      std::string(estimator->GetClassName()) +
-        (this->Estimator ? "" : ", the automatic choice"));
+      std::string(estimator->GetClassName()) + (this->Estimator ? "" : ", the automatic choice"));
     if (this->NumberOfBounces > estimator->GetMaximumNumberOfBounces())
     {
-      report.LeftOut.emplace_back("bounces beyond " +
-          std::to_string(estimator->GetMaximumNumberOfBounces()),
+      report.LeftOut.emplace_back(
+        "bounces beyond " + std::to_string(estimator->GetMaximumNumberOfBounces()),
         std::string(estimator->GetClassName()) + " computes no more; the result is too dark");
     }
     report.LeftOut.emplace_back("visibility between sender and receiver",
@@ -577,7 +504,8 @@ std::string vtkIndirectIlluminationPass::GetReport()
   }
   else if (this->IndirectScale > 0.0)
   {
-    report.LeftOut.emplace_back("indirect light", "no light emits anything, or the estimator failed");
+    report.LeftOut.emplace_back(
+      "indirect light", "no light emits anything, or the estimator failed");
   }
   else
   {
@@ -586,7 +514,8 @@ std::string vtkIndirectIlluminationPass::GetReport()
   if (in.Renderer && in.Frame.Window && in.Renderer->GetRenderWindow() == in.Frame.Window)
   {
     in.Frame.Window->MakeCurrent();
-    auto text = [](GLenum name) {
+    auto text = [](GLenum name)
+    {
       const auto* value = reinterpret_cast<const char*>(glGetString(name));
       return std::string(value ? value : "");
     };
@@ -620,11 +549,7 @@ void vtkIndirectIlluminationPass::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->DelegatePass->ReleaseGraphicsResources(window);
   }
-  if (in.FXAA)
-  {
-    in.FXAA->ReleaseGraphicsResources();
-    in.FXAA = nullptr;
-  }
+  in.View.Release(window);
   in.EstimateKey.clear();
   in.HasBuffers = in.HasIrradiance = false;
   in.WhyDelegate = "its resources have been released";

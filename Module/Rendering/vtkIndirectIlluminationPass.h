@@ -5,16 +5,16 @@
  *
  * A frame is one straight line: each light's reflective shadow map, the geometry buffer (VTK's own
  * shading, shadowed light by light), virtual lights, the estimator, the composite; then translucent
- * props (with depth peeling when the renderer asks for it), FXAA, volumes and overlays as in a renderer
- * without a pass.
+ * props (with depth peeling when the renderer asks for it), FXAA, volumes and overlays as in a
+ * renderer without a pass.
  *
  * The pass models what the scene needs. It leaves the picture to the delegate alone when nothing is
- * lit, when nothing opaque is visible, and during hardware selection; a single headlight needs no map,
- * because the eye sees what it lights. GetReport says what was decided.
+ * lit, when nothing opaque is visible, and during hardware selection; a single headlight needs no
+ * map, because the eye sees what it lights. GetReport says what was decided.
  *
- * Units: VTK's. Radiance is physical; irradiance and light strength are physical divided by pi. With
- * IndirectScale 1 the result agrees with a path tracer's single diffuse bounce without visibility
- * between sender and receiver.
+ * Units: VTK's. Radiance is physical; irradiance and light strength are physical divided by pi.
+ * With IndirectScale 1 the result agrees with a path tracer's single diffuse bounce without
+ * visibility between sender and receiver.
  *
  * Multisampling has no effect on what this pass draws: its targets are float textures. Use FXAA
  * (vtkRenderer::SetUseFXAA) or vtkSSAAPass around it.
@@ -55,15 +55,16 @@ public:
 
   ///@{
   /**
-   * What computes the irradiance. Default null: automatic, a vtkRSMGatherPass over virtual lights with
-   * interpolation.
+   * What computes the irradiance. Default null: automatic, a vtkRSMGatherPass over virtual lights
+   * with interpolation.
    */
   virtual void SetEstimator(vtkIndirectEstimatorPass* estimator);
   vtkGetObjectMacro(Estimator, vtkIndirectEstimatorPass);
   ///@}
 
   ///@{
-  /** What chooses virtual lights. Default null: automatic, a vtkUniformLightSampler of 256 lights. */
+  /** What chooses virtual lights. Default null: automatic, a vtkUniformLightSampler of 256 lights.
+   */
   virtual void SetSampler(vtkVirtualLightSampler* sampler);
   vtkGetObjectMacro(Sampler, vtkVirtualLightSampler);
   ///@}
@@ -101,8 +102,8 @@ public:
 
   ///@{
   /**
-   * Bounces of indirect light. Default 1, range 1 to 16. What the estimator cannot compute is listed
-   * in the report under left_out.
+   * Bounces of indirect light. Default 1, range 1 to 16. What the estimator cannot compute is
+   * listed in the report under left_out.
    */
   vtkSetClampMacro(NumberOfBounces, int, 1, 16);
   vtkGetMacro(NumberOfBounces, int);
@@ -110,8 +111,9 @@ public:
 
   ///@{
   /**
-   * Factor on the indirect light. Default 1, the physically calibrated value; range 0 to 1e6. At 0 it
-   * is not computed; with Shadows off too only the delegate runs and the picture is bitwise its own.
+   * Factor on the indirect light. Default 1, the physically calibrated value; range 0 to 1e6. At 0
+   * it is not computed; with Shadows off too only the delegate runs and the picture is bitwise its
+   * own.
    */
   vtkSetClampMacro(IndirectScale, double, 0.0, 1.0e6);
   vtkGetMacro(IndirectScale, double);
@@ -157,9 +159,9 @@ public:
   ///@}
 
   /**
-   * The last frame as JSON (schema vtkindirect.report/1): settings, what was modelled and left out and
-   * why, bytes of textures, virtual lights, and with Timing on median and 95th percentile of each
-   * stage's milliseconds over the frames since.
+   * The last frame as JSON (schema vtkindirect.report/1): settings, what was modelled and left out
+   * and why, bytes of textures, virtual lights, and with Timing on median and 95th percentile of
+   * each stage's milliseconds over the frames since.
    */
   std::string GetReport();
 
@@ -203,11 +205,9 @@ private:
   vtkIndirectIlluminationPass(const vtkIndirectIlluminationPass&) = delete;
   void operator=(const vtkIndirectIlluminationPass&) = delete;
 
-  void BeginView(const vtkRenderState* s);
   bool RenderIndirect(const vtkRenderState* s);
   bool UpdateIrradiance();
   void RenderDelegate(const vtkRenderState* s, const std::string& why);
-  void RenderRemaining(const vtkRenderState* s);
   bool CopyLights(vtkImageData* image);
   std::vector<double> MakeEstimateKey();
 

@@ -22,8 +22,8 @@ vtkStandardNewMacro(vtkRSMGatherPass);
 namespace
 {
 const vtkIndirectChannel CoarseChannels[] = {
-  { "gather.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel", GL_RGBA32F, "-",
-    "VTK irradiance" },
+  { "gather.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel", GL_RGBA32F,
+    "-", "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
@@ -146,7 +146,8 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectKernelState kernelState(frame.Window);
 
-  auto releaseTextures = [&]() {
+  auto releaseTextures = [&]()
+  {
     input.Geometry.GetTarget().Deactivate();
     if (neighborhood)
     {

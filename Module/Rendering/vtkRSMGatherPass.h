@@ -3,22 +3,23 @@
  * @class vtkRSMGatherPass
  * @brief One bounce of diffuse light, summed at each pixel over senders in the lights' maps
  *
- * Equation: E(x) = sum over senders p of B_p A_p cosS cosR / (pi r^2 + A_p), the disk kernel in place
- * of equation (1) of Dachsbacher and Stamminger 2005, "Reflective shadow maps". B_p A_p comes from the
- * maps (vtkReflectiveShadowMapPass).
+ * Equation: E(x) = sum over senders p of B_p A_p cosS cosR / (pi r^2 + A_p), the disk kernel in
+ * place of equation (1) of Dachsbacher and Stamminger 2005, "Reflective shadow maps". B_p A_p comes
+ * from the maps (vtkReflectiveShadowMapPass).
  *
  * Modes:
- * - ALL_TEXELS: every texel of every map is a sender; the reference for the other two. Its time grows
- *   with pixels times texels.
+ * - ALL_TEXELS: every texel of every map is a sender; the reference for the other two. Its time
+ * grows with pixels times texels.
  * - VIRTUAL_LIGHTS: the lights that the sampler chose, the same for all pixels.
- * - NEIGHBORHOOD: the paper's own: per pixel, texels in a disk around the pixel's place in each map.
- *   Its expectation is the sum restricted to that disk.
+ * - NEIGHBORHOOD: the paper's own: per pixel, texels in a disk around the pixel's place in each
+ * map. Its expectation is the sum restricted to that disk.
  *
  * Approximations: no visibility between sender and receiver (bias >= 0), one bounce (<= 0), diffuse
  * only (<= 0); the kernel is low where r^2 < A, by about -0.6 / sqrt(N) for walls that meet.
  *
- * Interpolation (section 5.2 of the paper): the sum is taken at every InterpolationStep-th pixel and
- * interpolated where three of the four around lie on the same surface; other pixels sum for themselves.
+ * Interpolation (section 5.2 of the paper): the sum is taken at every InterpolationStep-th pixel
+ * and interpolated where three of the four around lie on the same surface; other pixels sum for
+ * themselves.
  */
 
 #ifndef vtkRSMGatherPass_h
@@ -89,8 +90,8 @@ public:
 
   ///@{
   /**
-   * Farthest that a sample may lie from a pixel's tangent plane, as a fraction of the distance between
-   * samples on a surface that faces the eye. Default 0.5, range 0 to 100.
+   * Farthest that a sample may lie from a pixel's tangent plane, as a fraction of the distance
+   * between samples on a surface that faces the eye. Default 0.5, range 0 to 100.
    */
   vtkSetClampMacro(InterpolationPlaneTolerance, double, 0.0, 100.0);
   vtkGetMacro(InterpolationPlaneTolerance, double);

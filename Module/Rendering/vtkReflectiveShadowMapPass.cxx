@@ -208,8 +208,8 @@ bool vtkReflectiveShadowMapPass::Update(
 }
 
 //------------------------------------------------------------------------------
-void vtkReflectiveShadowMapPass::DrawFace(const vtkIndirectFrame& frame,
-  vtkSurfaceCapturePass* capture, vtkIndirectLightMap& map, int face)
+void vtkReflectiveShadowMapPass::DrawFace(
+  const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture, vtkIndirectLightMap& map, int face)
 {
   Internals& in = *this->Internal;
   vtkOpenGLState* state = frame.Window->GetState();
@@ -274,8 +274,7 @@ void vtkReflectiveShadowMapPass::UpdateTable(const vtkIndirectFrame& frame)
   in.TableTexture->SetContext(frame.Window);
   in.TableTexture->SetMinificationFilter(vtkTextureObject::Nearest);
   in.TableTexture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  in.TableTexture->Create2DFromRaw(
-    TableWidth, in.NumberOfLayers, 4, VTK_FLOAT, in.Table.data());
+  in.TableTexture->Create2DFromRaw(TableWidth, in.NumberOfLayers, 4, VTK_FLOAT, in.Table.data());
 }
 
 //------------------------------------------------------------------------------

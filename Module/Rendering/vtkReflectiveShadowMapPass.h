@@ -3,14 +3,15 @@
  * @class vtkReflectiveShadowMapPass
  * @brief Senders: the surfaces that each light sees, and how much light they reflect
  *
- * One map a light, after Dachsbacher and Stamminger 2005, "Reflective shadow maps": a perspective map
- * for spots of up to 60 degrees half angle, the faces of a cube for wider spots (five) and point
- * lights (six), a parallel map for directional lights. All faces of all lights are layers of the same
- * array textures, so a shader that samples them needs one unit a channel:
+ * One map a light, after Dachsbacher and Stamminger 2005, "Reflective shadow maps": a perspective
+ * map for spots of up to 60 degrees half angle, the faces of a cube for wider spots (five) and
+ * point lights (six), a parallel map for directional lights. All faces of all lights are layers of
+ * the same array textures, so a shader that samples them needs one unit a channel:
  * - rsm.density, RGBA32F: reflected density per unit light intensity; times the texel's solid angle
  *   (directional: its area) and the light's intensity it is the reflected radiance times area, B A.
  *   Positional lights: albedo att(d) d^2 cone (n_s.l)/(n_g.l); directional: albedo (n_s.l)/(n_g.l)
- * - rsm.surface, RGBA32F: octahedral normal (the face's view coordinates), linear depth along its axis
+ * - rsm.surface, RGBA32F: octahedral normal (the face's view coordinates), linear depth along its
+ * axis
  * - rsm.cosine, RGBA16F: n_g.l, which turns a texel's footprint into the area it covers
  * and a depth array for percentage-closer shadow look-ups.
  *
@@ -68,15 +69,18 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Brings the maps of all lights that emit anything up to date. Returns false, after an error, when
-   * OpenGL cannot hold them.
+   * Brings the maps of all lights that emit anything up to date. Returns false, after an error,
+   * when OpenGL cannot hold them.
    */
   bool Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture);
 
   const vtkIndirectLightMap& GetMap(int i) const;
   int GetNumberOfLayers() const;
   /** Grows whenever the content of a map, or the table below, has changed. */
-  vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
+  vtkMTimeType GetContentTime() const
+  {
+    return this->ContentTime.GetMTime();
+  }
 
   /** Binds the maps and their table for vtkIndirectMapTexel.glsl; pair with Deactivate. */
   void Activate(vtkShaderProgram* program);
@@ -101,8 +105,8 @@ private:
   void operator=(const vtkReflectiveShadowMapPass&) = delete;
 
   void UpdateTable(const vtkIndirectFrame& frame);
-  void DrawFace(
-    const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture, vtkIndirectLightMap& map, int face);
+  void DrawFace(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
+    vtkIndirectLightMap& map, int face);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

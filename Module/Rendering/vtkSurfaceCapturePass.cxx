@@ -183,10 +183,10 @@ void vtkSurfaceCapturePass::BeginEye(
       glm::dmat4 m = map.WorldToLight * viewToWorld;
       m *= frame.SceneScale;
       in.ViewToLight[map.Light.Index] = glm::mat4(m);
-      in.ShadowMap[map.Light.Index] = glm::vec4(map.FirstLayer, map.Projection, map.HalfWidth,
-        shadows->GetResolution());
-      in.ShadowDepth[map.Light.Index] = glm::vec4(
-        map.Near, map.Far, map.Light.Light->GetShadowAttenuation(), map.NumberOfFaces);
+      in.ShadowMap[map.Light.Index] =
+        glm::vec4(map.FirstLayer, map.Projection, map.HalfWidth, shadows->GetResolution());
+      in.ShadowDepth[map.Light.Index] =
+        glm::vec4(map.Near, map.Far, map.Light.Light->GetShadowAttenuation(), map.NumberOfFaces);
     }
     in.ShadowUnit = shadows->ActivateShadow();
   }
@@ -212,9 +212,9 @@ void vtkSurfaceCapturePass::BeginMap(
     glm::vec3(light.Attenuation.x, light.Attenuation.y / s, light.Attenuation.z / (s * s));
   in.MapAxis = glm::vec3(map.FaceAxis[face]);
   const bool cone = light.Positional && light.ConeAngle < 90.0;
-  in.MapLight = glm::vec4(light.Positional ? 1.0f : 0.0f,
-    cone ? std::cos(glm::radians(light.ConeAngle)) : -2.0, light.Exponent,
-    2.0 * map.HalfWidth / texels);
+  in.MapLight =
+    glm::vec4(light.Positional ? 1.0f : 0.0f, cone ? std::cos(glm::radians(light.ConeAngle)) : -2.0,
+      light.Exponent, 2.0 * map.HalfWidth / texels);
   const size_t count = std::max<size_t>(frame.Lights.size(), 1);
   in.ViewToLight.assign(count, glm::mat4(1.0f));
   in.ShadowMap.assign(count, glm::vec4(-1.0f));
@@ -267,11 +267,12 @@ void vtkSurfaceCapturePass::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-bool vtkSurfaceCapturePass::PreReplaceShaderValues(std::string&, std::string&,
-  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+bool vtkSurfaceCapturePass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
   // What the mapper declares is known only after it has written its own text; leave a marker here.
-  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper) && !Contains(fragmentShader, "//VTKI::PreLight"))
+  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper) &&
+    !Contains(fragmentShader, "//VTKI::PreLight"))
   {
     vtkShaderProgram::Substitute(
       fragmentShader, "//VTK::Light::Impl", PreLightMarker + "\n  //VTK::Light::Impl", false);
@@ -359,14 +360,14 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
       : "  vec3 vtkiTextureColor = tcolor.rgb;\n";
   }
   outputs += vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureImplFS.glsl");
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
-    outputs + "  //VTK::DepthPeeling::Impl", false);
+  vtkShaderProgram::Substitute(
+    fragmentShader, "//VTK::DepthPeeling::Impl", outputs + "  //VTK::DepthPeeling::Impl", false);
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkSurfaceCapturePass::SetShaderParameters(vtkShaderProgram* program,
-  vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+bool vtkSurfaceCapturePass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
   Internals& in = *this->Internal;
   if (!program->IsUniformUsed("vtkiStage"))
@@ -384,8 +385,7 @@ bool vtkSurfaceCapturePass::SetShaderParameters(vtkShaderProgram* program,
   {
     const int count = static_cast<int>(in.ShadowMap.size());
     program->SetUniformi("vtkiShadowMaps", in.ShadowUnit);
-    program->SetUniformMatrix4x4v(
-      "vtkiViewToLight", count, glm::value_ptr(in.ViewToLight.front()));
+    program->SetUniformMatrix4x4v("vtkiViewToLight", count, glm::value_ptr(in.ViewToLight.front()));
     program->SetUniform4fv(
       "vtkiShadowMap", count, reinterpret_cast<const float(*)[4]>(in.ShadowMap.data()));
     program->SetUniform4fv(

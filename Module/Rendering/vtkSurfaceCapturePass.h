@@ -3,16 +3,17 @@
  * @class vtkSurfaceCapturePass
  * @brief Draws surfaces into whatever target is bound, from the eye or from a light
  *
- * The only object of the module that hooks into mappers' shaders. A light's map is a geometry buffer
- * seen from the light: one object attached to the props serves both, the stage being a uniform. Two
- * objects that alternate would make VTK rebuild every actor's shader source twice a frame.
+ * The only object of the module that hooks into mappers' shaders. A light's map is a geometry
+ * buffer seen from the light: one object attached to the props serves both, the stage being a
+ * uniform. Two objects that alternate would make VTK rebuild every actor's shader source twice a
+ * frame.
  *
- * From the eye it writes VTK's own shading times each light's visibility, the surface (unit normal in
- * view coordinates, linear depth, kind of shading) and the albedo. From a light it writes the
+ * From the eye it writes VTK's own shading times each light's visibility, the surface (unit normal
+ * in view coordinates, linear depth, kind of shading) and the albedo. From a light it writes the
  * reflected density per unit light intensity, the surface and the cosine at the geometric normal.
  *
- * Visibility enters VTK's shading by a local variable that shadows the uniform lightColorN; no light
- * code is matched as text, so every material of VTK keeps working.
+ * Visibility enters VTK's shading by a local variable that shadows the uniform lightColorN; no
+ * light code is matched as text, so every material of VTK keeps working.
  *
  * Approximations: PBR's diffuse part is taken as albedo (1 - metallic) / pi, without VTK's (1 - F):
  * high by the Fresnel reflectance, about 4 %. Specular reflection sends no light.
@@ -81,7 +82,8 @@ public:
   /** Next stage: from the eye, with shadows from the maps unless null. */
   void BeginEye(const vtkIndirectFrame& frame, vtkReflectiveShadowMapPass* shadows);
   /** Next stage: one face of a light's map. */
-  void BeginMap(const vtkIndirectFrame& frame, const vtkIndirectLightMap& map, int face, int texels);
+  void BeginMap(
+    const vtkIndirectFrame& frame, const vtkIndirectLightMap& map, int face, int texels);
   /** Ends a stage; unbinds its textures. */
   void EndStage();
 #endif

@@ -40,7 +40,8 @@ void vtkUniformLightSampler::MakePattern(
     // A disk in its square: the concentric map spends every light on the lit part.
     const double texels = static_cast<double>(shape.Size[0]) * shape.Size[1] *
       (shape.Disk ? vtkIndirectSamplePattern::DiskShare : 1.0);
-    auto add = [&](double u, double v, int face, double weight) {
+    auto add = [&](double u, double v, int face, double weight)
+    {
       if (shape.Disk)
       {
         vtkIndirectSamplePattern::SquareToDisk(u, v);

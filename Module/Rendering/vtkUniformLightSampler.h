@@ -22,8 +22,8 @@ public:
 
   enum PatternType
   {
-    GRID = 0,         // regular grid, the largest square number of lights that fits
-    JITTERED = 1,     // one random place in each cell of that grid, from a fixed seed
+    GRID = 0,           // regular grid, the largest square number of lights that fits
+    JITTERED = 1,       // one random place in each cell of that grid, from a fixed seed
     LOW_DISCREPANCY = 2 // Fibonacci lattice, any number of lights
   };
 

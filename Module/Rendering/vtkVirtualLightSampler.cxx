@@ -116,8 +116,8 @@ void vtkVirtualLightSampler::UpdatePattern(
 }
 
 //------------------------------------------------------------------------------
-bool vtkVirtualLightSampler::Update(const vtkIndirectFrame& frame,
-  vtkReflectiveShadowMapPass* maps, const vtkGeometryBufferPass* eye)
+bool vtkVirtualLightSampler::Update(
+  const vtkIndirectFrame& frame, vtkReflectiveShadowMapPass* maps, const vtkGeometryBufferPass* eye)
 {
   Internals& in = *this->Internal;
   std::vector<Source> sources;

@@ -5,9 +5,9 @@
  *
  * A virtual light stands for some texels of a map: position, normal, the area A of the surface that
  * those texels cover, and their reflected radiance times that area, B A (Keller 1997, "Instant
- * radiosity"; Dachsbacher and Stamminger 2005). A light drawn from M texels with probability density
- * p counts 1/p texels, in B A and in A alike, so the sums over all lights do not depend on how many
- * there are.
+ * radiosity"; Dachsbacher and Stamminger 2005). A light drawn from M texels with probability
+ * density p counts 1/p texels, in B A and in A alike, so the sums over all lights do not depend on
+ * how many there are.
  *
  * Subclasses make a pattern of map coordinates; this class turns it into lights on the GPU.
  */
@@ -84,7 +84,10 @@ public:
   const vtkIndirectTarget& GetTarget() const;
   vtkIndirectTarget& GetTarget();
   /** Grows whenever the lights have changed. */
-  vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
+  vtkMTimeType GetContentTime() const
+  {
+    return this->ContentTime.GetMTime();
+  }
   size_t GetBytes() const;
 #endif
 

@@ -13,8 +13,7 @@ public:
   vtkTypeMacro(vtkIndirectArrayTexture, vtkTextureObject);
 
   /** Square layers; a depth format is set up for comparisons with linear filtering. */
-  void Allocate(
-    vtkOpenGLRenderWindow* window, unsigned int internalFormat, int texels, int layers);
+  void Allocate(vtkOpenGLRenderWindow* window, unsigned int internalFormat, int texels, int layers);
 
   /** Attaches one layer to the framebuffer that is bound for drawing. */
   void AttachLayer(unsigned int attachment, int layer);

@@ -118,8 +118,7 @@ void vtkIndirectFrame::CollectProps()
     }
     if (!IsFinite(bounds))
     {
-      this->LeftOut.emplace_back(
-        prop->GetClassName(), "its bounds are empty or not finite");
+      this->LeftOut.emplace_back(prop->GetClassName(), "its bounds are empty or not finite");
       continue;
     }
     if (IsDrawnAsPoints(prop))
@@ -193,11 +192,13 @@ void vtkIndirectFrame::SetUpEye()
 
   // Rays from the near to the far plane, at three points of the image: they are affine in between.
   const glm::dmat4 inverse = glm::inverse(this->Projection);
-  auto unproject = [&](double x, double y, double z) {
+  auto unproject = [&](double x, double y, double z)
+  {
     const glm::dvec4 p = inverse * glm::dvec4(x, y, z, 1.0);
     return glm::dvec3(p) * (this->SceneScale / p.w);
   };
-  auto ray = [&](double x, double y, glm::dvec3& origin, glm::dvec3& direction) {
+  auto ray = [&](double x, double y, glm::dvec3& origin, glm::dvec3& direction)
+  {
     const glm::dvec3 nearPoint = unproject(x, y, -1.0);
     const glm::dvec3 farPoint = unproject(x, y, 1.0);
     direction = (farPoint - nearPoint) / (nearPoint.z - farPoint.z);

@@ -65,10 +65,10 @@ struct vtkIndirectFrame
   bool Parallel = false;
   double Near = 0.0; // scene units
   double Far = 1.0;
-  glm::dmat4 WorldToView{ 1.0 };  // unscaled
-  glm::dmat4 ViewToScene{ 1.0 };  // from scaled view coordinates
-  glm::dmat4 Projection{ 1.0 };   // of unscaled view coordinates
-  glm::dmat3 RayOrigin{ 0.0 };    // see vtkiReconstruct
+  glm::dmat4 WorldToView{ 1.0 }; // unscaled
+  glm::dmat4 ViewToScene{ 1.0 }; // from scaled view coordinates
+  glm::dmat4 Projection{ 1.0 };  // of unscaled view coordinates
+  glm::dmat3 RayOrigin{ 0.0 };   // see vtkiReconstruct
   glm::dmat3 RayDirection{ 0.0 };
 
   /**

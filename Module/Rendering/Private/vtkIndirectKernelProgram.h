@@ -13,7 +13,8 @@ class vtkShaderProgram;
 class vtkIndirectKernelProgram
 {
 public:
-  /** stage: file in glsl/stage; gather: the file that VTKI_GATHER stands for, if the stage has one. */
+  /** stage: file in glsl/stage; gather: the file that VTKI_GATHER stands for, if the stage has one.
+   */
   vtkIndirectKernelProgram(const char* stage, const char* gather = "");
   ~vtkIndirectKernelProgram();
 

@@ -18,7 +18,8 @@ class vtkWindow;
 class vtkIndirectLayeredTarget
 {
 public:
-  /** channels: table ended by InternalFormat 0. A depth array for shadow look-ups always comes too. */
+  /** channels: table ended by InternalFormat 0. A depth array for shadow look-ups always comes too.
+   */
   explicit vtkIndirectLayeredTarget(const vtkIndirectChannel* channels);
   ~vtkIndirectLayeredTarget();
 

@@ -21,7 +21,8 @@ glm::dvec3 Corner(const double bounds[6], int i)
   return { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)] };
 }
 
-// Any frame whose -z axis is the direction; the least component makes the most robust cross product.
+// Any frame whose -z axis is the direction; the least component makes the most robust cross
+// product.
 glm::dmat3 FrameAlong(const glm::dvec3& direction)
 {
   const glm::dvec3 a = glm::abs(direction);
@@ -64,8 +65,7 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
   const bool omnidirectional = light.Positional && light.ConeAngle >= 90.0;
 
   // A point light's faces stay along the world's axes, so that they do not turn with anything.
-  const glm::dmat3 rotation =
-    omnidirectional ? glm::dmat3(1.0) : FrameAlong(light.DirectionWC);
+  const glm::dmat3 rotation = omnidirectional ? glm::dmat3(1.0) : FrameAlong(light.DirectionWC);
   const glm::dvec3 origin = light.Positional ? light.PositionWC : frame.SceneCenter;
   this->LightToWorld = glm::dmat4(rotation);
   this->LightToWorld[3] = glm::dvec4(origin, 1.0);
@@ -123,7 +123,8 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
     }
     // Casters that all lie behind a spot leave its map empty; any range will do.
     this->Far = this->Far > 0.0 ? 1.001 * this->Far : 1.0;
-    this->Near = std::min(std::max(0.999 * this->Near, NearestFraction * this->Far), 0.5 * this->Far);
+    this->Near =
+      std::min(std::max(0.999 * this->Near, NearestFraction * this->Far), 0.5 * this->Far);
   }
 
   for (int face = 0; face < this->NumberOfFaces; ++face)
@@ -131,8 +132,7 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
     const glm::dmat3 toFace = this->GetFaceRotation(face);
     this->FaceToScene[face] =
       frame.ToScene(this->LightToWorld * glm::dmat4(glm::transpose(toFace)));
-    this->FaceAxis[face] =
-      toFace * (glm::transpose(rotation) * light.DirectionWC);
+    this->FaceAxis[face] = toFace * (glm::transpose(rotation) * light.DirectionWC);
   }
 }
 
@@ -186,15 +186,14 @@ vtkOpenGLCamera* vtkIndirectLightMap::GetCamera(int face, bool eyeIsParallel)
 //------------------------------------------------------------------------------
 bool vtkIndirectLightMap::Sees(int face, const double bounds[6]) const
 {
-  const glm::dmat3 toFace =
-    this->GetFaceRotation(face) * glm::dmat3(this->WorldToLight);
+  const glm::dmat3 toFace = this->GetFaceRotation(face) * glm::dmat3(this->WorldToLight);
   const glm::dvec3 origin(this->LightToWorld[3]);
   unsigned int outsideAll = 0x1f;
   for (int i = 0; i < 8 && outsideAll; ++i)
   {
     const glm::dvec3 p = toFace * (Corner(bounds, i) - origin) * this->SceneScale;
-    const double w = this->HalfWidth *
-      (this->Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL ? 1.0 : -p.z);
+    const double w =
+      this->HalfWidth * (this->Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL ? 1.0 : -p.z);
     unsigned int outside = 0;
     outside |= p.x > w ? 1u : 0u;
     outside |= p.x < -w ? 2u : 0u;
@@ -211,9 +210,9 @@ std::vector<double> vtkIndirectLightMap::GetKey() const
 {
   const vtkIndirectLight& light = this->Light;
   std::vector<double> key = { static_cast<double>(this->Projection),
-    static_cast<double>(this->FirstLayer), this->HalfWidth, this->Near, this->Far,
-    this->SceneScale, light.Attenuation.x, light.Attenuation.y, light.Attenuation.z,
-    light.ConeAngle, light.Exponent };
+    static_cast<double>(this->FirstLayer), this->HalfWidth, this->Near, this->Far, this->SceneScale,
+    light.Attenuation.x, light.Attenuation.y, light.Attenuation.z, light.ConeAngle,
+    light.Exponent };
   for (int column = 0; column < 4; ++column)
   {
     for (int row = 0; row < 3; ++row)

@@ -36,11 +36,11 @@ public:
   int Projection = 0; // VTKI_MAP_...
   int NumberOfFaces = 1;
   int FirstLayer = 0;
-  double HalfWidth = 1.0;        // tangents (perspective) or scene units (parallel)
-  double Near = 0.0;             // scene units along a face's axis
+  double HalfWidth = 1.0; // tangents (perspective) or scene units (parallel)
+  double Near = 0.0;      // scene units along a face's axis
   double Far = 1.0;
   double SceneScale = 1.0;
-  glm::dmat4 WorldToLight{ 1.0 };     // light frame: light at the origin, -z forward; world units
+  glm::dmat4 WorldToLight{ 1.0 }; // light frame: light at the origin, -z forward; world units
   glm::dmat4 LightToWorld{ 1.0 };
   std::array<glm::dmat4, 6> FaceToScene; // from scaled face view coordinates
   std::array<glm::dvec3, 6> FaceAxis;    // direction of the light in a face's view coordinates

@@ -52,8 +52,7 @@ vtkIndirectTarget::~vtkIndirectTarget() = default;
 //------------------------------------------------------------------------------
 bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int height)
 {
-  if (this->Framebuffer && window == this->Window && width == this->Width &&
-    height == this->Height)
+  if (this->Framebuffer && window == this->Window && width == this->Width && height == this->Height)
   {
     return true;
   }

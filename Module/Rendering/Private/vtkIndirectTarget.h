@@ -3,11 +3,11 @@
 #ifndef vtkIndirectTarget_h
 #define vtkIndirectTarget_h
 
-#include "vtkIndirectChannel.h" // for the table
-#include "vtkIndent.h"          // for Print
+#include "vtkIndent.h"                  // for Print
+#include "vtkIndirectChannel.h"         // for the table
 #include "vtkOpenGLFramebufferObject.h" // for members
-#include "vtkSmartPointer.h"    // for members
-#include "vtkTextureObject.h" // for members
+#include "vtkSmartPointer.h"            // for members
+#include "vtkTextureObject.h"           // for members
 
 #include <cstddef> // for size_t
 #include <ostream> // for Print
@@ -20,7 +20,8 @@ class vtkWindow;
 class vtkIndirectTarget
 {
 public:
-  /** channels: table ended by InternalFormat 0; depth: whether a 32-bit float depth texture comes too. */
+  /** channels: table ended by InternalFormat 0; depth: whether a 32-bit float depth texture comes
+   * too. */
   vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth);
   ~vtkIndirectTarget();
 

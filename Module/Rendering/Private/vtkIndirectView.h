@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a renderer without a pass does before and after it draws its opaque props.
+#ifndef vtkIndirectView_h
+#define vtkIndirectView_h
+
+#include "vtkNew.h"          // for members
+#include "vtkSmartPointer.h" // for members
+
+class vtkLightsPass;
+class vtkOpenGLFXAAFilter;
+class vtkRenderState;
+class vtkWindow;
+
+class vtkIndirectView
+{
+public:
+  vtkIndirectView();
+  ~vtkIndirectView();
+
+  /** Viewport, scissor, background (as vtkCameraPass) and the lights (as vtkLightsPass). */
+  void Begin(const vtkRenderState* s);
+
+  /**
+   * Translucent props, FXAA when the renderer asks for it, volumes and overlays, as
+   * vtkOpenGLRenderer::UpdateGeometry. Returns how many props were drawn.
+   */
+  int RenderRemaining(const vtkRenderState* s);
+
+  void Release(vtkWindow* window);
+
+private:
+  vtkNew<vtkLightsPass> Lights;
+  vtkSmartPointer<vtkOpenGLFXAAFilter> FXAA;
+};
+
+#endif
