@@ -163,6 +163,11 @@ bool vtkReflectiveShadowMapPass::Update(
     return true;
   }
 
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
   bool lost = false;
   in.Window = frame.Window;
   if (!in.Target.Resize(frame.Window, this->Resolution, in.NumberOfLayers, lost))
@@ -213,10 +218,6 @@ void vtkReflectiveShadowMapPass::DrawFace(
 {
   Internals& in = *this->Internal;
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
   in.Target.BeginLayer(map.FirstLayer + face);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
