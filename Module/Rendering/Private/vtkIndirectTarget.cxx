@@ -192,7 +192,7 @@ void vtkIndirectTarget::Deactivate() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<float> vtkIndirectTarget::ReadBack(int channel)
+std::vector<float> vtkIndirectTarget::ReadBack(int channel) const
 {
   std::vector<float> values(static_cast<size_t>(this->Width) * this->Height * 4);
   vtkOpenGLState* state = this->Window->GetState();
@@ -203,6 +203,17 @@ std::vector<float> vtkIndirectTarget::ReadBack(int channel)
   glReadPixels(0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, values.data());
   state->PopFramebufferBindings();
   return values;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Write(int channel, const std::vector<float>& values)
+{
+  vtkTextureObject* texture = this->Textures[channel];
+  texture->Activate();
+  this->Window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage2D(
+    GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, values.data());
+  texture->Deactivate();
 }
 
 //------------------------------------------------------------------------------

@@ -45,7 +45,10 @@ public:
   void Deactivate() const;
 
   /** Reads a channel back, four floats a pixel, bottom row first. */
-  std::vector<float> ReadBack(int channel);
+  std::vector<float> ReadBack(int channel) const;
+
+  /** Replaces a channel's content: four floats a pixel, bottom row first. */
+  void Write(int channel, const std::vector<float>& values);
 
   /** One line a channel: name, meaning, size, format, space and unit. */
   void Print(std::ostream& os, vtkIndent indent) const;
