@@ -4,12 +4,14 @@
 #include "vtkGeometryBufferPass.h"
 
 #include "vtkIndirectFrame.h"
+#include "vtkIndirectShadowMaps.h"
 #include "vtkIndirectTarget.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkReflectiveShadowMapPass.h"
 #include "vtkRenderState.h"
 #include "vtkSurfaceCapturePass.h"
 
@@ -84,9 +86,18 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   s2.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
   s2.SetFrameBuffer(this->Target->GetFramebuffer());
   s2.SetRequiredKeys(s->GetRequiredKeys());
-  capture->BeginEye(frame, shadows);
+  vtkIndirectShadowMaps maps;
+  if (shadows)
+  {
+    maps = shadows->ActivateShadows();
+  }
+  capture->BeginEye(frame, shadows ? &maps : nullptr);
   capture->Render(&s2);
   capture->EndStage();
+  if (shadows)
+  {
+    shadows->Deactivate();
+  }
   this->NumberOfRenderedProps = capture->GetNumberOfRenderedProps();
   this->Target->End();
   return true;

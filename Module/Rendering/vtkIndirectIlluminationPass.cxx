@@ -6,6 +6,7 @@
 #include "vtkGeometryBufferPass.h"
 #include "vtkImageData.h"
 #include "vtkIndirectCompositePass.h"
+#include "vtkIndirectContextGuard.h"
 #include "vtkIndirectFrame.h"
 #include "vtkIndirectLightMap.h"
 #include "vtkIndirectReport.h"
@@ -65,6 +66,10 @@ struct vtkIndirectIlluminationPass::Internals
   std::vector<double> EstimateKey;
 
   std::string ReportedError;
+
+  // Releases everything when the window's context ends or the pass moves to another window: VTK tells
+  // a pass only when it is in a renderer of that window.
+  vtkNew<vtkIndirectContextGuard> Guard;
 };
 
 //------------------------------------------------------------------------------
@@ -73,6 +78,9 @@ vtkIndirectIlluminationPass::vtkIndirectIlluminationPass()
   , ReflectiveShadowMaps(vtkReflectiveShadowMapPass::New())
   , Internal(new Internals)
 {
+  this->Internal->Guard->Release = [this](vtkWindow* window) {
+    this->ReleaseGraphicsResources(window);
+  };
   vtkNew<vtkRenderPassCollection> passes;
   vtkNew<vtkLightsPass> lights;
   vtkNew<vtkOpaquePass> opaque;
@@ -185,6 +193,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
     vtkErrorMacro("vtkIndirectIlluminationPass needs an OpenGL render window.");
     return;
   }
+  in.Guard->SetContext(window);
   window->MakeCurrent();
   if (renderer->GetSelector())
   {
@@ -287,10 +296,15 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
     in.HasIrradiance ? &this->GetActiveEstimator()->GetIrradiance() : nullptr,
     this->IndirectScale };
   in.Composite->Composite(input);
-  if (!this->DebugView.empty())
+  if (this->DebugView.empty())
+  {
+    in.ReportedError.clear();
+  }
+  else
   {
     if (in.Composite->RenderChannel(input, this->DebugView))
     {
+      in.ReportedError.clear();
       in.Composite->ShowImage(input);
     }
     else if (in.ReportedError != this->DebugView)

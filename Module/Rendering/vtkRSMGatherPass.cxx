@@ -128,7 +128,8 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   }
   const bool interpolate = this->Interpolation && this->Mode != ALL_TEXELS;
   const int step = interpolate ? this->InterpolationStep : 1;
-  const int coarse[2] = { (frame.Size[0] + step - 1) / step, (frame.Size[1] + step - 1) / step };
+  const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
+    (frame.Size[1] + 2 * step - 2) / step };
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
     (interpolate && !in.Coarse.Resize(frame.Window, coarse[0], coarse[1])))
   {

@@ -7,6 +7,7 @@
 #include "vtkIndirectKernels.h"
 #include "vtkIndirectLayeredTarget.h"
 #include "vtkIndirectLightMap.h"
+#include "vtkIndirectShadowMaps.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
@@ -291,9 +292,17 @@ void vtkReflectiveShadowMapPass::Activate(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
-int vtkReflectiveShadowMapPass::ActivateShadow()
+vtkIndirectShadowMaps vtkReflectiveShadowMapPass::ActivateShadows()
 {
-  return this->Internal->Target.ActivateShadow();
+  Internals& in = *this->Internal;
+  vtkIndirectShadowMaps shadows;
+  for (int i = 0; i < in.NumberOfMaps; ++i)
+  {
+    shadows.Maps.push_back(in.Maps[i].get());
+  }
+  shadows.Texels = this->Resolution;
+  shadows.Unit = in.Target.ActivateShadow();
+  return shadows;
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,7 @@ class vtkIndirectTarget;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
+struct vtkIndirectShadowMaps;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkReflectiveShadowMapPass : public vtkOpenGLRenderPass
 {
@@ -84,8 +85,8 @@ public:
 
   /** Binds the maps and their table for vtkIndirectMapTexel.glsl; pair with Deactivate. */
   void Activate(vtkShaderProgram* program);
-  /** Unit with the depth array bound for comparison; pair with Deactivate. */
-  int ActivateShadow();
+  /** Binds the depth array for shadow look-ups; pair with Deactivate. */
+  vtkIndirectShadowMaps ActivateShadows();
   void Deactivate();
 
   size_t GetBytes() const;

@@ -7,6 +7,7 @@
 #include "vtkIndirectKernels.h"
 #include "vtkIndirectLightMap.h"
 #include "vtkIndirectShaderLibrary.h"
+#include "vtkIndirectShadowMaps.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLight.h"
@@ -15,7 +16,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
-#include "vtkReflectiveShadowMapPass.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -39,18 +39,18 @@ struct vtkSurfaceCapturePass::Internals
   // Uniforms of the current stage.
   int Stage = 0;
   float SceneScale = 1.0f;
+  float Magnitude = 0.0f;
   float DepthRange[3] = { 0.0f, 1.0f, 0.0f };
-  int EyeIsParallel = 0;
   int StageIsParallel = 0;
   std::vector<glm::mat4> ViewToLight;
   std::vector<glm::vec4> ShadowMap;
   std::vector<glm::vec4> ShadowDepth;
   int ShadowUnit = -1;
+  bool OwnsUnit = false;
   glm::vec3 MapAttenuation{ 1.0f, 0.0f, 0.0f };
   glm::vec3 MapAxis{ 0.0f, 0.0f, -1.0f };
   glm::vec4 MapLight{ 0.0f };
 
-  vtkReflectiveShadowMapPass* Shadows = nullptr;
   vtkOpenGLRenderWindow* Window = nullptr;
 
   // A stage without shadows looks none up, but its sampler still needs a texture unit that no
@@ -58,6 +58,7 @@ struct vtkSurfaceCapturePass::Internals
   void ReserveUnit()
   {
     this->ShadowUnit = this->Window->GetState()->GetTextureUnitManager()->Allocate();
+    this->OwnsUnit = true;
   }
 
   // The camera that a program's lighting uniforms were last set for.
@@ -112,12 +113,6 @@ void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
   for (vtkProp* prop : frame.Props)
   {
     vtkInformation* info = prop->GetPropertyKeys();
-    if (!info)
-    {
-      info = vtkInformation::New();
-      prop->SetPropertyKeys(info);
-      info->Delete();
-    }
     // Assemblies share their information with their parts: a second entry would inject twice.
     bool attached = false;
     for (int i = 0; info->Has(key) && i < info->Length(key); ++i)
@@ -153,42 +148,45 @@ void vtkSurfaceCapturePass::Detach()
 
 //------------------------------------------------------------------------------
 void vtkSurfaceCapturePass::BeginEye(
-  const vtkIndirectFrame& frame, vtkReflectiveShadowMapPass* shadows)
+  const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows)
 {
   Internals& in = *this->Internal;
   in.Stage = 0;
   in.SceneScale = static_cast<float>(frame.SceneScale);
-  in.EyeIsParallel = in.StageIsParallel = frame.Parallel ? 1 : 0;
+  in.StageIsParallel = frame.Parallel ? 1 : 0;
   in.DepthRange[0] = static_cast<float>(frame.Near);
   in.DepthRange[1] = static_cast<float>(frame.Far);
   in.DepthRange[2] = frame.Parallel ? 1.0f : 0.0f;
   in.Camera = frame.Renderer->GetActiveCamera();
+  // Vertices are floats in the data's own coordinates, up to the distance from the origin at which
+  // VTK's mappers shift them.
+  constexpr double shiftedFrom = 1e3;
+  const double fromOrigin = glm::length(frame.SceneCenter) * frame.SceneScale;
+  const double fromEye = glm::length(glm::dvec3(frame.ViewToScene[3]));
+  in.Magnitude = static_cast<float>(1.0 + fromEye + (fromOrigin < shiftedFrom ? fromOrigin : 0.0));
 
   const size_t count = std::max<size_t>(frame.Lights.size(), 1);
   in.ViewToLight.assign(count, glm::mat4(1.0f));
   in.ShadowMap.assign(count, glm::vec4(-1.0f));
   in.ShadowDepth.assign(count, glm::vec4(0.0f));
-  in.Shadows = shadows;
   in.Window = frame.Window;
   if (!shadows)
   {
     in.ReserveUnit();
+    return;
   }
-  else
+  in.ShadowUnit = shadows->Unit;
+  const glm::dmat4 viewToWorld = glm::inverse(frame.WorldToView);
+  for (const vtkIndirectLightMap* map : shadows->Maps)
   {
-    const glm::dmat4 viewToWorld = glm::inverse(frame.WorldToView);
-    for (int i = 0; i < shadows->GetNumberOfMaps(); ++i)
-    {
-      const vtkIndirectLightMap& map = shadows->GetMap(i);
-      glm::dmat4 m = map.WorldToLight * viewToWorld;
-      m *= frame.SceneScale;
-      in.ViewToLight[map.Light.Index] = glm::mat4(m);
-      in.ShadowMap[map.Light.Index] =
-        glm::vec4(map.FirstLayer, map.Projection, map.HalfWidth, shadows->GetResolution());
-      in.ShadowDepth[map.Light.Index] =
-        glm::vec4(map.Near, map.Far, map.Light.Light->GetShadowAttenuation(), map.NumberOfFaces);
-    }
-    in.ShadowUnit = shadows->ActivateShadow();
+    glm::dmat4 m = map->WorldToLight * viewToWorld;
+    m *= frame.SceneScale;
+    const int light = map->Light.Index;
+    in.ViewToLight[light] = glm::mat4(m);
+    in.ShadowMap[light] =
+      glm::vec4(map->FirstLayer, map->Projection, map->HalfWidth, shadows->Texels);
+    in.ShadowDepth[light] =
+      glm::vec4(map->Near, map->Far, map->Light.Light->GetShadowAttenuation(), map->NumberOfFaces);
   }
 }
 
@@ -201,7 +199,6 @@ void vtkSurfaceCapturePass::BeginMap(
   const double s = frame.SceneScale;
   in.Stage = 1;
   in.SceneScale = static_cast<float>(s);
-  in.EyeIsParallel = frame.Parallel ? 1 : 0;
   in.StageIsParallel = map.Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL ? 1 : 0;
   in.DepthRange[0] = static_cast<float>(map.Near);
   in.DepthRange[1] = static_cast<float>(map.Far);
@@ -219,7 +216,6 @@ void vtkSurfaceCapturePass::BeginMap(
   in.ViewToLight.assign(count, glm::mat4(1.0f));
   in.ShadowMap.assign(count, glm::vec4(-1.0f));
   in.ShadowDepth.assign(count, glm::vec4(0.0f));
-  in.Shadows = nullptr;
   in.Window = frame.Window;
   in.ReserveUnit();
 }
@@ -228,15 +224,11 @@ void vtkSurfaceCapturePass::BeginMap(
 void vtkSurfaceCapturePass::EndStage()
 {
   Internals& in = *this->Internal;
-  if (in.Shadows)
-  {
-    in.Shadows->Deactivate();
-  }
-  else if (in.ShadowUnit >= 0)
+  if (in.OwnsUnit)
   {
     in.Window->GetState()->GetTextureUnitManager()->Free(in.ShadowUnit);
   }
-  in.Shadows = nullptr;
+  in.OwnsUnit = false;
   in.ShadowUnit = -1;
 }
 
@@ -377,6 +369,10 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   program->SetUniformi("vtkiStage", in.Stage);
   program->SetUniformf("vtkiSceneScale", in.SceneScale);
   program->SetUniform3f("vtkiDepthRange", in.DepthRange);
+  if (program->IsUniformUsed("vtkiMagnitude"))
+  {
+    program->SetUniformf("vtkiMagnitude", in.Magnitude);
+  }
   if (program->IsUniformUsed("vtkiParallel"))
   {
     program->SetUniformi("vtkiParallel", in.StageIsParallel);

@@ -30,8 +30,8 @@
 #include <memory> // for the internals
 
 struct vtkIndirectFrame;
+struct vtkIndirectShadowMaps;
 class vtkIndirectLightMap;
-class vtkReflectiveShadowMapPass;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkSurfaceCapturePass : public vtkOpenGLRenderPass
 {
@@ -80,7 +80,7 @@ public:
   ///@}
 
   /** Next stage: from the eye, with shadows from the maps unless null. */
-  void BeginEye(const vtkIndirectFrame& frame, vtkReflectiveShadowMapPass* shadows);
+  void BeginEye(const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows);
   /** Next stage: one face of a light's map. */
   void BeginMap(
     const vtkIndirectFrame& frame, const vtkIndirectLightMap& map, int face, int texels);

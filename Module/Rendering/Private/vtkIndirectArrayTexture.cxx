@@ -20,13 +20,11 @@ void vtkIndirectArrayTexture::Allocate(
   this->Type = GL_FLOAT;
   this->Width = this->Height = static_cast<unsigned int>(texels);
   this->Depth = static_cast<unsigned int>(layers);
-  this->SetMinificationFilter(depth ? Linear : Nearest);
-  this->SetMagnificationFilter(depth ? Linear : Nearest);
+  this->SetMinificationFilter(Nearest);
+  this->SetMagnificationFilter(Nearest);
   this->SetWrapS(ClampToEdge);
   this->SetWrapT(ClampToEdge);
   this->SetMaxLevel(0);
-  this->SetDepthTextureCompare(depth);
-  this->SetDepthTextureCompareFunction(Lequal);
   this->Context->ActivateTexture(this);
   this->CreateTexture();
   this->Bind();

@@ -12,7 +12,7 @@ public:
   static vtkIndirectArrayTexture* New();
   vtkTypeMacro(vtkIndirectArrayTexture, vtkTextureObject);
 
-  /** Square layers; a depth format is set up for comparisons with linear filtering. */
+  /** Square layers of a colour or a depth format, unfiltered. */
   void Allocate(vtkOpenGLRenderWindow* window, unsigned int internalFormat, int texels, int layers);
 
   /** Attaches one layer to the framebuffer that is bound for drawing. */

@@ -4,10 +4,12 @@
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
@@ -105,6 +107,13 @@ void vtkIndirectFrame::CollectProps()
     if (!prop->GetVisibility())
     {
       continue;
+    }
+    // Passes attach themselves to a prop through this; giving it one modifies the prop, so that must
+    // not come after its times are read.
+    if (!prop->GetPropertyKeys())
+    {
+      vtkNew<vtkInformation> keys;
+      prop->SetPropertyKeys(keys);
     }
     this->Props.push_back(prop);
     if (!prop->GetUseBounds() || !prop->HasOpaqueGeometry())

@@ -46,6 +46,13 @@ bool vtkIndirectLayeredTarget::Resize(
   }
   lost = true;
   this->Release(this->Window);
+  if (this->RefusedBy == window && this->RefusedTexels == texels && this->RefusedLayers == layers)
+  {
+    return false;
+  }
+  this->RefusedBy = window;
+  this->RefusedTexels = texels;
+  this->RefusedLayers = layers;
 
   int maximumTexels = 0;
   int maximumLayers = 0;
@@ -86,8 +93,10 @@ bool vtkIndirectLayeredTarget::Resize(
       "The framebuffer of the light maps (" << texels << " x " << texels << " texels, " << layers
                                             << " layers) is incomplete: " << reason);
     this->Release(window);
+    return false;
   }
-  return complete;
+  this->RefusedBy = nullptr;
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -25,7 +25,7 @@ public:
 
   /**
    * Creates the textures; layers grow as needed and never shrink. Sets `lost` when the old content
-   * is gone. Returns false, after an error, when OpenGL cannot hold them.
+   * is gone. Returns false when OpenGL cannot hold them, after one error for each new attempt.
    */
   bool Resize(vtkOpenGLRenderWindow* window, int texels, int layers, bool& lost);
 
@@ -35,7 +35,7 @@ public:
 
   /** Binds a channel's array and sets its sampler; pair with Deactivate. */
   void Activate(int channel, vtkShaderProgram* program);
-  /** Texture unit with the depth array bound for comparison; pair with Deactivate. */
+  /** Texture unit with the depth array bound; pair with Deactivate. */
   int ActivateShadow();
   void Deactivate();
 
@@ -48,6 +48,9 @@ private:
   int NumberOfChannels = 0;
   int Texels = 0;
   int Layers = 0;
+  int RefusedTexels = 0; // what the window could not hold
+  int RefusedLayers = 0;
+  vtkOpenGLRenderWindow* RefusedBy = nullptr;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSmartPointer<vtkIndirectArrayTexture> Depth;

@@ -7,9 +7,10 @@
 uniform int vtkiStage;          // 0: from the eye, 1: from a light
 uniform float vtkiSceneScale;   // scene units per world unit
 uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel projection
+uniform float vtkiMagnitude;    // of the numbers that positions are differences of [scene units]
 
 // From the eye: where each light's shadow map is. The arrays are as long as the scene has lights.
-uniform sampler2DArrayShadow vtkiShadowMaps;
+uniform sampler2DArray vtkiShadowMaps;
 uniform mat4 vtkiViewToLight[VTKI_LIGHT_COUNT]; // view coordinates to light frame, scene units
 uniform vec4 vtkiShadowMap[VTKI_LIGHT_COUNT];   // first layer (-1: none), projection, half width, texels
 uniform vec4 vtkiShadowDepth[VTKI_LIGHT_COUNT]; // near, far, shadow strength, number of layers
@@ -21,6 +22,11 @@ uniform vec4 vtkiMapLight;       // 1 if positional, cos(cone) or -2, exponent, 
 
 // The depth buffer holds floats just below one; interpolation loses about four of their steps.
 const float VTKI_DEPTH_ROUNDING = 2.4e-7f;
+// Facets stand for curved surfaces: a concave one rises over its neighbour's plane by less than this
+// share of a texel over the filter's reach as long as they meet at less than 18 degrees.
+const float VTKI_SURFACE_ROUGHNESS = 0.5f;
+// Positions, here and in the map, are off by a few roundings of the numbers that they come from.
+const float VTKI_POSITION_ROUNDING = 4.8e-7f;
 
 vec3 vtkiFacetNormal(vec3 positionVC, vec3 fallback)
 {
@@ -73,28 +79,41 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
   {
     return 1.0f;
   }
-  // Four bilinear comparisons half a texel off the centre reach one and a half texels.
+  // The facet is what the map has drawn. Where it turns away from a light that the interpolated
+  // normal still faces, only that normal can say how the surface was meant to run.
   float texel = 2.0f * map.z / map.w;
-  float reach = 1.5f * texel;
-  float offset = vtkiPlaneDepthOffset(p, n, reach, parallel);
-  // A facet may be steeper than the interpolated normal says; one turned away cannot be asked.
-  float facetOffset = vtkiPlaneDepthOffset(p, facet, reach, parallel);
-  bool facetLit = parallel ? facet.z > 0.0f : dot(facet, p) < 0.0f;
-  if (offset < 0.0f || (facetLit && facetOffset < 0.0f))
+  vec3 gradient =
+    vtkiPlaneDepthGradient(p, facet, texel, depthRange.x, depthRange.y, parallel);
+  if (gradient.z == 0.0f)
   {
-    return 1.0f;
+    gradient = vtkiPlaneDepthGradient(p, n, texel, depthRange.x, depthRange.y, parallel);
   }
-  offset = facetLit ? max(offset, facetOffset) : offset;
-  float reference = vtkiDepthToBuffer(
-    max(depth - offset, depthRange.x), depthRange.x, depthRange.y, parallel) - VTKI_DEPTH_ROUNDING;
-  vec2 uv = 0.5f * ndc + 0.5f;
-  vec2 h = vec2(0.5f / map.w);
-  float layer = map.x + float(face);
-  float lit = texture(vtkiShadowMaps, vec4(uv.x - h.x, uv.y - h.y, layer, reference)) +
-    texture(vtkiShadowMaps, vec4(uv.x + h.x, uv.y - h.y, layer, reference)) +
-    texture(vtkiShadowMaps, vec4(uv.x - h.x, uv.y + h.y, layer, reference)) +
-    texture(vtkiShadowMaps, vec4(uv.x + h.x, uv.y + h.y, layer, reference));
-  return mix(1.0f, 0.25f * lit, depthRange.z);
+  float offset = VTKI_SURFACE_ROUGHNESS * texel * (parallel ? 1.0f : depth) +
+    VTKI_POSITION_ROUNDING * (vtkiMagnitude + length(p));
+  float reference = vtkiDepthToBuffer(depth, depthRange.x, depthRange.y, parallel);
+  float bias = VTKI_DEPTH_ROUNDING +
+    offset * vtkiDepthToBufferSlope(depth, depthRange.x, depthRange.y, parallel);
+  // Each texel is compared with the plane's own depth at its centre; where the plane runs away from
+  // the light the receiver's depth will do, and does not reach behind what ends the surface.
+  vec2 at = (0.5f * ndc + 0.5f) * map.w - 1.0f;
+  vec2 corner = floor(at);
+  vec2 fraction = at - corner;
+  int layer = int(map.x + 0.5f) + face;
+  float lit = 0.0f;
+  for (int j = 0; j < 3; ++j)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      vec2 shift = vec2(i, j) - 0.5f - fraction;
+      float plane = min(dot(gradient.xy, shift), 0.0f);
+      ivec2 where = clamp(ivec2(corner) + ivec2(i, j), ivec2(0), ivec2(map.w) - 1);
+      float stored = texelFetch(vtkiShadowMaps, ivec3(where, layer), 0).r;
+      lit += stored >= reference + plane - bias
+        ? vtkiTentWeight(i, fraction.x) * vtkiTentWeight(j, fraction.y)
+        : 0.0f;
+    }
+  }
+  return mix(1.0f, lit, depthRange.z);
 }
 
 // Reflected density of a texel per unit light intensity, and the cosine at its geometric normal.

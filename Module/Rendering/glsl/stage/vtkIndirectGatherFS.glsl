@@ -8,7 +8,7 @@ uniform int vtkiStep;
 
 void main()
 {
-  ivec2 pixel = min(ivec2(gl_FragCoord.xy) * vtkiStep + vtkiStep / 2, vtkiSize - 1);
+  ivec2 pixel = min(ivec2(gl_FragCoord.xy) * vtkiStep, vtkiSize - 1);
   vtkiReceiver receiver;
   vec3 irradiance = vec3(0.0f);
   if (vtkiFetchReceiver(pixel, receiver))

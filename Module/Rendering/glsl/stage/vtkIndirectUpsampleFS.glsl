@@ -26,18 +26,19 @@ void main()
   vec3 dx = (vtkiRayOrigin[0] + receiver.depth * vtkiRayDirection[0]) * (2.0f / float(vtkiSize.x));
   float tolerance = vtkiPlaneTolerance * float(vtkiStep) * length(dx);
 
-  vec2 coarse = (vec2(pixel) - float(vtkiStep / 2)) / float(vtkiStep);
-  ivec2 corner = ivec2(floor(coarse));
-  vec2 blend = coarse - vec2(corner);
+  // Samples reach from border to border; the last ones may lie closer.
+  ivec2 corner = pixel / vtkiStep;
+  ivec2 first = corner * vtkiStep;
+  vec2 blend = vec2(pixel - first) / vec2(max(min(first + vtkiStep, vtkiSize - 1) - first, 1));
   vec3 sum = vec3(0.0f);
   float weights = 0.0f;
   int agreeing = 0;
   for (int i = 0; i < 4; ++i)
   {
     ivec2 shift = ivec2(i & 1, i >> 1);
-    ivec2 at = clamp(corner + shift, ivec2(0), vtkiCoarseSize - 1);
+    ivec2 at = min(corner + shift, vtkiCoarseSize - 1);
     vtkiReceiver other;
-    bool lit = vtkiFetchReceiver(min(at * vtkiStep + vtkiStep / 2, vtkiSize - 1), other);
+    bool lit = vtkiFetchReceiver(min(at * vtkiStep, vtkiSize - 1), other);
     if (lit && vtkiSameSurface(other.positionVC - receiver.positionVC, receiver.normalVC,
                  other.normalVC, vtkiMinimumCosine, tolerance))
     {

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The demonstration: its scenes load, stay of moderate size, and indirect light adds to them."""
+
+import unittest
+
+import numpy as np
+
+import support
+import vtkindirect
+from vtkindirect import demo, frames, load_scene, locations, wrapped
+from vtkindirect.frames import Job
+
+WHY_NOT = support.why_no_rendering()
+MAXIMUM_TRIANGLES = 1_000_000
+
+
+class Scenes(support.DirectoryTest):
+    def triangles(self, scene: vtkindirect.Scene) -> int:
+        return sum(a.GetMapper().GetInput().GetNumberOfCells() for a in scene.actors.values())
+
+    def check(self, name: str) -> None:
+        scene = load_scene(locations.scene_directory() / f"{name}.json")
+        self.assertEqual(scene.name, name)
+        self.assertLess(self.triangles(scene), MAXIMUM_TRIANGLES)
+        self.assertLessEqual(max(scene.size), 800)
+        if WHY_NOT:
+            return
+        window = frames.open_window(scene, (160, 120))
+        self.addCleanup(window.Finalize)
+        frames.render(scene, window, Job("gather", settings={"NumberOfLights": 64}))
+        direct = vtkindirect.copy_buffer(scene.renderer, "direct")[..., :3]
+        indirect = vtkindirect.copy_buffer(scene.renderer, "indirect")[..., :3]
+        self.assertTrue(np.isfinite(indirect).all())
+        self.assertGreater(indirect.mean(), 0.02 * direct.mean())
+        lit = direct.max(axis=2) > 0.02
+        self.assertGreater(lit.mean(), 0.2)
+        self.assertLess((direct[lit].min(axis=1) >= 1).mean(), 0.05, "direct light clips")
+        revealed = ~lit & (indirect.max(axis=2) > 0.02)
+        self.assertGreater(revealed.mean(), 0.03, "shadows are not filled")
+
+    @unittest.skipIf(WHY_NOT, WHY_NOT or "")
+    def test_files_of_the_demonstration(self) -> None:
+        scene = load_scene(support.SCENES / "cornell_box.json")
+        steps: list[str] = []
+        pictures = self.directory / "pictures"
+        line = demo.run(scene, pictures, (96, 64), steps.append)
+        names = ["cornell_box.exr"] if wrapped.has("vtkOpenEXRWriter") else []
+        self.assertEqual(sorted(p.name for p in pictures.iterdir()), [*names, "cornell_box.png"])
+        self.assertIn("frame ", line)
+        self.assertIn("virtual lights", line)
+        self.assertNotIn("\n", line)
+        self.assertEqual(len(steps), 2 * (demo.FRAMES + 1))
+        from TestImages import read
+        from vtkmodules.vtkIOImage import vtkPNGReader
+
+        picture = read(pictures / "cornell_box.png", vtkPNGReader).astype(float)
+        self.assertEqual(picture.shape[:2], (64, 2 * 96 + 4))
+        self.assertGreater(picture[:, 100:].mean(), 1.1 * picture[:, :96].mean())
+        self.assertIsNone(vtkindirect.pass_of(scene.renderer))
+
+
+def _add(name: str) -> None:
+    setattr(Scenes, f"test_{name}", lambda self: self.check(name))
+
+
+for _name in locations.DEMOS:
+    _add(_name)
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Switching indirect light on and off: what was there comes back, nothing is left behind."""
+
+import gc
+import unittest
+
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
+
+import vtkindirect
+from vtkindirect import UsageError, methods, wrapped
+
+
+class Methods(unittest.TestCase):
+    """Names of methods and samplers."""
+
+    def test_known_but_not_built(self) -> None:
+        for name, row in methods.METHODS.items():
+            if row.estimator is None or wrapped.has(row.estimator):
+                continue
+            with self.subTest(name=name), self.assertRaises(UsageError) as caught:
+                vtkindirect.enable(vtkRenderer(), name)
+            self.assertEqual(str(caught.exception), f"method '{name}' is not built in this version")
+
+    def test_unknown(self) -> None:
+        with self.assertRaisesRegex(UsageError, r"unknown method 'gahter' \(did you mean 'gather'"):
+            vtkindirect.enable(vtkRenderer(), "gahter")
+        with self.assertRaisesRegex(UsageError, "unknown sampler 'unform'"):
+            vtkindirect.enable(vtkRenderer(), "gather", sampler="unform")
+
+    def test_classes_and_names(self) -> None:
+        for name in wrapped.CLASSES:
+            self.assertIs(getattr(vtkindirect, name), wrapped.CLASSES[name])
+            self.assertIn(name, vtkindirect.__all__)
+        with self.assertRaises(AttributeError):
+            getattr(vtkindirect, "vtkNoSuchClass")  # noqa: B009
+
+
+@unittest.skipUnless(
+    wrapped.has("vtkIndirectIlluminationPass"), "the module vtkRenderingIndirect was not built"
+)
+class Enable(unittest.TestCase):
+    def setUp(self) -> None:
+        self.renderer = vtkRenderer()
+
+    def test_enable_and_disable(self) -> None:
+        indirect = vtkindirect.enable(self.renderer)
+        self.assertIsInstance(indirect, vtkindirect.vtkIndirectIlluminationPass)
+        self.assertIs(self.renderer.GetPass(), indirect)
+        self.assertIs(vtkindirect.pass_of(self.renderer), indirect)
+        self.assertIsNone(indirect.GetEstimator())
+        vtkindirect.disable(self.renderer)
+        self.assertIsNone(self.renderer.GetPass())
+        self.assertIsNone(vtkindirect.pass_of(self.renderer))
+        vtkindirect.disable(self.renderer)
+
+    def test_previous_pass_comes_back(self) -> None:
+        mine = vtkRenderStepsPass()
+        self.renderer.SetPass(mine)
+        for _ in range(3):
+            vtkindirect.enable(self.renderer)
+            vtkindirect.enable(self.renderer, "gather")
+            vtkindirect.disable(self.renderer)
+            self.assertIs(self.renderer.GetPass(), mine)
+
+    def test_pass_that_was_set_since_is_left_alone(self) -> None:
+        vtkindirect.enable(self.renderer)
+        mine = vtkRenderStepsPass()
+        self.renderer.SetPass(mine)
+        vtkindirect.disable(self.renderer)
+        self.assertIs(self.renderer.GetPass(), mine)
+        vtkindirect.enable(self.renderer)
+        vtkindirect.disable(self.renderer)
+        self.assertIs(self.renderer.GetPass(), mine)
+
+    def test_twice_reconfigures(self) -> None:
+        first = vtkindirect.enable(self.renderer, "gather", NumberOfLights=100, IndirectScale=0.5)
+        second = vtkindirect.enable(self.renderer, "gather", Mode="all_texels")
+        self.assertIs(first, second)
+        self.assertEqual(second.GetSampler().GetNumberOfLights(), 100)
+        self.assertEqual(second.GetIndirectScale(), 0.5)
+        self.assertEqual(second.GetEstimator().GetClassName(), "vtkRSMGatherPass")
+        vtkindirect.enable(self.renderer, "auto")
+        self.assertIsNone(second.GetEstimator())
+        self.assertIsNone(vtkindirect.enable(self.renderer, "off"))
+        self.assertIsNone(self.renderer.GetPass())
+
+    def test_names_in_lower_case(self) -> None:
+        indirect = vtkindirect.enable(
+            self.renderer,
+            "gather",
+            sampler="uniform",
+            number_of_lights=77,
+            pattern="jittered",
+            shadows=False,
+            reflective_shadow_map_resolution=256,
+        )
+        self.assertEqual(indirect.GetSampler().GetNumberOfLights(), 77)
+        self.assertFalse(indirect.GetShadows())
+        self.assertEqual(indirect.GetReflectiveShadowMapResolution(), 256)
+
+    def test_wrong_settings_leave_the_renderer_alone(self) -> None:
+        for settings, expected in (
+            ({"NumberOfLihgts": 5}, "did you mean 'NumberOfLights'"),
+            ({"NumberOfLights": 0}, "NumberOfLights: 0 is out of range"),
+            ({"Mode": "texels"}, "unknown value 'texels'"),
+            ({"IndirectScale": -1}, "IndirectScale: -1 is out of range"),
+        ):
+            with self.subTest(settings=settings), self.assertRaises(UsageError) as caught:
+                vtkindirect.enable(self.renderer, "gather", **settings)
+            self.assertIn(expected, str(caught.exception))
+            self.assertIsNone(self.renderer.GetPass())
+        with self.assertRaisesRegex(UsageError, "property 'Mode' belongs to method 'gather', not"):
+            vtkindirect.enable(self.renderer, "auto", Mode="all_texels")
+
+    def test_windows_plotters_and_others(self) -> None:
+        window = vtkRenderWindow() if vtkindirect.has_display() else None
+        if window is None and wrapped.has("vtkEGLHeadlessRenderWindow"):
+            window = vtkindirect.vtkEGLHeadlessRenderWindow()
+        if window is not None:
+            with self.assertRaisesRegex(UsageError, "the window has no renderer"):
+                vtkindirect.enable(window)
+            window.AddRenderer(self.renderer)
+            self.assertIs(vtkindirect.enable(window), self.renderer.GetPass())
+            other = vtkRenderer()
+            window.AddRenderer(other)
+            self.assertEqual(vtkindirect.enable(window), [self.renderer.GetPass(), other.GetPass()])
+            vtkindirect.disable(window)
+            self.assertIsNone(other.GetPass())
+
+        class Plotter:
+            renderer = self.renderer
+
+        indirect = vtkindirect.enable(Plotter())
+        self.assertIs(self.renderer.GetPass(), indirect)
+        vtkindirect.disable(Plotter())
+        with self.assertRaisesRegex(UsageError, "a renderer, a render window or a plotter"):
+            vtkindirect.enable(42)
+
+    def test_nothing_is_left_behind(self) -> None:
+        before = len(methods._records)
+        for _ in range(20):
+            renderer = vtkRenderer()
+            vtkindirect.enable(renderer)
+            del renderer
+        gc.collect()
+        self.assertEqual(len(methods._records), before)
+
+    def test_report_and_buffers_need_a_pass(self) -> None:
+        with self.assertRaisesRegex(UsageError, "indirect light is off"):
+            vtkindirect.report(self.renderer)
+        with self.assertRaisesRegex(UsageError, "indirect light is off"):
+            vtkindirect.copy_buffer(self.renderer, "final")
+
+
+if __name__ == "__main__":
+    unittest.main()

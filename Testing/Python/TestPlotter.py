@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plotter component: registered where PyVista can have it, and the same as the functions."""
+
+import importlib
+import sys
+import types
+import unittest
+from unittest import mock
+
+from vtkmodules.vtkRenderingCore import vtkRenderer
+
+import support
+import vtkindirect
+from vtkindirect import wrapped
+
+
+class Plotter:
+    """Stands for a PyVista plotter: something with a renderer."""
+
+    def __init__(self) -> None:
+        self.renderer = vtkRenderer()
+
+
+def stand_in() -> types.ModuleType:
+    """Return a module that registers components as PyVista 0.48 does."""
+    module = types.ModuleType("pyvista")
+    module.BasePlotter = type("BasePlotter", (), {})
+
+    def register(name):
+        return lambda component: setattr(module.BasePlotter, name, component)
+
+    module.register_plotter_component = register
+    return module
+
+
+def load(pyvista) -> types.ModuleType:
+    """Import the component's module beside a given PyVista, or without one."""
+    with mock.patch.dict(sys.modules, {"pyvista": pyvista}):
+        sys.modules.pop("vtkindirect.plotter", None)
+        return importlib.import_module("vtkindirect.plotter")
+
+
+class Component(unittest.TestCase):
+    def test_registered_once(self) -> None:
+        pyvista = stand_in()
+        module = load(pyvista)
+        self.assertIs(pyvista.BasePlotter.indirect, module.IndirectComponent)
+        first = pyvista.BasePlotter.indirect
+        load(pyvista)
+        self.assertIs(pyvista.BasePlotter.indirect, first)
+
+    def test_without_pyvista_or_with_an_old_one(self) -> None:
+        with mock.patch.dict(sys.modules, {"pyvista": None}):
+            self.assertFalse(load(None).register())
+        old = types.ModuleType("pyvista")
+        with mock.patch.dict(sys.modules, {"pyvista": old}):
+            self.assertFalse(load(old).register())
+
+    def test_entry_point_names_the_module(self) -> None:
+        text = (support.SOURCE / "Wrapping" / "Python" / "entry_points.txt").read_text()
+        self.assertIn("[pyvista.plotter_components]\nindirect = vtkindirect.plotter", text)
+
+    @unittest.skipUnless(
+        wrapped.has("vtkIndirectIlluminationPass"), "the module vtkRenderingIndirect was not built"
+    )
+    def test_the_component_works(self) -> None:
+        component = load(stand_in()).IndirectComponent(plotter := Plotter())
+        self.assertFalse(component.enabled)
+        indirect = component.enable("gather", number_of_lights=12)
+        self.assertTrue(component.enabled)
+        self.assertIs(plotter.renderer.GetPass(), indirect)
+        self.assertIs(vtkindirect.pass_of(plotter), indirect)
+        component.disable()
+        self.assertFalse(component.enabled)
+        component.enable()
+        first = plotter.renderer
+        plotter.renderer = vtkRenderer()  # another subplot becomes active
+        component.enable()
+        component.__plotter_close__()
+        self.assertIsNone(first.GetPass())
+        self.assertIsNone(plotter.renderer.GetPass())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Data files: each kind is read, and one that is damaged or cut off is refused with one line."""
+
+import base64
+import gzip
+import json
+import struct
+import unittest
+from pathlib import Path
+
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    vtkMultiBlockDataSet,
+    vtkRectilinearGrid,
+    vtkStructuredGrid,
+)
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+from vtkmodules.vtkIOPLY import vtkPLYWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter,
+    vtkXMLMultiBlockDataWriter,
+    vtkXMLPolyDataWriter,
+    vtkXMLRectilinearGridWriter,
+    vtkXMLStructuredGridWriter,
+    vtkXMLUnstructuredGridWriter,
+)
+
+import support
+from vtkindirect import UsageError, data, load_scene
+
+
+def _sphere():
+    source = vtkSphereSource()
+    source.Update()
+    return source.GetOutput()
+
+
+def _image():
+    source = vtkRTAnalyticSource()
+    source.Update()
+    return source.GetOutput()
+
+
+def _unstructured():
+    append = vtkAppendFilter()
+    append.AddInputData(_sphere())
+    append.Update()
+    return append.GetOutput()
+
+
+def _structured():
+    points = vtkPoints()
+    for k in (0, 1):
+        for j in (0, 1):
+            for i in (0, 1):
+                points.InsertNextPoint(i, j, k)
+    grid = vtkStructuredGrid()
+    grid.SetDimensions(2, 2, 2)
+    grid.SetPoints(points)
+    return grid
+
+
+def _rectilinear():
+    grid = vtkRectilinearGrid()
+    grid.SetDimensions(2, 2, 2)
+    for setter in (grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates):
+        axis = vtkDoubleArray()
+        axis.InsertNextValue(0)
+        axis.InsertNextValue(1)
+        setter(axis)
+    return grid
+
+
+def _blocks():
+    blocks = vtkMultiBlockDataSet()
+    blocks.SetBlock(0, _sphere())
+    return blocks
+
+
+def _gltf(binary: bool) -> bytes:
+    """Return two triangles as glTF."""
+    points = struct.pack("<12f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0)
+    blob = points + struct.pack("<6H", 0, 1, 2, 1, 3, 2)
+    attributes = {"attributes": {"POSITION": 0}, "indices": 1}
+    document = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [attributes]}],
+        "buffers": [{"byteLength": len(blob)}],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": 0, "byteLength": 48},
+            {"buffer": 0, "byteOffset": 48, "byteLength": 12},
+        ],
+        "accessors": [
+            {
+                "bufferView": 0,
+                "componentType": 5126,
+                "count": 4,
+                "type": "VEC3",
+                "min": [0, 0, 0],
+                "max": [1, 1, 0],
+            },
+            {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"},
+        ],
+    }
+    if not binary:
+        coded = base64.b64encode(blob).decode()
+        document["buffers"][0]["uri"] = f"data:application/octet-stream;base64,{coded}"
+        return json.dumps(document).encode()
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    size = 12 + 8 + len(text) + 8 + len(blob)
+    head = struct.pack("<4sII", b"glTF", 2, size) + struct.pack("<I4s", len(text), b"JSON")
+    return head + text + struct.pack("<I4s", len(blob), b"BIN\0") + blob
+
+
+def _obj() -> str:
+    sphere = _sphere()
+    lines = ["v %g %g %g" % sphere.GetPoint(i) for i in range(sphere.GetNumberOfPoints())]
+    for index in range(sphere.GetNumberOfCells()):
+        cell = sphere.GetCell(index)
+        lines.append("f " + " ".join(str(cell.GetPointId(k) + 1) for k in range(3)))
+    return "\n".join(lines) + "\n"
+
+
+# File name, how it is written, what is written, number of points that are read.
+WRITTEN = [
+    ("a.vtp", vtkXMLPolyDataWriter, _sphere, 50),
+    ("ascii.vtp", vtkXMLPolyDataWriter, _sphere, 50),
+    ("a.vtu", vtkXMLUnstructuredGridWriter, _unstructured, 50),
+    ("a.vti", vtkXMLImageDataWriter, _image, 9261),
+    ("a.vts", vtkXMLStructuredGridWriter, _structured, 8),
+    ("a.vtr", vtkXMLRectilinearGridWriter, _rectilinear, 8),
+    ("a.vtm", vtkXMLMultiBlockDataWriter, _blocks, 50),
+    ("a.vtk", vtkPolyDataWriter, _sphere, 50),
+    ("binary.vtk", vtkPolyDataWriter, _sphere, 50),
+    ("a.ply", vtkPLYWriter, _sphere, 50),
+    ("ascii.ply", vtkPLYWriter, _sphere, 50),
+    ("a.stl", vtkSTLWriter, _sphere, 50),
+    ("binary.stl", vtkSTLWriter, _sphere, 50),
+    ("a.nii", vtkNIFTIImageWriter, _image, 9261),
+    ("a.nii.gz", vtkNIFTIImageWriter, _image, 9261),
+    ("a.mha", vtkMetaImageWriter, _image, 9261),
+    ("a.mhd", vtkMetaImageWriter, _image, 9261),
+]
+
+
+def write_all(directory: Path) -> dict[str, int]:
+    """Write a file of each kind; returns how many points each holds."""
+    expected = {}
+    for name, writer_class, make, points in WRITTEN:
+        writer = writer_class()
+        writer.SetFileName(str(directory / name))
+        writer.SetInputData(make())
+        if name == "ascii.vtp":
+            writer.SetDataModeToAscii()
+        elif name == "ascii.ply":
+            writer.SetFileTypeToASCII()
+        elif name.startswith("binary"):
+            writer.SetFileTypeToBinary()
+        writer.Write()
+        expected[name] = points
+    (directory / "a.obj").write_text(_obj())
+    (directory / "a.glb").write_bytes(_gltf(True))
+    (directory / "a.gltf").write_bytes(_gltf(False))
+    (directory / "a.pdb").write_bytes((support.DATA / "protein_1tii.pdb").read_bytes())
+    expected.update({"a.obj": 50, "a.glb": 4, "a.gltf": 4, "a.pdb": 5684})
+    return expected
+
+
+class Readers(support.DirectoryTest):
+    def assert_refused(self, path: Path, expected: str = "") -> None:
+        with self.assertRaises(UsageError) as caught:
+            data.read(path)
+        text = str(caught.exception)
+        self.assertTrue(text.startswith(f"{path}: "), text)
+        self.assertIn(expected, text)
+        self.assertNotIn("\n", text)
+
+    def test_every_kind_is_read(self) -> None:
+        expected = write_all(self.directory)
+        endings = {ending for ending in data.ENDINGS if any(n.endswith(ending) for n in expected)}
+        self.assertEqual(endings, set(data.ENDINGS))
+        for name, points in expected.items():
+            with self.subTest(name=name):
+                self.assertEqual(data.read(self.directory / name).GetNumberOfPoints(), points)
+
+    def test_files_that_end_early_are_refused(self) -> None:
+        for name in write_all(self.directory):
+            whole = (self.directory / name).read_bytes()
+            for part in (0.02, 0.3, 0.6, 0.9, 0.98):
+                with self.subTest(name=name, part=part):
+                    cut = self.write("cut_" + name, whole[: int(part * len(whole))])
+                    self.assert_refused(cut)
+
+    def test_other_content_is_refused(self) -> None:
+        for ending in data.ENDINGS:
+            for content in (b"hello\n", bytes(range(256)) * 8, b"\0" * 1000):
+                with self.subTest(ending=ending, content=content[:5]):
+                    self.assert_refused(self.write("other" + ending, content))
+
+    def test_damaged_compression(self) -> None:
+        whole = bytearray(gzip.compress(b"\0" * 5000))
+        whole[20:30] = b"0123456789"
+        self.assert_refused(self.write("bad.nii.gz", bytes(whole)), "damaged")
+
+    def test_paths(self) -> None:
+        self.assert_refused(self.directory / "none.vtp", "no such file")
+        self.assert_refused(self.directory, "is a directory")
+        self.assert_refused(self.write("empty.vtp", b""), "the file is empty")
+        self.assert_refused(self.write("a.doc", b"x"), "unknown kind of file '.doc'; known: .vtp")
+        self.assert_refused(self.write("no_ending", b"x"), "unknown kind of file 'no_ending'")
+
+    def test_names_of_two_parts(self) -> None:
+        self.assertEqual(data.stem(Path("brain.nii.gz")), "brain")
+        self.assertEqual(data.stem(Path("Room.1.VTP")), "Room.1")
+
+
+class DataAsScene(support.DirectoryTest):
+    """A data file alone is a scene."""
+
+    def test_surfaces(self) -> None:
+        scene = load_scene(support.DATA / "room_vis.vtp")
+        self.assertEqual(scene.name, "room_vis")
+        self.assertEqual(len(scene.lights), 5)
+        self.assertEqual(scene.notes, [])
+        self.assertTrue(scene.actors["room_vis"].GetMapper().GetScalarVisibility())
+
+    def test_images_are_contoured(self) -> None:
+        scene = load_scene(support.DATA / "brain_mri_colin27_ch2bet.nii.gz")
+        self.assertEqual(scene.name, "brain_mri_colin27_ch2bet")
+        self.assertIn("contour of 'NIFTI' at 66.5", scene.notes[0])
+
+    def test_molecules_are_spheres(self) -> None:
+        scene = load_scene(support.DATA / "protein_1tii.pdb")
+        shown = scene.actors["protein_1tii"].GetMapper().GetInput()
+        self.assertGreater(shown.GetNumberOfCells(), 100_000)
+
+    def test_nothing_to_show(self) -> None:
+        head = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n"
+        points = self.write("points.vtk", head + "0 0 0 1 0 0\n")
+        with self.assertRaisesRegex(UsageError, r"points\.vtk: holds points but no cells"):
+            load_scene(points)
+        flat = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\n"
+        flat += "DIMENSIONS 2 2 2\nORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 8\nSCALARS a float\n"
+        same = self.write("same.vtk", flat + "LOOKUP_TABLE default\n" + "1 " * 8 + "\n")
+        with self.assertRaisesRegex(UsageError, r"same\.vtk: array 'a' is constant"):
+            load_scene(same)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rendered pictures: indirect light is where it must be, reports say what they must say."""
+
+import unittest
+
+import numpy as np
+
+import support
+import vtkindirect
+from vtkindirect import RenderError, UsageError, frames, images, load_scene, windows
+from vtkindirect.frames import Job
+
+WHY_NOT = support.why_no_rendering()
+
+STAGES = {"delegate", "geometry", "rsm", "lights", "estimate", "upsample", "composite"}
+
+
+@unittest.skipIf(WHY_NOT, WHY_NOT or "")
+class Render(unittest.TestCase):
+    def render(self, name: str, **job) -> tuple:
+        scene = load_scene(support.SCENES / f"{name}.json")
+        window = frames.open_window(scene, job.pop("size", None))
+        self.addCleanup(window.Finalize)
+        report = frames.render(scene, window, Job(**job))
+        return scene, report
+
+    def test_colour_bleeds(self) -> None:
+        scene, report = self.render("two_planes", method="gather")
+        indirect = vtkindirect.copy_buffer(scene.renderer, "indirect")
+        self.assertEqual(indirect.dtype, np.float32)
+        self.assertEqual(indirect.shape[:2], (128, 128))
+        self.assertTrue(np.isfinite(indirect).all())
+        normal = vtkindirect.copy_buffer(scene.renderer, "normal")
+        wall = normal[..., 2] > 0.9
+        self.assertGreater(wall.sum(), 500)
+        red, green = indirect[wall, 0].mean(), indirect[wall, 1].mean()
+        self.assertGreater(red, 0.01)
+        self.assertAlmostEqual(red / green, 8.0, delta=0.5)
+        rows = np.nonzero(wall.any(axis=1))[0]
+        lower, upper = rows[len(rows) // 4], rows[3 * len(rows) // 4]
+        column = indirect.shape[1] // 2
+        self.assertGreater(indirect[lower, column, 0], 1.5 * indirect[upper, column, 0])
+        direct = vtkindirect.copy_buffer(scene.renderer, "direct")
+        self.assertLess(direct[wall].max(), 0.02)
+        final = vtkindirect.copy_buffer(scene.renderer, "final")
+        both = (direct + indirect)[wall][:, :3]
+        self.assertTrue(np.allclose(final[wall][:, :3], both, atol=2e-3))
+        self.assertEqual(report["method"], "gather")
+
+    def test_closed_sphere_has_the_exact_answer(self) -> None:
+        settings = {"Mode": "all_texels", "ReflectiveShadowMapResolution": 32}
+        scene, _ = self.render("closed_sphere", method="gather", settings=settings, size=(32, 32))
+        irradiance = vtkindirect.copy_buffer(scene.renderer, "irradiance")
+        self.assertAlmostEqual(float(np.median(irradiance[..., :3])), 0.5, delta=0.02)
+
+    def test_report(self) -> None:
+        settings = {"NumberOfLights": "64"}
+        scene, report = self.render("cornell_box", method="gather", settings=settings, frames=3)
+        self.assertEqual(report["schema"], "vtkindirect.report/1")
+        self.assertEqual(report["scene"], "cornell_box")
+        self.assertEqual(report["size"], [256, 256])
+        self.assertEqual(report["frames"], 3)
+        self.assertEqual(report["settings"]["NumberOfLights"], 64)
+        self.assertLessEqual(report["virtual_lights"], 64)
+        self.assertGreater(report["frame_ms"], 0)
+        self.assertLessEqual(set(report["stages"]), STAGES)
+        for times in report["stages"].values():
+            self.assertLessEqual(0, times["median_ms"])
+            self.assertLessEqual(times["median_ms"], times["p95_ms"])
+        for key in ("modelled", "left_out", "gl", "vtk", "version", "shader_hash"):
+            self.assertIn(key, report)
+        self.assertEqual(vtkindirect.report(scene.renderer)["schema"], report["schema"])
+
+    def test_off(self) -> None:
+        scene, report = self.render("cornell_box", method="off", frames=2, size=(100, 60))
+        self.assertEqual(set(report["stages"]), {"delegate"})
+        self.assertEqual((report["method"], report["frames"]), ("off", 2))
+        self.assertEqual(report["size"], [100, 60])
+        shown = images.window_bytes(scene.render_window)
+        self.assertEqual(shown.shape, (60, 100, 3))
+        self.assertGreater(shown.max(), 100)
+        floats = images.window_floats(scene.render_window)
+        self.assertTrue(np.allclose(floats, shown / 255.0, atol=0.003))
+
+    def test_window_shows_the_final_buffer(self) -> None:
+        scene, _ = self.render("cornell_box", method="auto")
+        shown = images.window_bytes(scene.render_window) / 255.0
+        final = np.clip(vtkindirect.copy_buffer(scene.renderer, "final")[..., :3], 0, 1)
+        self.assertLess(np.abs(shown - final).mean(), 0.01)
+
+    def test_disable_brings_vtk_back(self) -> None:
+        scene, _ = self.render("cornell_box", method="off")
+        before = images.window_bytes(scene.render_window)
+        vtkindirect.enable(scene.renderer)
+        scene.render_window.Render()
+        self.assertFalse(np.array_equal(images.window_bytes(scene.render_window), before))
+        vtkindirect.disable(scene.renderer)
+        scene.render_window.Render()
+        self.assertTrue(np.array_equal(images.window_bytes(scene.render_window), before))
+
+    def test_every_buffer_is_finite(self) -> None:
+        scene, _ = self.render("cornell_box", method="gather")
+        for name in (*images.BUFFERS, "rsm0.depth", "rsm0.normal", "rsm0.density"):
+            with self.subTest(name=name):
+                try:
+                    values = vtkindirect.copy_buffer(scene.renderer, name)
+                except RenderError as error:
+                    self.assertEqual(name, "glossy", error)
+                    continue
+                self.assertTrue(np.isfinite(values).all())
+        with self.assertRaisesRegex(RenderError, "there is no buffer 'rsm7.depth'"):
+            vtkindirect.copy_buffer(scene.renderer, "rsm7.depth")
+
+    def test_larger_than_the_driver(self) -> None:
+        scene = load_scene(support.SCENES / "two_planes.json")
+        window = vtkindirect.render_window((8, 8), offscreen=True)
+        self.addCleanup(window.Finalize)
+        windows.start(window)
+        with self.assertRaisesRegex(UsageError, "this OpenGL driver goes up to"):
+            windows.check_size(window, (10**6, 8))
+        self.assertIsNone(scene.render_window)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,332 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scene files: every kind of mistake is one error that names the key; what is right is built."""
+
+import json
+import math
+import struct
+import unittest
+from typing import Any
+
+from vtkmodules.vtkCommonCore import VTK_COLOR_MODE_DIRECT_SCALARS
+
+import support
+from vtkindirect import SceneError, UsageError, load_scene
+
+
+def _set(document: Any, path: list, value: Any) -> None:
+    """Set, or with the value `_set` remove, an entry of a document."""
+    for step in path[:-1]:
+        document = document[step]
+    if value is _set:
+        del document[path[-1]]
+    else:
+        document[path[-1]] = value
+
+
+# What is changed in the small scene, to what, and what the message must say.
+MISTAKES = [
+    (["schema"], _set, "schema: is missing"),
+    (["schema"], "vtkindirect.scene/2", "schema: must be one of vtkindirect.scene/1"),
+    (["sise"], [1, 1], "sise: unknown key (did you mean 'size'?)"),
+    (["size"], [0, 48], "size[0]: must be from 1 to 16384, not 0"),
+    (["size"], [64], "size: must have 2 items, not 1"),
+    (["size"], [64.5, 48], "size[0]: must be a whole number"),
+    (["size"], "big", "size: must be a list, not 'big'"),
+    (["background"], [0, 0, 2], "background[2]: must be at most 1, not 2"),
+    (["name"], "", "name: must not be empty"),
+    (["camera"], _set, "camera: is missing"),
+    (["camera", "position"], _set, "camera.position: is missing"),
+    (["camera", "position"], [0, 0, "z"], "camera.position[2]: must be a number, not 'z'"),
+    (["camera", "position"], [0.5, 0.4, 0], "camera.focal_point: must differ from position"),
+    (["camera", "view_up"], [0, 0, 0], "camera.view_up: must not be the zero vector"),
+    (["camera", "view_up"], [0, 0.4, 3], "camera.view_up: must not be parallel"),
+    (["camera", "view_angle"], 180, "camera.view_angle: must be less than 180"),
+    (["camera", "clipping_range"], [0, 1], "camera.clipping_range[0]: must be greater than 0"),
+    (["camera", "clipping_range"], [2, 1], "camera.clipping_range: the second number must be"),
+    (["camera", "zoom"], 1, "camera.zoom: unknown key"),
+    (["lights"], _set, "lights: is missing"),
+    (["lights"], [], "lights: must have at least 1 item"),
+    (["lights", 0], "sun", "lights[0]: must be an object, not 'sun'"),
+    (["lights", 0, "type"], _set, "lights[0].type: is missing"),
+    (["lights", 0, "type"], "sppot", "lights[0].type: must be one of spot, point"),
+    (["lights", 0, "type"], "area", "lights[0].type: lights of type 'area' are not built"),
+    (["lights", 0, "type"], "environment", "of type 'environment' are not built in this version"),
+    (["lights", 0, "cone_angle"], 90, "lights[0].cone_angle: must be less than 90, not 90"),
+    (["lights", 0, "cone_angle"], 0, "lights[0].cone_angle: must be greater than 0"),
+    (["lights", 0, "intensity"], -1, "lights[0].intensity: must be at least 0, not -1"),
+    (["lights", 0, "color"], [1, 1], "lights[0].color: must have 3 items, not 2"),
+    (["lights", 0, "attenuation"], [0, 0, 0], "lights[0].attenuation: must not be all zero"),
+    (["lights", 0, "attenuation"], [1, -1, 0], "lights[0].attenuation[1]: must be at least 0"),
+    (["lights", 0, "focal_point"], [1.5, 1.5, 1.5], "lights[0].focal_point: must differ"),
+    (["lights", 0, "direction"], [0, 0, 1], "lights[0].direction: unknown key"),
+    (["actors"], _set, "actors: is missing"),
+    (["actors"], [], "actors: must have at least 1 item"),
+    (["actors", 0], 3, "actors[0]: must be an object, not 3"),
+    (["actors", 0, "source"], _set, "actors[0].origin: unknown key"),
+    (["actors", 0, "source"], "plain", "actors[0].source: must be one of plane"),
+    (["actors", 0, "source"], 7, "actors[0].source: must be one of plane"),
+    (["actors", 0, "file"], "a.vtp", "actors[0]: must have either file or source"),
+    (["actors", 0, "point1"], _set, "actors[0].point1: is missing"),
+    (["actors", 0, "point1"], [0, 0, 1], "actors[0].point2: origin, point1 and point2 must span"),
+    (["actors", 0, "resolution"], [0, 1], "actors[0].resolution[0]: must be from 1 to 2048"),
+    (["actors", 0, "colour"], [1, 1, 1], "actors[0].colour: unknown key (did you mean 'color'?)"),
+    (["actors", 0, "color"], [1, 1, 1.5], "actors[0].color[2]: must be at most 1"),
+    (["actors", 0, "opacity"], 2, "actors[0].opacity: must be at most 1"),
+    (["actors", 0, "opacity"], True, "actors[0].opacity: must be a number, not true"),
+    (["actors", 0, "visible"], 1, "actors[0].visible: must be true or false, not 1"),
+    (["actors", 0, "interpolation"], "blinn", "actors[0].interpolation: must be one of phong"),
+    (["actors", 0, "refraction_index"], 0.5, "actors[0].refraction_index: must be at least 1"),
+    (["actors", 0, "transform"], [1] * 15, "actors[0].transform: must have 16 items, not 15"),
+    (["actors", 0, "transform"], [0] * 15 + [1], "actors[0].transform: must be invertible"),
+    (["actors", 0, "transform"], [1] * 16, "actors[0].transform: the last row must be 0, 0, 0, 1"),
+    (["actors", 0, "pipeline"], {}, "actors[0].pipeline: must be a list, not an object"),
+    (["actors", 0, "pipeline"], [{}], "actors[0].pipeline[0]: must hold exactly one step, not 0"),
+    (["actors", 0, "pipeline"], [{"smoth": {}}], "pipeline[0].smoth: unknown key (did you mean"),
+    (
+        ["actors", 0, "pipeline"],
+        [{"surface": {}}, {"contour": {"array": "t"}}],
+        "actors[0].pipeline[1].contour.value: is missing",
+    ),
+    (
+        ["actors", 0, "pipeline"],
+        [{"contour": {"value": "hot"}}],
+        "actors[0].pipeline[0].contour.value: must be a number, not 'hot'",
+    ),
+    (
+        ["actors", 0, "pipeline"],
+        [{"contour": {"array": "t", "value": 1}}],
+        "actors[0].pipeline[0].contour.array: no array 't' on points",
+    ),
+    (
+        ["actors", 0, "scalars"],
+        {"array": "t"},
+        "actors[0].color: cannot be given together with scalars",
+    ),
+]
+
+
+class Mistakes(support.DirectoryTest):
+    """Each mistake gives one line that names the place in the document."""
+
+    def error_of(self, content: Any) -> str:
+        path = self.write("scene.json", content)
+        with self.assertRaises(SceneError) as caught:
+            load_scene(path)
+        text = str(caught.exception)
+        self.assertTrue(text.startswith(f"{path}: "), text)
+        self.assertNotIn("\n", text)
+        return text
+
+    def test_mistakes_are_named(self) -> None:
+        for path, value, expected in MISTAKES:
+            with self.subTest(path=path, value=value):
+                document = support.small_scene()
+                _set(document, path, value)
+                self.assertIn(expected, self.error_of(document))
+
+    def test_numbers_that_are_not_finite(self) -> None:
+        text = json.dumps(support.small_scene())
+        for number in ("NaN", "Infinity", "-Infinity"):
+            wrong = text.replace('"cone_angle": 40', f'"cone_angle": {number}')
+            self.assertIn(f"{number} is not a JSON number", self.error_of(wrong))
+        for number in ("1e999", "1" + "0" * 400):
+            wrong = text.replace('"cone_angle": 40', f'"cone_angle": {number}')
+            self.assertIn("lights[0].cone_angle: must be a finite number", self.error_of(wrong))
+
+    def test_duplicate_keys(self) -> None:
+        text = json.dumps(support.small_scene())
+        twice = text.replace('"source": "plane",', '"source": "plane", "source": "box",', 1)
+        self.assertIn("actors[0].source: is given twice", self.error_of(twice))
+        twice = text.replace('"name": "small",', '"name": "a", "name": "b",', 1)
+        self.assertIn("name: is given twice", self.error_of(twice))
+
+    def test_text_that_is_not_a_scene(self) -> None:
+        self.assertIn("not JSON: ", self.error_of('{"schema": '))
+        self.assertIn("line 2, column", self.error_of('{"schema":\n oops}'))
+        self.assertIn("must hold one JSON object", self.error_of("[1, 2]"))
+        self.assertIn("not UTF-8", self.error_of(b'{"name": "\xff\xfe"}'))
+        self.assertIn("nested too deeply", self.error_of("[" * 100000))
+        self.assertIn("schema: is missing", self.error_of("{}"))
+
+    def test_data_files(self) -> None:
+        document = support.small_scene()
+        document["actors"][0] = {"file": "missing.vtp"}
+        self.assertIn("actors[0].file: ", self.error_of(document))
+        self.assertIn("missing.vtp: no such file", self.error_of(document))
+        self.write("cut.vtp", (support.DATA / "room_vis.vtp").read_bytes()[:1500])
+        document["actors"][0] = {"file": "cut.vtp"}
+        self.assertIn("cut.vtp: the file is damaged or cut off", self.error_of(document))
+
+    def test_points_that_are_not_finite(self) -> None:
+        header = "# vtk DataFile Version 3.0\nt\nBINARY\nDATASET POLYDATA\nPOINTS 3 float\n"
+        points = struct.pack(">9f", 0, 0, 0, math.nan, 1, 0, 0, 1, 0)
+        triangle = b"\nPOLYGONS 1 4\n" + struct.pack(">4i", 3, 0, 1, 2)
+        self.write("nan.vtk", header.encode() + points + triangle + b"\n")
+        document = support.small_scene()
+        document["actors"].append({"file": "nan.vtk"})
+        self.assertIn("actors[2]: point 1 is not finite", self.error_of(document))
+
+    def test_nothing_to_see(self) -> None:
+        document = support.small_scene()
+        for actor in document["actors"]:
+            actor["visible"] = False
+        self.assertIn("actors: none of them is visible", self.error_of(document))
+        header = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n"
+        self.write("line.vtk", header + "0 0 0 1 0 0\nLINES 1 3\n2 0 1\n")
+        document = support.small_scene()
+        document["actors"] = [{"file": "line.vtk"}]
+        self.assertIn("actors: they have no area to show", self.error_of(document))
+
+    def test_paths_that_are_not_scenes(self) -> None:
+        for name, expected in (
+            ("none.json", "no such file"),
+            ("", "is a directory"),
+            ("empty.json", "the file is empty"),
+            ("text.xyz", "unknown kind of file '.xyz'"),
+        ):
+            self.write("empty.json", "")
+            self.write("text.xyz", "x")
+            with self.subTest(name=name), self.assertRaises(UsageError) as caught:
+                load_scene(self.directory / name)
+            self.assertIn(expected, str(caught.exception))
+
+
+class Built(support.DirectoryTest):
+    """What a correct scene says is what the renderer has."""
+
+    def load(self, document: Any) -> Any:
+        return load_scene(self.write("scene.json", document))
+
+    def test_defaults(self) -> None:
+        document = support.small_scene()
+        for key in ("name", "size"):
+            del document[key]
+        scene = self.load(document)
+        self.assertEqual(scene.name, "scene")
+        self.assertEqual(scene.size, (512, 512))
+        self.assertEqual(scene.renderer.GetBackground(), (0.0, 0.0, 0.0))
+        camera = scene.renderer.GetActiveCamera()
+        self.assertEqual(camera.GetViewAngle(), 30.0)
+        self.assertEqual(camera.GetViewUp(), (0.0, 1.0, 0.0))
+        near, far = camera.GetClippingRange()
+        self.assertLess(near, 2.1)
+        self.assertGreater(far, 3.0)
+
+    def test_camera(self) -> None:
+        document = support.small_scene()
+        document["camera"].update(parallel_scale=0.7, clipping_range=[0.5, 9])
+        camera = self.load(document).renderer.GetActiveCamera()
+        self.assertTrue(camera.GetParallelProjection())
+        self.assertEqual(camera.GetParallelScale(), 0.7)
+        self.assertEqual(camera.GetClippingRange(), (0.5, 9.0))
+
+    def test_lights(self) -> None:
+        document = support.small_scene()
+        document["lights"] += [
+            {
+                "type": "point",
+                "position": [0, 1, 0],
+                "color": [1, 0.5, 0],
+                "attenuation": [0, 0, 2],
+            },
+            {"type": "directional", "direction": [0, -2, 0], "intensity": 3},
+            {"type": "headlight", "intensity": 0.25},
+        ]
+        spot, point, sun, head = self.load(document).lights
+        self.assertEqual(spot.GetConeAngle(), 40.0)
+        self.assertEqual(spot.GetExponent(), 0.0)
+        self.assertTrue(spot.GetPositional() and spot.LightTypeIsSceneLight())
+        self.assertEqual(spot.GetAttenuationValues(), (1.0, 0.0, 0.0))
+        self.assertTrue(point.GetPositional())
+        self.assertGreaterEqual(point.GetConeAngle(), 90.0)
+        self.assertEqual(point.GetDiffuseColor(), (1.0, 0.5, 0.0))
+        self.assertEqual(point.GetAttenuationValues(), (0.0, 0.0, 2.0))
+        self.assertFalse(sun.GetPositional())
+        travel = [b - a for a, b in zip(sun.GetPosition(), sun.GetFocalPoint())]
+        self.assertEqual(travel, [0.0, -2.0, 0.0])
+        self.assertEqual(sun.GetIntensity(), 3.0)
+        self.assertTrue(head.LightTypeIsHeadlight())
+        document["lights"] = [{"type": "light_kit"}]
+        self.assertEqual(len(self.load(document).lights), 5)
+
+    def test_material(self) -> None:
+        document = support.small_scene()
+        document["actors"][0].update(
+            ambient=0.1,
+            diffuse=0.7,
+            specular=0.3,
+            specular_power=20,
+            opacity=0.5,
+            interpolation="pbr",
+            metallic=0.9,
+            roughness=0.2,
+            refraction_index=2,
+            transform=[2, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+        )
+        scene = self.load(document)
+        actor = scene.actors["floor"]
+        prop = actor.GetProperty()
+        self.assertEqual(prop.GetInterpolationAsString(), "Physically based rendering")
+        self.assertEqual((prop.GetAmbient(), prop.GetDiffuse()), (0.1, 0.7))
+        self.assertEqual((prop.GetSpecular(), prop.GetSpecularPower()), (0.3, 20.0))
+        self.assertEqual((prop.GetMetallic(), prop.GetRoughness()), (0.9, 0.2))
+        self.assertEqual((prop.GetOpacity(), prop.GetBaseIOR()), (0.5, 2.0))
+        for got, wanted in zip(prop.GetColor(), (0.8, 0.1, 0.1)):
+            self.assertAlmostEqual(got, wanted)
+        self.assertEqual(actor.GetBounds()[:2], (5.0, 7.0))
+
+    def test_colors_of_the_data(self) -> None:
+        document = support.small_scene()
+        room = str(support.DATA / "room_vis.vtp")
+        document["actors"] = [
+            {"name": "own", "file": room},
+            {"name": "given", "file": room, "color": [1, 0, 0]},
+            {"name": "mapped", "file": room, "scalars": {"array": "RGB"}},
+        ]
+        actors = self.load(document).actors
+        self.assertTrue(actors["own"].GetMapper().GetScalarVisibility())
+        self.assertFalse(actors["given"].GetMapper().GetScalarVisibility())
+        self.assertEqual(actors["mapped"].GetMapper().GetColorMode(), VTK_COLOR_MODE_DIRECT_SCALARS)
+
+    def test_scalars(self) -> None:
+        document = support.small_scene()
+        fire = {"file": str(support.DATA / "room_fire_cfd.vtu")}
+        document["actors"] = [
+            {**fire, "name": "a", "scalars": {"array": "t", "range": [300, 600], "map": "inferno"}},
+            {**fire, "name": "b", "scalars": {"array": "t", "map": [[0, 0, 0], [1, 0, 0]]}},
+        ]
+        actors = self.load(document).actors
+        table = actors["a"].GetMapper().GetLookupTable()
+        self.assertEqual(table.GetTableRange(), (300.0, 600.0))
+        red = [0.0, 0.0, 0.0]
+        actors["b"].GetMapper().GetLookupTable().GetColor(692.2396850585938, red)
+        self.assertAlmostEqual(red[0], 1.0, places=2)
+        for wrong, expected in (
+            ({"array": "T"}, "actors[0].scalars.array: no array 'T' (did you mean 't'?)"),
+            ({"array": "t", "map": "jet"}, "actors[0].scalars.map: unknown map 'jet'"),
+            ({"array": "t", "map": "set1"}, "actors[0].scalars.map: is for categories"),
+            ({"array": "t", "range": [5, 5]}, "actors[0].scalars.range: the second number"),
+        ):
+            document["actors"] = [{**fire, "scalars": wrong}]
+            with self.subTest(wrong=wrong), self.assertRaises(SceneError) as caught:
+                self.load(document)
+            self.assertIn(expected, str(caught.exception))
+
+    def test_very_small_and_very_far_scenes(self) -> None:
+        for scale, offset in ((1e-9, 0.0), (1.0, 1e6)):
+            document = support.small_scene()
+            for actor in document["actors"]:
+                for key in ("origin", "point1", "point2"):
+                    actor[key] = [scale * x + offset for x in actor[key]]
+            scene = self.load(document)
+            self.assertAlmostEqual((scene.bounds[1] - scene.bounds[0]) / scale, 1.0, delta=0.1)
+
+    def test_all_scenes_of_the_project(self) -> None:
+        for path in sorted(support.SCENES.glob("*.json")):
+            if path.stem not in ("frog", "brain", "protein", "room_fire", "apartment_living"):
+                with self.subTest(scene=path.stem):
+                    self.assertEqual(load_scene(path).name, path.stem)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Windows: with and without a display, of any size that is allowed."""
+
+import os
+import unittest
+from unittest import mock
+
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
+
+import vtkindirect
+from vtkindirect import RenderError, UsageError, windows, wrapped
+
+HAVE_HEADLESS = wrapped.has("vtkEGLHeadlessRenderWindow")
+NO_HEADLESS = "the module vtkIndirectHeadless was not built"
+
+
+class Windows(unittest.TestCase):
+    def test_size(self) -> None:
+        for size in ((0, 5), (5, 0), (-1, 5), (windows.LARGEST + 1, 5)):
+            with self.subTest(size=size), self.assertRaisesRegex(UsageError, "must be from 1x1"):
+                vtkindirect.render_window(size)
+
+    def test_display_that_does_not_answer(self) -> None:
+        with mock.patch.dict(os.environ, {"DISPLAY": ":987"}):
+            self.assertFalse(windows.has_display())
+            with self.assertRaisesRegex(RenderError, "cannot connect to DISPLAY ':987'"):
+                vtkindirect.render_window(offscreen=False)
+
+    def test_no_display(self) -> None:
+        environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
+        with mock.patch.dict(os.environ, environment, clear=True):
+            with self.assertRaisesRegex(RenderError, "no display.*DISPLAY is not set"):
+                vtkindirect.render_window(offscreen=False)
+            with mock.patch.object(windows, "_headless", return_value=None):
+                with self.assertRaisesRegex(RenderError, "no way to render without one"):
+                    vtkindirect.render_window()
+
+    @unittest.skipUnless(HAVE_HEADLESS, NO_HEADLESS)
+    def test_headless(self) -> None:
+        window = vtkindirect.render_window((40, 30), offscreen=True)
+        self.assertEqual(window.GetSize(), (40, 30))
+        self.assertEqual(window.GetMultiSamples(), 0)
+
+    @unittest.skipUnless(HAVE_HEADLESS, NO_HEADLESS)
+    def test_use_headless(self) -> None:
+        vtkindirect.use_headless()
+        try:
+            self.assertEqual(vtkRenderWindow().GetClassName(), "vtkEGLHeadlessRenderWindow")
+        finally:
+            vtkindirect.use_headless(False)
+
+    @unittest.skipUnless(HAVE_HEADLESS, NO_HEADLESS)
+    def test_no_context(self) -> None:
+        window = vtkindirect.vtkEGLHeadlessRenderWindow()
+        window.SetDeviceIndex(10**6)
+        with self.assertRaisesRegex(RenderError, "OpenGL does not work here: "):
+            windows.start(window)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What several tests need: places, a small scene, and a directory that is removed."""
+
+from __future__ import annotations
+
+import copy
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from typing import Any
+
+TESTING = Path(__file__).resolve().parent.parent
+SOURCE = TESTING.parent
+DATA = TESTING / "Data"
+SCENES = TESTING / "Scenes"
+
+SMALL: dict[str, Any] = {
+    "schema": "vtkindirect.scene/1",
+    "name": "small",
+    "size": [64, 48],
+    "camera": {"position": [0.5, 0.8, 3], "focal_point": [0.5, 0.4, 0]},
+    "lights": [
+        {
+            "type": "spot",
+            "position": [1.5, 1.5, 1.5],
+            "focal_point": [0.5, 0, 0.3],
+            "cone_angle": 40,
+        }
+    ],
+    "actors": [
+        {
+            "name": "floor",
+            "source": "plane",
+            "origin": [0, 0, 1],
+            "point1": [1, 0, 1],
+            "point2": [0, 0, 0],
+            "color": [0.8, 0.1, 0.1],
+        },
+        {
+            "name": "wall",
+            "source": "plane",
+            "origin": [0, 0, 0],
+            "point1": [1, 0, 0],
+            "point2": [0, 1, 0],
+            "color": [0.8, 0.8, 0.8],
+        },
+    ],
+}
+
+
+def small_scene() -> dict[str, Any]:
+    """Return a scene document that a test may change."""
+    return copy.deepcopy(SMALL)
+
+
+class DirectoryTest(unittest.TestCase):
+    """A test with a directory of its own."""
+
+    def setUp(self) -> None:
+        holder = tempfile.TemporaryDirectory(prefix="vtkindirect-")
+        self.addCleanup(holder.cleanup)
+        self.directory = Path(holder.name)
+
+    def write(self, name: str, content: Any) -> Path:
+        """Write a file of text, bytes or JSON."""
+        path = self.directory / name
+        if isinstance(content, bytes):
+            path.write_bytes(content)
+        else:
+            path.write_text(content if isinstance(content, str) else json.dumps(content))
+        return path
+
+    def names(self) -> list[str]:
+        """Return the names of all files in the directory, hidden ones too."""
+        return sorted(os.listdir(self.directory))
+
+
+def command_line(*words: Any, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Run the command line in a process of its own."""
+    return subprocess.run(
+        [sys.executable, "-B", "-m", "vtkindirect", *map(str, words)],
+        capture_output=True,
+        text=True,
+        timeout=240,
+        env={**os.environ, **environment},
+        check=False,
+    )
+
+
+def why_no_rendering() -> str | None:
+    """Return why nothing can be rendered here, or None."""
+    from vtkindirect import RenderError, render_window, windows, wrapped
+
+    if not wrapped.has("vtkIndirectIlluminationPass"):
+        return wrapped.explain("vtkIndirectIlluminationPass")
+    try:
+        window = render_window((8, 8), offscreen=True)
+        windows.start(window)
+        window.Finalize()
+    except RenderError as error:
+        return str(error)
+    return None

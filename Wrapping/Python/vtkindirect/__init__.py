@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Real-time indirect illumination for VTK.
+
+All C++ classes of the project are here by their VTK names, such as `vtkIndirectIlluminationPass`,
+together with helpers::
+
+    import vtkindirect
+    vtkindirect.enable(renderer)             # or a render window, or a PyVista plotter
+    vtkindirect.disable(renderer)
+
+    scene = vtkindirect.load_scene("room.json")
+    window = scene.make_window()
+    vtkindirect.enable(scene.renderer, "gather", number_of_lights=256)
+    window.Render()
+    light = vtkindirect.copy_buffer(scene.renderer, "indirect")
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from typing import Any
+
+from vtkindirect import wrapped as _wrapped
+from vtkindirect.errors import IndirectError, RenderError, SceneError, UsageError
+from vtkindirect.images import copy_buffer
+from vtkindirect.methods import METHODS, SAMPLERS, disable, enable, pass_of, report
+from vtkindirect.scene import Scene, load_scene
+from vtkindirect.windows import has_display, render_window, use_headless
+
+try:
+    from vtkindirect._configuration import VERSION as __version__
+except ImportError:  # used from the source tree, without a build
+    __version__ = "0"
+
+globals().update(_wrapped.CLASSES)
+
+__all__ = [
+    "METHODS",
+    "SAMPLERS",
+    "IndirectError",
+    "RenderError",
+    "Scene",
+    "SceneError",
+    "UsageError",
+    "copy_buffer",
+    "disable",
+    "enable",
+    "has_display",
+    "load_scene",
+    "pass_of",
+    "render_window",
+    "report",
+    "use_headless",
+    *sorted(_wrapped.CLASSES),
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Say why a class is missing when its module was not built."""
+    reason = _wrapped.explain(name)
+    if reason is not None:
+        raise ImportError(reason)
+    raise AttributeError(f"module 'vtkindirect' has no attribute '{name}'")
+
+
+if "pyvista" in sys.modules:  # otherwise PyVista finds the component by its entry point
+    importlib.import_module("vtkindirect.plotter")

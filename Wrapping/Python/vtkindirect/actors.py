@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The actors of a scene file: geometry, colour, material."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
+
+from vtkindirect import arrays, colormaps, pipeline
+from vtkindirect.errors import SceneError, UsageError
+from vtkindirect.fields import (
+    Field,
+    Table,
+    boolean,
+    check_keys,
+    check_table,
+    choice,
+    color,
+    fail,
+    interval,
+    matrix,
+    member,
+    number,
+    required,
+    text,
+)
+from vtkindirect.sources import SOURCES
+
+Values = dict[str, Any]
+Read = Callable[[Path], vtkDataSet]
+
+DIRECT_COLORS = "RGB"
+
+SCALARS = {
+    "array": required(text),
+    "range": Field(interval),
+    "map": Field(colormaps.check, "viridis"),
+}
+
+
+def _scalars(value: Any, path: str) -> Values:
+    """The array that colours an actor, and how."""
+    return check_table(value, path, SCALARS)
+
+
+_part = number(minimum=0, maximum=1)
+
+ACTOR = {
+    "name": Field(text),
+    "file": Field(text),
+    "source": Field(choice(*SOURCES)),
+    "pipeline": Field(pipeline.check, []),
+    "color": Field(color),
+    "scalars": Field(_scalars),
+    "ambient": Field(_part, 0.0),
+    "diffuse": Field(_part, 1.0),
+    "specular": Field(_part, 0.0),
+    "specular_power": Field(number(minimum=0, maximum=128), 1.0),
+    "opacity": Field(_part, 1.0),
+    "interpolation": Field(choice("phong", "flat", "gouraud", "pbr"), "phong"),
+    "metallic": Field(_part, 0.0),
+    "roughness": Field(_part, 0.5),
+    "refraction_index": Field(number(minimum=1), 1.5),
+    "transform": Field(matrix),
+    "visible": Field(boolean, True),
+}
+
+
+def check(value: Any, path: str) -> Values:
+    """Check one actor; the keys of its source become ``values["source_values"]``."""
+    if not isinstance(value, dict):
+        check_keys(value, path, ())
+    own: Table = {}
+    if "source" in value:
+        own = SOURCES[ACTOR["source"].check(value["source"], member(path, "source"))].fields
+    values = check_table(value, path, {**ACTOR, **own})
+    if (values["file"] is None) == (values["source"] is None):
+        raise fail(path, "must have either file or source")
+    if values["color"] is not None and values["scalars"] is not None:
+        raise fail(member(path, "color"), "cannot be given together with scalars")
+    values["source_values"] = {key: values.pop(key) for key in own}
+    return values
+
+
+def _geometry(values: Values, path: str, directory: Path, read: Read) -> vtkPolyData:
+    """Read or make the geometry of an actor and take it through its pipeline."""
+    if values["source"] is not None:
+        data = SOURCES[values["source"]].build(values["source_values"], path)
+    else:
+        try:
+            data = read(directory / values["file"])
+        except UsageError as error:
+            raise SceneError(f"{member(path, 'file')}: {error}") from None
+    for step in values["pipeline"]:
+        data = pipeline.run(data, step)
+    surface = pipeline.surface_of(data, path)
+    if surface.GetNumberOfCells() == 0:
+        raise fail(path, "has points but no cells to show: put glyph_spheres in its pipeline")
+    check_finite(surface, path)
+    return surface
+
+
+def check_finite(surface: vtkPolyData, path: str) -> None:
+    """Raise when a point or a normal is NaN or infinite."""
+    points = surface.GetPoints().GetData()
+    if not arrays.finite(points):
+        rows = np.isfinite(arrays.Found(points, True).numbers()).all(axis=1)
+        raise fail(path, f"point {int(np.argmin(rows))} is not finite (NaN or infinity)")
+    if not arrays.finite(surface.GetPointData().GetNormals()):
+        raise fail(path, "has normals that are not finite (NaN or infinity)")
+
+
+def _show_direct(mapper: vtkPolyDataMapper, found: arrays.Found) -> None:
+    """Take the bytes of an array as colours."""
+    mapper.ScalarVisibilityOn()
+    mapper.SelectColorArray(found.name)
+    if found.on_points:
+        mapper.SetScalarModeToUsePointFieldData()
+    else:
+        mapper.SetScalarModeToUseCellFieldData()
+    mapper.SetColorModeToDirectScalars()
+
+
+def _is_direct(found: arrays.Found) -> bool:
+    array = found.array
+    return array.GetDataTypeAsString() == "unsigned char" and array.GetNumberOfComponents() >= 3
+
+
+def direct_colors(surface: vtkPolyData, name: str = DIRECT_COLORS) -> arrays.Found | None:
+    """Return the array of colours called `name`, if the data has one."""
+    if name not in arrays.names(surface):
+        return None
+    found = arrays.find(surface, name, "")
+    return found if _is_direct(found) else None
+
+
+def _show_scalars(
+    mapper: vtkPolyDataMapper, surface: vtkPolyData, scalars: Values, path: str
+) -> None:
+    """Colour by an array: bytes of three components as they are, anything else by a map."""
+    found = arrays.find(surface, scalars["array"], member(path, "array"))
+    _show_direct(mapper, found)
+    if _is_direct(found):
+        return
+    if not arrays.finite(found.array):
+        raise fail(member(path, "array"), f"array '{found.name}' has values that are not finite")
+    distinct: list[float] = []
+    if isinstance(scalars["map"], str) and scalars["map"] in colormaps.CATEGORICAL:
+        distinct = np.unique(found.numbers()).tolist()
+        if len(distinct) > 1024:
+            raise fail(
+                member(path, "map"),
+                f"is for categories, and array '{found.name}' has {len(distinct)} distinct values",
+            )
+    span = scalars["range"] or list(found.span)
+    if span[0] == span[1]:
+        span[1] = span[0] + max(1.0, abs(span[0]))
+    mapper.SetColorModeToMapScalars()
+    mapper.SetLookupTable(colormaps.lookup_table(scalars["map"], span, distinct))
+    mapper.UseLookupTableScalarRangeOn()
+
+
+def _set_material(prop: vtkProperty, values: Values) -> None:
+    prop.SetColor(values["color"] or (1.0, 1.0, 1.0))
+    prop.SetAmbient(values["ambient"])
+    prop.SetDiffuse(values["diffuse"])
+    prop.SetSpecular(values["specular"])
+    prop.SetSpecularPower(values["specular_power"])
+    prop.SetOpacity(values["opacity"])
+    {
+        "phong": prop.SetInterpolationToPhong,
+        "flat": prop.SetInterpolationToFlat,
+        "gouraud": prop.SetInterpolationToGouraud,
+        "pbr": prop.SetInterpolationToPBR,
+    }[values["interpolation"]]()
+    prop.SetMetallic(values["metallic"])
+    prop.SetRoughness(values["roughness"])
+    prop.SetBaseIOR(values["refraction_index"])
+
+
+def show_surface(surface: vtkPolyData) -> vtkActor:
+    """Return an actor that shows a surface in white, without any scalars."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(surface)
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def color_by(actor: vtkActor, found: arrays.Found) -> None:
+    """Colour an actor by an array of bytes."""
+    _show_direct(actor.GetMapper(), found)
+
+
+def build(values: Values, path: str, directory: Path, read: Read) -> vtkActor:
+    """Make a checked actor. Files are relative to `directory`."""
+    surface = _geometry(values, path, directory, read)
+    actor = show_surface(surface)
+    if values["scalars"] is not None:
+        _show_scalars(actor.GetMapper(), surface, values["scalars"], member(path, "scalars"))
+    elif values["color"] is None:
+        found = direct_colors(surface)
+        if found is not None:
+            color_by(actor, found)
+    _set_material(actor.GetProperty(), values)
+    if values["transform"] is not None:
+        elements = vtkMatrix4x4()
+        elements.DeepCopy(values["transform"])
+        actor.SetUserMatrix(elements)
+    actor.SetVisibility(values["visible"])
+    return actor

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Finds the arrays of a data set by name."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet
+
+from vtkindirect.errors import suggestion
+from vtkindirect.fields import fail
+
+
+@dataclass(frozen=True)
+class Found:
+    """An array and whether it belongs to the points or to the cells."""
+
+    array: vtkDataArray
+    on_points: bool
+
+    @property
+    def name(self) -> str:
+        return self.array.GetName()
+
+    @property
+    def association(self) -> int:
+        """VTK's number for the place, as filters want it."""
+        kinds = vtkDataObject
+        return kinds.FIELD_ASSOCIATION_POINTS if self.on_points else kinds.FIELD_ASSOCIATION_CELLS
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """Smallest and greatest value of the first component."""
+        return self.array.GetRange(0)
+
+    def numbers(self) -> np.ndarray:
+        """The values as a NumPy array that shares memory with VTK's."""
+        return vtk_to_numpy(self.array)
+
+
+def names(data: vtkDataSet, on_cells: bool = True) -> list[str]:
+    """Return the names of the numeric arrays, those on points first."""
+    sets = [data.GetPointData()] + ([data.GetCellData()] if on_cells else [])
+    found = []
+    for attributes in sets:
+        for index in range(attributes.GetNumberOfArrays()):
+            array = attributes.GetArray(index)
+            if array is not None and array.GetName():
+                found.append(array.GetName())
+    return list(dict.fromkeys(found))
+
+
+def find(data: vtkDataSet, name: str | None, path: str, on_cells: bool = True) -> Found:
+    """Return the array `name`, looked for on the points and then on the cells.
+
+    Without a name it is the active scalars, or the only array that there is.
+    """
+    points, cells = data.GetPointData(), data.GetCellData()
+    known = names(data, on_cells)
+    if name is None:
+        scalars = points.GetScalars()
+        if scalars is not None:
+            return Found(scalars, True)
+        if len(known) != 1:
+            some = f": one of {', '.join(known)}" if known else ", and the data has none"
+            raise fail(path, f"must name an array{some}")
+        name = known[0]
+    array = points.GetArray(name)
+    if array is not None:
+        return Found(array, True)
+    array = cells.GetArray(name) if on_cells else None
+    if array is not None:
+        return Found(array, False)
+    place = "" if on_cells else " on points"
+    some = ", ".join(known) if known else "none"
+    raise fail(path, f"no array '{name}'{place}{suggestion(name, known)}; known: {some}")
+
+
+def finite(array: vtkDataArray | None) -> bool:
+    """Whether an array, if there is one, is free of NaN and infinity."""
+    if array is None or array.GetDataTypeAsString() not in ("float", "double"):
+        return True
+    return bool(np.isfinite(vtk_to_numpy(array)).all())

@@ -1,0 +1,306 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line ``vtk-indirect``.
+
+What is wrong with the input is one line on standard error and exit code 2; what goes wrong at run
+time is one line and exit code 1. Nothing is written unless everything went well.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import re
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NoReturn
+
+import numpy as np
+
+from vtkindirect import demo, frames, images, locations, methods, settings, windows, wrapped
+from vtkindirect.errors import RenderError, UsageError, unknown
+from vtkindirect.frames import Job
+from vtkindirect.progress import Progress
+from vtkindirect.scene import Scene, load_scene
+
+PROGRAM = "vtk-indirect"
+MAXIMUM_FRAMES = 100000
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser whose errors are one line, without the usage."""
+
+    def error(self, message: str) -> NoReturn:
+        raise UsageError(message)
+
+
+def _size(text: str) -> tuple[int, int]:
+    match = re.fullmatch(r"(\d{1,9})x(\d{1,9})", text)
+    if not match:
+        raise argparse.ArgumentTypeError(
+            f"'{text}' must be WIDTHxHEIGHT in pixels, such as 800x600"
+        )
+    width, height = int(match[1]), int(match[2])
+    if not (1 <= width <= windows.LARGEST and 1 <= height <= windows.LARGEST):
+        raise argparse.ArgumentTypeError(
+            f"'{text}' must be from 1x1 to {windows.LARGEST}x{windows.LARGEST}"
+        )
+    return width, height
+
+
+def _frames(text: str) -> int:
+    if not re.fullmatch(r"\d{1,9}", text) or not 1 <= int(text) <= MAXIMUM_FRAMES:
+        raise argparse.ArgumentTypeError(
+            f"'{text}' must be a whole number from 1 to {MAXIMUM_FRAMES}"
+        )
+    return int(text)
+
+
+def _add_scene_arguments(parser: argparse.ArgumentParser) -> None:
+    known = ", ".join(methods.METHODS)
+    parser.add_argument(
+        "scene", metavar="SCENE_OR_DATA", help="a scene file (.json) or a data file that VTK reads"
+    )
+    parser.add_argument("--method", default="auto", metavar="NAME", help=f"{known} (default: auto)")
+    parser.add_argument(
+        "--sampler",
+        metavar="NAME",
+        help="how virtual lights are chosen: "
+        f"{', '.join(methods.SAMPLERS)} (default: the method's own)",
+    )
+    parser.add_argument(
+        "--size", type=_size, metavar="WxH", help="picture size in pixels (default: the scene's)"
+    )
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        dest="assignments",
+        metavar="PROPERTY=VALUE",
+        help="set a property of the estimator, the sampler or the pass, such as NumberOfLights=256 "
+        "or Mode=all_texels; can be repeated",
+    )
+
+
+def commands() -> dict[str, argparse.ArgumentParser]:
+    """Return the parser of each command, and that of the program under its own name."""
+    parser = _Parser(
+        prog=PROGRAM,
+        description="Real-time indirect light for VTK scenes and data.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="store_true", help="print versions and exit")
+    known = parser.add_subparsers(dest="command", metavar="COMMAND")
+
+    render = known.add_parser(
+        "render", help="render a picture", description="Render a scene or a data file to pictures."
+    )
+    _add_scene_arguments(render)
+    render.add_argument(
+        "-o",
+        "--output",
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="a .png or .exr file; can be repeated (default: NAME.png in the working directory, "
+        "or no picture when there is a --report). "
+        "A .png of the final picture is what the window shows; a .png of another buffer is its "
+        "values clamped to 0 to 1. An .exr holds the linear values, unclamped",
+    )
+    render.add_argument(
+        "--buffer",
+        default=images.FINAL,
+        metavar="NAME",
+        help=f"what to write: {', '.join(images.BUFFERS)}, rsm<i>.depth, rsm<i>.normal or "
+        "rsm<i>.density (default: final)",
+    )
+    render.add_argument(
+        "--float", action="store_true", dest="full", help="store .exr in 32 bits instead of 16"
+    )
+    render.add_argument(
+        "--frames",
+        type=_frames,
+        default=1,
+        metavar="N",
+        help="frames to render and measure, after one to warm up if N > 1 (default: 1)",
+    )
+    render.add_argument(
+        "--report", metavar="FILE", help="write decisions and times to a .json file"
+    )
+    render.set_defaults(run=_render)
+
+    view = known.add_parser(
+        "view",
+        help="show an interactive window",
+        description="Show a scene or a data file in a window; the key i switches indirect light.",
+    )
+    _add_scene_arguments(view)
+    view.set_defaults(run=_view)
+
+    show = known.add_parser(
+        "demo",
+        help="render the demonstration scenes without and with indirect light",
+        description="Render the demonstration scenes, each without and with indirect light.",
+    )
+    show.add_argument(
+        "names", nargs="*", metavar="NAME", help=f"{', '.join(locations.DEMOS)} (default: all)"
+    )
+    show.add_argument(
+        "-o",
+        "--output",
+        default=".",
+        metavar="DIRECTORY",
+        help="where to write; made if it is not there (default: here)",
+    )
+    show.add_argument(
+        "--size", type=_size, metavar="WxH", help="size of each picture (default: the scene's)"
+    )
+    show.set_defaults(run=_demo)
+    return {PROGRAM: parser, **known.choices}
+
+
+def _load(path: str) -> Scene:
+    """Load a scene, with a bar when that takes long; prints what was decided for the user."""
+    bars: list[Progress] = []
+
+    def step(total: int, name: str) -> None:
+        if not bars:
+            bars.append(Progress(f"loading {Path(path).name}", total))
+        bars[0].step(name)
+
+    try:
+        scene = load_scene(path, step)
+    finally:
+        for bar in bars:
+            bar.clear()
+    for note in scene.notes:
+        print(f"{PROGRAM}: note: {note}", file=sys.stderr)
+    return scene
+
+
+def _job(arguments: argparse.Namespace, count: int = 1) -> Job:
+    """Return what to render; unknown names are errors before anything is loaded."""
+    methods.check_method(arguments.method)
+    if arguments.sampler is not None:
+        methods.check_sampler(arguments.sampler)
+    values = settings.parse(arguments.assignments)
+    if arguments.method == "off" and (values or arguments.sampler):
+        name = next(iter(values), "sampler")
+        raise UsageError(f"method 'off' has no property '{name}'")
+    return Job(arguments.method, arguments.sampler, values, count)
+
+
+def _picture(scene: Scene, buffer: str, job: Job, linear: bool) -> np.ndarray:
+    """Return the values to write to a file of linear values, or of what the window shows."""
+    if buffer == images.FINAL and not linear:
+        return images.window_bytes(scene.render_window)
+    if job.method == "off":
+        return images.window_floats(scene.render_window)
+    return images.copy_buffer(scene.renderer, buffer)
+
+
+def _render(arguments: argparse.Namespace) -> None:
+    job = _job(arguments, arguments.frames)
+    images.check_buffer(arguments.buffer)
+    if job.method == "off" and arguments.buffer != images.FINAL:
+        raise UsageError(f"buffer '{arguments.buffer}': method 'off' has only the buffer 'final'")
+    names = arguments.output
+    if not names and not arguments.report:
+        names = [f"{Path(arguments.scene).name.split('.')[0] or 'scene'}.png"]
+    outputs = [images.check_output(name, images.FORMATS) for name in names]
+    report_path = None
+    if arguments.report:
+        report_path = images.check_output(arguments.report, (".json",))
+    places = [os.path.abspath(path) for path in (*outputs, report_path) if path is not None]
+    for place in places:
+        if places.count(place) > 1:
+            raise UsageError(f"{place}: is named twice as an output")
+        if place == os.path.abspath(arguments.scene):
+            raise UsageError(f"{place}: is the input, it cannot be the output too")
+
+    scene = _load(arguments.scene)
+    window = frames.open_window(scene, arguments.size)
+    with Progress(f"rendering {scene.name}", job.all_frames) as bar:
+        report = frames.render(scene, window, job, bar.step)
+    pictures = [
+        _picture(scene, arguments.buffer, job, path.suffix.lower() == ".exr") for path in outputs
+    ]
+    for path, values in zip(outputs, pictures):
+        images.write_image(path, values, arguments.full)
+    if report_path is not None:
+        images.write_text(report_path, json.dumps(report, indent=2) + "\n")
+    for path in places:
+        print(path)
+
+
+def _view(arguments: argparse.Namespace) -> None:
+    job = _job(arguments)
+    if not windows.has_display():
+        windows.render_window(offscreen=False)  # raises and says why
+    from vtkindirect import viewer
+
+    viewer.view(_load(arguments.scene), job, arguments.size)
+
+
+def _demo(arguments: argparse.Namespace) -> None:
+    names = list(dict.fromkeys(arguments.names)) or list(locations.DEMOS)
+    for name in names:
+        if name not in locations.DEMOS:
+            raise UsageError(unknown("demonstration", name, locations.DEMOS))
+    methods.check_method("auto")
+    wrapped.get("vtkIndirectIlluminationPass")
+    directory = Path(arguments.output)
+    images.check_directory(directory if directory.exists() else directory.absolute().parent)
+    steps = 2 * (demo.FRAMES + 1)
+    for index, name in enumerate(names):
+        scene = _load(str(locations.demo_scene(name)))
+        with Progress(f"{name} ({index + 1} of {len(names)})", steps) as bar:
+            line = demo.run(scene, directory, arguments.size, bar.step)
+        print(line, flush=True)
+
+
+def _versions() -> str:
+    from vtkmodules.vtkCommonCore import vtkVersion
+
+    from vtkindirect import __version__
+
+    missing = [name for name in wrapped.MODULES if wrapped.missing(name)]
+    without = f", without {', '.join(missing)}" if missing else ""
+    return f"{PROGRAM} {__version__} with VTK {vtkVersion.GetVTKVersion()}{without}"
+
+
+def _dispatch(words: Sequence[str]) -> None:
+    arguments = commands()[PROGRAM].parse_args(words)
+    if arguments.version:
+        print(_versions())
+    elif arguments.command is None:
+        raise UsageError("a command is needed: render, view or demo (see --help)")
+    else:
+        arguments.run(arguments)
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Run the command line; returns the exit code."""
+    os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # what EGL tries is told in our own error
+    try:
+        _dispatch(sys.argv[1:] if words is None else words)
+    except UsageError as error:
+        code, text = 2, str(error)
+    except (RenderError, ImportError) as error:
+        code, text = 1, str(error)
+    except KeyboardInterrupt:
+        code, text = 130, "interrupted"
+    except BrokenPipeError:
+        sys.stdout = None  # type: ignore[assignment]
+        return 1
+    except MemoryError:
+        code, text = 1, "out of memory"
+    except Exception as error:  # a defect of this program; still one line
+        if os.environ.get("VTKINDIRECT_TRACEBACK"):
+            raise
+        code, text = 1, f"internal error: {type(error).__name__}: {error}"
+    else:
+        return 0
+    print(f"{PROGRAM}: error: {' '.join(text.split())}", file=sys.stderr)
+    return code

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where the demonstration scenes are: beside the sources, or installed."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from vtkindirect.errors import UsageError
+
+DEMOS = ("room_fire", "apartment_living", "frog", "protein", "brain")
+
+
+def scene_directory() -> Path:
+    """Return the directory of the scenes; VTKINDIRECT_SCENES in the environment overrides it."""
+    given = os.environ.get("VTKINDIRECT_SCENES")
+    if given:
+        return Path(given)
+    try:
+        from vtkindirect import _configuration
+    except ImportError:
+        raise UsageError(
+            "the demonstration scenes are not known here: set VTKINDIRECT_SCENES to their directory"
+        ) from None
+    return (Path(__file__).resolve().parent / _configuration.SCENES).resolve()
+
+
+def demo_scene(name: str) -> Path:
+    """Return the scene file of a demonstration."""
+    return scene_directory() / f"{name}.json"

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Catches what VTK prints, so that a failed reader or shader becomes one line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkLogger, vtkOutputWindow
+
+_LOCATION = re.compile(r"^(ERROR|Warning|Generic Warning): In [^\n]*, line \d+\n")
+_OBJECT = re.compile(r"^\w+ \((0x)?[0-9a-fA-F]+\): ")
+
+
+def _first_line(text: str) -> str:
+    """Strip VTK's file, line and address; keep the words, on one line."""
+    text = _OBJECT.sub("", _LOCATION.sub("", text.strip()))
+    return " ".join(text.split())
+
+
+@dataclass
+class Messages:
+    """What VTK reported while it was captured, each text on one line."""
+
+    errors: list[str] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
+
+    def promote(self, words: tuple[str, ...]) -> None:
+        """Make errors of the warnings that contain any of the given words."""
+        self.errors += [text for text in self.warnings if any(word in text for word in words)]
+
+    def first_error(self, limit: int = 200) -> str:
+        """Return the first error, shortened to `limit` characters, or an empty string."""
+        text = self.errors[0] if self.errors else ""
+        return text if len(text) <= limit else text[: limit - 1] + "…"
+
+
+@contextmanager
+def capture() -> Iterator[Messages]:
+    """Collect VTK's errors and warnings instead of printing them; nests."""
+    found = Messages()
+
+    def on_error(_caller: object, _event: str, text: str) -> None:
+        found.errors.append(_first_line(text))
+
+    def on_warning(_caller: object, _event: str, text: str) -> None:
+        found.warnings.append(_first_line(text))
+
+    on_error.CallDataType = VTK_STRING  # type: ignore[attr-defined]
+    on_warning.CallDataType = VTK_STRING  # type: ignore[attr-defined]
+    window = vtkOutputWindow.GetInstance()
+    mode = window.GetDisplayMode()
+    cutoff = vtkLogger.GetCurrentVerbosityCutoff()
+    tags = [
+        window.AddObserver("ErrorEvent", on_error),
+        window.AddObserver("WarningEvent", on_warning),
+    ]
+    window.SetDisplayMode(vtkOutputWindow.NEVER)
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    try:
+        yield found
+    finally:
+        vtkLogger.SetStderrVerbosity(vtkLogger.ConvertToVerbosity(cutoff))
+        window.SetDisplayMode(mode)
+        for tag in tags:
+            window.RemoveObserver(tag)

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""``plotter.indirect`` for PyVista 0.48 and later; earlier ones use `vtkindirect.enable(plotter)`.
+
+Importing this module registers the component. Any object with a vtkRenderer called ``renderer``
+will do for it.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from vtkindirect import images, methods
+
+NAME = "indirect"
+
+
+class IndirectComponent:
+    """Indirect light of a plotter's active subplot."""
+
+    def __init__(self, plotter: Any) -> None:
+        self._plotter = plotter
+        self._renderers: list[Any] = []
+
+    def enable(self, method: str = "auto", sampler: str | None = None, **settings: Any) -> Any:
+        """Switch indirect light on; see `vtkindirect.enable`. Returns the pass."""
+        result = methods.enable(self._plotter, method, sampler, **settings)
+        self._renderers.append(self._plotter.renderer)
+        return result
+
+    def disable(self) -> None:
+        """Switch indirect light off and restore the pass that was there before."""
+        methods.disable(self._plotter)
+
+    @property
+    def enabled(self) -> bool:
+        """Whether indirect light is on in the active subplot."""
+        return methods.pass_of(self._plotter) is not None
+
+    def report(self) -> dict[str, Any]:
+        """Return what the last frame decided and how long it took."""
+        return methods.report(self._plotter)
+
+    def copy_buffer(self, name: str) -> np.ndarray:
+        """Return a buffer of the last frame, bottom row first."""
+        return images.copy_buffer(self._plotter, name)
+
+    def __plotter_close__(self) -> None:
+        for renderer in self._renderers:
+            methods.disable(renderer)
+        self._renderers.clear()
+
+
+def register() -> bool:
+    """Register the component with PyVista; returns whether there is a PyVista that has them."""
+    try:
+        import pyvista
+    except ImportError:
+        return False
+    if not hasattr(pyvista, "register_plotter_component"):
+        return False
+    if getattr(pyvista.BasePlotter, NAME, None) is None:
+        pyvista.register_plotter_component(NAME)(IndirectComponent)
+    return True
+
+
+register()

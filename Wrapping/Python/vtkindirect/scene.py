@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenes: what a scene file says, checked and turned into a renderer.
+
+A scene file is one JSON object of the format ``vtkindirect.scene/1``. A data file is a scene too:
+its surface, seen from the front, lit by VTK's light kit.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkDataSet, vtkImageData, vtkPolyData
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkCamera,
+    vtkLight,
+    vtkRenderer,
+    vtkRenderWindow,
+)
+
+from vtkindirect import actors, arrays, data, document, lights, pipeline, windows
+from vtkindirect.errors import SceneError, UsageError
+from vtkindirect.fields import (
+    Field,
+    array,
+    check_table,
+    choice,
+    color,
+    direction,
+    fail,
+    integer,
+    interval,
+    member,
+    number,
+    point,
+    required,
+    text,
+)
+
+SCHEMA = "vtkindirect.scene/1"
+
+CAMERA = {
+    "position": required(point),
+    "focal_point": required(point),
+    "view_up": Field(direction, (0.0, 1.0, 0.0)),
+    "view_angle": Field(number(above=0, below=180)),
+    "parallel_scale": Field(number(above=0)),
+    "clipping_range": Field(interval),
+}
+
+
+def _cross(a: list[float], b: list[float]) -> list[float]:
+    return [a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3] for i in range(3)]
+
+
+def _camera(value: Any, path: str) -> dict[str, Any]:
+    """Check a camera: it must look somewhere, and up must not be where it looks."""
+    values = check_table(value, path, CAMERA)
+    view = [b - a for a, b in zip(values["position"], values["focal_point"])]
+    if not any(view):
+        raise fail(member(path, "focal_point"), "must differ from position")
+    up = list(values["view_up"])
+    if math.hypot(*_cross(view, up)) <= 1e-6 * math.hypot(*view) * math.hypot(*up):
+        raise fail(member(path, "view_up"), "must not be parallel to the direction of view")
+    if values["view_angle"] is not None and values["parallel_scale"] is not None:
+        raise fail(member(path, "parallel_scale"), "cannot be given together with view_angle")
+    if values["clipping_range"] is not None and values["clipping_range"][0] <= 0:
+        raise fail(member(path, "clipping_range[0]"), "must be greater than 0")
+    return values
+
+
+SCENE = {
+    "schema": required(choice(SCHEMA)),
+    "name": Field(text),
+    "size": Field(array(integer(minimum=1, maximum=windows.LARGEST), length=2), [512, 512]),
+    "background": Field(color, (0.0, 0.0, 0.0)),
+    "camera": required(_camera),
+    "lights": required(array(lights.check, minimum=1)),
+    "actors": required(array(actors.check, minimum=1)),
+}
+
+
+def check(value: Any) -> dict[str, Any]:
+    """Check the JSON value of a whole scene; returns it with defaults filled in."""
+    if not isinstance(value, dict):
+        raise SceneError("not a scene: the file must hold one JSON object")
+    if "schema" not in value:
+        raise SceneError(f'schema: is missing; a scene file begins with "schema": "{SCHEMA}"')
+    values = check_table(value, "", SCENE)
+    if not any(actor["visible"] for actor in values["actors"]):
+        raise SceneError("actors: none of them is visible")
+    return values
+
+
+class Scene:
+    """A scene that is ready to be shown: a renderer with camera, lights and actors.
+
+    Attributes: `name`; `path` of the file; `size` in pixels (width, height); `renderer`; `actors`,
+    the vtkActors by name (an actor without one is called "actor 0" by its place); `notes`, one line
+    for each thing that was decided for the user. `render_window` is None until `make_window`.
+    """
+
+    def __init__(self, name: str, path: Path, size: tuple[int, int]) -> None:
+        self.name = name
+        self.path = path
+        self.size = size
+        self.renderer = vtkRenderer()
+        self.renderer.AutomaticLightCreationOff()
+        self.actors: dict[str, vtkActor] = {}
+        self.notes: list[str] = []
+        self.render_window: vtkRenderWindow | None = None
+
+    @property
+    def lights(self) -> list[vtkLight]:
+        """The lights of the renderer."""
+        found = self.renderer.GetLights()
+        return [found.GetItemAsObject(i) for i in range(found.GetNumberOfItems())]
+
+    @property
+    def bounds(self) -> tuple[float, ...]:
+        """xmin, xmax, ymin, ymax, zmin, zmax of the visible actors, in scene units."""
+        return self.renderer.ComputeVisiblePropBounds()
+
+    def add_actor(self, name: str | None, actor: vtkActor) -> None:
+        """Add an actor to the renderer under a name that is not taken."""
+        name = name or f"actor {len(self.actors)}"
+        while name in self.actors:
+            name += "'"
+        self.actors[name] = actor
+        self.renderer.AddViewProp(actor)
+
+    def make_window(
+        self, size: tuple[int, int] | None = None, offscreen: bool | None = True
+    ) -> vtkRenderWindow:
+        """Return a new window that shows the scene; see `vtkindirect.render_window`.
+
+        `size` in pixels; default: that of the scene. `offscreen` is by default True: no window is
+        shown even when there is a display.
+        """
+        window = windows.render_window(size or self.size, offscreen=offscreen)
+        window.AddRenderer(self.renderer)
+        window.SetWindowName(self.name)
+        self.render_window = window
+        return window
+
+
+def _check_extent(scene: Scene) -> None:
+    """Raise unless the visible actors extend in two directions at least."""
+    low_high = scene.bounds
+    lengths = sorted(low_high[2 * i + 1] - low_high[2 * i] for i in range(3))
+    if not vtkBoundingBox.IsValid(low_high) or not lengths[1] > 1e-9 * lengths[2]:
+        raise SceneError("actors: they have no area to show (all their points lie on a line)")
+
+
+def _set_camera(camera: vtkCamera, values: dict[str, Any]) -> None:
+    camera.SetPosition(values["position"])
+    camera.SetFocalPoint(values["focal_point"])
+    camera.SetViewUp(values["view_up"])
+    if values["parallel_scale"] is not None:
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale(values["parallel_scale"])
+    else:
+        camera.SetViewAngle(values["view_angle"] or 30.0)
+
+
+def _from_document(path: Path, progress: Callable[[int, str], None]) -> Scene:
+    values = check(document.read(path))
+    scene = Scene(values["name"] or path.stem, path, tuple(values["size"]))
+    scene.renderer.SetBackground(values["background"])
+    for light in values["lights"]:
+        lights.add(scene.renderer, light)
+    known: dict[Path, vtkDataSet] = {}
+
+    def read(file: Path) -> vtkDataSet:
+        place = Path(os.path.normpath(file))
+        if place not in known:
+            known[place] = data.read(file)
+        return known[place]
+
+    for index, actor in enumerate(values["actors"]):
+        progress(len(values["actors"]), actor["name"] or f"actor {index}")
+        built = actors.build(actor, f"actors[{index}]", path.parent, read)
+        scene.add_actor(actor["name"], built)
+    _check_extent(scene)
+    _set_camera(scene.renderer.GetActiveCamera(), values["camera"])
+    if values["camera"]["clipping_range"] is not None:
+        scene.renderer.GetActiveCamera().SetClippingRange(values["camera"]["clipping_range"])
+    else:
+        scene.renderer.ResetCameraClippingRange()
+    return scene
+
+
+def _surface_of_file(scene: Scene) -> vtkPolyData:
+    """Return what a data file shows when nobody said how to show it."""
+    held = data.read(scene.path)
+    if isinstance(held, vtkImageData):
+        found = arrays.find(held, None, "", on_cells=False)
+        low, high = found.span
+        if not low < high:
+            raise SceneError(f"array '{found.name}' is constant, there is no iso-surface")
+        value = 0.5 * (low + high)
+        scene.notes.append(
+            f"contour of '{found.name}' at {value:g}, half of its range {low:g} to {high:g}; "
+            "a scene file can say another value"
+        )
+        step = pipeline.check([{"contour": {"array": found.name, "value": value}}], "")[0]
+        return pipeline.run(held, step)
+    surface = pipeline.surface_of(held, "")
+    if data.is_molecule(scene.path):
+        spheres = {"radius": 1.0, "scale_by": "radius", "resolution": 12}
+        scene.notes.append("atoms are shown as spheres of their van der Waals radius")
+        return pipeline.run(surface, pipeline.check([{"glyph_spheres": spheres}], "")[0])
+    return surface
+
+
+def _from_data(path: Path, progress: Callable[[int, str], None]) -> Scene:
+    progress(1, path.name)
+    scene = Scene(data.stem(path), path, (512, 512))
+    surface = _surface_of_file(scene)
+    if surface.GetNumberOfCells() == 0:
+        raise SceneError("holds points but no cells; a scene file can show them as spheres")
+    actors.check_finite(surface, "")
+    actor = actors.show_surface(surface)
+    for name in (actors.DIRECT_COLORS, "rgb_colors"):
+        found = actors.direct_colors(surface, name)
+        if found is not None:
+            actors.color_by(actor, found)
+            break
+    scene.add_actor(scene.name, actor)
+    _check_extent(scene)
+    lights.add_light_kit(scene.renderer)
+    scene.renderer.ResetCamera()
+    return scene
+
+
+def load_scene(
+    path: str | os.PathLike[str], progress: Callable[[int, str], None] | None = None
+) -> Scene:
+    """Load a scene file (.json) or a data file.
+
+    `progress` is called before each actor with their number and the actor's name. Raises
+    `UsageError`, whose text is one line that names the file and the place in it.
+    """
+    path = Path(path)
+    data.readable(path)
+    progress = progress or (lambda _total, _name: None)
+    if path.suffix.lower() != ".json":
+        try:
+            return _from_data(path, progress)
+        except SceneError as error:
+            raise UsageError(f"{path}: {error}") from None
+    try:
+        return _from_document(path, progress)
+    except SceneError as error:
+        raise SceneError(f"{path}: {error}") from None
