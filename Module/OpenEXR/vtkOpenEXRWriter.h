@@ -163,8 +163,7 @@ private:
   std::unique_ptr<vtkInternals> Internals;
 
   void Fail(unsigned long code, const std::string& message);
-  bool WriteImages(vtkImageData* input);
-  bool WriteSlice(const std::string& fileName, int slice);
+  void WriteImages(vtkImageData* input);
 };
 
 #endif

@@ -200,6 +200,23 @@ inline vtkSmartPointer<vtkImageData> MakeImage(const std::vector<int>& extent, i
   return image;
 }
 
+// Writes, which must work.
+inline void Write(vtkOpenEXRWriter* writer, const std::string& path)
+{
+  writer->SetFileName(path.c_str());
+  writer->Write();
+  EXR_CHECK(writer->GetErrorCode() == vtkErrorCode::NoError);
+}
+
+// Reads, which must work, also where the file has changed since.
+inline void Read(vtkOpenEXRReader* reader, const std::string& path)
+{
+  reader->SetFileName(path.c_str());
+  reader->Modified();
+  reader->Update();
+  EXR_CHECK(reader->GetErrorCode() == vtkErrorCode::NoError);
+}
+
 inline float* FloatData(vtkImageData* image)
 {
   vtkFloatArray* scalars = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());

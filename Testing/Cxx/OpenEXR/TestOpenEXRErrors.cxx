@@ -19,9 +19,7 @@ std::string WriteSmall(const std::string& path)
   vtkNew<vtkOpenEXRWriter> writer;
   writer->SetInputData(MakeImage({ 0, 19, 0, 49, 0, 0 }, 3));
   writer->AddLayer("albedo", MakeImage({ 0, 19, 0, 49, 0, 0 }, 3));
-  writer->SetFileName(path.c_str());
-  writer->Write();
-  EXR_CHECK(writer->GetErrorCode() == vtkErrorCode::NoError);
+  Write(writer, path);
   return path;
 }
 

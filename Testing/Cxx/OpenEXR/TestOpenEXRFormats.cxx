@@ -11,14 +11,6 @@ using namespace exrtest;
 
 namespace
 {
-void Read(vtkOpenEXRReader* reader, const std::string& path)
-{
-  reader->SetFileName(path.c_str());
-  reader->Modified();
-  reader->Update();
-  EXR_CHECK(reader->GetErrorCode() == vtkErrorCode::NoError);
-}
-
 //------------------------------------------------------------------------------
 // Every compression, against what the library reads: some of them lose.
 void Compressions(const std::string& folder)

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkEGLContext.h"
+
+#include "vtkEGLDisplayUsers.h"
+#include "vtkEGLLoader.h"
+#include "vtkEGLPlatform.h"
+#include "vtkEGLUtilities.h"
+
+#include <EGL/eglext.h>
+
+#include <sstream>
+#include <vector>
+
+using vtkEGLUtilities::GetErrorName;
+
+namespace
+{
+// No platform is any better then.
+const char* const BlockedReason =
+  "Another OpenGL context, such as that of an X window, is current in "
+  "this thread. Call ReleaseCurrent() on its window first.";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkEGLContext::Create(int deviceIndex)
+{
+  std::ostringstream tried;
+  const std::vector<vtkEGLPlatform> platforms = vtkEGLPlatform::ListCandidates(deviceIndex);
+  for (const vtkEGLPlatform& platform : platforms)
+  {
+    const std::string reason = this->CreateOn(platform);
+    if (reason.empty() || reason == BlockedReason)
+    {
+      return reason;
+    }
+    tried << (tried.str().empty() ? "" : "; ") << platform.Name << " (" << reason << ")";
+  }
+  if (platforms.empty())
+  {
+    return "There is no EGL device " + std::to_string(deviceIndex) +
+      ": the number of EGL devices, counted from 0, is " +
+      std::to_string(vtkEGLPlatform::ListDevices().size()) + ".";
+  }
+  return "No OpenGL 3.2 core context can be made without a display. Tried: " + tried.str() +
+    ". Install an EGL driver: that of the GPU's vendor, or Mesa for rendering in software "
+    "(Debian: libegl1 libgl1-mesa-dri).";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkEGLContext::CreateOn(const vtkEGLPlatform& platform)
+{
+  this->Display = platform.GetDisplay();
+  if (this->Display == EGL_NO_DISPLAY)
+  {
+    return "no EGL display";
+  }
+  if (!vtkEGLDisplayUsers::GetInstance().Acquire(this->Display))
+  {
+    std::string reason = "eglInitialize: " + GetErrorName(eglGetError());
+    *this = vtkEGLContext();
+    return reason;
+  }
+  const vtkEGLBinding previous = GetCurrent();
+  std::string reason = this->MakeContextAndSurface();
+  if (reason.empty())
+  {
+    if (!this->MakeCurrent())
+    {
+      const EGLint error = eglGetError();
+      reason = error == EGL_BAD_ACCESS ? BlockedReason : "eglMakeCurrent: " + GetErrorName(error);
+    }
+    else
+    {
+      reason = this->Examine(platform);
+      if (previous.HasContext())
+      {
+        previous.MakeCurrent();
+      }
+    }
+  }
+  if (!reason.empty())
+  {
+    this->Destroy();
+  }
+  return reason;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkEGLContext::MakeContextAndSurface()
+{
+  if (!eglBindAPI(EGL_OPENGL_API))
+  {
+    return "it offers OpenGL ES only";
+  }
+  // The smallest pixel buffer goes with the context. VTK draws into framebuffers of its own, but
+  // queries the default one, which is incomplete without a surface.
+  const EGLint wanted[] = { EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+    EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_ALPHA_SIZE, 8, EGL_DEPTH_SIZE, 24,
+    EGL_NONE };
+  const EGLint surfaceless[] = { EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_RENDERABLE_TYPE,
+    EGL_OPENGL_BIT, EGL_NONE };
+  EGLConfig config = nullptr;
+  EGLint count = 0;
+  const bool hasSurface =
+    eglChooseConfig(this->Display, wanted, &config, 1, &count) == EGL_TRUE && count > 0;
+  if (!hasSurface)
+  {
+    if (!vtkEGLUtilities::HasExtension(
+          eglQueryString(this->Display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
+    {
+      return "neither pixel buffers nor contexts without a surface";
+    }
+    if (!eglChooseConfig(this->Display, surfaceless, &config, 1, &count) || count == 0)
+    {
+      return "no configuration for OpenGL";
+    }
+  }
+
+  const int versions[][2] = { { 4, 6 }, { 4, 5 }, { 4, 4 }, { 4, 3 }, { 4, 2 }, { 4, 1 }, { 4, 0 },
+    { 3, 3 }, { 3, 2 } };
+  for (const auto& version : versions)
+  {
+    const EGLint attributes[] = { EGL_CONTEXT_MAJOR_VERSION_KHR, version[0],
+      EGL_CONTEXT_MINOR_VERSION_KHR, version[1], EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR, EGL_NONE };
+    this->Context = eglCreateContext(this->Display, config, EGL_NO_CONTEXT, attributes);
+    if (this->HasContext())
+    {
+      break;
+    }
+  }
+  if (!this->HasContext())
+  {
+    return "no core profile of OpenGL 3.2 or later: " + GetErrorName(eglGetError());
+  }
+  if (hasSurface)
+  {
+    const EGLint size[] = { EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE };
+    this->Draw = this->Read = eglCreatePbufferSurface(this->Display, config, size);
+    if (this->Draw == EGL_NO_SURFACE)
+    {
+      return "eglCreatePbufferSurface: " + GetErrorName(eglGetError());
+    }
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+// The context is current.
+std::string vtkEGLContext::Examine(const vtkEGLPlatform& platform)
+{
+  this->PlatformName = platform.Name;
+  this->Version = vtkEGLLoader::GetVersion();
+  this->Renderer = vtkEGLLoader::GetRenderer();
+  this->MaximumSize = vtkEGLLoader::GetMaximumTextureSize();
+  if (vtkEGLLoader::GetVersionNumber() < 32)
+  {
+    return "OpenGL \"" + this->Version + "\" is older than 3.2";
+  }
+  // A driver for a device that cannot render may fall back to software. The surfaceless platform
+  // comes to the same, and is next.
+  const bool inSoftware = this->Renderer.find("llvmpipe") != std::string::npos ||
+    this->Renderer.find("softpipe") != std::string::npos;
+  if (inSoftware && platform.MustBeHardware)
+  {
+    return "it renders in software (" + this->Renderer + ")";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLContext::Destroy()
+{
+  if (this->Display == EGL_NO_DISPLAY)
+  {
+    return;
+  }
+  if (this->HasContext())
+  {
+    this->ReleaseCurrent();
+    eglDestroyContext(this->Display, this->Context);
+  }
+  if (this->Draw != EGL_NO_SURFACE)
+  {
+    eglDestroySurface(this->Display, this->Draw);
+  }
+  vtkEGLDisplayUsers::GetInstance().Release(this->Display);
+  *this = vtkEGLContext();
+}

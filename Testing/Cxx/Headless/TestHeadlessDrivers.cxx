@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What drivers differ in: devices, limits and versions, and no driver at all.
+#include "HeadlessTestTools.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <cstdlib>
+
+using namespace headlesstest;
+
+namespace
+{
+//------------------------------------------------------------------------------
+void Devices()
+{
+  vtkNew<vtkEGLHeadlessRenderWindow> any;
+  CHECK(any->GetDeviceIndex() == -1, any->GetDeviceIndex());
+  const int count = any->GetNumberOfDevices();
+  std::cout << count << " EGL devices\n";
+  int working = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    SceneWindow scene(Red);
+    ErrorCounter errors(scene.Window);
+    scene.Window->SetDeviceIndex(i);
+    scene.Window->Render();
+    if (errors.Count > 0)
+    {
+      // A device that this user may not open.
+      CHECK(errors.Count == 1, errors.Count);
+      continue;
+    }
+    ++working;
+    CHECK(scene.Window->GetPlatformName() == "EGL device " + std::to_string(i), "");
+    std::cout << i << ": " << scene.Window->GetGLRenderer() << "\n";
+    CHECK_IMAGE(scene.Window, Red);
+  }
+  std::cout << working << " of them work\n";
+
+  SceneWindow scene(Red);
+  ErrorCounter errors(scene.Window);
+  scene.Window->SetDeviceIndex(count + 7);
+  scene.Window->Render();
+  scene.Window->Render();
+  CHECK(errors.Count == 1, errors.Count);
+  CHECK(errors.Text.find("There is no EGL device") != std::string::npos, errors.Text);
+  CHECK(scene.Window->SupportsOpenGL() == 0, "");
+  // Another choice is another chance.
+  scene.Window->SetDeviceIndex(-1);
+  scene.Window->Render();
+  CHECK(errors.Count == 1, errors.Count);
+  CHECK_IMAGE(scene.Window, Red);
+}
+
+//------------------------------------------------------------------------------
+void TooLarge()
+{
+  SceneWindow scene(Red);
+  scene.Window->Initialize();
+  GLint maximum = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &maximum);
+  ErrorCounter errors(scene.Window);
+  scene.Window->SetSize(maximum + 1, 2);
+  scene.Window->Render();
+  CHECK(errors.Count == 1, errors.Count);
+  CHECK(scene.Window->GetSize()[0] == maximum, scene.Window->GetSize()[0]);
+  CHECK_IMAGE(scene.Window, Red);
+}
+
+//------------------------------------------------------------------------------
+void CheckUnsupported(const std::string& reason)
+{
+  CHECK(!vtkEGLHeadlessRenderWindow::IsSupported(), "");
+  SceneWindow scene(Red, 6, 5);
+  ErrorCounter errors(scene.Window);
+  scene.Window->Initialize();
+  scene.Window->Render();
+  scene.Window->Render();
+  CHECK(errors.Count == 1, errors.Count);
+  CHECK(errors.Text.find(reason) != std::string::npos, errors.Text);
+  CHECK(errors.Text.find("Tried: ") != std::string::npos, errors.Text);
+  CHECK(errors.Text.find("libgl1-mesa-dri") != std::string::npos, errors.Text);
+  CHECK(!scene.Window->GetLastErrorMessage().empty(), "");
+  CHECK(scene.Window->SupportsOpenGL() == 0, "");
+  CHECK(!scene.Window->GetOpenGLSupportMessage().empty(), "");
+  CHECK(scene.Window->ReportCapabilities() == scene.Window->GetLastErrorMessage(), "");
+  CHECK(scene.Window->GetGLVersion().empty(), "");
+  CHECK(scene.Window->GetGenericContext() == nullptr, "");
+  CHECK(!scene.Window->IsCurrent(), "");
+  scene.Window->MakeCurrent();
+  scene.Window->ReleaseCurrent();
+  scene.Window->WaitForCompletion();
+  scene.Window->Frame();
+
+  vtkNew<vtkUnsignedCharArray> pixels;
+  CHECK(scene.Window->GetPixelData(0, 0, 5, 4, 1, pixels, 0) == VTK_ERROR, "");
+  CHECK(pixels->GetValue(89) == 0, "");
+  vtkNew<vtkFloatArray> depths;
+  CHECK(scene.Window->GetZbufferData(0, 0, 5, 4, depths) == VTK_ERROR, "");
+  CHECK(depths->GetNumberOfValues() == 30 && depths->GetValue(29) == 1.0f, "");
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(scene.Window);
+  grab->SetInputBufferTypeToRGBA();
+  grab->Update();
+  CHECK(grab->GetOutput()->GetNumberOfPoints() == 30, grab->GetOutput()->GetNumberOfPoints());
+
+  auto interactor =
+    vtkSmartPointer<vtkRenderWindowInteractor>::Take(scene.Window->MakeRenderWindowInteractor());
+  interactor->Initialize();
+  interactor->Start();
+  CHECK(errors.Count == 1, errors.Count);
+  scene.Window->Finalize();
+}
+
+void NoEGL()
+{
+  CheckUnsupported("EGL default display (no EGL display)");
+}
+
+void OldOpenGL()
+{
+  if (vtkEGLHeadlessRenderWindow::IsSupported())
+  {
+    std::cout << "SKIPPED: the driver does not heed MESA_GL_VERSION_OVERRIDE\n";
+    std::exit(SkipReturnCode);
+  }
+  CheckUnsupported("no core profile of OpenGL 3.2 or later");
+}
+
+void CheckVersion(const std::string& expected)
+{
+  SceneWindow scene(Red);
+  scene.Window->Render();
+  const std::string version = scene.Window->GetGLVersion();
+  if (version.find("Mesa") == std::string::npos)
+  {
+    std::cout << "SKIPPED: the driver, " << version << ", does not heed MESA_GL_VERSION_OVERRIDE\n";
+    std::exit(SkipReturnCode);
+  }
+  CHECK(version.compare(0, 3, expected) == 0, version);
+  CHECK_IMAGE(scene.Window, Red);
+}
+
+void OpenGL32()
+{
+  CheckVersion("3.2");
+}
+
+void OpenGL41()
+{
+  CheckVersion("4.1");
+}
+}
+
+//------------------------------------------------------------------------------
+TestMap headlesstest::GetDriverTests()
+{
+  return { { "Devices", Devices }, { "TooLarge", TooLarge }, { "NoEGL", NoEGL },
+    { "OldOpenGL", OldOpenGL }, { "OpenGL32", OpenGL32 }, { "OpenGL41", OpenGL41 } };
+}
