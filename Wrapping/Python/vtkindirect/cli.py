@@ -18,7 +18,17 @@ from typing import NoReturn
 
 import numpy as np
 
-from vtkindirect import demo, frames, images, locations, methods, settings, windows, wrapped
+from vtkindirect import (
+    compare_command,
+    demo,
+    frames,
+    images,
+    locations,
+    methods,
+    settings,
+    windows,
+    wrapped,
+)
 from vtkindirect.errors import RenderError, UsageError, unknown
 from vtkindirect.frames import Job
 from vtkindirect.progress import Progress
@@ -123,7 +133,8 @@ def commands() -> dict[str, argparse.ArgumentParser]:
         type=_frames,
         default=1,
         metavar="N",
-        help="frames to render and measure, after one to warm up if N > 1 (default: 1)",
+        help="frames to render and measure, after one to warm up if N > 1, nothing reused between "
+        "them unless Caching=on is set (default: 1)",
     )
     render.add_argument(
         "--report", metavar="FILE", help="write decisions and times to a .json file"
@@ -157,6 +168,15 @@ def commands() -> dict[str, argparse.ArgumentParser]:
         "--size", type=_size, metavar="WxH", help="size of each picture (default: the scene's)"
     )
     show.set_defaults(run=_demo)
+
+    versus = known.add_parser(
+        "compare",
+        help="measure speed against error",
+        description="Render scenes with many methods and settings; write their times and errors as "
+        "a table, plots and a page. A run that was stopped goes on where it was.",
+    )
+    compare_command.add_arguments(versus, _size, _frames)
+    versus.set_defaults(run=lambda arguments: compare_command.run(arguments, _load))
     return {PROGRAM: parser, **known.choices}
 
 
@@ -275,7 +295,7 @@ def _dispatch(words: Sequence[str]) -> None:
     if arguments.version:
         print(_versions())
     elif arguments.command is None:
-        raise UsageError("a command is needed: render, view or demo (see --help)")
+        raise UsageError("a command is needed: render, view, demo or compare (see --help)")
     else:
         arguments.run(arguments)
 

@@ -69,7 +69,11 @@ def render(
     `step` is called before each frame. An error that VTK reports while rendering, such as a shader
     that does not compile, is a `RenderError`.
     """
-    indirect = methods.enable(scene.renderer, job.method, job.sampler, **job.settings)
+    values = dict(job.settings)
+    if job.frames > 1 and job.method != "off":
+        # Frames that reuse the last one's work would time nothing.
+        values.setdefault("Caching", False)
+    indirect = methods.enable(scene.renderer, job.method, job.sampler, **values)
     times: list[float] = []
     with messages.capture() as said:
         for frame in range(job.all_frames):

@@ -32,6 +32,7 @@ class Method:
 _ROWS = (
     Method("auto", None, None, "the pass chooses from the scene"),
     Method("off", None, None, "no indirect light: VTK's own image"),
+    Method("reference", "vtkRSMReferencePass", None, "sum over all texels, on the CPU: exact, slow"),
     Method("gather", "vtkRSMGatherPass", "vtkUniformLightSampler", "sum over virtual lights"),
     Method(
         "splatting", "vtkIndirectSplattingPass", "vtkUniformLightSampler", "virtual lights drawn"
