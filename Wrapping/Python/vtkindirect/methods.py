@@ -32,7 +32,6 @@ class Method:
 _ROWS = (
     Method("auto", None, None, "the pass chooses from the scene"),
     Method("off", None, None, "no indirect light: VTK's own image"),
-    Method("reference", "vtkRSMReferencePass", None, "sum over all texels, on the CPU: exact, slow"),
     Method("gather", "vtkRSMGatherPass", "vtkUniformLightSampler", "sum over virtual lights"),
     Method(
         "splatting", "vtkIndirectSplattingPass", "vtkUniformLightSampler", "virtual lights drawn"
@@ -45,6 +44,7 @@ _ROWS = (
     ),
     Method("hints", "vtkRadianceHintsPass", None, "light sampled in a grid of the space"),
     Method("proxies", "vtkProxyAccumulationPass", None, "sphere proxies under an environment"),
+    Method("reference", "vtkRSMReferencePass", None, "sum over all texels, on the CPU: exact, slow"),
 )
 
 METHODS = {method.name: method for method in _ROWS}

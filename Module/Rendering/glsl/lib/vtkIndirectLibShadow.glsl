@@ -44,10 +44,10 @@ vec3 vtkiPlaneDepthGradient(
   return vec3(n.x * scale, n.y * scale, facing > 0.0f ? 1.0f : 0.0f);
 }
 
-/* Weight of one of three neighbouring texels (i = 0, 1, 2) in a tent that is three texels wide at
- * most; fraction: of the position between them. The three sum to one. */
-float vtkiTentWeight(int i, float fraction)
+/* Tent over three neighbouring texels, three texels wide at most; fraction: of the position between
+ * them. Written so that three equal values come out exactly. */
+float vtkiTent(float a, float b, float c, float fraction)
 {
-  return i == 1 ? 0.5f : 0.5f * (i == 0 ? 1.0f - fraction : fraction);
+  return 0.5f * (b + (a + fraction * (c - a)));
 }
 #endif

@@ -99,20 +99,21 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
   vec2 corner = floor(at);
   vec2 fraction = at - corner;
   int layer = int(map.x + 0.5f) + face;
-  float lit = 0.0f;
+  float rows[3];
   for (int j = 0; j < 3; ++j)
   {
+    float lit[3];
     for (int i = 0; i < 3; ++i)
     {
-      vec2 shift = vec2(i, j) - 0.5f - fraction;
-      float plane = min(dot(gradient.xy, shift), 0.0f);
       ivec2 where = clamp(ivec2(corner) + ivec2(i, j), ivec2(0), ivec2(map.w) - 1);
+      vec2 shift = vec2(where) - corner - 0.5f - fraction;
+      float plane = min(dot(gradient.xy, shift), 0.0f);
       float stored = texelFetch(vtkiShadowMaps, ivec3(where, layer), 0).r;
-      lit += stored >= reference + plane - bias
-        ? vtkiTentWeight(i, fraction.x) * vtkiTentWeight(j, fraction.y)
-        : 0.0f;
+      lit[i] = stored >= reference + plane - bias ? 1.0f : 0.0f;
     }
+    rows[j] = vtkiTent(lit[0], lit[1], lit[2], fraction.x);
   }
+  float lit = vtkiTent(rows[0], rows[1], rows[2], fraction.y);
   return mix(1.0f, lit, depthRange.z);
 }
 
