@@ -79,8 +79,11 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   this->Target->Clear();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
-  // VTK draws opaque props blended too: textures and point sprites have soft edges.
+  // VTK draws opaque props blended too: textures and point sprites have soft edges. Only colour is
+  // mixed; the other channels' alpha is 1, so blending them would cost time and change nothing.
   state->vtkglEnable(GL_BLEND);
+  glDisablei(GL_BLEND, Surface);
+  glDisablei(GL_BLEND, Albedo);
 
   vtkRenderState s2(s->GetRenderer());
   s2.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
@@ -99,6 +102,8 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
     shadows->Deactivate();
   }
   this->NumberOfRenderedProps = capture->GetNumberOfRenderedProps();
+  glEnablei(GL_BLEND, Surface);
+  glEnablei(GL_BLEND, Albedo);
   this->Target->End();
   return true;
 }

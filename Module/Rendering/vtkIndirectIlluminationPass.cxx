@@ -67,8 +67,8 @@ struct vtkIndirectIlluminationPass::Internals
 
   std::string ReportedError;
 
-  // Releases everything when the window's context ends or the pass moves to another window: VTK tells
-  // a pass only when it is in a renderer of that window.
+  // Releases everything when the window's context ends or the pass moves to another window: VTK
+  // tells a pass only when it is in a renderer of that window.
   vtkNew<vtkIndirectContextGuard> Guard;
 };
 
@@ -78,9 +78,8 @@ vtkIndirectIlluminationPass::vtkIndirectIlluminationPass()
   , ReflectiveShadowMaps(vtkReflectiveShadowMapPass::New())
   , Internal(new Internals)
 {
-  this->Internal->Guard->Release = [this](vtkWindow* window) {
-    this->ReleaseGraphicsResources(window);
-  };
+  this->Internal->Guard->Release = [this](vtkWindow* window)
+  { this->ReleaseGraphicsResources(window); };
   vtkNew<vtkRenderPassCollection> passes;
   vtkNew<vtkLightsPass> lights;
   vtkNew<vtkOpaquePass> opaque;
@@ -264,6 +263,7 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
 
   this->SurfaceCapture->SetDelegatePass(
     this->DelegatePass ? this->DelegatePass : in.DefaultDelegate.Get());
+  this->SurfaceCapture->SetShadows(this->Shadows && !in.EyeIsMap);
   this->SurfaceCapture->Attach(frame);
   bool drawn = true;
   if (!in.EyeIsMap)

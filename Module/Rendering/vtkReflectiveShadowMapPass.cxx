@@ -19,6 +19,7 @@
 #include "vtkSurfaceCapturePass.h"
 #include "vtkTextureObject.h"
 
+#include <cmath>
 #include <vector>
 
 vtkStandardNewMacro(vtkReflectiveShadowMapPass);
@@ -26,8 +27,7 @@ vtkStandardNewMacro(vtkReflectiveShadowMapPass);
 namespace
 {
 const vtkIndirectChannel Channels[] = {
-  { "rsm.density", "vtkiMapDensity", "reflected density per unit light intensity", GL_RGBA32F, "-",
-    "scene units squared, or 1 for directional lights" },
+  { "rsm.reflectance", "vtkiMapReflectance", "albedo (n_s.l)/(n_g.l)", GL_RGBA32F, "-", "1" },
   { "rsm.surface", "vtkiMapSurface", "octahedral normal and kind, linear depth", GL_RGBA32F,
     "face view", "1, 1, scene units" },
   { "rsm.cosine", "vtkiMapCosine", "cosine at the geometric normal", GL_R16F, "-", "1" },
@@ -35,7 +35,7 @@ const vtkIndirectChannel Channels[] = {
 };
 
 // Texels of a row of the table that vtkIndirectMapTexel.glsl reads.
-constexpr int TableWidth = 8;
+constexpr int TableWidth = 10;
 
 // Draws for another camera without the events and modification times of SetActiveCamera, which also
 // frees a camera that only the renderer holds.
@@ -168,6 +168,7 @@ bool vtkReflectiveShadowMapPass::Update(
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   bool lost = false;
   in.Window = frame.Window;
@@ -222,6 +223,7 @@ void vtkReflectiveShadowMapPass::DrawFace(
   in.Target.BeginLayer(map.FirstLayer + face);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDisable(GL_BLEND);
 
   vtkCamera*& active = RendererCamera::Of(frame.Renderer);
   vtkCamera* const eye = active;
@@ -258,8 +260,15 @@ void vtkReflectiveShadowMapPass::UpdateTable(const vtkIndirectFrame& frame)
           row[5 + r][c] = static_cast<float>(fromScene[c][r]);
         }
       }
-      row[3] = glm::vec4(map.Projection, map.HalfWidth, this->Resolution, map.FirstLayer);
-      row[4] = glm::vec4(glm::vec3(map.Light.Color), map.Light.Index);
+      const vtkIndirectLight& light = map.Light;
+      const double s = frame.SceneScale;
+      const bool cone = light.Positional && light.ConeAngle < 90.0;
+      row[3] = glm::vec4(map.Projection, map.HalfWidth, this->Resolution, light.Exponent);
+      row[4] = glm::vec4(glm::vec3(light.Color), light.Index);
+      // Distances reach the shader in scene units: c + l (d'/s) + q (d'/s)^2.
+      row[8] = glm::vec4(light.Attenuation.x, light.Attenuation.y / s,
+        light.Attenuation.z / (s * s), cone ? std::cos(glm::radians(light.ConeAngle)) : -2.0);
+      row[9] = glm::vec4(glm::vec3(map.FaceAxis[face]), 0.0f);
       std::copy(&row[0][0], &row[0][0] + 4 * TableWidth, table.begin() + 4 * TableWidth * layer);
     }
   }

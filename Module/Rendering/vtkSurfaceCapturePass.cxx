@@ -47,9 +47,7 @@ struct vtkSurfaceCapturePass::Internals
   std::vector<glm::vec4> ShadowDepth;
   int ShadowUnit = -1;
   bool OwnsUnit = false;
-  glm::vec3 MapAttenuation{ 1.0f, 0.0f, 0.0f };
-  glm::vec3 MapAxis{ 0.0f, 0.0f, -1.0f };
-  glm::vec4 MapLight{ 0.0f };
+  glm::vec2 MapLight{ 0.0f };
 
   vtkOpenGLRenderWindow* Window = nullptr;
 
@@ -102,7 +100,19 @@ void vtkSurfaceCapturePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DelegatePass: " << this->DelegatePass << "\n";
+  os << indent << "Shadows: " << (this->Shadows ? "On" : "Off") << "\n";
   os << indent << "NumberOfShaderBuilds: " << this->NumberOfShaderBuilds << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::SetShadows(bool shadows)
+{
+  if (shadows != this->Shadows)
+  {
+    this->Shadows = shadows;
+    this->SourceTime.Modified();
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -204,14 +214,7 @@ void vtkSurfaceCapturePass::BeginMap(
   in.DepthRange[1] = static_cast<float>(map.Far);
   in.DepthRange[2] = static_cast<float>(in.StageIsParallel);
   in.Camera = frame.Renderer->GetActiveCamera();
-  // Distances reach the shader in scene units: c + l (d'/s) + q (d'/s)^2.
-  in.MapAttenuation =
-    glm::vec3(light.Attenuation.x, light.Attenuation.y / s, light.Attenuation.z / (s * s));
-  in.MapAxis = glm::vec3(map.FaceAxis[face]);
-  const bool cone = light.Positional && light.ConeAngle < 90.0;
-  in.MapLight =
-    glm::vec4(light.Positional ? 1.0f : 0.0f, cone ? std::cos(glm::radians(light.ConeAngle)) : -2.0,
-      light.Exponent, 2.0 * map.HalfWidth / texels);
+  in.MapLight = glm::vec2(light.Positional ? 1.0 : 0.0, 2.0 * map.HalfWidth / texels);
   const size_t count = std::max<size_t>(frame.Lights.size(), 1);
   in.ViewToLight.assign(count, glm::mat4(1.0f));
   in.ShadowMap.assign(count, glm::vec4(-1.0f));
@@ -303,7 +306,7 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
     {
       break;
     }
-    if (lit)
+    if (lit && this->Shadows)
     {
       visibility += "  vec3 lightColor" + n + " = lightColor" + n + " * vtkiVisibility(" + n +
         ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC);\n";
@@ -311,13 +314,20 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   }
   if (lit)
   {
+    // Derivatives belong in front of anything that may discard.
     visibility =
-      "vec3 vtkiFacetNormalVC = vtkiFacetNormal(vertexVC.xyz, normalVCVSOutput);\n" + visibility;
+      std::string("vec3 vtkiPosition = vertexVC.xyz * vtkiSceneScale;\n"
+                  "  vec3 vtkiFacet = cross(dFdx(vtkiPosition), dFdy(vtkiPosition));\n") +
+      (this->Shadows ? "  vec3 vtkiFacetNormalVC =\n"
+                       "    vtkiFacetNormal(vtkiPosition, vtkiFacet, normalVCVSOutput);\n"
+                     : "") +
+      visibility;
   }
   ReplaceAll(fragmentShader, PreLightMarker, visibility);
 
   std::string declarations = "#define VTKI_LIGHT_COUNT " + std::to_string(std::max(lights, 1)) +
-    "\n" + vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureDecFS.glsl");
+    (this->Shadows ? "\n#define VTKI_SHADOWS\n" : "\n") +
+    vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureDecFS.glsl");
   if (!Contains(fragmentShader, "uniform int vtkiParallel"))
   {
     declarations += "uniform int vtkiParallel;\n";
@@ -335,9 +345,8 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
     !lit ? "VTKI_SURFACE_UNLIT" : (pbr ? "VTKI_SURFACE_ENCODED" : "VTKI_SURFACE_LINEAR");
   declarations += "#define VTKI_ALBEDO " + albedo + "\n";
   declarations += std::string("#define VTKI_NORMAL ") + (lit ? "normalVCVSOutput" : "vec3(0.0)") +
-    "\n#define VTKI_FACET_NORMAL " + (lit ? "vtkiFacetNormalVC" : "vec3(0.0, 0.0, 1.0)") +
-    "\n#define VTKI_POSITION " + (positioned ? "vertexVC.xyz" : "vec3(0.0)") +
-    "\n#define VTKI_KIND " + kind + "\n#define VTKI_DEPTH " +
+    "\n#define VTKI_FACET " + (lit ? "vtkiFacet" : "vec3(0.0)") + "\n#define VTKI_POSITION " +
+    (lit ? "vtkiPosition" : "vec3(0.0)") + "\n#define VTKI_KIND " + kind + "\n#define VTKI_DEPTH " +
     (positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()") +
     // VTK's PBR divides diffuse reflection by pi, its Phong does not.
     "\n#define VTKI_SENDER_SCALE " + (pbr ? "(1.0 / VTKI_PI)" : "1.0") + "\n";
@@ -389,9 +398,7 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   }
   if (in.Stage == 1)
   {
-    program->SetUniform3f("vtkiMapAttenuation", glm::value_ptr(in.MapAttenuation));
-    program->SetUniform3f("vtkiMapAxis", glm::value_ptr(in.MapAxis));
-    program->SetUniform4f("vtkiMapLight", glm::value_ptr(in.MapLight));
+    program->SetUniform2f("vtkiMapLight", glm::value_ptr(in.MapLight));
   }
 
   // VTK sends light directions in view coordinates only when the camera or a light has changed; it

@@ -62,6 +62,16 @@ public:
    */
   vtkGetMacro(NumberOfShaderBuilds, vtkIdType);
 
+  ///@{
+  /**
+   * Whether mappers look shadows up. Default on. Shader sources differ, so a change rebuilds them.
+   */
+  void SetShadows(bool shadows);
+  vtkGetMacro(Shadows, bool);
+  vtkBooleanMacro(Shadows, bool);
+  ///@}
+
+  vtkMTimeType GetShaderStageMTime() override { return this->SourceTime.GetMTime(); }
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
@@ -94,6 +104,8 @@ protected:
 
   vtkRenderPass* DelegatePass = nullptr;
   vtkIdType NumberOfShaderBuilds = 0;
+  bool Shadows = true;
+  vtkTimeStamp SourceTime; // of the last change to injected text
 
 private:
   vtkSurfaceCapturePass(const vtkSurfaceCapturePass&) = delete;

@@ -208,11 +208,9 @@ bool vtkIndirectLightMap::Sees(int face, const double bounds[6]) const
 //------------------------------------------------------------------------------
 std::vector<double> vtkIndirectLightMap::GetKey() const
 {
-  const vtkIndirectLight& light = this->Light;
   std::vector<double> key = { static_cast<double>(this->Projection),
-    static_cast<double>(this->FirstLayer), this->HalfWidth, this->Near, this->Far, this->SceneScale,
-    light.Attenuation.x, light.Attenuation.y, light.Attenuation.z, light.ConeAngle,
-    light.Exponent };
+    static_cast<double>(this->FirstLayer), this->HalfWidth, this->Near, this->Far,
+    this->SceneScale };
   for (int column = 0; column < 4; ++column)
   {
     for (int row = 0; row < 3; ++row)

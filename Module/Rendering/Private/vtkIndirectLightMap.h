@@ -29,7 +29,7 @@ public:
   /** Whether a face can see any of these bounds. */
   bool Sees(int face, const double bounds[6]) const;
 
-  /** All numbers that the map's content depends on, besides the scene and the resolution. */
+  /** All numbers that what is drawn depends on, besides the scene and the resolution. */
   std::vector<double> GetKey() const;
 
   vtkIndirectLight Light;

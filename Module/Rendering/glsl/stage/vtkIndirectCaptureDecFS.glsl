@@ -7,19 +7,20 @@
 uniform int vtkiStage;          // 0: from the eye, 1: from a light
 uniform float vtkiSceneScale;   // scene units per world unit
 uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel projection
-uniform float vtkiMagnitude;    // of the numbers that positions are differences of [scene units]
 
+#ifdef VTKI_SHADOWS
+uniform float vtkiMagnitude; // of the numbers that positions are differences of [scene units]
 // From the eye: where each light's shadow map is. The arrays are as long as the scene has lights.
 uniform sampler2DArray vtkiShadowMaps;
 uniform mat4 vtkiViewToLight[VTKI_LIGHT_COUNT]; // view coordinates to light frame, scene units
 uniform vec4 vtkiShadowMap[VTKI_LIGHT_COUNT];   // first layer (-1: none), projection, half width, texels
 uniform vec4 vtkiShadowDepth[VTKI_LIGHT_COUNT]; // near, far, shadow strength, number of layers
+#endif
 
 // From a light: the light whose map is drawn.
-uniform vec3 vtkiMapAttenuation; // c, l, q for distances in scene units
-uniform vec3 vtkiMapAxis;        // direction of the light in this face's view coordinates
-uniform vec4 vtkiMapLight;       // 1 if positional, cos(cone) or -2, exponent, texel size
+uniform vec2 vtkiMapLight; // 1 if positional, texel size in tangents or scene units
 
+#ifdef VTKI_SHADOWS
 // The depth buffer holds floats just below one; interpolation loses about four of their steps.
 const float VTKI_DEPTH_ROUNDING = 2.4e-7f;
 // Facets stand for curved surfaces: a concave one rises over its neighbour's plane by less than this
@@ -28,16 +29,12 @@ const float VTKI_SURFACE_ROUGHNESS = 0.5f;
 // Positions, here and in the map, are off by a few roundings of the numbers that they come from.
 const float VTKI_POSITION_ROUNDING = 4.8e-7f;
 
-vec3 vtkiFacetNormal(vec3 positionVC, vec3 fallback)
+// Unit normal of a facet, towards the eye. p: position, scene units; facet: cross product of its
+// derivatives, zero where it has no area.
+vec3 vtkiFacetNormal(vec3 p, vec3 facet, vec3 fallback)
 {
-  vec3 p = positionVC * vtkiSceneScale;
-  vec3 n = cross(dFdx(p), dFdy(p));
-  float length2 = dot(n, n);
-  if (!(length2 > 0.0f))
-  {
-    return fallback;
-  }
-  n *= inversesqrt(length2);
+  float length2 = dot(facet, facet);
+  vec3 n = length2 > 0.0f ? facet * inversesqrt(length2) : fallback;
   bool away = vtkiDepthRange.z > 0.5f ? n.z < 0.0f : dot(n, p) > 0.0f;
   return away ? -n : n;
 }
@@ -116,30 +113,29 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
   float lit = vtkiTent(rows[0], rows[1], rows[2], fraction.y);
   return mix(1.0f, lit, depthRange.z);
 }
+#endif
 
-// Reflected density of a texel per unit light intensity, and the cosine at its geometric normal.
-// positionVC: this face's view coordinates. Positional lights: albedo att d^2 cone (n_s.l)/(n_g.l),
-// to be multiplied by the texel's solid angle; directional: without att d^2 and cone, by its area.
-vec4 vtkiReflectedDensity(vec3 positionVC, vec3 normalVC, vec3 facetNormalVC, vec3 albedo)
+// Least normal 16-bit float: the cosine is stored in one, and divided by.
+const float VTKI_COSINE_MIN = 6.2e-5f;
+
+// What a texel of a map holds: albedo (n_s.l)/(n_g.l), and the cosine at the geometric normal. What
+// depends on the light alone is multiplied when the map is sampled: far fewer texels, and a light
+// that changes strength or falloff redraws nothing.
+// position: this face's view coordinates, scene units; facet: cross product of its derivatives.
+// Drivers that flatten branches run this for the eye too, hence no branch and few divisions.
+vec4 vtkiSenderReflectance(vec3 position, vec3 normal, vec3 facet, vec3 albedo)
 {
-  vec3 p = positionVC * vtkiSceneScale;
-  bool positional = vtkiMapLight.x > 0.5f;
-  float d = positional ? length(p) : 1.0f;
-  if (!(d > 0.0f))
-  {
-    return vec4(0.0f, 0.0f, 0.0f, 1.0f);
-  }
-  vec3 toLight = positional ? -p / d : -vtkiMapAxis;
-  float cosGeometric = dot(facetNormalVC, toLight);
+  // From the light: along the ray, or along the axis of a parallel map.
+  vec3 ray = mix(vec3(0.0f, 0.0f, -1.0f), position, vtkiMapLight.x);
+  float ray2 = dot(ray, ray);
+  float facet2 = dot(facet, facet);
+  float perLength = ray2 > 0.0f ? inversesqrt(ray2) : 0.0f;
+  float perFacet = facet2 > 0.0f ? inversesqrt(facet2) : 0.0f;
   // One texel may not cover more depth than the scene has.
-  float cosGeometricMin = positional ? d * vtkiMapLight.w : vtkiMapLight.w;
-  float scale = vtkiCosineRatio(dot(normalVC, toLight), cosGeometric, cosGeometricMin);
-  if (positional)
-  {
-    scale *= vtkiConeFactor(-dot(toLight, vtkiMapAxis), vtkiMapLight.y, vtkiMapLight.z) *
-      vtkiAttenuationTimesDistance2(vtkiMapAttenuation, d);
-  }
-  return vec4(albedo * scale, max(cosGeometric, cosGeometricMin));
+  float cosGeometricMin = max(ray2 * perLength * vtkiMapLight.y, VTKI_COSINE_MIN);
+  float cosGeometric = max(abs(dot(facet, ray)) * perLength * perFacet, cosGeometricMin);
+  float cosShading = max(-dot(normal, ray) * perLength, 0.0f);
+  return vec4(albedo * (cosShading / cosGeometric), cosGeometric);
 }
 
 float vtkiLinearDepth()

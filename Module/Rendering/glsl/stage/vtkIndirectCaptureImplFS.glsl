@@ -1,5 +1,5 @@
   // The mapper's names are bound to these by vtkSurfaceCapturePass: VTKI_ALBEDO, VTKI_NORMAL,
-  // VTKI_POSITION, VTKI_FACET_NORMAL, VTKI_KIND, VTKI_DEPTH.
+  // VTKI_POSITION, VTKI_FACET, VTKI_KIND, VTKI_DEPTH, VTKI_SENDER_SCALE.
   {
     vec3 vtkiAlbedo = max(VTKI_ALBEDO, vec3(0.0f));
     vec3 vtkiNormal = VTKI_NORMAL;
@@ -10,20 +10,17 @@
       vtkiNormal = vec3(0.0f, 0.0f, 1.0f);
       vtkiKind = VTKI_SURFACE_UNLIT;
     }
-    vec4 vtkiDensity = vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    gl_FragData[1] = vtkiPackSurface(vtkiNormal, VTKI_DEPTH, vtkiKind);
     if (vtkiStage != 0)
     {
-      if (vtkiKind != VTKI_SURFACE_UNLIT)
-      {
-        vtkiDensity = vtkiReflectedDensity(
-          VTKI_POSITION, vtkiNormal, VTKI_FACET_NORMAL, vtkiAlbedo * VTKI_SENDER_SCALE);
-      }
-      gl_FragData[0] = vec4(vtkiDensity.rgb, 1.0f);
-      gl_FragData[2] = vec4(vtkiDensity.a, 0.0f, 0.0f, 1.0f);
+      vec4 vtkiReflectance =
+        vtkiSenderReflectance(VTKI_POSITION, vtkiNormal, VTKI_FACET, vtkiAlbedo * VTKI_SENDER_SCALE);
+      bool vtkiSends = vtkiKind != VTKI_SURFACE_UNLIT;
+      gl_FragData[0] = vec4(vtkiSends ? vtkiReflectance.rgb : vec3(0.0f), 1.0f);
+      gl_FragData[2] = vec4(vtkiReflectance.a, 0.0f, 0.0f, 1.0f);
     }
     else
     {
       gl_FragData[2] = vec4(vtkiAlbedo, 1.0f);
     }
-    gl_FragData[1] = vtkiPackSurface(vtkiNormal, VTKI_DEPTH, vtkiKind);
   }

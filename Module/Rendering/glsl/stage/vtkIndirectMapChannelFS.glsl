@@ -27,7 +27,9 @@ void main()
   else if (vtkiChannel == 2)
   {
     bool parallel = int(map.x + 0.5f) == VTKI_MAP_PARALLEL;
-    value = texelFetch(vtkiMapDensity, at, 0).rgb /
+    vec4 own = texelFetch(vtkiMapTable, ivec2(3, layer), 0);
+    value = texelFetch(vtkiMapReflectance, at, 0).rgb *
+      vtkiMapFalloff(layer, own, vtkiMapPosition(own, at.xy, surface.z)) /
       (parallel ? 1.0f : vtkiSceneScale * vtkiSceneScale);
   }
   gl_FragData[0] = vec4(value, 1.0f);

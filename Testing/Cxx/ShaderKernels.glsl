@@ -1,0 +1,118 @@
+// Every kernel of glsl/lib by number, in the dialect that both sides compile: the shader calls it
+// with values from a texture, the test with the same values on the host.
+#ifndef ShaderKernels
+#define ShaderKernels
+
+const int VTKI_KERNEL_COUNT = 21;
+
+mat3 vtkiTestMatrix(vec4 a, vec4 b, float c)
+{
+  return mat3(vec3(a.x, a.y, a.z), vec3(a.w, b.x, b.y), vec3(b.z, b.w, c));
+}
+
+vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
+{
+  vec3 a3 = vec3(a.x, a.y, a.z);
+  vec3 b3 = vec3(b.x, b.y, b.z);
+  vec3 c3 = vec3(c.x, c.y, c.z);
+  if (kernel == 0)
+  {
+    vec2 p = vtkiOctahedralEncode(a3);
+    return vec4(p.x, p.y, vtkiSignNotZero(a.x), 0.0f);
+  }
+  if (kernel == 1)
+  {
+    return vec4(vtkiOctahedralDecode(vec2(a.x, a.y)), 0.0f);
+  }
+  if (kernel == 2)
+  {
+    return vtkiPackSurface(a3, a.w, floor(3.99f * b.w));
+  }
+  if (kernel == 3)
+  {
+    vec4 surface = vtkiPackSurface(a3, a.w, floor(3.99f * b.w));
+    return vec4(vtkiSurfaceNormal(surface), vtkiSurfaceKind(surface));
+  }
+  if (kernel == 4)
+  {
+    return vec4(vtkiSurfaceIsLit(vtkiPackSurface(a3, a.w, floor(3.99f * b.w))) ? 1.0f : 0.0f,
+      vtkiSurfaceIsLit(vec4(0.0f)) ? 1.0f : 0.0f, 0.0f, 0.0f);
+  }
+  if (kernel == 5)
+  {
+    mat3 origin = vtkiTestMatrix(a, b, c.w);
+    mat3 direction = vtkiTestMatrix(b, a, c.z);
+    return vec4(vtkiReconstruct(vec2(c.x, c.y), c.z, origin, direction), 0.0f);
+  }
+  if (kernel == 6)
+  {
+    return vec4(float(vtkiFaceOf(a3)), float(vtkiFaceOf(b3)), float(vtkiFaceOf(c3)), 0.0f);
+  }
+  if (kernel == 7)
+  {
+    return vec4(vtkiToFace(a3, int(5.99f * b.w)), 0.0f);
+  }
+  if (kernel == 8)
+  {
+    return vec4(vtkiTexelSolidAngle(vec2(a.x, a.y), b.w), 0.0f, 0.0f, 0.0f);
+  }
+  if (kernel == 9)
+  {
+    return vec4(vtkiAttenuationTimesDistance2(abs(a3), a.w),
+      vtkiAttenuationTimesDistance2(abs(b3), 0.0f),
+      vtkiAttenuationTimesDistance2(vec3(0.0f, 0.0f, 1.0f + b.w), 0.0f), 0.0f);
+  }
+  if (kernel == 10)
+  {
+    return vec4(vtkiConeFactor(a.x, b.w, 0.0f), vtkiConeFactor(a.x, b.w, 8.0f * a.w),
+      vtkiConeFactor(a.x, -2.0f, 3.0f), 0.0f);
+  }
+  if (kernel == 11)
+  {
+    return vec4(vtkiCosineRatio(a.x, b.x, 0.01f), vtkiCosineRatio(a.x, -b.x, 0.5f), 0.0f, 0.0f);
+  }
+  if (kernel == 12)
+  {
+    return vec4(vtkiVirtualLightWeight(2.0f * a.w * c3, a3, b3, 0.001f + b.w),
+      vtkiVirtualLightWeight(vec3(0.0f), a3, b3, b.w), 0.0f, 0.0f);
+  }
+  if (kernel == 13)
+  {
+    vec3 p = vec3(a.x, a.y, -0.1f - a.w);
+    vec3 n = vec3(0.1f * b.x, 0.1f * b.y, 0.99f);
+    vec3 inside = vtkiPlaneDepthGradient(p, n, 0.01f, 0.1f, 1.2f, false);
+    vec3 across = vtkiPlaneDepthGradient(p, n, 0.01f, 0.1f, 1.2f, true);
+    return vec4(inside.x, inside.y, across.x,
+      vtkiPlaneDepthGradient(p, vec3(-n.x, -n.y, -n.z), 0.01f, 0.1f, 1.2f, false).z + inside.z);
+  }
+  if (kernel == 14)
+  {
+    return vec4(vtkiDepthToBuffer(0.1f + a.w, 0.1f, 1.2f, false),
+      vtkiDepthToBuffer(0.1f + a.w, 0.1f, 1.2f, true),
+      vtkiDepthToBufferSlope(0.1f + a.w, 0.1f, 1.2f, false), vtkiTent(b.x, b.y, b.z, a.w));
+  }
+  if (kernel == 15)
+  {
+    return vec4(vtkiSameSurface(0.3f * a.w * c3, a3, b3, 0.5f, 0.1f) ? 1.0f : 0.0f,
+      vtkiSameSurface(vec3(0.0f), a3, a3, 0.9f, 0.0f) ? 1.0f : 0.0f,
+      vtkiSameSurface(vec3(0.0f), a3, -a3, 0.9f, 1.0f) ? 1.0f : 0.0f, 0.0f);
+  }
+  if (kernel == 16)
+  {
+    return vec4(vtkiDiskSample(int(255.99f * a.w), 256), 0.0f);
+  }
+  if (kernel == 17)
+  {
+    return vec4(vtkiDecodeGamma(4.0f * a3), 0.0f);
+  }
+  if (kernel == 18)
+  {
+    return vec4(vtkiEncodeGamma(4.0f * a3), 0.0f);
+  }
+  if (kernel == 19)
+  {
+    return vec4(vtkiEncodeGamma(vtkiDecodeGamma(abs(a3))), 0.0f);
+  }
+  return vec4(VTKI_PI, VTKI_GAMMA, float(VTKI_MAP_CAMERA), VTKI_SURFACE_UNLIT);
+}
+#endif

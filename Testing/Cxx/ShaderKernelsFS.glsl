@@ -1,0 +1,22 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Test stage: one kernel, three texels of input a pixel.
+#include "vtkIndirectLibColor.glsl"
+#include "vtkIndirectLibInterpolation.glsl"
+#include "vtkIndirectLibLightMap.glsl"
+#include "vtkIndirectLibSampling.glsl"
+#include "vtkIndirectLibShadow.glsl"
+#include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectLibVirtualLight.glsl"
+#include "ShaderKernels.glsl"
+
+uniform sampler2D vtkiInput;
+uniform int vtkiKernel;
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  gl_FragData[0] = vtkiTestKernel(vtkiKernel, texelFetch(vtkiInput, ivec2(3 * pixel.x, pixel.y), 0),
+    texelFetch(vtkiInput, ivec2(3 * pixel.x + 1, pixel.y), 0),
+    texelFetch(vtkiInput, ivec2(3 * pixel.x + 2, pixel.y), 0));
+}

@@ -1,0 +1,541 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wrong input: one clear error, and the picture is still drawn.
+#include "vtkIndirectContractUtilities.h"
+
+#if __has_include("vtk_glad.h")
+#include "vtk_glad.h"
+#else
+#include "vtk_glew.h"
+#endif
+
+#include "vtkCellArray.h"
+#include "vtkGeometryBufferPass.h"
+#include "vtkImageData.h"
+#include "vtkIndirectCompositePass.h"
+#include "vtkLightCollection.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
+#include "vtkRSMGatherPass.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkSequencePass.h"
+#include "vtkSurfaceCapturePass.h"
+#include "vtkUniformLightSampler.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <set>
+
+using namespace contract;
+
+namespace
+{
+// Just enough of JSON to know whether a text is valid, and the keys of its outermost object.
+class JSONChecker
+{
+public:
+  explicit JSONChecker(const std::string& text)
+    : Text(text)
+  {
+    this->Valid = this->Value(0) && (this->Skip(), this->At == text.size());
+  }
+  bool Valid = false;
+  std::set<std::string> Keys;
+
+private:
+  void Skip()
+  {
+    while (this->At < this->Text.size() &&
+      std::isspace(static_cast<unsigned char>(this->Text[this->At])))
+    {
+      ++this->At;
+    }
+  }
+  bool Take(char c)
+  {
+    this->Skip();
+    if (this->At < this->Text.size() && this->Text[this->At] == c)
+    {
+      ++this->At;
+      return true;
+    }
+    return false;
+  }
+  bool Word(const char* word)
+  {
+    const std::string w = word;
+    if (this->Text.compare(this->At, w.size(), w) != 0)
+    {
+      return false;
+    }
+    this->At += w.size();
+    return true;
+  }
+  bool String(std::string* out)
+  {
+    if (!this->Take('"'))
+    {
+      return false;
+    }
+    while (this->At < this->Text.size() && this->Text[this->At] != '"')
+    {
+      if (static_cast<unsigned char>(this->Text[this->At]) < 0x20)
+      {
+        return false;
+      }
+      if (this->Text[this->At] == '\\')
+      {
+        ++this->At;
+      }
+      if (out)
+      {
+        *out += this->Text[this->At];
+      }
+      ++this->At;
+    }
+    return this->Take('"');
+  }
+  bool Number()
+  {
+    const size_t begin = this->At;
+    while (this->At < this->Text.size() && std::strchr("+-.0123456789eE", this->Text[this->At]))
+    {
+      ++this->At;
+    }
+    if (this->At == begin)
+    {
+      return false;
+    }
+    const std::string text = this->Text.substr(begin, this->At - begin);
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    return *end == '\0' && std::isfinite(value);
+  }
+  bool Value(int depth)
+  {
+    this->Skip();
+    if (this->At >= this->Text.size())
+    {
+      return false;
+    }
+    switch (this->Text[this->At])
+    {
+      case '"':
+        return this->String(nullptr);
+      case '[':
+        return this->List(depth, ']', false);
+      case '{':
+        return this->List(depth, '}', true);
+      default:
+        return this->Word("true") || this->Word("false") || this->Word("null") || this->Number();
+    }
+  }
+  bool List(int depth, char close, bool keys)
+  {
+    ++this->At;
+    if (this->Take(close))
+    {
+      return true;
+    }
+    do
+    {
+      std::string key;
+      if (keys && !(this->String(&key) && this->Take(':')))
+      {
+        return false;
+      }
+      if (depth == 0)
+      {
+        this->Keys.insert(key);
+      }
+      if (!this->Value(depth + 1))
+      {
+        return false;
+      }
+    } while (this->Take(','));
+    return this->Take(close);
+  }
+
+  const std::string& Text;
+  size_t At = 0;
+};
+
+std::string CheckReport(vtkIndirectIlluminationPass* pass)
+{
+  const std::string report = pass->GetReport();
+  const JSONChecker checker(report);
+  CONTRACT_CHECK(checker.Valid, "no valid JSON: " << report);
+  for (const char* key : { "schema", "scene", "size", "method", "settings", "frames", "stages",
+         "indirect_ms", "frame_ms", "virtual_lights", "bytes", "estimated_error", "modelled",
+         "left_out", "gl", "vtk", "version", "shader_hash" })
+  {
+    CONTRACT_CHECK(checker.Keys.count(key) == 1, "the report has no " << key);
+  }
+  CONTRACT_CHECK(report.find("\"vtkindirect.report/1\"") != std::string::npos, "schema");
+  return report;
+}
+
+// The picture of a scene that the pass leaves to its delegate: VTK's own, bit for bit, and the
+// report says why.
+void CheckDelegate(const std::function<void(vtkRenderer*)>& setUp, const std::string& why)
+{
+  View view(80, 60);
+  view.Renderer->SetBackground(0.1, 0.3, 0.2);
+  setUp(view.Renderer);
+  view.Window->Render();
+  const Pixels plain = view.Grab();
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  view.Renderer->SetPass(pass);
+  const Difference difference = Compare(plain, view.Grab());
+  CONTRACT_CHECK(difference.Max == 0.0, why << ": " << difference);
+  const std::string report = CheckReport(pass);
+  CONTRACT_CHECK(report.find(why) != std::string::npos, "no '" << why << "' in " << report);
+}
+}
+
+//------------------------------------------------------------------------------
+CONTRACT_TEST(DebugViewUnknown)
+{
+  View view(80, 60);
+  AddRoom(view.Renderer);
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  view.Renderer->SetPass(pass);
+  const Pixels expected = view.Grab();
+  {
+    ExpectedErrors errors;
+    pass->SetDebugView("no such channel");
+    for (int i = 0; i < 3; ++i)
+    {
+      CONTRACT_CHECK(Compare(expected, view.Grab()).Max == 0.0, "the picture");
+    }
+    CONTRACT_CHECK(errors.GetCount() == 1, errors.GetCount() << " errors: " << errors.GetText());
+    CONTRACT_CHECK(errors.GetText().find("rsm<i>.density") != std::string::npos,
+      "no names in: " << errors.GetText());
+    // A map that is not there, then a name that is.
+    pass->SetDebugView("rsm7.depth");
+    view.Grab();
+    view.Grab();
+    CONTRACT_CHECK(errors.GetCount() == 2, errors.GetCount() << " errors: " << errors.GetText());
+  }
+  pass->SetDebugView("normal");
+  CONTRACT_CHECK(Compare(expected, view.Grab()).Max > 0.0, "a debug view");
+  pass->SetDebugView("");
+  CONTRACT_CHECK(Compare(expected, view.Grab()).Max == 0.0, "the picture again");
+  // The same mistake, made anew, is told anew.
+  ExpectedErrors errors;
+  pass->SetDebugView("rsm7.depth");
+  view.Grab();
+  CONTRACT_CHECK(errors.GetCount() == 1, errors.GetCount() << " errors: " << errors.GetText());
+}
+
+//------------------------------------------------------------------------------
+CONTRACT_TEST(CopyBufferWrong)
+{
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  vtkNew<vtkImageData> image;
+  {
+    ExpectedErrors errors;
+    CONTRACT_CHECK(!pass->CopyBuffer("final", image), "before the first frame");
+    CONTRACT_CHECK(errors.GetCount() == 1, errors.GetText());
+    CONTRACT_CHECK(
+      errors.GetText().find("no frame has been rendered") != std::string::npos, errors.GetText());
+  }
+  CheckReport(pass);
+  View view(80, 60);
+  AddRoom(view.Renderer);
+  view.Renderer->SetPass(pass);
+  view.Grab();
+  const char* const wrong[] = { "", "Final", "final ", "rsm", "rsm0", "rsm.depth", "rsm1.depth",
+    "rsm0.depths", "rsm-1.depth", "rsm99999999999.depth", "lights2", "%s%n" };
+  for (const char* name : wrong)
+  {
+    ExpectedErrors errors;
+    CONTRACT_CHECK(!pass->CopyBuffer(name, image), "'" << name << "'");
+    CONTRACT_CHECK(errors.GetCount() == 1, "'" << name << "': " << errors.GetText());
+  }
+  {
+    ExpectedErrors errors;
+    CONTRACT_CHECK(!pass->CopyBuffer("final", nullptr), "no image");
+    CONTRACT_CHECK(errors.GetCount() == 1, errors.GetText());
+  }
+  // Nothing of this harms what follows.
+  for (const char* name : { "final", "direct", "indirect", "irradiance", "glossy", "albedo",
+         "normal", "depth", "rsm0.depth", "rsm0.normal", "rsm0.density", "lights" })
+  {
+    Read(pass, name);
+  }
+}
+
+//------------------------------------------------------------------------------
+CONTRACT_TEST(StagesAlone)
+{
+  View view(80, 60);
+  AddRoom(view.Renderer);
+  view.Window->Render();
+  vtkNew<vtkRSMGatherPass> gather;
+  vtkNew<vtkIndirectCompositePass> composite;
+  for (vtkRenderPass* stage : std::initializer_list<vtkRenderPass*>{ gather, composite })
+  {
+    ExpectedErrors errors;
+    view.Renderer->SetPass(stage);
+    view.Window->Render();
+    CONTRACT_CHECK(errors.GetCount() == 1, stage->GetClassName() << ": " << errors.GetText());
+  }
+  // These two can, and say nothing.
+  vtkNew<vtkGeometryBufferPass> geometry;
+  vtkNew<vtkReflectiveShadowMapPass> maps;
+  vtkNew<vtkSurfaceCapturePass> capture;
+  for (vtkRenderPass* stage : std::initializer_list<vtkRenderPass*>{ geometry, maps, capture })
+  {
+    view.Renderer->SetPass(stage);
+    view.Grab();
+    view.Renderer->SetPass(nullptr);
+    stage->ReleaseGraphicsResources(view.Window);
+  }
+  view.Grab();
+}
+
+//------------------------------------------------------------------------------
+// The resolution stays within what it may be.
+CONTRACT_TEST(ResolutionLimits)
+{
+  View view(80, 60);
+  AddRoom(view.Renderer);
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  pass->SetReflectiveShadowMapResolution(100000);
+  CONTRACT_CHECK(pass->GetReflectiveShadowMapResolution() == 16384, "clamped");
+  pass->SetReflectiveShadowMapResolution(128);
+  view.Renderer->SetPass(pass);
+  const Pixels expected = view.Grab();
+  pass->SetReflectiveShadowMapResolution(-5);
+  CONTRACT_CHECK(pass->GetReflectiveShadowMapResolution() == 1, "clamped");
+  for (int resolution : { 1, 2, 3, 127 })
+  {
+    pass->SetReflectiveShadowMapResolution(resolution);
+    view.Grab();
+    Read(pass, "irradiance");
+    const Floats map = Read(pass, "rsm0.depth");
+    CONTRACT_CHECK(map.Width == resolution && map.Height == resolution, resolution);
+  }
+  pass->SetReflectiveShadowMapResolution(128);
+  CONTRACT_CHECK(Compare(expected, view.Grab()).Max == 0.0, "back again");
+}
+
+//------------------------------------------------------------------------------
+// Maps that OpenGL cannot hold: one error for each new attempt, and the delegate's picture.
+CONTRACT_TEST(MapsTooMany)
+{
+  View view(80, 60);
+  AddRoom(view.Renderer);
+  view.Renderer->SetBackground(0.2, 0.4, 0.6);
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  pass->SetReflectiveShadowMapResolution(1);
+  view.Renderer->SetPass(pass);
+  const Pixels expected = view.Grab();
+  int layers = 0;
+  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers);
+  if (layers > 10000)
+  {
+    Skip("this OpenGL holds " + std::to_string(layers) + " layers");
+  }
+  // VTK compiles shaders with all lights in them, which takes minutes for hundreds: in place of its
+  // opaque props the delegate draws nothing.
+  vtkNew<vtkSequencePass> nothing;
+  vtkNew<vtkRenderPassCollection> none;
+  nothing->SetPasses(none);
+  const vtkSmartPointer<vtkLight> spot =
+    vtkLight::SafeDownCast(view.Renderer->GetLights()->GetItemAsObject(0));
+  for (int turn = 0; turn < 2; ++turn)
+  {
+    pass->SetDelegatePass(nothing);
+    std::vector<vtkSmartPointer<vtkLight>> lights;
+    for (int i = 0; i < layers / 6 + 1 + turn; ++i)
+    {
+      lights.push_back(MakeLight(LightKind::Point, { 0.5, 0.5, 0.5 + 1e-3 * i }, { 0, 0, 0 }));
+      view.Renderer->AddLight(lights.back());
+    }
+    {
+      ExpectedErrors errors;
+      for (int i = 0; i < 3; ++i)
+      {
+        const Pixels image = view.Grab();
+        CONTRACT_CHECK(image.Get(40, 30, 0) == 51 && image.Get(40, 30, 2) == 153, "background");
+      }
+      CONTRACT_CHECK(errors.GetCount() == 1, errors.GetCount() << " errors: " << errors.GetText());
+    }
+    CheckReport(pass);
+    pass->SetDelegatePass(nullptr);
+    view.Renderer->GetLights()->RemoveAllItems();
+    view.Renderer->AddLight(spot);
+    CONTRACT_CHECK(Compare(expected, view.Grab()).Max == 0.0, "back to maps that fit");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Scenes in which nothing can reflect light.
+CONTRACT_TEST(NothingToDo)
+{
+  CheckDelegate([](vtkRenderer*) {}, "nothing opaque is visible");
+  CheckDelegate(
+    [](vtkRenderer* renderer)
+    {
+      AddRoomSurfaces(renderer);
+      renderer->AutomaticLightCreationOff();
+    },
+    "no light is on");
+  CheckDelegate(
+    [](vtkRenderer* renderer)
+    {
+      AddRoom(renderer);
+      renderer->AutomaticLightCreationOff();
+      vtkLight::SafeDownCast(renderer->GetLights()->GetItemAsObject(0))->SwitchOff();
+    },
+    "no light is on");
+  CheckDelegate(
+    [](vtkRenderer* renderer)
+    {
+      AddRoom(renderer);
+      vtkPropCollection* props = renderer->GetViewProps();
+      for (int i = 0; i < props->GetNumberOfItems(); ++i)
+      {
+        vtkProp::SafeDownCast(props->GetItemAsObject(i))->VisibilityOff();
+      }
+    },
+    "nothing opaque is visible");
+  CheckDelegate(
+    [](vtkRenderer* renderer)
+    {
+      AddRoom(renderer);
+      renderer->RemoveAllViewProps();
+      auto glass = MakeSphere({ 0.5, 0.5, 0.5 }, 0.3);
+      glass->GetProperty()->SetOpacity(0.5);
+      renderer->AddActor(glass);
+    },
+    "nothing opaque is visible");
+}
+
+//------------------------------------------------------------------------------
+// Actors without data, without mapper, with bounds that are no numbers.
+CONTRACT_TEST(BadActors)
+{
+  auto addEmpty = [](vtkRenderer* renderer)
+  {
+    vtkNew<vtkPolyData> nothing;
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(nothing);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    renderer->AddActor(actor);
+    vtkNew<vtkActor> without;
+    renderer->AddActor(without);
+  };
+  auto addUndefined = [](vtkRenderer* renderer)
+  {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->InsertNextPoint(0, 0, 0);
+    points->InsertNextPoint(1, 0, nan);
+    points->InsertNextPoint(nan, 1, std::numeric_limits<double>::infinity());
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell({ 0, 1, 2 });
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    renderer->AddActor(actor);
+    // VTK leaves undefined points out of an actor's bounds, but not an undefined place.
+    auto nowhere = MakeSphere({ 0, 0, 0 }, 0.5);
+    nowhere->SetPosition(nan, 0, 0);
+    renderer->AddActor(nowhere);
+  };
+  CheckDelegate(
+    [&](vtkRenderer* renderer)
+    {
+      AddRoom(renderer);
+      renderer->RemoveAllViewProps();
+      auto nowhere = MakeSphere({ 0, 0, 0 }, 0.5);
+      nowhere->SetScale(std::numeric_limits<double>::infinity(), 1.0, 1.0);
+      renderer->AddActor(nowhere);
+    },
+    "not finite");
+  CheckDelegate(
+    [&](vtkRenderer* renderer)
+    {
+      AddRoom(renderer);
+      renderer->RemoveAllViewProps();
+      addEmpty(renderer);
+    },
+    "");
+
+  // Beside good ones they change nothing.
+  View view(80, 60);
+  AddRoom(view.Renderer);
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  view.Renderer->SetPass(pass);
+  const Pixels expected = view.Grab();
+  addEmpty(view.Renderer);
+  CONTRACT_CHECK(Compare(expected, view.Grab()).Max == 0.0, "with empty actors");
+  addUndefined(view.Renderer);
+  const Pixels image = view.Grab();
+  size_t far = 0;
+  const Difference difference = Compare(expected, image);
+  for (size_t i = 0; i < expected.Values.size(); ++i)
+  {
+    far += std::abs(int(expected.Values[i]) - int(image.Values[i])) > 2 ? 1 : 0;
+  }
+  std::cout << "beside undefined points: " << difference << "\n";
+  CONTRACT_CHECK(far == 0, "with undefined points: " << difference);
+  for (const char* name : { "final", "irradiance", "depth", "rsm0.density" })
+  {
+    Read(pass, name);
+  }
+  CheckReport(pass);
+}
+
+//------------------------------------------------------------------------------
+CONTRACT_TEST(PrintSelf)
+{
+  View view(80, 60);
+  AddRoom(view.Renderer);
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  vtkNew<vtkRSMGatherPass> gather;
+  vtkNew<vtkUniformLightSampler> sampler;
+  vtkNew<vtkIndirectCompositePass> composite;
+  vtkNew<vtkGeometryBufferPass> geometry;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (vtkObject* object : std::initializer_list<vtkObject*>{ pass, gather, sampler, composite,
+           geometry, pass->GetReflectiveShadowMaps(), pass->GetSurfaceCapture(),
+           pass->GetActiveEstimator(), pass->GetActiveSampler() })
+    {
+      std::ostringstream os;
+      object->Print(os);
+      CONTRACT_CHECK(os.str().size() > 100, object->GetClassName() << ": " << os.str());
+    }
+    pass->SetEstimator(gather);
+    pass->SetSampler(sampler);
+    view.Renderer->SetPass(pass);
+    view.Grab();
+    CheckReport(pass);
+    pass->TimingOn();
+    view.Grab();
+    const std::string report = CheckReport(pass);
+    for (const char* stage : { "rsm", "geometry", "lights", "estimate", "composite" })
+    {
+      CONTRACT_CHECK(i > 0 ||
+          report.find("\"" + std::string(stage) + "\": {\"median_ms\"") != std::string::npos ||
+          std::string(stage) != "geometry",
+        "no time of " << stage << " in " << report);
+    }
+  }
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program around the contract tests: runs one of them by its name, and fails it for every error
+// or warning of VTK that it did not expect.
+#include "vtkIndirectContractUtilities.h"
+
+#include "vtkLogger.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+namespace
+{
+constexpr int SkipReturnCode = 125;
+constexpr int MaximumPrinted = 12;
+int Failures = 0;
+
+struct SkippedTest
+{
+  std::string Reason;
+};
+
+// Built before main by the tests themselves.
+std::map<std::string, void (*)()>& GetTests()
+{
+  static std::map<std::string, void (*)()> tests;
+  return tests;
+}
+
+// Errors and warnings of VTK.
+bool ErrorsAreExpected = false;
+int ErrorCount = 0;
+std::string ErrorText;
+
+void CountMessage(void*, const vtkLogger::Message& message)
+{
+  ++ErrorCount;
+  ErrorText += std::string(message.message) + "\n";
+  if (!ErrorsAreExpected)
+  {
+    contract::Fail("VTK", 0, message.message);
+  }
+}
+}
+
+namespace contract
+{
+//------------------------------------------------------------------------------
+void Fail(const char* file, int line, const std::string& what)
+{
+  if (++Failures <= MaximumPrinted)
+  {
+    const char* slash = std::strrchr(file, '/');
+    std::cerr << "FAILED " << (slash ? slash + 1 : file) << ":" << line << ": " << what << "\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+void Skip(const std::string& reason)
+{
+  throw SkippedTest{ reason };
+}
+
+//------------------------------------------------------------------------------
+bool Register(const char* name, void (*function)())
+{
+  GetTests()[name] = function;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+ExpectedErrors::ExpectedErrors()
+{
+  ErrorsAreExpected = true;
+  ErrorCount = 0;
+  ErrorText.clear();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+}
+
+ExpectedErrors::~ExpectedErrors()
+{
+  ErrorsAreExpected = false;
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);
+}
+
+int ExpectedErrors::GetCount() const
+{
+  return ErrorCount;
+}
+
+std::string ExpectedErrors::GetText() const
+{
+  return ErrorText;
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  vtkLogger::Init();
+  vtkLogger::AddCallback("contract", CountMessage, nullptr, vtkLogger::VERBOSITY_WARNING);
+  const auto& tests = GetTests();
+  if (argc > 2 && std::string(argv[1]) == "--check-list")
+  {
+    // CMake's list against the tests that are here: neither may know more than the other.
+    std::vector<std::string> listed(argv + 2, argv + argc);
+    std::sort(listed.begin(), listed.end());
+    std::vector<std::string> present;
+    for (const auto& test : tests)
+    {
+      present.push_back(test.first);
+    }
+    for (const auto& name : present)
+    {
+      if (!std::binary_search(listed.begin(), listed.end(), name))
+      {
+        std::cerr << name << " is not run\n";
+      }
+    }
+    return listed == present ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  const auto found = argc > 1 ? tests.find(argv[1]) : tests.end();
+  if (found == tests.end())
+  {
+    std::cerr << "Usage: " << argv[0] << " TEST, one of";
+    for (const auto& test : tests)
+    {
+      std::cerr << " " << test.first;
+    }
+    std::cerr << "\n";
+    return EXIT_FAILURE;
+  }
+  if (!vtkEGLHeadlessRenderWindow::IsSupported())
+  {
+    std::cout << "Skipped: no OpenGL context without a display can be made here\n";
+    return SkipReturnCode;
+  }
+  try
+  {
+    found->second();
+  }
+  catch (const SkippedTest& skipped)
+  {
+    std::cout << "Skipped: " << skipped.Reason << "\n";
+    return Failures ? EXIT_FAILURE : SkipReturnCode;
+  }
+  if (Failures)
+  {
+    std::cerr << Failures << " checks failed\n";
+  }
+  return Failures ? EXIT_FAILURE : EXIT_SUCCESS;
+}
