@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkUniformLightSampler.h"
 
+#include "vtkIndirectKernels.h"
 #include "vtkIndirectSamplePattern.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -50,6 +52,23 @@ void vtkUniformLightSampler::MakePattern(
         static_cast<float>(sources[first + face].Layer), static_cast<float>(weight) });
     };
 
+    if (this->Pattern == LOW_DISCREPANCY && shape.CosCone <= 1.0)
+    {
+      // Directions spread evenly over the cone of light, or the sphere: none is spent on faces, or
+      // parts of them, that no light reaches. Each stands for its share of the solid angle.
+      for (int i = 0; i < perLight; ++i)
+      {
+        const glm::vec3 direction(
+          vtkIndirectSamplePattern::DirectionInCone(i, perLight, shape.CosCone));
+        const int face = vtkIndirectKernels::vtkiFaceOf(direction);
+        const glm::vec3 p = vtkIndirectKernels::vtkiToFace(direction, face);
+        const glm::vec2 tangent(-p.x / p.z, -p.y / p.z);
+        const double solidAngle = 2.0 * vtkMath::Pi() * (1.0 - shape.CosCone) / perLight;
+        add(0.5 + 0.5 * tangent.x, 0.5 + 0.5 * tangent.y, face,
+          solidAngle / vtkIndirectKernels::vtkiTexelSolidAngle(tangent, 2.0f / shape.Size[0]));
+      }
+      continue;
+    }
     if (this->Pattern == LOW_DISCREPANCY)
     {
       // The faces side by side are one long rectangle with a lattice over it.

@@ -24,7 +24,7 @@ public:
   {
     GRID = 0,           // regular grid, the largest square number of lights that fits
     JITTERED = 1,       // one random place in each cell of that grid, from a fixed seed
-    LOW_DISCREPANCY = 2 // Fibonacci lattice, any number of lights
+    LOW_DISCREPANCY = 2 // Fibonacci lattice, any number of lights; over directions for cube maps
   };
 
   ///@{

@@ -16,6 +16,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <cmath>
+
 namespace
 {
 const vtkIndirectChannel Channels[] = {
@@ -138,6 +140,11 @@ bool vtkVirtualLightSampler::Update(
       source.Light = i;
       source.Size[0] = source.Size[1] = maps->GetResolution();
       source.Disk = map.Projection == vtkIndirectKernels::VTKI_MAP_SINGLE;
+      if (map.Projection == vtkIndirectKernels::VTKI_MAP_FACES)
+      {
+        source.CosCone =
+          map.Light.ConeAngle < 90.0 ? std::cos(glm::radians(map.Light.ConeAngle)) : -1.0;
+      }
       sources.push_back(source);
     }
   }

@@ -47,12 +47,15 @@ public:
     int Light = 0; // sources of one light share its lights
     int Size[2] = { 1, 1 };
     bool Disk = false; // only the inscribed disk is lit
+    // Faces of a cube: cosine of the cone of light about its axis, -1 for all directions; 2: no
+    // cube.
+    double CosCone = 2.0;
 
     bool operator==(const Source& other) const
     {
       return this->Layer == other.Layer && this->Light == other.Light &&
         this->Size[0] == other.Size[0] && this->Size[1] == other.Size[1] &&
-        this->Disk == other.Disk;
+        this->Disk == other.Disk && this->CosCone == other.CosCone;
     }
   };
 

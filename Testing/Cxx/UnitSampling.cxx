@@ -211,3 +211,53 @@ VTK_INDIRECT_TEST(SamplerPatterns)
     }
   }
 }
+
+VTK_INDIRECT_TEST(ConeDirections)
+{
+  using namespace vtkIndirectKernels;
+  using Source = vtkVirtualLightSampler::Source;
+  vtkNew<Patterns> sampler;
+  for (double angle : { 61.0, 75.0, 89.0, 180.0 })
+  {
+    const double cosCone = std::cos(angle * vtkMath::Pi() / 180.0);
+    std::vector<Source> sources;
+    for (int face = 0; face < (angle < 90.0 ? 5 : 6); ++face)
+    {
+      Source source;
+      source.Layer = face;
+      source.Size[0] = source.Size[1] = 256;
+      source.CosCone = cosCone;
+      sources.push_back(source);
+    }
+    sampler->SetNumberOfLights(2000);
+    std::vector<vtkVirtualLightSampler::Sample> samples;
+    sampler->MakePattern(sources, samples);
+    double solidAngle = 0.0;
+    double outermost = -1.0;
+    double along = 0.0;
+    int wrong = 0;
+    for (const auto& s : samples)
+    {
+      const vec2 tangent(2.0f * s.U - 1.0f, 2.0f * s.V - 1.0f);
+      const double own = s.Texels * vtkiTexelSolidAngle(tangent, 2.0f / 256.0f);
+      solidAngle += own;
+      // Back to the light's frame: the faces' rotations are their transposes' inverses.
+      double cosine = -2.0;
+      const vec3 p = normalize(vec3(tangent.x, tangent.y, -1.0f));
+      const vec3 forward = vtkiToFace(vec3(0.0f, 0.0f, -1.0f), static_cast<int>(s.Layer));
+      cosine = dot(p, forward);
+      outermost = std::max(outermost, cosCone - cosine);
+      along += own * cosine;
+      wrong += !(s.U >= 0.0f && s.U <= 1.0f && s.V >= 0.0f && s.V <= 1.0f);
+    }
+    const std::string what = std::to_string(static_cast<int>(angle)) + " degrees: ";
+    const double expected = 2.0 * vtkMath::Pi() * (1.0 - cosCone);
+    CheckEqual(what + "number of lights", samples.size(), 2000);
+    CheckEqual(what + "samples off their face", wrong, 0);
+    CheckRelative(what + "solid angle", solidAngle, expected, 1e-5, "weights are floats");
+    CheckAtMost(what + "farthest outside the cone", outermost, 1e-6, "rounding");
+    // Mean direction of a cap: pi (1 - cos^2).
+    CheckAbsolute(what + "sum along the axis", along, vtkMath::Pi() * (1.0 - cosCone * cosCone),
+      1e-3, "2000 directions of a lattice");
+  }
+}

@@ -4,8 +4,10 @@
 #ifndef vtkIndirectSamplePattern_h
 #define vtkIndirectSamplePattern_h
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/glm.hpp>
 
 namespace vtkIndirectSamplePattern
 {
@@ -38,6 +40,19 @@ inline void SquareToDisk(double& u, double& v)
   const double angle = wide ? quarterPi * (b / a) : quarterPi * (2.0 - a / b);
   u = 0.5 + 0.5 * radius * std::cos(angle);
   v = 0.5 + 0.5 * radius * std::sin(angle);
+}
+
+/**
+ * Direction i of n, spread evenly over the cone about -z whose cosine is given (-1: all
+ * directions): a Fibonacci lattice on the sphere, Swinbank and Purser 2006, "Fibonacci grids". No
+ * direction lies on the cone's rim.
+ */
+inline glm::dvec3 DirectionInCone(int i, int n, double cosCone)
+{
+  const double cosine = 1.0 - (i + 0.5) / n * (1.0 - cosCone);
+  const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  const double angle = 2.0 * 3.14159265358979323846 * GoldenRatioFraction(i);
+  return { sine * std::cos(angle), sine * std::sin(angle), -cosine };
 }
 
 /** PCG32, O'Neill 2014; [0,1). */
