@@ -56,6 +56,7 @@ void vtkGeometryBufferPass::Render(const vtkRenderState* s)
     return;
   }
   vtkNew<vtkSurfaceCapturePass> capture;
+  capture->ShadowsOff();
   capture->Attach(frame);
   this->Update(s, frame, capture, nullptr);
   capture->Detach();

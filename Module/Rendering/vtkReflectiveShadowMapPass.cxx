@@ -132,6 +132,7 @@ void vtkReflectiveShadowMapPass::Render(const vtkRenderState* s)
     return;
   }
   vtkNew<vtkSurfaceCapturePass> capture;
+  capture->ShadowsOff();
   capture->Attach(frame);
   this->Update(frame, capture);
   capture->Detach();

@@ -123,7 +123,9 @@ class Run:
     def __init__(self, comparison: Comparison, scene: Scene) -> None:
         self.comparison = comparison
         self.scene = scene
-        self.size = comparison.size or scene.size
+        stored = comparison.stored
+        self.stored = stored / f"{scene.name}.exr" if stored else None
+        self.size = comparison.size or references.natural_size(self.stored) or scene.size
         self.common: Result = {
             "schema": SCHEMA,
             "scene": scene.name,
@@ -160,9 +162,7 @@ class Run:
     def references(self) -> References:
         """References of the scene, made on first use."""
         if self._references is None:
-            stored = self.comparison.stored
-            path = stored / f"{self.scene.name}.exr" if stored else None
-            self._references = references.collect(self.scene, self.size, path)
+            self._references = references.collect(self.scene, self.size, self.stored)
             scale = 0.5 / float(self._references.images["R1"].mean())
             self._write("R1", shown(self._references.images["R1"], scale))
         return self._references

@@ -36,7 +36,10 @@ def add_arguments(
         "-o", "--output", default="report", metavar="DIRECTORY", help="(default: report)"
     )
     parser.add_argument(
-        "--size", type=size, metavar="WxH", help="picture size in pixels (default: the scene's)"
+        "--size",
+        type=size,
+        metavar="WxH",
+        help="picture size in pixels (default: three times the stored reference's, else the scene's)",
     )
     parser.add_argument(
         "--frames",

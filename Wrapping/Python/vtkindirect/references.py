@@ -6,8 +6,8 @@
 * R2: one diffuse bounce with true visibility, R3: all bounces; path traced beforehand and stored as
   layers of ``<scene>.exr`` (irradiance in VTK's units, albedo divided out).
 
-A stored reference is smaller than the image it judges: its pixels are the centres of blocks of
-`FACTOR` x `FACTOR` pixels, so the very same points are compared.
+A stored reference may be smaller than the image it judges, by an odd factor: its pixels are then the
+centres of blocks of pixels, and the very same points are compared.
 """
 
 from __future__ import annotations
@@ -26,6 +26,8 @@ from vtkindirect.scene import Scene
 STORED = ("R2", "R3")
 MAP_TEXELS = 256
 """Edge of the maps that make R1; at 128 its own relMSE is below 2e-5."""
+FACTOR = 3
+"""How many times the size of a stored reference the image is when nobody says."""
 
 
 @dataclass
@@ -89,6 +91,17 @@ def read_layer(path: Path, layer: str) -> np.ndarray | None:
     scalars = image.GetPointData().GetScalars()
     width, height, _ = image.GetDimensions()
     return vtk_to_numpy(scalars).reshape(height, width, -1)[..., :3].astype(np.float64)
+
+
+def natural_size(stored: Path | None) -> tuple[int, int] | None:
+    """Width and height that a stored reference suits best; None when there is none."""
+    if stored is None or not stored.exists():
+        return None
+    for name in STORED:
+        layer = read_layer(stored, name)
+        if layer is not None:
+            return FACTOR * layer.shape[1], FACTOR * layer.shape[0]
+    return None
 
 
 def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> References:
