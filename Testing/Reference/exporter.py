@@ -1,0 +1,286 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes down what VTK's opaque pass draws of a scene, for a path tracer.
+
+Needs VTK and the package vtkindirect; needs no OpenGL. Everything is taken from the VTK objects,
+not from the scene file, so whatever made them is in the reference too.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkPolygon
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkCamera,
+    vtkLight,
+    vtkMapper,
+    vtkProperty,
+    vtkRenderer,
+)
+
+from description import Camera, Description, Light, Surface
+
+# vtkMapper's scalar modes, by number in VTK's headers.
+_DEFAULT, _POINT, _CELL, _POINT_FIELD, _CELL_FIELD = range(5)
+
+
+class ExportError(Exception):
+    """The scene has something that the reference cannot have; the text says what."""
+
+
+# Camera and lights --------------------------------------------------------------------------------
+
+
+def export_camera(camera: vtkCamera) -> Camera:
+    """Return a camera. Shears, off-centre windows and explicit matrices are refused."""
+    if (
+        tuple(camera.GetWindowCenter()) != (0.0, 0.0)
+        or tuple(camera.GetViewShear()) != (0.0, 0.0, 1.0)
+        or camera.GetUseHorizontalViewAngle()
+        or camera.GetUseOffAxisProjection()
+        or camera.GetUseExplicitProjectionTransformMatrix()
+        or camera.GetUserViewTransform() is not None
+    ):
+        raise ExportError("the camera's projection is not a plain one")
+    view = matrix_of(camera.GetViewTransformMatrix())
+    parallel = bool(camera.GetParallelProjection())
+    near, far = camera.GetClippingRange()
+    half_height = (
+        camera.GetParallelScale()
+        if parallel
+        else math.tan(math.radians(0.5 * camera.GetViewAngle()))
+    )
+    return Camera(
+        list(camera.GetPosition()),
+        view[0, :3].tolist(),
+        view[1, :3].tolist(),
+        (-view[2, :3]).tolist(),
+        half_height,
+        parallel,
+        near,
+        far,
+    )
+
+
+def export_light(light: vtkLight) -> Light:
+    """Return a light as VTK's shaders see it."""
+    position = np.array(light.GetTransformedPosition())
+    direction = np.array(light.GetTransformedFocalPoint()) - position
+    length = np.linalg.norm(direction)
+    if not length > 0.0:
+        raise ExportError("a light has no direction")
+    strength = [light.GetIntensity() * value for value in light.GetDiffuseColor()]
+    direction = (direction / length).tolist()
+    if not light.GetPositional():
+        return Light(False, position.tolist(), direction, strength)
+    cone = light.GetConeAngle() if light.GetConeAngle() < 90.0 else None
+    return Light(
+        True,
+        position.tolist(),
+        direction,
+        strength,
+        list(light.GetAttenuationValues()),
+        cone,
+        light.GetExponent() if cone is not None else 0.0,
+    )
+
+
+# Surfaces -----------------------------------------------------------------------------------------
+
+
+def matrix_of(matrix: vtkMatrix4x4) -> np.ndarray:
+    """Return a matrix of VTK as an array of 4 x 4."""
+    return np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+
+
+def _fans(cells: vtkCellArray, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the triangle fans of polygons of `count` points, and the index of each's cell."""
+    offsets = vtk_to_numpy(cells.GetOffsetsArray()).astype(np.int64)
+    points = vtk_to_numpy(cells.GetConnectivityArray()).astype(np.int64)
+    (which,) = np.nonzero(np.diff(offsets) == count)
+    corners = points[offsets[which][:, None] + np.arange(count)]
+    faces = [corners[:, [0, i, i + 1]] for i in range(1, count - 1)]
+    return np.stack(faces, axis=1).reshape(-1, 3), np.repeat(which, count - 2)
+
+
+def _earcuts(data: vtkPolyData, cells: vtkCellArray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the triangles of polygons of seven points and more, as VTK's mapper cuts them."""
+    offsets = vtk_to_numpy(cells.GetOffsetsArray())
+    faces: list[list[int]] = []
+    which: list[int] = []
+    corners, cut = vtkIdList(), vtkIdList()
+    for cell in np.nonzero(np.diff(offsets) > 6)[0].tolist():
+        cells.GetCellAtId(cell, corners)
+        polygon = vtkPolygon()
+        polygon.Initialize(corners.GetNumberOfIds(), corners_of(corners), data.GetPoints())
+        polygon.Triangulate(cut)
+        for i in range(0, cut.GetNumberOfIds() - 2, 3):
+            faces.append([corners.GetId(cut.GetId(i + k)) for k in range(3)])
+            which.append(cell)
+    return np.array(faces, dtype=np.int64).reshape(-1, 3), np.array(which, dtype=np.int64)
+
+
+def corners_of(points: vtkIdList) -> list[int]:
+    """Return a list of VTK's as a list."""
+    return [points.GetId(i) for i in range(points.GetNumberOfIds())]
+
+
+def _strips(cells: vtkCellArray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the triangles of strips; every second one is turned round."""
+    faces: list[list[int]] = []
+    which: list[int] = []
+    corners = vtkIdList()
+    for cell in range(cells.GetNumberOfCells()):
+        cells.GetCellAtId(cell, corners)
+        strip = corners_of(corners)
+        for i in range(len(strip) - 2):
+            odd = i % 2
+            faces.append([strip[i], strip[i + 1 + odd], strip[i + 2 - odd]])
+            which.append(cell)
+    return np.array(faces, dtype=np.int64).reshape(-1, 3), np.array(which, dtype=np.int64)
+
+
+def triangles(data: vtkPolyData) -> tuple[np.ndarray, np.ndarray]:
+    """Return the triangles that VTK's mapper draws, and the data's cell of each."""
+    parts: list[tuple[np.ndarray, np.ndarray]] = []
+    before = data.GetNumberOfVerts() + data.GetNumberOfLines()
+    if data.GetNumberOfPolys():
+        polys = data.GetPolys()
+        sizes = np.unique(np.diff(vtk_to_numpy(polys.GetOffsetsArray())))
+        parts += [_fans(polys, count) for count in sizes.tolist() if 3 <= count <= 6]
+        if sizes[-1] > 6:
+            parts.append(_earcuts(data, polys))
+        parts = [(faces, cells + before) for faces, cells in parts]
+    if data.GetNumberOfStrips():
+        faces, cells = _strips(data.GetStrips())
+        parts.append((faces, cells + before + data.GetNumberOfPolys()))
+    if not parts:
+        return np.zeros((0, 3), dtype=np.int64), np.zeros(0, dtype=np.int64)
+    return np.concatenate([p[0] for p in parts]), np.concatenate([p[1] for p in parts])
+
+
+def scalar_colors(mapper: vtkMapper, data: vtkPolyData) -> tuple[np.ndarray, bool] | None:
+    """Return the colours 0 to 1 by which a mapper colours, and whether they are the cells'."""
+    if not mapper.GetScalarVisibility():
+        return None
+    mode = mapper.GetScalarMode()
+    if mode == _DEFAULT:
+        on_cells = data.GetPointData().GetScalars() is None
+    elif mode in (_POINT, _POINT_FIELD, _CELL, _CELL_FIELD):
+        on_cells = mode in (_CELL, _CELL_FIELD)
+    else:
+        raise ExportError("an actor is coloured by field data")
+    colors = mapper.MapScalars(1.0)
+    if colors is None:
+        return None
+    if mapper.GetInterpolateScalarsBeforeMapping() and not on_cells:
+        raise ExportError("an actor interpolates scalars before it maps them")
+    return vtk_to_numpy(colors)[:, :3].astype(np.float64) / 255.0, on_cells
+
+
+def _check_material(prop: vtkProperty, actor: vtkActor) -> None:
+    if prop.GetInterpolationAsString() == "Physically based rendering":
+        raise ExportError("an actor has a physically based material; references are for Phong")
+    if prop.GetRepresentationAsString() != "Surface":
+        raise ExportError("an actor is drawn as points or as wires")
+    if prop.GetFrontfaceCulling() or prop.GetBackfaceCulling() or actor.GetBackfaceProperty():
+        raise ExportError("an actor draws its front and back differently")
+    if actor.GetTexture() is not None or prop.GetNumberOfTextures():
+        raise ExportError("an actor has a texture")
+
+
+def export_actor(actor: vtkActor) -> Surface:
+    """Return the triangles of an actor in world coordinates, shaded as its mapper does."""
+    prop = actor.GetProperty()
+    _check_material(prop, actor)
+    mapper = actor.GetMapper()
+    mapper.Update()
+    data = mapper.GetInput()
+    faces, cells = triangles(data)
+    to_world = matrix_of(actor.GetMatrix())
+    points = vtk_to_numpy(data.GetPoints().GetData()).astype(np.float64)
+    points = points @ to_world[:3, :3].T + to_world[:3, 3]
+    edges = [points[faces[:, i]] - points[faces[:, 0]] for i in (1, 2)]
+    facet = np.cross(*edges)
+    area = np.linalg.norm(facet, axis=1)
+    drawn = area > 0.0
+    faces, cells, facet = faces[drawn], cells[drawn], facet[drawn] / area[drawn, None]
+
+    turn = np.linalg.inv(to_world[:3, :3])  # from the right: the inverse transposed
+    flat = prop.GetInterpolationAsString() == "Flat"
+    point_normals = None if flat else data.GetPointData().GetNormals()
+    cell_normals = data.GetCellData().GetNormals() if point_normals is None else None
+    colors = scalar_colors(mapper, data)
+    shared = point_normals is not None and not (colors is not None and colors[1])
+    corners = np.unique(faces) if shared else faces.reshape(-1)
+    of_cell = None if shared else np.repeat(cells, 3)
+
+    if point_normals is not None:
+        normals = (vtk_to_numpy(point_normals).astype(np.float64) @ turn)[corners]
+    elif cell_normals is not None:
+        normals = (vtk_to_numpy(cell_normals).astype(np.float64) @ turn)[of_cell]
+    else:
+        normals = np.repeat(facet, 3, axis=0)
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = normals / np.where(length > 0.0, length, 1.0)
+
+    if colors is None:
+        color = np.broadcast_to(np.array(prop.GetDiffuseColor()), normals.shape)
+    else:
+        color = colors[0][of_cell if colors[1] else corners]
+    if shared:
+        faces = np.searchsorted(corners, faces)
+    else:
+        faces = np.arange(len(corners)).reshape(-1, 3)
+    return Surface(points[corners], normals, prop.GetDiffuse() * color, faces)
+
+
+def _why_left_out(actor: vtkActor) -> str | None:
+    """Return why the indirect light passes draw nothing of a visible actor, or None."""
+    if actor.HasTranslucentPolygonalGeometry():
+        return "translucent"
+    data = actor.GetMapper().GetInput()
+    if data is None or data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0:
+        return "has no polygons"
+    return None
+
+
+def export_renderer(
+    renderer: vtkRenderer,
+    name: str,
+    size: tuple[int, int],
+    actors: Iterable[tuple[str, vtkActor]],
+) -> Description:
+    """Return what a renderer draws of its actors at `size` pixels."""
+    renderer.UpdateLightsGeometryToFollowCamera()
+    left_out: list[dict[str, str]] = []
+    parts: list[Surface] = []
+    for label, actor in actors:
+        if not actor.GetVisibility():
+            continue
+        reason = _why_left_out(actor)
+        if reason is not None:
+            left_out.append({"what": label, "why": reason})
+            continue
+        try:
+            parts.append(export_actor(actor))
+        except ExportError as error:
+            raise ExportError(f"{name}, {label}: {error}") from None
+    if not parts:
+        raise ExportError(f"{name}: nothing opaque is visible")
+    found = renderer.GetLights()
+    lights = [found.GetItemAsObject(i) for i in range(found.GetNumberOfItems())]
+    return Description(
+        name,
+        size,
+        export_camera(renderer.GetActiveCamera()),
+        [export_light(light) for light in lights if light.GetSwitch()],
+        Surface.join(parts),
+        left_out,
+    )

@@ -1,0 +1,361 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes the references R2 and R3 of scenes: path traced indirect irradiance, with its error.
+
+    make_references.py [SCENE...] [--quick] [--force] [--list]
+
+SCENE is a name in Testing/Scenes; default: all of `SCENES`. A reference that is current is left
+alone, and work that was interrupted goes on where it stopped. Documentation/reference.md explains.
+"""
+
+from __future__ import annotations
+
+import argparse
+import datetime
+import hashlib
+import json
+import platform
+import sys
+import time
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import estimates
+import exporter
+import provenance
+import tools
+from description import Description
+from estimates import Estimate
+
+SCENES = ("cornell_box", "room_fire", "apartment_living", "frog", "protein", "brain")
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How large and how good. `noise`: the relMSE that the noise of R2 may make, `deep_noise` R3's.
+
+    Samples are those of one batch; there are `least` to `most` batches. `tail`: the part of the
+    light that bounces beyond the last may hold; `deepest` caps them where that is out of reach.
+    """
+
+    width: int = 256
+    samples: int = 1024
+    deep_samples: int = 256
+    least: int = 4
+    most: int = 16
+    noise: float = 3e-4
+    deep_noise: float = 1e-3
+    pilot_samples: int = 16
+    tail: float = 1e-3
+    deepest: int = 32
+
+
+QUICK = Settings(width=96, samples=256, deep_samples=64, least=2, most=2, pilot_samples=16)
+
+
+class Meter:
+    """A progress bar for work whose plan may grow on the way, on standard error.
+
+    On a terminal the bar redraws itself and vanishes at the end; elsewhere there is a line for each
+    quarter.
+    """
+
+    WIDTH = 40
+
+    def __init__(self, label: str) -> None:
+        self._label = label
+        self._planned = 0.0
+        self._done = 0.0
+        self._quarters = 0
+
+    def plan(self, cost: float) -> None:
+        """Add work that is to be done."""
+        self._planned += cost
+
+    def advance(self, cost: float) -> None:
+        """Say that a part of the planned work is done."""
+        self._done += cost
+        fraction = min(1.0, self._done / self._planned)
+        if sys.stderr.isatty():
+            bar = ("#" * int(self.WIDTH * fraction)).ljust(self.WIDTH, ".")
+            print(f"\r{self._label:20} [{bar}] {100 * fraction:3.0f}%", end="", file=sys.stderr)
+        elif int(4 * fraction) > self._quarters:
+            self._quarters = int(4 * fraction)
+            print(f"{self._label}: {25 * self._quarters}%", file=sys.stderr)
+        sys.stderr.flush()
+
+    def clear(self) -> None:
+        """Remove the bar."""
+        if sys.stderr.isatty():
+            print("\r" + " " * (self.WIDTH + 30) + "\r", end="", file=sys.stderr, flush=True)
+
+
+class Work:
+    """A scene being traced. What is done lies in a folder, named by all that it depends on."""
+
+    def __init__(self, path: Path, settings: Settings, meter: Meter) -> None:
+        self.settings = settings
+        self.meter = meter
+        self.scene = tools.describe(path)
+        width, height = self.scene.size
+        self.size = (settings.width, max(1, round(settings.width * height / width)))
+        self.name = path.stem
+        self.scene_hash = provenance.scene_hash(path)
+        self.data_hashes = provenance.data_hashes(path)
+        parts = (self.scene_hash, self.data_hashes, self.size, provenance.METHOD)
+        key = hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:16]
+        self.folder = tools.SOURCE / "build" / "reference-work" / f"{self.name}-{key}"
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self.scene.save(self.folder)
+        self.versions: dict[str, str] = {}
+        self.seconds = 0.0
+        self._met: set[str] = set()
+
+    def trace(self, batches: list[dict[str, Any]]) -> list[dict[str, np.ndarray]]:
+        """Return batches of one kind, tracing those that are not there yet."""
+        wanted = [batch for batch in batches if not (self.folder / batch["file"]).exists()]
+        for batch in batches:
+            if batch not in wanted and batch["file"] not in self._met:
+                self.meter.advance(batch["samples"] * batch["depth"])
+            self._met.add(batch["file"])
+        surfaces = self.folder / "surfaces.npz"
+        versions = self.folder / "versions.json"
+        if wanted or not surfaces.exists() or not versions.exists():
+            job = {"size": list(self.size), "surfaces": surfaces.name, "batches": wanted}
+            each = wanted[0]["samples"] * wanted[0]["depth"] if wanted else 0
+            found = tools.trace(self.folder, job, lambda part: self.meter.advance(part * each))
+            versions.write_text(json.dumps(found))
+        self.versions = json.loads(versions.read_text())
+        arrays = []
+        for batch in batches:
+            with np.load(self.folder / batch["file"]) as loaded:
+                arrays.append(dict(loaded))
+        self.seconds += sum(float(found["seconds"]) for found in arrays)
+        return arrays
+
+    def batch(self, label: str, index: int, samples: int, depth: int, first: int) -> dict[str, Any]:
+        """Return the description of a batch; its seed depends on scene, label and index only."""
+        return {
+            "file": f"{label}-{samples}-{depth}-{index}.npz",
+            "kind": "bounces",
+            "samples": samples,
+            "depth": depth,
+            "first": first,
+            "seed": [self.name, label, index],
+        }
+
+    @property
+    def surfaces(self) -> dict[str, np.ndarray]:
+        """What the eye sees; see `tracer.Tracer.surfaces`."""
+        with np.load(self.folder / "surfaces.npz") as loaded:
+            return dict(loaded)
+
+    def estimate(
+        self, label: str, samples: int, depth: int, first: int, of: Estimate | None
+    ) -> tuple[Estimate, np.ndarray, list[list[Any]]]:
+        """Trace batches until the noise is low enough.
+
+        Returns the estimate, the mean light of each bounce and the seeds. `of`: what the estimate
+        will be added to, and its noise compared with.
+        """
+        batches: list[dict[str, Any]] = []
+        while True:
+            count = len(batches)
+            more = self.settings.least if count == 0 else 2
+            batches += [
+                self.batch(label, index, samples, depth, first)
+                for index in range(count, min(count + more, self.settings.most))
+            ]
+            if count:
+                self.meter.plan((len(batches) - count) * samples * depth)
+            found = self.trace(batches)
+            valid = self.surfaces["valid"] > 0
+            result = estimates.combine([arrays["image"] for arrays in found], valid)
+            whole = result if of is None else of + result
+            limit = self.settings.noise if of is None else self.settings.deep_noise
+            done = len(batches) >= self.settings.most
+            if done or whole.noise(valid) <= limit:
+                means = np.mean([arrays["means"] for arrays in found], axis=0)
+                return result, means, [batch["seed"] for batch in batches]
+            for arrays in found:
+                self.seconds -= float(arrays["seconds"])
+
+
+def _summary(estimate: Estimate, valid: np.ndarray) -> dict[str, Any]:
+    return {
+        "mean": estimate.mean().tolist(),
+        "standard_error_of_mean": estimate.error_of_mean().tolist(),
+        "noise_relmse": estimate.noise(valid),
+    }
+
+
+def _vtk_image(values: np.ndarray) -> Any:
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+
+    height, width, components = values.shape
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    flat = np.ascontiguousarray(values.reshape(-1, components), dtype=np.float32)
+    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
+    return image
+
+
+def write_image(path: Path, picture: np.ndarray, layers: dict[str, np.ndarray]) -> None:
+    """Write an EXR file of halves, ZIP compressed."""
+    import vtkindirect
+
+    writer = vtkindirect.vtkOpenEXRWriter()
+    writer.SetPixelTypeToHalf()
+    writer.SetCompressionToZIP()
+    writer.SetInputData(_vtk_image(picture))
+    for name, values in layers.items():
+        writer.AddLayer(name, _vtk_image(values))
+    writer.SetFileName(str(path))
+    writer.Write()
+    if writer.GetErrorCode():
+        raise tools.ToolError(f"{path}: cannot be written")
+
+
+def _geometry(scene: Description) -> dict[str, Any]:
+    points = scene.surface.points
+    return {
+        "triangles": len(scene.surface.faces),
+        "area": scene.surface.area,
+        "bounds": [points.min(axis=0).tolist(), points.max(axis=0).tolist()],
+        "left_out": scene.left_out,
+    }
+
+
+def make(path: Path, settings: Settings, directory: Path) -> dict[str, Any]:
+    """Make the reference of a scene file; returns its provenance."""
+    import vtkindirect
+    from vtkmodules.vtkCommonCore import vtkVersion
+
+    began = time.perf_counter()
+    meter = Meter(path.stem)
+    work = Work(path, settings, meter)
+    likely = settings.deepest // 2
+    meter.plan(settings.pilot_samples * settings.deepest)
+    meter.plan(settings.least * (settings.samples + settings.deep_samples * likely))
+    first = work.batch("pilot", 0, settings.pilot_samples, settings.deepest, 1)
+    pilot = work.trace([first])[0]["means"].mean(axis=1)
+    depth = estimates.depth_for(pilot, settings.tail)
+    meter.plan(settings.least * settings.deep_samples * (depth - likely))
+    one, _, seeds = work.estimate("one", settings.samples, 1, 1, None)
+    rest, means, deep_seeds = work.estimate("rest", settings.deep_samples, depth, 2, one)
+    everything = one + rest
+    meter.clear()
+
+    seen = work.surfaces
+    valid = seen["valid"] > 0
+    mask = valid[..., None]
+    picture = seen["albedo"] * (seen["direct"] + everything.image)
+    image, record = provenance.paths(path, directory)
+    layers = {
+        "R2": one.image,
+        "R3": everything.image,
+        "R2_error": np.sqrt((one.error**2).mean(axis=-1, keepdims=True)),
+        "R3_error": np.sqrt((everything.error**2).mean(axis=-1, keepdims=True)),
+        "albedo": seen["albedo"],
+        "direct": seen["direct"],
+        "depth": seen["depth"][..., None],
+    }
+    write_image(image, np.concatenate([picture * mask, mask], axis=-1), layers)
+    whole = means.mean(axis=1)
+    values: dict[str, Any] = {
+        "schema": provenance.SCHEMA,
+        "method": provenance.METHOD,
+        "scene": {"name": work.name, "sha256": work.scene_hash},
+        "data": work.data_hashes,
+        "image": {"file": image.name, "size": list(work.size)},
+        "settings": asdict(settings),
+        "receivers": int(valid.sum()),
+        "R2": {
+            "samples": settings.samples * len(seeds),
+            "batches": len(seeds),
+            "seeds": seeds,
+            "bounces": 1,
+            **_summary(one, valid),
+        },
+        "R3": {
+            "samples_beyond_first_bounce": settings.deep_samples * len(deep_seeds),
+            "batches_beyond_first_bounce": len(deep_seeds),
+            "seeds": deep_seeds,
+            "bounces": depth,
+            "capped": depth == settings.deepest,
+            "left_out_by_depth": estimates.tail(whole, depth),
+            "fraction_of_bounce": (whole / whole.sum()).tolist() if whole.sum() else [],
+            **_summary(everything, valid),
+        },
+        "geometry": _geometry(work.scene),
+        "versions": {
+            **work.versions,
+            "vtk": vtkVersion.GetVTKVersion(),
+            "vtkindirect": vtkindirect.__version__,
+            "python": platform.python_version(),
+        },
+        "seconds": {"tracing": round(work.seconds, 1)},
+        "made": datetime.date.today().isoformat(),
+    }
+    values["seconds"]["all"] = round(time.perf_counter() - began, 1)
+    values["image"]["sha256"] = provenance.file_hash(image)
+    record.write_text(json.dumps(values, indent=1) + "\n")
+    return values
+
+
+def _row(values: dict[str, Any]) -> str:
+    one, every = values["R2"], values["R3"]
+    size = "x".join(map(str, values["image"]["size"]))
+    return (
+        f"{values['scene']['name']:20} {size:>9} "
+        f"{np.mean(one['mean']):9.5f} {one['noise_relmse']:9.1e} "
+        f"{np.mean(every['mean']):9.5f} {every['noise_relmse']:9.1e} {every['bounces']:7d} "
+        f"{every['left_out_by_depth']:9.1e} {values['seconds']['tracing']:7.1f}"
+    )
+
+
+HEADER = (
+    f"{'scene':20} {'size':>9} {'R2 mean':>9} {'noise':>9} {'R3 mean':>9} {'noise':>9} "
+    f"{'bounces':>7} {'left out':>9} {'s':>7}"
+)
+
+
+def main() -> int:
+    """Make what the command line asks for."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("scenes", nargs="*", default=list(SCENES), metavar="SCENE")
+    parser.add_argument("--quick", action="store_true", help="small and noisy, into --output")
+    parser.add_argument("--force", action="store_true", help="also those that are current")
+    parser.add_argument("--list", action="store_true", help="say which are current and exit")
+    parser.add_argument("--output", type=Path, help="default: Testing/Reference/data")
+    options = parser.parse_args()
+    directory = options.output or provenance.DATA
+    if options.quick and options.output is None:
+        directory = tools.SOURCE / "build" / "reference-quick"
+    for name in options.scenes:
+        if not provenance.scene_file(name).is_file():
+            return tools.fail(tools.ToolError(f"{provenance.scene_file(name)}: no such scene"))
+    if options.list:
+        for name in options.scenes:
+            print(f"{name:20} {provenance.why_stale(name, directory) or 'current'}")
+        return 0
+    try:
+        tools.tracer_python()
+        directory.mkdir(parents=True, exist_ok=True)
+        print(HEADER)
+        for name in options.scenes:
+            if options.force or provenance.why_stale(name, directory) is not None:
+                settings = QUICK if options.quick else Settings()
+                make(provenance.scene_file(name), settings, directory)
+            print(_row(provenance.read(name, directory)), flush=True)
+    except (tools.ToolError, exporter.ExportError) as error:
+        return tools.fail(error)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the scripts of this folder share: describing a scene file, and running the tracer."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import exporter
+from description import Description
+
+HERE = Path(__file__).resolve().parent
+SOURCE = HERE.parent.parent
+SCENES = HERE.parent / "Scenes"
+
+# The exit code that CTest takes for a test that could not run.
+SKIPPED = 125
+
+
+class ToolError(Exception):
+    """Something that the user can mend; the text is one line that says what."""
+
+
+def tracer_python() -> Path:
+    """Return the Python that has Mitsuba; VTKINDIRECT_REFERENCE_PYTHON overrides the default."""
+    given = os.environ.get("VTKINDIRECT_REFERENCE_PYTHON")
+    path = Path(given) if given else SOURCE / "build" / "reference-venv" / "bin" / "python"
+    if not path.exists():
+        raise ToolError(
+            f"{path}: there is no path tracer; run Testing/Reference/make_environment, "
+            "or set VTKINDIRECT_REFERENCE_PYTHON"
+        )
+    return path
+
+
+def describe(path: Path) -> Description:
+    """Return what VTK draws of a scene file."""
+    import vtkindirect
+
+    scene = vtkindirect.load_scene(path)
+    return exporter.export_renderer(scene.renderer, scene.name, scene.size, scene.actors.items())
+
+
+def trace(
+    folder: Path, job: dict[str, Any], on_progress: Callable[[float], None] | None = None
+) -> dict[str, str]:
+    """Do a job of `tracer.py` in a description's folder; returns the tracer's versions.
+
+    `on_progress` is called with the fraction of a batch that was done since the last call.
+    """
+    (folder / "job.json").write_text(json.dumps(job))
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    command = [tracer_python(), "-B", HERE / "tracer.py", folder, folder / "job.json"]
+    versions: dict[str, str] = {}
+    # A quiet neighbour: references take minutes, and nobody waits for them.
+    with subprocess.Popen(
+        ["nice", "-n", "10", *map(str, command)],
+        stdout=subprocess.PIPE,
+        text=True,
+        env=environment,
+    ) as process:
+        assert process.stdout is not None
+        for line in process.stdout:
+            word, _, rest = line.partition(" ")
+            if word == "progress" and on_progress is not None:
+                on_progress(float(rest))
+            elif word == "versions":
+                versions = json.loads(rest)
+    if process.returncode:
+        raise ToolError(f"the path tracer failed with exit code {process.returncode}")
+    return versions
+
+
+def fail(error: Exception) -> int:
+    """Print one line about an error and return an exit code."""
+    print(f"{Path(sys.argv[0]).name}: {error}", file=sys.stderr)
+    return 1
