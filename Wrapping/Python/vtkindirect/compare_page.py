@@ -51,7 +51,7 @@ def _markdown(results: Sequence[Result], plots: dict[str, str]) -> str:
     lines = [
         "# Speed against error",
         "",
-        f"vtk-indirect {first.get('version', '')} (commit {first['commit'] or 'unknown'}, shaders "
+        f"vtk-indirect {next((r['version'] for r in results if r.get('version')), '')} (commit {first['commit'] or 'unknown'}, shaders "
         f"{next((r['shader_hash'] for r in results if r.get('shader_hash')), '')[:12]}), VTK "
         f"{first['vtk']}, {next((r['gl'] for r in results if r.get('gl')), '')}.",
         "",
