@@ -27,10 +27,11 @@ vtkStandardNewMacro(vtkReflectiveShadowMapPass);
 namespace
 {
 const vtkIndirectChannel Channels[] = {
-  { "rsm.reflectance", "vtkiMapReflectance", "albedo (n_s.l)/(n_g.l)", GL_RGBA32F, "-", "1" },
+  { "rsm.albedo", "vtkiMapAlbedo", "diffuse reflectance", GL_RGBA16F, "-", "1" },
   { "rsm.surface", "vtkiMapSurface", "octahedral normal and kind, linear depth", GL_RGBA32F,
     "face view", "1, 1, scene units" },
-  { "rsm.cosine", "vtkiMapCosine", "cosine at the geometric normal", GL_R16F, "-", "1" },
+  { "rsm.slope", "vtkiMapSlope", "slope of depth over a texel's width", GL_RG16F, "face view",
+    "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 

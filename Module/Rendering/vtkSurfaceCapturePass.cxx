@@ -315,11 +315,10 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   if (lit)
   {
     // Derivatives belong in front of anything that may discard.
-    visibility =
-      std::string("vec3 vtkiPosition = vertexVC.xyz * vtkiSceneScale;\n"
-                  "  vec3 vtkiFacet = cross(dFdx(vtkiPosition), dFdy(vtkiPosition));\n") +
-      (this->Shadows ? "  vec3 vtkiFacetNormalVC =\n"
-                       "    vtkiFacetNormal(vtkiPosition, vtkiFacet, normalVCVSOutput);\n"
+    visibility = std::string("  vec2 vtkiSlope = vtkiDepthSlope(-vertexVC.z * vtkiSceneScale);\n") +
+      (this->Shadows ? "  vec3 vtkiPosition = vertexVC.xyz * vtkiSceneScale;\n"
+                       "  vec3 vtkiFacetNormalVC = vtkiFacetNormal(vtkiPosition,\n"
+                       "    cross(dFdx(vtkiPosition), dFdy(vtkiPosition)), normalVCVSOutput);\n"
                      : "") +
       visibility;
   }
@@ -345,8 +344,8 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
     !lit ? "VTKI_SURFACE_UNLIT" : (pbr ? "VTKI_SURFACE_ENCODED" : "VTKI_SURFACE_LINEAR");
   declarations += "#define VTKI_ALBEDO " + albedo + "\n";
   declarations += std::string("#define VTKI_NORMAL ") + (lit ? "normalVCVSOutput" : "vec3(0.0)") +
-    "\n#define VTKI_FACET " + (lit ? "vtkiFacet" : "vec3(0.0)") + "\n#define VTKI_POSITION " +
-    (lit ? "vtkiPosition" : "vec3(0.0)") + "\n#define VTKI_KIND " + kind + "\n#define VTKI_DEPTH " +
+    "\n#define VTKI_SLOPE " + (lit ? "vtkiSlope" : "vec2(0.0)") + "\n#define VTKI_KIND " + kind +
+    "\n#define VTKI_DEPTH " +
     (positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()") +
     // VTK's PBR divides diffuse reflection by pi, its Phong does not.
     "\n#define VTKI_SENDER_SCALE " + (pbr ? "(1.0 / VTKI_PI)" : "1.0") + "\n";

@@ -15,8 +15,10 @@ size_t BytesPerTexel(unsigned int internalFormat)
 {
   switch (internalFormat)
   {
-    case GL_R16F:
-      return 2;
+    case GL_RG16F:
+      return 4;
+    case GL_RGBA16F:
+      return 8;
     default:
       return 16;
   }

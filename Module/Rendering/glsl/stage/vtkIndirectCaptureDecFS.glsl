@@ -115,27 +115,13 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
 }
 #endif
 
-// Least normal 16-bit float: the cosine is stored in one, and divided by.
-const float VTKI_COSINE_MIN = 6.2e-5f;
-
-// What a texel of a map holds: albedo (n_s.l)/(n_g.l), and the cosine at the geometric normal. What
-// depends on the light alone is multiplied when the map is sampled: far fewer texels, and a light
-// that changes strength or falloff redraws nothing.
-// position: this face's view coordinates, scene units; facet: cross product of its derivatives.
-// Drivers that flatten branches run this for the eye too, hence no branch and few divisions.
-vec4 vtkiSenderReflectance(vec3 position, vec3 normal, vec3 facet, vec3 albedo)
+// How a surface runs in a light's map: change of depth (parallel) or of inverse depth times depth
+// (perspective) over one texel's width. On a plane both are affine, so two derivatives tell the facet's
+// normal. Cosines are made of it when the map is sampled, at far fewer texels than are drawn here.
+vec2 vtkiDepthSlope(float depth)
 {
-  // From the light: along the ray, or along the axis of a parallel map.
-  vec3 ray = mix(vec3(0.0f, 0.0f, -1.0f), position, vtkiMapLight.x);
-  float ray2 = dot(ray, ray);
-  float facet2 = dot(facet, facet);
-  float perLength = ray2 > 0.0f ? inversesqrt(ray2) : 0.0f;
-  float perFacet = facet2 > 0.0f ? inversesqrt(facet2) : 0.0f;
-  // One texel may not cover more depth than the scene has.
-  float cosGeometricMin = max(ray2 * perLength * vtkiMapLight.y, VTKI_COSINE_MIN);
-  float cosGeometric = max(abs(dot(facet, ray)) * perLength * perFacet, cosGeometricMin);
-  float cosShading = max(-dot(normal, ray) * perLength, 0.0f);
-  return vec4(albedo * (cosShading / cosGeometric), cosGeometric);
+  float s = mix(depth, 1.0f / depth, vtkiMapLight.x);
+  return vec2(dFdx(s), dFdy(s)) * (mix(1.0f, depth, vtkiMapLight.x) / vtkiMapLight.y);
 }
 
 float vtkiLinearDepth()

@@ -1,5 +1,5 @@
   // The mapper's names are bound to these by vtkSurfaceCapturePass: VTKI_ALBEDO, VTKI_NORMAL,
-  // VTKI_POSITION, VTKI_FACET, VTKI_KIND, VTKI_DEPTH, VTKI_SENDER_SCALE.
+  // VTKI_SLOPE, VTKI_KIND, VTKI_DEPTH, VTKI_SENDER_SCALE.
   {
     vec3 vtkiAlbedo = max(VTKI_ALBEDO, vec3(0.0f));
     vec3 vtkiNormal = VTKI_NORMAL;
@@ -13,11 +13,8 @@
     gl_FragData[1] = vtkiPackSurface(vtkiNormal, VTKI_DEPTH, vtkiKind);
     if (vtkiStage != 0)
     {
-      vec4 vtkiReflectance =
-        vtkiSenderReflectance(VTKI_POSITION, vtkiNormal, VTKI_FACET, vtkiAlbedo * VTKI_SENDER_SCALE);
-      bool vtkiSends = vtkiKind != VTKI_SURFACE_UNLIT;
-      gl_FragData[0] = vec4(vtkiSends ? vtkiReflectance.rgb : vec3(0.0f), 1.0f);
-      gl_FragData[2] = vec4(vtkiReflectance.a, 0.0f, 0.0f, 1.0f);
+      gl_FragData[0] = vec4(vtkiAlbedo * VTKI_SENDER_SCALE, 1.0f);
+      gl_FragData[2] = vec4(VTKI_SLOPE, 0.0f, 1.0f);
     }
     else
     {

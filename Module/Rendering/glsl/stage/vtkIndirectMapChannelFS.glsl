@@ -24,12 +24,13 @@ void main()
   {
     value = vtkiTransformRows(layer, 0, vec4(vtkiSurfaceNormal(surface), 0.0f));
   }
-  else if (vtkiChannel == 2)
+  else if (vtkiChannel == 2 && vtkiSurfaceIsLit(surface))
   {
-    bool parallel = int(map.x + 0.5f) == VTKI_MAP_PARALLEL;
     vec4 own = texelFetch(vtkiMapTable, ivec2(3, layer), 0);
-    value = texelFetch(vtkiMapReflectance, at, 0).rgb *
-      vtkiMapFalloff(layer, own, vtkiMapPosition(own, at.xy, surface.z)) /
+    bool parallel = int(own.x + 0.5f) == VTKI_MAP_PARALLEL;
+    vec3 p = vtkiMapPosition(own, at.xy, surface.z);
+    float cosine = vtkiMapFacetCosine(own, texelFetch(vtkiMapSlope, at, 0).rg, p);
+    value = vtkiMapReflectance(layer, at.xy, own, surface, p, cosine) * vtkiMapFalloff(layer, own, p) /
       (parallel ? 1.0f : vtkiSceneScale * vtkiSceneScale);
   }
   gl_FragData[0] = vec4(value, 1.0f);

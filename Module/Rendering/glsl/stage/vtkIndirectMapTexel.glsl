@@ -6,9 +6,12 @@
 #include "vtkIndirectLibLightMap.glsl"
 
 uniform sampler2D vtkiMapTable;
-uniform sampler2DArray vtkiMapReflectance;
+uniform sampler2DArray vtkiMapAlbedo;
 uniform sampler2DArray vtkiMapSurface;
-uniform sampler2DArray vtkiMapCosine;
+uniform sampler2DArray vtkiMapSlope;
+
+// Far below the least cosine that a texel of any map can have; keeps divisions defined.
+const float VTKI_COSINE_MIN = 1.0e-6f;
 
 // Position of a texel's surface in its face's view coordinates.
 vec3 vtkiMapPosition(vec4 map, ivec2 texel, float depth)
@@ -34,6 +37,32 @@ float vtkiMapFalloff(int layer, vec4 map, vec3 p)
                   : 0.0f;
 }
 
+// Cosine at the facet's own normal, from the slope of its depth (see vtkiDepthSlope). The plane
+// n.(d t, -d) = c has inverse depth n.(t, -1) / c, with gradient n.xy / c over tangents t.
+// One texel may not cover more depth than the scene has.
+float vtkiMapFacetCosine(vec4 map, vec2 slope, vec3 p)
+{
+  float texelSize = 2.0f * map.y / map.z;
+  if (int(map.x + 0.5f) == VTKI_MAP_PARALLEL)
+  {
+    return max(inversesqrt(1.0f + dot(slope, slope)), texelSize);
+  }
+  vec2 tangent = p.z < 0.0f ? p.xy / -p.z : vec2(0.0f);
+  float across = 1.0f - dot(slope, tangent);
+  float cosine =
+    inversesqrt(max((dot(slope, slope) + across * across) * (1.0f + dot(tangent, tangent)), 1.0f));
+  return max(cosine, max(length(p) * texelSize, VTKI_COSINE_MIN));
+}
+
+// Albedo times the ratio of the cosines at the shading and the facet's normal.
+vec3 vtkiMapReflectance(int layer, ivec2 texel, vec4 map, vec4 surface, vec3 p, float facetCosine)
+{
+  bool parallel = int(map.x + 0.5f) == VTKI_MAP_PARALLEL;
+  vec3 toLight = parallel ? vec3(0.0f, 0.0f, 1.0f) : -p / max(length(p), VTKI_COSINE_MIN * facetCosine);
+  return texelFetch(vtkiMapAlbedo, ivec3(texel, layer), 0).rgb *
+    vtkiCosineRatio(dot(vtkiSurfaceNormal(surface), toLight), facetCosine, facetCosine);
+}
+
 struct vtkiVirtualLight
 {
   vec3 position; // scene units
@@ -56,8 +85,6 @@ bool vtkiVirtualLightFromTexel(int layer, ivec2 texel, out vtkiVirtualLight ligh
   vec4 map = texelFetch(vtkiMapTable, ivec2(3, layer), 0);
   vec4 power = texelFetch(vtkiMapTable, ivec2(4, layer), 0);
   vec4 surface = texelFetch(vtkiMapSurface, ivec3(texel, layer), 0);
-  vec3 reflectance = texelFetch(vtkiMapReflectance, ivec3(texel, layer), 0).rgb;
-  float cosine = texelFetch(vtkiMapCosine, ivec3(texel, layer), 0).r;
   light.position = vec3(0.0f);
   light.normal = vec3(0.0f, 0.0f, 1.0f);
   light.area = 1.0f;
@@ -73,6 +100,9 @@ bool vtkiVirtualLightFromTexel(int layer, ivec2 texel, out vtkiVirtualLight ligh
   float footprint = parallel
     ? texelSize * texelSize
     : vtkiTexelSolidAngle((vec2(texel) + 0.5f) * texelSize - map.y, texelSize);
+  vec2 slope = texelFetch(vtkiMapSlope, ivec3(texel, layer), 0).rg;
+  float cosine = vtkiMapFacetCosine(map, slope, p);
+  vec3 reflectance = vtkiMapReflectance(layer, texel, map, surface, p, cosine);
   light.position = vtkiTransformRows(layer, 0, vec4(p, 1.0f));
   light.normal = vtkiTransformRows(layer, 0, vec4(vtkiSurfaceNormal(surface), 0.0f));
   light.area = footprint * (parallel ? 1.0f : dot(p, p)) / cosine;
