@@ -15,9 +15,10 @@
  * When it is sampled, albedo (n_s.l)/(n_g.l) times att(d) d^2 cone (positional lights) is the reflected
  * density, and that times the texel's solid angle (directional: its area) and the light's intensity the
  * reflected radiance times area, B A. The density does not depend on the resolution: the sum of B A
- * over a map is the light's reflected flux at any
- * number of texels. A face is drawn again only when its light's place, what it can see
- * (GetRedrawMTime) or the resolution has changed; strength, falloff and exponent redraw nothing.
+ * over a map is the light's reflected flux at any number of texels.
+ *
+ * A face is drawn again only when its light's place, what it can see (GetRedrawMTime) or the resolution
+ * has changed; strength, falloff and exponent redraw nothing.
  */
 
 #ifndef vtkReflectiveShadowMapPass_h
