@@ -59,7 +59,6 @@ struct vtkIndirectIlluminationPass::Internals
   bool HasIrradiance = false;
   bool EyeIsMap = false;
   std::string WhyDelegate = "no frame has been rendered yet";
-  vtkIndirectReport Report;
   vtkIndirectStageTimer Timer;
 
   // What the irradiance was computed from; empty when there is none.
@@ -213,7 +212,6 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   in.Timer.BeginFrame();
   in.View.Begin(s);
 
-  in.Report = vtkIndirectReport();
   in.Frame = vtkIndirectFrame();
   in.Renderer = renderer;
   in.HasBuffers = in.HasIrradiance = in.EyeIsMap = false;

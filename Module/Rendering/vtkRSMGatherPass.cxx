@@ -216,7 +216,6 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   program->SetUniform2i("vtkiCoarseSize", coarse);
   program->SetUniformf("vtkiMinimumCosine", static_cast<float>(this->InterpolationMinimumCosine));
   program->SetUniformf("vtkiPlaneTolerance", static_cast<float>(this->InterpolationPlaneTolerance));
-  program->SetUniformi("vtkiShowGathered", 0);
   if (!neighborhood)
   {
     const int all[2] = { 0, rows };

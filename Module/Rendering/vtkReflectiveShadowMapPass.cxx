@@ -77,7 +77,6 @@ struct vtkReflectiveShadowMapPass::Internals
   std::vector<FaceKey> Faces; // by layer
   std::vector<float> Table;
   vtkSmartPointer<vtkTextureObject> TableTexture;
-  vtkOpenGLRenderWindow* Window = nullptr;
 };
 
 vtkReflectiveShadowMapPass::vtkReflectiveShadowMapPass()
@@ -173,7 +172,6 @@ bool vtkReflectiveShadowMapPass::Update(
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   bool lost = false;
-  in.Window = frame.Window;
   if (!in.Target.Resize(frame.Window, this->Resolution, in.NumberOfLayers, lost))
   {
     in.NumberOfMaps = in.NumberOfLayers = 0;
@@ -337,5 +335,4 @@ void vtkReflectiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* window)
     in.TableTexture->ReleaseGraphicsResources(window);
     in.TableTexture = nullptr;
   }
-  in.Window = nullptr;
 }

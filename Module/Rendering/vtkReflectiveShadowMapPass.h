@@ -30,7 +30,6 @@
 #include <memory> // for the internals
 
 class vtkIndirectLightMap;
-class vtkIndirectTarget;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;

@@ -11,7 +11,6 @@ uniform ivec2 vtkiCoarseSize;
 uniform int vtkiStep;
 uniform float vtkiMinimumCosine;
 uniform float vtkiPlaneTolerance; // as a fraction of the distance between samples
-uniform int vtkiShowGathered;     // 1: mark the pixels that were gathered anew in alpha
 
 void main()
 {
@@ -55,7 +54,6 @@ void main()
   }
   else
   {
-    gl_FragData[0] = vec4(vtkiGather(receiver.position, receiver.normal),
-      vtkiShowGathered != 0 ? 2.0f : 1.0f);
+    gl_FragData[0] = vec4(vtkiGather(receiver.position, receiver.normal), 1.0f);
   }
 }
