@@ -98,6 +98,7 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   capture->BeginEye(frame, shadows ? &maps : nullptr);
   capture->Render(&s2);
   capture->EndStage();
+  this->Encoded = capture->HasEncoded();
   if (shadows)
   {
     shadows->Deactivate();

@@ -59,6 +59,11 @@ public:
   {
     return *this->Target;
   }
+  /** Whether the buffer may hold encoded colours. */
+  bool HasEncoded() const
+  {
+    return this->Encoded;
+  }
 #endif
 
 protected:
@@ -70,6 +75,7 @@ private:
   void operator=(const vtkGeometryBufferPass&) = delete;
 
   std::unique_ptr<vtkIndirectTarget> Target;
+  bool Encoded = false;
 };
 
 #endif

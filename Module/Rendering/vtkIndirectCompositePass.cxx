@@ -53,7 +53,8 @@ const FrameChannel MapChannels[] = {
 struct vtkIndirectCompositePass::Internals
 {
   vtkIndirectTarget Image{ ImageChannels, false };
-  vtkIndirectKernelProgram Composite{ "vtkIndirectCompositeFS.glsl" };
+  vtkIndirectKernelProgram Composite[2] = { { "vtkIndirectCompositeFS.glsl" },
+    { "vtkIndirectCompositeFS.glsl" } }; // linear colours only; encoded ones too
   vtkIndirectKernelProgram Channel{ "vtkIndirectChannelFS.glsl" };
   vtkIndirectKernelProgram MapChannel{ "vtkIndirectMapChannelFS.glsl" };
   vtkIndirectKernelProgram Display{ "vtkIndirectDisplayFS.glsl" };
@@ -78,6 +79,7 @@ struct vtkIndirectCompositePass::Internals
     }
     program->SetUniformf(
       "vtkiIndirectScale", input.Irradiance ? static_cast<float>(input.IndirectScale) : 0.0f);
+    program->SetUniformf("vtkiIrradianceUnit", static_cast<float>(input.IrradianceUnit));
   }
 
   static void DeactivateFrame(const Input& input)
@@ -172,7 +174,9 @@ bool vtkIndirectCompositePass::Composite(const Input& input)
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-  vtkShaderProgram* program = in.Composite.Use(frame.Window);
+  const bool encoded = input.Geometry.HasEncoded();
+  in.Composite[1].SetDefinitions("#define VTKI_ENCODED\n");
+  vtkShaderProgram* program = in.Composite[encoded].Use(frame.Window);
   if (!program)
   {
     return false;
@@ -187,7 +191,9 @@ bool vtkIndirectCompositePass::Composite(const Input& input)
   Internals::ActivateFrame(program, input);
   input.Geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
   program->SetUniform2i("vtkiOrigin", frame.Origin);
-  in.Composite.Draw();
+  vtkIndirectSetUniform(
+    program, "vtkiPixelSize", glm::vec2(1.0 / frame.Size[0], 1.0 / frame.Size[1]));
+  in.Composite[encoded].Draw();
   Internals::DeactivateFrame(input);
   return true;
 }
@@ -300,7 +306,8 @@ void vtkIndirectCompositePass::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Internal;
   in.Image.Release(window);
-  in.Composite.Release();
+  in.Composite[0].Release();
+  in.Composite[1].Release();
   in.Channel.Release();
   in.MapChannel.Release();
   in.Display.Release();

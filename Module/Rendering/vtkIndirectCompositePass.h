@@ -46,6 +46,7 @@ public:
     const vtkGeometryBufferPass& Geometry;
     vtkReflectiveShadowMapPass* Maps;    // null without maps
     const vtkIndirectTarget* Irradiance; // null for none
+    double IrradianceUnit;               // irradiance that a stored value of one stands for
     double IndirectScale;
   };
 

@@ -11,6 +11,11 @@ const vtkIndirectChannel Channels[] = {
   { "irradiance", "vtkiIrradiance", "indirect irradiance", GL_RGBA32F, "-", "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+const vtkIndirectChannel HalfChannels[] = {
+  { "irradiance", "vtkiIrradiance", "indirect irradiance", GL_RGBA16F, "-",
+    "VTK irradiance over the frame's unit" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
 }
 
 //------------------------------------------------------------------------------
@@ -35,6 +40,21 @@ void vtkIndirectEstimatorPass::Render(const vtkRenderState*)
 {
   vtkErrorMacro("An estimator draws nothing by itself; give it to "
                 "vtkIndirectIlluminationPass::SetEstimator.");
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectEstimatorPass::SetIrradianceStorage(
+  vtkWindow* window, bool half, double unit, bool depth)
+{
+  this->IrradianceUnit = unit;
+  if (half != this->IrradianceIsHalf || depth != this->IrradianceHasDepth)
+  {
+    this->Irradiance->Release(window);
+    this->Irradiance =
+      std::make_unique<vtkIndirectTarget>(half ? HalfChannels : Channels, depth, 16);
+    this->IrradianceIsHalf = half;
+    this->IrradianceHasDepth = depth;
+  }
 }
 
 //------------------------------------------------------------------------------

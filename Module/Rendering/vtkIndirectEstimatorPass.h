@@ -64,6 +64,11 @@ public:
   {
     return *this->Irradiance;
   }
+  /** Irradiance that a stored value of one stands for. */
+  double GetIrradianceUnit() const
+  {
+    return this->IrradianceUnit;
+  }
   virtual size_t GetBytes() const;
 #endif
 
@@ -71,9 +76,20 @@ protected:
   vtkIndirectEstimatorPass();
   ~vtkIndirectEstimatorPass() override;
 
+#ifndef __VTK_WRAP__
+  /**
+   * Whether the irradiance is stored in 16-bit floats, of which one stands for `unit`, and whether
+   * a 16-bit depth buffer comes with it. The default is 32-bit floats, one, and none.
+   */
+  void SetIrradianceStorage(vtkWindow* window, bool half, double unit, bool depth);
+#endif
+
   std::unique_ptr<vtkIndirectTarget> Irradiance;
 
 private:
+  double IrradianceUnit = 1.0;
+  bool IrradianceIsHalf = false;
+  bool IrradianceHasDepth = false;
   vtkIndirectEstimatorPass(const vtkIndirectEstimatorPass&) = delete;
   void operator=(const vtkIndirectEstimatorPass&) = delete;
 };

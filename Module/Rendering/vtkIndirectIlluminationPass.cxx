@@ -292,7 +292,7 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
   const vtkIndirectCompositePass::Input input = { frame, *in.Geometry,
     in.EyeIsMap ? nullptr : this->ReflectiveShadowMaps,
     in.HasIrradiance ? &this->GetActiveEstimator()->GetIrradiance() : nullptr,
-    this->IndirectScale };
+    this->GetActiveEstimator()->GetIrradianceUnit(), this->IndirectScale };
   in.Composite->Composite(input);
   if (this->DebugView.empty())
   {
@@ -403,7 +403,7 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
   const vtkIndirectCompositePass::Input input = { in.Frame, *in.Geometry,
     in.EyeIsMap ? nullptr : this->ReflectiveShadowMaps,
     in.HasIrradiance ? &this->GetActiveEstimator()->GetIrradiance() : nullptr,
-    this->IndirectScale };
+    this->GetActiveEstimator()->GetIrradianceUnit(), this->IndirectScale };
   if (!in.Composite->RenderChannel(input, name))
   {
     vtkErrorMacro("There is no buffer '"

@@ -42,6 +42,7 @@ struct vtkSurfaceCapturePass::Internals
   float Magnitude = 0.0f;
   float DepthRange[3] = { 0.0f, 1.0f, 0.0f };
   int StageIsParallel = 0;
+  bool Encoded = false; // whether the stage has drawn encoded colours
   std::vector<glm::mat4> ViewToLight;
   std::vector<glm::vec4> ShadowMap;
   std::vector<glm::vec4> ShadowDepth;
@@ -162,6 +163,7 @@ void vtkSurfaceCapturePass::BeginEye(
 {
   Internals& in = *this->Internal;
   in.Stage = 0;
+  in.Encoded = false;
   in.SceneScale = static_cast<float>(frame.SceneScale);
   in.StageIsParallel = frame.Parallel ? 1 : 0;
   in.DepthRange[0] = static_cast<float>(frame.Near);
@@ -249,6 +251,12 @@ void vtkSurfaceCapturePass::Render(const vtkRenderState* s)
   {
     this->NumberOfRenderedProps += s->GetPropArray()[i]->RenderOpaqueGeometry(s->GetRenderer());
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceCapturePass::HasEncoded() const
+{
+  return this->Internal->Encoded;
 }
 
 //------------------------------------------------------------------------------
@@ -342,13 +350,18 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   }
   const char* const kind =
     !lit ? "VTKI_SURFACE_UNLIT" : (pbr ? "VTKI_SURFACE_ENCODED" : "VTKI_SURFACE_LINEAR");
+  if (pbr)
+  {
+    // One; by it SetShaderParameters knows the programs whose colours are encoded.
+    declarations += "uniform float vtkiEncoded;\n";
+  }
   declarations += "#define VTKI_ALBEDO " + albedo + "\n";
   declarations += std::string("#define VTKI_NORMAL ") + (lit ? "normalVCVSOutput" : "vec3(0.0)") +
     "\n#define VTKI_SLOPE " + (lit ? "vtkiSlope" : "vec2(0.0)") + "\n#define VTKI_KIND " + kind +
     "\n#define VTKI_DEPTH " +
     (positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()") +
     // VTK's PBR divides diffuse reflection by pi, its Phong does not.
-    "\n#define VTKI_SENDER_SCALE " + (pbr ? "(1.0 / VTKI_PI)" : "1.0") + "\n";
+    "\n#define VTKI_SENDER_SCALE " + (pbr ? "(vtkiEncoded / VTKI_PI)" : "1.0") + "\n";
   vtkShaderProgram::Substitute(fragmentShader, "void main()", declarations + "void main()", false);
 
   std::string outputs;
@@ -380,6 +393,11 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   if (program->IsUniformUsed("vtkiMagnitude"))
   {
     program->SetUniformf("vtkiMagnitude", in.Magnitude);
+  }
+  if (program->IsUniformUsed("vtkiEncoded"))
+  {
+    program->SetUniformf("vtkiEncoded", 1.0f);
+    in.Encoded = true;
   }
   if (program->IsUniformUsed("vtkiParallel"))
   {

@@ -96,6 +96,8 @@ public:
     const vtkIndirectFrame& frame, const vtkIndirectLightMap& map, int face, int texels);
   /** Ends a stage; unbinds its textures. */
   void EndStage();
+  /** Whether the last stage drew physically based materials, whose colours are encoded. */
+  bool HasEncoded() const;
 #endif
 
 protected:

@@ -7,6 +7,8 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+
 vtkIndirectKernelProgram::vtkIndirectKernelProgram(const char* stage, const char* gather)
   : Stage(stage)
   , Gather(gather)
@@ -14,6 +16,16 @@ vtkIndirectKernelProgram::vtkIndirectKernelProgram(const char* stage, const char
 }
 
 vtkIndirectKernelProgram::~vtkIndirectKernelProgram() = default;
+
+//------------------------------------------------------------------------------
+void vtkIndirectKernelProgram::SetDefinitions(const std::string& definitions)
+{
+  if (definitions != this->Definitions)
+  {
+    this->Definitions = definitions;
+    this->Release();
+  }
+}
 
 namespace
 {
@@ -33,7 +45,9 @@ vtkShaderProgram* vtkIndirectKernelProgram::Use(vtkOpenGLRenderWindow* window)
 {
   if (!this->Quad)
   {
-    const std::string text = vtkIndirectShaderLibrary::GetText(this->Stage, this->Gather);
+    std::string text = vtkIndirectShaderLibrary::GetText(this->Stage, this->Gather);
+    // VTK puts #version in place of the text's first line.
+    text.insert(std::min(text.find('\n') + 1, text.size()), this->Definitions);
     // Four arguments up to VTK 9.1; the fifth of later versions has a default.
     this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, VertexShader, text.c_str(), "");
   }

@@ -25,6 +25,9 @@ public:
    */
   vtkShaderProgram* Use(vtkOpenGLRenderWindow* window);
 
+  /** Lines that the text begins with, such as macros; new ones build the program anew. */
+  void SetDefinitions(const std::string& definitions);
+
   /** Runs the program over the current viewport. */
   void Draw();
 
@@ -33,6 +36,7 @@ public:
 private:
   std::string Stage;
   std::string Gather;
+  std::string Definitions;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
 };
 

@@ -40,6 +40,7 @@ namespace
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"
+#include "vtkIndirectLibSubsplat.glsl"
 #include "vtkIndirectLibShadow.glsl"
 #include "vtkIndirectLibInterpolation.glsl"
 #include "vtkIndirectLibSampling.glsl"

@@ -25,6 +25,7 @@ struct Format
 const Format Formats[] = {
   { GL_RGBA32F, GL_RGBA, GL_FLOAT, 4, VTK_FLOAT, 16 },
   { GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 4, VTK_FLOAT, 8 },
+  { GL_RG16F, GL_RG, GL_HALF_FLOAT, 2, VTK_FLOAT, 4 },
 };
 
 const Format& FindFormat(unsigned int internalFormat)
@@ -41,9 +42,10 @@ const Format& FindFormat(unsigned int internalFormat)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectTarget::vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth)
+vtkIndirectTarget::vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth, int depthBits)
   : Channels(channels)
   , WithDepth(depth)
+  , DepthBits(depthBits)
 {
 }
 
@@ -52,7 +54,9 @@ vtkIndirectTarget::~vtkIndirectTarget() = default;
 //------------------------------------------------------------------------------
 bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int height)
 {
-  if (this->Framebuffer && window == this->Window && width == this->Width && height == this->Height)
+  vtkTextureObject* shared = this->Shared ? this->Shared->GetDepthTexture() : nullptr;
+  if (this->Framebuffer && window == this->Window && width == this->Width &&
+    height == this->Height && shared == this->SharedDepth)
   {
     return true;
   }
@@ -89,7 +93,8 @@ bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int hei
       this->Depth->SetContext(window);
       this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
       this->Depth->SetMagnificationFilter(vtkTextureObject::Nearest);
-      this->Depth->AllocateDepth(width, height, vtkTextureObject::Float32);
+      this->Depth->AllocateDepth(width, height,
+        this->DepthBits == 16 ? vtkTextureObject::Fixed16 : vtkTextureObject::Float32);
     }
   }
   else
@@ -110,9 +115,10 @@ bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int hei
   {
     this->Framebuffer->AddColorAttachment(static_cast<unsigned int>(i), this->Textures[i]);
   }
-  if (this->Depth)
+  this->SharedDepth = shared;
+  if (this->Depth || shared)
   {
-    this->Framebuffer->AddDepthAttachment(this->Depth);
+    this->Framebuffer->AddDepthAttachment(this->Depth ? this->Depth.Get() : shared);
   }
   this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->Textures.size()));
   const char* reason = "";
@@ -136,7 +142,11 @@ void vtkIndirectTarget::Begin()
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
   this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->Textures.size()));
-  this->Framebuffer->StartNonOrtho(this->Width, this->Height);
+  if (!this->SharedDepth)
+  {
+    // Insists on attachments of one size.
+    this->Framebuffer->StartNonOrtho(this->Width, this->Height);
+  }
   state->vtkglViewport(0, 0, this->Width, this->Height);
   state->vtkglScissor(0, 0, this->Width, this->Height);
 }
@@ -166,9 +176,15 @@ void vtkIndirectTarget::Clear()
 //------------------------------------------------------------------------------
 void vtkIndirectTarget::Activate(int channel, vtkShaderProgram* program) const
 {
+  this->Activate(channel, program, this->Channels[channel].Uniform);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Activate(int channel, vtkShaderProgram* program, const char* uniform) const
+{
   vtkTextureObject* texture = this->Textures[channel];
   texture->Activate();
-  program->SetUniformi(this->Channels[channel].Uniform, texture->GetTextureUnit());
+  program->SetUniformi(uniform, texture->GetTextureUnit());
 }
 
 //------------------------------------------------------------------------------
@@ -219,7 +235,7 @@ void vtkIndirectTarget::Write(int channel, const std::vector<float>& values)
 //------------------------------------------------------------------------------
 size_t vtkIndirectTarget::GetBytes() const
 {
-  size_t perPixel = this->Depth ? 4 : 0;
+  size_t perPixel = this->Depth ? this->DepthBits / 8 : 0;
   for (size_t i = 0; i < this->Textures.size(); ++i)
   {
     perPixel += FindFormat(this->Channels[i].InternalFormat).Bytes;
@@ -253,6 +269,7 @@ void vtkIndirectTarget::Release(vtkWindow* window)
     this->Depth->ReleaseGraphicsResources(window);
     this->Depth = nullptr;
   }
+  this->SharedDepth = nullptr;
   this->Width = this->Height = 0;
   this->Window = nullptr;
 }

@@ -20,13 +20,19 @@ class vtkWindow;
 class vtkIndirectTarget
 {
 public:
-  /** channels: table ended by InternalFormat 0; depth: whether a 32-bit float depth texture comes
-   * too. */
-  vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth);
+  /** channels: table ended by InternalFormat 0; depth: whether a depth texture comes too, of 32-bit
+   * floats or 16 bits. */
+  vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth, int depthBits = 32);
   ~vtkIndirectTarget();
 
   /** Creates or resizes the textures. Returns false, after an error, when OpenGL refuses. */
   bool Resize(vtkOpenGLRenderWindow* window, int width, int height);
+
+  /**
+   * Uses another target's depth texture, at least as large, in place of one of its own; before
+   * Resize. The other one must outlive this one's use of it.
+   */
+  void ShareDepth(const vtkIndirectTarget& other) { this->Shared = &other; }
 
   /** Binds for drawing to all channels with the viewport over the whole target. Pair with End. */
   void Begin();
@@ -41,6 +47,8 @@ public:
 
   /** Binds a channel's texture and sets its sampler uniform; pair with Deactivate. */
   void Activate(int channel, vtkShaderProgram* program) const;
+  /** The same under another name than the channel's own. */
+  void Activate(int channel, vtkShaderProgram* program, const char* uniform) const;
   void ActivateDepth(vtkShaderProgram* program, const char* uniform) const;
   void Deactivate() const;
 
@@ -61,6 +69,9 @@ public:
 private:
   const vtkIndirectChannel* Channels;
   bool WithDepth;
+  int DepthBits;
+  const vtkIndirectTarget* Shared = nullptr;
+  vtkTextureObject* SharedDepth = nullptr; // as attached
   int Width = 0;
   int Height = 0;
   vtkOpenGLRenderWindow* Window = nullptr;

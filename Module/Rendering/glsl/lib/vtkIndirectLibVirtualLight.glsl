@@ -18,4 +18,15 @@ float vtkiVirtualLightWeight(vec3 toSender, vec3 normalS, vec3 normalR, float ar
   // Zero only where sender and receiver coincide; neither sees the other there.
   return denominator > 0.0f ? projectedS * projectedR / denominator : 0.0f;
 }
+
+/* The same without the receiver's cosine: times max(dot(normalR, toSender), 0) it is the weight
+ * above, and times toSender it is the light's share of the vector irradiance, of which the
+ * irradiance of any normal that sees the same lights is the projection. */
+float vtkiVirtualLightStrength(vec3 toSender, vec3 normalS, float area)
+{
+  float r2 = dot(toSender, toSender);
+  float projectedS = max(-dot(normalS, toSender), 0.0f);
+  float denominator = r2 * (VTKI_PI * r2 + area);
+  return denominator > 0.0f ? projectedS / denominator : 0.0f;
+}
 #endif

@@ -10,6 +10,7 @@ uniform sampler2D vtkiAlbedo;
 uniform sampler2D vtkiIrradiance;
 uniform ivec2 vtkiOrigin;
 uniform float vtkiIndirectScale;
+uniform float vtkiIrradianceUnit;
 uniform mat3 vtkiViewToWorldDirection;
 uniform float vtkiSceneScale;
 uniform int vtkiChannel; // index in vtkIndirectCompositePass's table
@@ -22,7 +23,8 @@ void main()
   bool lit = kind > 0.5f && kind < 2.5f;
   vec3 direct = texelFetch(vtkiLit, pixel, 0).rgb;
   vec3 albedo = lit ? texelFetch(vtkiAlbedo, pixel, 0).rgb : vec3(0.0f);
-  vec3 irradiance = lit ? texelFetch(vtkiIrradiance, pixel, 0).rgb : vec3(0.0f);
+  vec3 irradiance =
+    lit ? texelFetch(vtkiIrradiance, pixel, 0).rgb * vtkiIrradianceUnit : vec3(0.0f);
   vec3 indirect = vtkiIndirectScale > 0.0f ? albedo * irradiance * vtkiIndirectScale : vec3(0.0f);
   vec3 value = vec3(0.0f);
   if (vtkiChannel == 0)

@@ -1,6 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Direct light plus albedo times irradiance. Background is left as it was drawn.
+// Direct light plus albedo times irradiance. Background is left as it was drawn. VTKI_ENCODED where
+// the scene has physically based materials, whose colours are encoded.
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibColor.glsl"
 
@@ -10,24 +11,31 @@ uniform sampler2D vtkiAlbedo;
 uniform sampler2D vtkiIrradiance;
 uniform sampler2D vtkiDepth;
 uniform ivec2 vtkiOrigin;
+uniform vec2 vtkiPixelSize; // one over the size of the image
 uniform float vtkiIndirectScale;
+uniform float vtkiIrradianceUnit;
 
 void main()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy) - vtkiOrigin;
-  float depth = texelFetch(vtkiDepth, pixel, 0).r;
-  vec4 lit = texelFetch(vtkiLit, pixel, 0);
+  vec2 pixel = (gl_FragCoord.xy - vec2(vtkiOrigin)) * vtkiPixelSize;
+  float depth = textureLod(vtkiDepth, pixel, 0.0f).r;
+  vec4 lit = textureLod(vtkiLit, pixel, 0.0f);
   if (depth >= 1.0f && lit.a <= 0.0f)
   {
     discard;
   }
-  float kind = vtkiSurfaceKind(texelFetch(vtkiSurface, pixel, 0));
-  if (vtkiIndirectScale > 0.0f && kind > 0.5f && kind < 2.5f)
+  // Estimators write zero where nothing is lit.
+  if (vtkiIndirectScale > 0.0f)
   {
-    vec3 indirect = texelFetch(vtkiAlbedo, pixel, 0).rgb *
-      texelFetch(vtkiIrradiance, pixel, 0).rgb * vtkiIndirectScale * lit.a;
+    vec3 indirect = textureLod(vtkiAlbedo, pixel, 0.0f).rgb *
+      textureLod(vtkiIrradiance, pixel, 0.0f).rgb * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
+#ifdef VTKI_ENCODED
+    float kind = vtkiSurfaceKind(textureLod(vtkiSurface, pixel, 0.0f));
     lit.rgb = kind == VTKI_SURFACE_ENCODED ? vtkiEncodeGamma(vtkiDecodeGamma(lit.rgb) + indirect)
                                            : lit.rgb + indirect;
+#else
+    lit.rgb += indirect;
+#endif
   }
   gl_FragData[0] = lit;
   gl_FragDepth = depth;

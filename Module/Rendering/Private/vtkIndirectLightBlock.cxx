@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
+#include "vtkIndirectLightBlock.h"
+
+#include "vtkIndirectTarget.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkVirtualLightSampler.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr int Channels = 3;
+constexpr int BytesPerTexel = 16;
+constexpr unsigned int Binding = 0;
+}
+
+vtkIndirectLightBlock::~vtkIndirectLightBlock() = default;
+
+//------------------------------------------------------------------------------
+int vtkIndirectLightBlock::GetCapacity(vtkOpenGLRenderWindow* window)
+{
+  if (this->Capacity == 0)
+  {
+    window->MakeCurrent();
+    int bytes = 0;
+    glGetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &bytes);
+    // OpenGL guarantees 16384 bytes: 341 lights.
+    const int lights = bytes / (Channels * BytesPerTexel);
+    this->Capacity = lights >= 1024 ? 1024 : (lights >= 512 ? 512 : 256);
+  }
+  return this->Capacity;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectLightBlock::GetDefinitions(vtkOpenGLRenderWindow* window)
+{
+  return "#define VTKI_LIGHTS " + std::to_string(this->GetCapacity(window)) + "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightBlock::Update(vtkOpenGLRenderWindow* window, vtkVirtualLightSampler& sampler)
+{
+  const int capacity = this->GetCapacity(window);
+  if (this->Buffer == 0)
+  {
+    glGenBuffers(1, &this->Buffer);
+    this->Bytes = static_cast<size_t>(capacity) * Channels * BytesPerTexel;
+    glBindBuffer(GL_UNIFORM_BUFFER, this->Buffer);
+    glBufferData(GL_UNIFORM_BUFFER, this->Bytes, nullptr, GL_DYNAMIC_COPY);
+    glBindBuffer(GL_UNIFORM_BUFFER, 0);
+  }
+  vtkIndirectTarget& lights = sampler.GetTarget();
+  const int rows = std::min(lights.GetHeight(), capacity / vtkVirtualLightSampler::RowLength);
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  lights.GetFramebuffer()->Bind();
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, this->Buffer);
+  for (int channel = 0; channel < Channels; ++channel)
+  {
+    lights.GetFramebuffer()->ActivateReadBuffer(static_cast<unsigned int>(channel));
+    const size_t offset = static_cast<size_t>(channel) * capacity * BytesPerTexel;
+    glReadPixels(0, 0, vtkVirtualLightSampler::RowLength, rows, GL_RGBA, GL_FLOAT,
+      reinterpret_cast<void*>(offset));
+  }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  state->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightBlock::Activate(
+  vtkShaderProgram* program, vtkVirtualLightSampler& sampler) const
+{
+  const auto handle = static_cast<GLuint>(program->GetHandle());
+  const GLuint index = glGetUniformBlockIndex(handle, "vtkiLightBlock");
+  glUniformBlockBinding(handle, index, Binding);
+  glBindBufferBase(GL_UNIFORM_BUFFER, Binding, this->Buffer);
+  const int count = sampler.GetActualNumberOfLights();
+  program->SetUniformi("vtkiBlockCount", std::min(count, this->Capacity));
+  for (int channel = 0; channel < Channels; ++channel)
+  {
+    sampler.GetTarget().Activate(channel, program);
+  }
+  program->SetUniformi("vtkiRowLength", vtkVirtualLightSampler::RowLength);
+  program->SetUniformi("vtkiLightCount", count);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightBlock::Release()
+{
+  if (this->Buffer)
+  {
+    glDeleteBuffers(1, &this->Buffer);
+    this->Buffer = 0;
+  }
+  this->Bytes = 0;
+  this->Capacity = 0;
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lists of the texels that are split, one a level, in a storage buffer, with the sizes of the
+// indirect dispatches that work through them; see vtkIndirectSubsplatStorage.glsl. Needs
+// OpenGL 4.3.
+#ifndef vtkIndirectSubsplatList_h
+#define vtkIndirectSubsplatList_h
+
+#include <cstddef> // for size_t
+#include <vector>  // for the levels
+
+class vtkShaderProgram;
+
+class vtkIndirectSubsplatList
+{
+public:
+  ~vtkIndirectSubsplatList();
+
+  /** Empties the lists; capacities[i] entries are room enough for list i. */
+  void Begin(const std::vector<size_t>& capacities);
+
+  /** Binds the buffer to a program that appends to, or reads, one of the lists. */
+  void Activate(vtkShaderProgram* program, size_t list) const;
+  void Deactivate() const;
+
+  /** One invocation for each entry, rounded up to groups; the program must be current. */
+  void Dispatch(size_t list) const;
+
+  /** Entries in a list. Waits for the GPU. */
+  int Count(size_t list) const;
+
+  size_t GetBytes() const { return this->Bytes; }
+  /** The buffer's context must be current. */
+  void Release();
+
+private:
+  unsigned int Buffer = 0;
+  size_t Bytes = 0;
+  std::vector<unsigned int> First; // of each list, in entries
+};
+
+#endif

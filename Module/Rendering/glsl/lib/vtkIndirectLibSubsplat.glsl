@@ -1,0 +1,52 @@
+// Subsplats: square groups of pixels that share one evaluation of the lights.
+// Nichols and Wyman 2009, "Multiresolution splatting for indirect illumination".
+#ifndef vtkIndirectLibSubsplat
+#define vtkIndirectLibSubsplat
+#include "vtkIndirectLibPortable.glsl"
+
+// States of a texel in the pyramid of subsplats.
+const float VTKI_SUBSPLAT_EMPTY = -1.0f; // nothing lit in it
+const float VTKI_SUBSPLAT_WHOLE = 0.0f;  // one evaluation serves all of it
+const float VTKI_SUBSPLAT_MIXED = 0.5f;  // not of one surface, but not split either
+const float VTKI_SUBSPLAT_SPLIT = 1.0f;  // its four children are looked at
+
+// Illumination at a texel, in its alpha.
+const float VTKI_ILLUMINATION_NONE = 0.0f;
+const float VTKI_ILLUMINATION_HERE = 0.5f;
+const float VTKI_ILLUMINATION_SMOOTH = 1.0f; // and all eight neighbours lie on the same surface
+
+/* Centre of a texel of a level in normalized device coordinates: of those of its pixels that the
+ * image has. texel: index; edge: pixels along the texel's edge; size: the image's. */
+vec2 vtkiSubsplatCenter(vec2 texel, float edge, vec2 size)
+{
+  vec2 lower = vec2(texel.x * edge, texel.y * edge);
+  vec2 upper = vec2(min(lower.x + edge, size.x), min(lower.y + edge, size.y));
+  return vec2((lower.x + upper.x) / size.x - 1.0f, (lower.y + upper.y) / size.y - 1.0f);
+}
+
+/* Depth at which the ray origin + depth * direction meets the plane through p with normal n, kept
+ * within bounds: a plane that the ray grazes has no such depth. */
+float vtkiPlaneDepth(
+  vec3 n, vec3 p, vec3 origin, vec3 direction, float lower, float upper)
+{
+  float slope = dot(n, direction);
+  float along = dot(n, p) - dot(n, origin);
+  float depth = slope != 0.0f ? along / slope : upper;
+  return min(max(depth, lower), upper);
+}
+
+/* Irradiance at a receiver whose normal differs from that of the evaluation, to first order.
+ * irradiance: as evaluated, of luminance > 0; projection: dot product of the vector irradiance
+ * with the receiver's normal. Lights that rise above one of the two horizons only are the error,
+ * so the correction is at most a factor of two. */
+float vtkiNormalCorrection(float luminance, float projection)
+{
+  return luminance > 0.0f ? min(max(projection / luminance, 0.0f), 2.0f) : 1.0f;
+}
+
+/* Relative luminance of linear Rec. 709 colours. */
+float vtkiLuminance(vec3 c)
+{
+  return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;
+}
+#endif

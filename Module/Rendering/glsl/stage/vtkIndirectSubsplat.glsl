@@ -1,0 +1,28 @@
+// Texels of the pyramid of subsplats.
+#include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectLibSubsplat.glsl"
+
+uniform ivec2 vtkiSize; // of the image
+uniform mat3 vtkiRayOrigin;
+uniform mat3 vtkiRayDirection;
+
+// Equation (2) of the paper: detail that was not resolved, guessed from the angle to the eye.
+#ifdef VTKI_SURFACE_DETAIL
+uniform float vtkiSurfaceDetail;
+float vtkiDetail(vec2 ndc, vec3 normal)
+{
+  vec3 toEye = -normalize(vtkiRayDirection * vec3(ndc, 1.0f));
+  return vtkiSurfaceDetail * max(dot(toEye, normal), 0.0f) + 1.0f - vtkiSurfaceDetail;
+}
+#else
+float vtkiDetail(vec2 ndc, vec3 normal)
+{
+  return 1.0f;
+}
+#endif
+
+// Width of a pixel on a surface that faces the eye at this depth, scene units.
+float vtkiPixelWidth(float depth)
+{
+  return (2.0f / float(vtkiSize.x)) * length(vtkiRayOrigin[0] + depth * vtkiRayDirection[0]);
+}

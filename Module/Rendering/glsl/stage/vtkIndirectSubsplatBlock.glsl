@@ -1,0 +1,86 @@
+// Evaluates up to four texels, or pixels, under one texel that is split. Lights are fetched once
+// for the four: on llvmpipe, where the fetch is what takes time, 2.6 times as fast as one by one.
+#include "vtkIndirectSubsplatTexel.glsl"
+
+#ifdef VTKI_PIXELS
+uniform sampler2D vtkiSurface;
+#else
+layout(VTKI_FORMAT) uniform image2D vtkiVectorImage;
+#endif
+layout(VTKI_FORMAT) uniform image2D vtkiIrradianceImage;
+
+// block: index of the texel that is split, one level above those that are evaluated; exists: whether
+// there is one.
+void vtkiEvaluateBlock(ivec2 block, bool exists)
+{
+  vec3 position[4];
+  vec3 normal[4];
+  vec3 irradiance[4];
+  vec3 vectorIrradiance[4];
+  bool wanted[4];
+  mat3 rotation = mat3(vtkiViewToScene);
+  for (int i = 0; i < 4; ++i)
+  {
+    ivec2 texel = 2 * block + ivec2(i & 1, i >> 1);
+    ivec2 inside = min(texel, vtkiLevelSize - 1);
+#ifdef VTKI_PIXELS
+    vec4 surface = texelFetch(vtkiSurface, inside, 0);
+    vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vec2(vtkiSize) - 1.0f;
+    position[i] = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
+    normal[i] = vtkiSurfaceNormal(surface);
+    wanted[i] = vtkiSurfaceIsLit(surface);
+#else
+    vec4 surface = texelFetch(vtkiLevelSurface, inside, 0);
+    position[i] = vtkiTexelPosition(texel, surface.z);
+    normal[i] = vtkiOctahedralDecode(surface.xy);
+    wanted[i] = surface.w == VTKI_SUBSPLAT_WHOLE || surface.w == VTKI_SUBSPLAT_MIXED;
+#endif
+    wanted[i] = wanted[i] && exists && texel == inside;
+    position[i] = (vtkiViewToScene * vec4(position[i], 1.0f)).xyz;
+    normal[i] = rotation * normal[i];
+    irradiance[i] = vec3(0.0f);
+    vectorIrradiance[i] = vec3(0.0f);
+  }
+  for (int light = 0; light < vtkiBlockCount; ++light)
+  {
+    vec4 sender = vtkiBlockPosition[light];
+    vec3 senderNormal = vtkiBlockNormal[light].xyz;
+    vec3 density = vtkiBlockDensity[light].rgb;
+    for (int i = 0; i < 4; ++i)
+    {
+      vtkiAddLight(position[i], normal[i], sender, senderNormal, density, irradiance[i],
+        vectorIrradiance[i]);
+    }
+  }
+  for (int light = vtkiBlockCount; light < vtkiLightCount; ++light)
+  {
+    ivec2 at = ivec2(light % vtkiRowLength, light / vtkiRowLength);
+    vec4 sender = texelFetch(vtkiLightPosition, at, 0);
+    vec3 senderNormal = texelFetch(vtkiLightNormal, at, 0).xyz;
+    vec3 density = texelFetch(vtkiLightDensity, at, 0).rgb;
+    for (int i = 0; i < 4; ++i)
+    {
+      vtkiAddLight(position[i], normal[i], sender, senderNormal, density, irradiance[i],
+        vectorIrradiance[i]);
+    }
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    ivec2 texel = 2 * block + ivec2(i & 1, i >> 1);
+    if (wanted[i])
+    {
+      vec3 value = irradiance[i] * vtkiStorageScale;
+#ifdef VTKI_PIXELS
+      vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vec2(vtkiSize) - 1.0f;
+      value *= vtkiDetail(ndc, normal[i] * rotation);
+      imageStore(vtkiIrradianceImage, texel, vec4(value, 1.0f));
+#else
+      // What lies around was marked before.
+      float state = imageLoad(vtkiIrradianceImage, texel).a;
+      imageStore(vtkiIrradianceImage, texel, vec4(value, state));
+      imageStore(vtkiVectorImage, texel,
+        vec4((vectorIrradiance[i] * rotation) * vtkiStorageScale, 0.0f));
+#endif
+    }
+  }
+}

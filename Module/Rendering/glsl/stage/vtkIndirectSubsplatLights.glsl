@@ -1,0 +1,43 @@
+// Sum over the virtual lights at a subsplat.
+#include "vtkIndirectLibVirtualLight.glsl"
+#include "vtkIndirectLibSubsplat.glsl"
+#include "vtkIndirectLightUniforms.glsl"
+
+uniform sampler2D vtkiLightPosition; // lights beyond the block's
+uniform sampler2D vtkiLightNormal;
+uniform sampler2D vtkiLightDensity;
+uniform int vtkiRowLength;
+uniform int vtkiLightCount;
+
+void vtkiAddLight(vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, vec3 density,
+  inout vec3 irradiance, inout vec3 vectorIrradiance)
+{
+  vec3 toSender = sender.xyz - position;
+  float cosine = dot(normal, toSender);
+  float strength =
+    cosine > 0.0f ? vtkiVirtualLightStrength(toSender, senderNormal, sender.w) : 0.0f;
+  irradiance += (strength * cosine) * density;
+  vectorIrradiance += (strength * vtkiLuminance(density)) * toSender;
+}
+
+// Irradiance, and the luminance of the vector irradiance; zero, and no work, where not wanted.
+void vtkiEvaluateSubsplat(
+  vec3 position, vec3 normal, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
+{
+  irradiance = vec3(0.0f);
+  vectorIrradiance = vec3(0.0f);
+  int count = wanted ? vtkiBlockCount : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    vtkiAddLight(position, normal, vtkiBlockPosition[i], vtkiBlockNormal[i].xyz,
+      vtkiBlockDensity[i].rgb, irradiance, vectorIrradiance);
+  }
+  count = wanted ? vtkiLightCount : 0;
+  for (int i = vtkiBlockCount; i < count; ++i)
+  {
+    ivec2 at = ivec2(i % vtkiRowLength, i / vtkiRowLength);
+    vtkiAddLight(position, normal, texelFetch(vtkiLightPosition, at, 0),
+      texelFetch(vtkiLightNormal, at, 0).xyz, texelFetch(vtkiLightDensity, at, 0).rgb, irradiance,
+      vectorIrradiance);
+  }
+}

@@ -1,0 +1,41 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Next level of the pyramid: from the level below.
+#include "vtkIndirectSubsplatJoin.glsl"
+
+uniform sampler2D vtkiFinerSurface;
+uniform sampler2D vtkiFinerDeviation;
+uniform ivec2 vtkiFinerSize;
+
+void main()
+{
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  vtkiJoin children;
+  children.split = false;
+  for (int i = 0; i < 4; ++i)
+  {
+    ivec2 at = 2 * texel + ivec2(i & 1, i >> 1);
+    ivec2 inside = min(at, vtkiFinerSize - 1);
+    vec4 surface = textureLod(vtkiFinerSurface, (vec2(at) + 0.5f) / vec2(vtkiFinerSize), 0.0f);
+    vec2 deviation = texelFetch(vtkiFinerDeviation, inside, 0).xy;
+    vec2 center = vtkiSubsplatCenter(vec2(at), 0.5f * vtkiEdge, vec2(vtkiSize));
+    children.position[i] = vtkiReconstruct(center, surface.z, vtkiRayOrigin, vtkiRayDirection);
+    children.normal[i] = vtkiOctahedralDecode(surface.xy);
+    children.deviation[i] = deviation.x;
+    children.spread[i] = deviation.y;
+    children.present[i] = surface.w != VTKI_SUBSPLAT_EMPTY && at == inside;
+    children.split = children.split || (surface.w == VTKI_SUBSPLAT_SPLIT && at == inside);
+  }
+  // Leaves that touch differ by one level at most: a texel is split when the ring of texels of the
+  // level below around its children holds one that is.
+  // Outside of the image the texture's edge answers, which is one of the children.
+#ifdef VTKI_BALANCE
+  for (int i = 0; i < 16; ++i)
+  {
+    vec2 at = vec2(2 * texel + ivec2(i & 3, i >> 2)) - 0.5f;
+    children.split = children.split ||
+      textureLod(vtkiFinerSurface, at / vec2(vtkiFinerSize), 0.0f).w == VTKI_SUBSPLAT_SPLIT;
+  }
+#endif
+  vtkiWriteJoin(children, texel);
+}

@@ -1,0 +1,39 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Irradiance at a pixel near an edge: interpolated from those samples of the first level that lie
+// on its surface, evaluated where that level is split and where there is no such sample.
+#include "vtkIndirectSubsplatTexel.glsl"
+#include "vtkIndirectSubsplatInterpolate.glsl"
+
+uniform sampler2D vtkiSurface;
+uniform bool vtkiSplits; // whether pixels are the finest level
+uniform bool vtkiCorrectNormals;
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 surface = texelFetch(vtkiSurface, pixel, 0);
+  vec2 ndc = 2.0f * (vec2(pixel) + 0.5f) / vec2(vtkiSize) - 1.0f;
+  vec3 position = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
+  vec3 normal = vtkiSurfaceNormal(surface);
+  bool split = texelFetch(vtkiCoarserSurface, pixel >> 1, 0).w == VTKI_SUBSPLAT_SPLIT;
+  vec3 irradiance;
+  vec3 vectorIrradiance;
+  float weights = vtkiInterpolateSubsplat(pixel,
+    vtkiMakeTangentPlane(
+      position, normal, vtkiOctahedralEncode(normal), surface.z, vtkiCoarserEdge),
+    vtkiSplits, irradiance, vectorIrradiance);
+  if (vtkiCorrectNormals)
+  {
+    irradiance *=
+      vtkiNormalCorrection(vtkiLuminance(irradiance), dot(normal, vectorIrradiance));
+  }
+#ifdef VTKI_EVALUATE
+  bool evaluate = (vtkiSplits && split) || !(weights > 0.0f);
+  vec3 evaluated;
+  vec3 evaluatedVector;
+  vtkiEvaluateStored(position, normal, evaluate, evaluated, evaluatedVector);
+  irradiance = evaluate ? evaluated : irradiance;
+#endif
+  gl_FragData[0] = vec4(irradiance * vtkiDetail(ndc, normal), 1.0f);
+}

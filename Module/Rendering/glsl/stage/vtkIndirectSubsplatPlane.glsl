@@ -1,0 +1,32 @@
+// What lies on the same surface.
+#include "vtkIndirectSubsplat.glsl"
+
+uniform float vtkiSamePlane;  // fraction of the texels' edge
+uniform float vtkiSameNormal; // difference of octahedral coordinates
+
+// A tangent plane against which samples are held: their distance is affine in place and depth.
+struct vtkiTangentPlane
+{
+  vec3 alongOrigin;
+  vec3 alongDirection;
+  float offset;
+  vec2 octahedral;
+  float tolerance;
+};
+
+// octahedral: the normal's coordinates; depth: of the position; edge: of the samples' texels.
+vtkiTangentPlane vtkiMakeTangentPlane(
+  vec3 position, vec3 normal, vec2 octahedral, float depth, float edge)
+{
+  return vtkiTangentPlane(normal * vtkiRayOrigin, normal * vtkiRayDirection, dot(normal, position),
+    octahedral, vtkiSamePlane * edge * vtkiPixelWidth(depth));
+}
+
+bool vtkiIsOnPlane(vtkiTangentPlane plane, vec2 center, vec4 surface)
+{
+  vec3 ray = vec3(center, 1.0f);
+  float distance =
+    dot(plane.alongOrigin, ray) + surface.z * dot(plane.alongDirection, ray) - plane.offset;
+  vec2 turn = surface.xy - plane.octahedral;
+  return abs(distance) <= plane.tolerance && dot(turn, turn) <= vtkiSameNormal * vtkiSameNormal;
+}

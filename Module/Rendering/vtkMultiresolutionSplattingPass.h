@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMultiresolutionSplattingPass
+ * @brief One bounce of diffuse light, evaluated once for each group of pixels that looks alike
+ *
+ * Nichols and Wyman 2009, "Multiresolution splatting for indirect illumination": the image is cut
+ * into subsplats, squares of 1 to 2^n pixels, coarse where one surface fills them and fine at edges
+ * and creases; all virtual lights are summed once a subsplat; from the coarsest level down each is
+ * interpolated with neighbours on the same surface.
+ *
+ * Where this differs from the paper:
+ * - A subsplat is split where its surface leaves a plane, not where its depths differ, so a plane
+ *   seen at a grazing angle stays whole (PlaneThreshold). DEPTH_RANGE is the paper's test.
+ * - Subsplats that touch differ by one level at most (Balance).
+ * - Beside the irradiance E each holds the luminance of the vector irradiance, whose projection on
+ *   the pixel's own normal corrects E to first order (NormalCorrection). On curved surfaces this
+ *   halves the number of subsplats for the same error.
+ * - Neighbours count in the interpolation only when they lie on the same plane, so nothing crosses
+ *   an edge that runs between two subsplats.
+ *
+ * Approximations: those of vtkRSMGatherPass over the same lights, to which the result converges as
+ * the thresholds go to 0, and the interpolation's error, of either sign.
+ *
+ * Memory: with the default storage, at most 24 bytes a pixel, a third of it at half resolution.
+ */
+
+#ifndef vtkMultiresolutionSplattingPass_h
+#define vtkMultiresolutionSplattingPass_h
+
+#include "vtkIndirectEstimatorPass.h"
+#include "vtkRenderingIndirectModule.h" // For export macro
+
+class VTKRENDERINGINDIRECT_EXPORT vtkMultiresolutionSplattingPass : public vtkIndirectEstimatorPass
+{
+public:
+  static vtkMultiresolutionSplattingPass* New();
+  vtkTypeMacro(vtkMultiresolutionSplattingPass, vtkIndirectEstimatorPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  const char* GetMethodName() const override { return "multiresolution"; }
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * Most texels along an edge of the coarsest level. Default 64, range 4 to 64; the paper's is 16.
+   */
+  vtkSetClampMacro(CoarsestResolution, int, 4, 64);
+  vtkGetMacro(CoarsestResolution, int);
+  ///@}
+
+  enum FinestLevelType
+  {
+    FULL_RESOLUTION = 0,
+    HALF_RESOLUTION = 1
+  };
+
+  ///@{
+  /**
+   * The finest subsplats: pixels, or squares of two by two. With HALF_RESOLUTION pixels that lie on
+   * the surface of no sample around them are evaluated on their own. Default FULL_RESOLUTION.
+   */
+  vtkSetClampMacro(FinestLevel, int, FULL_RESOLUTION, HALF_RESOLUTION);
+  vtkGetMacro(FinestLevel, int);
+  void SetFinestLevelToFullResolution() { this->SetFinestLevel(FULL_RESOLUTION); }
+  void SetFinestLevelToHalfResolution() { this->SetFinestLevel(HALF_RESOLUTION); }
+  ///@}
+
+  ///@{
+  /**
+   * Farthest that a subsplat's surface may lie from its mean tangent plane, as a fraction of the
+   * subsplat's width. Default 0.25, range 0 to 100. 0 splits everything.
+   */
+  vtkSetClampMacro(PlaneThreshold, double, 0.0, 100.0);
+  vtkGetMacro(PlaneThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest difference between a subsplat's unit normals and their mean. Default 0.2, range 0 to 2.
+   * 0 splits everything.
+   */
+  vtkSetClampMacro(NormalThreshold, double, 0.0, 2.0);
+  vtkGetMacro(NormalThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest error of interpolating the irradiance between subsplats, relative to it, as estimated
+   * from how it varies over the coarsest level. Default 0.005, range 0 to 1; 0 does not look.
+   */
+  vtkSetClampMacro(LightingThreshold, double, 0.0, 1.0);
+  vtkGetMacro(LightingThreshold, double);
+  ///@}
+
+  ///@{
+  /** Whether subsplats that touch differ by one level at most. Default on. */
+  vtkSetMacro(Balance, bool);
+  vtkGetMacro(Balance, bool);
+  vtkBooleanMacro(Balance, bool);
+  ///@}
+
+  ///@{
+  /** Whether the irradiance follows the pixel's own normal to first order. Default on. */
+  vtkSetMacro(NormalCorrection, bool);
+  vtkGetMacro(NormalCorrection, bool);
+  vtkBooleanMacro(NormalCorrection, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Equation (2) of the paper: the share alpha of the irradiance that goes with the cosine between
+   * normal and eye. Not physical: it darkens. Default 0 (off), range 0 to 1; the paper's is 0.5.
+   */
+  vtkSetClampMacro(SurfaceDetail, double, 0.0, 1.0);
+  vtkGetMacro(SurfaceDetail, double);
+  ///@}
+
+  enum StorageType
+  {
+    HALF_FLOAT = 0,
+    FLOAT = 1
+  };
+
+  ///@{
+  /** Precision of the stored illumination: 16 or 32 bits. Default HALF_FLOAT. */
+  vtkSetClampMacro(Storage, int, HALF_FLOAT, FLOAT);
+  vtkGetMacro(Storage, int);
+  void SetStorageToHalfFloat() { this->SetStorage(HALF_FLOAT); }
+  void SetStorageToFloat() { this->SetStorage(FLOAT); }
+  ///@}
+
+#ifndef __VTK_WRAP__
+  bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
+  size_t GetBytes() const override;
+#endif
+
+protected:
+  vtkMultiresolutionSplattingPass();
+  ~vtkMultiresolutionSplattingPass() override;
+
+  int CoarsestResolution = 64;
+  int FinestLevel = FULL_RESOLUTION;
+  double PlaneThreshold = 0.25;
+  double NormalThreshold = 0.2;
+  double LightingThreshold = 0.005;
+  bool Balance = true;
+  bool NormalCorrection = true;
+  double SurfaceDetail = 0.0;
+  int Storage = HALF_FLOAT;
+
+private:
+  vtkMultiresolutionSplattingPass(const vtkMultiresolutionSplattingPass&) = delete;
+  void operator=(const vtkMultiresolutionSplattingPass&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif
