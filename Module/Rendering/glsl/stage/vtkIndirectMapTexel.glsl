@@ -32,8 +32,18 @@ float vtkiMapFalloff(int layer, vec4 map, vec3 p)
   vec4 falloff = texelFetch(vtkiMapTable, ivec2(8, layer), 0);
   vec3 axis = texelFetch(vtkiMapTable, ivec2(9, layer), 0).xyz;
   float d = length(p);
+  float cosCone = falloff.w;
+  if (int(map.x + 0.5f) == VTKI_MAP_SINGLE)
+  {
+    // The cone ends where its map ends. Cosines of narrow cones are one but for rounding.
+    if (dot(p.xy, p.xy) > map.y * map.y * p.z * p.z)
+    {
+      return 0.0f;
+    }
+    cosCone = -1.0f;
+  }
   return d > 0.0f ? vtkiAttenuationTimesDistance2(falloff.xyz, d) *
-      vtkiConeFactor(dot(p, axis) / d, falloff.w, map.w)
+      vtkiConeFactor(dot(p, axis) / d, cosCone, map.w)
                   : 0.0f;
 }
 
