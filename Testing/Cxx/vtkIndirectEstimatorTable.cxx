@@ -36,19 +36,19 @@ const std::vector<EstimatorEntry>& GetEstimators()
   using Sampler = vtkUniformLightSampler;
   using Entry = EstimatorEntry;
   static const std::vector<EstimatorEntry> table = {
-    { "gather, all texels", Entry::ALL_TEXELS, true,
+    { "gather, all texels", Entry::ALL_TEXELS, true, false,
       InstallGather<Gather::ALL_TEXELS, Sampler::GRID, false> },
-    { "gather, grid", Entry::LIGHTS, true,
+    { "gather, grid", Entry::LIGHTS, true, false,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::GRID, false> },
-    { "gather, jittered", Entry::LIGHTS, true,
+    { "gather, jittered", Entry::LIGHTS, true, false,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::JITTERED, false> },
-    { "gather, low discrepancy", Entry::LIGHTS, true,
+    { "gather, low discrepancy", Entry::LIGHTS, true, false,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::LOW_DISCREPANCY, false> },
     // The error of interpolation stays, however many lights there are.
-    { "gather, interpolated", Entry::OTHER, false,
+    { "gather, interpolated", Entry::OTHER, false, false,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::LOW_DISCREPANCY, true> },
     // Converges to the sum in its disk, which Radiometry.Neighborhood shows.
-    { "gather, neighborhood", Entry::OTHER, false,
+    { "gather, neighborhood", Entry::OTHER, false, true,
       InstallGather<Gather::NEIGHBORHOOD, Sampler::LOW_DISCREPANCY, false> },
   };
   return table;

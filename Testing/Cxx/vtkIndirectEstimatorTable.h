@@ -24,6 +24,8 @@ struct EstimatorEntry
   SumType Sum;
   /** The error against all texels falls as virtual lights grow, as Convergence.* demands. */
   bool Converges;
+  /** It reads the lights' maps themselves: a headlight, which has none, is an error. */
+  bool NeedsMaps;
   /** Puts the estimator into the pass, with about this many virtual lights. */
   void (*Install)(vtkIndirectIlluminationPass* pass, int numberOfLights);
 };

@@ -1,181 +1,250 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes at the edge of what the formulas allow: whatever comes out is finite and not negative.
-#include "vtkIndirectTestUtilities.h"
+// Lights at the worst places, of the worst shapes and strengths.
+#include "vtkIndirectHardCase.h"
 
-#include "vtkActor.h"
-#include "vtkCamera.h"
-#include "vtkCellArray.h"
-#include "vtkFloatArray.h"
 #include "vtkLight.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkProperty.h"
-#include "vtkRSMGatherPass.h"
-#include "vtkTrivialProducer.h"
-#include "vtkUniformLightSampler.h"
+#include "vtkMath.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <map>
 
 using namespace vtkIndirectTest;
 
 namespace
 {
-const glm::dvec3 White(1.0);
-
-// Floor and two walls, and the eye before them.
-struct HardScene : Scene
+// Solid angle of a rectangle, a corner of which lies at distance d in front of the eye.
+double RectangleAngle(double a, double b, double d)
 {
-  explicit HardScene(int width = 32, int height = 24)
-    : Scene(width, height)
-  {
-    this->AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, White);
-    this->AddQuad({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, White);
-    this->AddQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, White);
-    this->SetEye({ 2.2, 1.6, 2.3 }, { 0.4, 0.3, 0.4 }, { 0, 1, 0 }, 32, 0.5, 6);
-    this->Pass->SetReflectiveShadowMapResolution(32);
-  }
-
-  // All modes, and interpolation.
-  void CheckModes(const char* what, int maps)
-  {
-    std::printf("       %s\n", what);
-    for (int mode = 0; mode < 3; ++mode)
-    {
-      this->Gather->SetMode(mode);
-      this->Gather->SetInterpolation(mode != vtkRSMGatherPass::ALL_TEXELS);
-      this->Gather->SetNumberOfSamples(64);
-      this->Render();
-      this->CheckBuffers(maps);
-    }
-  }
-};
+  return std::atan(a * b / (d * std::sqrt(a * a + b * b + d * d)));
 }
 
-VTK_INDIRECT_TEST(HardLights)
+void CheckDark(HardCase& scene)
+{
+  scene.CheckEstimators(1,
+    [&](const EstimatorEntry&)
+    { CheckEqual("largest irradiance", GetLargest(scene.Copy("irradiance")), 0.0); });
+}
+}
+
+VTK_INDIRECT_TEST(LightOnSurface)
 {
   {
-    HardScene scene;
+    // All of a light in the floor falls on the walls: with falloff 1 / d^2, albedo 1 reflects as
+    // much flux as the walls' solid angle.
+    HardCase scene("a point light in the floor");
+    scene.AddCorner();
     scene.AddPoint({ 0.5, 0.0, 0.5 }, { 0, 0, 1 });
-    scene.CheckModes("a point light on the floor", 1);
+    scene.Pass->SetReflectiveShadowMapResolution(64);
+    scene.CheckEstimators(1,
+      [&](const EstimatorEntry& estimator)
+      {
+        if (estimator.Sum == EstimatorEntry::ALL_TEXELS)
+        {
+          CheckRelative("reflected flux", scene.GetReflectedFlux().x,
+            4.0 * RectangleAngle(0.5, 1.0, 0.5), 0.02, "outlines, of 40 texels along an edge");
+        }
+        const Image direct = scene.Copy("direct");
+        const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
+        double brightest = 0.0;
+        for (size_t i = 0; i < receivers.size(); ++i)
+        {
+          if (receivers[i].Normal.y > 0.99)
+          {
+            brightest = std::max(brightest, double(direct.Values[3 * i]));
+          }
+        }
+        CheckAtMost("brightest pixel of the floor", brightest, 1e-3,
+          "the cosine is rounding, below 1e-6, and the nearest pixel 0.03 away");
+      });
   }
   {
-    HardScene scene;
+    HardCase scene("a point light in the corner's vertex");
+    scene.AddCorner();
     scene.AddPoint({ 0.0, 0.0, 0.0 }, { 0, 0, 1 });
-    scene.CheckModes("a point light in the corner's vertex", 1);
+    CheckDark(scene);
   }
   {
-    HardScene scene;
+    HardCase scene("a spot in the floor that shines along it");
+    scene.AddCorner();
     scene.AddSpot({ 0.5, 0.0, 0.5 }, { 0.2, 0.0, 0.2 }, 45, 1, { 1, 0, 0 });
-    scene.CheckModes("a spot on the floor that shines along it", 1);
+    scene.CheckEstimators(1);
   }
   {
-    HardScene scene;
-    scene.AddSpot({ 0.5, 0.5, 0.5 }, { 0.5, 0.5, 0.5 }, 45, 1, { 1, 0, 0 });
-    scene.CheckModes("a spot without a direction", 1);
-  }
-  {
-    HardScene scene;
-    scene.AddSpot({ 0.5, 0.5, 0.5 }, { 0, 0, 0 }, 0.01, 128, { 1, 0, 0 });
-    scene.CheckModes("a spot of a hundredth of a degree", 1);
-  }
-  {
-    HardScene scene;
+    HardCase scene("a directional light along two of the planes");
+    scene.AddCorner();
     scene.AddDirectional({ 1, 0, 0 });
-    scene.CheckModes("a directional light along two of the planes", 1);
+    scene.Radiance = 1.0;
+    scene.CheckEstimators(1,
+      [&](const EstimatorEntry&)
+      {
+        CheckAtMost("largest irradiance", GetLargest(scene.Copy("irradiance")), 1e-7,
+          "the lit wall sends to its other side: positions are rounded to 1e-7, and lie 1e-3 "
+          "apart");
+      });
+  }
+}
+
+// How near to a surface a light may come: to 1 / 1024 of its farthest surface, along the axis of a
+// face of its map. Nearer, the surface is lost.
+VTK_INDIRECT_TEST(LightNearSurface)
+{
+  for (double height : { 0.1, 1e-2, 1.5e-3, 5e-4, 1e-6 })
+  {
+    char name[64];
+    std::snprintf(name, sizeof(name), "a point light %g above the floor", height);
+    HardCase scene(name);
+    scene.AddCorner();
+    scene.AddPoint({ 0.5, height, 0.5 }, { 0, 0, 1 });
+    scene.Pass->SetReflectiveShadowMapResolution(128);
+    const double walls =
+      2.0 * (2.0 * RectangleAngle(0.5, 1.0 - height, 0.5) + 2.0 * RectangleAngle(0.5, height, 0.5));
+    const double floor = 4.0 * RectangleAngle(0.5, 0.5, height);
+    // The farthest surface is 1.0 away along an axis.
+    const bool seen = height > 1.001 / 1024.0;
+    scene.CheckEstimators(1,
+      [&](const EstimatorEntry& estimator)
+      {
+        if (estimator.Sum == EstimatorEntry::ALL_TEXELS)
+        {
+          const double flux = scene.GetReflectedFlux().x;
+          CheckAtMost("reflected flux", flux, 1.02 * (walls + floor), "outlines in whole texels");
+          CheckAtLeast("reflected flux", flux, 0.98 * (seen ? walls + floor : walls),
+            seen ? "outlines in whole texels" : "what is nearer than 1 / 1024 is lost");
+        }
+      });
+  }
+}
+
+VTK_INDIRECT_TEST(LightPlaces)
+{
+  {
+    HardCase scene("a point light in a closed box");
+    scene.AddCorner();
+    scene.AddBox({ 0.3, 0.25, 0.35 }, { 0.5, 0.55, 0.6 }, glm::dvec3(1.0));
+    scene.AddPoint({ 0.41, 0.37, 0.45 }, { 0, 0, 1 });
+    scene.Radiance = 100.0; // 1 / d^2 at the box
+    scene.Pass->SetReflectiveShadowMapResolution(64);
+    scene.CheckEstimators(1,
+      [&](const EstimatorEntry& estimator)
+      {
+        if (estimator.Sum == EstimatorEntry::ALL_TEXELS)
+        {
+          CheckRelative("reflected flux", scene.GetReflectedFlux().x, 4.0 * vtkMath::Pi(), 1e-3,
+            "all of it is caught; the solid angle of texels is that of their centre");
+        }
+        CheckEqual("brightest direct light outside", GetLargest(scene.Copy("direct")), 0.0);
+      });
   }
   {
-    HardScene scene;
-    scene.AddPoint({ 1e6, 1e6, 1e6 }, { 1, 0, 0 });
-    scene.CheckModes("a point light a million sizes away", 1);
-  }
-  {
-    HardScene scene;
-    scene.AddSpot({ 0.5, 0.5, 0.5 }, { 0.5, 0.5, 2.0 }, 30, 1, { 1, 0, 0 });
-    scene.CheckModes("a spot that shines on nothing", 1);
-  }
-  {
-    HardScene scene;
+    HardCase scene("a point light in the eye");
+    scene.AddCorner();
     scene.AddPoint({ 2.2, 1.6, 2.3 }, { 0, 1, 0 });
-    scene.CheckModes("a point light in the eye", 1);
+    scene.CheckEstimators(1);
   }
   {
-    HardScene scene;
+    HardCase scene("a headlight");
+    scene.AddCorner();
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToHeadlight();
+    scene.Renderer->AddLight(light);
+    scene.CheckEstimators(0);
+  }
+  {
+    HardCase scene("a point light a million sizes away");
+    scene.AddCorner();
+    scene.AddPoint({ 1e6, 1e6, 1e6 }, { 1, 0, 0 });
+    scene.Radiance = 1.0;
+    scene.CheckEstimators(1);
+  }
+  {
+    HardCase scene("a spot that shines on nothing");
+    scene.AddCorner();
+    scene.AddSpot({ 0.5, 0.5, 0.5 }, { 0.5, 0.5, 2.0 }, 30, 1, { 1, 0, 0 });
+    CheckDark(scene);
+  }
+  {
+    HardCase scene("six point lights");
+    scene.AddCorner();
     for (int i = 0; i < 6; ++i)
     {
       scene.AddPoint({ 0.1 + 0.1 * i, 0.5, 0.5 }, { 0, 0, 1 })->SetIntensity(1e-3);
     }
-    scene.CheckModes("six point lights", 6);
+    scene.CheckEstimators(6);
   }
 }
 
-VTK_INDIRECT_TEST(HardSurfaces)
+// In a closed box, albedo 1 reflects the solid angle of the cone.
+VTK_INDIRECT_TEST(LightCones)
 {
+  for (double cone : { 0.01, 0.1, 59.9, 60.1, 89.9, 90.0 })
   {
-    HardScene scene(1, 1);
-    scene.AddPoint({ 0.5, 0.5, 0.5 }, { 0, 0, 1 });
-    scene.CheckModes("a window of one pixel", 1);
-  }
-  {
-    HardScene scene(33, 2);
-    scene.AddPoint({ 0.5, 0.5, 0.5 }, { 0, 0, 1 });
-    scene.Pass->SetReflectiveShadowMapResolution(1);
-    scene.CheckModes("maps of one texel, two rows of pixels", 1);
-  }
-  {
-    HardScene scene;
-    scene.AddQuad({ 0, 1e-7, 0 }, { 0, 1e-7, 1 }, { 1, 1e-7, 0 }, White);
-    scene.AddPoint({ 0.5, 0.5, 0.5 }, { 0, 0, 1 });
-    scene.CheckModes("two floors in one place", 1);
-  }
-  {
-    // Triangles without area, a normal of zero, one that is not a number, and one that is too long.
-    HardScene scene;
-    vtkNew<vtkPolyData> data;
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> cells;
-    vtkNew<vtkFloatArray> normals;
-    normals->SetNumberOfComponents(3);
-    const double p[][3] = { { 0.2, 0.3, 0.2 }, { 0.6, 0.3, 0.2 }, { 0.2, 0.3, 0.6 },
-      { 0.2, 0.3, 0.2 }, { 0.7, 0.3, 0.2 }, { 0.7, 0.3, 0.2 } };
-    const float n[][3] = { { 0, 0, 0 }, { 0, NAN, 0 }, { 0, 1e20f, 0 }, { 0, 1, 0 }, { 0, 1, 0 },
-      { 0, 1, 0 } };
-    for (int i = 0; i < 6; ++i)
-    {
-      points->InsertNextPoint(p[i]);
-      normals->InsertNextTuple(n[i]);
-    }
-    const vtkIdType triangles[][3] = { { 0, 1, 2 }, { 3, 4, 5 }, { 3, 3, 3 } };
-    for (const auto& triangle : triangles)
-    {
-      cells->InsertNextCell(3, triangle);
-    }
-    data->SetPoints(points);
-    data->SetPolys(cells);
-    data->GetPointData()->SetNormals(normals);
-    vtkNew<vtkTrivialProducer> source;
-    source->SetOutput(data);
-    scene.AddSource(source, White);
-    scene.AddSpot({ 0.5, 0.9, 0.5 }, { 0.4, 0, 0.4 }, 50, 1, { 1, 0, 0 });
-    std::printf("       bad normals and triangles without area\n");
-    // Of a lit surface with such normals VTK itself draws nothing finite: what may not spread is
-    // the indirect light.
-    scene.Render();
-    for (const char* name : { "irradiance", "indirect", "normal", "rsm0.normal", "rsm0.density" })
-    {
-      int bad = 0;
-      for (float v : scene.Copy(name).Values)
+    HardCase scene("a spot of " + std::to_string(cone) + " degrees");
+    scene.AddBox({ 0, 0, 0 }, { 1, 1.2, 1.4 }, glm::dvec3(1.0));
+    scene.AddSpot({ 0.45, 0.6, 0.75 }, { 0.41, 0.0, 0.67 }, cone, 0, { 0, 0, 1 });
+    scene.SetEye({ 0.9, 1.1, 1.3 }, { 0.2, 0.1, 0.2 }, { 0, 1, 0 }, 60, 0.01, 4);
+    scene.Pass->SetReflectiveShadowMapResolution(64);
+    const double angle =
+      cone < 90.0 ? 2.0 * (1.0 - std::cos(vtkMath::RadiansFromDegrees(cone))) : 4.0;
+    scene.CheckEstimators(1,
+      [&](const EstimatorEntry& estimator)
       {
-        bad += !std::isfinite(v);
+        if (estimator.Sum == EstimatorEntry::ALL_TEXELS)
+        {
+          CheckRelative("reflected flux", scene.GetReflectedFlux().x, vtkMath::Pi() * angle, 5e-3,
+            "the rim in whole texels: 0.23 % for a disk in 64 squared, more over cube faces");
+        }
+      });
+  }
+  HardCase scene("a spot without a direction, of exponent 128");
+  scene.AddCorner();
+  scene.AddSpot({ 0.5, 0.5, 0.5 }, { 0.5, 0.5, 0.5 }, 45, 128, { 1, 0, 0 });
+  scene.CheckEstimators(1);
+}
+
+// Light is linear, however weak or strong.
+VTK_INDIRECT_TEST(LightStrength)
+{
+  HardCase scene("a point light");
+  scene.AddCorner({ 0.75, 0.5, 0.25 });
+  scene.AddSphere({ 0.6, 0.25, 0.5 }, 0.2, 48, { 0.25, 0.5, 0.75 });
+  vtkLight* light = scene.AddPoint({ 0.5, 0.7, 0.6 }, { 0.2, 0, 1 });
+  std::map<std::string, Image> unit;
+  const char* const names[] = { "final", "direct", "indirect", "irradiance" };
+  scene.CheckEstimators(1,
+    [&](const EstimatorEntry& estimator)
+    {
+      for (const char* name : names)
+      {
+        unit[std::string(estimator.Name) + name] = scene.Copy(name);
       }
-      CheckEqual(std::string("values of ") + name + " that are not finite", bad, 0);
-    }
-  }
+    });
+  for (double intensity : { 1e-12, 1e12 })
   {
-    HardScene scene;
-    scene.AddPoint({ 0.5, 0.5, 0.5 }, { 0, 0, 1 })->SetColor(0.0, 0.0, 1e-30);
-    scene.CheckModes("next to no light", 1);
-    const Image irradiance = scene.Copy("irradiance");
-    CheckEqual("red irradiance of a blue light", irradiance.Mean(0), 0.0);
+    light->SetIntensity(intensity);
+    scene.CheckEstimators(1,
+      [&](const EstimatorEntry& estimator)
+      {
+        for (const char* name : names)
+        {
+          Comparison how;
+          how.Factor = intensity;
+          CheckEqual(std::string(name) + ": share of pixels that are not intensity times the light",
+            GetShareOfDifferent(
+              scene.Copy(name), unit[std::string(estimator.Name) + name], 1e-5, how),
+            0.0);
+        }
+      });
   }
+  light->SetIntensity(1.0);
+  light->SetColor(0.0, 0.0, 1e-30);
+  scene.CheckEstimators(1,
+    [&](const EstimatorEntry&)
+    {
+      const Image irradiance = scene.Copy("irradiance");
+      CheckEqual("red irradiance of a blue light", irradiance.Mean(0), 0.0);
+      CheckAtLeast(
+        "blue irradiance over the light", irradiance.Mean(2) / 1e-30, 1e-3, "nothing underflows");
+    });
 }
