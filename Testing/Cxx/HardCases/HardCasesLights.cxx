@@ -14,6 +14,8 @@ using namespace vtkIndirectTest;
 
 namespace
 {
+const glm::dvec3 Albedo(0.75, 0.5, 0.25);
+
 // Solid angle of a rectangle, a corner of which lies at distance d in front of the eye.
 double RectangleAngle(double a, double b, double d)
 {
@@ -247,4 +249,42 @@ VTK_INDIRECT_TEST(LightStrength)
       CheckAtLeast(
         "blue irradiance over the light", irradiance.Mean(2) / 1e-30, 1e-3, "nothing underflows");
     });
+}
+
+// From far away, a point light or a wide spot is a directional one.
+VTK_INDIRECT_TEST(FarLight)
+{
+  const glm::dvec3 there = glm::normalize(glm::dvec3(0.7, 0.9, 0.5));
+  const double intensity = 1.5;
+  HardCase sun("a directional light");
+  sun.AddCorner(Albedo);
+  sun.AddSphere({ 0.6, 0.25, 0.5 }, 0.2, 48, Albedo);
+  sun.AddDirectional(-there)->SetIntensity(intensity);
+  sun.Pass->SetReflectiveShadowMapResolution(128);
+  const Image expected = sun.CheckEstimators(1);
+  const Image direct = sun.Copy("direct");
+  CheckAtLeast("mean irradiance", expected.Mean(), 1e-3, "the test's own power");
+  for (double distance : { 30.0, 100.0, 1e3, 1e4 })
+  {
+    for (double cone : { 180.0, 70.0, 20.0 })
+    {
+      char name[96];
+      std::snprintf(name, sizeof(name), "a light of %g degrees, %g sizes away", cone, distance);
+      HardCase scene(name);
+      scene.AddCorner(Albedo);
+      scene.AddSphere({ 0.6, 0.25, 0.5 }, 0.2, 48, Albedo);
+      const glm::dvec3 place = glm::dvec3(0.5) + distance * there;
+      // Falls off to one at the scene.
+      vtkLight* light =
+        scene.AddSpot(place, glm::dvec3(0.45), cone, 0, { 0, 0, 1.0 / (distance * distance) });
+      light->SetIntensity(intensity);
+      scene.Pass->SetReflectiveShadowMapResolution(128);
+      const Image truth = scene.CheckEstimators(1);
+      const double tolerance = 2.0 / distance + 0.01;
+      const char* const origin = "size over distance, in falloff and direction; outlines";
+      CheckRelative("mean irradiance", truth.Mean(), expected.Mean(), tolerance, origin);
+      CheckRelative(
+        "mean direct light", scene.Copy("direct").Mean(), direct.Mean(), tolerance, origin);
+    }
+  }
 }
