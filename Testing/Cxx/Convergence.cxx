@@ -244,13 +244,13 @@ VTK_INDIRECT_TEST(Directional)
 
 VTK_INDIRECT_TEST(Point)
 {
-  // A closed box, with the eye in it. Six faces of 128 texels hold more than one map of 256, and
-  // lights in all directions must be four times as many.
+  // A closed box, with the eye in it. Six faces of 104 texels hold about as many as one map of 256,
+  // and lights in all directions must be four times as many.
   Scene scene(48, 36);
   scene.AddBox({ 0, 0, 0 }, { 1.3, 1, 1.6 }, { 0.5, 0.75, 0.25 });
   scene.AddSphere({ 0.4, 0.3, 0.6 }, 0.2, 64, { 0.75, 0.5, 0.5 });
   scene.AddPoint({ 0.75, 0.65, 0.7 }, { 0.1, 0.2, 1 });
   scene.SetEye({ 0.7, 0.55, 1.5 }, { 0.55, 0.45, 0.3 }, { 0, 1, 0 }, 70, 0.05, 5);
-  scene.Pass->SetReflectiveShadowMapResolution(128);
+  scene.Pass->SetReflectiveShadowMapResolution(104);
   CheckConvergence(scene, 256);
 }

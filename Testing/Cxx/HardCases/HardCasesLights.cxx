@@ -99,7 +99,7 @@ VTK_INDIRECT_TEST(LightNearSurface)
     HardCase scene(name);
     scene.AddCorner();
     scene.AddPoint({ 0.5, height, 0.5 }, { 0, 0, 1 });
-    scene.Pass->SetReflectiveShadowMapResolution(128);
+    scene.Pass->SetReflectiveShadowMapResolution(64);
     const double walls =
       2.0 * (2.0 * RectangleAngle(0.5, 1.0 - height, 0.5) + 2.0 * RectangleAngle(0.5, height, 0.5));
     const double floor = 4.0 * RectangleAngle(0.5, 0.5, height);
