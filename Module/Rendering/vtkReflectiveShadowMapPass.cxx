@@ -266,8 +266,9 @@ void vtkReflectiveShadowMapPass::UpdateTable(const vtkIndirectFrame& frame)
       row[3] = glm::vec4(map.Projection, map.HalfWidth, this->Resolution, light.Exponent);
       row[4] = glm::vec4(glm::vec3(light.Color), light.Index);
       // Distances reach the shader in scene units: c + l (d'/s) + q (d'/s)^2.
-      row[8] = glm::vec4(light.Attenuation.x, light.Attenuation.y / s,
-        light.Attenuation.z / (s * s), cone ? std::cos(glm::radians(light.ConeAngle)) : -2.0);
+      row[8] =
+        glm::vec4(light.Attenuation.x, light.Attenuation.y / s, light.Attenuation.z / (s * s),
+          cone ? std::pow(std::tan(glm::radians(light.ConeAngle)), 2.0) : -1.0);
       row[9] = glm::vec4(glm::vec3(map.FaceAxis[face]), 0.0f);
       std::copy(&row[0][0], &row[0][0] + 4 * TableWidth, table.begin() + 4 * TableWidth * layer);
     }

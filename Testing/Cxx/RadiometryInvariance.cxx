@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same light whatever the scene's unit and place, and whichever way a light is modelled.
+// The same light whichever way it is modelled.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -18,66 +18,6 @@ namespace
 {
 const glm::dvec3 Albedo(0.75, 0.5, 0.25);
 
-// Irradiance of a scene of size `scale` about `place`.
-Image RenderAt(double scale, const glm::dvec3& place, bool point)
-{
-  Scene scene(48, 36);
-  auto at = [&](double x, double y, double z) { return place + scale * glm::dvec3(x, y, z); };
-  scene.AddQuad(at(0, 0, 0), at(0, 0, 1), at(1, 0, 0), Albedo);
-  scene.AddQuad(at(0, 0, 0), at(0, 1, 0), at(0, 0, 1), Albedo);
-  scene.AddQuad(at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), Albedo);
-  scene.AddSphere(at(0.6, 0.25, 0.5), 0.2 * scale, 48, Albedo);
-  const glm::dvec3 attenuation(0.5, 0.3 / scale, 0.7 / (scale * scale));
-  if (point)
-  {
-    scene.AddPoint(at(0.7, 0.8, 0.8), attenuation);
-  }
-  else
-  {
-    scene.AddSpot(at(0.7, 0.9, 0.8), at(0.3, 0.1, 0.2), 45, 1, attenuation);
-  }
-  scene.SetEye(at(2.2, 1.6, 2.3), at(0.4, 0.3, 0.4), { 0, 1, 0 }, 32, scale, 6 * scale);
-  scene.Pass->SetReflectiveShadowMapResolution(32);
-  scene.Render();
-  scene.CheckBuffers(1);
-  return scene.Copy("irradiance");
-}
-
-void CompareScenes(const std::string& what, const Image& image, const Image& reference)
-{
-  CheckRelative(what + ": mean", image.Mean(), reference.Mean(), 1e-3, "texels on silhouettes");
-  std::vector<double> errors;
-  for (size_t i = 0; i < image.Values.size(); ++i)
-  {
-    if (reference.Values[i] > 0.0f && image.Values[i] > 0.0f)
-    {
-      errors.push_back(std::abs(image.Values[i] / double(reference.Values[i]) - 1.0));
-    }
-  }
-  // Where a pixel or a texel of a silhouette falls on the other side, its neighbourhood changes.
-  CheckAtMost(what + ": 95th percentile of the relative difference", Percentile(errors, 0.95), 1e-3,
-    "rounding of vertices; texels on silhouettes");
-  CheckAtLeast(what + ": pixels", errors.size(), 1000, "the test's own power");
-}
-}
-
-VTK_INDIRECT_TEST(ScaleInvariance)
-{
-  for (bool point : { false, true })
-  {
-    const Image reference = RenderAt(1.0, glm::dvec3(0.0), point);
-    CheckAtLeast("mean irradiance", reference.Mean(), 1e-3, "the test's own power");
-    const std::string light = point ? "point" : "spot";
-    CompareScenes(light + ", 1e-3 of the size", RenderAt(1e-3, glm::dvec3(0.0), point), reference);
-    CompareScenes(light + ", 1e3 of the size", RenderAt(1e3, glm::dvec3(0.0), point), reference);
-    CompareScenes(light + ", 1e-9 of the size", RenderAt(1e-9, glm::dvec3(0.0), point), reference);
-    CompareScenes(
-      light + ", 1e5 sizes away", RenderAt(1.0, { 1e5, -0.6e5, 0.3e5 }, point), reference);
-  }
-}
-
-namespace
-{
 // Two walls that face the eye in full view, and a small plate before them.
 struct HeadlitCorner : Scene
 {

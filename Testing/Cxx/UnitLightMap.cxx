@@ -261,6 +261,7 @@ VTK_INDIRECT_TEST(MapProjections)
   for (const auto& c : cases)
   {
     vtkIndirectLight light = scene.Light;
+    light.PositionWC = scene.Frame.SceneCenter;
     light.Positional = c.Positional;
     light.ConeAngle = c.Cone;
     vtkIndirectLightMap map;
@@ -273,5 +274,35 @@ VTK_INDIRECT_TEST(MapProjections)
       CheckRelative(what + "half width", map.HalfWidth,
         std::tan(vtkMath::RadiansFromDegrees(c.Cone)), 1e-12, "definition");
     }
+  }
+  // From outside, one face aimed at the scene: no wider than it must be, and everything is in it.
+  for (int i = 0; i < 200; ++i)
+  {
+    const RandomScene other(random, 0.0);
+    const double distance = random.NextMagnitude(1.5, 1e6);
+    vtkIndirectLight light = other.Light;
+    light.Positional = true;
+    light.ConeAngle = random.Next(50.0, 180.0);
+    light.PositionWC =
+      other.Frame.SceneCenter + random.NextDirection() * (distance / other.Frame.SceneScale);
+    vtkIndirectLightMap map;
+    map.Fit(other.Frame, light);
+    int outside = 0;
+    for (const vtkIndirectCaster& caster : other.Frame.Casters)
+    {
+      for (int k = 0; k < 8; ++k)
+      {
+        const glm::dvec4 corner(caster.Bounds[k & 1], caster.Bounds[2 + ((k >> 1) & 1)],
+          caster.Bounds[4 + ((k >> 2) & 1)], 1.0);
+        const glm::dvec3 p = other.Frame.SceneScale * glm::dvec3(map.WorldToLight * corner);
+        const double across = glm::length(glm::dvec2(p)) / -p.z;
+        outside += across <= map.HalfWidth && -p.z >= map.Near && -p.z <= map.Far ? 0 : 1;
+      }
+    }
+    const std::string what = std::to_string(distance) + " sizes away: ";
+    CheckEqual(what + "faces", map.NumberOfFaces, 1);
+    CheckEqual(what + "corners outside of the map", outside, 0);
+    CheckRelative(what + "half width", map.HalfWidth,
+      0.505 / std::sqrt(distance * distance - 0.505 * 0.505), 1e-9, "sphere around it, and 1 %");
   }
 }

@@ -491,7 +491,7 @@ void Scene::CheckBuffers(int numberOfMaps)
 {
   std::vector<std::string> names = { "final", "direct", "indirect", "irradiance", "glossy",
     "albedo", "normal", "depth" };
-  if (this->Gather->GetMode() != vtkRSMGatherPass::NEIGHBORHOOD)
+  if (this->Pass->GetEstimator()->ChooseSampler(this->Pass->GetSampler()))
   {
     names.push_back("lights");
   }
@@ -502,11 +502,12 @@ void Scene::CheckBuffers(int numberOfMaps)
       names.push_back("rsm" + std::to_string(i) + channel);
     }
   }
+  int bad = 0;
   for (const std::string& name : names)
   {
     const Image image = this->Copy(name);
     const bool signs = name.find("normal") != std::string::npos;
-    int bad = 0;
+    int badHere = 0;
     for (int y = 0; y < image.Height; ++y)
     {
       for (int x = 0; x < image.Width; ++x)
@@ -517,12 +518,19 @@ void Scene::CheckBuffers(int numberOfMaps)
           // Of the lights, positions and normals have signs.
           const bool negative =
             v < 0.0f && !signs && (name != "lights" || (x == 0 && c == 3) || x == 2);
-          bad += !std::isfinite(v) || negative ? 1 : 0;
+          badHere += !std::isfinite(v) || negative ? 1 : 0;
         }
       }
     }
-    CheckEqual("values of " + name + " that are not finite or below zero", bad, 0);
+    if (badHere)
+    {
+      std::printf("       %d of them in %s\n", badHere, name.c_str());
+    }
+    bad += badHere;
   }
+  CheckEqual(
+    "values in " + std::to_string(names.size()) + " buffers that are not finite or below zero", bad,
+    0);
 }
 
 glm::dvec3 Gather(

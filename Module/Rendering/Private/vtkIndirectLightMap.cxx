@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -19,6 +20,38 @@ constexpr double NearestFraction = 1.0 / 1024.0;
 glm::dvec3 Corner(const double bounds[6], int i)
 {
   return { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)] };
+}
+
+// A face aimed at the scene takes the place of a light's own faces where it is at most this share
+// as wide: twice the texels on the scene, or more.
+constexpr double AimedShare = 0.5;
+
+// Tangent of the half angle in which a positional light sees the sphere around all casters, and the
+// direction there; infinite from within the sphere.
+double AimAtCasters(const vtkIndirectFrame& frame, const vtkIndirectLight& light, glm::dvec3& aim)
+{
+  glm::dvec3 lower(VTK_DOUBLE_MAX);
+  glm::dvec3 upper(-VTK_DOUBLE_MAX);
+  for (const vtkIndirectCaster& caster : frame.Casters)
+  {
+    lower = glm::min(lower, Corner(caster.Bounds, 0));
+    upper = glm::max(upper, Corner(caster.Bounds, 7));
+  }
+  const double none = std::numeric_limits<double>::infinity();
+  if (!light.Positional || frame.Casters.empty())
+  {
+    return none;
+  }
+  const glm::dvec3 toCentre = 0.5 * (lower + upper) - light.PositionWC;
+  const double distance = glm::length(toCentre);
+  // A margin keeps what touches the sphere from falling on the map's edge.
+  const double radius = 0.505 * glm::length(upper - lower);
+  if (!(distance > radius))
+  {
+    return none;
+  }
+  aim = toCentre / distance;
+  return radius / std::sqrt((distance - radius) * (distance + radius));
 }
 
 // Any frame whose -z axis is the direction; the least component makes the most robust cross
@@ -63,9 +96,16 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
   this->Light = light;
   this->SceneScale = frame.SceneScale;
   const bool omnidirectional = light.Positional && light.ConeAngle >= 90.0;
+  const bool narrow = light.Positional && light.ConeAngle <= MaximumSingleFaceAngle;
+  const double cone = narrow ? std::tan(light.ConeAngle * vtkMath::Pi() / 180.0) : 1.0;
+  glm::dvec3 aim;
+  const double around = AimAtCasters(frame, light, aim);
+  const bool aimed = around <= AimedShare * cone;
 
   // A point light's faces stay along the world's axes, so that they do not turn with anything.
-  const glm::dmat3 rotation = omnidirectional ? glm::dmat3(1.0) : FrameAlong(light.DirectionWC);
+  const glm::dmat3 rotation = aimed ? FrameAlong(aim)
+    : omnidirectional               ? glm::dmat3(1.0)
+                                    : FrameAlong(light.DirectionWC);
   const glm::dvec3 origin = light.Positional ? light.PositionWC : frame.SceneCenter;
   this->LightToWorld = glm::dmat4(rotation);
   this->LightToWorld[3] = glm::dvec4(origin, 1.0);
@@ -104,11 +144,11 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
   }
   else
   {
-    const bool single = light.ConeAngle <= MaximumSingleFaceAngle;
+    const bool single = narrow || aimed;
     this->Projection = single ? VTKI_MAP_SINGLE : VTKI_MAP_FACES;
     // No face looks backward from a spot of less than 90 degrees.
     this->NumberOfFaces = single ? 1 : (omnidirectional ? 6 : 5);
-    this->HalfWidth = single ? std::tan(light.ConeAngle * vtkMath::Pi() / 180.0) : 1.0;
+    this->HalfWidth = aimed ? around : cone;
     const glm::dvec3 outside = glm::max(glm::max(lower, -upper), glm::dvec3(0.0));
     if (single)
     {

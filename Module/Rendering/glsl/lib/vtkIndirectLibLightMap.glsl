@@ -6,7 +6,7 @@
 
 // Projections of a map.
 const int VTKI_MAP_PARALLEL = 0; // directional light
-const int VTKI_MAP_SINGLE = 1;   // spot: one perspective face about its axis
+const int VTKI_MAP_SINGLE = 1;   // one perspective face: about a spot's axis, or aimed at the scene
 const int VTKI_MAP_FACES = 2;    // point or wide spot: perspective faces of a cube
 const int VTKI_MAP_CAMERA = 3;   // headlight: the geometry buffer itself
 

@@ -120,8 +120,10 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
 // normal. Cosines are made of it when the map is sampled, at far fewer texels than are drawn here.
 vec2 vtkiDepthSlope(float depth)
 {
-  float s = mix(depth, 1.0f / depth, vtkiMapLight.x);
-  return vec2(dFdx(s), dFdy(s)) * (mix(1.0f, depth, vtkiMapLight.x) / vtkiMapLight.y);
+  // Not mix: far from the light, a sum with the depth leaves nothing of its inverse.
+  bool positional = vtkiMapLight.x > 0.5f;
+  float s = positional ? 1.0f / depth : depth;
+  return vec2(dFdx(s), dFdy(s)) * ((positional ? depth : 1.0f) / vtkiMapLight.y);
 }
 
 float vtkiLinearDepth()

@@ -18,6 +18,10 @@
     }
     else
     {
+      // Light on an undefined normal is not a number. Images of bytes show it as black; one of
+      // floats would keep it, and hand it on to whatever reads a neighbourhood.
+      vec3 vtkiLit = gl_FragData[0].rgb;
+      gl_FragData[0].rgb = min(mix(vtkiLit, vec3(0.0f), isnan(vtkiLit)), vec3(1.0e38f));
       gl_FragData[2] = vec4(vtkiAlbedo, 1.0f);
     }
   }

@@ -1,7 +1,7 @@
 // A map's texel as a virtual light. The table has one row a layer:
 //   0-2 face view coordinates to scene, 3 (projection, half width, texels, cone exponent),
 //   4 (colour times intensity, light index), 5-7 scene to face view coordinates,
-//   8 (attenuation for scene units, cosine of the cone or -2), 9 (direction of the light, 0).
+//   8 (attenuation for scene units, squared tangent of the cone or -1), 9 (direction of the light, 0).
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 
@@ -32,9 +32,16 @@ float vtkiMapFalloff(int layer, vec4 map, vec3 p)
   vec4 falloff = texelFetch(vtkiMapTable, ivec2(8, layer), 0);
   vec3 axis = texelFetch(vtkiMapTable, ivec2(9, layer), 0).xyz;
   float d = length(p);
-  return d > 0.0f ? vtkiAttenuationTimesDistance2(falloff.xyz, d) *
-      vtkiConeFactor(dot(p, axis) / d, falloff.w, map.w)
-                  : 0.0f;
+  float along = dot(p, axis);
+  vec3 across = cross(p, axis);
+  // Over tangents: the cosine of a narrow cone is one but for rounding.
+  if (!(d > 0.0f) || (falloff.w >= 0.0f &&
+    (along <= 0.0f || dot(across, across) > falloff.w * along * along)))
+  {
+    return 0.0f;
+  }
+  return vtkiAttenuationTimesDistance2(falloff.xyz, d) *
+    vtkiConeFactor(along / d, falloff.w < 0.0f ? -2.0f : -1.0f, map.w);
 }
 
 // Cosine at the facet's own normal, from the slope of its depth (see vtkiDepthSlope). The plane

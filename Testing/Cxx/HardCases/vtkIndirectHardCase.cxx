@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectHardCase.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRSMReferencePass.h"
+#include "vtkTrivialProducer.h"
+#include "vtkVirtualLightSampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace vtkIndirectTest
+{
+double GetLargest(const Image& image)
+{
+  float largest = 0.0f;
+  for (float value : image.Values)
+  {
+    largest = std::max(largest, value);
+  }
+  return largest;
+}
+
+double GetShareOfDifferent(
+  const Image& image, const Image& expected, double tolerance, const Comparison& how)
+{
+  if (image.Values.size() != expected.Values.size() || image.Values.empty())
+  {
+    return 1.0;
+  }
+  const int components = expected.Components;
+  const int last = std::min(how.LastComponent, components - 1);
+  auto length = [&](size_t i)
+  {
+    double sum = 0.0;
+    for (int c = how.FirstComponent; c <= last; ++c)
+    {
+      sum += std::pow(double(expected.Values[i + c]), 2.0);
+    }
+    return std::sqrt(sum);
+  };
+  double least = how.Least;
+  for (size_t i = 0; i < expected.Values.size(); i += components)
+  {
+    least = std::max(least, 1e-4 * length(i));
+  }
+  int different = 0;
+  for (size_t i = 0; i < expected.Values.size(); i += components)
+  {
+    double sum = 0.0;
+    for (int c = how.FirstComponent; c <= last; ++c)
+    {
+      sum += std::pow(image.Values[i + c] / how.Factor - expected.Values[i + c], 2.0);
+    }
+    different += std::sqrt(sum) <= tolerance * std::max(length(i), least) ? 0 : 1;
+  }
+  return static_cast<double>(different) * components / expected.Values.size();
+}
+
+//------------------------------------------------------------------------------
+HardCase::HardCase(const std::string& name, int width, int height)
+  : Scene(width, height)
+  , Name(name)
+{
+  this->Pass->SetReflectiveShadowMapResolution(32);
+  this->SetEye({ 2.2, 1.6, 2.3 }, { 0.4, 0.3, 0.4 }, { 0, 1, 0 }, 32, 0.5, 6);
+}
+
+void HardCase::AddCorner(const glm::dvec3& color)
+{
+  this->AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, color);
+  this->AddQuad({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, color);
+  this->AddQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, color);
+}
+
+vtkActor* HardCase::AddTriangles(const std::vector<glm::dvec3>& points,
+  const std::vector<float>& normals, const std::vector<int>& corners, const glm::dvec3& color)
+{
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
+  for (const glm::dvec3& p : points)
+  {
+    places->InsertNextPoint(p.x, p.y, p.z);
+  }
+  data->SetPoints(places);
+  vtkNew<vtkCellArray> cells;
+  for (size_t i = 0; i + 2 < corners.size(); i += 3)
+  {
+    cells->InsertNextCell({ corners[i], corners[i + 1], corners[i + 2] });
+  }
+  data->SetPolys(cells);
+  if (!normals.empty())
+  {
+    vtkNew<vtkFloatArray> array;
+    array->SetNumberOfComponents(3);
+    for (size_t i = 0; i < normals.size(); i += 3)
+    {
+      array->InsertNextTuple(&normals[i]);
+    }
+    data->GetPointData()->SetNormals(array);
+  }
+  vtkNew<vtkTrivialProducer> source;
+  source->SetOutput(data);
+  return this->AddSource(source, color);
+}
+
+//------------------------------------------------------------------------------
+Image HardCase::Sum(int mode)
+{
+  vtkSmartPointer<vtkIndirectEstimatorPass> estimator = this->Pass->GetEstimator();
+  vtkNew<vtkRSMReferencePass> reference;
+  reference->SetMode(mode);
+  this->Pass->SetEstimator(reference);
+  this->Render();
+  const Image image = this->Copy("irradiance");
+  this->Pass->SetEstimator(estimator);
+  return image;
+}
+
+void HardCase::CheckBuffersFit()
+{
+  const Image final = this->Copy("final");
+  const Image direct = this->Copy("direct");
+  const Image indirect = this->Copy("indirect");
+  const Image irradiance = this->Copy("irradiance");
+  const Image albedo = this->Copy("albedo");
+  const Image normal = this->Copy("normal");
+  const Image depth = this->Copy("depth");
+  int sums = 0;
+  int products = 0;
+  int normals = 0;
+  int depths = 0;
+  for (size_t i = 0; i < final.Values.size(); ++i)
+  {
+    const double sum = double(direct.Values[i]) + indirect.Values[i];
+    sums += std::abs(final.Values[i] - sum) <= 1e-6 * sum ? 0 : 1;
+    const double product = double(albedo.Values[i]) * irradiance.Values[i];
+    // Below the least normal float, shaders may flush to zero.
+    products += std::abs(indirect.Values[i] - product) <= 1e-6 * product + 1e-37 ? 0 : 1;
+  }
+  for (int i = 0; i < static_cast<int>(final.Values.size()); i += 3)
+  {
+    const double length = std::hypot(normal.Values[i], normal.Values[i + 1], normal.Values[i + 2]);
+    const bool lit = length > 0.0;
+    normals += lit && std::abs(length - 1.0) > 1e-5 ? 1 : 0;
+    depths += lit && !(depth.At(i / 3 % depth.Width, i / 3 / depth.Width)[0] > 0.0f) ? 1 : 0;
+  }
+  CheckEqual("values of final that are not direct + indirect", sums, 0);
+  CheckEqual("values of indirect that are not albedo * irradiance", products, 0);
+  CheckEqual("normals that are neither zero nor unit vectors", normals, 0);
+  CheckEqual("lit pixels without a depth", depths, 0);
+}
+
+//------------------------------------------------------------------------------
+Image HardCase::CheckEstimators(
+  int numberOfMaps, const std::function<void(const EstimatorEntry&)>& more)
+{
+  const Image truth = this->Sum(vtkRSMReferencePass::ALL_TEXELS);
+  Comparison how;
+  how.Least = this->Radiance;
+  for (const EstimatorEntry& estimator : GetEstimators())
+  {
+    const bool possible = numberOfMaps > 0 || !estimator.NeedsMaps;
+    std::printf("       %s; %s%s\n", this->Name.c_str(), estimator.Name,
+      possible ? "" : ": not, because it needs a map and this light has none");
+    if (!possible)
+    {
+      continue;
+    }
+    estimator.Install(this->Pass, this->NumberOfLights);
+    if (estimator.Sum != EstimatorEntry::OTHER)
+    {
+      const bool all = estimator.Sum == EstimatorEntry::ALL_TEXELS;
+      const Image expected = all ? truth : this->Sum(vtkRSMReferencePass::VIRTUAL_LIGHTS);
+      this->Render();
+      CheckAtMost("share of pixels that are not the sum in double precision",
+        GetShareOfDifferent(this->Copy("irradiance"), expected, 1e-4, how), 1e-3,
+        "1e-4: rounding of floats, largest where surfaces meet");
+    }
+    else
+    {
+      this->Render();
+    }
+    this->CheckBuffers(numberOfMaps);
+    this->CheckBuffersFit();
+    if (more)
+    {
+      more(estimator);
+    }
+  }
+  return truth;
+}
+}

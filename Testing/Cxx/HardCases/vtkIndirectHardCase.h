@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene at the edge of what the formulas allow, rendered with every estimator of the table.
+#ifndef vtkIndirectHardCase_h
+#define vtkIndirectHardCase_h
+
+#include "vtkIndirectEstimatorTable.h"
+#include "vtkIndirectTestUtilities.h"
+
+#include <functional> // for what a case checks besides
+#include <string>     // for names
+
+namespace vtkIndirectTest
+{
+struct HardCase : Scene
+{
+  explicit HardCase(const std::string& name, int width = 40, int height = 30);
+
+  /** Floor and two walls of edge one with the origin as their vertex; the eye before them. */
+  void AddCorner(const glm::dvec3& color = glm::dvec3(1.0));
+
+  /** Triangles; normals, three floats a point, may be null. */
+  vtkActor* AddTriangles(const std::vector<glm::dvec3>& points, const std::vector<float>& normals,
+    const std::vector<int>& corners, const glm::dvec3& color);
+
+  /**
+   * Renders with every estimator. Each time every buffer is finite, what cannot be negative is not,
+   * the buffers fit together, and the irradiance is what vtkRSMReferencePass sums in double
+   * precision over the senders that the estimator promises; then `more` is called. Returns the sum
+   * over all texels.
+   */
+  Image CheckEstimators(
+    int numberOfMaps, const std::function<void(const EstimatorEntry&)>& more = nullptr);
+
+  /** Virtual lights in the next CheckEstimators; texels of all maps are summed as well. */
+  int NumberOfLights = 64;
+  /**
+   * Differences of the irradiance are relative to at least this: for scenes in which all light
+   * comes from senders so near, or so nearly in the same plane, that its cosines are rounding.
+   */
+  double Radiance = 0.0;
+
+private:
+  Image Sum(int mode);
+  void CheckBuffersFit();
+
+  std::string Name;
+};
+
+/** How images are compared, pixel by pixel: as vectors. */
+struct Comparison
+{
+  double Factor = 1.0; // the image's unit over the expected one's
+  /** Differences are relative to at least this, and to a ten-thousandth of the largest value:
+   * below it, cosines of senders in nearly the same plane are rounding. */
+  double Least = 0.0;
+  int FirstComponent = 0;
+  int LastComponent = 2;
+};
+
+/** Share of the pixels that differ by more than a share of the expected value. */
+double GetShareOfDifferent(const Image& image, const Image& expected, double tolerance,
+  const Comparison& how = Comparison());
+
+double GetLargest(const Image& image);
+}
+
+#endif

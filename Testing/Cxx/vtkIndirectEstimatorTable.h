@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every estimator with what it promises. Tests of all estimators go over this table: a new one
+// joins them by a line in vtkIndirectEstimatorTable.cxx.
+#ifndef vtkIndirectEstimatorTable_h
+#define vtkIndirectEstimatorTable_h
+
+#include <vector> // for the table
+
+class vtkIndirectIlluminationPass;
+
+namespace vtkIndirectTest
+{
+struct EstimatorEntry
+{
+  /** Which senders the irradiance is the sum over with the disk kernel, to rounding. */
+  enum SumType
+  {
+    ALL_TEXELS, // of all maps
+    LIGHTS,     // those of the sampler
+    OTHER       // it approximates a sum: only what holds for any irradiance can be asked
+  };
+
+  const char* Name;
+  SumType Sum;
+  /** The error against all texels falls as virtual lights grow, as Convergence.* demands. */
+  bool Converges;
+  /** It reads the lights' maps themselves: a headlight, which has none, is an error. */
+  bool NeedsMaps;
+  /** Puts the estimator into the pass, with about this many virtual lights. */
+  void (*Install)(vtkIndirectIlluminationPass* pass, int numberOfLights);
+};
+
+const std::vector<EstimatorEntry>& GetEstimators();
+}
+
+#endif
