@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import unittest
+from unittest import mock
 
 import numpy as np
 
@@ -126,6 +127,37 @@ class Flicker(unittest.TestCase):
     def test_one_frame_is_an_error(self) -> None:
         with self.assertRaises(metrics.MetricError):
             metrics.flicker([np.ones((2, 2))], [np.ones((2, 2))])
+
+
+class Change(unittest.TestCase):
+    """Change from frame to frame, whatever its cause."""
+
+    def test_alternating_image(self) -> None:
+        images = [np.full((20, 20), 1.0 + 0.1 * (i % 2)) for i in range(4)]
+        self.assertAlmostEqual(metrics.change(images), 0.1 / 1.05, places=12)
+        self.assertEqual(metrics.change(images[:1] * 3), 0.0)
+
+    def test_mask_of_both_frames_counts(self) -> None:
+        images = [np.ones((4, 4)), np.ones((4, 4))]
+        images[1][:2] = 3.0
+        below = np.zeros((4, 4), dtype=bool)
+        below[2:] = True
+        everywhere = np.ones((4, 4), dtype=bool)
+        self.assertEqual(metrics.change(images, [everywhere, below]), 0.0)
+        self.assertGreater(metrics.change(images, [everywhere, everywhere]), 0.4)
+
+    def test_one_frame_is_an_error(self) -> None:
+        with self.assertRaises(metrics.MetricError):
+            metrics.change([np.ones((2, 2))])
+
+
+class Flip(unittest.TestCase):
+    """What needs no FLIP; the rest is in Testing/Reference."""
+
+    def test_without_the_package_it_is_an_error(self) -> None:
+        with mock.patch.dict("sys.modules", {"flip_evaluator": None}):
+            with self.assertRaisesRegex(metrics.MetricError, "flip-evaluator"):
+                metrics.flip(np.ones((4, 4, 3)), np.ones((4, 4, 3)))
 
 
 class ReceiverMask(unittest.TestCase):
