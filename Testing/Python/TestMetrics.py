@@ -129,6 +129,30 @@ class Flicker(unittest.TestCase):
             metrics.flicker([np.ones((2, 2))], [np.ones((2, 2))])
 
 
+class ErrorFlicker(unittest.TestCase):
+    """Change of the error from frame to frame."""
+
+    def test_moving_reference_and_constant_error_are_none(self) -> None:
+        frames = [1.0 + noise((20, 20), seed) for seed in range(4)]
+        self.assertEqual(metrics.error_flicker(frames, frames), 0.0)
+        brighter = [frame + 0.25 for frame in frames]
+        self.assertAlmostEqual(metrics.error_flicker(brighter, frames), 0.0, places=14)
+
+    def test_what_flicker_lets_cancel_counts(self) -> None:
+        references = [np.ones((2, 20)) for _ in range(4)]
+        images = [np.ones((2, 20)) for _ in range(4)]
+        for i in range(4):
+            references[i][0] += 0.1 * (i % 2)  # one half of the truth changes,
+            images[i][1] += 0.1 * (i % 2)  # the other half of the image
+        self.assertAlmostEqual(metrics.flicker(images, references), 0.0, places=14)
+        expected = 3 * 0.1 / sum(float(image.mean()) for image in references[:3])
+        self.assertAlmostEqual(metrics.error_flicker(images, references), expected, places=14)
+
+    def test_one_frame_is_an_error(self) -> None:
+        with self.assertRaises(metrics.MetricError):
+            metrics.error_flicker([np.ones((2, 2))], [np.ones((2, 2))])
+
+
 class Change(unittest.TestCase):
     """Change from frame to frame, whatever its cause."""
 

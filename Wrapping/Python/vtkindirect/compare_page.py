@@ -28,7 +28,8 @@ _COLUMNS = (
     ("bias R3", "bias_r3", "{:+.3f}"),
     ("shape R3", "shape_r3", "{:.3f}"),
     ("FLIP R3", "flip_r3", "{:.4f}"),
-    ("flicker", "flicker", "{:+.5f}"),
+    ("flicker", "flicker", "{:+.4f}"),
+    ("error flicker", "flicker_error", "{:.4f}"),
     ("MB", "megabytes", "{:.1f}"),
 )
 
@@ -107,7 +108,8 @@ def _introduction(results: Sequence[Result]) -> list[str]:
             "flicker: mean change from frame to frame over the reference's mean while the camera "
             "turns around its focal point, eight frames half a degree apart, beyond the change that "
             "R1 (maps of 128 x 128) shows at the same pixels; below zero the image changes too "
-            "little."
+            "little. error flicker: mean change of the difference to R1, in which nothing cancels; an "
+            "error that is fixed to a surface moves with it, so compare methods with the same lights."
         )
     said.append(
         "In the plots the numbers beside points are what the sweep varies, dashed lines are the path "

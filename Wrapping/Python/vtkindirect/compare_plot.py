@@ -85,25 +85,20 @@ def _lines(axis: Any, rows: Sequence[Result], reference: str) -> None:
     nothing = _by_label(rows, "vtk", f"relmse_{reference}")
     if nothing:
         axis.axhline(nothing, color="0.35", linestyle=(0, (6, 3)), linewidth=1.2, zorder=1)
-        axis.annotate(
-            "plain VTK: no indirect light", (0.985, nothing), xycoords=("axes fraction", "data"),
-            xytext=(0, 3), textcoords="offset points", ha="right", fontsize=7, color="0.25",
-        )  # fmt: skip
     noise = next((row.get(f"noise_{reference}") for row in rows), None)
     if noise:
         axis.axhspan(1e-12, noise, color="0.9", zorder=0)
+    for where, _ in _times(rows):
+        axis.axvline(where, color="0.6", linestyle=":", linewidth=1.2, zorder=1)
+
+
+def _times(rows: Sequence[Result]) -> list[tuple[float, str]]:
+    """The yardsticks that are times, and what to call them."""
     frame, ssao = _by_label(rows, "vtk", "frame_ms"), _by_label(rows, "ssao", "frame_ms")
-    marks = [(frame, "frame of plain VTK")]
+    found = [(frame, "frame of plain VTK")] if frame else []
     if frame and ssao and ssao > frame:
-        marks.append((ssao - frame, "what SSAO adds"))
-    for where, text in marks:
-        if where:
-            axis.axvline(where, color="0.6", linestyle=":", linewidth=1.2, zorder=1)
-            axis.annotate(
-                text, (where, 0.02), xycoords=("data", "axes fraction"), xytext=(-2, 0),
-                textcoords="offset points", rotation=90, ha="right", va="bottom", fontsize=7,
-                color="0.35", bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8}, zorder=2,
-            )  # fmt: skip
+        found.append((ssao - frame, "what SSAO adds"))
+    return found
 
 
 def _limits(axis: Any, found: list[Series], rows: Sequence[Result], reference: str) -> None:
@@ -114,44 +109,119 @@ def _limits(axis: Any, found: list[Series], rows: Sequence[Result], reference: s
     low, high = min(errors), max(errors)
     axis.set_ylim(min(0.5 * low, 0.1 * high), 2.2 * high)
     times = [point[0] for one in found for point in one.points]
-    for label in ("vtk", "ssao"):
-        times += [time] if (time := _by_label(rows, label, "frame_ms")) else []
-    axis.set_xlim(0.6 * min(times), 2.0 * max(times))
+    times += [time for time, _ in _times(rows)]
+    axis.set_xlim(0.6 * min(times), 1.9 * max(times))
 
 
-def _names(figure: Any, axis: Any, found: list[Series]) -> None:
-    """Write beside points what tells them apart, wherever there is room."""
-    figure.canvas.draw()
-    renderer = figure.canvas.get_renderer()
-    marks = [
-        axis.transData.transform((time, error)) for one in found for time, error, _ in one.points
-    ]
-    taken: list[Any] = [
-        text.get_window_extent(renderer) for text in axis.texts
-    ]
+def _ticks(axis: Any) -> None:
+    """Ticks at powers of ten, also between them where there are few; plain numbers."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    low, high = axis.get_xlim()
+    few = high < 150.0 * low
+    axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if few else (1.0,)))
+    axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _place: f"{value:g}"))
+    axis.xaxis.set_minor_formatter(NullFormatter())
+    axis.yaxis.set_minor_formatter(NullFormatter())
+
+
+def _along(axis: Any, found: list[Series]) -> list[tuple[float, float]]:
+    """Places on the screen that the curves go through, a few pixels apart."""
+    places: list[tuple[float, float]] = []
+    for one in found:
+        ends = [tuple(axis.transData.transform((time, error))) for time, error, _ in one.points]
+        places += ends
+        for (x0, y0), (x1, y1) in zip(ends, ends[1:]):
+            count = int(max(abs(x1 - x0), abs(y1 - y0)) / 4.0) + 1
+            places += [(x0 + (x1 - x0) * i / count, y0 + (y1 - y0) * i / count) for i in range(count)]
+    return places
+
+
+class _Room:
+    """Where there is still room for text."""
+
+    def __init__(self, figure: Any, axis: Any, found: list[Series]) -> None:
+        figure.canvas.draw()
+        self.axis = axis
+        self._renderer = figure.canvas.get_renderer()
+        self._curves = _along(axis, found)
+        self._taken = [text.get_window_extent(self._renderer) for text in axis.texts]
+
+    def _fits(self, box: Any, curves: bool) -> bool:
+        if any(box.overlaps(other) for other in self._taken):
+            return False
+        if not (self.axis.bbox.containsx(box.x0) and self.axis.bbox.containsx(box.x1)):
+            return False
+        return not curves or not any(box.contains(*place) for place in self._curves)
+
+    def write(self, text: str, choices: Sequence[dict[str, Any]], needed: bool, **style: Any) -> None:
+        """Write a text at the first choice that touches nothing, else where it touches no text."""
+        for curves in (True, False):
+            for choice in choices:
+                made = self.axis.annotate(text, textcoords="offset points", **choice, **style)
+                box = made.get_window_extent(self._renderer)
+                if self._fits(box, curves):
+                    self._taken.append(box)
+                    return
+                made.remove()
+        if needed:
+            self.axis.annotate(text, textcoords="offset points", **choices[0], **style)
+
+
+def _names(
+    figure: Any, axis: Any, found: list[Series], rows: Sequence[Result], reference: str
+) -> None:
+    """Write what the lines are, and beside points what tells them apart."""
+    room = _Room(figure, axis, found)
+    nothing = _by_label(rows, "vtk", f"relmse_{reference}")
+    for where, text in _times(rows):
+        room.write(
+            text,
+            [
+                {"xy": (where, y), "xycoords": ("data", "axes fraction"), "xytext": (dx, 0),
+                 "ha": ha, "va": va}
+                for y, va in ((0.02, "bottom"), (0.98, "top"), (0.5, "center"))
+                for dx, ha in ((-2, "right"), (3, "left"))
+            ],
+            True,
+            rotation=90,
+            fontsize=7,
+            color="0.35",
+        )  # fmt: skip
+    if nothing:
+        room.write(
+            "plain VTK: no indirect light",
+            [
+                {"xy": (x, nothing), "xycoords": ("axes fraction", "data"), "xytext": (0, dy),
+                 "ha": ha}
+                for dy in (3, -10)
+                for x, ha in ((0.985, "right"), (0.5, "center"), (0.015, "left"))
+            ],
+            True,
+            fontsize=7,
+            color="0.25",
+        )  # fmt: skip
     for one in found:
         for time, error, name in one.points:
-            if not name:
-                continue
-            for dx, dy, ha in ((5, 4, "left"), (-5, -10, "right"), (5, -10, "left"), (-5, 4, "right")):
-                text = axis.annotate(
-                    name, (time, error), xytext=(dx, dy), textcoords="offset points", ha=ha,
-                    fontsize=6.5, color="0.2",
+            if name:
+                room.write(
+                    name,
+                    [
+                        {"xy": (time, error), "xytext": (dx, dy), "ha": ha}
+                        for dx, dy, ha in (
+                            (5, 4, "left"), (-5, -10, "right"), (5, -10, "left"), (-5, 4, "right"),
+                            (0, 7, "center"), (0, -13, "center"),
+                        )
+                    ],
+                    False,
+                    fontsize=6.5,
+                    color="0.2",
                 )  # fmt: skip
-                box = text.get_window_extent(renderer)
-                free = not any(box.overlaps(other) for other in taken)
-                free = free and not any(box.contains(*mark) for mark in marks)
-                if free and axis.bbox.containsx(box.x0) and axis.bbox.containsx(box.x1):
-                    taken.append(box)
-                    break
-                text.remove()
 
 
 def draw(rows: Sequence[Result], path: Path) -> bool:
     """Write the plot of one scene's rows; False when no row has an error and a time."""
     pyplot = require_plots()
-    from matplotlib.ticker import LogFormatterSciNotation, NullFormatter
-
     panels = {name: series(rows, name) for name in PANELS}
     panels = {name: found for name, found in panels.items() if found}
     if not panels:
@@ -188,23 +258,21 @@ def draw(rows: Sequence[Result], path: Path) -> bool:
         axis.set_title(PANELS[reference], fontsize=9)
         axis.set_xlabel("time of the indirect light, ms")
         axis.set_ylabel(f"relMSE to {reference.upper()}")
-        axis.yaxis.set_minor_formatter(NullFormatter())
-        axis.xaxis.set_major_formatter(LogFormatterSciNotation())
-        axis.xaxis.set_minor_formatter(NullFormatter())
+        _ticks(axis)
         axis.grid(True, which="major", alpha=0.35)
         axis.grid(True, which="minor", alpha=0.12)
     first = rows[0]
     figure.suptitle(f"{first['scene']}, {first['width']} x {first['height']}", fontsize=12)
     order = [name for name in names if name in handles]
-    columns = min(4, len(order))
+    columns = min(2 * len(panels) + 1, len(order))
     lines = -(-len(order) // columns)
     figure.legend(
         [handles[name] for name in order], order, loc="lower center", ncol=columns, fontsize=8.5,
         frameon=False,
     )  # fmt: skip
     figure.tight_layout(rect=(0, 0.02 + 0.045 * lines, 1, 1))
-    for (_, found), axis in zip(panels.items(), axes[0]):
-        _names(figure, axis, found)
+    for (reference, found), axis in zip(panels.items(), axes[0]):
+        _names(figure, axis, found, rows, reference)
     figure.savefig(path, dpi=110)
     pyplot.close(figure)
     return True

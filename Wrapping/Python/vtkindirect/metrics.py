@@ -119,6 +119,31 @@ def compare(
     )
 
 
+def error_flicker(
+    images: list[np.ndarray],
+    references: list[np.ndarray],
+    masks: list[np.ndarray] | None = None,
+) -> float:
+    """Mean change of the error from frame to frame, over the reference's mean; never negative.
+
+    `flicker` is blind to a change that the image lacks elsewhere; here nothing cancels. An error that
+    stays where it is on a surface moves over the screen with it and counts too, so this is to be
+    compared with that of another method with the same lights, not with nothing.
+    """
+    if len(images) != len(references) or len(images) < 2:
+        raise MetricError("flicker needs two or more frames, and a reference for each")
+    total = 0.0
+    light = 0.0
+    for i in range(len(images) - 1):
+        mask = None if masks is None else np.asarray(masks[i]) & np.asarray(masks[i + 1])
+        first, first_reference, mean = _pair(images[i], references[i], mask)
+        second, second_reference, _ = _pair(images[i + 1], references[i + 1], mask)
+        error = (second - second_reference) - (first - first_reference)
+        total += float(np.abs(error).mean())
+        light += mean
+    return total / light
+
+
 def change(images: list[np.ndarray], masks: list[np.ndarray] | None = None) -> float:
     """Mean change from frame to frame over the mean of the frames, whatever its cause.
 

@@ -95,9 +95,10 @@ def truth(scene: Scene, size: tuple[int, int]) -> Truth:
 
 
 def judge(scene: Scene, against: Truth) -> dict[str, float]:
-    """Flicker of the pass that is on, and how much its image changes at all."""
+    """Flicker of the pass that is on and of its error, and how much its image changes at all."""
     found = frames(scene, against.factor)
     return {
         "flicker": metrics.flicker(found, against.frames, against.masks),
+        "flicker_error": metrics.error_flicker(found, against.frames, against.masks),
         "change": metrics.change(found, against.masks),
     }
