@@ -98,8 +98,8 @@ class Quick(unittest.TestCase):
             few, many = (found[scene, f"gather NumberOfLights={n}"] for n in (64, 256))
             self.assertLess(many["nrmse_r1"], few["nrmse_r1"])
             self.assertAlmostEqual(found[scene, "vtk"]["bias_r3"], -1.0, places=12)
-        # Light that a wall keeps out is let in by all that does not test visibility, about a seventh
-        # of it; there is none where there is no other room.
+        # Light that a wall keeps out is let in by all that does not test visibility, about a
+        # seventh of it; there is none where there is no other room.
         for row in self.methods():
             if row["scene"] == "two_rooms":
                 self.assertGreater(row["leak_r2"], 0.1, row["label"])
@@ -110,12 +110,13 @@ class Quick(unittest.TestCase):
 
     def test_page_and_plots(self) -> None:
         page = (self.report / "index.html").read_text()
+        markdown = (self.report / "index.md").read_text()
         for name in re.findall(r"src='([^']+)'", page):
             data = (self.report / name).read_bytes()
             self.assertTrue(data.startswith(b"\x89PNG") and len(data) > 200, name)
         for scene in SCENES:
             self.assertIn(f"src='{scene}.png'", page)
-            self.assertIn(f"![error against time]({scene}.png)", (self.report / "index.md").read_text())
+            self.assertIn(f"![error against time]({scene}.png)", markdown)
         for row in self.methods():
             self.assertIn(row["image"], page)
             self.assertIn(row["difference"], page)
@@ -139,9 +140,8 @@ class Quick(unittest.TestCase):
             target = Path(name)
             text = (target / "speed-vs-error.md").read_text()
             links = re.findall(r"\]\((speed-vs-error/[^)]+)\)", text)
-            self.assertEqual(
-                set(links), {"speed-vs-error/rows.csv", *(f"speed-vs-error/{s}.png" for s in SCENES)}
-            )
+            expected = {f"speed-vs-error/{name}.png" for name in SCENES}
+            self.assertEqual(set(links), {"speed-vs-error/rows.csv", *expected})
             for link in links:
                 self.assertTrue((target / link).is_file(), link)
             table = (target / "speed-vs-error" / "rows.csv").read_text()

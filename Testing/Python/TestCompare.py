@@ -108,6 +108,20 @@ class DifferenceImage(unittest.TestCase):
         self.assertGreater(shown[0, 2, 2], shown[0, 2, 0] + 0.5)
 
 
+class SmallerReferences(unittest.TestCase):
+    """A stored reference's pixels are the centres of blocks of the image's."""
+
+    def test_the_same_points_are_compared(self) -> None:
+        centre = np.zeros((9, 9), dtype=bool)
+        centre[1::3, 1::3] = True
+        image = np.where(centre, 2.0, 77.0)[..., np.newaxis].repeat(3, axis=-1)
+        held = references.References(centre, {"R1": image, "R2": np.full((3, 3, 3), 2.0)})
+        pairs = dict(held.pairs(image))
+        self.assertTrue((pairs["R2"][0] == 2.0).all() and pairs["R2"][2].all())
+        errors = held.errors(image)
+        self.assertEqual((errors["R1"].nrmse, errors["R2"].nrmse), (0.0, 0.0))
+
+
 class Plot(DirectoryTest):
     """Which points stand where."""
 

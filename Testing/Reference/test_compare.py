@@ -147,7 +147,8 @@ class Traced(unittest.TestCase):
             rows = run()
             for curve, truth in (("one bounce", "r2"), ("all bounces", "r3")):
                 few, many = (rows[f"mitsuba {curve} {n} spp"] for n in (4, 64))
-                # Independent samples would make it sixteen times less; stratified ones more than that.
+                # Independent samples would make it sixteen times less; stratified ones more than
+                # that.
                 ratio = float(few[f"relmse_{truth}"]) / float(many[f"relmse_{truth}"])
                 self.assertGreater(ratio, 8.0, curve)
                 self.assertLess(abs(float(many[f"bias_{truth}"])), 0.01, curve)

@@ -55,9 +55,9 @@ def trace(
 ) -> dict[str, str]:
     """Do a job of `tracer.py` in a description's folder; returns the tracer's versions.
 
-    `on_progress` is called with the fraction of a batch that was done since the last call, `on_batch`
-    with the file of a batch when it is there. By default the tracer is a quiet neighbour: references
-    take minutes, and nobody waits for them. One that is timed must not be.
+    `on_progress` is called with the fraction of a batch that was done since the last call,
+    `on_batch` with the file of a batch when it is there. By default the tracer is a quiet
+    neighbour: references take minutes, and nobody waits for them. One that is timed must not be.
     """
     (folder / "job.json").write_text(json.dumps(job))
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}

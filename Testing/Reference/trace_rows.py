@@ -4,11 +4,11 @@
 
     trace_rows.py SCENE.json FOLDER < job
 
-Standard input is JSON: {"size": [width, height], "rows": [{"name", "samples", "depth"}]}. For each row
-FOLDER gets NAME.npz with `image`, the irradiance by bounces 1 to `depth`, and `seconds`, the times of
-its repetitions: tracing only, warmed up, without loading, compiling and the rays from the eye. A line
-"row NAME" says that it is there; the last line is "versions" and JSON. `vtk-indirect compare` runs
-this, so that the path tracer stands beside the methods.
+Standard input is JSON: {"size": [width, height], "rows": [{"name", "samples", "depth"}]}. For each
+row FOLDER gets NAME.npz with `image`, the irradiance by bounces 1 to `depth`, and `seconds`, the
+times of its repetitions: tracing only, warmed up, without loading, compiling and the rays from the
+eye. A line "row NAME" says that it is there; the last line is "versions" and JSON. `vtk-indirect
+compare` runs this, so that the path tracer stands beside the methods.
 """
 
 from __future__ import annotations

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Speed against error: methods on scenes, each row with its times and its errors.
 
-For every scene the rows of a sweep are rendered with nothing reused between frames; times are medians
-over frames after one to warm up, by wall clock with the pipeline drained around each stage. Errors are
-those of the very image that was timed. In the same run there are yardsticks: plain VTK, whose indirect
-light is none, VTK's screen-space ambient occlusion, and where there is a reference environment a path
-tracer at rising numbers of samples. A row that fails is a row with its error, and the run goes on.
+For every scene the rows of a sweep are rendered with nothing reused between frames; times are
+medians over frames after one to warm up, by wall clock with the pipeline drained around each stage.
+Errors are those of the very image that was timed. In the same run there are yardsticks: plain VTK,
+whose indirect light is none, VTK's screen-space ambient occlusion, and where there is a reference
+environment a path tracer at rising numbers of samples. A row that fails is a row with its error,
+and the run goes on.
 """
 
 from __future__ import annotations

@@ -66,9 +66,9 @@ def add_arguments(
     parser.add_argument(
         "--reference-python",
         metavar="FILE",
-        help="Python of the environment that Testing/Reference/make_environment makes, for the path "
-        f"tracer and HDR-FLIP (default: {reference_environment.VARIABLE} in the environment, else "
-        "build/reference-venv beside the scenes, if there); 'none' leaves both out",
+        help="Python of the environment that Testing/Reference/make_environment makes, for the "
+        f"path tracer and HDR-FLIP (default: {reference_environment.VARIABLE} in the environment, "
+        "else build/reference-venv beside the scenes, if there); 'none' leaves both out",
     )
 
 

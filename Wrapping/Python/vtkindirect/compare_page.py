@@ -78,42 +78,45 @@ def _introduction(results: Sequence[Result]) -> list[str]:
         default=results[0]["frames"],
     )
     said = [
-        f"vtk-indirect {_first(results, 'version')} (commit {_first(results, 'commit') or 'unknown'}"
-        f", shaders {_first(results, 'shader_hash')[:12]}), VTK {_first(results, 'vtk')}, "
+        f"vtk-indirect {_first(results, 'version')} "
+        f"(commit {_first(results, 'commit') or 'unknown'}, "
+        f"shaders {_first(results, 'shader_hash')[:12]}), VTK {_first(results, 'vtk')}, "
         f"{_first(results, 'gl')}.",
         f"Times are medians of {frames} frames with nothing reused between them, by wall clock; "
         "compare them within one run only. 95th percentiles, the time of each stage and all other "
-        "columns are in rows.csv. Yardsticks of the same run: vtk is the frame without any pass, and "
-        "the error of having no indirect light; ssao the same with VTK's screen-space ambient "
-        "occlusion (kernel 32, blur), which darkens and adds nothing, so it has a time and no error.",
+        "columns are in rows.csv. Yardsticks of the same run: vtk is the frame without any pass, "
+        "and the error of having no indirect light; ssao the same with VTK's screen-space ambient "
+        "occlusion (kernel 32, blur), which darkens and adds nothing, so it has a time and no "
+        "error.",
         "Errors are of indirect irradiance with the albedo divided out, on receivers away from "
         "silhouettes, over the reference's mean. R1: every texel of 256 x 256 maps, no occlusion; "
-        "R2: one bounce with visibility, path traced; R3: all bounces. leak: part of the light that "
-        "is where R2 has none.",
+        "R2: one bounce with visibility, path traced; R3: all bounces. leak: part of the light "
+        "that is where R2 has none.",
     ]
     if any(row["method"] == "mitsuba" for row in results):
         said.append(
             "mitsuba is a path tracer at rising samples a pixel (spp), at the same size, with the "
-            "same metrics and mask: one bounce converges to R2, all bounces to R3. Its time is that "
-            "of tracing alone, on the same processor, median of up to three times; loading the "
-            "scene, compiling its kernels and the rays from the eye are not counted."
+            "same metrics and mask: one bounce converges to R2, all bounces to R3. Its time is "
+            "that of tracing alone, on the same processor, median of up to three times; loading "
+            "the scene, compiling its kernels and the rays from the eye are not counted."
         )
     if any(row.get("flip_r1") is not None for row in results):
         said.append(
-            "FLIP is HDR-FLIP of the irradiance at 67 pixels a degree, from 0 (the same) to 1, mean "
-            "over the receivers."
+            "FLIP is HDR-FLIP of the irradiance at 67 pixels a degree, from 0 (the same) to 1, "
+            "mean over the receivers."
         )
     if any(row.get("flicker") is not None for row in results):
         said.append(
             "flicker: mean change from frame to frame over the reference's mean while the camera "
-            "turns around its focal point, eight frames half a degree apart, beyond the change that "
-            "R1 (maps of 128 x 128) shows at the same pixels; below zero the image changes too "
-            "little. error flicker: mean change of the difference to R1, in which nothing cancels; an "
-            "error that is fixed to a surface moves with it, so compare methods with the same lights."
+            "turns around its focal point, eight frames half a degree apart, beyond the change "
+            "that R1 (maps of 128 x 128) shows at the same pixels; below zero the image changes "
+            "too little. error flicker: mean change of the difference to R1, in which nothing "
+            "cancels; an error that is fixed to a surface moves with it, so compare methods with "
+            "the same lights."
         )
     said.append(
-        "In the plots the numbers beside points are what the sweep varies, dashed lines are the path "
-        "tracer, and grey ground is the noise of the reference itself."
+        "In the plots the numbers beside points are what the sweep varies, dashed lines are the "
+        "path tracer, and grey ground is the noise of the reference itself."
     )
     return said
 
@@ -184,8 +187,8 @@ def _html(results: Sequence[Result], plots: dict[str, str]) -> str:
             parts.append(f"<tr>{text}</tr>")
         parts.append("</table>")
         parts.append(
-            "<p>Irradiance, and its difference to R1: red too bright, blue too dark, full colour at "
-            "half the mean.</p><div class='pictures'>"
+            "<p>Irradiance, and its difference to R1: red too bright, blue too dark, full colour "
+            "at half the mean.</p><div class='pictures'>"
         )
         parts += [
             f"<figure><img src='{scene}-{name}.png'><figcaption>{name}</figcaption></figure>"

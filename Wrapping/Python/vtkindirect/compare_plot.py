@@ -133,7 +133,8 @@ def _along(axis: Any, found: list[Series]) -> list[tuple[float, float]]:
         places += ends
         for (x0, y0), (x1, y1) in zip(ends, ends[1:]):
             count = int(max(abs(x1 - x0), abs(y1 - y0)) / 4.0) + 1
-            places += [(x0 + (x1 - x0) * i / count, y0 + (y1 - y0) * i / count) for i in range(count)]
+            parts = [i / count for i in range(count)]
+            places += [(x0 + (x1 - x0) * part, y0 + (y1 - y0) * part) for part in parts]
     return places
 
 
@@ -154,7 +155,9 @@ class _Room:
             return False
         return not curves or not any(box.contains(*place) for place in self._curves)
 
-    def write(self, text: str, choices: Sequence[dict[str, Any]], needed: bool, **style: Any) -> None:
+    def write(
+        self, text: str, choices: Sequence[dict[str, Any]], needed: bool, **style: Any
+    ) -> None:
         """Write a text at the first choice that touches nothing, else where it touches no text."""
         for curves in (True, False):
             for choice in choices:

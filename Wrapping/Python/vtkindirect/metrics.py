@@ -3,9 +3,9 @@
 
 Images are float arrays of shape (height, width) or (height, width, channels), linear and unclamped;
 for indirect light they are irradiance, with the albedo divided out. A mask of shape (height, width)
-chooses the pixels that count: receivers, away from silhouettes. Every function raises MetricError for
-images that cannot be compared (shapes, no pixel left, values that are not finite, a reference without
-light), because a number would be taken for a result.
+chooses the pixels that count: receivers, away from silhouettes. Every function raises MetricError
+for images that cannot be compared (shapes, no pixel left, values that are not finite, a reference
+without light), because a number would be taken for a result.
 """
 
 from __future__ import annotations
@@ -126,9 +126,9 @@ def error_flicker(
 ) -> float:
     """Mean change of the error from frame to frame, over the reference's mean; never negative.
 
-    `flicker` is blind to a change that the image lacks elsewhere; here nothing cancels. An error that
-    stays where it is on a surface moves over the screen with it and counts too, so this is to be
-    compared with that of another method with the same lights, not with nothing.
+    `flicker` is blind to a change that the image lacks elsewhere; here nothing cancels. An error
+    that stays where it is on a surface moves over the screen with it and counts too, so this is to
+    be compared with that of another method with the same lights, not with nothing.
     """
     if len(images) != len(references) or len(images) < 2:
         raise MetricError("flicker needs two or more frames, and a reference for each")
@@ -187,9 +187,9 @@ def flicker(
 def flip(image: np.ndarray, reference: np.ndarray, mask: np.ndarray | None = None) -> float:
     """HDR-FLIP: the difference that an eye sees when flipping between the two, from 0 to 1.
 
-    Mean over the pixels that count. Others are made equal to the reference, so that what lies behind
-    a silhouette does not reach over it, and take no part in the choice of exposures. Needs the
-    package flip-evaluator, which only the reference environment has.
+    Mean over the pixels that count. Others are made equal to the reference, so that what lies
+    behind a silhouette does not reach over it, and take no part in the choice of exposures. Needs
+    the package flip-evaluator, which only the reference environment has.
     """
     try:
         import flip_evaluator

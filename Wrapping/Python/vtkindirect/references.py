@@ -6,8 +6,8 @@
 * R2: one diffuse bounce with true visibility, R3: all bounces; path traced beforehand and stored as
   layers of ``<scene>.exr`` (irradiance in VTK's units, albedo divided out).
 
-A stored reference may be smaller than the image it judges, by an odd factor: its pixels are then the
-centres of blocks of pixels, and the very same points are compared.
+A stored reference may be smaller than the image it judges, by an odd factor: its pixels are then
+the centres of blocks of pixels, and the very same points are compared.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class References:
     """Why a reference is not there, by its name."""
 
     def pairs(self, irradiance: np.ndarray) -> Iterator[tuple[str, tuple[np.ndarray, ...]]]:
-        """For each reference that is there its name, and image, reference and mask at its pixels."""
+        """For each reference its name, and image, reference and mask at the reference's pixels."""
         for name, reference in self.images.items():
             image, mask = irradiance, self.mask
             factor = image.shape[0] // reference.shape[0]

@@ -7,9 +7,9 @@ A sweep file is one JSON object of the format ``vtkindirect.sweep/1``::
      "rows": [{"method": "gather", "settings": {"NumberOfLights": [64, 256], "Interpolation": false}}]}
 
 A list of values stands for one row each; several lists make every combination, the last one varying
-fastest. Optional keys of a row: ``sampler``, ``label`` (default: the method and what the lists chose).
-Optional keys of the sweep: ``flicker`` (true: also along a path of the camera), ``path_tracer``
-(samples a pixel for each of its curves, {"one_bounce": […], "all_bounces": […]}).
+fastest. Optional keys of a row: ``sampler``, ``label`` (default: the method and what the lists
+chose). Optional keys of the sweep: ``flicker`` (true: also along a path of the camera),
+``path_tracer`` (samples a pixel for each of its curves, {"one_bounce": […], "all_bounces": […]}).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _KEYS = {"method", "sampler", "settings", "label"}
 _SWEEP_KEYS = {"schema", "name", "rows", "flicker", "path_tracer"}
 
 PATH_TRACER = {"one_bounce": [4, 16, 64, 256], "all_bounces": [4, 16, 64]}
-"""Samples a pixel of the path tracer's curves when nobody says; it stratifies squares of numbers."""
+"""Samples a pixel of the path tracer's curves when nobody says; it stratifies squares."""
 
 MOST_SAMPLES = 4096
 
