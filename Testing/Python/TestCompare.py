@@ -203,6 +203,10 @@ class ReferenceEnvironment(DirectoryTest):
             made.mkdir(parents=True)
             (made / "python").touch()
             self.assertEqual(reference_environment.find_python(None), made / "python")
+            self.assertEqual(reference_environment.tracer_tools(), tools)
+            (tools / "trace_rows.py").unlink()
+            with self.assertRaisesRegex(reference_environment.LeftOut, "installation"):
+                reference_environment.tracer_tools()
 
     def test_a_python_without_the_packages_is_left_out_with_its_reason(self) -> None:
         python = self.write("python", "#!/bin/sh\necho 'no such module' >&2\nexit 1\n")
@@ -348,6 +352,22 @@ class Command(DirectoryTest):
             self.assertIn(str(error), results[-1]["error"])
             comparison.journal.unlink()
         self.assertIn("KeyError", results[-1]["error"])
+
+    def test_a_path_tracer_that_fails_is_failed_rows(self) -> None:
+        scene = load_scene(self.write("small.json", small_scene()))
+        python = self.write("python", "#!/bin/sh\necho broken >&2\nexit 3\n")
+        python.chmod(0o755)
+        what = sweep.Sweep([sweep.Row("gather", "gather")])
+        comparison = compare.Comparison(what, self.directory, frames=1, python=python)
+        results = {row["label"]: row for row in compare.Run(comparison, scene).run(lambda _: None)}
+        self.assertEqual(results["gather"]["error"], "")
+        traced = [row for label, row in results.items() if label.startswith("mitsuba")]
+        self.assertEqual(len(traced), len(sweep.PATH_TRACER["one_bounce"]))
+        for row in traced:
+            self.assertIn("the path tracer failed", row["error"])
+            self.assertIn("exit code 3", row["error"])
+        # Without a stored R3 nobody knows how many bounces all of them are.
+        self.assertIn("no record", results["gather"]["missing"]["mitsuba all bounces"])
 
     def test_finished_rows_are_not_run_again(self) -> None:
         self.compare("--methods", "gather")

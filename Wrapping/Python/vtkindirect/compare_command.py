@@ -111,6 +111,10 @@ def _outside(comparison: Comparison, given: str | None) -> None:
         comparison.left_out = dict.fromkeys(names, str(reason))
         return
     try:
+        reference_environment.tracer_tools()
+    except reference_environment.LeftOut as reason:
+        comparison.left_out[compare.TRACER] = str(reason)
+    try:
         comparison.flip = reference_environment.Flip(comparison.python)
     except reference_environment.LeftOut as reason:
         comparison.left_out["HDR-FLIP"] = str(reason)

@@ -65,6 +65,14 @@ def find_python(given: str | None) -> Path:
     )
 
 
+def tracer_tools() -> Path:
+    """The folder with the tools that trace; raises `LeftOut` when there is none."""
+    sources = _sources()
+    if sources is None:
+        raise LeftOut("the tools that trace are in the project's sources, not in an installation")
+    return sources
+
+
 class Flip:
     """HDR-FLIP by a process that is started once and asked for each image."""
 
@@ -129,9 +137,7 @@ def trace(
     Raises `LeftOut` where the tools are not there, `RenderError` when tracing fails; rows that were
     yielded before that are good.
     """
-    sources = _sources()
-    if sources is None:
-        raise LeftOut("the tools of Testing/Reference are not part of an installation")
+    sources = tracer_tools()
     with tempfile.TemporaryDirectory(prefix="vtkindirect-") as name:
         places = [str(Path(__file__).resolve().parents[1]), os.environ.get("PYTHONPATH", "")]
         with subprocess.Popen(
