@@ -48,6 +48,9 @@ class Flip(unittest.TestCase):
         self.reference = 0.2 + 0.8 * spread((64, 64, 3), 1)
         self.everywhere = np.ones((64, 64), dtype=bool)
 
+    def test_its_version_is_known(self) -> None:
+        self.assertRegex(self.flip.version, r"^flip-evaluator \d+\.\d+")
+
     def test_equal_images_do_not_differ(self) -> None:
         self.assertEqual(self.flip.error(self.reference, self.reference, self.everywhere), 0.0)
 
