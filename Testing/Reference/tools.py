@@ -47,19 +47,24 @@ def describe(path: Path) -> Description:
 
 
 def trace(
-    folder: Path, job: dict[str, Any], on_progress: Callable[[float], None] | None = None
+    folder: Path,
+    job: dict[str, Any],
+    on_progress: Callable[[float], None] | None = None,
+    on_batch: Callable[[str], None] | None = None,
+    niceness: int = 10,
 ) -> dict[str, str]:
     """Do a job of `tracer.py` in a description's folder; returns the tracer's versions.
 
-    `on_progress` is called with the fraction of a batch that was done since the last call.
+    `on_progress` is called with the fraction of a batch that was done since the last call,
+    `on_batch` with the file of a batch when it is there. By default the tracer is a quiet
+    neighbour: references take minutes, and nobody waits for them. One that is timed must not be.
     """
     (folder / "job.json").write_text(json.dumps(job))
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
     command = [tracer_python(), "-B", HERE / "tracer.py", folder, folder / "job.json"]
     versions: dict[str, str] = {}
-    # A quiet neighbour: references take minutes, and nobody waits for them.
     with subprocess.Popen(
-        ["nice", "-n", "10", *map(str, command)],
+        ["nice", "-n", str(niceness), *map(str, command)],
         stdout=subprocess.PIPE,
         text=True,
         env=environment,
@@ -69,6 +74,8 @@ def trace(
             word, _, rest = line.partition(" ")
             if word == "progress" and on_progress is not None:
                 on_progress(float(rest))
+            elif word == "batch" and on_batch is not None:
+                on_batch(rest.rpartition(" ")[0])
             elif word == "versions":
                 versions = json.loads(rest)
     if process.returncode:

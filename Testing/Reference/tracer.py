@@ -56,6 +56,9 @@ import drjit as dr  # noqa: E402  needs the variant
 # Samples that are traced at once; about 1 kB of memory each with several bounces.
 LANES = 1 << 20
 
+# After how many seconds a timed batch is not repeated any more.
+LONG_ENOUGH = 2.0
+
 
 # The scene ----------------------------------------------------------------------------------------
 
@@ -470,15 +473,22 @@ class Tracer:
         return {key: _image(value, self.size) for key, value in images.items()}
 
     def batch(
-        self, kind: str, samples: int, depth: int, seed: list[Any], first: int = 1
+        self,
+        kind: str,
+        samples: int,
+        depth: int,
+        seed: list[Any],
+        first: int = 1,
+        most: int | None = None,
     ) -> dict[str, np.ndarray]:
         """Return `image`, the irradiance by bounces `first` to `depth`, (height, width, 3).
 
         `kind`: "bounces", or "open" for one bounce with nothing in the way and `depth` layers.
+        `most`: how many receivers to trace, the others stay black; default: all of them.
         `means` are those of each bounce over the receivers, (bounces, 3).
         """
         valid = np.array(self.start["valid"]) > 0
-        (receivers,) = np.nonzero(valid)
+        receivers = np.nonzero(valid)[0][:most]
         found = np.zeros((len(valid), depth, 3))
         chunk = max(1, LANES // samples)
         for begin in range(0, len(receivers), chunk):
@@ -536,7 +546,10 @@ def _path_means(folder: Path, size: tuple[int, int], samples: int) -> dict[str, 
 def run(folder: Path, job: dict[str, Any]) -> None:
     """Do a job: {"size", "surfaces": file or None, "path": samples, "batches": [...]}.
 
-    A batch is {"file", "kind", "samples", "depth", "seed": [...]} and maybe "first".
+    A batch is {"file", "kind", "samples", "depth", "seed": [...]} and maybe "first" and "repeats":
+    with those it is warmed up by as many samples as are traced at once, so that compiling and the
+    first use of memory do not count, and repeated until it has taken `LONG_ENOUGH`; `seconds` are
+    then those of each time.
     """
     size = tuple(job["size"])
     if job.get("path"):
@@ -546,14 +559,20 @@ def run(folder: Path, job: dict[str, Any]) -> None:
     if job.get("surfaces"):
         np.savez(folder / job["surfaces"], **tracer.surfaces())
     for batch in job.get("batches", []):
-        began = time.perf_counter()
-        values = {key: value for key, value in batch.items() if key != "file"}
-        found = tracer.batch(**values)
-        seconds = time.perf_counter() - began
+        values = {key: value for key, value in batch.items() if key not in ("file", "repeats")}
+        repeats = batch.get("repeats", 0)
+        if repeats:
+            tracer.batch(**values, most=max(1, LANES // batch["samples"]))
+        times: list[float] = []
+        while not times or (len(times) < repeats and sum(times) < LONG_ENOUGH):
+            began = time.perf_counter()
+            found = tracer.batch(**values)
+            times.append(time.perf_counter() - began)
+        seconds = times if repeats else times[0]
         unfinished = folder / (batch["file"] + ".part.npz")
         np.savez(unfinished, **found, seconds=seconds)
         unfinished.replace(folder / batch["file"])
-        print(f"batch {batch['file']} {seconds:.3f}", flush=True)
+        print(f"batch {batch['file']} {sum(times):.3f}", flush=True)
     versions = {"mitsuba": mi.__version__, "drjit": dr.__version__, "variant": VARIANT}
     print("versions " + json.dumps(versions), flush=True)
 

@@ -4,11 +4,21 @@
 from __future__ import annotations
 
 import argparse
+import dataclasses
 import json
 from collections.abc import Callable
 from pathlib import Path
 
-from vtkindirect import compare, compare_page, images, locations, methods, sweep
+from vtkindirect import (
+    compare,
+    compare_page,
+    compare_plot,
+    images,
+    locations,
+    methods,
+    reference_environment,
+    sweep,
+)
 from vtkindirect.compare import Comparison, Run
 from vtkindirect.errors import UsageError
 from vtkindirect.progress import Progress
@@ -48,12 +58,26 @@ def add_arguments(
         metavar="N",
         help=f"frames to measure, after one to warm up (default: {compare.FRAMES})",
     )
+    parser.add_argument(
+        "--flicker",
+        action="store_true",
+        help="also along a path of the camera, whatever the sweep says",
+    )
+    parser.add_argument(
+        "--reference-python",
+        metavar="FILE",
+        help="Python of the environment that Testing/Reference/make_environment makes, for the "
+        f"path tracer and HDR-FLIP (default: {reference_environment.VARIABLE} in the environment, "
+        "else build/reference-venv beside the scenes, if there); 'none' leaves both out",
+    )
 
 
-def _rows(arguments: argparse.Namespace) -> list[sweep.Row]:
+def _sweep(arguments: argparse.Namespace) -> sweep.Sweep:
     if arguments.sweep:
-        return sweep.load(arguments.sweep)
-    return sweep.default((arguments.methods or "gather").split(","))
+        found = sweep.load(arguments.sweep)
+    else:
+        found = sweep.default((arguments.methods or "gather").split(","))
+    return dataclasses.replace(found, flicker=found.flicker or arguments.flicker)
 
 
 def _directory(name: str) -> Path:
@@ -78,25 +102,51 @@ def _stored(arguments: argparse.Namespace) -> Path | None:
     return beside if beside.is_dir() else None
 
 
+def _outside(comparison: Comparison, given: str | None) -> None:
+    """Find the reference environment, or note why the comparison goes without."""
+    names = ("HDR-FLIP", compare.TRACER)
+    try:
+        comparison.python = reference_environment.find_python(given)
+    except reference_environment.LeftOut as reason:
+        comparison.left_out = dict.fromkeys(names, str(reason))
+        return
+    try:
+        reference_environment.tracer_tools()
+    except reference_environment.LeftOut as reason:
+        comparison.left_out[compare.TRACER] = str(reason)
+    try:
+        comparison.flip = reference_environment.Flip(comparison.python)
+    except reference_environment.LeftOut as reason:
+        comparison.left_out["HDR-FLIP"] = str(reason)
+
+
 def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
     """Run the comparison, print the paths of its page and its table."""
-    rows = _rows(arguments)
+    what = _sweep(arguments)
     methods.check_method("reference")
-    compare_page.require_plots()
+    compare_plot.require_plots()
+    for name in arguments.scenes:
+        if Path(name).suffix.lower() != ".json":
+            raise UsageError(f"{name}: a comparison needs a scene file (.json)")
     comparison = Comparison(
-        rows=rows,
+        sweep=what,
         directory=_directory(arguments.output),
         frames=max(2, arguments.frames),
         stored=_stored(arguments),
         size=arguments.size,
     )
+    _outside(comparison, arguments.reference_python)
+    rows = len(what.rows) + len(compare.YARDSTICKS)
+    if comparison.python is not None:
+        rows += sum(map(len, what.path_tracer.values()))
     results: list[compare.Result] = []
-    total = len(arguments.scenes) * (len(rows) + len(compare.YARDSTICKS))
-    with Progress("comparing", total) as bar:
-        for name in arguments.scenes:
-            if Path(name).suffix.lower() != ".json":
-                raise UsageError(f"{name}: a comparison needs a scene file (.json)")
-            results += Run(comparison, load(name)).run(bar.step)
+    try:
+        with Progress("comparing", rows * len(arguments.scenes)) as bar:
+            for name in arguments.scenes:
+                results += Run(comparison, load(name)).run(bar.step)
+    finally:
+        if comparison.flip is not None:
+            comparison.flip.close()
     directory = comparison.directory
     images.write_text(directory / "rows.json", json.dumps(results, indent=1) + "\n")
     images.write_text(directory / "rows.csv", compare.table(results))
@@ -104,6 +154,12 @@ def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
     written += compare_page.write(results, directory)
     for path in written:
         print(path)
+    missing: dict[str, list[str]] = {}
+    for result in results:
+        for name, why in result["missing"].items():
+            missing.setdefault(f"left out: {name}, because {why}", []).append(result["scene"])
+    for sentence, scenes in missing.items():
+        print(f"{sentence} ({', '.join(dict.fromkeys(scenes))})")
     failed = [result for result in results if result["error"]]
     for result in failed:
         print(f"failed: {result['scene']}, {result['label']}: {result['error']}")

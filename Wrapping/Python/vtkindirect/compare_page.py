@@ -4,13 +4,11 @@
 from __future__ import annotations
 
 import html
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from vtkindirect import images
-from vtkindirect.errors import RenderError
+from vtkindirect import compare_plot, images
 
 Result = dict[str, Any]
 
@@ -21,57 +19,130 @@ _COLUMNS = (
     ("nRMSE R1", "nrmse_r1", "{:.4f}"),
     ("bias R1", "bias_r1", "{:+.4f}"),
     ("99 % R1", "p99_r1", "{:.3f}"),
+    ("FLIP R1", "flip_r1", "{:.4f}"),
     ("relMSE R2", "relmse_r2", "{:.4f}"),
     ("bias R2", "bias_r2", "{:+.3f}"),
+    ("FLIP R2", "flip_r2", "{:.4f}"),
+    ("leak R2", "leak_percent", "{:.2f} %"),
     ("relMSE R3", "relmse_r3", "{:.4f}"),
     ("bias R3", "bias_r3", "{:+.3f}"),
     ("shape R3", "shape_r3", "{:.3f}"),
+    ("FLIP R3", "flip_r3", "{:.4f}"),
+    ("flicker", "flicker", "{:+.4f}"),
+    ("error flicker", "flicker_error", "{:.4f}"),
     ("MB", "megabytes", "{:.1f}"),
 )
 
 
-def _cells(result: Result) -> list[str]:
+def _values(result: Result) -> Result:
     values = dict(result)
     if result.get("bytes") is not None:
         values["megabytes"] = result["bytes"] / 1e6
-    if result.get("error"):
-        return [result["label"], f"failed: {result['error']}"] + [""] * (len(_COLUMNS) - 2)
+    if result.get("leak_r2") is not None:
+        values["leak_percent"] = 100.0 * result["leak_r2"]
+    return values
+
+
+def _columns(results: Sequence[Result]) -> list[tuple[str, str, str]]:
+    """Columns in which any row has a value; why others are empty is said beside the table."""
+    held = [_values(result) for result in results]
     return [
-        form.format(values[key]) if values.get(key) is not None else ""
-        for _, key, form in _COLUMNS
+        column for column in _COLUMNS if any(row.get(column[1]) is not None for row in held)
     ]
 
 
-def _scenes(results: Sequence[Result]) -> list[str]:
-    return list(dict.fromkeys(result["scene"] for result in results))
+def _cells(result: Result, columns: Sequence[tuple[str, str, str]]) -> list[str]:
+    if result.get("error"):
+        return [result["label"], f"failed: {result['error']}"] + [""] * (len(columns) - 2)
+    values = _values(result)
+    return [
+        form.format(values[key]) if values.get(key) is not None else "" for _, key, form in columns
+    ]
+
+
+def _scenes(results: Sequence[Result]) -> dict[str, list[Result]]:
+    found: dict[str, list[Result]] = {}
+    for result in results:
+        found.setdefault(result["scene"], []).append(result)
+    return found
+
+
+def _first(results: Sequence[Result], key: str) -> str:
+    return next((str(result[key]) for result in results if result.get(key)), "")
+
+
+def _introduction(results: Sequence[Result]) -> list[str]:
+    """Paragraphs on what was run, on what, and how to read it."""
+    frames = max(
+        (row["frames"] for row in results if row["method"] != "mitsuba"),
+        default=results[0]["frames"],
+    )
+    said = [
+        f"vtk-indirect {_first(results, 'version')} "
+        f"(commit {_first(results, 'commit') or 'unknown'}, "
+        f"shaders {_first(results, 'shader_hash')[:12]}), VTK {_first(results, 'vtk')}, "
+        f"{_first(results, 'gl')}.",
+        f"Times are medians of {frames} frames with nothing reused between them, by wall clock; "
+        "compare them within one run only. 95th percentiles, the time of each stage and all other "
+        "columns are in rows.csv. Yardsticks of the same run: vtk is the frame without any pass, "
+        "and the error of having no indirect light; ssao the same with VTK's screen-space ambient "
+        "occlusion (kernel 32, blur), which darkens and adds nothing, so it has a time and no "
+        "error.",
+        "Errors are of indirect irradiance with the albedo divided out, on receivers away from "
+        "silhouettes, over the reference's mean. R1: every texel of 256 x 256 maps, no occlusion; "
+        "R2: one bounce with visibility, path traced; R3: all bounces. leak: part of the light "
+        "that is where R2 has none.",
+    ]
+    if any(row["method"] == "mitsuba" for row in results):
+        said.append(
+            "mitsuba is a path tracer at rising samples a pixel (spp), at the same size, with the "
+            "same metrics and mask: one bounce converges to R2, all bounces to R3. Its time is "
+            "that of tracing alone, on the same processor, median of up to three times; loading "
+            "the scene, compiling its kernels and the rays from the eye are not counted."
+        )
+    if any(row.get("flip_r1") is not None for row in results):
+        said.append(
+            "FLIP is HDR-FLIP of the irradiance at 67 pixels a degree, from 0 (the same) to 1, "
+            "mean over the receivers."
+        )
+    if any(row.get("flicker") is not None for row in results):
+        said.append(
+            "flicker: mean change from frame to frame over the reference's mean while the camera "
+            "turns around its focal point, eight frames half a degree apart, beyond the change "
+            "that R1 (maps of 128 x 128) shows at the same pixels; below zero the image changes "
+            "too little. error flicker: mean change of the difference to R1, in which nothing "
+            "cancels; an error that is fixed to a surface moves with it, so compare methods with "
+            "the same lights."
+        )
+    said.append(
+        "In the plots the numbers beside points are what the sweep varies, dashed lines are the "
+        "path tracer, and grey ground is the noise of the reference itself."
+    )
+    return said
+
+
+def _left_out(rows: Sequence[Result]) -> list[str]:
+    """Sentences on what is not there, and why."""
+    return [f"Left out: {name}, because {why}." for name, why in rows[0].get("missing", {}).items()]
 
 
 def _markdown(results: Sequence[Result], plots: dict[str, str]) -> str:
-    first = results[0]
-    lines = [
-        "# Speed against error",
-        "",
-        f"vtk-indirect {next((r['version'] for r in results if r.get('version')), '')} (commit {first['commit'] or 'unknown'}, shaders "
-        f"{next((r['shader_hash'] for r in results if r.get('shader_hash')), '')[:12]}), VTK "
-        f"{first['vtk']}, {next((r['gl'] for r in results if r.get('gl')), '')}.",
-        "",
-        f"Times are medians of {first['frames']} frames with nothing reused between them, by wall "
-        "clock; compare them within one run only. `vtk` is the frame without any pass, `ssao` the "
-        "same with VTK's screen-space ambient occlusion (kernel 32, blur). Errors are of indirect "
-        "irradiance with the albedo divided out, on receivers away from silhouettes, over the "
-        "reference's mean. R1: every texel of 256 x 256 maps, no occlusion; R2: one bounce with "
-        "visibility, path traced; R3: all bounces.",
-    ]
-    for scene in _scenes(results):
-        rows = [result for result in results if result["scene"] == scene]
+    columns = _columns(results)
+    lines = ["# Speed against error"]
+    for paragraph in _introduction(results):
+        lines += ["", paragraph]
+    for scene, rows in _scenes(results).items():
         lines += ["", f"## {scene}, {rows[0]['width']} x {rows[0]['height']}", ""]
         if scene in plots:
             lines += [f"![error against time]({plots[scene]})", ""]
-        for name, why in rows[0].get("missing", {}).items():
-            lines += [f"No {name}: {why}.", ""]
-        lines.append("| " + " | ".join(title for title, _, _ in _COLUMNS) + " |")
-        lines.append("|" + "|".join("---" if i == 0 else "---:" for i in range(len(_COLUMNS))) + "|")
-        lines += ["| " + " | ".join(_cells(row)) + " |" for row in rows]
+        for sentence in _left_out(rows):
+            lines += [sentence, ""]
+        lines.append("| " + " | ".join(title for title, _, _ in columns) + " |")
+        lines.append("|" + "|".join("---" if i == 0 else "---:" for i in range(len(columns))) + "|")
+        lines += [
+            "| " + " | ".join(cell.replace("|", "\\|") for cell in _cells(row, columns)) + " |"
+            for row in rows
+        ]
         lines += ["", f"R1 | ![R1]({scene}-R1.png)", "---|---"]
         for row in rows:
             if row.get("image"):
@@ -82,94 +153,66 @@ def _markdown(results: Sequence[Result], plots: dict[str, str]) -> str:
     return "\n".join(lines) + "\n"
 
 
+_STYLE = (
+    "body{font:15px sans-serif;margin:2em;max-width:100em}p{max-width:60em}"
+    "table{border-collapse:collapse;font-size:13px}"
+    "td,th{padding:.2em .6em;text-align:right;border-bottom:1px solid #ddd}"
+    "td:first-child,th:first-child{text-align:left}td.failed{text-align:left;color:#a00}"
+    ".left-out{color:#a00}.plot{max-width:100%}"
+    ".pictures{display:flex;flex-wrap:wrap;gap:1em}figure{margin:0}"
+    "figure img{width:15em;margin-right:.2em}figcaption{font-size:12px;max-width:30em}"
+)
+
+
 def _html(results: Sequence[Result], plots: dict[str, str]) -> str:
+    columns = _columns(results)
     parts = [
-        "<!doctype html><meta charset='utf-8'><title>Speed against error</title>",
-        "<style>body{font:15px sans-serif;margin:2em;max-width:90em}table{border-collapse:collapse}"
-        "td,th{padding:.2em .7em;text-align:right;border-bottom:1px solid #ddd}"
-        "td:first-child,th:first-child{text-align:left}img{max-width:30em;margin:.3em}</style>",
+        "<!doctype html><html lang='en'><meta charset='utf-8'><title>Speed against error</title>",
+        f"<style>{_STYLE}</style>",
         "<h1>Speed against error</h1>",
     ]
-    for scene in _scenes(results):
-        rows = [result for result in results if result["scene"] == scene]
+    parts += [f"<p>{html.escape(paragraph)}</p>" for paragraph in _introduction(results)]
+    for scene, rows in _scenes(results).items():
         parts.append(f"<h2>{html.escape(scene)}, {rows[0]['width']} x {rows[0]['height']}</h2>")
         if scene in plots:
-            parts.append(f"<img style='max-width:60em' src='{plots[scene]}' alt='error against time'>")
-        for name, why in rows[0].get("missing", {}).items():
-            parts.append(f"<p>No {name}: {html.escape(why)}.</p>")
-        parts.append("<table><tr>" + "".join(f"<th>{t}</th>" for t, _, _ in _COLUMNS) + "</tr>")
+            parts.append(f"<img class='plot' src='{plots[scene]}' alt='error against time'>")
+        parts += [f"<p class='left-out'>{html.escape(line)}</p>" for line in _left_out(rows)]
+        parts.append("<table><tr>" + "".join(f"<th>{t}</th>" for t, _, _ in columns) + "</tr>")
         for row in rows:
-            cells = "".join(f"<td>{html.escape(cell)}</td>" for cell in _cells(row))
-            parts.append(f"<tr>{cells}</tr>")
+            cells = [html.escape(cell) for cell in _cells(row, columns)]
+            if row.get("error"):
+                text = f"<td>{cells[0]}</td><td class='failed' colspan='99'>{cells[1]}</td>"
+            else:
+                text = "".join(f"<td>{cell}</td>" for cell in cells)
+            parts.append(f"<tr>{text}</tr>")
         parts.append("</table>")
-        parts.append(f"<figure><img src='{scene}-R1.png'><figcaption>R1</figcaption></figure>")
-        for row in rows:
-            if row.get("image"):
-                parts.append(
-                    f"<figure><img src='{html.escape(row['image'])}'>"
-                    f"<img src='{html.escape(row['difference'])}'>"
-                    f"<figcaption>{html.escape(row['label'])}; difference to R1: red too bright, "
-                    "blue too dark, full colour at half the mean</figcaption></figure>"
-                )
-    return "\n".join(parts) + "\n"
-
-
-def require_plots() -> Any:
-    """matplotlib's pyplot, for files only; raises `RenderError` when it is not installed."""
-    os.environ.setdefault("MPLBACKEND", "Agg")
-    try:
-        from matplotlib import pyplot
-    except ImportError:
-        raise RenderError(
-            "the plots of a comparison need matplotlib (Debian: python3-matplotlib)"
-        ) from None
-    return pyplot
-
-
-def _plots(results: Sequence[Result], directory: Path) -> dict[str, str]:
-    """One plot a scene, error against time."""
-    pyplot = require_plots()
-    written = {}
-    for scene in _scenes(results):
-        axes_names = [
-            name
-            for name in ("r1", "r2", "r3")
-            if any(row.get(f"relmse_{name}") is not None for row in results if row["scene"] == scene)
-        ]
-        if not axes_names:
-            continue
-        figure, axes = pyplot.subplots(
-            1, len(axes_names), figsize=(5.0 * len(axes_names), 4.2), squeeze=False
+        parts.append(
+            "<p>Irradiance, and its difference to R1: red too bright, blue too dark, full colour "
+            "at half the mean.</p><div class='pictures'>"
         )
-        for name, axis in zip(axes_names, axes[0]):
-            by_method: dict[str, list[tuple[float, float]]] = {}
-            for row in results:
-                error = row.get(f"relmse_{name}")
-                if row["scene"] == scene and error is not None and row.get("indirect_ms"):
-                    by_method.setdefault(row["label"].split(" ")[0], []).append(
-                        (row["indirect_ms"], max(error, 1e-12))
-                    )
-            for method, points in by_method.items():
-                points.sort()
-                axis.plot(*zip(*points), marker="o", label=method)
-            axis.set_xscale("log")
-            axis.set_yscale("log")
-            axis.set_xlabel("indirect stages, ms")
-            axis.set_ylabel(f"relMSE to {name.upper()}")
-            axis.grid(True, which="both", alpha=0.3)
-            axis.legend()
-        figure.suptitle(scene)
-        figure.tight_layout()
-        path = directory / f"{scene}.png"
-        figure.savefig(path, dpi=100)
-        pyplot.close(figure)
-        written[scene] = path.name
-    return written
+        parts += [
+            f"<figure><img src='{scene}-{name}.png'><figcaption>{name}</figcaption></figure>"
+            for name in ("R1", "R2", "R3")
+            if any(row.get(f"relmse_{name.lower()}") is not None for row in rows)
+        ]
+        parts += [
+            f"<figure><img src='{html.escape(row['image'])}'>"
+            f"<img src='{html.escape(row['difference'])}'>"
+            f"<figcaption>{html.escape(row['label'])}</figcaption></figure>"
+            for row in rows
+            if row.get("image")
+        ]
+        parts.append("</div>")
+    return "\n".join(parts) + "\n</html>\n"
 
 
 def write(results: Sequence[Result], directory: Path) -> list[Path]:
     """Write index.md and index.html with their plots; returns the paths."""
-    plots = _plots(results, directory)
+    plots = {
+        scene: f"{scene}.png"
+        for scene, rows in _scenes(results).items()
+        if compare_plot.draw(rows, directory / f"{scene}.png")
+    }
     written = [directory / "index.md", directory / "index.html"]
     images.write_text(written[0], _markdown(results, plots))
     images.write_text(written[1], _html(results, plots))

@@ -6,13 +6,14 @@
 * R2: one diffuse bounce with true visibility, R3: all bounces; path traced beforehand and stored as
   layers of ``<scene>.exr`` (irradiance in VTK's units, albedo divided out).
 
-A stored reference may be smaller than the image it judges, by an odd factor: its pixels are then the
-centres of blocks of pixels, and the very same points are compared.
+A stored reference may be smaller than the image it judges, by an odd factor: its pixels are then
+the centres of blocks of pixels, and the very same points are compared.
 """
 
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -39,17 +40,19 @@ class References:
     missing: dict[str, str] = field(default_factory=dict)
     """Why a reference is not there, by its name."""
 
-    def errors(self, irradiance: np.ndarray) -> dict[str, metrics.Errors]:
-        """Errors of an image against each reference that is there, by its name."""
-        found = {}
+    def pairs(self, irradiance: np.ndarray) -> Iterator[tuple[str, tuple[np.ndarray, ...]]]:
+        """For each reference its name, and image, reference and mask at the reference's pixels."""
         for name, reference in self.images.items():
             image, mask = irradiance, self.mask
             factor = image.shape[0] // reference.shape[0]
             if factor > 1:
                 centre = slice(factor // 2, None, factor)
                 image, mask = image[centre, centre], mask[centre, centre]
-            found[name] = metrics.compare(image, reference, mask)
-        return found
+            yield name, (image, reference, mask)
+
+    def errors(self, irradiance: np.ndarray) -> dict[str, metrics.Errors]:
+        """Errors of an image against each reference that is there, by its name."""
+        return {name: metrics.compare(*pair) for name, pair in self.pairs(irradiance)}
 
 
 def r1(scene: Scene) -> np.ndarray:
@@ -104,31 +107,47 @@ def natural_size(stored: Path | None) -> tuple[int, int] | None:
     return None
 
 
-def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> References:
-    """All references of a scene at an image size of (width, height) pixels.
+def stored_images(
+    stored: Path | None, size: tuple[int, int]
+) -> tuple[dict[str, np.ndarray], dict[str, str]]:
+    """R2 and R3 of the EXR file `stored`, for images of `size`, and why those are missing that are.
 
-    `stored` is the EXR file with R2 and R3, or None. A file whose size does not divide the image's by
-    the same odd number is an error, because no pixel centres would coincide.
+    A file is of no use when its size does not divide the image's by the same odd number, because no
+    pixel centres would coincide.
     """
-    first = r1(scene)
-    methods.enable(scene.renderer, "gather", NumberOfLights=1)
-    scene.render_window.Render()
-    found = References(mask(scene), {"R1": first})
-    methods.disable(scene.renderer)
+    found: dict[str, np.ndarray] = {}
+    missing: dict[str, str] = {}
     for name in STORED:
         if stored is None or not stored.exists():
-            found.missing[name] = "there is no stored reference"
+            missing[name] = "there is no stored reference"
             continue
         layer = read_layer(stored, name)
         if layer is None:
-            found.missing[name] = f"{stored.name} has no layer '{name}'"
+            missing[name] = f"{stored.name} has no layer '{name}'"
             continue
         height, width = layer.shape[:2]
         factor = size[0] // width
         if size != (factor * width, factor * height) or factor % 2 == 0:
-            raise UsageError(
-                f"{stored}: its {width} x {height} pixels fit images of an odd multiple of that "
-                f"size, not {size[0]} x {size[1]}"
+            missing[name] = (
+                f"the {width} x {height} pixels of {stored.name} fit images of an odd multiple of "
+                f"that size, not {size[0]} x {size[1]}"
             )
-        found.images[name] = layer
-    return found
+            continue
+        found[name] = layer
+    return found, missing
+
+
+def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> References:
+    """All references of a scene at an image size of (width, height) pixels.
+
+    `stored` is the EXR file with R2 and R3, or None.
+    """
+    first = r1(scene)
+    methods.enable(scene.renderer, "gather", NumberOfLights=1)
+    try:
+        scene.render_window.Render()
+        receivers = mask(scene)
+    finally:
+        methods.disable(scene.renderer)
+    images_found, missing = stored_images(stored, size)
+    return References(receivers, {"R1": first, **images_found}, missing)

@@ -7,13 +7,16 @@ A sweep file is one JSON object of the format ``vtkindirect.sweep/1``::
      "rows": [{"method": "gather", "settings": {"NumberOfLights": [64, 256], "Interpolation": false}}]}
 
 A list of values stands for one row each; several lists make every combination, the last one varying
-fastest. Optional keys of a row: ``sampler``, ``label`` (default: the method and what the lists chose).
+fastest. Optional keys of a row: ``sampler``, ``label`` (default: the method and what the lists
+chose). Optional keys of the sweep: ``flicker`` (true: also along a path of the camera),
+``path_tracer`` (samples a pixel for each of its curves, {"one_bounce": […], "all_bounces": […]}).
 """
 
 from __future__ import annotations
 
 import itertools
 import json
+import math
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -23,6 +26,12 @@ from vtkindirect.errors import SceneError, UsageError
 
 SCHEMA = "vtkindirect.sweep/1"
 _KEYS = {"method", "sampler", "settings", "label"}
+_SWEEP_KEYS = {"schema", "name", "rows", "flicker", "path_tracer"}
+
+PATH_TRACER = {"one_bounce": [4, 16, 64, 256], "all_bounces": [4, 16, 64]}
+"""Samples a pixel of the path tracer's curves when nobody says; it stratifies squares."""
+
+MOST_SAMPLES = 4096
 
 
 @dataclass(frozen=True)
@@ -39,11 +48,20 @@ class Row:
         return json.dumps([self.method, self.sampler, self.settings], sort_keys=True)
 
 
-def default(names: list[str]) -> list[Row]:
-    """Rows for methods by name, with their own settings."""
+@dataclass(frozen=True)
+class Sweep:
+    """What a comparison runs on each scene."""
+
+    rows: list[Row]
+    flicker: bool = False
+    path_tracer: dict[str, list[int]] = field(default_factory=lambda: dict(PATH_TRACER))
+
+
+def default(names: list[str]) -> Sweep:
+    """A sweep of methods by name, with their own settings."""
     for name in names:
         methods.check_method(name)
-    return [Row(name, name) for name in names]
+    return Sweep([Row(name, name) for name in names])
 
 
 def _text(value: Any) -> str:
@@ -77,7 +95,29 @@ def _expand(entry: dict[str, Any], where: str) -> list[Row]:
     return rows
 
 
-def load(path: str | Path) -> list[Row]:
+def _path_tracer(value: Any, where: str) -> dict[str, list[int]]:
+    if not isinstance(value, dict):
+        raise UsageError(f"{where}: must be an object")
+    for key, samples in value.items():
+        if key not in PATH_TRACER:
+            raise UsageError(f"{where}.{key}: unknown key; known: {', '.join(PATH_TRACER)}")
+        if not isinstance(samples, list):
+            raise UsageError(f"{where}.{key}: must be a list of numbers of samples")
+        for number in samples:
+            # Squares are what the sampler stratifies as it is told.
+            if (
+                not isinstance(number, int)
+                or isinstance(number, bool)
+                or not 1 <= number <= MOST_SAMPLES
+                or math.isqrt(number) ** 2 != number
+            ):
+                raise UsageError(
+                    f"{where}.{key}: must be squares from 1 to {MOST_SAMPLES}, not {number!r}"
+                )
+    return {key: sorted(set(value.get(key, []))) for key in PATH_TRACER}
+
+
+def load(path: str | Path) -> Sweep:
     """Read a sweep file; a mistake is a `UsageError` that names the key."""
     try:
         content = document.read(Path(path))
@@ -88,8 +128,9 @@ def load(path: str | Path) -> list[Row]:
     if content.get("schema") != SCHEMA:
         raise UsageError(f"{path}: schema: must be '{SCHEMA}'")
     for key in content:
-        if key not in {"schema", "name", "rows"}:
-            raise UsageError(f"{path}: {key}: unknown key; known: schema, name, rows")
+        if key not in _SWEEP_KEYS:
+            known = ", ".join(sorted(_SWEEP_KEYS))
+            raise UsageError(f"{path}: {key}: unknown key; known: {known}")
     entries = content.get("rows")
     if not isinstance(entries, list) or not entries:
         raise UsageError(f"{path}: rows: must be a list with at least one row")
@@ -100,4 +141,8 @@ def load(path: str | Path) -> list[Row]:
     for label in labels:
         if labels.count(label) > 1:
             raise UsageError(f"{path}: two rows are called '{label}'; give them labels")
-    return rows
+    flicker = content.get("flicker", False)
+    if not isinstance(flicker, bool):
+        raise UsageError(f"{path}: flicker: must be true or false")
+    samples = content.get("path_tracer", PATH_TRACER)
+    return Sweep(rows, flicker, _path_tracer(samples, f"{path}: path_tracer"))

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The quick sweep on two small scenes: everything that a report has is there."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "Python"))
+
+import support  # noqa: E402  from the folder above
+from vtkindirect import compare, reference_environment, sweep  # noqa: E402
+
+SCENES = ("contact_corner", "two_rooms")
+
+
+def why_no_yardsticks() -> str | None:
+    """Why there is neither a path tracer nor HDR-FLIP here, or None."""
+    try:
+        reference_environment.Flip(reference_environment.find_python(None)).close()
+    except reference_environment.LeftOut as reason:
+        return str(reason)
+    return None
+
+
+@unittest.skipIf(support.why_no_rendering() is not None, f"{support.why_no_rendering()}")
+class Quick(unittest.TestCase):
+    """One run, looked at from all sides."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        holder = tempfile.TemporaryDirectory(prefix="vtkindirect-")
+        cls.addClassCleanup(holder.cleanup)
+        cls.report = Path(holder.name) / "report"
+        cls.done = support.command_line(
+            "compare",
+            *(support.SCENES / f"{name}.json" for name in SCENES),
+            *("--sweep", HERE / "quick.json", "--size", "128x128", "--frames", 3),
+            *("-o", cls.report),
+        )
+        cls.sweep = sweep.load(HERE / "quick.json")
+        cls.rows: list[dict[str, Any]] = []
+        if cls.done.returncode == 0:
+            cls.rows = json.loads((cls.report / "rows.json").read_text())
+        cls.without = why_no_yardsticks()
+
+    def setUp(self) -> None:
+        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+
+    def methods(self) -> list[dict[str, Any]]:
+        """The rows that are no yardsticks."""
+        return [row for row in self.rows if row["method"] == "gather"]
+
+    def test_every_row_of_every_scene(self) -> None:
+        expected = [*compare.YARDSTICKS, *(row.label for row in self.sweep.rows)]
+        if self.without is None:
+            expected += [
+                f"mitsuba {compare.CURVES[curve]} {number} spp"
+                for curve, samples in self.sweep.path_tracer.items()
+                for number in samples
+            ]
+        for scene in SCENES:
+            labels = [row["label"] for row in self.rows if row["scene"] == scene]
+            self.assertEqual(labels, expected)
+        self.assertEqual({row["error"] for row in self.rows}, {""})
+
+    def test_every_column(self) -> None:
+        with (self.report / "rows.csv").open(newline="") as stream:
+            table = list(csv.DictReader(stream))
+        self.assertEqual(len(table), len(self.rows))
+        known = ["commit", "shader_hash", "vtk", "gl", "width", "height", "bytes", "frame_ms",
+                 "frame_p95_ms", "indirect_ms", "flicker", "flicker_error", "change",
+                 "virtual_lights"]  # fmt: skip
+        for stage in compare.STAGES:
+            known += [f"{stage}_ms", f"{stage}_p95_ms"]
+        for reference in ("r1", "r2", "r3"):
+            known += [f"{metric}_{reference}" for metric in compare.METRICS]
+            known += [f"flip_{reference}"] if self.without is None else []
+        in_a_checkout = (support.SOURCE / ".git").exists()
+        for row in (row for row in table if row["method"] == "gather"):
+            for name in known:
+                if name == "commit" and not in_a_checkout:
+                    continue
+                self.assertNotEqual(row.get(name), "", f"{row['label']}: {name}")
+                self.assertIn(name, row)
+
+    def test_errors_are_what_the_scenes_are_for(self) -> None:
+        found = {(row["scene"], row["label"]): row for row in self.rows}
+        for scene in SCENES:
+            few, many = (found[scene, f"gather NumberOfLights={n}"] for n in (64, 256))
+            self.assertLess(many["nrmse_r1"], few["nrmse_r1"])
+            self.assertAlmostEqual(found[scene, "vtk"]["bias_r3"], -1.0, places=12)
+        # Light that a wall keeps out is let in by all that does not test visibility, about a
+        # seventh of it; there is none where there is no other room.
+        for row in self.methods():
+            if row["scene"] == "two_rooms":
+                self.assertGreater(row["leak_r2"], 0.1, row["label"])
+            else:
+                self.assertLess(row["leak_r2"], 1e-3, row["label"])
+            self.assertLess(abs(row["flicker"]), 0.5 * row["change"], row["label"])
+            self.assertGreaterEqual(row["flicker_error"], abs(row["flicker"]), row["label"])
+
+    def test_page_and_plots(self) -> None:
+        page = (self.report / "index.html").read_text()
+        markdown = (self.report / "index.md").read_text()
+        for name in re.findall(r"src='([^']+)'", page):
+            data = (self.report / name).read_bytes()
+            self.assertTrue(data.startswith(b"\x89PNG") and len(data) > 200, name)
+        for scene in SCENES:
+            self.assertIn(f"src='{scene}.png'", page)
+            self.assertIn(f"![error against time]({scene}.png)", markdown)
+        for row in self.methods():
+            self.assertIn(row["image"], page)
+            self.assertIn(row["difference"], page)
+
+    def test_what_is_left_out_is_said(self) -> None:
+        for text in ((self.report / "index.html").read_text(), self.done.stdout):
+            for name in ("HDR-FLIP", "mitsuba"):
+                said = re.search(f"[Ll]eft out: {name}, because ", text) is not None
+                self.assertEqual(said, self.without is not None, self.without)
+
+    def test_publishing(self) -> None:
+        """The published page has the plots and none of the pictures, beside a copy of the table."""
+        with tempfile.TemporaryDirectory(prefix="vtkindirect-") as name:
+            done = subprocess.run(
+                [sys.executable, "-B", str(HERE / "publish.py"), str(self.report), name],
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            target = Path(name)
+            text = (target / "speed-vs-error.md").read_text()
+            links = re.findall(r"\]\((speed-vs-error/[^)]+)\)", text)
+            expected = {f"speed-vs-error/{name}.png" for name in SCENES}
+            self.assertEqual(set(links), {"speed-vs-error/rows.csv", *expected})
+            for link in links:
+                self.assertTrue((target / link).is_file(), link)
+            table = (target / "speed-vs-error" / "rows.csv").read_text()
+            self.assertEqual(table, (self.report / "rows.csv").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Flicker: how much more an image changes along a path of the camera than it should.
+
+The camera turns around its focal point in small steps, half of them to either side of where the
+scene has it. How much the image should change is what R1 changes, with smaller maps than for the
+errors: rendered at a fraction of the size, so that its pixels are centres of blocks of pixels, and
+compared with the very same points of the row's images.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+from vtkindirect import images, messages, methods, metrics, references
+from vtkindirect.errors import RenderError
+from vtkindirect.scene import Scene
+
+FRAMES = 8
+STEP = 0.5
+"""Degrees between frames: a few pixels at the sizes that are compared."""
+
+MAP_TEXELS = 128
+"""Edge of the maps that make the reference; its own relMSE is below 2e-5."""
+
+LEAST_WIDTH = 96
+"""Images are thinned out to no less than this many pixels, in either direction."""
+
+
+@dataclass(frozen=True)
+class Truth:
+    """The reference's frames, the pixels that count, and how far images are thinned out."""
+
+    frames: list[np.ndarray]
+    masks: list[np.ndarray]
+    factor: int
+
+
+def factor(size: tuple[int, int]) -> int:
+    """The largest odd number that divides both lengths and leaves enough of them."""
+    common = math.gcd(*size)
+    fits = (n for n in range(common, 0, -1) if n % 2 == 1 and common % n == 0)
+    return next((n for n in fits if min(size) // n >= LEAST_WIDTH), 1)
+
+
+def thin(image: np.ndarray, by: int) -> np.ndarray:
+    """The pixels in the centres of blocks of `by` x `by` pixels."""
+    centre = slice(by // 2, None, by)
+    return image[centre, centre]
+
+
+def _frames(scene: Scene, count: int = FRAMES) -> Iterator[None]:
+    """Render each frame of the path; the camera is as before afterwards."""
+    camera = scene.renderer.GetActiveCamera()
+    before = vtkCamera()
+    before.DeepCopy(camera)
+    try:
+        for index in range(count):
+            camera.DeepCopy(before)
+            camera.Azimuth(STEP * (index - 0.5 * (count - 1)))
+            camera.OrthogonalizeViewUp()
+            with messages.capture() as said:
+                scene.render_window.Render()
+            if said.errors:
+                raise RenderError(f"rendering failed: {said.first_error()}")
+            yield
+    finally:
+        camera.DeepCopy(before)
+
+
+def frames(scene: Scene, by: int) -> list[np.ndarray]:
+    """Irradiance of each frame by the pass that is on, thinned out."""
+    return [thin(images.copy_buffer(scene.renderer, "irradiance"), by) for _ in _frames(scene)]
+
+
+def truth(scene: Scene, size: tuple[int, int]) -> Truth:
+    """The reference along the path, for images of `size`; leaves the window at that size."""
+    by = factor(size)
+    window = scene.render_window
+    methods.disable(scene.renderer)
+    try:
+        methods.enable(scene.renderer, "gather", NumberOfLights=1)
+        masks = [thin(references.mask(scene), by) for _ in _frames(scene)]
+        methods.disable(scene.renderer)
+        window.SetSize(size[0] // by, size[1] // by)
+        methods.enable(scene.renderer, "reference", ReflectiveShadowMapResolution=MAP_TEXELS)
+        return Truth(frames(scene, 1), masks, by)
+    finally:
+        methods.disable(scene.renderer)
+        window.SetSize(*size)
+
+
+def judge(scene: Scene, against: Truth) -> dict[str, float]:
+    """Flicker of the pass that is on and of its error, and how much its image changes at all."""
+    found = frames(scene, against.factor)
+    return {
+        "flicker": metrics.flicker(found, against.frames, against.masks),
+        "flicker_error": metrics.error_flicker(found, against.frames, against.masks),
+        "change": metrics.change(found, against.masks),
+    }

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The reference environment: another Python, with a path tracer and HDR-FLIP.
+
+Testing/Reference/make_environment makes it; this package never imports what is in it. Both are
+programs that are run beside this one, and a comparison without them says that they are left out,
+and why.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from vtkindirect import locations
+from vtkindirect.errors import IndirectError, RenderError, UsageError
+
+VARIABLE = "VTKINDIRECT_REFERENCE_PYTHON"
+NONE = "none"
+
+
+class LeftOut(IndirectError):
+    """Something that a comparison goes without; the text says why."""
+
+
+def _sources() -> Path | None:
+    """The folder with the tools of the references; there is none beside an installed package."""
+    try:
+        found = locations.scene_directory().parent / "Reference"
+    except UsageError:
+        return None
+    return found if (found / "trace_rows.py").is_file() else None
+
+
+def find_python(given: str | None) -> Path:
+    """The Python of the reference environment; raises `LeftOut` when there is none.
+
+    `given` comes first, then the environment variable, then where make_environment puts it. A
+    Python that was named and is not there is a `UsageError`; "none" says that none is wanted.
+    """
+    named = given or os.environ.get(VARIABLE)
+    if named == NONE:
+        raise LeftOut("it was asked to be left out (--reference-python none)")
+    if named:
+        if not os.access(named, os.X_OK) or Path(named).is_dir():
+            where = "--reference-python" if given else VARIABLE
+            raise UsageError(f"{where}: {named}: is no program")
+        return Path(named)
+    sources = _sources()
+    if sources is not None:
+        python = sources.parent.parent / "build" / "reference-venv" / "bin" / "python"
+        if python.exists():
+            return python
+    raise LeftOut(
+        "there is no reference environment; Testing/Reference/make_environment makes it, "
+        "--reference-python names another"
+    )
+
+
+def tracer_tools() -> Path:
+    """The folder with the tools that trace; raises `LeftOut` when there is none."""
+    sources = _sources()
+    if sources is None:
+        raise LeftOut("the tools that trace are in the project's sources, not in an installation")
+    return sources
+
+
+class Flip:
+    """HDR-FLIP by a process that is started once and asked for each image."""
+
+    def __init__(self, python: Path) -> None:
+        here = Path(__file__).resolve().parent
+        self._folder = tempfile.TemporaryDirectory(prefix="vtkindirect-")
+        self._process = subprocess.Popen(
+            [str(python), "-I", "-B", str(here / "flip_worker.py"), str(here / "metrics.py")],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        assert self._process.stdout is not None
+        self.version = self._process.stdout.readline().strip()
+        if not self.version.startswith("flip-evaluator"):
+            raise LeftOut(f"{python}: {self.close()}")
+
+    def error(self, image: np.ndarray, reference: np.ndarray, mask: np.ndarray) -> float:
+        """HDR-FLIP of an image; see `metrics.flip`."""
+        path = Path(self._folder.name) / "images.npz"
+        np.savez(path, image=image, reference=reference, mask=mask)
+        assert self._process.stdin is not None and self._process.stdout is not None
+        try:
+            self._process.stdin.write(f"{path}\n")
+            self._process.stdin.flush()
+            answer = self._process.stdout.readline().strip()
+        except OSError:
+            answer = ""
+        try:
+            return float(answer)
+        except ValueError:
+            raise RenderError(f"HDR-FLIP failed: {answer or self.close()}") from None
+
+    def close(self) -> str:
+        """End the process; returns the last line of what it complained about."""
+        if self._process.poll() is None and self._process.stdin is not None:
+            self._process.stdin.close()
+        assert self._process.stdout is not None and self._process.stderr is not None
+        self._process.stdout.close()
+        lines = self._process.stderr.read().strip().splitlines()
+        self._process.stderr.close()
+        self._process.wait()
+        self._folder.cleanup()
+        return lines[-1] if lines else "it ended without a word"
+
+
+@dataclass(frozen=True)
+class Traced:
+    """A traced image of irradiance, and the seconds of each repetition."""
+
+    name: str
+    image: np.ndarray
+    seconds: list[float]
+
+
+def trace(
+    python: Path, scene: Path, size: tuple[int, int], rows: list[dict[str, Any]]
+) -> Iterator[Traced]:
+    """Trace a scene file for each row ({"name", "samples", "depth"}), in order.
+
+    Raises `LeftOut` where the tools are not there, `RenderError` when tracing fails; rows that were
+    yielded before that are good.
+    """
+    sources = tracer_tools()
+    with tempfile.TemporaryDirectory(prefix="vtkindirect-") as name:
+        places = [str(Path(__file__).resolve().parents[1]), os.environ.get("PYTHONPATH", "")]
+        with subprocess.Popen(
+            [sys.executable, "-B", str(sources / "trace_rows.py"), str(scene.resolve()), name],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            env={
+                **os.environ,
+                "PYTHONPATH": os.pathsep.join(filter(None, places)),
+                VARIABLE: str(python),
+            },
+        ) as process:
+            assert process.stdin and process.stdout and process.stderr
+            try:
+                process.stdin.write(json.dumps({"size": list(size), "rows": rows}))
+                process.stdin.close()
+            except BrokenPipeError:
+                pass  # what it complained about is read below
+            for line in process.stdout:
+                word, _, rest = line.strip().partition(" ")
+                if word == "row":
+                    with np.load(Path(name) / f"{rest}.npz") as arrays:
+                        seconds = np.atleast_1d(arrays["seconds"]).tolist()
+                        image = arrays["image"].astype(np.float64)
+                    yield Traced(rest, image, seconds)
+            said = process.stderr.read().strip().splitlines()
+        if process.returncode:
+            raise RenderError(f"the path tracer failed: {said[-1] if said else 'no reason given'}")
