@@ -5,6 +5,7 @@
 
 #include "vtkGeometryBufferPass.h"
 #include "vtkImageData.h"
+#include "vtkIndirectEstimatorPass.h"
 #include "vtkIndirectKernelProgram.h"
 #include "vtkIndirectLightMap.h"
 #include "vtkIndirectTarget.h"
@@ -260,6 +261,31 @@ bool vtkIndirectCompositePass::RenderChannel(const Input& input, const std::stri
   }
   in.Image.End();
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectCompositePass::RenderChannel(
+  const Input& input, vtkIndirectEstimatorPass* estimator, const std::string& name)
+{
+  static const FrameChannel shown[] = { { "", 1, 1.0f, 0.0f }, { "", 3, 1.0f, 0.0f } };
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  vtkIndirectKernelState kernelState(frame.Window);
+  if (!in.Image.Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  {
+    return false;
+  }
+  in.Image.Begin();
+  in.Image.Clear();
+  const int components = estimator->DrawChannel(name, frame, input.Geometry);
+  in.Image.End();
+  in.Shown = &shown[components == 3];
+  in.Farthest = 8.0; // what a length of one component, such as a level, is shown over
+  return components > 0;
 }
 
 //------------------------------------------------------------------------------

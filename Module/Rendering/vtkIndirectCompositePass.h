@@ -24,6 +24,7 @@
 
 class vtkGeometryBufferPass;
 class vtkImageData;
+class vtkIndirectEstimatorPass;
 class vtkIndirectTarget;
 class vtkReflectiveShadowMapPass;
 struct vtkIndirectFrame;
@@ -65,6 +66,9 @@ public:
    * that the frame does not have.
    */
   bool RenderChannel(const Input& input, const std::string& name);
+  /** The same for a buffer of the estimator's own. */
+  bool RenderChannel(
+    const Input& input, vtkIndirectEstimatorPass* estimator, const std::string& name);
   /** Copies that image: float, one component for lengths, three for colours and vectors. */
   void CopyImage(vtkImageData* image);
   /** Shows that image in the framebuffer that is bound. */

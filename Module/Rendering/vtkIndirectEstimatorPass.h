@@ -14,6 +14,8 @@
 #include "vtkRenderingIndirectModule.h" // For export macro
 
 #include <memory> // for the target
+#include <string> // for names
+#include <vector> // for names
 
 class vtkGeometryBufferPass;
 class vtkIndirectStageTimer;
@@ -21,6 +23,7 @@ class vtkIndirectTarget;
 class vtkReflectiveShadowMapPass;
 class vtkVirtualLightSampler;
 struct vtkIndirectFrame;
+struct vtkIndirectReport;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkIndirectEstimatorPass : public vtkOpenGLRenderPass
 {
@@ -46,6 +49,7 @@ public:
     vtkReflectiveShadowMapPass& Maps;
     vtkVirtualLightSampler* Sampler; // null when the estimator asked for none
     bool EyeIsMap;
+    double ErrorTolerance = 0.0; // relative; 0: the estimator's own parameters
   };
 
   /**
@@ -70,6 +74,22 @@ public:
     return this->IrradianceUnit;
   }
   virtual size_t GetBytes() const;
+  /** Adds to the report what the last frame was made of. */
+  virtual void Describe(vtkIndirectReport&) const {}
+
+  /** Names of buffers of the estimator's own that can be looked at. */
+  virtual std::vector<std::string> GetChannelNames() const
+  {
+    return {};
+  }
+  /**
+   * Draws one of them, of the last frame, into the bound target of the frame's size, which is
+   * clear. Returns the number of its components, 1 or 3, or 0 when it cannot.
+   */
+  virtual int DrawChannel(const std::string&, const vtkIndirectFrame&, const vtkGeometryBufferPass&)
+  {
+    return 0;
+  }
 #endif
 
 protected:

@@ -111,6 +111,7 @@ void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "NumberOfBounces: " << this->NumberOfBounces << "\n";
   os << indent << "IndirectScale: " << this->IndirectScale << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "Caching: " << flag(this->Caching) << "\n";
   os << indent << "RemainingGeometry: " << flag(this->RemainingGeometry) << "\n";
   os << indent << "DebugView: \"" << this->DebugView << "\"\n";
@@ -300,7 +301,9 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
   }
   else
   {
-    if (in.Composite->RenderChannel(input, this->DebugView))
+    if (in.Composite->RenderChannel(input, this->DebugView) ||
+      (in.HasIrradiance &&
+        in.Composite->RenderChannel(input, this->GetActiveEstimator(), this->DebugView)))
     {
       in.ReportedError.clear();
       in.Composite->ShowImage(input);
@@ -309,7 +312,7 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
     {
       in.ReportedError = this->DebugView;
       vtkErrorMacro("DebugView '" << this->DebugView << "' is no channel of this frame; known are "
-                                  << vtkIndirectCompositePass::GetChannelNames() << ".");
+                                  << this->GetChannelNames() << ".");
     }
   }
   in.Timer.End(vtkIndirectStageTimer::Composite);
@@ -326,6 +329,7 @@ std::vector<double> vtkIndirectIlluminationPass::MakeEstimateKey()
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
     static_cast<double>(frame.Size[1]), static_cast<double>(estimator->GetMTime()),
     static_cast<double>(sampler->GetMTime()), static_cast<double>(in.EyeIsMap),
+    this->ErrorTolerance,
     static_cast<double>(in.EyeIsMap ? 0 : this->ReflectiveShadowMaps->GetContentTime()) };
   auto append = [&key](const double* values, int count)
   { key.insert(key.end(), values, values + count); };
@@ -365,7 +369,7 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
   in.Timer.End(vtkIndirectStageTimer::Lights);
 
   const vtkIndirectEstimatorPass::Input input = { in.Frame, *in.Geometry,
-    *this->ReflectiveShadowMaps, sampler, in.EyeIsMap };
+    *this->ReflectiveShadowMaps, sampler, in.EyeIsMap, this->ErrorTolerance };
   if (!sampled || !estimator->Estimate(input, in.Timer))
   {
     return false;
@@ -376,17 +380,29 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkIndirectIlluminationPass::GetChannelNames()
+{
+  std::string names = vtkIndirectCompositePass::GetChannelNames();
+  for (const std::string& name : this->GetActiveEstimator()->GetChannelNames())
+  {
+    names += ", " + name;
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageData* image)
 {
   Internals& in = *this->Internal;
   int map = 0;
   int channel = 0;
+  const std::vector<std::string> own = this->GetActiveEstimator()->GetChannelNames();
+  const bool estimators = std::find(own.begin(), own.end(), name) != own.end();
   const bool known = name == "lights" || vtkIndirectCompositePass::FindChannel(name) >= 0 ||
-    vtkIndirectCompositePass::ParseMapChannel(name, map, channel);
+    vtkIndirectCompositePass::ParseMapChannel(name, map, channel) || estimators;
   if (!known || !image)
   {
-    vtkErrorMacro("'" << name << "' is no buffer; known are "
-                      << vtkIndirectCompositePass::GetChannelNames() << ".");
+    vtkErrorMacro("'" << name << "' is no buffer; known are " << this->GetChannelNames() << ".");
     return false;
   }
   if (!in.HasBuffers || !in.Renderer || in.Renderer->GetRenderWindow() != in.Frame.Window)
@@ -404,12 +420,16 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
     in.EyeIsMap ? nullptr : this->ReflectiveShadowMaps,
     in.HasIrradiance ? &this->GetActiveEstimator()->GetIrradiance() : nullptr,
     this->GetActiveEstimator()->GetIrradianceUnit(), this->IndirectScale };
-  if (!in.Composite->RenderChannel(input, name))
+  const bool rendered = estimators
+    ? in.HasIrradiance && in.Composite->RenderChannel(input, this->GetActiveEstimator(), name)
+    : in.Composite->RenderChannel(input, name);
+  if (!rendered)
   {
     vtkErrorMacro("There is no buffer '"
       << name << "': "
-      << (in.EyeIsMap ? "a single headlight is read from the geometry buffer and has no map."
-                      : "the frame has fewer lights."));
+      << (estimators       ? "the last frame computed no indirect light."
+             : in.EyeIsMap ? "a single headlight is read from the geometry buffer and has no map."
+                           : "the frame has fewer lights."));
     return false;
   }
   in.Composite->CopyImage(image);
@@ -460,7 +480,9 @@ std::string vtkIndirectIlluminationPass::GetReport()
   report.Settings = { { "Shadows", flag(this->Shadows) },
     { "ReflectiveShadowMapResolution", std::to_string(this->GetReflectiveShadowMapResolution()) },
     { "NumberOfBounces", std::to_string(this->NumberOfBounces) },
-    { "IndirectScale", std::to_string(this->IndirectScale) }, { "Caching", flag(this->Caching) } };
+    { "IndirectScale", std::to_string(this->IndirectScale) },
+    { "ErrorTolerance", std::to_string(this->ErrorTolerance) },
+    { "Caching", flag(this->Caching) } };
   report.LeftOut = in.Frame.LeftOut;
   if (!in.HasBuffers)
   {
@@ -509,6 +531,7 @@ std::string vtkIndirectIlluminationPass::GetReport()
         "bounces beyond " + std::to_string(estimator->GetMaximumNumberOfBounces()),
         std::string(estimator->GetClassName()) + " computes no more; the result is too dark");
     }
+    estimator->Describe(report);
     report.LeftOut.emplace_back("visibility between sender and receiver",
       std::string(estimator->GetClassName()) + " does not test it; the result is too bright");
     report.LeftOut.emplace_back(

@@ -121,6 +121,16 @@ public:
 
   ///@{
   /**
+   * Error of the irradiance that is aimed at, RMS over its mean, for the estimators that can choose
+   * their parameters by it; the report then says what error is estimated. Default 0: the
+   * estimators' own parameters hold. Range 0 to 1.
+   */
+  vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
+  vtkGetMacro(ErrorTolerance, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether maps, virtual lights and irradiance are kept while nothing that they depend on has
    * changed. Default on; off for timing whole frames.
    */
@@ -171,7 +181,8 @@ public:
    * `irradiance` (E in VTK's units), `glossy`, `albedo`, `normal`, `depth` (along the view axis);
    * `rsm<i>.depth`, `rsm<i>.normal`, `rsm<i>.density` (the faces of a map in a row); `lights` (four
    * components, one row a virtual light: position, area; normal, lobe exponent; B A, source).
-   * Returns false, after one error, for an unknown name or when the last frame has no such channel.
+   * An estimator may have more; see its page. Returns false, after one error, for an unknown name
+   * or when the last frame has no such channel.
    */
   bool CopyBuffer(const std::string& name, vtkImageData* image);
 
@@ -196,6 +207,7 @@ protected:
   bool Shadows = true;
   int NumberOfBounces = 1;
   double IndirectScale = 1.0;
+  double ErrorTolerance = 0.0;
   bool Caching = true;
   bool RemainingGeometry = true;
   std::string DebugView;
@@ -209,6 +221,7 @@ private:
   bool UpdateIrradiance();
   void RenderDelegate(const vtkRenderState* s, const std::string& why);
   bool CopyLights(vtkImageData* image);
+  std::string GetChannelNames();
   std::vector<double> MakeEstimateKey();
 
   struct Internals;

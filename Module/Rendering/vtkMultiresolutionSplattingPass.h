@@ -21,6 +21,14 @@
  * Approximations: those of vtkRSMGatherPass over the same lights, to which the result converges as
  * the thresholds go to 0, and the interpolation's error, of either sign.
  *
+ * Debug views and buffers (vtkIndirectIlluminationPass::DebugView, CopyBuffer): `subsplat.level`,
+ * the level of each pixel's subsplat; `subsplat.outline`, the subsplats over the irradiance;
+ * `subsplat.evaluated<n>`, the illumination of level n's own subsplats; `subsplat.upsampled<n>`,
+ * level n with all coarser ones interpolated into it. Level 0 is pixels.
+ *
+ * With vtkIndirectIlluminationPass::ErrorTolerance the thresholds are chosen by the pass: in
+ * proportion, the defaults for 0.02.
+ *
  * Memory: with the default storage, at most 24 bytes a pixel, a third of it at half resolution.
  */
 
@@ -63,6 +71,34 @@ public:
   vtkGetMacro(FinestLevel, int);
   void SetFinestLevelToFullResolution() { this->SetFinestLevel(FULL_RESOLUTION); }
   void SetFinestLevelToHalfResolution() { this->SetFinestLevel(HALF_RESOLUTION); }
+  ///@}
+
+  enum RefinementType
+  {
+    DEPTH_RANGE = 0,
+    PLANE_DEVIATION = 1
+  };
+
+  ///@{
+  /**
+   * What splits a subsplat, and what its neighbours must agree in. DEPTH_RANGE is the paper's test
+   * by min-max pyramids (DepthThreshold, and the range of each component of the normal against
+   * NormalThreshold), with its interpolation, which takes every neighbour that has illumination.
+   * Default PLANE_DEVIATION.
+   */
+  vtkSetClampMacro(Refinement, int, DEPTH_RANGE, PLANE_DEVIATION);
+  vtkGetMacro(Refinement, int);
+  void SetRefinementToDepthRange() { this->SetRefinement(DEPTH_RANGE); }
+  void SetRefinementToPlaneDeviation() { this->SetRefinement(PLANE_DEVIATION); }
+  ///@}
+
+  ///@{
+  /**
+   * DEPTH_RANGE: largest difference between depths in a subsplat, as a fraction of the diagonal of
+   * the scene's bounds. Default 0.02, range 0 to 1. 0 splits everything.
+   */
+  vtkSetClampMacro(DepthThreshold, double, 0.0, 1.0);
+  vtkGetMacro(DepthThreshold, double);
   ///@}
 
   ///@{
@@ -121,6 +157,31 @@ public:
     FLOAT = 1
   };
 
+  enum RendererType
+  {
+    AUTOMATIC = 0,
+    POINT_SPLATS = 1,
+    LEAF_FRAGMENTS = 2,
+    LEAF_COMPUTE = 3
+  };
+
+  ///@{
+  /**
+   * How the lights are summed. POINT_SPLATS is the paper's: a point for each subsplat and light,
+   * added by blending (with 16-bit storage its sums round at every light). LEAF_FRAGMENTS sums in
+   * full-screen passes, one a level. LEAF_COMPUTE works through lists of split subsplats, four
+   * leaves at a time, and needs OpenGL 4.3. All have the same leaves and, but for rounding, the
+   * same result. Default AUTOMATIC: LEAF_COMPUTE where there is OpenGL 4.3, the fastest wherever
+   * measured, else LEAF_FRAGMENTS.
+   */
+  vtkSetClampMacro(Renderer, int, AUTOMATIC, LEAF_COMPUTE);
+  vtkGetMacro(Renderer, int);
+  void SetRendererToAutomatic() { this->SetRenderer(AUTOMATIC); }
+  void SetRendererToPointSplats() { this->SetRenderer(POINT_SPLATS); }
+  void SetRendererToLeafFragments() { this->SetRenderer(LEAF_FRAGMENTS); }
+  void SetRendererToLeafCompute() { this->SetRenderer(LEAF_COMPUTE); }
+  ///@}
+
   ///@{
   /** Precision of the stored illumination: 16 or 32 bits. Default HALF_FLOAT. */
   vtkSetClampMacro(Storage, int, HALF_FLOAT, FLOAT);
@@ -132,6 +193,10 @@ public:
 #ifndef __VTK_WRAP__
   bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
   size_t GetBytes() const override;
+  void Describe(vtkIndirectReport& report) const override;
+  std::vector<std::string> GetChannelNames() const override;
+  int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
+    const vtkGeometryBufferPass& geometry) override;
 #endif
 
 protected:
@@ -140,12 +205,15 @@ protected:
 
   int CoarsestResolution = 64;
   int FinestLevel = FULL_RESOLUTION;
+  int Refinement = PLANE_DEVIATION;
   double PlaneThreshold = 0.25;
+  double DepthThreshold = 0.02;
   double NormalThreshold = 0.2;
   double LightingThreshold = 0.005;
   bool Balance = true;
   bool NormalCorrection = true;
   double SurfaceDetail = 0.0;
+  int Renderer = AUTOMATIC;
   int Storage = HALF_FLOAT;
 
 private:

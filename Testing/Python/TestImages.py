@@ -76,9 +76,11 @@ class Files(support.DirectoryTest):
             images.check_output("/proc/a.png", images.FORMATS)
 
     def test_buffer_names(self) -> None:
-        for name in (*images.BUFFERS, "rsm0.depth", "rsm12.normal", "rsm3.density"):
+        for name in (*images.BUFFERS, "rsm0.depth", "rsm12.normal", "rsm3.density",
+                     "subsplat.level", "subsplat.upsampled0"):
             self.assertEqual(images.check_buffer(name), name)
-        for name in ("", "Final", "rsm.depth", "rsm0.flux", "rsm0.depth "):
+        for name in ("", "Final", "rsm.depth", "rsm0.flux", "rsm0.depth ", "subsplat",
+                     "subsplat.levels", "subsplatxlevel", "subsplat.evaluated"):
             with self.subTest(name=name), self.assertRaisesRegex(UsageError, "unknown buffer"):
                 images.check_buffer(name)
 

@@ -92,7 +92,16 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
     os << "  \"indirect_ms\": null,\n  \"frame_ms\": null,\n";
   }
   os << "  \"virtual_lights\": " << this->VirtualLights << ",\n  \"bytes\": " << this->Bytes
-     << ",\n  \"estimated_error\": null,\n  \"modelled\": " << List(this->Modelled)
+     << ",\n  \"estimated_error\": ";
+  if (this->EstimatedError >= 0.0)
+  {
+    os << this->EstimatedError;
+  }
+  else
+  {
+    os << "null";
+  }
+  os << ",\n  \"modelled\": " << List(this->Modelled)
      << ",\n  \"left_out\": " << List(this->LeftOut)
      << ",\n  \"gl\": {\"renderer\": " << Quote(this->GLRenderer)
      << ", \"version\": " << Quote(this->GLVersion)

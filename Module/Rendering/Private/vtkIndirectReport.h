@@ -22,6 +22,8 @@ struct vtkIndirectReport
   Entries LeftOut;
   int VirtualLights = 0;
   size_t Bytes = 0;
+  /** Relative; negative: not estimated. */
+  double EstimatedError = -1.0;
   std::string GLRenderer;
   std::string GLVersion;
 

@@ -8,15 +8,15 @@
 #include <algorithm>
 #include <array>
 
-#ifdef GL_SHADER_STORAGE_BUFFER
 namespace
 {
 // Three numbers of groups, as the indirect dispatch reads them, and the number of entries.
 using Command = std::array<unsigned int, 4>;
 constexpr size_t MaximumLists = 16; // VTKI_LISTS
+#ifdef GL_SHADER_STORAGE_BUFFER
 constexpr unsigned int Binding = 0;
-}
 #endif
+}
 
 vtkIndirectSubsplatList::~vtkIndirectSubsplatList() = default;
 
@@ -49,6 +49,43 @@ void vtkIndirectSubsplatList::Begin(const std::vector<size_t>& capacities)
 #else
   (void)capacities;
 #endif
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatList::End()
+{
+#ifdef GL_SHADER_STORAGE_BUFFER
+  this->Deactivate();
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+    GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatList::Fill(const std::vector<std::vector<unsigned int>>& lists)
+{
+  std::vector<unsigned int> words(MaximumLists * 4, 0);
+  this->First.clear();
+  for (size_t i = 0; i < lists.size(); ++i)
+  {
+    this->First.push_back(static_cast<unsigned int>(words.size() - MaximumLists * 4));
+    words[4 * i + 3] = static_cast<unsigned int>(lists[i].size());
+    words.insert(words.end(), lists[i].begin(), lists[i].end());
+  }
+  if (this->Buffer == 0)
+  {
+    glGenBuffers(1, &this->Buffer);
+  }
+  this->Bytes = words.size() * sizeof(unsigned int);
+  glBindBuffer(GL_ARRAY_BUFFER, this->Buffer);
+  glBufferData(GL_ARRAY_BUFFER, this->Bytes, words.data(), GL_DYNAMIC_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectSubsplatList::GetOffset(size_t list) const
+{
+  return MaximumLists * sizeof(Command) + this->First[list] * sizeof(unsigned int);
 }
 
 //------------------------------------------------------------------------------
@@ -89,18 +126,11 @@ void vtkIndirectSubsplatList::Dispatch(size_t list) const
 //------------------------------------------------------------------------------
 int vtkIndirectSubsplatList::Count(size_t list) const
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
   Command command{};
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Buffer);
-  glGetBufferSubData(
-    GL_SHADER_STORAGE_BUFFER, list * sizeof(Command), sizeof(Command), command.data());
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+  glBindBuffer(GL_ARRAY_BUFFER, this->Buffer);
+  glGetBufferSubData(GL_ARRAY_BUFFER, list * sizeof(Command), sizeof(Command), command.data());
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
   return static_cast<int>(command[3]);
-#else
-  (void)list;
-  return 0;
-#endif
 }
 
 //------------------------------------------------------------------------------

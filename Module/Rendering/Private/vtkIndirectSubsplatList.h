@@ -18,6 +18,11 @@ public:
   /** Empties the lists; capacities[i] entries are room enough for list i. */
   void Begin(const std::vector<size_t>& capacities);
 
+  /** After the last program that appends: makes the lists visible to those that read them. */
+  void End();
+  /** Replaces all lists, where shaders cannot append to them. */
+  void Fill(const std::vector<std::vector<unsigned int>>& lists);
+
   /** Binds the buffer to a program that appends to, or reads, one of the lists. */
   void Activate(vtkShaderProgram* program, size_t list) const;
   void Deactivate() const;
@@ -27,6 +32,9 @@ public:
 
   /** Entries in a list. Waits for the GPU. */
   int Count(size_t list) const;
+  /** The buffer, and where in it the entries of a list begin. */
+  unsigned int GetBuffer() const { return this->Buffer; }
+  size_t GetOffset(size_t list) const;
 
   size_t GetBytes() const { return this->Bytes; }
   /** The buffer's context must be current. */

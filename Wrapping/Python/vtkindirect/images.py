@@ -37,16 +37,27 @@ BUFFERS = (
     "lights",
 )
 MAP_BUFFERS = ("depth", "normal", "density")
+# Of multiresolution splatting; <n> is a level, 0 for pixels.
+SUBSPLAT_BUFFERS = (
+    "subsplat.level",
+    "subsplat.outline",
+    "subsplat.evaluated<n>",
+    "subsplat.upsampled<n>",
+)
 FORMATS = (".png", ".exr")
 
 _MAP = re.compile(rf"rsm\d{{1,3}}\.({'|'.join(MAP_BUFFERS)})")
+_SUBSPLAT = re.compile(
+    "|".join(re.escape(name).replace("<n>", r"\d{1,2}") for name in SUBSPLAT_BUFFERS)
+)
 
 
 def check_buffer(name: str) -> str:
     """Return the name of a buffer that a pass may have."""
-    if name in BUFFERS or _MAP.fullmatch(name):
+    if name in BUFFERS or _MAP.fullmatch(name) or _SUBSPLAT.fullmatch(name):
         return name
-    raise UsageError(unknown("buffer", name, (*BUFFERS, *(f"rsm0.{kind}" for kind in MAP_BUFFERS))))
+    known = (*BUFFERS, *(f"rsm0.{kind}" for kind in MAP_BUFFERS), *SUBSPLAT_BUFFERS)
+    raise UsageError(unknown("buffer", name, known))
 
 
 def copy_buffer(target: Any, name: str) -> np.ndarray:

@@ -16,8 +16,13 @@ void main()
     vec2 ndc = 2.0f * (vec2(pixel) + 0.5f) / vec2(vtkiSize) - 1.0f;
     children.position[i] = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
     children.normal[i] = vtkiSurfaceNormal(surface);
+#ifdef VTKI_DEPTH_RANGE
+    children.minimum[i] = vec4(children.normal[i], surface.z);
+    children.maximum[i] = children.minimum[i];
+#else
     children.deviation[i] = 0.0f;
     children.spread[i] = 0.0f;
+#endif
     children.present[i] =
       vtkiSurfaceIsLit(surface) && pixel.x < vtkiSize.x && pixel.y < vtkiSize.y;
   }

@@ -6,22 +6,31 @@
 
 uniform float vtkiPlaneThreshold;  // fraction of the texel's width
 uniform float vtkiNormalThreshold; // length of the difference of unit normals
+uniform float vtkiDepthThreshold;  // scene units
+#ifdef VTKI_VARIATION
 uniform sampler2D vtkiVariation;      // error of interpolation on the coarsest level
-uniform float vtkiVariationThreshold; // on this level; negative: not looked at
+uniform float vtkiVariationThreshold; // what of that is too much on this level
+#endif
 uniform bool vtkiSplits;           // whether this level may be split
+uniform bool vtkiLast;             // whether it always is
 uniform float vtkiEdge;            // pixels along the edge of a texel that is written
 
 struct vtkiJoin
 {
   vec3 position[4]; // view coordinates
   vec3 normal[4];
+#ifdef VTKI_DEPTH_RANGE
+  vec4 minimum[4]; // of the normal's components and the depth
+  vec4 maximum[4];
+#else
   float deviation[4]; // farthest from the tangent plane, over the child's width
   float spread[4];    // largest difference to the normal
+#endif
   bool present[4];
   bool split; // what the children ask for
 };
 
-// Writes the texel: octahedral normal, depth, state; deviation and spread.
+// Writes the texel: octahedral normal, depth, state; deviation and spread, or the ranges.
 void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
 {
   vec3 normal = vec3(0.0f);
@@ -47,6 +56,9 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
   {
     gl_FragData[0] = vec4(0.0f, 0.0f, 0.0f, VTKI_SUBSPLAT_EMPTY);
     gl_FragData[1] = vec4(0.0f);
+#ifdef VTKI_DEPTH_RANGE
+    gl_FragData[2] = vec4(0.0f);
+#endif
     return;
   }
   position /= count;
@@ -55,6 +67,26 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
   normal = norm > 0.0f ? normal / norm : children.normal[first];
 
   float width = vtkiPixelWidth(0.5f * (nearest + farthest)) * vtkiEdge;
+#ifdef VTKI_DEPTH_RANGE
+  // Section 3.2 of the paper: a depth or a component of the normal differs by too much.
+  vec4 minimum = vec4(0.0f);
+  vec4 maximum = vec4(0.0f);
+  bool begun = false;
+  for (int i = 0; i < 4; ++i)
+  {
+    if (children.present[i])
+    {
+      minimum = begun ? min(minimum, children.minimum[i]) : children.minimum[i];
+      maximum = begun ? max(maximum, children.maximum[i]) : children.maximum[i];
+      begun = true;
+    }
+  }
+  vec4 range = maximum - minimum;
+  bool mixed = range.w > vtkiDepthThreshold || max(max(range.x, range.y), range.z) > vtkiNormalThreshold;
+  bool forced = vtkiDepthThreshold <= 0.0f || vtkiNormalThreshold <= 0.0f;
+  gl_FragData[1] = minimum;
+  gl_FragData[2] = maximum;
+#else
   float deviation = 0.0f;
   float spread = 0.0f;
   for (int i = 0; i < 4; ++i)
@@ -67,16 +99,18 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
       spread = max(spread, length(children.normal[i] - normal) + children.spread[i]);
     }
   }
-  bool split = deviation > vtkiPlaneThreshold || spread > vtkiNormalThreshold ||
-    vtkiPlaneThreshold <= 0.0f || vtkiNormalThreshold <= 0.0f;
+  bool mixed = deviation > vtkiPlaneThreshold || spread > vtkiNormalThreshold;
+  bool forced = vtkiPlaneThreshold <= 0.0f || vtkiNormalThreshold <= 0.0f;
+  gl_FragData[1] = vec4(min(deviation, 60000.0f), spread, 0.0f, 0.0f);
+#endif
   vec2 center = vtkiSubsplatCenter(vec2(texel), vtkiEdge, vec2(vtkiSize));
-  bool varies = vtkiVariationThreshold >= 0.0f &&
-    textureLod(vtkiVariation, 0.5f * center + 0.5f, 0.0f).r > vtkiVariationThreshold;
-
+#ifdef VTKI_VARIATION
+  forced = forced || textureLod(vtkiVariation, 0.5f * center + 0.5f, 0.0f).r > vtkiVariationThreshold;
+#endif
   vec3 origin = vtkiRayOrigin * vec3(center, 1.0f);
   vec3 direction = vtkiRayDirection * vec3(center, 1.0f);
   float depth;
-  if (split)
+  if (mixed)
   {
     // A mixture of surfaces is nowhere; the nearest of them stands for itself.
     normal = children.normal[first];
@@ -88,10 +122,10 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
     depth = vtkiPlaneDepth(normal, position, origin, direction, nearest, farthest);
   }
   float state = VTKI_SUBSPLAT_WHOLE;
-  if (split || varies || children.split)
+  if (mixed || forced || vtkiLast || children.split)
   {
     state = vtkiSplits ? VTKI_SUBSPLAT_SPLIT
-                       : (split ? VTKI_SUBSPLAT_MIXED : VTKI_SUBSPLAT_WHOLE);
+                       : (mixed ? VTKI_SUBSPLAT_MIXED : VTKI_SUBSPLAT_WHOLE);
 #ifdef VTKI_LIST_SPLIT
     if (vtkiSplits)
     {
@@ -100,5 +134,4 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
 #endif
   }
   gl_FragData[0] = vec4(vtkiOctahedralEncode(normal), depth, state);
-  gl_FragData[1] = vec4(min(deviation, 60000.0f), spread, 0.0f, 0.0f);
 }

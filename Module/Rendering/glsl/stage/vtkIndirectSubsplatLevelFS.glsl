@@ -25,6 +25,9 @@ void main()
   vtkiEvaluateStored(position, normal, leaf, evaluated, evaluatedVector);
   irradiance = leaf ? evaluated : irradiance;
   vectorIrradiance = leaf ? evaluatedVector : vectorIrradiance;
+#else
+  irradiance = leaf ? vec3(0.0f) : irradiance;
+  vectorIrradiance = leaf ? vec3(0.0f) : vectorIrradiance;
 #endif
 
   bool amid = vtkiIsAmid(texel, surface, position, normal);

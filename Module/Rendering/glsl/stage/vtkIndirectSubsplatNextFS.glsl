@@ -4,7 +4,12 @@
 #include "vtkIndirectSubsplatJoin.glsl"
 
 uniform sampler2D vtkiFinerSurface;
+#ifdef VTKI_DEPTH_RANGE
+uniform sampler2D vtkiFinerMinimum;
+uniform sampler2D vtkiFinerMaximum;
+#else
 uniform sampler2D vtkiFinerDeviation;
+#endif
 uniform ivec2 vtkiFinerSize;
 
 void main()
@@ -17,12 +22,17 @@ void main()
     ivec2 at = 2 * texel + ivec2(i & 1, i >> 1);
     ivec2 inside = min(at, vtkiFinerSize - 1);
     vec4 surface = textureLod(vtkiFinerSurface, (vec2(at) + 0.5f) / vec2(vtkiFinerSize), 0.0f);
-    vec2 deviation = texelFetch(vtkiFinerDeviation, inside, 0).xy;
     vec2 center = vtkiSubsplatCenter(vec2(at), 0.5f * vtkiEdge, vec2(vtkiSize));
     children.position[i] = vtkiReconstruct(center, surface.z, vtkiRayOrigin, vtkiRayDirection);
     children.normal[i] = vtkiOctahedralDecode(surface.xy);
+#ifdef VTKI_DEPTH_RANGE
+    children.minimum[i] = texelFetch(vtkiFinerMinimum, inside, 0);
+    children.maximum[i] = texelFetch(vtkiFinerMaximum, inside, 0);
+#else
+    vec2 deviation = texelFetch(vtkiFinerDeviation, inside, 0).xy;
     children.deviation[i] = deviation.x;
     children.spread[i] = deviation.y;
+#endif
     children.present[i] = surface.w != VTKI_SUBSPLAT_EMPTY && at == inside;
     children.split = children.split || (surface.w == VTKI_SUBSPLAT_SPLIT && at == inside);
   }

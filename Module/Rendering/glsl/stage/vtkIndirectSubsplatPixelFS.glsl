@@ -34,6 +34,8 @@ void main()
   vec3 evaluatedVector;
   vtkiEvaluateStored(position, normal, evaluate, evaluated, evaluatedVector);
   irradiance = evaluate ? evaluated : irradiance;
+#else
+  irradiance = vtkiSplits && split ? vec3(0.0f) : irradiance;
 #endif
   gl_FragData[0] = vec4(irradiance * vtkiDetail(ndc, normal), 1.0f);
 }
