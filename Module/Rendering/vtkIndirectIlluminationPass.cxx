@@ -15,6 +15,7 @@
 #include "vtkIndirectView.h"
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
+#include "vtkMultiresolutionSplattingPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
@@ -22,7 +23,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
-#include "vtkRSMGatherPass.h"
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
@@ -46,7 +46,7 @@ struct vtkIndirectIlluminationPass::Internals
   // Stages of the frame, in order; the first two are members of the class.
   vtkNew<vtkGeometryBufferPass> Geometry;
   vtkNew<vtkUniformLightSampler> DefaultSampler;
-  vtkNew<vtkRSMGatherPass> DefaultEstimator;
+  vtkNew<vtkMultiresolutionSplattingPass> DefaultEstimator;
   vtkNew<vtkIndirectCompositePass> Composite;
 
   vtkNew<vtkSequencePass> DefaultDelegate;

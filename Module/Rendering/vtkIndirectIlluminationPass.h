@@ -55,8 +55,8 @@ public:
 
   ///@{
   /**
-   * What computes the irradiance. Default null: automatic, a vtkRSMGatherPass over virtual lights
-   * with interpolation.
+   * What computes the irradiance. Default null: automatic, a vtkMultiresolutionSplattingPass, the
+   * fastest for its error.
    */
   virtual void SetEstimator(vtkIndirectEstimatorPass* estimator);
   vtkGetObjectMacro(Estimator, vtkIndirectEstimatorPass);

@@ -168,7 +168,7 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
   bool done = in.Pyramid.Build(input, settings, in.Lights);
   if (done && renderer == vtkIndirectSubsplatIllumination::Points && !settings.HasCompute)
   {
-    in.Pyramid.FillLists();
+    in.Pyramid.FillLists(window);
   }
   done = done && in.Illumination.FillLevels(input, settings, renderer, in.Pyramid, in.Lights);
   timer.End(vtkIndirectStageTimer::Estimate);

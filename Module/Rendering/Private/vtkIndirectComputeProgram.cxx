@@ -8,6 +8,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <vector>
@@ -19,8 +20,9 @@ public:
   static Program* New() { VTK_STANDARD_NEW_BODY(Program); }
   vtkTypeMacro(Program, vtkShaderProgram);
 
-  bool Build(const std::string& text)
+  bool Build(vtkOpenGLRenderWindow* window, const std::string& text)
   {
+    this->Window = window;
 #ifdef GL_COMPUTE_SHADER
     const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
     const char* source = text.c_str();
@@ -68,11 +70,22 @@ public:
       this->Handle = 0;
     }
     this->Linked = false;
+    this->Window = nullptr;
   }
 
 protected:
   Program() = default;
-  ~Program() override = default;
+  ~Program() override
+  {
+    if (this->Window)
+    {
+      this->Window->MakeCurrent();
+      this->Destroy();
+    }
+  }
+
+private:
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the program
 };
 
 //------------------------------------------------------------------------------
@@ -115,7 +128,7 @@ vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
     // The first line is where VTK puts the version of the other stages.
     text.replace(0, text.find('\n') + 1, "#version 430\n" + this->Definitions);
     auto built = vtkSmartPointer<Program>::New();
-    if (!built->Build(text))
+    if (!built->Build(window, text))
     {
       return nullptr;
     }

@@ -19,7 +19,14 @@ constexpr int BytesPerTexel = 16;
 constexpr unsigned int Binding = 0;
 }
 
-vtkIndirectLightBlock::~vtkIndirectLightBlock() = default;
+vtkIndirectLightBlock::~vtkIndirectLightBlock()
+{
+  if (this->Window)
+  {
+    this->Window->MakeCurrent();
+    this->Release();
+  }
+}
 
 //------------------------------------------------------------------------------
 int vtkIndirectLightBlock::GetCapacity(vtkOpenGLRenderWindow* window)
@@ -48,6 +55,7 @@ void vtkIndirectLightBlock::Update(vtkOpenGLRenderWindow* window, vtkVirtualLigh
   const int capacity = this->GetCapacity(window);
   if (this->Buffer == 0)
   {
+    this->Window = window;
     glGenBuffers(1, &this->Buffer);
     this->Bytes = static_cast<size_t>(capacity) * Channels * BytesPerTexel;
     glBindBuffer(GL_UNIFORM_BUFFER, this->Buffer);
@@ -97,6 +105,7 @@ void vtkIndirectLightBlock::Release()
     glDeleteBuffers(1, &this->Buffer);
     this->Buffer = 0;
   }
+  this->Window = nullptr;
   this->Bytes = 0;
   this->Capacity = 0;
 }

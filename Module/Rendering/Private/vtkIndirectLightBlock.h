@@ -4,6 +4,8 @@
 #ifndef vtkIndirectLightBlock_h
 #define vtkIndirectLightBlock_h
 
+#include "vtkWeakPointer.h" // for the window
+
 #include <cstddef> // for size_t
 #include <string>  // for definitions
 
@@ -31,6 +33,7 @@ public:
   void Release();
 
 private:
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the buffer
   int Capacity = 0;
   unsigned int Buffer = 0;
   size_t Bytes = 0;

@@ -32,6 +32,16 @@ const vtkIndirectChannel FloatChannels[] = {
 }
 
 //------------------------------------------------------------------------------
+vtkIndirectSubsplatIllumination::~vtkIndirectSubsplatIllumination()
+{
+  if (this->Window)
+  {
+    this->Window->MakeCurrent();
+    glDeleteVertexArrays(1, &this->VertexArray);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectSubsplatIllumination::Resize(vtkOpenGLRenderWindow* window,
   const vtkIndirectSubsplatPyramid& pyramid, const vtkIndirectTarget& pixels, bool halfFloats)
 {
@@ -246,6 +256,7 @@ bool vtkIndirectSubsplatIllumination::SplatPoints(const Work& work)
   if (this->VertexArray == 0)
   {
     glGenVertexArrays(1, &this->VertexArray);
+    this->Window = window;
   }
   glBindVertexArray(this->VertexArray);
   const int attribute = program->FindAttributeArray("vtkiSplitTexel");
@@ -332,6 +343,7 @@ void vtkIndirectSubsplatIllumination::Release(vtkWindow* window)
   {
     glDeleteVertexArrays(1, &this->VertexArray);
     this->VertexArray = 0;
+    this->Window = nullptr;
   }
   for (vtkIndirectKernelProgram* kernel :
     { &this->Amid, &this->Edge, &this->AmidPixel, &this->EdgePixel })

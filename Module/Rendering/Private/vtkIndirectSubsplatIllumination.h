@@ -6,6 +6,7 @@
 
 #include "vtkIndirectComputeProgram.h"  // for members
 #include "vtkIndirectSubsplatPyramid.h" // for the pyramid
+#include "vtkWeakPointer.h"             // for the window
 
 class vtkIndirectSubsplatIllumination
 {
@@ -16,6 +17,8 @@ public:
     Fragments, // full-screen passes in which leaves sum over the lights
     Compute    // invocations for lists of split texels, four leaves each
   };
+
+  ~vtkIndirectSubsplatIllumination();
 
   using Input = vtkIndirectEstimatorPass::Input;
   using Settings = vtkIndirectSubsplatSettings;
@@ -59,6 +62,7 @@ private:
   std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // [i] is level i + 1
   bool HalfFloats = true;
   unsigned int VertexArray = 0;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the vertex array
   vtkIndirectKernelProgram Amid{ "vtkIndirectSubsplatSmoothFS.glsl" };
   vtkIndirectKernelProgram Edge{ "vtkIndirectSubsplatLevelFS.glsl" };
   vtkIndirectKernelProgram AmidPixel{ "vtkIndirectSubsplatSmoothFS.glsl" };

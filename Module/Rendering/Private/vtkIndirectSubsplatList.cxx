@@ -3,6 +3,7 @@
 
 #include "vtkIndirectSubsplatList.h"
 
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -18,10 +19,28 @@ constexpr unsigned int Binding = 0;
 #endif
 }
 
-vtkIndirectSubsplatList::~vtkIndirectSubsplatList() = default;
+vtkIndirectSubsplatList::~vtkIndirectSubsplatList()
+{
+  if (this->Window)
+  {
+    this->Window->MakeCurrent();
+    this->Release();
+  }
+}
 
 //------------------------------------------------------------------------------
-void vtkIndirectSubsplatList::Begin(const std::vector<size_t>& capacities)
+void vtkIndirectSubsplatList::Create(vtkOpenGLRenderWindow* window)
+{
+  if (this->Buffer == 0)
+  {
+    this->Window = window;
+    glGenBuffers(1, &this->Buffer);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatList::Begin(
+  vtkOpenGLRenderWindow* window, const std::vector<size_t>& capacities)
 {
 #ifdef GL_SHADER_STORAGE_BUFFER
   size_t entries = 0;
@@ -32,10 +51,7 @@ void vtkIndirectSubsplatList::Begin(const std::vector<size_t>& capacities)
     entries += capacity;
   }
   const size_t bytes = MaximumLists * sizeof(Command) + entries * sizeof(unsigned int);
-  if (this->Buffer == 0)
-  {
-    glGenBuffers(1, &this->Buffer);
-  }
+  this->Create(window);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Buffer);
   if (bytes != this->Bytes)
   {
@@ -47,7 +63,7 @@ void vtkIndirectSubsplatList::Begin(const std::vector<size_t>& capacities)
   glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(commands), commands.data());
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 #else
-  (void)capacities;
+  (void)window, (void)capacities;
 #endif
 }
 
@@ -62,7 +78,8 @@ void vtkIndirectSubsplatList::End()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSubsplatList::Fill(const std::vector<std::vector<unsigned int>>& lists)
+void vtkIndirectSubsplatList::Fill(
+  vtkOpenGLRenderWindow* window, const std::vector<std::vector<unsigned int>>& lists)
 {
   std::vector<unsigned int> words(MaximumLists * 4, 0);
   this->First.clear();
@@ -72,10 +89,7 @@ void vtkIndirectSubsplatList::Fill(const std::vector<std::vector<unsigned int>>&
     words[4 * i + 3] = static_cast<unsigned int>(lists[i].size());
     words.insert(words.end(), lists[i].begin(), lists[i].end());
   }
-  if (this->Buffer == 0)
-  {
-    glGenBuffers(1, &this->Buffer);
-  }
+  this->Create(window);
   this->Bytes = words.size() * sizeof(unsigned int);
   glBindBuffer(GL_ARRAY_BUFFER, this->Buffer);
   glBufferData(GL_ARRAY_BUFFER, this->Bytes, words.data(), GL_DYNAMIC_DRAW);
@@ -141,5 +155,6 @@ void vtkIndirectSubsplatList::Release()
     glDeleteBuffers(1, &this->Buffer);
     this->Buffer = 0;
   }
+  this->Window = nullptr;
   this->Bytes = 0;
 }

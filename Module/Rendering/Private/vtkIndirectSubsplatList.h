@@ -5,9 +5,12 @@
 #ifndef vtkIndirectSubsplatList_h
 #define vtkIndirectSubsplatList_h
 
+#include "vtkWeakPointer.h" // for the window
+
 #include <cstddef> // for size_t
 #include <vector>  // for the levels
 
+class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
 class vtkIndirectSubsplatList
@@ -16,12 +19,12 @@ public:
   ~vtkIndirectSubsplatList();
 
   /** Empties the lists; capacities[i] entries are room enough for list i. */
-  void Begin(const std::vector<size_t>& capacities);
+  void Begin(vtkOpenGLRenderWindow* window, const std::vector<size_t>& capacities);
 
   /** After the last program that appends: makes the lists visible to those that read them. */
   void End();
   /** Replaces all lists, where shaders cannot append to them. */
-  void Fill(const std::vector<std::vector<unsigned int>>& lists);
+  void Fill(vtkOpenGLRenderWindow* window, const std::vector<std::vector<unsigned int>>& lists);
 
   /** Binds the buffer to a program that appends to, or reads, one of the lists. */
   void Activate(vtkShaderProgram* program, size_t list) const;
@@ -41,6 +44,9 @@ public:
   void Release();
 
 private:
+  void Create(vtkOpenGLRenderWindow* window);
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the buffer
   unsigned int Buffer = 0;
   size_t Bytes = 0;
   std::vector<unsigned int> First; // of each list, in entries

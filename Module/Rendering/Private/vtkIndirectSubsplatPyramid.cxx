@@ -215,7 +215,7 @@ bool vtkIndirectSubsplatPyramid::Build(
     {
       texels.push_back(static_cast<size_t>(level->GetWidth()) * level->GetHeight());
     }
-    this->Lists.Begin(texels);
+    this->Lists.Begin(input.Frame.Window, texels);
   }
   definitions += settings.DepthRange ? "#define VTKI_DEPTH_RANGE\n" : "";
   definitions += settings.LightingThreshold > 0.0 ? "#define VTKI_VARIATION\n" : "";
@@ -235,7 +235,7 @@ bool vtkIndirectSubsplatPyramid::Build(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSubsplatPyramid::FillLists()
+void vtkIndirectSubsplatPyramid::FillLists(vtkOpenGLRenderWindow* window)
 {
   std::vector<std::vector<unsigned int>> lists;
   for (const auto& level : this->Levels)
@@ -251,7 +251,7 @@ void vtkIndirectSubsplatPyramid::FillLists()
       }
     }
   }
-  this->Lists.Fill(lists);
+  this->Lists.Fill(window, lists);
 }
 
 //------------------------------------------------------------------------------

@@ -53,7 +53,7 @@ public:
   vtkIndirectSubsplatList& GetLists() { return this->Lists; }
 
   /** Makes the lists on the CPU, where OpenGL has no storage buffers; reads back. */
-  void FillLists();
+  void FillLists(vtkOpenGLRenderWindow* window);
 
   /**
    * Error that the choice of lights leaves, from two halves of them at the probes: RMS(A - B) / 2
