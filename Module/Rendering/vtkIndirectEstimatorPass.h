@@ -17,6 +17,7 @@
 
 class vtkGeometryBufferPass;
 class vtkIndirectStageTimer;
+struct vtkIndirectReport;
 class vtkIndirectTarget;
 class vtkReflectiveShadowMapPass;
 class vtkVirtualLightSampler;
@@ -46,6 +47,8 @@ public:
     vtkReflectiveShadowMapPass& Maps;
     vtkVirtualLightSampler* Sampler; // null when the estimator asked for none
     bool EyeIsMap;
+    int NumberOfBounces = 1; // as asked for
+    bool Caching = true;     // off: nothing may be kept from earlier frames
   };
 
   /**
@@ -65,6 +68,9 @@ public:
     return *this->Irradiance;
   }
   virtual size_t GetBytes() const;
+
+  /** Says what the last frame modelled and left out. Default: one bounce without visibility. */
+  virtual void AddToReport(vtkIndirectReport& report) const;
 #endif
 
 protected:

@@ -325,7 +325,8 @@ std::vector<double> vtkIndirectIlluminationPass::MakeEstimateKey()
   vtkVirtualLightSampler* sampler = this->GetActiveSampler();
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
     static_cast<double>(frame.Size[1]), static_cast<double>(estimator->GetMTime()),
-    static_cast<double>(sampler->GetMTime()), static_cast<double>(in.EyeIsMap),
+    static_cast<double>(sampler->GetMTime()), static_cast<double>(this->NumberOfBounces),
+    static_cast<double>(in.EyeIsMap),
     static_cast<double>(in.EyeIsMap ? 0 : this->ReflectiveShadowMaps->GetContentTime()) };
   auto append = [&key](const double* values, int count)
   { key.insert(key.end(), values, values + count); };
@@ -365,7 +366,8 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
   in.Timer.End(vtkIndirectStageTimer::Lights);
 
   const vtkIndirectEstimatorPass::Input input = { in.Frame, *in.Geometry,
-    *this->ReflectiveShadowMaps, sampler, in.EyeIsMap };
+    *this->ReflectiveShadowMaps, sampler, in.EyeIsMap, this->NumberOfBounces,
+    this->Caching };
   if (!sampled || !estimator->Estimate(input, in.Timer))
   {
     return false;
@@ -501,16 +503,13 @@ std::string vtkIndirectIlluminationPass::GetReport()
     report.Method = estimator->GetMethodName();
     report.VirtualLights = sampler ? sampler->GetActualNumberOfLights() : 0;
     report.Bytes += estimator->GetBytes() + (sampler ? sampler->GetBytes() : 0);
-    report.Modelled.emplace_back("one diffuse bounce",
-      std::string(estimator->GetClassName()) + (this->Estimator ? "" : ", the automatic choice"));
+    estimator->AddToReport(report);
     if (this->NumberOfBounces > estimator->GetMaximumNumberOfBounces())
     {
       report.LeftOut.emplace_back(
         "bounces beyond " + std::to_string(estimator->GetMaximumNumberOfBounces()),
         std::string(estimator->GetClassName()) + " computes no more; the result is too dark");
     }
-    report.LeftOut.emplace_back("visibility between sender and receiver",
-      std::string(estimator->GetClassName()) + " does not test it; the result is too bright");
     report.LeftOut.emplace_back(
       "specular indirect light", "senders and receivers are taken as diffuse");
   }

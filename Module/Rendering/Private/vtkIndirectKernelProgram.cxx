@@ -29,11 +29,27 @@ void main()
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectKernelProgram::SetDefinitions(const std::string& definitions)
+{
+  if (definitions != this->Definitions)
+  {
+    this->Definitions = definitions;
+    this->Quad.reset();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkShaderProgram* vtkIndirectKernelProgram::Use(vtkOpenGLRenderWindow* window)
 {
   if (!this->Quad)
   {
-    const std::string text = vtkIndirectShaderLibrary::GetText(this->Stage, this->Gather);
+    std::string text = vtkIndirectShaderLibrary::GetText(this->Stage, this->Gather);
+    const std::string marker = "//VTK::Output::Dec\n"; // after what VTK puts first
+    const size_t at = text.find(marker);
+    if (at != std::string::npos)
+    {
+      text.insert(at + marker.size(), this->Definitions);
+    }
     // Four arguments up to VTK 9.1; the fifth of later versions has a default.
     this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, VertexShader, text.c_str(), "");
   }

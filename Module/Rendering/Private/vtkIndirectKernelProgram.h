@@ -16,6 +16,9 @@ public:
   /** stage: file in glsl/stage; gather: the file that VTKI_GATHER stands for, if the stage has one.
    */
   vtkIndirectKernelProgram(const char* stage, const char* gather = "");
+
+  /** Preprocessor lines in front of the stage's text; other ones than before build it anew. */
+  void SetDefinitions(const std::string& definitions);
   ~vtkIndirectKernelProgram();
 
   /**
@@ -33,6 +36,7 @@ public:
 private:
   std::string Stage;
   std::string Gather;
+  std::string Definitions;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
 };
 

@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
+#include "vtkIndirectHintGrid.h"
+
+#include "vtkIndirectOccupancyVolume.h"
+#include "vtkIndirectSamplePattern.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkSMPTools.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Texels in a row of the table of rays: a row less than OpenGL's least limit on textures.
+constexpr int RayRowLength = 1024;
+
+glm::ivec3 Unfold(int index, const glm::ivec3& size)
+{
+  return { index % size.x, index / size.x % size.y, index / size.x / size.y };
+}
+
+int Fold(const glm::ivec3& at, const glm::ivec3& size)
+{
+  return at.x + size.x * (at.y + size.y * at.z);
+}
+}
+
+vtkIndirectHintGrid::vtkIndirectHintGrid() = default;
+vtkIndirectHintGrid::~vtkIndirectHintGrid() = default;
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkIndirectHintGrid::GetCell(int grid) const
+{
+  const Region& region = this->Current.Regions[grid];
+  return (region.Upper - region.Lower) / glm::dvec3(region.Size);
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkIndirectHintGrid::GetDirection(int ray, int numberOfRays)
+{
+  return vtkIndirectSamplePattern::DirectionInCone(ray, numberOfRays, -1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Build(
+  const Settings& settings, const vtkIndirectOccupancyVolume* volume)
+{
+  this->Current = settings;
+  this->Volume = volume && !volume->IsEmpty() ? volume : nullptr;
+  // Four rays a texel.
+  this->Current.NumberOfRays = this->Volume ? (settings.NumberOfRays + 3) / 4 * 4 : 0;
+  this->Hints.clear();
+  this->First.clear();
+  this->Masks.clear();
+  this->Hits.clear();
+  this->Surfels.clear();
+  this->Directions.clear();
+  this->Albedo.clear();
+  this->MaskSize = glm::ivec3(0);
+  for (auto& texture : this->Textures)
+  {
+    texture = nullptr;
+  }
+  const int grids = static_cast<int>(settings.Regions.size());
+  for (int grid = 0; grid < grids; ++grid)
+  {
+    this->Place(grid);
+  }
+  this->NumberOfActive = static_cast<int>(std::count_if(
+    this->Hints.begin(), this->Hints.end(), [](const glm::vec4& hint) { return hint.w > 0.0f; }));
+  if (this->Volume && settings.Masks)
+  {
+    this->MaskSize = this->Volume->GetSize();
+    this->Masks.assign(
+      2 * static_cast<size_t>(this->MaskSize.x) * this->MaskSize.y * this->MaskSize.z, 0);
+    for (int grid = 0; grid < grids; ++grid)
+    {
+      this->FindMasks(grid);
+    }
+  }
+  if (this->Current.NumberOfRays > 0)
+  {
+    std::vector<int> sides;
+    this->FindSurfels(sides);
+    this->FindHits(sides);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Place(int grid)
+{
+  const Region& region = this->Current.Regions[grid];
+  const glm::dvec3 cell = this->GetCell(grid);
+  const int count = region.Size.x * region.Size.y * region.Size.z;
+  const int first = this->GetNumberOfHints();
+  this->First.push_back(first);
+  this->Hints.resize(static_cast<size_t>(first) + count);
+  const vtkIndirectOccupancyVolume* volume = this->Volume;
+  const bool move = volume && this->Current.Masks;
+  const double voxel = volume ? volume->GetVoxelSize() : 1.0;
+  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const glm::ivec3 at = Unfold(static_cast<int>(i), region.Size);
+      glm::dvec3 position = region.Lower + (glm::dvec3(at) + 0.5) * cell;
+      bool active = true;
+      if (volume && this->Current.SkipEmpty)
+      {
+        const glm::dvec3 reach = (this->Current.Reach + 1.0) * cell;
+        active = volume->IsAnyOccupied(glm::ivec3(glm::floor(volume->ToVoxels(position - reach))),
+          glm::ivec3(glm::floor(volume->ToVoxels(position + reach))));
+      }
+      const glm::ivec3 home = glm::ivec3(glm::floor(volume ? volume->ToVoxels(position) : position));
+      if (active && move && volume->IsOccupied(home))
+      {
+        // The nearest free voxel, less than half a cell away; none: the hint is in a solid.
+        const glm::ivec3 range = glm::ivec3(glm::floor(0.5 * cell / voxel));
+        double nearest = INFINITY;
+        glm::ivec3 best = home;
+        for (int z = -range.z; z <= range.z; ++z)
+        {
+          for (int y = -range.y; y <= range.y; ++y)
+          {
+            for (int x = -range.x; x <= range.x; ++x)
+            {
+              const glm::ivec3 to = home + glm::ivec3(x, y, z);
+              const double distance = x * x + y * y + z * z;
+              if (distance < nearest && !volume->IsOccupied(to))
+              {
+                nearest = distance;
+                best = to;
+              }
+            }
+          }
+        }
+        active = std::isfinite(nearest);
+        position = volume->ToScene(glm::dvec3(best) + 0.5);
+      }
+      this->Hints[first + i] = glm::vec4(glm::vec3(position), active ? 1.0f : 0.0f);
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::FindMasks(int grid)
+{
+  const Region& region = this->Current.Regions[grid];
+  const glm::dvec3 cell = this->GetCell(grid);
+  const vtkIndirectOccupancyVolume* volume = this->Volume;
+  const glm::ivec3 size = this->MaskSize;
+  // Between the hints; outside the outermost ones too.
+  const glm::ivec3 between = region.Size + 1;
+  vtkSMPTools::For(0, between.x * between.y * between.z, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const glm::ivec3 base = Unfold(static_cast<int>(i), between) - 1;
+      // Voxels whose centres lie between these hints.
+      glm::ivec3 lower;
+      glm::ivec3 upper;
+      const glm::dvec3 from =
+        volume->ToVoxels(region.Lower + (glm::dvec3(base) + 0.5) * cell) - 0.5;
+      const glm::dvec3 to = volume->ToVoxels(region.Lower + (glm::dvec3(base) + 1.5) * cell) - 0.5;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        lower[axis] = base[axis] < 0 ? 0 : std::max(0, static_cast<int>(std::ceil(from[axis])));
+        upper[axis] = base[axis] + 1 >= region.Size[axis]
+          ? size[axis] - 1
+          : std::min(size[axis] - 1, static_cast<int>(std::ceil(to[axis])) - 1);
+      }
+      if (glm::any(glm::greaterThan(lower, upper)))
+      {
+        continue;
+      }
+      glm::vec3 hints[8];
+      unsigned char active = 0;
+      glm::ivec3 boxLower = lower;
+      glm::ivec3 boxUpper = upper;
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const glm::ivec3 at = glm::clamp(base + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2),
+          glm::ivec3(0), region.Size - 1);
+        const glm::vec4& hint = this->Hints[this->First[grid] + Fold(at, region.Size)];
+        active |= hint.w > 0.0f ? static_cast<unsigned char>(1u << corner) : 0;
+        hints[corner] = glm::vec3(volume->ToVoxels(glm::dvec3(hint)));
+        boxLower = glm::min(boxLower, glm::ivec3(glm::floor(hints[corner])));
+        boxUpper = glm::max(boxUpper, glm::ivec3(glm::floor(hints[corner])));
+      }
+      const bool empty = !active || !volume->IsAnyOccupied(boxLower, boxUpper);
+      for (int z = lower.z; z <= upper.z; ++z)
+      {
+        for (int y = lower.y; y <= upper.y; ++y)
+        {
+          for (int x = lower.x; x <= upper.x; ++x)
+          {
+            unsigned char mask = active;
+            for (int corner = 0; corner < 8 && !empty; ++corner)
+            {
+              if ((active >> corner & 1) &&
+                !volume->IsFree(glm::vec3(x + 0.5f, y + 0.5f, z + 0.5f), hints[corner]))
+              {
+                mask &= static_cast<unsigned char>(~(1u << corner));
+              }
+            }
+            this->Masks[2 * static_cast<size_t>(Fold({ x, y, z }, size)) + grid] = mask;
+          }
+        }
+      }
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+unsigned char vtkIndirectHintGrid::GetMask(int grid, const glm::ivec3& voxel) const
+{
+  return this->Masks[2 * static_cast<size_t>(Fold(voxel, this->MaskSize)) + grid];
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::FindSurfels(std::vector<int>& sides)
+{
+  const auto& surfaces = this->Volume->GetSurfaces();
+  sides.assign(2 * surfaces.size(), -1);
+  for (size_t block = 0; block < surfaces.size(); ++block)
+  {
+    const auto& surface = surfaces[block];
+    const double length = glm::length(surface.Axis);
+    if (!(surface.Area > 0.0) || !(length > 0.0))
+    {
+      continue;
+    }
+    for (int side = 0; side < 2; ++side)
+    {
+      const glm::dvec3 normal = (side ? -1.0 : 1.0) / length * surface.Axis;
+      // The sender's own place is looked up from a free voxel in front of it.
+      bool free = false;
+      for (double height = 1.0; height <= 3.0 && !free; height += 0.5)
+      {
+        const glm::dvec3 before = this->Volume->ToVoxels(surface.Position) + height * normal;
+        free = !this->Volume->IsOccupied(glm::ivec3(glm::floor(before)));
+      }
+      if (free)
+      {
+        sides[2 * block + side] = static_cast<int>(this->Surfels.size());
+        this->Surfels.push_back(
+          { glm::vec3(surface.Position), glm::vec3(normal), glm::vec3(surface.Albedo) });
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::FindHits(const std::vector<int>& sides)
+{
+  const int rays = this->Current.NumberOfRays;
+  std::vector<glm::dvec3> directions;
+  for (int i = 0; i < rays; ++i)
+  {
+    directions.push_back(GetDirection(i, rays));
+    this->Directions.emplace_back(glm::vec3(directions.back()), 0.0f);
+  }
+  this->Hits.assign(this->Hints.size() * rays, -1.0f);
+  this->Albedo.assign(this->Hints.size(), glm::vec4(0.0f));
+  const auto& surfaces = this->Volume->GetSurfaces();
+  vtkSMPTools::For(0, this->GetNumberOfHints(), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType hint = begin; hint < end; ++hint)
+    {
+      if (!(this->Hints[hint].w > 0.0f))
+      {
+        continue;
+      }
+      const glm::dvec3 start = this->Volume->ToVoxels(glm::dvec3(this->Hints[hint]));
+      for (int i = 0; i < rays; ++i)
+      {
+        glm::ivec3 voxel;
+        if (!this->Volume->FindHit(start, directions[i], voxel))
+        {
+          continue;
+        }
+        const int block = this->Volume->GetBlock(voxel);
+        const int side = glm::dot(surfaces[block].Axis, directions[i]) > 0.0 ? 1 : 0;
+        const int surfel = sides[2 * static_cast<size_t>(block) + side];
+        // A side that lies in a solid is met only past the edge of what is in front of it.
+        this->Hits[static_cast<size_t>(hint) * rays + i] = static_cast<float>(
+          surfel >= 0 ? surfel : sides[2 * static_cast<size_t>(block) + 1 - side]);
+        this->Albedo[hint] += glm::vec4(glm::vec3(surfaces[block].Albedo), 1.0f);
+      }
+      this->Albedo[hint] /= std::max(this->Albedo[hint].w, 1.0f);
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectHintGrid::GetHit(int hint, int ray) const
+{
+  return static_cast<int>(
+    this->Hits[static_cast<size_t>(hint) * this->Current.NumberOfRays + ray]);
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectHintGrid::GetNumberOfSurfelRows() const
+{
+  return std::max(1, (static_cast<int>(this->Surfels.size()) + RowLength - 1) / RowLength);
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkIndirectHintGrid::Make(Table table, vtkOpenGLRenderWindow* window)
+{
+  vtkSmartPointer<vtkTextureObject>& texture = this->Textures[table];
+  if (texture)
+  {
+    return texture;
+  }
+  texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetWrapR(vtkTextureObject::ClampToEdge);
+  std::vector<glm::vec4> texels;
+  unsigned int width = RowLength;
+  switch (table)
+  {
+    case MaskTable:
+      texture->SetInternalFormat(GL_RG8);
+      texture->SetFormat(GL_RG);
+      texture->SetDataType(GL_UNSIGNED_BYTE);
+      texture->Create3DFromRaw(static_cast<unsigned int>(this->MaskSize.x),
+        static_cast<unsigned int>(this->MaskSize.y), static_cast<unsigned int>(this->MaskSize.z), 2,
+        VTK_UNSIGNED_CHAR, this->Masks.data());
+      return texture;
+    case HintTable:
+      texels = this->Hints;
+      break;
+    case RayTable:
+      width = RayRowLength;
+      texels.resize(this->Hits.size() / 4);
+      std::copy(this->Hits.begin(), this->Hits.end(), texels.empty() ? nullptr : &texels[0].x);
+      break;
+    case HintAlbedo:
+      texels = this->Albedo;
+      break;
+    case DirectionTable:
+      texels = this->Directions;
+      break;
+    default:
+      for (const Surfel& surfel : this->Surfels)
+      {
+        texels.emplace_back(table == SurfelPosition
+            ? surfel.Position
+            : (table == SurfelNormal ? surfel.Normal : surfel.Albedo),
+          1.0f);
+      }
+  }
+  const size_t rows = std::max<size_t>(1, (texels.size() + width - 1) / width);
+  texels.resize(rows * width, glm::vec4(0.0f));
+  texture->Create2DFromRaw(
+    width, static_cast<unsigned int>(rows), 4, VTK_FLOAT, &texels[0].x);
+  return texture;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Bind(Table table, vtkShaderProgram* program, const char* uniform)
+{
+  this->Textures[table]->Activate();
+  program->SetUniformi(uniform, this->Textures[table]->GetTextureUnit());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+{
+  this->Make(HintTable, window);
+  this->Bind(HintTable, program, "vtkiHints");
+  const int grids = static_cast<int>(this->Current.Regions.size());
+  float rows[3 * MaximumNumberOfGrids][4] = {};
+  for (int grid = 0; grid < grids; ++grid)
+  {
+    const Region& region = this->Current.Regions[grid];
+    const glm::dvec3 cell = this->GetCell(grid);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      rows[3 * grid][axis] = static_cast<float>(region.Lower[axis]);
+      rows[3 * grid + 1][axis] = static_cast<float>(cell[axis]);
+      rows[3 * grid + 2][axis] = static_cast<float>(region.Size[axis]);
+    }
+    rows[3 * grid][3] = static_cast<float>(this->First[grid]);
+    rows[3 * grid + 1][3] = static_cast<float>(glm::length(cell));
+  }
+  program->SetUniformi("vtkiGridCount", grids);
+  program->SetUniform4fv("vtkiGrid", 3 * MaximumNumberOfGrids, rows);
+  program->SetUniformi("vtkiHintCount", this->GetNumberOfHints());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::ActivateMasks(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+{
+  this->Make(MaskTable, window);
+  this->Bind(MaskTable, program, "vtkiMasks");
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+{
+  this->Make(RayTable, window);
+  this->Make(DirectionTable, window);
+  this->Bind(RayTable, program, "vtkiRays");
+  this->Bind(DirectionTable, program, "vtkiDirections");
+  program->SetUniformi("vtkiRayCount", this->Current.NumberOfRays);
+  program->SetUniformi("vtkiRayRowLength", RayRowLength);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::ActivateAlbedo(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+{
+  this->Make(HintAlbedo, window);
+  this->Bind(HintAlbedo, program, "vtkiHintAlbedo");
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::ActivateSurfels(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+{
+  const char* const names[] = { "vtkiSurfelPosition", "vtkiSurfelNormal", "vtkiSurfelAlbedo" };
+  for (int i = 0; i < 3; ++i)
+  {
+    const Table table = static_cast<Table>(SurfelPosition + i);
+    this->Make(table, window);
+    this->Bind(table, program, names[i]);
+  }
+  program->SetUniformi("vtkiSurfelCount", static_cast<int>(this->Surfels.size()));
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Deactivate()
+{
+  for (auto& texture : this->Textures)
+  {
+    if (texture)
+    {
+      texture->Deactivate();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectHintGrid::GetBytes() const
+{
+  size_t bytes = 0;
+  for (int i = 0; i < NumberOfTables; ++i)
+  {
+    if (const auto& texture = this->Textures[i])
+    {
+      const size_t texels =
+        static_cast<size_t>(texture->GetWidth()) * texture->GetHeight() *
+        std::max(1u, texture->GetDepth());
+      bytes += texels * (i == MaskTable ? 2 : sizeof(glm::vec4));
+    }
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Release(vtkWindow* window)
+{
+  for (auto& texture : this->Textures)
+  {
+    if (texture)
+    {
+      texture->ReleaseGraphicsResources(window);
+      texture = nullptr;
+    }
+  }
+}
