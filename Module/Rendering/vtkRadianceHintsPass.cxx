@@ -65,6 +65,9 @@ constexpr int ReadsPerBlockEdge = 8;
 // Least area of a sender over that of a face of the hint's cell. A sender of area A is softened over
 // sqrt(A / 2 pi): a fifth of a cell's edge for this, less than a hint's distance from its own wall.
 constexpr double SofteningShare = 0.25;
+// Voxels that a sender may lie behind the mean plane of a block of two by two by two voxels: the
+// block's half diagonal.
+constexpr double SlackVoxels = 1.75;
 
 enum Kernel
 {
@@ -192,6 +195,7 @@ void vtkRadianceHintsPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AlbedoVolume: " << flag(this->AlbedoVolume) << "\n";
   os << indent << "BounceSampling: " << (this->BounceSampling == HINTS ? "Hints" : "Surfaces")
      << "\n";
+  os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
   os << indent << "NumberOfBounceSamples: " << this->NumberOfBounceSamples << "\n";
   os << indent << "BounceRange: " << this->BounceRange << "\n";
   os << indent << "NumberOfLookups: " << this->NumberOfLookups << "\n";
@@ -297,8 +301,8 @@ void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
 {
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
-  const bool raysNeeded = input.NumberOfBounces > 1 &&
-    (this->BounceSampling == SURFACES || this->AlbedoVolume);
+  const bool raysNeeded = this->Occupancy ||
+    (input.NumberOfBounces > 1 && (this->BounceSampling == SURFACES || this->AlbedoVolume));
   const bool voxelsNeeded =
     this->Occupancy || this->SkipEmptyCells || input.NumberOfBounces > 1;
 
@@ -375,7 +379,7 @@ void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   settings.Masks = this->Occupancy;
   settings.SkipEmpty = this->SkipEmptyCells;
   settings.Reach = this->NumberOfLookups > 1 ? 1.5 * std::sqrt(3.0) : 1.0;
-  settings.NumberOfRays = raysNeeded ? this->NumberOfBounceSamples : 0;
+  settings.NumberOfRays = raysNeeded ? this->NumberOfRays : 0;
 
   bool changed = !input.Caching || !(settings == in.GridSettings) ||
     in.Grid.GetNumberOfHints() == 0;
@@ -519,7 +523,10 @@ bool vtkRadianceHintsPass::Inject(const Input& input)
   in.Grid.Activate(frame.Window, program);
   if (in.Blocked)
   {
-    in.Volume.Activate(frame.Window, program);
+    in.Grid.ActivateRays(frame.Window, program);
+    in.Grid.ActivateSurfels(frame.Window, program);
+    program->SetUniformf(
+      "vtkiSlack", static_cast<float>(SlackVoxels * in.Volume.GetVoxelSize()));
   }
   if (list)
   {

@@ -239,8 +239,17 @@ public:
   ///@}
 
   ///@{
-  /** Samples of a bounce a hint: hints or rays. Default 128, range 4 to 1024. */
-  vtkSetClampMacro(NumberOfBounceSamples, int, 4, 1024);
+  /**
+   * Rays from a hint that tell what it sees, for Occupancy and for bounces from SURFACES: at least so
+   * many, an even square number. Default 256, range 4 to 4096.
+   */
+  vtkSetClampMacro(NumberOfRays, int, 4, 4096);
+  vtkGetMacro(NumberOfRays, int);
+  ///@}
+
+  ///@{
+  /** HINTS: other hints that a bounce to a hint is sampled from. Default 32, range 1 to 1024. */
+  vtkSetClampMacro(NumberOfBounceSamples, int, 1, 1024);
   vtkGetMacro(NumberOfBounceSamples, int);
   ///@}
 
@@ -371,7 +380,8 @@ protected:
   bool SkipEmptyCells = true;
   bool AlbedoVolume = true;
   int BounceSampling = SURFACES;
-  int NumberOfBounceSamples = 128;
+  int NumberOfRays = 256;
+  int NumberOfBounceSamples = 32;
   double BounceRange = 1.0;
   int NumberOfLookups = 1;
   bool LookupRotation = false;

@@ -4,7 +4,7 @@
 #include "vtkIndirectHintGrid.h"
 
 #include "vtkIndirectOccupancyVolume.h"
-#include "vtkIndirectSamplePattern.h"
+#include "vtkIndirectKernels.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
@@ -40,9 +40,30 @@ glm::dvec3 vtkIndirectHintGrid::GetCell(int grid) const
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 vtkIndirectHintGrid::GetDirection(int ray, int numberOfRays)
+glm::dvec4 vtkIndirectHintGrid::GetDirection(int ray, int edge)
 {
-  return vtkIndirectSamplePattern::DirectionInCone(ray, numberOfRays, -1.0);
+  // Solid angle of a bin: corners are directions v / |v| with |v|_1 = 1, so that
+  // dw = 4 du dv / (|v|^3 2) over the square [-1,1]^2 of area 4; eight by eight points a bin.
+  constexpr int points = 8;
+  glm::dvec3 sum(0.0);
+  double angle = 0.0;
+  for (int i = 0; i < points * points; ++i)
+  {
+    const double u = 2.0 * (ray % edge + (i % points + 0.5) / points) / edge - 1.0;
+    const double v = 2.0 * (ray / edge + (i / points + 0.5) / points) / edge - 1.0;
+    // |v|^2 at the point of the octahedron that the square's point unfolds to.
+    const double z = 1.0 - std::abs(u) - std::abs(v);
+    const double fold = std::max(-z, 0.0);
+    const double x = std::abs(u) - fold;
+    const double y = std::abs(v) - fold;
+    const double r2 = x * x + y * y + z * z;
+    const double share = 4.0 / (edge * edge * points * points) / (r2 * std::sqrt(r2));
+    angle += share;
+    sum += share *
+      glm::dvec3(vtkIndirectKernels::vtkiOctahedralDecode(
+        glm::vec2(static_cast<float>(u), static_cast<float>(v))));
+  }
+  return glm::dvec4(glm::normalize(sum), angle);
 }
 
 //------------------------------------------------------------------------------
@@ -51,8 +72,9 @@ void vtkIndirectHintGrid::Build(
 {
   this->Current = settings;
   this->Volume = volume && !volume->IsEmpty() ? volume : nullptr;
-  // Four rays a texel.
-  this->Current.NumberOfRays = this->Volume ? (settings.NumberOfRays + 3) / 4 * 4 : 0;
+  // Rays through the bins of an octahedral map, an even number along its edge.
+  this->RayEdge = static_cast<int>(std::ceil(0.5 * std::sqrt(settings.NumberOfRays) - 1e-9)) * 2;
+  this->Current.NumberOfRays = this->Volume ? this->RayEdge * this->RayEdge : 0;
   this->Hints.clear();
   this->First.clear();
   this->Masks.clear();
@@ -146,71 +168,152 @@ void vtkIndirectHintGrid::Place(int grid)
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+// Offsets from a voxel, near ones first, each with the place in the list of the one before it on the
+// way back. A step between two is at most one voxel along each axis: a surface between their centres
+// touches one of the two.
+struct Way
+{
+  glm::ivec3 Offset;
+  int Before;
+};
+
+std::vector<Way> MakeWays(const glm::ivec3& reach)
+{
+  const glm::ivec3 size = 2 * reach + 1;
+  const int longest = std::max({ reach.x, reach.y, reach.z });
+  std::vector<int> place(static_cast<size_t>(size.x) * size.y * size.z, -1);
+  std::vector<Way> ways;
+  ways.reserve(place.size());
+  std::vector<std::vector<glm::ivec3>> shells(longest + 1);
+  for (int i = 0; i < static_cast<int>(place.size()); ++i)
+  {
+    const glm::ivec3 d = Unfold(i, size) - reach;
+    shells[std::max({ std::abs(d.x), std::abs(d.y), std::abs(d.z) })].push_back(d);
+  }
+  for (int m = 0; m <= longest; ++m)
+  {
+    for (const glm::ivec3& d : shells[m])
+    {
+      Way way = { d, -1 };
+      if (m > 0)
+      {
+        const glm::ivec3 before(glm::round(glm::dvec3(d) * ((m - 1.0) / m)));
+        way.Before = place[Fold(before + reach, size)];
+      }
+      place[Fold(d + reach, size)] = static_cast<int>(ways.size());
+      ways.push_back(way);
+    }
+  }
+  return ways;
+}
+}
+
+//------------------------------------------------------------------------------
+// Sight spreads from each hint over the voxels of the cells around it: a voxel is seen when it is
+// free and the one before it on the way back is seen.
 void vtkIndirectHintGrid::FindMasks(int grid)
 {
   const Region& region = this->Current.Regions[grid];
   const glm::dvec3 cell = this->GetCell(grid);
   const vtkIndirectOccupancyVolume* volume = this->Volume;
   const glm::ivec3 size = this->MaskSize;
-  // Between the hints; outside the outermost ones too.
-  const glm::ivec3 between = region.Size + 1;
-  vtkSMPTools::For(0, between.x * between.y * between.z, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
+  const double voxel = volume->GetVoxelSize();
+  // A cell to each side, half a cell more that a hint may have been moved; beyond the outermost
+  // hints there is half a cell, and the volume's border.
+  const glm::ivec3 reach = glm::ivec3(glm::ceil(1.5 * cell / voxel)) + 2;
+  const std::vector<Way> ways = MakeWays(reach);
+  // By voxel and axis, the lower of the two hints that it lies between.
+  std::vector<int> bases[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int i = 0; i < size[axis]; ++i)
     {
-      const glm::ivec3 base = Unfold(static_cast<int>(i), between) - 1;
-      // Voxels whose centres lie between these hints.
-      glm::ivec3 lower;
-      glm::ivec3 upper;
-      const glm::dvec3 from =
-        volume->ToVoxels(region.Lower + (glm::dvec3(base) + 0.5) * cell) - 0.5;
-      const glm::dvec3 to = volume->ToVoxels(region.Lower + (glm::dvec3(base) + 1.5) * cell) - 0.5;
-      for (int axis = 0; axis < 3; ++axis)
+      const double center = volume->ToScene(glm::dvec3(i + 0.5))[axis];
+      bases[axis].push_back(
+        static_cast<int>(std::floor((center - region.Lower[axis]) / cell[axis] - 0.5)));
+    }
+  }
+  // Which corners (0: lower, 1: upper, as bits) of a voxel's surroundings a hint is, along one axis.
+  auto corners = [&](int axis, int hint, int at)
+  {
+    const int last = region.Size[axis] - 1;
+    const int base = bases[axis][at];
+    return (std::clamp(base, 0, last) == hint ? 1 : 0) |
+      (std::clamp(base + 1, 0, last) == hint ? 2 : 0);
+  };
+
+  // Hints of one parity share no voxel.
+  for (int parity = 0; parity < 8; ++parity)
+  {
+    const glm::ivec3 odd(parity & 1, parity >> 1 & 1, parity >> 2);
+    const glm::ivec3 count = (region.Size - odd + 1) / 2;
+    vtkSMPTools::For(0, count.x * count.y * count.z, [&](vtkIdType begin, vtkIdType end) {
+      std::vector<char> seen(ways.size());
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        lower[axis] = base[axis] < 0 ? 0 : std::max(0, static_cast<int>(std::ceil(from[axis])));
-        upper[axis] = base[axis] + 1 >= region.Size[axis]
-          ? size[axis] - 1
-          : std::min(size[axis] - 1, static_cast<int>(std::ceil(to[axis])) - 1);
-      }
-      if (glm::any(glm::greaterThan(lower, upper)))
-      {
-        continue;
-      }
-      glm::vec3 hints[8];
-      unsigned char active = 0;
-      glm::ivec3 boxLower = lower;
-      glm::ivec3 boxUpper = upper;
-      for (int corner = 0; corner < 8; ++corner)
-      {
-        const glm::ivec3 at = glm::clamp(base + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2),
-          glm::ivec3(0), region.Size - 1);
+        const glm::ivec3 at = 2 * Unfold(static_cast<int>(i), count) + odd;
         const glm::vec4& hint = this->Hints[this->First[grid] + Fold(at, region.Size)];
-        active |= hint.w > 0.0f ? static_cast<unsigned char>(1u << corner) : 0;
-        hints[corner] = glm::vec3(volume->ToVoxels(glm::dvec3(hint)));
-        boxLower = glm::min(boxLower, glm::ivec3(glm::floor(hints[corner])));
-        boxUpper = glm::max(boxUpper, glm::ivec3(glm::floor(hints[corner])));
-      }
-      const bool empty = !active || !volume->IsAnyOccupied(boxLower, boxUpper);
-      for (int z = lower.z; z <= upper.z; ++z)
-      {
-        for (int y = lower.y; y <= upper.y; ++y)
+        if (!(hint.w > 0.0f))
         {
-          for (int x = lower.x; x <= upper.x; ++x)
+          continue;
+        }
+        const glm::ivec3 home(glm::floor(volume->ToVoxels(glm::dvec3(hint))));
+        // The voxels that may lie between this hint and its neighbours.
+        const glm::dvec3 middle = region.Lower + (glm::dvec3(at) + 0.5) * cell;
+        glm::ivec3 lower =
+          glm::max(glm::ivec3(glm::floor(volume->ToVoxels(middle - cell))), glm::ivec3(0));
+        glm::ivec3 upper =
+          glm::min(glm::ivec3(glm::floor(volume->ToVoxels(middle + cell))), size - 1);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          // Beyond the outermost hints these stand for all others.
+          lower[axis] = at[axis] == 0 ? 0 : lower[axis];
+          upper[axis] = at[axis] == region.Size[axis] - 1 ? size[axis] - 1 : upper[axis];
+          lower[axis] = std::max(lower[axis], home[axis] - reach[axis]);
+          upper[axis] = std::min(upper[axis], home[axis] + reach[axis]);
+        }
+        const bool empty = !volume->IsAnyOccupied(lower, upper);
+        const glm::ivec3 far = glm::max(home - lower, upper - home);
+        const int farthest = std::max({ far.x, far.y, far.z });
+        for (size_t k = 0; k < ways.size(); ++k)
+        {
+          const glm::ivec3& offset = ways[k].Offset;
+          if (std::max({ std::abs(offset.x), std::abs(offset.y), std::abs(offset.z) }) > farthest)
           {
-            unsigned char mask = active;
-            for (int corner = 0; corner < 8 && !empty; ++corner)
+            break;
+          }
+          const glm::ivec3 there = home + offset;
+          if (glm::any(glm::lessThan(there, glm::ivec3(0))) ||
+            glm::any(glm::greaterThanEqual(there, size)))
+          {
+            // Nothing is outside; but ways out and in again do not matter.
+            seen[k] = 0;
+            continue;
+          }
+          seen[k] = empty ||
+            ((ways[k].Before < 0 || seen[ways[k].Before]) && !volume->IsOccupied(there));
+          if (!seen[k])
+          {
+            continue;
+          }
+          const int x = corners(0, at.x, there.x);
+          const int y = corners(1, at.y, there.y);
+          const int z = corners(2, at.z, there.z);
+          if (x && y && z)
+          {
+            unsigned char mask = 0;
+            for (int corner = 0; corner < 8; ++corner)
             {
-              if ((active >> corner & 1) &&
-                !volume->IsFree(glm::vec3(x + 0.5f, y + 0.5f, z + 0.5f), hints[corner]))
-              {
-                mask &= static_cast<unsigned char>(~(1u << corner));
-              }
+              mask |= (x >> (corner & 1) & y >> (corner >> 1 & 1) & z >> (corner >> 2) & 1) << corner;
             }
-            this->Masks[2 * static_cast<size_t>(Fold({ x, y, z }, size)) + grid] = mask;
+            this->Masks[2 * static_cast<size_t>(Fold(there, size)) + grid] |= mask;
           }
         }
       }
-    }
-  });
+    });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -259,8 +362,9 @@ void vtkIndirectHintGrid::FindHits(const std::vector<int>& sides)
   std::vector<glm::dvec3> directions;
   for (int i = 0; i < rays; ++i)
   {
-    directions.push_back(GetDirection(i, rays));
-    this->Directions.emplace_back(glm::vec3(directions.back()), 0.0f);
+    const glm::dvec4 direction = GetDirection(i, this->RayEdge);
+    directions.emplace_back(direction);
+    this->Directions.emplace_back(direction);
   }
   this->Hits.assign(this->Hints.size() * rays, -1.0f);
   this->Albedo.assign(this->Hints.size(), glm::vec4(0.0f));
@@ -409,7 +513,7 @@ void vtkIndirectHintGrid::ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderP
   this->Make(DirectionTable, window);
   this->Bind(RayTable, program, "vtkiRays");
   this->Bind(DirectionTable, program, "vtkiDirections");
-  program->SetUniformi("vtkiRayCount", this->Current.NumberOfRays);
+  program->SetUniformi("vtkiRayEdge", this->RayEdge);
   program->SetUniformi("vtkiRayRowLength", RayRowLength);
 }
 

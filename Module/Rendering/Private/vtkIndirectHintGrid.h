@@ -47,7 +47,7 @@ public:
     bool Masks = false;          // voxels know which hints they see
     bool SkipEmpty = false;
     double Reach = 0.0; // cells that a look-up may lie from its surface
-    int NumberOfRays = 0; // 0: no rays, no surfaces
+    int NumberOfRays = 0; // at least; 0: no rays, no surfaces
     bool operator==(const Settings& other) const
     {
       return this->Regions == other.Regions && this->Masks == other.Masks &&
@@ -83,7 +83,8 @@ public:
   const std::vector<Surfel>& GetSurfels() const { return this->Surfels; }
   unsigned char GetMask(int grid, const glm::ivec3& voxel) const;
   int GetHit(int hint, int ray) const;
-  static glm::dvec3 GetDirection(int ray, int numberOfRays);
+  /** Direction and solid angle of a bin of the octahedral map of rays. */
+  static glm::dvec4 GetDirection(int ray, int edge);
 
   ///@{
   /** Bind the tables for vtkIndirectHintPlaces.glsl and its users; one Deactivate for all. */
@@ -129,6 +130,7 @@ private:
   std::vector<Surfel> Surfels;
   std::vector<glm::vec4> Albedo; // of what a hint sees around it
   int NumberOfActive = 0;
+  int RayEdge = 0;
   vtkSmartPointer<vtkTextureObject> Textures[NumberOfTables];
 };
 

@@ -25,7 +25,7 @@ void main()
     vec3 densityArea = texelFetch(vtkiLightDensity, from, 0).rgb;
     if (max(max(densityArea.r, densityArea.g), densityArea.b) > 0.0f)
     {
-      vtkiAddSender(sums, place.xyz, sender.xyz, texelFetch(vtkiLightNormal, from, 0).xyz, sender.w,
+      vtkiAddSender(sums, hint, place.xyz, sender.xyz, texelFetch(vtkiLightNormal, from, 0).xyz, sender.w,
         densityArea, max(sender.w, vtkiSoftening * face) / 6.2831853f);
     }
   }

@@ -4,7 +4,31 @@
 #include "vtkIndirectHintOutput.glsl"
 #include "vtkIndirectHintDepth.glsl"
 #ifdef VTKI_HINT_OCCUPANCY
-#include "vtkIndirectOccupancy.glsl"
+#include "vtkIndirectLibSurface.glsl"
+
+uniform sampler2D vtkiRays; // four surfaces a texel, -1 where a ray meets none
+uniform sampler2D vtkiSurfelPosition;
+uniform sampler2D vtkiSurfelNormal;
+uniform int vtkiRayEdge;
+uniform int vtkiRayRowLength;
+uniform float vtkiSlack; // scene units: how far behind a surface a sender still lies on it
+
+// Whether a sender is in front of the surface that the ray of its direction meets, or on it. The
+// plane of that surface, not its distance: a bin of directions spans many distances on a wall that is
+// seen from the side.
+float vtkiSeen(int hint, vec3 sender, vec3 direction)
+{
+  vec2 uv = 0.5f * vtkiOctahedralEncode(direction) + 0.5f;
+  ivec2 bin = ivec2(min(uv * float(vtkiRayEdge), vec2(float(vtkiRayEdge) - 0.5f)));
+  int ray = hint * vtkiRayEdge * vtkiRayEdge + bin.x + vtkiRayEdge * bin.y;
+  int texel = ray / 4;
+  vec4 four = texelFetch(vtkiRays, ivec2(texel % vtkiRayRowLength, texel / vtkiRayRowLength), 0);
+  int surfel = int(four[ray & 3]);
+  ivec2 at = ivec2(max(surfel, 0) & 255, max(surfel, 0) >> 8);
+  vec3 beyond = sender - texelFetch(vtkiSurfelPosition, at, 0).xyz;
+  return surfel < 0 || dot(beyond, texelFetch(vtkiSurfelNormal, at, 0).xyz) > -vtkiSlack ? 1.0f
+                                                                                          : 0.0f;
+}
 #endif
 
 uniform float vtkiRange;     // scene units that distances are stored in
@@ -25,7 +49,7 @@ vtkiHintSums vtkiBeginHint()
 }
 
 // position: of the hint, or near it. softening: see vtkiPatchSolidAngle.
-void vtkiAddSender(inout vtkiHintSums sums, vec3 position, vec3 sender, vec3 normal, float area,
+void vtkiAddSender(inout vtkiHintSums sums, int hint, vec3 position, vec3 sender, vec3 normal, float area,
   vec3 densityArea, float softening)
 {
   vec3 toSender = sender - position;
@@ -40,8 +64,7 @@ void vtkiAddSender(inout vtkiHintSums sums, vec3 position, vec3 sender, vec3 nor
   bool lit = max(max(light.r, light.g), light.b) > 0.0f && r > 0.0f;
   float share = 1.0f;
 #ifdef VTKI_HINT_OCCUPANCY
-  // To a voxel and a half in front of the sender, whose own voxels do not hide it.
-  share = vtkiIsFree(vtkiToVoxels(position), vtkiToVoxels(sender) + 1.5f * normal, lit) ? 1.0f : 0.0f;
+  share = vtkiSeen(hint, sender, r > 0.0f ? toSender / r : normal);
 #endif
   share *= vtkiDepthShare(position, sender, lit);
   if (lit)

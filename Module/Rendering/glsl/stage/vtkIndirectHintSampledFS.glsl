@@ -36,7 +36,7 @@ void main()
       if (vtkiVirtualLightFromTexel(layer, texel, light))
       {
         float area = light.area * texels;
-        vtkiAddSender(sums, place.xyz + (jitter - 0.5f) * cell, light.position, light.normal, area,
+        vtkiAddSender(sums, hint, place.xyz + (jitter - 0.5f) * cell, light.position, light.normal, area,
           light.densityArea * texels,
           (vtkiSoftening > 0.0f ? max(area, vtkiSoftening * face) : light.area) / 6.2831853f);
       }

@@ -8,7 +8,7 @@
 uniform sampler2D vtkiRays; // four surfaces a texel, -1 where a ray meets none
 uniform sampler2D vtkiDirections;
 uniform sampler2D vtkiRadiosity;
-uniform int vtkiRayCount;
+uniform int vtkiRayEdge;
 uniform int vtkiRayRowLength;
 
 void main()
@@ -17,9 +17,9 @@ void main()
   int hint = at.x + 256 * at.y;
   bool used = hint < vtkiHintCount && texelFetch(vtkiHints, at, 0).w > 0.0f;
   vtkiField f = vtkiZeroField();
-  float share = 12.5663706f / float(vtkiRayCount);
-  int first = hint * (vtkiRayCount / 4);
-  int count = used ? vtkiRayCount : 0;
+  int rays = vtkiRayEdge * vtkiRayEdge;
+  int first = hint * (rays / 4);
+  int count = used ? rays : 0;
   for (int ray = 0; ray < count; ++ray)
   {
     int texel = first + ray / 4;
@@ -27,8 +27,10 @@ void main()
     int surfel = int(four[ray & 3]);
     if (surfel >= 0)
     {
-      vtkiAddLight(f, share * texelFetch(vtkiRadiosity, ivec2(surfel & 255, surfel >> 8), 0).rgb,
-        texelFetch(vtkiDirections, vtkiHintTexel(ray), 0).xyz);
+      vec4 direction = texelFetch(vtkiDirections, vtkiHintTexel(ray), 0);
+      vtkiAddLight(f,
+        direction.w * texelFetch(vtkiRadiosity, ivec2(surfel & 255, surfel >> 8), 0).rgb,
+        direction.xyz);
     }
   }
   vtkiWriteField(f, vec4(0.0f));
