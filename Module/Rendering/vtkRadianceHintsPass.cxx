@@ -52,6 +52,10 @@ const vtkIndirectChannel RadiosityChannels[] = {
   { "hints.radiosity", "vtkiRadiosity", "what surfaces reflect", GL_RGBA32F, "-", "VTK radiance" },
   NoChannel,
 };
+const vtkIndirectChannel IrradianceChannels[] = {
+  { "irradiance", "vtkiIrradiance", "indirect irradiance", GL_RGBA32F, "-", "VTK irradiance" },
+  NoChannel,
+};
 const vtkIndirectChannel CoarseChannels[] = {
   { "hints.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel", GL_RGBA32F, "-",
     "VTK irradiance" },
@@ -165,6 +169,8 @@ struct vtkRadianceHintsPass::Internals
 vtkRadianceHintsPass::vtkRadianceHintsPass()
   : Internal(new Internals)
 {
+  // With depth, which tells the pixels that interpolation has left.
+  this->Irradiance = std::make_unique<vtkIndirectTarget>(IrradianceChannels, true);
 }
 
 vtkRadianceHintsPass::~vtkRadianceHintsPass() = default;
@@ -723,13 +729,20 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   }
 
   timer.Begin(vtkIndirectStageTimer::Upsample);
-  program = in.Use(UpsampleKernel, frame.Window, in.FieldLayout, in.Blocked);
+  program = in.Use(UpsampleKernel, frame.Window, 0);
   if (!program)
   {
     return false;
   }
   this->Irradiance->Begin();
-  prepare(program);
+  this->Irradiance->Clear();
+  vtkOpenGLState* state = frame.Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  vtkIndirectSetEyeUniforms(program, frame);
+  program->SetUniform2i("vtkiSize", frame.Size);
+  program->SetUniformi("vtkiStep", step);
+  input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
   in.Coarse[next].Activate(0, program);
   program->SetUniform2i("vtkiCoarseSize", coarse);
   program->SetUniformf("vtkiMinimumCosine", static_cast<float>(this->InterpolationMinimumCosine));
@@ -737,7 +750,18 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   in.Kernels[UpsampleKernel]->Draw();
   in.Coarse[next].Deactivate();
   input.Geometry.GetTarget().Deactivate();
-  in.Deactivate();
+  // What is left is as deep as the clear: only there is the same depth less.
+  program = in.Use(CoarseKernel, frame.Window, in.FieldLayout, in.Blocked);
+  if (program)
+  {
+    prepare(program);
+    program->SetUniformi("vtkiStep", 1);
+    program->SetUniformf("vtkiKeep", 0.0f);
+    in.Kernels[CoarseKernel]->Draw();
+    input.Geometry.GetTarget().Deactivate();
+    in.Deactivate();
+  }
+  state->vtkglDisable(GL_DEPTH_TEST);
   this->Irradiance->End();
   timer.End(vtkIndirectStageTimer::Upsample);
   return true;

@@ -1,6 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Irradiance from the hints at every vtkiStep-th pixel, mixed with that of the last frame.
+// Irradiance from the hints at every vtkiStep-th pixel, or at those of all pixels that interpolation
+// left; mixed with that of the last frame.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectHintLookup.glsl"
 

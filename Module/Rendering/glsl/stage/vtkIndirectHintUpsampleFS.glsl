@@ -1,10 +1,9 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Irradiance at every pixel: joint bilateral interpolation of the coarse samples that lie on the same
-// surface; where none does, from the hints again.
+// surface. Where none does nothing is written, nor depth: a second draw finds those pixels by it.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibInterpolation.glsl"
-#include "vtkIndirectHintLookup.glsl"
 
 uniform sampler2D vtkiCoarse;
 uniform ivec2 vtkiCoarseSize;
@@ -24,7 +23,7 @@ void main()
   vec2 blend = vec2(pixel - first) / vec2(max(min(first + vtkiStep, vtkiSize - 1) - first, 1));
   vec3 sum = vec3(0.0f);
   float weights = 0.0f;
-  for (int i = 0; i < (lit ? 4 : 0); ++i)
+  for (int i = 0; i < 4; ++i)
   {
     ivec2 shift = ivec2(i & 1, i >> 1);
     ivec2 at = min(corner + shift, vtkiCoarseSize - 1);
@@ -38,7 +37,9 @@ void main()
       weights += w.x * w.y;
     }
   }
-  bool anew = lit && weights < 0.05f;
-  vec3 e = max(vtkiHintIrradiance(receiver.position, receiver.normal, pixel, anew), vec3(0.0f));
-  gl_FragData[0] = vec4(lit ? (anew ? e : sum / weights) : vec3(0.0f), 1.0f);
+  if (lit && weights < 0.05f)
+  {
+    discard;
+  }
+  gl_FragData[0] = vec4(lit ? sum / weights : vec3(0.0f), 1.0f);
 }
