@@ -69,9 +69,6 @@ constexpr int ReadsPerBlockEdge = 8;
 // Least area of a sender over that of a face of the hint's cell. A sender of area A is softened over
 // sqrt(A / 2 pi): a fifth of a cell's edge for this, less than a hint's distance from its own wall.
 constexpr double SofteningShare = 0.25;
-// Voxels that a sender may lie behind the mean plane of a block of two by two by two voxels: the
-// block's half diagonal.
-constexpr double SlackVoxels = 1.75;
 
 enum Kernel
 {
@@ -531,8 +528,6 @@ bool vtkRadianceHintsPass::Inject(const Input& input)
   {
     in.Grid.ActivateRays(frame.Window, program);
     in.Grid.ActivateSurfels(frame.Window, program);
-    program->SetUniformf(
-      "vtkiSlack", static_cast<float>(SlackVoxels * in.Volume.GetVoxelSize()));
   }
   if (list)
   {

@@ -154,7 +154,7 @@ public:
   ///@}
 
   ///@{
-  /** DENSE: blocks along the edge of a face of a map. Default 16, range 1 to 128. */
+  /** DENSE: blocks along the edge of a face of a map. Default 24, range 1 to 128. */
   vtkSetClampMacro(BlocksPerEdge, int, 1, 128);
   vtkGetMacro(BlocksPerEdge, int);
   ///@}
@@ -241,7 +241,7 @@ public:
   ///@{
   /**
    * Rays from a hint that tell what it sees, for Occupancy and for bounces from SURFACES: at least so
-   * many, an even square number. Default 256, range 4 to 4096.
+   * many, an even square number. Default 400, range 4 to 4096.
    */
   vtkSetClampMacro(NumberOfRays, int, 4, 4096);
   vtkGetMacro(NumberOfRays, int);
@@ -371,7 +371,7 @@ protected:
   int Sampling = DENSE;
   int NumberOfSamples = 40;
   double Coverage = 1.0;
-  int BlocksPerEdge = 16;
+  int BlocksPerEdge = 24;
   bool Softening = true;
   bool Deringing = true;
   bool FacingWeights = true;
@@ -380,7 +380,7 @@ protected:
   bool SkipEmptyCells = true;
   bool AlbedoVolume = true;
   int BounceSampling = SURFACES;
-  int NumberOfRays = 256;
+  int NumberOfRays = 400;
   int NumberOfBounceSamples = 32;
   double BounceRange = 1.0;
   int NumberOfLookups = 1;

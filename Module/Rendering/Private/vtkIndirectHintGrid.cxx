@@ -17,6 +17,10 @@ namespace
 {
 // Texels in a row of the table of rays: a row less than OpenGL's least limit on textures.
 constexpr int RayRowLength = 1024;
+// Voxels that a sender may lie behind a surface's plane and still be on it: of a plane, for maps'
+// rounding, and of any surface.
+constexpr double LeastDepth = 0.3;
+constexpr double MostDepth = 1.75;
 
 glm::ivec3 Unfold(int index, const glm::ivec3& size)
 {
@@ -348,8 +352,11 @@ void vtkIndirectHintGrid::FindSurfels(std::vector<int>& sides)
       if (free)
       {
         sides[2 * block + side] = static_cast<int>(this->Surfels.size());
-        this->Surfels.push_back(
-          { glm::vec3(surface.Position), glm::vec3(normal), glm::vec3(surface.Albedo) });
+        // The mean normal of a plane has length one; the more a block's normals differ, the less its
+        // plane says, up to the block's half diagonal.
+        const double depth = std::min(LeastDepth + 8.0 * (1.0 - length), MostDepth);
+        this->Surfels.push_back({ glm::vec3(surface.Position), glm::vec3(normal),
+          glm::vec3(surface.Albedo), static_cast<float>(depth * this->Volume->GetVoxelSize()) });
       }
     }
   }
@@ -457,7 +464,7 @@ vtkTextureObject* vtkIndirectHintGrid::Make(Table table, vtkOpenGLRenderWindow* 
         texels.emplace_back(table == SurfelPosition
             ? surfel.Position
             : (table == SurfelNormal ? surfel.Normal : surfel.Albedo),
-          1.0f);
+          surfel.Depth);
       }
   }
   const size_t rows = std::max<size_t>(1, (texels.size() + width - 1) / width);

@@ -62,6 +62,7 @@ public:
     glm::vec3 Position;
     glm::vec3 Normal;
     glm::vec3 Albedo;
+    float Depth; // how far parts of the surface may lie behind its plane, scene units
   };
 
   vtkIndirectHintGrid();

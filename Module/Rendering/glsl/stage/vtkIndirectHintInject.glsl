@@ -11,7 +11,6 @@ uniform sampler2D vtkiSurfelPosition;
 uniform sampler2D vtkiSurfelNormal;
 uniform int vtkiRayEdge;
 uniform int vtkiRayRowLength;
-uniform float vtkiSlack; // scene units: how far behind a surface a sender still lies on it
 
 // Whether a sender is in front of the surface that the ray of its direction meets, or on it. The
 // plane of that surface, not its distance: a bin of directions spans many distances on a wall that is
@@ -25,9 +24,10 @@ float vtkiSeen(int hint, vec3 sender, vec3 direction)
   vec4 four = texelFetch(vtkiRays, ivec2(texel % vtkiRayRowLength, texel / vtkiRayRowLength), 0);
   int surfel = int(four[ray & 3]);
   ivec2 at = ivec2(max(surfel, 0) & 255, max(surfel, 0) >> 8);
-  vec3 beyond = sender - texelFetch(vtkiSurfelPosition, at, 0).xyz;
-  return surfel < 0 || dot(beyond, texelFetch(vtkiSurfelNormal, at, 0).xyz) > -vtkiSlack ? 1.0f
-                                                                                          : 0.0f;
+  // The last number: how far behind its mean plane a sender may lie on the surface.
+  vec4 surface = texelFetch(vtkiSurfelPosition, at, 0);
+  float height = dot(sender - surface.xyz, texelFetch(vtkiSurfelNormal, at, 0).xyz);
+  return surfel < 0 || height > -surface.w ? 1.0f : 0.0f;
 }
 #endif
 

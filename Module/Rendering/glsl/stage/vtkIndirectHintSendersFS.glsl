@@ -1,8 +1,9 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // A coarser level of the maps: a block of texels as one sender. Light and area are the block's own
-// sums; place and normal are those of the texel nearest to the mean place of its light, so that a
-// block over an edge does not hang in the air.
+// sums. Its normal is that of the texel nearest to the mean place of its light; its place is that mean
+// where it lies on this texel's plane, otherwise the texel's own, so that a block over an edge does
+// not hang in the air.
 #include "vtkIndirectMapTexel.glsl"
 
 uniform int vtkiBlocks; // along a map's edge
@@ -57,6 +58,12 @@ void main()
       normal = distance2 < nearest ? light.normal : normal;
       nearest = min(nearest, distance2);
     }
+  }
+  vec3 shift = mean - position;
+  float height = dot(shift, normal);
+  if (height * height < 0.01f * area * share)
+  {
+    position += shift - height * normal;
   }
   gl_FragData[0] = vec4(position, max(area * share, 1.0e-20f));
   gl_FragData[1] = vec4(normal, 0.0f);
