@@ -5,8 +5,8 @@
 
 #include "vtkCamera.h"
 #include "vtkGeometryBufferPass.h"
+#include "vtkIndirectHintFields.h"
 #include "vtkIndirectHintGrid.h"
-#include "vtkIndirectKernelProgram.h"
 #include "vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectReport.h"
 #include "vtkIndirectStageTimer.h"
@@ -27,31 +27,7 @@ vtkStandardNewMacro(vtkRadianceHintsPass);
 
 namespace
 {
-#define VTKI_FIELD(i)                                                                              \
-  { "hints.field" #i, "vtkiField" #i, "spherical harmonics of incoming radiance", GL_RGBA32F,      \
-    "scene", "radiance" }
-const vtkIndirectChannel DistanceChannel = { "hints.distance", "vtkiHintDistance",
-  "nearest and farthest sender, share of senders that face the hint", GL_RGBA32F, "-",
-  "BounceRange" };
 const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
-const vtkIndirectChannel ThreeFields[] = { VTKI_FIELD(0), VTKI_FIELD(1), VTKI_FIELD(2),
-  DistanceChannel, NoChannel };
-const vtkIndirectChannel SevenFields[] = { VTKI_FIELD(0), VTKI_FIELD(1), VTKI_FIELD(2),
-  VTKI_FIELD(3), VTKI_FIELD(4), VTKI_FIELD(5), VTKI_FIELD(6), DistanceChannel, NoChannel };
-#undef VTKI_FIELD
-
-const vtkIndirectChannel SenderChannels[] = {
-  { "hints.senders.position", "vtkiLightPosition", "place and area of a block of a map", GL_RGBA32F,
-    "scene", "scene units" },
-  { "hints.senders.normal", "vtkiLightNormal", "normal", GL_RGBA32F, "scene", "1" },
-  { "hints.senders.density", "vtkiLightDensity", "reflected density times area", GL_RGBA32F, "-",
-    "VTK flux" },
-  NoChannel,
-};
-const vtkIndirectChannel RadiosityChannels[] = {
-  { "hints.radiosity", "vtkiRadiosity", "what surfaces reflect", GL_RGBA32F, "-", "VTK radiance" },
-  NoChannel,
-};
 const vtkIndirectChannel IrradianceChannels[] = {
   { "irradiance", "vtkiIrradiance", "indirect irradiance", GL_RGBA32F, "-", "VTK irradiance" },
   NoChannel,
@@ -62,31 +38,6 @@ const vtkIndirectChannel CoarseChannels[] = {
   NoChannel,
 };
 
-constexpr int SenderRowLength = 256;
-// Texels of a block that are read, along its edge: more change its sums by less than its share of
-// the map's noise.
-constexpr int ReadsPerBlockEdge = 8;
-// Least area of a sender over that of a face of the hint's cell. A sender of area A is softened over
-// sqrt(A / 2 pi): a fifth of a cell's edge for this, less than a hint's distance from its own wall.
-constexpr double SofteningShare = 0.25;
-
-enum Kernel
-{
-  SendersKernel,
-  DenseKernel,
-  SampledKernel,
-  CopyKernel,
-  RadiosityKernel,
-  SurfacesKernel,
-  ExchangeKernel,
-  CoarseKernel,
-  UpsampleKernel,
-  NumberOfKernels
-};
-const char* const KernelFiles[NumberOfKernels] = { "vtkIndirectHintSendersFS.glsl",
-  "vtkIndirectHintDenseFS.glsl", "vtkIndirectHintSampledFS.glsl", "vtkIndirectHintCopyFS.glsl",
-  "vtkIndirectHintRadiosityFS.glsl", "vtkIndirectHintSurfacesFS.glsl",
-  "vtkIndirectHintExchangeFS.glsl", "vtkIndirectHintFS.glsl", "vtkIndirectHintUpsampleFS.glsl" };
 }
 
 //------------------------------------------------------------------------------
@@ -95,72 +46,19 @@ struct vtkRadianceHintsPass::Internals
   vtkIndirectOccupancyVolume Volume;
   vtkIndirectHintGrid Grid;
   vtkIndirectHintGrid::Settings GridSettings;
-  // Fields by layout: the first bounce, all bounces, and the one before while bounces are computed.
-  std::unique_ptr<vtkIndirectTarget> Fields[3];
-  int FieldLayout = -1;
-  int Current = 0; // which of them is looked up
-  vtkIndirectTarget Senders{ SenderChannels, false };
-  vtkIndirectTarget Radiosity{ RadiosityChannels, false };
+  vtkIndirectHintFields Fields;
+  vtkIndirectHintFields::Settings Settings; // of the last frame
   vtkIndirectTarget Coarse[2] = { vtkIndirectTarget(CoarseChannels, false),
     vtkIndirectTarget(CoarseChannels, false) };
   int CoarseNow = 0;
   bool CoarseValid = false;
-  std::unique_ptr<vtkIndirectKernelProgram> Kernels[NumberOfKernels];
+  vtkIndirectHintKernel LookUpKernel{ "vtkIndirectHintFS.glsl" };
+  vtkIndirectHintKernel UpsampleKernel{ "vtkIndirectHintUpsampleFS.glsl" };
   vtkNew<vtkUniformLightSampler> HeadlightSampler;
   std::vector<double> LightKey;
-  int Bounces = 1; // of the last frame
   bool Blocked = false;
 
-  Internals()
-  {
-    for (int i = 0; i < NumberOfKernels; ++i)
-    {
-      this->Kernels[i] = std::make_unique<vtkIndirectKernelProgram>(KernelFiles[i]);
-    }
-    this->HeadlightSampler->SetNumberOfLights(1024);
-  }
-
-  vtkShaderProgram* Use(
-    int kernel, vtkOpenGLRenderWindow* window, int layout, bool occupancy = false)
-  {
-    this->Kernels[kernel]->SetDefinitions("#define VTKI_HINT_LAYOUT " + std::to_string(layout) +
-      "\n" + (occupancy ? "#define VTKI_HINT_OCCUPANCY\n" : ""));
-    return this->Kernels[kernel]->Use(window);
-  }
-  void ActivateField(int field, vtkShaderProgram* program)
-  {
-    for (int i = 0; i <= (this->FieldLayout == 2 ? 7 : 3); ++i)
-    {
-      this->Fields[field]->Activate(i, program);
-    }
-  }
-  void ActivateLookup(
-    const Input& input, const vtkRadianceHintsPass* self, vtkShaderProgram* program)
-  {
-    this->Grid.Activate(input.Frame.Window, program);
-    this->ActivateField(this->Current, program);
-    if (this->Blocked)
-    {
-      this->Volume.Activate(input.Frame.Window, program);
-      this->Grid.ActivateMasks(input.Frame.Window, program);
-    }
-    program->SetUniformi("vtkiLookupCount", self->NumberOfLookups);
-    program->SetUniformi("vtkiLookupRotation", self->LookupRotation ? 1 : 0);
-    program->SetUniformi("vtkiLobes", self->Deringing ? 1 : 0);
-    program->SetUniformi("vtkiFacing", self->FacingWeights ? 1 : 0);
-  }
-  void Deactivate()
-  {
-    this->Grid.Deactivate();
-    this->Volume.Deactivate();
-    for (const auto& field : this->Fields)
-    {
-      if (field && field->GetWidth() > 0)
-      {
-        field->Deactivate();
-      }
-    }
-  }
+  Internals() { this->HeadlightSampler->SetNumberOfLights(1024); }
 };
 
 vtkRadianceHintsPass::vtkRadianceHintsPass()
@@ -263,14 +161,9 @@ int vtkRadianceHintsPass::GetLayout() const
 //------------------------------------------------------------------------------
 size_t vtkRadianceHintsPass::GetBytes() const
 {
-  Internals& in = *this->Internal;
-  size_t bytes = this->Superclass::GetBytes() + in.Volume.GetBytes() + in.Grid.GetBytes() +
-    in.Senders.GetBytes() + in.Radiosity.GetBytes() + in.Coarse[0].GetBytes() +
-    in.Coarse[1].GetBytes();
-  for (const auto& field : in.Fields)
-  {
-    bytes += field ? field->GetBytes() : 0;
-  }
+  const Internals& in = *this->Internal;
+  const size_t bytes = this->Superclass::GetBytes() + in.Volume.GetBytes() + in.Grid.GetBytes() +
+    in.Fields.GetBytes() + in.Coarse[0].GetBytes() + in.Coarse[1].GetBytes();
   return bytes;
 }
 
@@ -306,8 +199,7 @@ void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   const vtkIndirectFrame& frame = input.Frame;
   const bool raysNeeded = this->Occupancy ||
     (input.NumberOfBounces > 1 && (this->BounceSampling == SURFACES || this->AlbedoVolume));
-  const bool voxelsNeeded =
-    this->Occupancy || this->SkipEmptyCells || input.NumberOfBounces > 1;
+  const bool voxelsNeeded = this->Occupancy || this->SkipEmptyCells || input.NumberOfBounces > 1;
 
   vtkIndirectHintGrid::Settings settings;
   glm::dvec3 lower;
@@ -384,8 +276,8 @@ void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   settings.Reach = this->NumberOfLookups > 1 ? 1.5 * std::sqrt(3.0) : 1.0;
   settings.NumberOfRays = raysNeeded ? this->NumberOfRays : 0;
 
-  bool changed = !input.Caching || !(settings == in.GridSettings) ||
-    in.Grid.GetNumberOfHints() == 0;
+  bool changed =
+    !input.Caching || !(settings == in.GridSettings) || in.Grid.GetNumberOfHints() == 0;
   if (voxelsNeeded)
   {
     if (!input.Caching)
@@ -409,255 +301,50 @@ void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRadianceHintsPass::UpdateLight(
-  const Input& input, vtkIndirectStageTimer& timer, bool anew)
+bool vtkRadianceHintsPass::UpdateLight(const Input& input, vtkIndirectStageTimer& timer, bool anew)
 {
   Internals& in = *this->Internal;
-  in.Bounces = std::min(input.NumberOfBounces, this->GetMaximumNumberOfBounces());
+  vtkIndirectHintFields::Settings& settings = in.Settings;
+  settings.Layout = this->GetLayout();
+  settings.Bounces = std::min(input.NumberOfBounces, this->GetMaximumNumberOfBounces());
+  settings.Sampled = this->Sampling == SAMPLED;
+  settings.NumberOfSamples = this->NumberOfSamples;
+  settings.Coverage = this->Coverage;
+  settings.BlocksPerEdge = this->BlocksPerEdge;
+  settings.Softening = this->Softening;
+  settings.Deringing = this->Deringing;
+  settings.FacingWeights = this->FacingWeights;
+  settings.Blocked = in.Blocked;
+  settings.AlbedoVolume = this->AlbedoVolume;
+  settings.FromHints = this->BounceSampling == HINTS;
+  settings.NumberOfBounceSamples = this->NumberOfBounceSamples;
+  settings.BounceRange = this->BounceRange;
+  settings.NumberOfLookups = this->NumberOfLookups;
+  settings.LookupRotation = this->LookupRotation;
+  settings.NumberOfDepthSamples = this->DepthOcclusion ? this->NumberOfDepthSamples : 0;
+  settings.DepthAttenuation = this->DepthAttenuation;
+
   std::vector<double> key = { static_cast<double>(this->GetMTime()),
-    static_cast<double>(input.NumberOfBounces), static_cast<double>(input.EyeIsMap),
+    static_cast<double>(settings.Bounces), static_cast<double>(input.EyeIsMap),
     static_cast<double>(
       input.EyeIsMap ? input.Sampler->GetContentTime() : input.Maps.GetContentTime()) };
   if (this->DepthOcclusion)
   {
-    key.insert(key.end(), &input.Frame.WorldToView[0][0], &input.Frame.WorldToView[0][0] + 16);
-    key.insert(key.end(), &input.Frame.Projection[0][0], &input.Frame.Projection[0][0] + 16);
+    const vtkIndirectFrame& frame = input.Frame;
+    key.insert(key.end(), &frame.WorldToView[0][0], &frame.WorldToView[0][0] + 16);
+    key.insert(key.end(), &frame.Projection[0][0], &frame.Projection[0][0] + 16);
   }
   if (!anew && input.Caching && key == in.LightKey)
   {
     return true;
   }
   in.LightKey.clear();
-  const int layout = this->GetLayout();
-  if (layout != in.FieldLayout)
-  {
-    for (auto& field : in.Fields)
-    {
-      if (field)
-      {
-        field->Release(input.Frame.Window);
-      }
-      field =
-        std::make_unique<vtkIndirectTarget>(layout == 2 ? SevenFields : ThreeFields, false);
-    }
-    in.FieldLayout = layout;
-  }
-  const int rows = in.Grid.GetNumberOfRows();
-  const int fields = in.Bounces == 1 ? 1 : (this->BounceSampling == HINTS ? 3 : 2);
-  for (int i = 0; i < 3; ++i)
-  {
-    if (i < fields)
-    {
-      if (!in.Fields[i]->Resize(input.Frame.Window, vtkIndirectHintGrid::RowLength, rows))
-      {
-        return false;
-      }
-    }
-    else
-    {
-      in.Fields[i]->Release(input.Frame.Window);
-    }
-  }
-  timer.Begin(vtkIndirectStageTimer::Inject);
-  const bool injected = this->UpdateSenders(input) && this->Inject(input);
-  timer.End(vtkIndirectStageTimer::Inject);
-  if (!injected)
+  if (!in.Fields.Fill(input, settings, in.Grid, in.Volume, timer))
   {
     return false;
   }
-  in.Current = 0;
-  timer.Begin(vtkIndirectStageTimer::Bounces);
-  bool bounced = true;
-  for (int bounce = 2; bounce <= in.Bounces && bounced && !in.Volume.IsEmpty(); ++bounce)
-  {
-    bounced = this->Bounce(input, bounce);
-  }
-  timer.End(vtkIndirectStageTimer::Bounces);
   ++this->NumberOfHintUpdates;
-  if (bounced)
-  {
-    in.LightKey = key;
-  }
-  return bounced;
-}
-
-//------------------------------------------------------------------------------
-bool vtkRadianceHintsPass::UpdateSenders(const Input& input)
-{
-  Internals& in = *this->Internal;
-  if (input.EyeIsMap || this->Sampling == SAMPLED)
-  {
-    in.Senders.Release(input.Frame.Window);
-    return true;
-  }
-  const int count = input.Maps.GetNumberOfLayers() * this->BlocksPerEdge * this->BlocksPerEdge;
-  const int rows = (count + SenderRowLength - 1) / SenderRowLength;
-  vtkShaderProgram* program = in.Use(SendersKernel, input.Frame.Window, 0);
-  if (!program || !in.Senders.Resize(input.Frame.Window, SenderRowLength, rows))
-  {
-    return false;
-  }
-  in.Senders.Begin();
-  input.Maps.Activate(program);
-  program->SetUniformi("vtkiBlocks", this->BlocksPerEdge);
-  program->SetUniformi("vtkiReads", ReadsPerBlockEdge);
-  program->SetUniformi("vtkiRowLength", SenderRowLength);
-  program->SetUniformi("vtkiLightCount", count);
-  in.Kernels[SendersKernel]->Draw();
-  input.Maps.Deactivate();
-  in.Senders.End();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkRadianceHintsPass::Inject(const Input& input)
-{
-  Internals& in = *this->Internal;
-  const vtkIndirectFrame& frame = input.Frame;
-  const bool list = input.EyeIsMap || this->Sampling == DENSE;
-  const int kernel = list ? DenseKernel : SampledKernel;
-  vtkShaderProgram* program = in.Use(kernel, frame.Window, in.FieldLayout, in.Blocked);
-  if (!program)
-  {
-    return false;
-  }
-  vtkIndirectTarget& senders = input.EyeIsMap ? input.Sampler->GetTarget() : in.Senders;
-  in.Fields[0]->Begin();
-  in.Grid.Activate(frame.Window, program);
-  if (in.Blocked)
-  {
-    in.Grid.ActivateRays(frame.Window, program);
-    in.Grid.ActivateSurfels(frame.Window, program);
-  }
-  if (list)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      senders.Activate(i, program);
-    }
-    program->SetUniformi("vtkiRowLength",
-      input.EyeIsMap ? vtkVirtualLightSampler::RowLength : SenderRowLength);
-    program->SetUniformi("vtkiLightCount",
-      input.EyeIsMap
-        ? input.Sampler->GetActualNumberOfLights()
-        : input.Maps.GetNumberOfLayers() * this->BlocksPerEdge * this->BlocksPerEdge);
-  }
-  else
-  {
-    input.Maps.Activate(program);
-    const int layers = input.Maps.GetNumberOfLayers();
-    program->SetUniformi("vtkiLayerCount", layers);
-    program->SetUniformi("vtkiSampleCount", std::max(1, (this->NumberOfSamples + layers - 1) / layers));
-    program->SetUniformf("vtkiCoverage", static_cast<float>(this->Coverage));
-  }
-  program->SetUniformf("vtkiRange", static_cast<float>(this->BounceRange));
-  program->SetUniformf(
-    "vtkiSoftening", this->Softening ? static_cast<float>(SofteningShare) : 0.0f);
-  program->SetUniformi("vtkiDepthSamples", this->DepthOcclusion ? this->NumberOfDepthSamples : 0);
-  program->SetUniformf("vtkiDepthFactor", static_cast<float>(this->DepthAttenuation));
-  input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
-  const glm::dmat4 sceneToView = glm::inverse(frame.ViewToScene);
-  const glm::dmat4 unscale(glm::dvec4(1.0 / frame.SceneScale, 0.0, 0.0, 0.0),
-    glm::dvec4(0.0, 1.0 / frame.SceneScale, 0.0, 0.0),
-    glm::dvec4(0.0, 0.0, 1.0 / frame.SceneScale, 0.0), glm::dvec4(0.0, 0.0, 0.0, 1.0));
-  vtkIndirectSetUniform(program, "vtkiSceneToView", glm::mat4(sceneToView));
-  vtkIndirectSetUniform(
-    program, "vtkiSceneToClip", glm::mat4(frame.Projection * unscale * sceneToView));
-  in.Kernels[kernel]->Draw();
-  input.Geometry.GetTarget().Deactivate();
-  if (list)
-  {
-    senders.Deactivate();
-  }
-  else
-  {
-    input.Maps.Deactivate();
-  }
-  in.Deactivate();
-  in.Fields[0]->End();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkRadianceHintsPass::Bounce(const Input& input, int)
-{
-  Internals& in = *this->Internal;
-  vtkOpenGLRenderWindow* window = input.Frame.Window;
-  const bool exchange = this->BounceSampling == HINTS;
-  const glm::dvec3& mean = in.Volume.GetMeanAlbedo();
-  const float albedo[4] = { static_cast<float>(mean.x), static_cast<float>(mean.y),
-    static_cast<float>(mean.z), this->AlbedoVolume ? 0.0f : 1.0f };
-  const int next = exchange ? (in.Current == 1 ? 2 : 1) : 1;
-  if (!exchange)
-  {
-    vtkShaderProgram* program = in.Use(RadiosityKernel, window, in.FieldLayout, in.Blocked);
-    if (!program ||
-      !in.Radiosity.Resize(
-        window, vtkIndirectHintGrid::RowLength, in.Grid.GetNumberOfSurfelRows()))
-    {
-      return false;
-    }
-    in.Radiosity.Begin();
-    in.ActivateLookup(input, this, program);
-    in.Grid.ActivateSurfels(window, program);
-    program->SetUniform4f("vtkiMeanAlbedo", albedo);
-    in.Kernels[RadiosityKernel]->Draw();
-    in.Deactivate();
-    in.Radiosity.End();
-  }
-
-  vtkShaderProgram* program = in.Use(CopyKernel, window, in.FieldLayout);
-  if (!program)
-  {
-    return false;
-  }
-  in.Fields[next]->Begin();
-  in.Grid.Activate(window, program);
-  in.ActivateField(0, program);
-  in.Kernels[CopyKernel]->Draw();
-  in.Deactivate();
-
-  const int kernel = exchange ? ExchangeKernel : SurfacesKernel;
-  program = in.Use(kernel, window, in.FieldLayout, exchange && in.Blocked);
-  if (!program)
-  {
-    in.Fields[next]->End();
-    return false;
-  }
-  vtkOpenGLState* state = window->GetState();
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  in.Grid.Activate(window, program);
-  if (exchange)
-  {
-    in.ActivateField(in.Current, program);
-    if (this->AlbedoVolume)
-    {
-      in.Grid.ActivateAlbedo(window, program);
-    }
-    if (in.Blocked)
-    {
-      in.Volume.Activate(window, program);
-    }
-    program->SetUniform4f("vtkiMeanAlbedo", albedo);
-    program->SetUniformi("vtkiSampleCount", this->NumberOfBounceSamples);
-    program->SetUniformf("vtkiRange", static_cast<float>(this->BounceRange));
-    program->SetUniformi("vtkiLobes", this->Deringing ? 1 : 0);
-  }
-  else
-  {
-    in.Grid.ActivateRays(window, program);
-    in.Radiosity.Activate(0, program);
-  }
-  in.Kernels[kernel]->Draw();
-  state->vtkglDisable(GL_BLEND);
-  in.Deactivate();
-  if (!exchange)
-  {
-    in.Radiosity.Deactivate();
-  }
-  in.Fields[next]->End();
-  in.Current = next;
+  in.LightKey = key;
   return true;
 }
 
@@ -687,11 +374,12 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
     program->SetUniform2i("vtkiSize", frame.Size);
     program->SetUniformi("vtkiStep", step);
     input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
-    in.ActivateLookup(input, this, program);
+    in.Fields.ActivateLookup(input, in.Settings, in.Grid, in.Volume, program);
   };
 
   timer.Begin(vtkIndirectStageTimer::Estimate);
-  vtkShaderProgram* program = in.Use(CoarseKernel, frame.Window, in.FieldLayout, in.Blocked);
+  const int layout = in.Fields.GetLayout();
+  vtkShaderProgram* program = in.LookUpKernel.UseFor(frame.Window, layout, in.Blocked);
   if (!program)
   {
     return false;
@@ -707,13 +395,13 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
     last->Activate();
     program->SetUniformi("vtkiLast", last->GetTextureUnit());
   }
-  in.Kernels[CoarseKernel]->Draw();
+  in.LookUpKernel.Draw();
   if (mix)
   {
     in.Coarse[in.CoarseNow].Deactivate();
   }
   input.Geometry.GetTarget().Deactivate();
-  in.Deactivate();
+  in.Fields.Deactivate(in.Grid, in.Volume);
   target.End();
   timer.End(vtkIndirectStageTimer::Estimate);
   in.CoarseNow = next;
@@ -724,7 +412,7 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   }
 
   timer.Begin(vtkIndirectStageTimer::Upsample);
-  program = in.Use(UpsampleKernel, frame.Window, 0);
+  program = in.UpsampleKernel.UseFor(frame.Window, 0, false);
   if (!program)
   {
     return false;
@@ -742,19 +430,19 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   program->SetUniform2i("vtkiCoarseSize", coarse);
   program->SetUniformf("vtkiMinimumCosine", static_cast<float>(this->InterpolationMinimumCosine));
   program->SetUniformf("vtkiPlaneTolerance", static_cast<float>(this->InterpolationPlaneTolerance));
-  in.Kernels[UpsampleKernel]->Draw();
+  in.UpsampleKernel.Draw();
   in.Coarse[next].Deactivate();
   input.Geometry.GetTarget().Deactivate();
   // What is left is as deep as the clear: only there is the same depth less.
-  program = in.Use(CoarseKernel, frame.Window, in.FieldLayout, in.Blocked);
+  program = in.LookUpKernel.UseFor(frame.Window, layout, in.Blocked);
   if (program)
   {
     prepare(program);
     program->SetUniformi("vtkiStep", 1);
     program->SetUniformf("vtkiKeep", 0.0f);
-    in.Kernels[CoarseKernel]->Draw();
+    in.LookUpKernel.Draw();
     input.Geometry.GetTarget().Deactivate();
-    in.Deactivate();
+    in.Fields.Deactivate(in.Grid, in.Volume);
   }
   state->vtkglDisable(GL_DEPTH_TEST);
   this->Irradiance->End();
@@ -769,8 +457,9 @@ void vtkRadianceHintsPass::AddToReport(vtkIndirectReport& report) const
   report.VirtualLights = 0;
   const std::string grid = std::to_string(this->GetNumberOfActiveHints()) + " of " +
     std::to_string(this->GetNumberOfHints()) + " hints of order " + std::to_string(this->Order);
-  report.Modelled.emplace_back(
-    std::to_string(in.Bounces) + (in.Bounces == 1 ? " diffuse bounce" : " diffuse bounces"), grid);
+  report.Modelled.emplace_back(std::to_string(in.Settings.Bounces) +
+      (in.Settings.Bounces == 1 ? " diffuse bounce" : " diffuse bounces"),
+    grid);
   if (in.Blocked)
   {
     report.Modelled.emplace_back("visibility between sender and receiver",
@@ -786,7 +475,7 @@ void vtkRadianceHintsPass::AddToReport(vtkIndirectReport& report) const
     report.LeftOut.emplace_back("visibility between sender and receiver",
       "Occupancy is off or nothing has polygons; the result is too bright");
   }
-  if (in.Bounces > 1 && in.Volume.IsEmpty())
+  if (in.Settings.Bounces > 1 && in.Volume.IsEmpty())
   {
     report.LeftOut.emplace_back(
       "bounces after the first", "nothing in the scene has polygons that reflect them");
@@ -798,15 +487,12 @@ std::vector<vtkRadianceHintsPass::Hint> vtkRadianceHintsPass::ReadHints()
 {
   Internals& in = *this->Internal;
   std::vector<Hint> hints(in.Grid.GetHints().size());
-  if (in.FieldLayout < 0 || in.FieldLayout == 1 || in.Fields[in.Current]->GetWidth() == 0)
+  const std::vector<std::vector<float>> channels = in.Fields.ReadBack();
+  const int layout = in.Fields.GetLayout();
+  if (channels.empty() || layout == 1)
   {
     vtkErrorMacro("Hints can be read after a frame, and of ColorLayout RGB or order 2 only.");
     return {};
-  }
-  std::vector<std::vector<float>> channels;
-  for (int i = 0; i < (in.FieldLayout == 2 ? 7 : 3); ++i)
-  {
-    channels.push_back(in.Fields[in.Current]->ReadBack(i));
   }
   for (size_t i = 0; i < hints.size(); ++i)
   {
@@ -819,11 +505,11 @@ std::vector<vtkRadianceHintsPass::Hint> vtkRadianceHintsPass::ReadHints()
       {
         hints[i].Coefficients.push_back(channels[color][4 * i + k]);
       }
-      for (int k = 0; k < 4 && in.FieldLayout == 2; ++k)
+      for (int k = 0; k < 4 && layout == 2; ++k)
       {
         hints[i].Coefficients.push_back(channels[3 + color][4 * i + k]);
       }
-      if (in.FieldLayout == 2)
+      if (layout == 2)
       {
         hints[i].Coefficients.push_back(channels[6][4 * i + color]);
       }
@@ -839,22 +525,12 @@ void vtkRadianceHintsPass::ReleaseGraphicsResources(vtkWindow* window)
   Internals& in = *this->Internal;
   in.Volume.Release(window);
   in.Grid.Release(window);
-  for (auto& field : in.Fields)
-  {
-    if (field)
-    {
-      field->Release(window);
-    }
-  }
+  in.Fields.Release(window);
   in.LightKey.clear();
-  in.Senders.Release(window);
-  in.Radiosity.Release(window);
   in.Coarse[0].Release(window);
   in.Coarse[1].Release(window);
   in.CoarseValid = false;
   in.HeadlightSampler->ReleaseGraphicsResources(window);
-  for (const auto& kernel : in.Kernels)
-  {
-    kernel->Release();
-  }
+  in.LookUpKernel.Release();
+  in.UpsampleKernel.Release();
 }

@@ -240,8 +240,8 @@ public:
 
   ///@{
   /**
-   * Rays from a hint that tell what it sees, for Occupancy and for bounces from SURFACES: at least so
-   * many, an even square number. Default 400, range 4 to 4096.
+   * Rays from a hint that tell what it sees, for Occupancy and for bounces from SURFACES: at least
+   * so many, an even square number. Default 400, range 4 to 4096.
    */
   vtkSetClampMacro(NumberOfRays, int, 4, 4096);
   vtkGetMacro(NumberOfRays, int);
@@ -255,8 +255,8 @@ public:
 
   ///@{
   /**
-   * HINTS: farthest that a bounce comes from, as a fraction of the scene's diagonal; stored distances
-   * are in its units. Default 1, range 0.01 to 1.
+   * HINTS: farthest that a bounce comes from, as a fraction of the scene's diagonal; stored
+   * distances are in its units. Default 1, range 0.01 to 1.
    */
   vtkSetClampMacro(BounceRange, double, 0.01, 1.0);
   vtkGetMacro(BounceRange, double);
@@ -264,8 +264,8 @@ public:
 
   ///@{
   /**
-   * Look-ups a pixel: 1, half a cell above the surface, or 4, the paper's (one above and three at 80
-   * degrees on a hemisphere as wide as a cell's diagonal). Default 1.
+   * Look-ups a pixel: 1, half a cell above the surface, or 4, the paper's (one above and three at
+   * 80 degrees on a hemisphere as wide as a cell's diagonal). Default 1.
    */
   void SetNumberOfLookups(int lookups);
   vtkGetMacro(NumberOfLookups, int);
@@ -280,8 +280,8 @@ public:
 
   ///@{
   /**
-   * Section 8: whether the eye's depth hides senders from hints. Not physical; makes hints depend on
-   * the camera. Default off.
+   * Section 8: whether the eye's depth hides senders from hints. Not physical; makes hints depend
+   * on the camera. Default off.
    */
   vtkSetMacro(DepthOcclusion, bool);
   vtkGetMacro(DepthOcclusion, bool);
@@ -301,7 +301,8 @@ public:
   ///@}
 
   ///@{
-  /** Pixels from one look-up to the next; between them it is interpolated. Default 4, range 1 to 16.
+  /** Pixels from one look-up to the next; between them it is interpolated. Default 4, range 1
+   * to 16.
    */
   vtkSetClampMacro(InterpolationStep, int, 1, 16);
   vtkGetMacro(InterpolationStep, int);
@@ -324,8 +325,8 @@ public:
 
   ///@{
   /**
-   * Share of the last frame's irradiance that a pixel keeps, against flicker of moving lights; 0.5 in
-   * the paper. Default 0, right for still images; range 0 to 0.95.
+   * Share of the last frame's irradiance that a pixel keeps, against flicker of moving lights; 0.5
+   * in the paper. Default 0, right for still images; range 0 to 0.95.
    */
   vtkSetClampMacro(TemporalSmoothing, double, 0.0, 0.95);
   vtkGetMacro(TemporalSmoothing, double);
@@ -402,9 +403,6 @@ private:
   int GetLayout() const;
   void UpdateGeometry(const Input& input);
   bool UpdateLight(const Input& input, vtkIndirectStageTimer& timer, bool anew);
-  bool UpdateSenders(const Input& input);
-  bool Inject(const Input& input);
-  bool Bounce(const Input& input, int bounce);
   bool LookUp(const Input& input, vtkIndirectStageTimer& timer);
 
   struct Internals;

@@ -4,9 +4,9 @@
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkIndirectKernels.h"
-#include "vtkActorCollection.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
@@ -88,7 +88,8 @@ struct ClosedSphere : HintScene
 
 const char* const SphereOrigin = "the requirement; mesh and map are good to 0.3 %";
 
-// Two rooms along x with a thin wall between them, the first lit by a lamp. The wall may have a door.
+// Two rooms along x with a thin wall between them, the first lit by a lamp. The wall may have a
+// door.
 struct TwoRooms : HintScene
 {
   explicit TwoRooms(bool open, int width = 96, int height = 48)
@@ -96,12 +97,12 @@ struct TwoRooms : HintScene
   {
     const glm::dvec3 white(0.8);
     // Faces turned inwards.
-    this->AddQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 2, 0 }, white);   // floor
-    this->AddQuad({ 0, 0, 2 }, { 0, 2, 2 }, { 4, 0, 2 }, white);   // ceiling
-    this->AddQuad({ 0, 0, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, white);   // x = 0
-    this->AddQuad({ 4, 0, 0 }, { 4, 0, 2 }, { 4, 2, 0 }, white);   // x = 4
-    this->AddQuad({ 0, 2, 0 }, { 4, 2, 0 }, { 0, 2, 2 }, white);   // y = 2
-    this->AddQuad({ 0, 0, 0 }, { 0, 0, 2 }, { 4, 0, 0 }, white);   // y = 0, behind the eye
+    this->AddQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 2, 0 }, white); // floor
+    this->AddQuad({ 0, 0, 2 }, { 0, 2, 2 }, { 4, 0, 2 }, white); // ceiling
+    this->AddQuad({ 0, 0, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, white); // x = 0
+    this->AddQuad({ 4, 0, 0 }, { 4, 0, 2 }, { 4, 2, 0 }, white); // x = 4
+    this->AddQuad({ 0, 2, 0 }, { 4, 2, 0 }, { 0, 2, 2 }, white); // y = 2
+    this->AddQuad({ 0, 0, 0 }, { 0, 0, 2 }, { 4, 0, 0 }, white); // y = 0, behind the eye
     const double x = 2.02;
     const double gap = open ? 0.7 : 0.0;
     this->AddQuad({ x, gap, 0 }, { x, 2, 0 }, { x, gap, 2 }, white);
@@ -168,8 +169,8 @@ VTK_INDIRECT_TEST(HintsClosedSphere)
     {
       const double e = scene.Measure(color, 1);
       CheckAbsolute("E1 over albedo E0, order " + std::to_string(row.Order) +
-          (row.Layout ? " luma-chroma" : " rgb") + ", grid " + std::to_string(row.Grid) + ", color " +
-          std::to_string(color),
+          (row.Layout ? " luma-chroma" : " rgb") + ", grid " + std::to_string(row.Grid) +
+          ", color " + std::to_string(color),
         e, 1.0, 0.03, SphereOrigin);
       Check("4 % more or less would be rejected", !WouldPass(1.0 + 0.04, 1.0, 0.03));
     }
@@ -429,8 +430,8 @@ VTK_INDIRECT_TEST(HintsGrids)
     updates + 1, "it lies elsewhere");
   scene.Hints->SetNumberOfGrids(1);
   scene.Hints->SetExtentToView();
-  CheckAbsolute("grid over the view, E1 over albedo E0", scene.Measure(0, 1), 1.0, 0.03,
-    SphereOrigin);
+  CheckAbsolute(
+    "grid over the view, E1 over albedo E0", scene.Measure(0, 1), 1.0, 0.03, SphereOrigin);
 }
 
 VTK_INDIRECT_TEST(HintsPaper)
@@ -454,8 +455,8 @@ VTK_INDIRECT_TEST(HintsPaper)
   scene.Hints->SetDepthAttenuation(0.0);
   scene.Hints->SetNumberOfDepthSamples(8);
   scene.Render();
-  CheckAtMost("the eye's depth takes light away", scene.Copy("irradiance").Mean(),
-    0.98 * seen, "some ways are hidden from the eye");
+  CheckAtMost("the eye's depth takes light away", scene.Copy("irradiance").Mean(), 0.98 * seen,
+    "some ways are hidden from the eye");
   scene.Hints->DepthOcclusionOff();
   scene.Renderer->GetActiveCamera()->Azimuth(-40.0);
   scene.Hints->SetCoverage(0.2);
@@ -500,6 +501,6 @@ VTK_INDIRECT_TEST(HintsHeadlight)
   scene.Gather->SetModeToVirtualLights();
   scene.Sampler->SetNumberOfLights(1024);
   scene.Render();
-  CheckRelative("against the gather of virtual lights", hints, scene.Copy("irradiance").Mean(), 0.25,
-    "a grid of 16 hints where two walls meet");
+  CheckRelative("against the gather of virtual lights", hints, scene.Copy("irradiance").Mean(),
+    0.25, "a grid of 16 hints where two walls meet");
 }

@@ -111,8 +111,8 @@ VTK_INDIRECT_TEST(HarmonicsLobe)
   for (double half : { 180.0, 120.0, 90.0, 60.0, 30.0, 5.0 })
   {
     const double cosine = std::cos(half * vtkMath::Pi() / 180.0);
-    const double r0 = 0.5 * (1.0 - cosine);                      // mean over the sphere
-    const double first = 0.25 * (1.0 - cosine * cosine) / r0;    // mean cosine over 1
+    const double r0 = 0.5 * (1.0 - cosine);                   // mean over the sphere
+    const double first = 0.25 * (1.0 - cosine * cosine) / r0; // mean cosine over 1
     // c00 = 4 pi Y00 mean; |c1| = sqrt(3) c00 (mean cosine of the light)
     const double c00 = 4.0 * vtkMath::Pi() * 0.28209479 * r0;
     const double c1 = std::sqrt(3.0) * c00 * first;
@@ -133,14 +133,15 @@ VTK_INDIRECT_TEST(HarmonicsLobe)
     CheckAtLeast(what + "least", least, -1e-6 * r0, "irradiance is never negative");
     if (half <= 60.0)
     {
-      CheckAtMost(what + "least of the linear form", vtkiIrradianceLow(c, vec3(0, 0, -1)), -0.1 * r0,
-        "what the lobe cures");
+      CheckAtMost(what + "least of the linear form", vtkiIrradianceLow(c, vec3(0, 0, -1)),
+        -0.1 * r0, "what the lobe cures");
     }
   }
   // A hemisphere of radiance L gives L, one behind gives nothing.
   const double c00 = 2.0 * vtkMath::Pi() * 0.28209479;
   const vec4 half(static_cast<float>(c00), 0.0f, static_cast<float>(std::sqrt(0.75) * c00), 0.0f);
-  CheckRelative("half-space, in front", vtkiIrradianceLobe(half, vec3(0, 0, 1)), 1.0, 1e-5, "exact");
+  CheckRelative(
+    "half-space, in front", vtkiIrradianceLobe(half, vec3(0, 0, 1)), 1.0, 1e-5, "exact");
   CheckAbsolute("half-space, behind", vtkiIrradianceLobe(half, vec3(0, 0, -1)), 0.0, 1e-5, "exact");
   CheckEqual("no light", vtkiIrradianceLobe(vec4(0.0f), vec3(0, 0, 1)), 0.0);
 }
@@ -151,14 +152,16 @@ VTK_INDIRECT_TEST(PatchSolidAngle)
   const double area = vtkMath::Pi() * 0.01;
   for (double height : { 0.01, 0.05, 0.1, 0.3, 1.0, 10.0 })
   {
-    const double exact = 2.0 * vtkMath::Pi() * (1.0 - 1.0 / std::sqrt(1.0 + 0.01 / height / height));
+    const double exact =
+      2.0 * vtkMath::Pi() * (1.0 - 1.0 / std::sqrt(1.0 + 0.01 / height / height));
     const double measured = area *
-      vtkiPatchSolidAngle(vec3(0, 0, -height), vec3(0, 0, 1),
-        static_cast<float>(area / (2.0 * vtkMath::Pi())));
+      vtkiPatchSolidAngle(
+        vec3(0, 0, -height), vec3(0, 0, 1), static_cast<float>(area / (2.0 * vtkMath::Pi())));
     // The limits are the same; between them 1 / (h^2 + a^2 / 2) is above the disk's own.
     CheckRelative("disk at " + std::to_string(height / 0.1) + " radii", measured, exact, 0.21,
       "same limits near and far; a fifth too much at half a radius");
-    CheckAtMost("no more than half of the sphere", measured, 2.0 * vtkMath::Pi() * 1.000001, "limit");
+    CheckAtMost(
+      "no more than half of the sphere", measured, 2.0 * vtkMath::Pi() * 1.000001, "limit");
   }
   CheckEqual("from behind", vtkiPatchSolidAngle(vec3(0, 0, 1), vec3(0, 0, 1), 0.1f), 0.0);
   CheckEqual("from within", vtkiPatchSolidAngle(vec3(0.0f), vec3(0, 0, 1), 0.0f), 0.0);

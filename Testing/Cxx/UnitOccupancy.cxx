@@ -56,9 +56,9 @@ int CountLeaks(const vtkIndirectOccupancyVolume& volume, const glm::dvec3& norma
       continue;
     }
     ++tested;
-    leaks +=
-      volume.IsFree(glm::vec3(volume.ToVoxels(ends[0])), glm::vec3(volume.ToVoxels(ends[1]))) ? 1
-                                                                                               : 0;
+    leaks += volume.IsFree(glm::vec3(volume.ToVoxels(ends[0])), glm::vec3(volume.ToVoxels(ends[1])))
+      ? 1
+      : 0;
   }
   return leaks;
 }
@@ -101,8 +101,7 @@ VTK_INDIRECT_TEST(OccupancyWatertight)
       const glm::dvec3 v = glm::cross(normal, u);
       vtkIndirectOccupancyVolume volume;
       volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), resolution);
-      AddPatch(volume, normal * offset - 0.5 * u - 0.5 * v, u, v,
-        i % 2 ? 1 : 6 * resolution);
+      AddPatch(volume, normal * offset - 0.5 * u - 0.5 * v, u, v, i % 2 ? 1 : 6 * resolution);
       volume.Finish();
       leaks += CountLeaks(volume, normal, offset, 500, 2.0 * volume.GetVoxelSize());
       ++walls;
@@ -116,15 +115,16 @@ VTK_INDIRECT_TEST(OccupancyWatertight)
           "one voxel thick, over the scene and the border of two voxels");
       }
     }
-    CheckEqual(std::to_string(resolution) + ": segments through " + std::to_string(walls) + " walls",
-      leaks, 0);
+    CheckEqual(
+      std::to_string(resolution) + ": segments through " + std::to_string(walls) + " walls", leaks,
+      0);
   }
 }
 
 VTK_INDIRECT_TEST(OccupancyThickWalls)
 {
-  // Two faces of a wall of one to five voxels, and a gap in it: closed it lets nothing through, open
-  // just what passes the gap.
+  // Two faces of a wall of one to five voxels, and a gap in it: closed it lets nothing through,
+  // open just what passes the gap.
   for (int thickness = 1; thickness <= 5; ++thickness)
   {
     vtkIndirectOccupancyVolume volume;
@@ -137,8 +137,10 @@ VTK_INDIRECT_TEST(OccupancyThickWalls)
     }
     volume.Finish();
     const std::string what = "wall of " + std::to_string(thickness) + " voxels: ";
-    CheckEqual(what + "leaks", CountLeaks(volume, { 1, 0, 0 }, x + 0.5 * (thickness - 1) * size, 2000,
-      (0.5 * thickness + 1.5) * size), 0);
+    CheckEqual(what + "leaks",
+      CountLeaks(volume, { 1, 0, 0 }, x + 0.5 * (thickness - 1) * size, 2000,
+        (0.5 * thickness + 1.5) * size),
+      0);
 
     vtkIndirectOccupancyVolume open;
     open.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
@@ -150,8 +152,8 @@ VTK_INDIRECT_TEST(OccupancyThickWalls)
     open.Finish();
     auto free = [&](double z)
     {
-      return open.IsFree(glm::vec3(open.ToVoxels({ 0.1, 0.4, z })),
-        glm::vec3(open.ToVoxels({ 0.9, 0.6, z })));
+      return open.IsFree(
+        glm::vec3(open.ToVoxels({ 0.1, 0.4, z })), glm::vec3(open.ToVoxels({ 0.9, 0.6, z })));
     };
     Check(what + "open, through the gap", free(0.5));
     Check(what + "open, beside it", !free(0.3) && !free(0.7));
@@ -190,8 +192,8 @@ VTK_INDIRECT_TEST(OccupancyFree)
       met = met || (voxel != first && voxel != last && volume.IsOccupied(voxel));
       for (int corner = 0; corner < 8; ++corner)
       {
-        const glm::ivec3 beside(glm::floor(p +
-          0.03 * glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1)));
+        const glm::ivec3 beside(glm::floor(
+          p + 0.03 * glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1)));
         near = near || (beside != first && beside != last && volume.IsOccupied(beside));
       }
     }
@@ -231,8 +233,8 @@ VTK_INDIRECT_TEST(OccupancySurfaces)
   glm::ivec3 voxel;
   Check("a ray up meets the patch",
     volume.FindHit(volume.ToVoxels({ 0.4, 0.5, 0.1 }), { 0.01, 0.02, 1.0 }, voxel));
-  CheckAbsolute("its height", volume.ToScene(glm::dvec3(voxel) + 0.5).z, 0.3, volume.GetVoxelSize(),
-    "a voxel");
+  CheckAbsolute(
+    "its height", volume.ToScene(glm::dvec3(voxel) + 0.5).z, 0.3, volume.GetVoxelSize(), "a voxel");
   Check("a ray past it meets nothing",
     !volume.FindHit(volume.ToVoxels({ 0.05, 0.9, 0.1 }), { 0.01, 0.02, 1.0 }, voxel));
 }

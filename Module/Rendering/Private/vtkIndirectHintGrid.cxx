@@ -3,8 +3,8 @@
 
 #include "vtkIndirectHintGrid.h"
 
-#include "vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectKernels.h"
+#include "vtkIndirectOccupancyVolume.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
@@ -71,8 +71,7 @@ glm::dvec4 vtkIndirectHintGrid::GetDirection(int ray, int edge)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Build(
-  const Settings& settings, const vtkIndirectOccupancyVolume* volume)
+void vtkIndirectHintGrid::Build(const Settings& settings, const vtkIndirectOccupancyVolume* volume)
 {
   this->Current = settings;
   this->Volume = volume && !volume->IsEmpty() ? volume : nullptr;
@@ -128,55 +127,58 @@ void vtkIndirectHintGrid::Place(int grid)
   const vtkIndirectOccupancyVolume* volume = this->Volume;
   const bool move = volume && this->Current.Masks;
   const double voxel = volume ? volume->GetVoxelSize() : 1.0;
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const glm::ivec3 at = Unfold(static_cast<int>(i), region.Size);
-      glm::dvec3 position = region.Lower + (glm::dvec3(at) + 0.5) * cell;
-      bool active = true;
-      if (volume && this->Current.SkipEmpty)
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        const glm::dvec3 reach = (this->Current.Reach + 1.0) * cell;
-        active = volume->IsAnyOccupied(glm::ivec3(glm::floor(volume->ToVoxels(position - reach))),
-          glm::ivec3(glm::floor(volume->ToVoxels(position + reach))));
-      }
-      const glm::ivec3 home = glm::ivec3(glm::floor(volume ? volume->ToVoxels(position) : position));
-      if (active && move && volume->IsOccupied(home))
-      {
-        // The nearest free voxel, less than half a cell away; none: the hint is in a solid.
-        const glm::ivec3 range = glm::ivec3(glm::floor(0.5 * cell / voxel));
-        double nearest = INFINITY;
-        glm::ivec3 best = home;
-        for (int z = -range.z; z <= range.z; ++z)
+        const glm::ivec3 at = Unfold(static_cast<int>(i), region.Size);
+        glm::dvec3 position = region.Lower + (glm::dvec3(at) + 0.5) * cell;
+        bool active = true;
+        if (volume && this->Current.SkipEmpty)
         {
-          for (int y = -range.y; y <= range.y; ++y)
+          const glm::dvec3 reach = (this->Current.Reach + 1.0) * cell;
+          active = volume->IsAnyOccupied(glm::ivec3(glm::floor(volume->ToVoxels(position - reach))),
+            glm::ivec3(glm::floor(volume->ToVoxels(position + reach))));
+        }
+        const glm::ivec3 home =
+          glm::ivec3(glm::floor(volume ? volume->ToVoxels(position) : position));
+        if (active && move && volume->IsOccupied(home))
+        {
+          // The nearest free voxel, less than half a cell away; none: the hint is in a solid.
+          const glm::ivec3 range = glm::ivec3(glm::floor(0.5 * cell / voxel));
+          double nearest = INFINITY;
+          glm::ivec3 best = home;
+          for (int z = -range.z; z <= range.z; ++z)
           {
-            for (int x = -range.x; x <= range.x; ++x)
+            for (int y = -range.y; y <= range.y; ++y)
             {
-              const glm::ivec3 to = home + glm::ivec3(x, y, z);
-              const double distance = x * x + y * y + z * z;
-              if (distance < nearest && !volume->IsOccupied(to))
+              for (int x = -range.x; x <= range.x; ++x)
               {
-                nearest = distance;
-                best = to;
+                const glm::ivec3 to = home + glm::ivec3(x, y, z);
+                const double distance = x * x + y * y + z * z;
+                if (distance < nearest && !volume->IsOccupied(to))
+                {
+                  nearest = distance;
+                  best = to;
+                }
               }
             }
           }
+          active = std::isfinite(nearest);
+          position = volume->ToScene(glm::dvec3(best) + 0.5);
         }
-        active = std::isfinite(nearest);
-        position = volume->ToScene(glm::dvec3(best) + 0.5);
+        this->Hints[first + i] = glm::vec4(glm::vec3(position), active ? 1.0f : 0.0f);
       }
-      this->Hints[first + i] = glm::vec4(glm::vec3(position), active ? 1.0f : 0.0f);
-    }
-  });
+    });
 }
 
 //------------------------------------------------------------------------------
 namespace
 {
-// Offsets from a voxel, near ones first, each with the place in the list of the one before it on the
-// way back. A step between two is at most one voxel along each axis: a surface between their centres
-// touches one of the two.
+// Offsets from a voxel, near ones first, each with the place in the list of the one before it on
+// the way back. A step between two is at most one voxel along each axis: a surface between their
+// centres touches one of the two.
 struct Way
 {
   glm::ivec3 Offset;
@@ -239,7 +241,8 @@ void vtkIndirectHintGrid::FindMasks(int grid)
         static_cast<int>(std::floor((center - region.Lower[axis]) / cell[axis] - 0.5)));
     }
   }
-  // Which corners (0: lower, 1: upper, as bits) of a voxel's surroundings a hint is, along one axis.
+  // Which corners (0: lower, 1: upper, as bits) of a voxel's surroundings a hint is, along one
+  // axis.
   auto corners = [&](int axis, int hint, int at)
   {
     const int last = region.Size[axis] - 1;
@@ -253,70 +256,73 @@ void vtkIndirectHintGrid::FindMasks(int grid)
   {
     const glm::ivec3 odd(parity & 1, parity >> 1 & 1, parity >> 2);
     const glm::ivec3 count = (region.Size - odd + 1) / 2;
-    vtkSMPTools::For(0, count.x * count.y * count.z, [&](vtkIdType begin, vtkIdType end) {
-      std::vector<char> seen(ways.size());
-      for (vtkIdType i = begin; i < end; ++i)
+    vtkSMPTools::For(0, count.x * count.y * count.z,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const glm::ivec3 at = 2 * Unfold(static_cast<int>(i), count) + odd;
-        const glm::vec4& hint = this->Hints[this->First[grid] + Fold(at, region.Size)];
-        if (!(hint.w > 0.0f))
+        std::vector<char> seen(ways.size());
+        for (vtkIdType i = begin; i < end; ++i)
         {
-          continue;
-        }
-        const glm::ivec3 home(glm::floor(volume->ToVoxels(glm::dvec3(hint))));
-        // The voxels that may lie between this hint and its neighbours.
-        const glm::dvec3 middle = region.Lower + (glm::dvec3(at) + 0.5) * cell;
-        glm::ivec3 lower =
-          glm::max(glm::ivec3(glm::floor(volume->ToVoxels(middle - cell))), glm::ivec3(0));
-        glm::ivec3 upper =
-          glm::min(glm::ivec3(glm::floor(volume->ToVoxels(middle + cell))), size - 1);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          // Beyond the outermost hints these stand for all others.
-          lower[axis] = at[axis] == 0 ? 0 : lower[axis];
-          upper[axis] = at[axis] == region.Size[axis] - 1 ? size[axis] - 1 : upper[axis];
-          lower[axis] = std::max(lower[axis], home[axis] - reach[axis]);
-          upper[axis] = std::min(upper[axis], home[axis] + reach[axis]);
-        }
-        const bool empty = !volume->IsAnyOccupied(lower, upper);
-        const glm::ivec3 far = glm::max(home - lower, upper - home);
-        const int farthest = std::max({ far.x, far.y, far.z });
-        for (size_t k = 0; k < ways.size(); ++k)
-        {
-          const glm::ivec3& offset = ways[k].Offset;
-          if (std::max({ std::abs(offset.x), std::abs(offset.y), std::abs(offset.z) }) > farthest)
-          {
-            break;
-          }
-          const glm::ivec3 there = home + offset;
-          if (glm::any(glm::lessThan(there, glm::ivec3(0))) ||
-            glm::any(glm::greaterThanEqual(there, size)))
-          {
-            // Nothing is outside; but ways out and in again do not matter.
-            seen[k] = 0;
-            continue;
-          }
-          seen[k] = empty ||
-            ((ways[k].Before < 0 || seen[ways[k].Before]) && !volume->IsOccupied(there));
-          if (!seen[k])
+          const glm::ivec3 at = 2 * Unfold(static_cast<int>(i), count) + odd;
+          const glm::vec4& hint = this->Hints[this->First[grid] + Fold(at, region.Size)];
+          if (!(hint.w > 0.0f))
           {
             continue;
           }
-          const int x = corners(0, at.x, there.x);
-          const int y = corners(1, at.y, there.y);
-          const int z = corners(2, at.z, there.z);
-          if (x && y && z)
+          const glm::ivec3 home(glm::floor(volume->ToVoxels(glm::dvec3(hint))));
+          // The voxels that may lie between this hint and its neighbours.
+          const glm::dvec3 middle = region.Lower + (glm::dvec3(at) + 0.5) * cell;
+          glm::ivec3 lower =
+            glm::max(glm::ivec3(glm::floor(volume->ToVoxels(middle - cell))), glm::ivec3(0));
+          glm::ivec3 upper =
+            glm::min(glm::ivec3(glm::floor(volume->ToVoxels(middle + cell))), size - 1);
+          for (int axis = 0; axis < 3; ++axis)
           {
-            unsigned char mask = 0;
-            for (int corner = 0; corner < 8; ++corner)
+            // Beyond the outermost hints these stand for all others.
+            lower[axis] = at[axis] == 0 ? 0 : lower[axis];
+            upper[axis] = at[axis] == region.Size[axis] - 1 ? size[axis] - 1 : upper[axis];
+            lower[axis] = std::max(lower[axis], home[axis] - reach[axis]);
+            upper[axis] = std::min(upper[axis], home[axis] + reach[axis]);
+          }
+          const bool empty = !volume->IsAnyOccupied(lower, upper);
+          const glm::ivec3 far = glm::max(home - lower, upper - home);
+          const int farthest = std::max({ far.x, far.y, far.z });
+          for (size_t k = 0; k < ways.size(); ++k)
+          {
+            const glm::ivec3& offset = ways[k].Offset;
+            if (std::max({ std::abs(offset.x), std::abs(offset.y), std::abs(offset.z) }) > farthest)
             {
-              mask |= (x >> (corner & 1) & y >> (corner >> 1 & 1) & z >> (corner >> 2) & 1) << corner;
+              break;
             }
-            this->Masks[2 * static_cast<size_t>(Fold(there, size)) + grid] |= mask;
+            const glm::ivec3 there = home + offset;
+            if (glm::any(glm::lessThan(there, glm::ivec3(0))) ||
+              glm::any(glm::greaterThanEqual(there, size)))
+            {
+              // Nothing is outside; but ways out and in again do not matter.
+              seen[k] = 0;
+              continue;
+            }
+            seen[k] =
+              empty || ((ways[k].Before < 0 || seen[ways[k].Before]) && !volume->IsOccupied(there));
+            if (!seen[k])
+            {
+              continue;
+            }
+            const int x = corners(0, at.x, there.x);
+            const int y = corners(1, at.y, there.y);
+            const int z = corners(2, at.z, there.z);
+            if (x && y && z)
+            {
+              unsigned char mask = 0;
+              for (int corner = 0; corner < 8; ++corner)
+              {
+                mask |= (x >> (corner & 1) & y >> (corner >> 1 & 1) & z >> (corner >> 2) & 1)
+                  << corner;
+              }
+              this->Masks[2 * static_cast<size_t>(Fold(there, size)) + grid] |= mask;
+            }
           }
         }
-      }
-    });
+      });
   }
 }
 
@@ -352,8 +358,8 @@ void vtkIndirectHintGrid::FindSurfels(std::vector<int>& sides)
       if (free)
       {
         sides[2 * block + side] = static_cast<int>(this->Surfels.size());
-        // The mean normal of a plane has length one; the more a block's normals differ, the less its
-        // plane says, up to the block's half diagonal.
+        // The mean normal of a plane has length one; the more a block's normals differ, the less
+        // its plane says, up to the block's half diagonal.
         const double depth = std::min(LeastDepth + 8.0 * (1.0 - length), MostDepth);
         this->Surfels.push_back({ glm::vec3(surface.Position), glm::vec3(normal),
           glm::vec3(surface.Albedo), static_cast<float>(depth * this->Volume->GetVoxelSize()) });
@@ -376,39 +382,40 @@ void vtkIndirectHintGrid::FindHits(const std::vector<int>& sides)
   this->Hits.assign(this->Hints.size() * rays, -1.0f);
   this->Albedo.assign(this->Hints.size(), glm::vec4(0.0f));
   const auto& surfaces = this->Volume->GetSurfaces();
-  vtkSMPTools::For(0, this->GetNumberOfHints(), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType hint = begin; hint < end; ++hint)
+  vtkSMPTools::For(0, this->GetNumberOfHints(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      if (!(this->Hints[hint].w > 0.0f))
+      for (vtkIdType hint = begin; hint < end; ++hint)
       {
-        continue;
-      }
-      const glm::dvec3 start = this->Volume->ToVoxels(glm::dvec3(this->Hints[hint]));
-      for (int i = 0; i < rays; ++i)
-      {
-        glm::ivec3 voxel;
-        if (!this->Volume->FindHit(start, directions[i], voxel))
+        if (!(this->Hints[hint].w > 0.0f))
         {
           continue;
         }
-        const int block = this->Volume->GetBlock(voxel);
-        const int side = glm::dot(surfaces[block].Axis, directions[i]) > 0.0 ? 1 : 0;
-        const int surfel = sides[2 * static_cast<size_t>(block) + side];
-        // A side that lies in a solid is met only past the edge of what is in front of it.
-        this->Hits[static_cast<size_t>(hint) * rays + i] = static_cast<float>(
-          surfel >= 0 ? surfel : sides[2 * static_cast<size_t>(block) + 1 - side]);
-        this->Albedo[hint] += glm::vec4(glm::vec3(surfaces[block].Albedo), 1.0f);
+        const glm::dvec3 start = this->Volume->ToVoxels(glm::dvec3(this->Hints[hint]));
+        for (int i = 0; i < rays; ++i)
+        {
+          glm::ivec3 voxel;
+          if (!this->Volume->FindHit(start, directions[i], voxel))
+          {
+            continue;
+          }
+          const int block = this->Volume->GetBlock(voxel);
+          const int side = glm::dot(surfaces[block].Axis, directions[i]) > 0.0 ? 1 : 0;
+          const int surfel = sides[2 * static_cast<size_t>(block) + side];
+          // A side that lies in a solid is met only past the edge of what is in front of it.
+          this->Hits[static_cast<size_t>(hint) * rays + i] = static_cast<float>(
+            surfel >= 0 ? surfel : sides[2 * static_cast<size_t>(block) + 1 - side]);
+          this->Albedo[hint] += glm::vec4(glm::vec3(surfaces[block].Albedo), 1.0f);
+        }
+        this->Albedo[hint] /= std::max(this->Albedo[hint].w, 1.0f);
       }
-      this->Albedo[hint] /= std::max(this->Albedo[hint].w, 1.0f);
-    }
-  });
+    });
 }
 
 //------------------------------------------------------------------------------
 int vtkIndirectHintGrid::GetHit(int hint, int ray) const
 {
-  return static_cast<int>(
-    this->Hits[static_cast<size_t>(hint) * this->Current.NumberOfRays + ray]);
+  return static_cast<int>(this->Hits[static_cast<size_t>(hint) * this->Current.NumberOfRays + ray]);
 }
 
 //------------------------------------------------------------------------------
@@ -469,8 +476,7 @@ vtkTextureObject* vtkIndirectHintGrid::Make(Table table, vtkOpenGLRenderWindow* 
   }
   const size_t rows = std::max<size_t>(1, (texels.size() + width - 1) / width);
   texels.resize(rows * width, glm::vec4(0.0f));
-  texture->Create2DFromRaw(
-    width, static_cast<unsigned int>(rows), 4, VTK_FLOAT, &texels[0].x);
+  texture->Create2DFromRaw(width, static_cast<unsigned int>(rows), 4, VTK_FLOAT, &texels[0].x);
   return texture;
 }
 
@@ -564,8 +570,7 @@ size_t vtkIndirectHintGrid::GetBytes() const
   {
     if (const auto& texture = this->Textures[i])
     {
-      const size_t texels =
-        static_cast<size_t>(texture->GetWidth()) * texture->GetHeight() *
+      const size_t texels = static_cast<size_t>(texture->GetWidth()) * texture->GetHeight() *
         std::max(1u, texture->GetDepth());
       bytes += texels * (i == MaskTable ? 2 : sizeof(glm::vec4));
     }

@@ -46,7 +46,7 @@ public:
     std::vector<Region> Regions; // the coarsest first
     bool Masks = false;          // voxels know which hints they see
     bool SkipEmpty = false;
-    double Reach = 0.0; // cells that a look-up may lie from its surface
+    double Reach = 0.0;   // cells that a look-up may lie from its surface
     int NumberOfRays = 0; // at least; 0: no rays, no surfaces
     bool operator==(const Settings& other) const
     {
@@ -122,8 +122,8 @@ private:
 
   Settings Current;
   const vtkIndirectOccupancyVolume* Volume = nullptr;
-  std::vector<int> First;          // hint of each grid
-  std::vector<glm::vec4> Hints;    // position (scene units), 1 active or 0
+  std::vector<int> First;           // hint of each grid
+  std::vector<glm::vec4> Hints;     // position (scene units), 1 active or 0
   std::vector<unsigned char> Masks; // two a voxel, one a grid
   glm::ivec3 MaskSize{ 0 };
   std::vector<float> Hits; // surfel of each ray of each hint, -1: none

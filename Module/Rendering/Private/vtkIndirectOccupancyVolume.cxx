@@ -102,8 +102,8 @@ void vtkIndirectOccupancyVolume::Mark(const glm::ivec3& voxel)
   {
     return;
   }
-  this->Columns[voxel.x + static_cast<size_t>(this->Size.x) * voxel.y][voxel.z / 32] |=
-    1u << (voxel.z % 32);
+  this->Columns[voxel.x + static_cast<size_t>(this->Size.x) * voxel.y][voxel.z / 32] |= 1u
+    << (voxel.z % 32);
   this->Touched.push_back(voxel);
 }
 
@@ -250,14 +250,16 @@ void vtkIndirectOccupancyVolume::AddProp(const vtkIndirectFrame& frame, vtkProp*
     {
       mapper = dataSetMapper->GetPolyDataMapper();
     }
-    if (!mapper || mapper->GetNumberOfInputPorts() < 1 || mapper->GetNumberOfInputConnections(0) < 1)
+    if (!mapper || mapper->GetNumberOfInputPorts() < 1 ||
+      mapper->GetNumberOfInputConnections(0) < 1)
     {
       continue;
     }
     vtkProperty* property = actor->GetProperty();
     Source source;
     source.Mapper = mapper;
-    source.ToWorld = vtkIndirectFrame::ToGLM(node->GetMatrix() ? node->GetMatrix() : actor->GetMatrix());
+    source.ToWorld =
+      vtkIndirectFrame::ToGLM(node->GetMatrix() ? node->GetMatrix() : actor->GetMatrix());
     source.SceneCenter = frame.SceneCenter;
     source.SceneScale = frame.SceneScale;
     source.Diffuse = property->GetDiffuse();
@@ -326,9 +328,8 @@ void vtkIndirectOccupancyVolume::AddPolyData(const Source& source, vtkPolyData* 
   if (source.Mapper->GetScalarVisibility())
   {
     vtkMapper* mapper = source.Mapper;
-    vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(data,
-      mapper->GetScalarMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
-      mapper->GetArrayName(), cellFlag);
+    vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
     if (scalars && mapper->GetLookupTable())
     {
       colors.TakeReference(mapper->GetLookupTable()->MapScalars(
@@ -353,9 +354,8 @@ void vtkIndirectOccupancyVolume::AddPolyData(const Source& source, vtkPolyData* 
       return;
     }
     const glm::dvec3 corners[3] = { positions[a], positions[b], positions[c] };
-    const glm::dvec3 albedo = cellFlag
-      ? colorOf(cell, a)
-      : (colorOf(cell, a) + colorOf(cell, b) + colorOf(cell, c)) / 3.0;
+    const glm::dvec3 albedo =
+      cellFlag ? colorOf(cell, a) : (colorOf(cell, a) + colorOf(cell, b) + colorOf(cell, c)) / 3.0;
     this->AddTriangle(corners, albedo);
   };
 
@@ -364,7 +364,8 @@ void vtkIndirectOccupancyVolume::AddPolyData(const Source& source, vtkPolyData* 
   vtkIdType count;
   const vtkIdType* ids;
   auto polygons = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
-  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell(), ++cell)
+  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal();
+       polygons->GoToNextCell(), ++cell)
   {
     polygons->GetCurrentCell(count, ids);
     for (vtkIdType i = 2; i < count; ++i)
