@@ -504,3 +504,43 @@ VTK_INDIRECT_TEST(HintsHeadlight)
   CheckRelative("against the gather of virtual lights", hints, scene.Copy("irradiance").Mean(),
     0.25, "a grid of 16 hints where two walls meet");
 }
+
+VTK_INDIRECT_TEST(HintsScales)
+{
+  // A room of any size, anywhere, has the same light; so has a flat scene, which has none to give.
+  double reference = 0.0;
+  for (const double scale : { 1.0, 1e-9, 1e6 })
+  {
+    for (const double away : { 0.0, 1e5 })
+    {
+      HintScene scene(40, 40);
+      const glm::dvec3 at(away * scale, -away * scale, 0.5 * away * scale);
+      scene.AddBox(at, at + scale * glm::dvec3(4, 3, 2), { 0.8, 0.4, 0.2 });
+      scene.AddBox(at + scale * glm::dvec3(2.6, 1.6, 0), at + scale * glm::dvec3(3.4, 2.4, 0.8),
+        glm::dvec3(0.7));
+      scene.AddSpot(at + scale * glm::dvec3(1, 1, 1.9), at + scale * glm::dvec3(2, 1.6, 0), 50.0,
+        1.0, { 1.0, 0.0, 0.0 });
+      scene.SetEye(at + scale * glm::dvec3(0.2, 0.2, 1.8), at + scale * glm::dvec3(3, 2.5, 0.2),
+        { 0, 0, 1 }, 70.0, 0.05 * scale, 10.0 * scale);
+      scene.Pass->SetNumberOfBounces(3);
+      scene.Pass->SetReflectiveShadowMapResolution(128);
+      scene.Render();
+      scene.CheckBuffers(1);
+      const double mean = scene.Copy("irradiance").Mean();
+      reference = reference > 0.0 ? reference : mean;
+      CheckAtLeast("light", mean, 1e-3, "there is some");
+      CheckRelative("size " + std::to_string(scale) + ", " + std::to_string(away) + " sizes away",
+        mean, reference, 0.01,
+        "points stored as floats by VTK's mappers at 1e5 sizes: 0.6 % of a size");
+    }
+  }
+  HintScene flat(16, 16);
+  flat.AddQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, glm::dvec3(0.8));
+  flat.AddDirectional({ 0, 0, -1 });
+  flat.SetEye({ 0.5, 0.5, 2 }, { 0.5, 0.5, 0 }, { 0, 1, 0 }, 30.0, 0.1, 10.0);
+  flat.Pass->SetNumberOfBounces(2);
+  flat.Render();
+  flat.CheckBuffers(1);
+  CheckAtMost("light of a flat scene over its own", flat.Copy("irradiance").Mean() / 0.8, 0.05,
+    "a plane does not see itself; softened senders take up to 4 % from the light straight below");
+}
