@@ -128,6 +128,7 @@ CONTRACT_TEST(ToggleHints)
   View view(160, 120);
   AddRoom(view.Renderer);
   view.Window->Render();
+  const Names before = CountNames(view.Window);
   vtkNew<vtkIndirectIlluminationPass> pass;
   vtkNew<vtkRadianceHintsPass> hints;
   pass->SetEstimator(hints);
@@ -150,6 +151,8 @@ CONTRACT_TEST(ToggleHints)
     pass->ReleaseGraphicsResources(view.Window);
     view.Window->Render();
     const Names off = CountNames(view.Window);
+    CONTRACT_CHECK(off.Textures == before.Textures && off.Framebuffers == before.Framebuffers,
+      "released, turn " << i << ": " << off << " after " << before);
     if (i == 0)
     {
       picture = with;
