@@ -59,6 +59,11 @@ public:
   {
     return users;
   }
+  /** The same for a frame whose only light is a headlight, which has no map. */
+  virtual vtkVirtualLightSampler* ChooseHeadlightSampler(vtkVirtualLightSampler* users)
+  {
+    return this->ChooseSampler(users);
+  }
 
   /** Fills the irradiance texture. Returns false, after an error, when it cannot. */
   virtual bool Estimate(const Input& input, vtkIndirectStageTimer& timer) = 0;

@@ -347,6 +347,14 @@ std::vector<double> vtkIndirectIlluminationPass::MakeEstimateKey()
 }
 
 //------------------------------------------------------------------------------
+vtkVirtualLightSampler* vtkIndirectIlluminationPass::GetFrameSampler()
+{
+  vtkIndirectEstimatorPass* estimator = this->GetActiveEstimator();
+  return this->Internal->EyeIsMap ? estimator->ChooseHeadlightSampler(this->GetActiveSampler())
+                                  : estimator->ChooseSampler(this->GetActiveSampler());
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectIlluminationPass::UpdateIrradiance()
 {
   Internals& in = *this->Internal;
@@ -359,15 +367,14 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
   in.EstimateKey.clear();
 
   in.Timer.Begin(vtkIndirectStageTimer::Lights);
-  vtkVirtualLightSampler* sampler = estimator->ChooseSampler(this->GetActiveSampler());
+  vtkVirtualLightSampler* sampler = this->GetFrameSampler();
   const bool sampled = !sampler ||
     sampler->Update(
       in.Frame, this->ReflectiveShadowMaps, in.EyeIsMap ? in.Geometry.Get() : nullptr);
   in.Timer.End(vtkIndirectStageTimer::Lights);
 
   const vtkIndirectEstimatorPass::Input input = { in.Frame, *in.Geometry,
-    *this->ReflectiveShadowMaps, sampler, in.EyeIsMap, this->NumberOfBounces,
-    this->Caching };
+    *this->ReflectiveShadowMaps, sampler, in.EyeIsMap, this->NumberOfBounces, this->Caching };
   if (!sampled || !estimator->Estimate(input, in.Timer))
   {
     return false;
@@ -422,8 +429,7 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
 bool vtkIndirectIlluminationPass::CopyLights(vtkImageData* image)
 {
   Internals& in = *this->Internal;
-  vtkVirtualLightSampler* sampler =
-    this->GetActiveEstimator()->ChooseSampler(this->GetActiveSampler());
+  vtkVirtualLightSampler* sampler = this->GetFrameSampler();
   if (!in.HasIrradiance || !sampler)
   {
     vtkErrorMacro("There is no buffer 'lights': the last frame used no virtual lights.");
@@ -499,7 +505,7 @@ std::string vtkIndirectIlluminationPass::GetReport()
   }
   if (in.HasIrradiance)
   {
-    vtkVirtualLightSampler* sampler = estimator->ChooseSampler(this->GetActiveSampler());
+    vtkVirtualLightSampler* sampler = this->GetFrameSampler();
     report.Method = estimator->GetMethodName();
     report.VirtualLights = sampler ? sampler->GetActualNumberOfLights() : 0;
     report.Bytes += estimator->GetBytes() + (sampler ? sampler->GetBytes() : 0);

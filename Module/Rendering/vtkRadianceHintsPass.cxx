@@ -168,9 +168,8 @@ size_t vtkRadianceHintsPass::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkRadianceHintsPass::ChooseSampler(vtkVirtualLightSampler*)
+vtkVirtualLightSampler* vtkRadianceHintsPass::ChooseHeadlightSampler(vtkVirtualLightSampler*)
 {
-  // Read only where a headlight has no map.
   return this->Internal->HeadlightSampler;
 }
 
@@ -454,7 +453,6 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
 void vtkRadianceHintsPass::AddToReport(vtkIndirectReport& report) const
 {
   const Internals& in = *this->Internal;
-  report.VirtualLights = 0;
   const std::string grid = std::to_string(this->GetNumberOfActiveHints()) + " of " +
     std::to_string(this->GetNumberOfHints()) + " hints of order " + std::to_string(this->Order);
   report.Modelled.emplace_back(std::to_string(in.Settings.Bounces) +

@@ -342,7 +342,11 @@ public:
   int GetNumberOfActiveHints() const;
 
 #ifndef __VTK_WRAP__
-  vtkVirtualLightSampler* ChooseSampler(vtkVirtualLightSampler* users) override;
+  vtkVirtualLightSampler* ChooseSampler(vtkVirtualLightSampler*) override
+  {
+    return nullptr;
+  }
+  vtkVirtualLightSampler* ChooseHeadlightSampler(vtkVirtualLightSampler*) override;
   bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
   size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;

@@ -19,8 +19,10 @@
 namespace
 {
 #define VTKI_FIELD(i)                                                                              \
-  { "hints.field" #i, "vtkiField" #i, "spherical harmonics of incoming radiance", GL_RGBA32F,      \
-    "scene", "radiance" }
+  {                                                                                                \
+    "hints.field" #i, "vtkiField" #i, "spherical harmonics of incoming radiance", GL_RGBA32F,      \
+      "scene", "radiance"                                                                          \
+  }
 const vtkIndirectChannel DistanceChannel = { "hints.distance", "vtkiHintDistance",
   "nearest and farthest sender, share of senders that face the hint", GL_RGBA32F, "-",
   "BounceRange" };
@@ -48,8 +50,9 @@ constexpr int SenderRowLength = 256;
 // Texels of a block that are read, along its edge: more change its sums by less than its share of
 // the map's noise.
 constexpr int ReadsPerBlockEdge = 8;
-// Least area of a sender over that of a face of the hint's cell. A sender of area A is softened over
-// sqrt(A / 2 pi): a fifth of a cell's edge for this, less than a hint's distance from its own wall.
+// Least area of a sender over that of a face of the hint's cell. A sender of area A is softened
+// over sqrt(A / 2 pi): a fifth of a cell's edge for this, less than a hint's distance from its own
+// wall.
 constexpr double SofteningShare = 0.25;
 }
 
@@ -144,7 +147,8 @@ bool vtkIndirectHintFields::MakeSenders(const Input& input, const Settings& sett
     this->Senders.Release(input.Frame.Window);
     return true;
   }
-  const int count = input.Maps.GetNumberOfLayers() * settings.BlocksPerEdge * settings.BlocksPerEdge;
+  const int count =
+    input.Maps.GetNumberOfLayers() * settings.BlocksPerEdge * settings.BlocksPerEdge;
   const int rows = (count + SenderRowLength - 1) / SenderRowLength;
   vtkShaderProgram* program = this->SendersKernel.UseFor(input.Frame.Window, 0, false);
   if (!program || !this->Senders.Resize(input.Frame.Window, SenderRowLength, rows))
@@ -189,8 +193,8 @@ bool vtkIndirectHintFields::Inject(
     {
       senders.Activate(i, program);
     }
-    program->SetUniformi("vtkiRowLength",
-      input.EyeIsMap ? vtkVirtualLightSampler::RowLength : SenderRowLength);
+    program->SetUniformi(
+      "vtkiRowLength", input.EyeIsMap ? vtkVirtualLightSampler::RowLength : SenderRowLength);
     program->SetUniformi("vtkiLightCount",
       input.EyeIsMap
         ? input.Sampler->GetActualNumberOfLights()
@@ -201,7 +205,8 @@ bool vtkIndirectHintFields::Inject(
     input.Maps.Activate(program);
     const int layers = input.Maps.GetNumberOfLayers();
     program->SetUniformi("vtkiLayerCount", layers);
-    program->SetUniformi("vtkiSampleCount", std::max(1, (settings.NumberOfSamples + layers - 1) / layers));
+    program->SetUniformi(
+      "vtkiSampleCount", std::max(1, (settings.NumberOfSamples + layers - 1) / layers));
     program->SetUniformf("vtkiCoverage", static_cast<float>(settings.Coverage));
   }
   program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
@@ -237,8 +242,7 @@ bool vtkIndirectHintFields::Reflect(const Input& input, const Settings& settings
   vtkIndirectHintGrid& grid, vtkIndirectOccupancyVolume& volume, const float albedo[4])
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
-  vtkShaderProgram* program =
-    this->RadiosityKernel.UseFor(window, this->Layout, settings.Blocked);
+  vtkShaderProgram* program = this->RadiosityKernel.UseFor(window, this->Layout, settings.Blocked);
   if (!program ||
     !this->Radiosity.Resize(window, vtkIndirectHintGrid::RowLength, grid.GetNumberOfSurfelRows()))
   {
@@ -401,9 +405,9 @@ void vtkIndirectHintFields::Release(vtkWindow* window)
   }
   this->Senders.Release(window);
   this->Radiosity.Release(window);
-  for (vtkIndirectHintKernel* kernel : { &this->SendersKernel, &this->DenseKernel,
-         &this->SampledKernel, &this->CopyKernel, &this->RadiosityKernel, &this->SurfacesKernel,
-         &this->ExchangeKernel })
+  for (vtkIndirectHintKernel* kernel :
+    { &this->SendersKernel, &this->DenseKernel, &this->SampledKernel, &this->CopyKernel,
+      &this->RadiosityKernel, &this->SurfacesKernel, &this->ExchangeKernel })
   {
     kernel->Release();
   }
