@@ -3,6 +3,7 @@
 
 #include "vtkIndirectEstimatorPass.h"
 
+#include "vtkIndirectReport.h"
 #include "vtkIndirectTarget.h"
 
 namespace
@@ -61,6 +62,14 @@ void vtkIndirectEstimatorPass::SetIrradianceStorage(
 size_t vtkIndirectEstimatorPass::GetBytes() const
 {
   return this->Irradiance->GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectEstimatorPass::AddToReport(vtkIndirectReport& report) const
+{
+  report.Modelled.emplace_back("one diffuse bounce", this->GetClassName());
+  report.LeftOut.emplace_back("visibility between sender and receiver",
+    std::string(this->GetClassName()) + " does not test it; the result is too bright");
 }
 
 //------------------------------------------------------------------------------

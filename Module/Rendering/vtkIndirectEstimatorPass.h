@@ -19,6 +19,7 @@
 
 class vtkGeometryBufferPass;
 class vtkIndirectStageTimer;
+struct vtkIndirectReport;
 class vtkIndirectTarget;
 class vtkReflectiveShadowMapPass;
 class vtkVirtualLightSampler;
@@ -49,6 +50,8 @@ public:
     vtkReflectiveShadowMapPass& Maps;
     vtkVirtualLightSampler* Sampler; // null when the estimator asked for none
     bool EyeIsMap;
+    int NumberOfBounces = 1;     // as asked for
+    bool Caching = true;         // off: nothing may be kept from earlier frames
     double ErrorTolerance = 0.0; // relative; 0: the estimator's own parameters
   };
 
@@ -59,6 +62,11 @@ public:
   virtual vtkVirtualLightSampler* ChooseSampler(vtkVirtualLightSampler* users)
   {
     return users;
+  }
+  /** The same for a frame whose only light is a headlight, which has no map. */
+  virtual vtkVirtualLightSampler* ChooseHeadlightSampler(vtkVirtualLightSampler* users)
+  {
+    return this->ChooseSampler(users);
   }
 
   /** Fills the irradiance texture. Returns false, after an error, when it cannot. */
@@ -74,8 +82,9 @@ public:
     return this->IrradianceUnit;
   }
   virtual size_t GetBytes() const;
-  /** Adds to the report what the last frame was made of. */
-  virtual void Describe(vtkIndirectReport&) const {}
+
+  /** Says what the last frame modelled and left out. Default: one bounce without visibility. */
+  virtual void AddToReport(vtkIndirectReport& report) const;
 
   /** Names of buffers of the estimator's own that can be looked at. */
   virtual std::vector<std::string> GetChannelNames() const

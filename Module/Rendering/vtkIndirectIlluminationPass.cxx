@@ -328,8 +328,8 @@ std::vector<double> vtkIndirectIlluminationPass::MakeEstimateKey()
   vtkVirtualLightSampler* sampler = this->GetActiveSampler();
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
     static_cast<double>(frame.Size[1]), static_cast<double>(estimator->GetMTime()),
-    static_cast<double>(sampler->GetMTime()), static_cast<double>(in.EyeIsMap),
-    this->ErrorTolerance,
+    static_cast<double>(sampler->GetMTime()), static_cast<double>(this->NumberOfBounces),
+    static_cast<double>(in.EyeIsMap), this->ErrorTolerance,
     static_cast<double>(in.EyeIsMap ? 0 : this->ReflectiveShadowMaps->GetContentTime()) };
   auto append = [&key](const double* values, int count)
   { key.insert(key.end(), values, values + count); };
@@ -350,6 +350,14 @@ std::vector<double> vtkIndirectIlluminationPass::MakeEstimateKey()
 }
 
 //------------------------------------------------------------------------------
+vtkVirtualLightSampler* vtkIndirectIlluminationPass::GetFrameSampler()
+{
+  vtkIndirectEstimatorPass* estimator = this->GetActiveEstimator();
+  return this->Internal->EyeIsMap ? estimator->ChooseHeadlightSampler(this->GetActiveSampler())
+                                  : estimator->ChooseSampler(this->GetActiveSampler());
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectIlluminationPass::UpdateIrradiance()
 {
   Internals& in = *this->Internal;
@@ -362,14 +370,15 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
   in.EstimateKey.clear();
 
   in.Timer.Begin(vtkIndirectStageTimer::Lights);
-  vtkVirtualLightSampler* sampler = estimator->ChooseSampler(this->GetActiveSampler());
+  vtkVirtualLightSampler* sampler = this->GetFrameSampler();
   const bool sampled = !sampler ||
     sampler->Update(
       in.Frame, this->ReflectiveShadowMaps, in.EyeIsMap ? in.Geometry.Get() : nullptr);
   in.Timer.End(vtkIndirectStageTimer::Lights);
 
   const vtkIndirectEstimatorPass::Input input = { in.Frame, *in.Geometry,
-    *this->ReflectiveShadowMaps, sampler, in.EyeIsMap, this->ErrorTolerance };
+    *this->ReflectiveShadowMaps, sampler, in.EyeIsMap, this->NumberOfBounces, this->Caching,
+    this->ErrorTolerance };
   if (!sampled || !estimator->Estimate(input, in.Timer))
   {
     return false;
@@ -440,8 +449,7 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
 bool vtkIndirectIlluminationPass::CopyLights(vtkImageData* image)
 {
   Internals& in = *this->Internal;
-  vtkVirtualLightSampler* sampler =
-    this->GetActiveEstimator()->ChooseSampler(this->GetActiveSampler());
+  vtkVirtualLightSampler* sampler = this->GetFrameSampler();
   if (!in.HasIrradiance || !sampler)
   {
     vtkErrorMacro("There is no buffer 'lights': the last frame used no virtual lights.");
@@ -519,21 +527,17 @@ std::string vtkIndirectIlluminationPass::GetReport()
   }
   if (in.HasIrradiance)
   {
-    vtkVirtualLightSampler* sampler = estimator->ChooseSampler(this->GetActiveSampler());
+    vtkVirtualLightSampler* sampler = this->GetFrameSampler();
     report.Method = estimator->GetMethodName();
     report.VirtualLights = sampler ? sampler->GetActualNumberOfLights() : 0;
     report.Bytes += estimator->GetBytes() + (sampler ? sampler->GetBytes() : 0);
-    report.Modelled.emplace_back("one diffuse bounce",
-      std::string(estimator->GetClassName()) + (this->Estimator ? "" : ", the automatic choice"));
+    estimator->AddToReport(report);
     if (this->NumberOfBounces > estimator->GetMaximumNumberOfBounces())
     {
       report.LeftOut.emplace_back(
         "bounces beyond " + std::to_string(estimator->GetMaximumNumberOfBounces()),
         std::string(estimator->GetClassName()) + " computes no more; the result is too dark");
     }
-    estimator->Describe(report);
-    report.LeftOut.emplace_back("visibility between sender and receiver",
-      std::string(estimator->GetClassName()) + " does not test it; the result is too bright");
     report.LeftOut.emplace_back(
       "specular indirect light", "senders and receivers are taken as diffuse");
   }

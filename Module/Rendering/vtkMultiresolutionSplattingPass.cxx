@@ -196,8 +196,9 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
 }
 
 //------------------------------------------------------------------------------
-void vtkMultiresolutionSplattingPass::Describe(vtkIndirectReport& report) const
+void vtkMultiresolutionSplattingPass::AddToReport(vtkIndirectReport& report) const
 {
+  this->Superclass::AddToReport(report);
   const Internals& in = *this->Internal;
   report.Modelled.emplace_back(
     "subsplats", std::to_string(in.Pyramid.GetNumberOfLevels()) + " levels, by " + in.Renderer);

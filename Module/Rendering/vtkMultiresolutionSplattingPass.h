@@ -193,7 +193,7 @@ public:
 #ifndef __VTK_WRAP__
   bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
   size_t GetBytes() const override;
-  void Describe(vtkIndirectReport& report) const override;
+  void AddToReport(vtkIndirectReport& report) const override;
   std::vector<std::string> GetChannelNames() const override;
   int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
     const vtkGeometryBufferPass& geometry) override;

@@ -26,7 +26,7 @@ contract_topic(Interaction
 contract_topic(Kinds
   KindsDelegate KindsComposite KindsFull AlbedoValues SurfaceBuffers)
 contract_topic(Lifetime
-  Toggle ToggleNewPass Release Finalize FinalizeWithout DestructionOrder TwoWindows)
+  Toggle ToggleHints ToggleNewPass Release Finalize FinalizeWithout DestructionOrder TwoWindows)
 contract_topic(Lights
   LightShadowAttenuation LightColors LightHeadlight LightOfCamera LightKit ShadowFollows
   ShadowFromOutside ShadowSeams ParallelEye)

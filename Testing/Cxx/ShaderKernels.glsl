@@ -3,7 +3,7 @@
 #ifndef ShaderKernels
 #define ShaderKernels
 
-const int VTKI_KERNEL_COUNT = 21;
+const int VTKI_KERNEL_COUNT = 25;
 
 mat3 vtkiTestMatrix(vec4 a, vec4 b, float c)
 {
@@ -112,6 +112,33 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
   if (kernel == 19)
   {
     return vec4(vtkiEncodeGamma(vtkiDecodeGamma(abs(a3))), 0.0f);
+  }
+  if (kernel == 20)
+  {
+    return vtkiHarmonicsLow(a3) + vtkiHarmonicsHigh(b3);
+  }
+  if (kernel == 21)
+  {
+    return vec4(vtkiHarmonicsLast(a3), vtkiIrradianceLow(a, b3), vtkiIrradianceHigh(a, b.w, b3),
+      vtkiIrradianceLobe(vec4(1.0f, a.x, a.y, a.z), b3));
+  }
+  if (kernel == 22)
+  {
+    return vec4(vtkiPatchSolidAngle((0.1f + a.w) * c3, b3, 0.01f),
+      vtkiPatchSolidAngle(vec3(0.0f), b3, 0.1f), 0.0f, 0.0f);
+  }
+  if (kernel == 23)
+  {
+    // A walk of a few columns: where it is, what it passes through, how far it has to go.
+    vtkiWalk walk = vtkiBeginWalk(60.0f * (a3 + 1.0f), 60.0f * (b3 + 1.0f));
+    int length = walk.remaining;
+    uvec4 bits = vtkiWalkBits(walk);
+    for (int i = 0; i < 5; ++i)
+    {
+      vtkiAdvance(walk);
+    }
+    return vec4(float(length), float(walk.column.x), float(walk.column.y),
+      float(((bits.x >> 1u) ^ bits.y ^ bits.z ^ (bits.w << 1u)) & 0xffffu));
   }
   return vec4(VTKI_PI, VTKI_GAMMA, float(VTKI_MAP_CAMERA), VTKI_SURFACE_UNLIT);
 }

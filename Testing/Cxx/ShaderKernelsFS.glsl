@@ -2,8 +2,10 @@
 //VTK::Output::Dec
 // Test stage: one kernel, three texels of input a pixel.
 #include "vtkIndirectLibColor.glsl"
+#include "vtkIndirectLibHarmonics.glsl"
 #include "vtkIndirectLibInterpolation.glsl"
 #include "vtkIndirectLibLightMap.glsl"
+#include "vtkIndirectLibOccupancy.glsl"
 #include "vtkIndirectLibSampling.glsl"
 #include "vtkIndirectLibShadow.glsl"
 #include "vtkIndirectLibSurface.glsl"

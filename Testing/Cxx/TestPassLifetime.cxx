@@ -10,6 +10,7 @@
 
 #include "vtkImageData.h"
 #include "vtkRSMGatherPass.h"
+#include "vtkRadianceHintsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkUniformLightSampler.h"
 
@@ -118,6 +119,58 @@ CONTRACT_TEST(Toggle)
   std::cout << "on: " << first[0] << "\noff: " << first[1] << "\nresident memory grew by " << grown
             << " MiB in 80 turns\n";
   CONTRACT_CHECK(grown < 4.0, grown << " MiB");
+}
+
+//------------------------------------------------------------------------------
+// Radiance hints hold more than other estimators: fields, tables and voxels.
+CONTRACT_TEST(ToggleHints)
+{
+  View view(160, 120);
+  AddRoom(view.Renderer);
+  view.Window->Render();
+  const Names before = CountNames(view.Window);
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  vtkNew<vtkRadianceHintsPass> hints;
+  pass->SetEstimator(hints);
+  pass->SetNumberOfBounces(2);
+  Names first[2];
+  Pixels picture;
+  for (int i = 0; i < 12; ++i)
+  {
+    view.Renderer->SetPass(pass);
+    hints->SetOrder(i % 2 ? 2 : 3);
+    view.Window->Render();
+    hints->SetOrder(2);
+    hints->SetBounceSamplingToHints();
+    view.Window->Render();
+    hints->SetBounceSamplingToSurfaces();
+    view.Window->Render();
+    const Names on = CountNames(view.Window);
+    const Pixels with = Grab(view.Window, false);
+    view.Renderer->SetPass(nullptr);
+    pass->ReleaseGraphicsResources(view.Window);
+    view.Window->Render();
+    const Names off = CountNames(view.Window);
+    CONTRACT_CHECK(off.Textures == before.Textures && off.Framebuffers == before.Framebuffers,
+      "released, turn " << i << ": " << off << " after " << before);
+    if (i == 0)
+    {
+      picture = with;
+    }
+    if (i == 2)
+    {
+      // By now the window's shader cache holds every variant.
+      first[0] = on;
+      first[1] = off;
+    }
+    if (i > 2)
+    {
+      CONTRACT_CHECK(on == first[0], "on, turn " << i << ": " << on << " after " << first[0]);
+      CONTRACT_CHECK(off == first[1], "off, turn " << i << ": " << off << " after " << first[1]);
+    }
+    CONTRACT_CHECK(Compare(with, picture).Max == 0.0, "picture with, turn " << i);
+  }
+  std::cout << "on: " << first[0] << "\noff: " << first[1] << "\n";
 }
 
 //------------------------------------------------------------------------------

@@ -17,16 +17,6 @@ vtkIndirectKernelProgram::vtkIndirectKernelProgram(const char* stage, const char
 
 vtkIndirectKernelProgram::~vtkIndirectKernelProgram() = default;
 
-//------------------------------------------------------------------------------
-void vtkIndirectKernelProgram::SetDefinitions(const std::string& definitions)
-{
-  if (definitions != this->Definitions)
-  {
-    this->Definitions = definitions;
-    this->Release();
-  }
-}
-
 namespace
 {
 // VTK's quad helper insists on both attributes; stages need neither past the position.
@@ -38,6 +28,16 @@ void main()
   gl_Position = vec4(2.0 * texCoordIn - 1.0, 0.0, ndCoordIn.w);
 }
 )";
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectKernelProgram::SetDefinitions(const std::string& definitions)
+{
+  if (definitions != this->Definitions)
+  {
+    this->Definitions = definitions;
+    this->Quad.reset();
+  }
 }
 
 //------------------------------------------------------------------------------

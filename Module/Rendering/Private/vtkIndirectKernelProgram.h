@@ -16,6 +16,7 @@ public:
   /** stage: file in glsl/stage; gather: the file that VTKI_GATHER stands for, if the stage has one.
    */
   vtkIndirectKernelProgram(const char* stage, const char* gather = "");
+
   ~vtkIndirectKernelProgram();
 
   /**

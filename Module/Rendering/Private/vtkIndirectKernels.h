@@ -17,6 +17,8 @@ using glm::cross;
 using glm::dot;
 using glm::floor;
 using glm::fract;
+using glm::ivec2;
+using glm::ivec3;
 using glm::length;
 using glm::mat3;
 using glm::max;
@@ -25,9 +27,11 @@ using glm::normalize;
 using glm::pow;
 using glm::sin;
 using glm::sqrt;
+using glm::uvec4;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
+using uint = glm::uint;
 // clang-format off
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
@@ -45,6 +49,8 @@ namespace
 #include "vtkIndirectLibInterpolation.glsl"
 #include "vtkIndirectLibSampling.glsl"
 #include "vtkIndirectLibColor.glsl"
+#include "vtkIndirectLibHarmonics.glsl"
+#include "vtkIndirectLibOccupancy.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

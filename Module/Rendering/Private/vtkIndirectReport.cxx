@@ -78,8 +78,9 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
     }
   }
   const unsigned int indirect = 1u << vtkIndirectStageTimer::Lights |
-    1u << vtkIndirectStageTimer::Estimate | 1u << vtkIndirectStageTimer::Upsample |
-    1u << vtkIndirectStageTimer::Composite;
+    1u << vtkIndirectStageTimer::Visibility | 1u << vtkIndirectStageTimer::Inject |
+    1u << vtkIndirectStageTimer::Bounces | 1u << vtkIndirectStageTimer::Estimate |
+    1u << vtkIndirectStageTimer::Upsample | 1u << vtkIndirectStageTimer::Composite;
   os << "\n  },\n";
   if (timer.GetNumberOfFrames() > 0)
   {

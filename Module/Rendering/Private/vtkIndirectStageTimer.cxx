@@ -16,7 +16,7 @@ constexpr size_t MaximumNumberOfFrames = 1000;
 const char* vtkIndirectStageTimer::GetName(int stage)
 {
   static const char* const names[NumberOfStages] = { "delegate", "rsm", "geometry", "lights",
-    "estimate", "upsample", "composite", "frame" };
+    "visibility", "inject", "bounces", "estimate", "upsample", "composite", "frame" };
   return names[stage];
 }
 

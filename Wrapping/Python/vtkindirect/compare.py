@@ -36,7 +36,17 @@ from vtkindirect.sweep import Row, Sweep
 
 SCHEMA = "vtkindirect.comparison/1"
 FRAMES = 10
-STAGES = ("rsm", "geometry", "lights", "estimate", "upsample", "composite")
+STAGES = (
+    "rsm",
+    "geometry",
+    "lights",
+    "visibility",
+    "inject",
+    "bounces",
+    "estimate",
+    "upsample",
+    "composite",
+)
 METRICS = ("nrmse", "relmse", "relmse_trimmed", "bias", "p99", "shape", "leak")
 YARDSTICKS = ("vtk", "ssao")
 TRACER = "mitsuba"

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
+#include "vtkIndirectHintFields.h"
+
+#include "vtkGeometryBufferPass.h"
+#include "vtkIndirectHintGrid.h"
+#include "vtkIndirectOccupancyVolume.h"
+#include "vtkIndirectStageTimer.h"
+#include "vtkIndirectUniforms.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkTextureObject.h"
+#include "vtkVirtualLightSampler.h"
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+#define VTKI_FIELD(i)                                                                              \
+  {                                                                                                \
+    "hints.field" #i, "vtkiField" #i, "spherical harmonics of incoming radiance", GL_RGBA32F,      \
+      "scene", "radiance"                                                                          \
+  }
+const vtkIndirectChannel DistanceChannel = { "hints.distance", "vtkiHintDistance",
+  "nearest and farthest sender, share of senders that face the hint", GL_RGBA32F, "-",
+  "BounceRange" };
+const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
+const vtkIndirectChannel ThreeFields[] = { VTKI_FIELD(0), VTKI_FIELD(1), VTKI_FIELD(2),
+  DistanceChannel, NoChannel };
+const vtkIndirectChannel SevenFields[] = { VTKI_FIELD(0), VTKI_FIELD(1), VTKI_FIELD(2),
+  VTKI_FIELD(3), VTKI_FIELD(4), VTKI_FIELD(5), VTKI_FIELD(6), DistanceChannel, NoChannel };
+#undef VTKI_FIELD
+
+const vtkIndirectChannel SenderChannels[] = {
+  { "hints.senders.position", "vtkiLightPosition", "place and area of a block of a map", GL_RGBA32F,
+    "scene", "scene units" },
+  { "hints.senders.normal", "vtkiLightNormal", "normal", GL_RGBA32F, "scene", "1" },
+  { "hints.senders.density", "vtkiLightDensity", "reflected density times area", GL_RGBA32F, "-",
+    "VTK flux" },
+  NoChannel,
+};
+const vtkIndirectChannel RadiosityChannels[] = {
+  { "hints.radiosity", "vtkiRadiosity", "what surfaces reflect", GL_RGBA32F, "-", "VTK radiance" },
+  NoChannel,
+};
+
+constexpr int SenderRowLength = 256;
+// Texels of a block that are read, along its edge: more change its sums by less than its share of
+// the map's noise.
+constexpr int ReadsPerBlockEdge = 8;
+// Least area of a sender over that of a face of the hint's cell. A sender of area A is softened
+// over sqrt(A / 2 pi): a fifth of a cell's edge for this, less than a hint's distance from its own
+// wall.
+constexpr double SofteningShare = 0.25;
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkIndirectHintKernel::UseFor(
+  vtkOpenGLRenderWindow* window, int layout, bool occupancy)
+{
+  this->SetDefinitions("#define VTKI_HINT_LAYOUT " + std::to_string(layout) + "\n" +
+    (occupancy ? "#define VTKI_HINT_OCCUPANCY\n" : ""));
+  return this->Use(window);
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectHintFields::vtkIndirectHintFields()
+  : Senders(SenderChannels, false)
+  , Radiosity(RadiosityChannels, false)
+  , SendersKernel("vtkIndirectHintSendersFS.glsl")
+  , DenseKernel("vtkIndirectHintDenseFS.glsl")
+  , SampledKernel("vtkIndirectHintSampledFS.glsl")
+  , CopyKernel("vtkIndirectHintCopyFS.glsl")
+  , RadiosityKernel("vtkIndirectHintRadiosityFS.glsl")
+  , SurfacesKernel("vtkIndirectHintSurfacesFS.glsl")
+  , ExchangeKernel("vtkIndirectHintExchangeFS.glsl")
+{
+}
+
+vtkIndirectHintFields::~vtkIndirectHintFields() = default;
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintFields::Resize(const Input& input, const Settings& settings, int rows)
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  if (settings.Layout != this->Layout)
+  {
+    for (auto& field : this->Fields)
+    {
+      if (field)
+      {
+        field->Release(window);
+      }
+      field = std::make_unique<vtkIndirectTarget>(
+        settings.Layout == 2 ? SevenFields : ThreeFields, false);
+    }
+    this->Layout = settings.Layout;
+  }
+  const int fields = settings.Bounces == 1 ? 1 : (settings.FromHints ? 3 : 2);
+  for (int i = 0; i < 3; ++i)
+  {
+    if (i >= fields)
+    {
+      this->Fields[i]->Release(window);
+    }
+    else if (!this->Fields[i]->Resize(window, vtkIndirectHintGrid::RowLength, rows))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintFields::Fill(const Input& input, const Settings& settings,
+  vtkIndirectHintGrid& grid, vtkIndirectOccupancyVolume& volume, vtkIndirectStageTimer& timer)
+{
+  if (!this->Resize(input, settings, grid.GetNumberOfRows()))
+  {
+    return false;
+  }
+  timer.Begin(vtkIndirectStageTimer::Inject);
+  const bool injected = this->MakeSenders(input, settings) && this->Inject(input, settings, grid);
+  timer.End(vtkIndirectStageTimer::Inject);
+  if (!injected)
+  {
+    return false;
+  }
+  this->Current = 0;
+  timer.Begin(vtkIndirectStageTimer::Bounces);
+  bool bounced = true;
+  for (int bounce = 2; bounce <= settings.Bounces && bounced && !volume.IsEmpty(); ++bounce)
+  {
+    bounced = this->Bounce(input, settings, grid, volume);
+  }
+  timer.End(vtkIndirectStageTimer::Bounces);
+  return bounced;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintFields::MakeSenders(const Input& input, const Settings& settings)
+{
+  if (input.EyeIsMap || settings.Sampled)
+  {
+    this->Senders.Release(input.Frame.Window);
+    return true;
+  }
+  const int count =
+    input.Maps.GetNumberOfLayers() * settings.BlocksPerEdge * settings.BlocksPerEdge;
+  const int rows = (count + SenderRowLength - 1) / SenderRowLength;
+  vtkShaderProgram* program = this->SendersKernel.UseFor(input.Frame.Window, 0, false);
+  if (!program || !this->Senders.Resize(input.Frame.Window, SenderRowLength, rows))
+  {
+    return false;
+  }
+  this->Senders.Begin();
+  input.Maps.Activate(program);
+  program->SetUniformi("vtkiBlocks", settings.BlocksPerEdge);
+  program->SetUniformi("vtkiReads", ReadsPerBlockEdge);
+  program->SetUniformi("vtkiRowLength", SenderRowLength);
+  program->SetUniformi("vtkiLightCount", count);
+  this->SendersKernel.Draw();
+  input.Maps.Deactivate();
+  this->Senders.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintFields::Inject(
+  const Input& input, const Settings& settings, vtkIndirectHintGrid& grid)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  const bool list = input.EyeIsMap || !settings.Sampled;
+  vtkIndirectHintKernel& kernel = list ? this->DenseKernel : this->SampledKernel;
+  vtkShaderProgram* program = kernel.UseFor(frame.Window, this->Layout, settings.Blocked);
+  if (!program)
+  {
+    return false;
+  }
+  vtkIndirectTarget& senders = input.EyeIsMap ? input.Sampler->GetTarget() : this->Senders;
+  this->Fields[0]->Begin();
+  grid.Activate(frame.Window, program);
+  if (settings.Blocked)
+  {
+    grid.ActivateRays(frame.Window, program);
+    grid.ActivateSurfels(frame.Window, program);
+  }
+  if (list)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      senders.Activate(i, program);
+    }
+    program->SetUniformi(
+      "vtkiRowLength", input.EyeIsMap ? vtkVirtualLightSampler::RowLength : SenderRowLength);
+    program->SetUniformi("vtkiLightCount",
+      input.EyeIsMap
+        ? input.Sampler->GetActualNumberOfLights()
+        : input.Maps.GetNumberOfLayers() * settings.BlocksPerEdge * settings.BlocksPerEdge);
+  }
+  else
+  {
+    input.Maps.Activate(program);
+    const int layers = input.Maps.GetNumberOfLayers();
+    program->SetUniformi("vtkiLayerCount", layers);
+    program->SetUniformi(
+      "vtkiSampleCount", std::max(1, (settings.NumberOfSamples + layers - 1) / layers));
+    program->SetUniformf("vtkiCoverage", static_cast<float>(settings.Coverage));
+  }
+  program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
+  program->SetUniformf(
+    "vtkiSoftening", settings.Softening ? static_cast<float>(SofteningShare) : 0.0f);
+  program->SetUniformi("vtkiDepthSamples", settings.NumberOfDepthSamples);
+  program->SetUniformf("vtkiDepthFactor", static_cast<float>(settings.DepthAttenuation));
+  input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
+  const glm::dmat4 sceneToView = glm::inverse(frame.ViewToScene);
+  const glm::dmat4 unscale(glm::dvec4(1.0 / frame.SceneScale, 0.0, 0.0, 0.0),
+    glm::dvec4(0.0, 1.0 / frame.SceneScale, 0.0, 0.0),
+    glm::dvec4(0.0, 0.0, 1.0 / frame.SceneScale, 0.0), glm::dvec4(0.0, 0.0, 0.0, 1.0));
+  vtkIndirectSetUniform(program, "vtkiSceneToView", glm::mat4(sceneToView));
+  vtkIndirectSetUniform(
+    program, "vtkiSceneToClip", glm::mat4(frame.Projection * unscale * sceneToView));
+  kernel.Draw();
+  input.Geometry.GetTarget().Deactivate();
+  if (list)
+  {
+    senders.Deactivate();
+  }
+  else
+  {
+    input.Maps.Deactivate();
+  }
+  grid.Deactivate();
+  this->Fields[0]->End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintFields::Reflect(const Input& input, const Settings& settings,
+  vtkIndirectHintGrid& grid, vtkIndirectOccupancyVolume& volume, const float albedo[4])
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  vtkShaderProgram* program = this->RadiosityKernel.UseFor(window, this->Layout, settings.Blocked);
+  if (!program ||
+    !this->Radiosity.Resize(window, vtkIndirectHintGrid::RowLength, grid.GetNumberOfSurfelRows()))
+  {
+    return false;
+  }
+  this->Radiosity.Begin();
+  this->ActivateLookup(input, settings, grid, volume, program);
+  grid.ActivateSurfels(window, program);
+  program->SetUniform4f("vtkiMeanAlbedo", albedo);
+  this->RadiosityKernel.Draw();
+  this->Deactivate(grid, volume);
+  this->Radiosity.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintFields::Bounce(const Input& input, const Settings& settings,
+  vtkIndirectHintGrid& grid, vtkIndirectOccupancyVolume& volume)
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  const glm::dvec3& mean = volume.GetMeanAlbedo();
+  const float albedo[4] = { static_cast<float>(mean.x), static_cast<float>(mean.y),
+    static_cast<float>(mean.z), settings.AlbedoVolume ? 0.0f : 1.0f };
+  if (!settings.FromHints && !this->Reflect(input, settings, grid, volume, albedo))
+  {
+    return false;
+  }
+
+  // L^k = L^1 + T L^(k-1)
+  const int next = settings.FromHints && this->Current == 1 ? 2 : 1;
+  vtkShaderProgram* program = this->CopyKernel.UseFor(window, this->Layout, false);
+  if (!program)
+  {
+    return false;
+  }
+  this->Fields[next]->Begin();
+  this->ActivateField(0, program);
+  this->CopyKernel.Draw();
+  this->Deactivate(grid, volume);
+
+  vtkIndirectHintKernel& kernel = settings.FromHints ? this->ExchangeKernel : this->SurfacesKernel;
+  program = kernel.UseFor(window, this->Layout, settings.FromHints && settings.Blocked);
+  if (!program)
+  {
+    this->Fields[next]->End();
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  grid.Activate(window, program);
+  if (settings.FromHints)
+  {
+    this->ActivateField(this->Current, program);
+    if (settings.AlbedoVolume)
+    {
+      grid.ActivateAlbedo(window, program);
+    }
+    if (settings.Blocked)
+    {
+      volume.Activate(window, program);
+    }
+    program->SetUniform4f("vtkiMeanAlbedo", albedo);
+    program->SetUniformi("vtkiSampleCount", settings.NumberOfBounceSamples);
+    program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
+    program->SetUniformi("vtkiLobes", settings.Deringing ? 1 : 0);
+  }
+  else
+  {
+    grid.ActivateRays(window, program);
+    this->Radiosity.Activate(0, program);
+  }
+  kernel.Draw();
+  state->vtkglDisable(GL_BLEND);
+  this->Deactivate(grid, volume);
+  if (!settings.FromHints)
+  {
+    this->Radiosity.Deactivate();
+  }
+  this->Fields[next]->End();
+  this->Current = next;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintFields::ActivateField(int field, vtkShaderProgram* program)
+{
+  for (int i = 0; i <= (this->Layout == 2 ? 7 : 3); ++i)
+  {
+    this->Fields[field]->Activate(i, program);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintFields::ActivateLookup(const Input& input, const Settings& settings,
+  vtkIndirectHintGrid& grid, vtkIndirectOccupancyVolume& volume, vtkShaderProgram* program)
+{
+  grid.Activate(input.Frame.Window, program);
+  this->ActivateField(this->Current, program);
+  if (settings.Blocked)
+  {
+    volume.Activate(input.Frame.Window, program);
+    grid.ActivateMasks(input.Frame.Window, program);
+  }
+  program->SetUniformi("vtkiLookupCount", settings.NumberOfLookups);
+  program->SetUniformi("vtkiLookupRotation", settings.LookupRotation ? 1 : 0);
+  program->SetUniformi("vtkiLobes", settings.Deringing ? 1 : 0);
+  program->SetUniformi("vtkiFacing", settings.FacingWeights ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintFields::Deactivate(
+  vtkIndirectHintGrid& grid, vtkIndirectOccupancyVolume& volume)
+{
+  grid.Deactivate();
+  volume.Deactivate();
+  for (const auto& field : this->Fields)
+  {
+    if (field && field->GetWidth() > 0)
+    {
+      field->Deactivate();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<float>> vtkIndirectHintFields::ReadBack() const
+{
+  std::vector<std::vector<float>> channels;
+  if (this->Layout >= 0 && this->Fields[this->Current]->GetWidth() > 0)
+  {
+    for (int i = 0; i < (this->Layout == 2 ? 7 : 3); ++i)
+    {
+      channels.push_back(this->Fields[this->Current]->ReadBack(i));
+    }
+  }
+  return channels;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectHintFields::GetBytes() const
+{
+  size_t bytes = this->Senders.GetBytes() + this->Radiosity.GetBytes();
+  for (const auto& field : this->Fields)
+  {
+    bytes += field ? field->GetBytes() : 0;
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintFields::Release(vtkWindow* window)
+{
+  for (auto& field : this->Fields)
+  {
+    if (field)
+    {
+      field->Release(window);
+    }
+  }
+  this->Senders.Release(window);
+  this->Radiosity.Release(window);
+  for (vtkIndirectHintKernel* kernel :
+    { &this->SendersKernel, &this->DenseKernel, &this->SampledKernel, &this->CopyKernel,
+      &this->RadiosityKernel, &this->SurfacesKernel, &this->ExchangeKernel })
+  {
+    kernel->Release();
+  }
+}

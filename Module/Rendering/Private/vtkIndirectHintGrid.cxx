@@ -1,0 +1,592 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
+#include "vtkIndirectHintGrid.h"
+
+#include "vtkIndirectKernels.h"
+#include "vtkIndirectOccupancyVolume.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkSMPTools.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Texels in a row of the table of rays: a row less than OpenGL's least limit on textures.
+constexpr int RayRowLength = 1024;
+// Voxels that a sender may lie behind a surface's plane and still be on it: of a plane, for maps'
+// rounding, and of any surface.
+constexpr double LeastDepth = 0.3;
+constexpr double MostDepth = 1.75;
+
+glm::ivec3 Unfold(int index, const glm::ivec3& size)
+{
+  return { index % size.x, index / size.x % size.y, index / size.x / size.y };
+}
+
+int Fold(const glm::ivec3& at, const glm::ivec3& size)
+{
+  return at.x + size.x * (at.y + size.y * at.z);
+}
+}
+
+vtkIndirectHintGrid::vtkIndirectHintGrid() = default;
+vtkIndirectHintGrid::~vtkIndirectHintGrid() = default;
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkIndirectHintGrid::GetCell(int grid) const
+{
+  const Region& region = this->Current.Regions[grid];
+  return (region.Upper - region.Lower) / glm::dvec3(region.Size);
+}
+
+//------------------------------------------------------------------------------
+glm::dvec4 vtkIndirectHintGrid::GetDirection(int ray, int edge)
+{
+  // Solid angle of a bin: corners are directions v / |v| with |v|_1 = 1, so that
+  // dw = 4 du dv / (|v|^3 2) over the square [-1,1]^2 of area 4; eight by eight points a bin.
+  constexpr int points = 8;
+  glm::dvec3 sum(0.0);
+  double angle = 0.0;
+  for (int i = 0; i < points * points; ++i)
+  {
+    const double u = 2.0 * (ray % edge + (i % points + 0.5) / points) / edge - 1.0;
+    const double v = 2.0 * (ray / edge + (i / points + 0.5) / points) / edge - 1.0;
+    // |v|^2 at the point of the octahedron that the square's point unfolds to.
+    const double z = 1.0 - std::abs(u) - std::abs(v);
+    const double fold = std::max(-z, 0.0);
+    const double x = std::abs(u) - fold;
+    const double y = std::abs(v) - fold;
+    const double r2 = x * x + y * y + z * z;
+    const double share = 4.0 / (edge * edge * points * points) / (r2 * std::sqrt(r2));
+    angle += share;
+    sum += share *
+      glm::dvec3(vtkIndirectKernels::vtkiOctahedralDecode(
+        glm::vec2(static_cast<float>(u), static_cast<float>(v))));
+  }
+  return glm::dvec4(glm::normalize(sum), angle);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Build(const Settings& settings, const vtkIndirectOccupancyVolume* volume)
+{
+  this->Current = settings;
+  this->Volume = volume && !volume->IsEmpty() ? volume : nullptr;
+  // Rays through the bins of an octahedral map, an even number along its edge.
+  this->RayEdge = static_cast<int>(std::ceil(0.5 * std::sqrt(settings.NumberOfRays) - 1e-9)) * 2;
+  this->Current.NumberOfRays = this->Volume ? this->RayEdge * this->RayEdge : 0;
+  this->Hints.clear();
+  this->First.clear();
+  this->Masks.clear();
+  this->Hits.clear();
+  this->Surfels.clear();
+  this->Directions.clear();
+  this->Albedo.clear();
+  this->MaskSize = glm::ivec3(0);
+  for (auto& texture : this->Textures)
+  {
+    texture = nullptr;
+  }
+  const int grids = static_cast<int>(settings.Regions.size());
+  for (int grid = 0; grid < grids; ++grid)
+  {
+    this->Place(grid);
+  }
+  this->NumberOfActive = static_cast<int>(std::count_if(
+    this->Hints.begin(), this->Hints.end(), [](const glm::vec4& hint) { return hint.w > 0.0f; }));
+  if (this->Volume && settings.Masks)
+  {
+    this->MaskSize = this->Volume->GetSize();
+    this->Masks.assign(
+      2 * static_cast<size_t>(this->MaskSize.x) * this->MaskSize.y * this->MaskSize.z, 0);
+    for (int grid = 0; grid < grids; ++grid)
+    {
+      this->FindMasks(grid);
+    }
+  }
+  if (this->Current.NumberOfRays > 0)
+  {
+    std::vector<int> sides;
+    this->FindSurfels(sides);
+    this->FindHits(sides);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Place(int grid)
+{
+  const Region& region = this->Current.Regions[grid];
+  const glm::dvec3 cell = this->GetCell(grid);
+  const int count = region.Size.x * region.Size.y * region.Size.z;
+  const int first = this->GetNumberOfHints();
+  this->First.push_back(first);
+  this->Hints.resize(static_cast<size_t>(first) + count);
+  const vtkIndirectOccupancyVolume* volume = this->Volume;
+  const bool move = volume && this->Current.Masks;
+  const double voxel = volume ? volume->GetVoxelSize() : 1.0;
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const glm::ivec3 at = Unfold(static_cast<int>(i), region.Size);
+        glm::dvec3 position = region.Lower + (glm::dvec3(at) + 0.5) * cell;
+        bool active = true;
+        if (volume && this->Current.SkipEmpty)
+        {
+          const glm::dvec3 reach = (this->Current.Reach + 1.0) * cell;
+          active = volume->IsAnyOccupied(glm::ivec3(glm::floor(volume->ToVoxels(position - reach))),
+            glm::ivec3(glm::floor(volume->ToVoxels(position + reach))));
+        }
+        const glm::ivec3 home =
+          glm::ivec3(glm::floor(volume ? volume->ToVoxels(position) : position));
+        if (active && move && volume->IsOccupied(home))
+        {
+          // The nearest free voxel, less than half a cell away; none: the hint is in a solid.
+          const glm::ivec3 range = glm::ivec3(glm::floor(0.5 * cell / voxel));
+          double nearest = INFINITY;
+          glm::ivec3 best = home;
+          for (int z = -range.z; z <= range.z; ++z)
+          {
+            for (int y = -range.y; y <= range.y; ++y)
+            {
+              for (int x = -range.x; x <= range.x; ++x)
+              {
+                const glm::ivec3 to = home + glm::ivec3(x, y, z);
+                const double distance = x * x + y * y + z * z;
+                if (distance < nearest && !volume->IsOccupied(to))
+                {
+                  nearest = distance;
+                  best = to;
+                }
+              }
+            }
+          }
+          active = std::isfinite(nearest);
+          position = volume->ToScene(glm::dvec3(best) + 0.5);
+        }
+        this->Hints[first + i] = glm::vec4(glm::vec3(position), active ? 1.0f : 0.0f);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+// Offsets from a voxel, near ones first, each with the place in the list of the one before it on
+// the way back. A step between two is at most one voxel along each axis: a surface between their
+// centres touches one of the two.
+struct Way
+{
+  glm::ivec3 Offset;
+  int Before;
+};
+
+std::vector<Way> MakeWays(const glm::ivec3& reach)
+{
+  const glm::ivec3 size = 2 * reach + 1;
+  const int longest = std::max({ reach.x, reach.y, reach.z });
+  std::vector<int> place(static_cast<size_t>(size.x) * size.y * size.z, -1);
+  std::vector<Way> ways;
+  ways.reserve(place.size());
+  std::vector<std::vector<glm::ivec3>> shells(longest + 1);
+  for (int i = 0; i < static_cast<int>(place.size()); ++i)
+  {
+    const glm::ivec3 d = Unfold(i, size) - reach;
+    shells[std::max({ std::abs(d.x), std::abs(d.y), std::abs(d.z) })].push_back(d);
+  }
+  for (int m = 0; m <= longest; ++m)
+  {
+    for (const glm::ivec3& d : shells[m])
+    {
+      Way way = { d, -1 };
+      if (m > 0)
+      {
+        const glm::ivec3 before(glm::round(glm::dvec3(d) * ((m - 1.0) / m)));
+        way.Before = place[Fold(before + reach, size)];
+      }
+      place[Fold(d + reach, size)] = static_cast<int>(ways.size());
+      ways.push_back(way);
+    }
+  }
+  return ways;
+}
+}
+
+//------------------------------------------------------------------------------
+// Sight spreads from each hint over the voxels of the cells around it: a voxel is seen when it is
+// free and the one before it on the way back is seen.
+void vtkIndirectHintGrid::FindMasks(int grid)
+{
+  const Region& region = this->Current.Regions[grid];
+  const glm::dvec3 cell = this->GetCell(grid);
+  const vtkIndirectOccupancyVolume* volume = this->Volume;
+  const glm::ivec3 size = this->MaskSize;
+  const double voxel = volume->GetVoxelSize();
+  // A cell to each side, half a cell more that a hint may have been moved; beyond the outermost
+  // hints there is half a cell, and the volume's border.
+  const glm::ivec3 reach = glm::ivec3(glm::ceil(1.5 * cell / voxel)) + 2;
+  const std::vector<Way> ways = MakeWays(reach);
+  // By voxel and axis, the lower of the two hints that it lies between.
+  std::vector<int> bases[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int i = 0; i < size[axis]; ++i)
+    {
+      const double center = volume->ToScene(glm::dvec3(i + 0.5))[axis];
+      bases[axis].push_back(
+        static_cast<int>(std::floor((center - region.Lower[axis]) / cell[axis] - 0.5)));
+    }
+  }
+  // Which corners (0: lower, 1: upper, as bits) of a voxel's surroundings a hint is, along one
+  // axis.
+  auto corners = [&](int axis, int hint, int at)
+  {
+    const int last = region.Size[axis] - 1;
+    const int base = bases[axis][at];
+    return (std::clamp(base, 0, last) == hint ? 1 : 0) |
+      (std::clamp(base + 1, 0, last) == hint ? 2 : 0);
+  };
+
+  // Hints of one parity share no voxel.
+  for (int parity = 0; parity < 8; ++parity)
+  {
+    const glm::ivec3 odd(parity & 1, parity >> 1 & 1, parity >> 2);
+    const glm::ivec3 count = (region.Size - odd + 1) / 2;
+    vtkSMPTools::For(0, count.x * count.y * count.z,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        std::vector<char> seen(ways.size());
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const glm::ivec3 at = 2 * Unfold(static_cast<int>(i), count) + odd;
+          const glm::vec4& hint = this->Hints[this->First[grid] + Fold(at, region.Size)];
+          if (!(hint.w > 0.0f))
+          {
+            continue;
+          }
+          const glm::ivec3 home(glm::floor(volume->ToVoxels(glm::dvec3(hint))));
+          // The voxels that may lie between this hint and its neighbours.
+          const glm::dvec3 middle = region.Lower + (glm::dvec3(at) + 0.5) * cell;
+          glm::ivec3 lower =
+            glm::max(glm::ivec3(glm::floor(volume->ToVoxels(middle - cell))), glm::ivec3(0));
+          glm::ivec3 upper =
+            glm::min(glm::ivec3(glm::floor(volume->ToVoxels(middle + cell))), size - 1);
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            // Beyond the outermost hints these stand for all others.
+            lower[axis] = at[axis] == 0 ? 0 : lower[axis];
+            upper[axis] = at[axis] == region.Size[axis] - 1 ? size[axis] - 1 : upper[axis];
+            lower[axis] = std::max(lower[axis], home[axis] - reach[axis]);
+            upper[axis] = std::min(upper[axis], home[axis] + reach[axis]);
+          }
+          const bool empty = !volume->IsAnyOccupied(lower, upper);
+          const glm::ivec3 far = glm::max(home - lower, upper - home);
+          const int farthest = std::max({ far.x, far.y, far.z });
+          for (size_t k = 0; k < ways.size(); ++k)
+          {
+            const glm::ivec3& offset = ways[k].Offset;
+            if (std::max({ std::abs(offset.x), std::abs(offset.y), std::abs(offset.z) }) > farthest)
+            {
+              break;
+            }
+            const glm::ivec3 there = home + offset;
+            if (glm::any(glm::lessThan(there, glm::ivec3(0))) ||
+              glm::any(glm::greaterThanEqual(there, size)))
+            {
+              // Nothing is outside; but ways out and in again do not matter.
+              seen[k] = 0;
+              continue;
+            }
+            seen[k] =
+              empty || ((ways[k].Before < 0 || seen[ways[k].Before]) && !volume->IsOccupied(there));
+            if (!seen[k])
+            {
+              continue;
+            }
+            const int x = corners(0, at.x, there.x);
+            const int y = corners(1, at.y, there.y);
+            const int z = corners(2, at.z, there.z);
+            if (x && y && z)
+            {
+              unsigned char mask = 0;
+              for (int corner = 0; corner < 8; ++corner)
+              {
+                mask |= (x >> (corner & 1) & y >> (corner >> 1 & 1) & z >> (corner >> 2) & 1)
+                  << corner;
+              }
+              this->Masks[2 * static_cast<size_t>(Fold(there, size)) + grid] |= mask;
+            }
+          }
+        }
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+unsigned char vtkIndirectHintGrid::GetMask(int grid, const glm::ivec3& voxel) const
+{
+  return this->Masks[2 * static_cast<size_t>(Fold(voxel, this->MaskSize)) + grid];
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::FindSurfels(std::vector<int>& sides)
+{
+  const auto& surfaces = this->Volume->GetSurfaces();
+  sides.assign(2 * surfaces.size(), -1);
+  for (size_t block = 0; block < surfaces.size(); ++block)
+  {
+    const auto& surface = surfaces[block];
+    const double length = glm::length(surface.Axis);
+    if (!(surface.Area > 0.0) || !(length > 0.0))
+    {
+      continue;
+    }
+    for (int side = 0; side < 2; ++side)
+    {
+      const glm::dvec3 normal = (side ? -1.0 : 1.0) / length * surface.Axis;
+      // The sender's own place is looked up from a free voxel in front of it.
+      bool free = false;
+      for (double height = 1.0; height <= 3.0 && !free; height += 0.5)
+      {
+        const glm::dvec3 before = this->Volume->ToVoxels(surface.Position) + height * normal;
+        free = !this->Volume->IsOccupied(glm::ivec3(glm::floor(before)));
+      }
+      if (free)
+      {
+        sides[2 * block + side] = static_cast<int>(this->Surfels.size());
+        // The mean normal of a plane has length one; the more a block's normals differ, the less
+        // its plane says, up to the block's half diagonal.
+        const double depth = std::min(LeastDepth + 8.0 * (1.0 - length), MostDepth);
+        this->Surfels.push_back({ glm::vec3(surface.Position), glm::vec3(normal),
+          glm::vec3(surface.Albedo), static_cast<float>(depth * this->Volume->GetVoxelSize()) });
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::FindHits(const std::vector<int>& sides)
+{
+  const int rays = this->Current.NumberOfRays;
+  std::vector<glm::dvec3> directions;
+  for (int i = 0; i < rays; ++i)
+  {
+    const glm::dvec4 direction = GetDirection(i, this->RayEdge);
+    directions.emplace_back(direction);
+    this->Directions.emplace_back(direction);
+  }
+  this->Hits.assign(this->Hints.size() * rays, -1.0f);
+  this->Albedo.assign(this->Hints.size(), glm::vec4(0.0f));
+  const auto& surfaces = this->Volume->GetSurfaces();
+  vtkSMPTools::For(0, this->GetNumberOfHints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType hint = begin; hint < end; ++hint)
+      {
+        if (!(this->Hints[hint].w > 0.0f))
+        {
+          continue;
+        }
+        const glm::dvec3 start = this->Volume->ToVoxels(glm::dvec3(this->Hints[hint]));
+        for (int i = 0; i < rays; ++i)
+        {
+          glm::ivec3 voxel;
+          if (!this->Volume->FindHit(start, directions[i], voxel))
+          {
+            continue;
+          }
+          const int block = this->Volume->GetBlock(voxel);
+          const int side = glm::dot(surfaces[block].Axis, directions[i]) > 0.0 ? 1 : 0;
+          const int surfel = sides[2 * static_cast<size_t>(block) + side];
+          // A side that lies in a solid is met only past the edge of what is in front of it.
+          this->Hits[static_cast<size_t>(hint) * rays + i] = static_cast<float>(
+            surfel >= 0 ? surfel : sides[2 * static_cast<size_t>(block) + 1 - side]);
+          this->Albedo[hint] += glm::vec4(glm::vec3(surfaces[block].Albedo), 1.0f);
+        }
+        this->Albedo[hint] /= std::max(this->Albedo[hint].w, 1.0f);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectHintGrid::GetHit(int hint, int ray) const
+{
+  return static_cast<int>(this->Hits[static_cast<size_t>(hint) * this->Current.NumberOfRays + ray]);
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectHintGrid::GetNumberOfSurfelRows() const
+{
+  return std::max(1, (static_cast<int>(this->Surfels.size()) + RowLength - 1) / RowLength);
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkIndirectHintGrid::Make(Table table, vtkOpenGLRenderWindow* window)
+{
+  vtkSmartPointer<vtkTextureObject>& texture = this->Textures[table];
+  if (texture)
+  {
+    return texture;
+  }
+  texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetWrapR(vtkTextureObject::ClampToEdge);
+  std::vector<glm::vec4> texels;
+  unsigned int width = RowLength;
+  switch (table)
+  {
+    case MaskTable:
+      texture->SetInternalFormat(GL_RG8);
+      texture->SetFormat(GL_RG);
+      texture->SetDataType(GL_UNSIGNED_BYTE);
+      texture->Create3DFromRaw(static_cast<unsigned int>(this->MaskSize.x),
+        static_cast<unsigned int>(this->MaskSize.y), static_cast<unsigned int>(this->MaskSize.z), 2,
+        VTK_UNSIGNED_CHAR, this->Masks.data());
+      return texture;
+    case HintTable:
+      texels = this->Hints;
+      break;
+    case RayTable:
+      width = RayRowLength;
+      texels.resize(this->Hits.size() / 4);
+      std::copy(this->Hits.begin(), this->Hits.end(), texels.empty() ? nullptr : &texels[0].x);
+      break;
+    case HintAlbedo:
+      texels = this->Albedo;
+      break;
+    case DirectionTable:
+      texels = this->Directions;
+      break;
+    default:
+      for (const Surfel& surfel : this->Surfels)
+      {
+        texels.emplace_back(table == SurfelPosition
+            ? surfel.Position
+            : (table == SurfelNormal ? surfel.Normal : surfel.Albedo),
+          surfel.Depth);
+      }
+  }
+  const size_t rows = std::max<size_t>(1, (texels.size() + width - 1) / width);
+  texels.resize(rows * width, glm::vec4(0.0f));
+  texture->Create2DFromRaw(width, static_cast<unsigned int>(rows), 4, VTK_FLOAT, &texels[0].x);
+  return texture;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Bind(Table table, vtkShaderProgram* program, const char* uniform)
+{
+  this->Textures[table]->Activate();
+  program->SetUniformi(uniform, this->Textures[table]->GetTextureUnit());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+{
+  this->Make(HintTable, window);
+  this->Bind(HintTable, program, "vtkiHints");
+  const int grids = static_cast<int>(this->Current.Regions.size());
+  float rows[3 * MaximumNumberOfGrids][4] = {};
+  for (int grid = 0; grid < grids; ++grid)
+  {
+    const Region& region = this->Current.Regions[grid];
+    const glm::dvec3 cell = this->GetCell(grid);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      rows[3 * grid][axis] = static_cast<float>(region.Lower[axis]);
+      rows[3 * grid + 1][axis] = static_cast<float>(cell[axis]);
+      rows[3 * grid + 2][axis] = static_cast<float>(region.Size[axis]);
+    }
+    rows[3 * grid][3] = static_cast<float>(this->First[grid]);
+    rows[3 * grid + 1][3] = static_cast<float>(glm::length(cell));
+  }
+  program->SetUniformi("vtkiGridCount", grids);
+  program->SetUniform4fv("vtkiGrid", 3 * MaximumNumberOfGrids, rows);
+  program->SetUniformi("vtkiHintCount", this->GetNumberOfHints());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::ActivateMasks(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+{
+  this->Make(MaskTable, window);
+  this->Bind(MaskTable, program, "vtkiMasks");
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+{
+  this->Make(RayTable, window);
+  this->Make(DirectionTable, window);
+  this->Bind(RayTable, program, "vtkiRays");
+  this->Bind(DirectionTable, program, "vtkiDirections");
+  program->SetUniformi("vtkiRayEdge", this->RayEdge);
+  program->SetUniformi("vtkiRayRowLength", RayRowLength);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::ActivateAlbedo(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+{
+  this->Make(HintAlbedo, window);
+  this->Bind(HintAlbedo, program, "vtkiHintAlbedo");
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::ActivateSurfels(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+{
+  const char* const names[] = { "vtkiSurfelPosition", "vtkiSurfelNormal", "vtkiSurfelAlbedo" };
+  for (int i = 0; i < 3; ++i)
+  {
+    const Table table = static_cast<Table>(SurfelPosition + i);
+    this->Make(table, window);
+    this->Bind(table, program, names[i]);
+  }
+  program->SetUniformi("vtkiSurfelCount", static_cast<int>(this->Surfels.size()));
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Deactivate()
+{
+  for (auto& texture : this->Textures)
+  {
+    if (texture)
+    {
+      texture->Deactivate();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectHintGrid::GetBytes() const
+{
+  size_t bytes = 0;
+  for (int i = 0; i < NumberOfTables; ++i)
+  {
+    if (const auto& texture = this->Textures[i])
+    {
+      const size_t texels = static_cast<size_t>(texture->GetWidth()) * texture->GetHeight() *
+        std::max(1u, texture->GetDepth());
+      bytes += texels * (i == MaskTable ? 2 : sizeof(glm::vec4));
+    }
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Release(vtkWindow* window)
+{
+  for (auto& texture : this->Textures)
+  {
+    if (texture)
+    {
+      texture->ReleaseGraphicsResources(window);
+      texture = nullptr;
+    }
+  }
+}

@@ -1,0 +1,135 @@
+// Irradiance at a surface from the hints around it.
+// VTKI_HINT_OCCUPANCY: hints that the surface does not see weigh nothing.
+#include "vtkIndirectHintTexture.glsl"
+#ifdef VTKI_HINT_OCCUPANCY
+#include "vtkIndirectOccupancy.glsl"
+uniform sampler3D vtkiMasks; // by voxel: the hints around it that it sees, a channel a grid
+#endif
+
+uniform int vtkiLookupCount;    // 1, or 4: one above and three at 80 degrees (Eq. 7)
+uniform int vtkiLookupRotation; // whether the three turn from pixel to pixel
+uniform int vtkiLobes;
+uniform int vtkiFacing; // whether hints behind what sends light weigh less
+
+const int VTKI_MARCH = 24; // steps of a look-up through the voxels
+
+void vtkiAddLookup(
+  inout vtkiField sum, inout float total, int grid, vec3 at, float weight, bool seen)
+{
+  vec3 lower = vtkiGrid[3 * grid].xyz;
+  vec3 cell = vtkiGrid[3 * grid + 1].xyz;
+  ivec3 size = ivec3(vtkiGrid[3 * grid + 2].xyz);
+  int first = int(vtkiGrid[3 * grid].w);
+  int mask = 255;
+  vec3 inGrid = (at - lower) / cell - 0.5f;
+  vec3 base = floor(inGrid);
+#ifdef VTKI_HINT_OCCUPANCY
+  ivec3 voxel = clamp(ivec3(floor(vtkiToVoxels(at))), ivec3(0), ivec3(vtkiOccupancySize) - 1);
+  // The mask is of the voxel's centre, and so are the hints that it names.
+  vec3 centre = (vec3(voxel) + 0.5f) / vtkiOccupancyOrigin.w + vtkiOccupancyOrigin.xyz;
+  base = floor((centre - lower) / cell - 0.5f);
+  vec2 masks = texelFetch(vtkiMasks, voxel, 0).rg;
+  mask = seen ? int((grid == 0 ? masks.x : masks.y) * 255.0f + 0.5f) : 255;
+#endif
+  vec3 blend = clamp(inGrid - base, 0.0f, 1.0f);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    ivec3 shift = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
+    ivec3 hintAt = clamp(ivec3(base) + shift, ivec3(0), size - 1);
+    int hint = first + hintAt.x + size.x * (hintAt.y + size.y * hintAt.z);
+    vec3 w3 = mix(1.0f - blend, blend, vec3(shift));
+    // Never quite zero, so that the one hint that is seen counts wherever it lies.
+    float w = weight * max(w3.x * w3.y * w3.z, 1.0e-4f) * float((mask >> corner) & 1);
+#ifndef VTKI_HINT_OCCUPANCY
+    if (vtkiFacing != 0)
+    {
+      w *= texelFetch(vtkiHintDistance, vtkiHintTexel(hint), 0).z;
+    }
+#endif
+    vtkiAddHint(sum, hint, w);
+    total += w;
+  }
+}
+
+// Share of the finer grid at a point: whole inside, fading over its outermost two cells.
+float vtkiFineShare(vec3 position)
+{
+  vec3 inGrid = (position - vtkiGrid[3].xyz) / vtkiGrid[4].xyz;
+  vec3 inside = min(inGrid, vtkiGrid[5].xyz - inGrid);
+  return clamp(0.5f * min(min(inside.x, inside.y), inside.z), 0.0f, 1.0f);
+}
+
+vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
+{
+  vtkiField sum = vtkiZeroField();
+  float total = 0.0f;
+  // Any two directions that make a frame with the normal.
+  vec3 helper = abs(normal.x) < 0.5f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
+  vec3 tangent = normalize(cross(helper, normal));
+  vec3 bitangent = cross(normal, tangent);
+  float turn = vtkiLookupRotation != 0
+    ? 6.2831853f * vtkiSpread(0, uint(pixel.x * 4099 + pixel.y)).x
+    : 0.0f;
+#ifdef VTKI_HINT_OCCUPANCY
+  // The first free voxel in front of the surface.
+  vec3 place = vtkiToVoxels(position);
+  vec3 open = place + normal;
+  bool found = false;
+  for (int i = 0; i < 6; ++i)
+  {
+    open = found ? open : place + (1.0f + 0.5f * float(i)) * normal;
+    found = found || !vtkiIsOccupied(ivec3(floor(open)));
+  }
+#endif
+  float fine = vtkiGridCount > 1 ? vtkiFineShare(position) : 0.0f;
+  // Once with the hints that are seen; where none is, once with all.
+  for (int attempt = 0; attempt < 2; ++attempt)
+  {
+    int lookups = needed && !(total > 0.0f) ? vtkiLookupCount * vtkiGridCount : 0;
+    for (int i = 0; i < lookups; ++i)
+    {
+      int grid = i / vtkiLookupCount;
+      int lookup = i - grid * vtkiLookupCount;
+      float weight = grid == 1 ? fine : 1.0f - fine;
+      float diagonal = vtkiGrid[3 * grid + 1].w;
+      vec3 cell = vtkiGrid[3 * grid + 1].xyz;
+      // Half a cell along the normal; or the paper's hemisphere, a cell's diagonal in radius and
+      // half of that above the surface.
+      vec3 offset = 0.5f * dot(abs(normal), cell) * normal;
+      if (vtkiLookupCount > 1)
+      {
+        float angle = turn + 2.0943951f * float(lookup);
+        offset = lookup == 0
+          ? 1.5f * diagonal * normal
+          : diagonal * ((0.5f + 0.17364818f) * normal +
+              0.98480775f * (cos(angle) * tangent + sin(angle) * bitangent));
+      }
+      vec3 at = position + offset;
+#ifdef VTKI_HINT_OCCUPANCY
+      // As far as the way is free.
+      vec3 way = vtkiToVoxels(at) - open;
+      int steps = min(int(ceil(1.2f * length(way))), VTKI_MARCH);
+      float reached = 0.0f;
+      for (int s = 1; s <= steps; ++s)
+      {
+        float t = float(s) / float(steps);
+        if (vtkiIsOccupied(ivec3(floor(open + t * way))))
+        {
+          break;
+        }
+        reached = t;
+      }
+      at = (open + reached * way) / vtkiOccupancyOrigin.w + vtkiOccupancyOrigin.xyz;
+#endif
+      if (weight > 0.0f)
+      {
+        vtkiAddLookup(sum, total, grid, at, weight, attempt == 0);
+      }
+    }
+  }
+  for (int i = 0; i < VTKI_HINT_TEXTURES; ++i)
+  {
+    sum.c[i] *= total > 0.0f ? 1.0f / total : 0.0f;
+  }
+  return vtkiFieldIrradiance(sum, normal, vtkiLobes != 0);
+}

@@ -1,0 +1,30 @@
+// Places of the hints. Hint i is texel (i mod 256, i div 256) of every table of hints.
+uniform sampler2D vtkiHints; // position (scene units), 1 where active
+uniform int vtkiHintCount;
+uniform int vtkiGridCount;
+// Three rows a grid: lower corner, first hint; cell, its diagonal; hints along each axis, 0.
+uniform vec4 vtkiGrid[6];
+
+ivec2 vtkiHintTexel(int hint)
+{
+  return ivec2(hint & 255, hint >> 8);
+}
+
+// The grid that a hint belongs to.
+int vtkiGridOf(int hint)
+{
+  return vtkiGridCount > 1 && hint >= int(vtkiGrid[3].w) ? 1 : 0;
+}
+
+// Well spread numbers in [0,1)^3 for item i of a sequence that starts anew at every seed: additive
+// recurrence on the generalized golden ratio (Roberts 2018) from a hashed start.
+vec3 vtkiSpread(int i, uint seed)
+{
+  uint h = seed * 747796405u + 2891336453u;
+  h = ((h >> ((h >> 28u) + 4u)) ^ h) * 277803737u;
+  h = (h >> 22u) ^ h;
+  uvec3 start = uvec3(h, h * 2654435761u + 1013904223u, (h ^ 0x9e3779b9u) * 2246822519u);
+  // Fractions of the powers of 1/1.2207440846 in units of 2^-32: unsigned sums wrap by themselves.
+  uvec3 sum = start + uint(i) * uvec3(3518319155u, 2882110345u, 2360945575u);
+  return vec3(sum >> 8u) * (1.0f / 16777216.0f);
+}

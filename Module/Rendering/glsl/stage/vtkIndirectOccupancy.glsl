@@ -1,0 +1,38 @@
+// What stands between two points, from the bits of the scene's voxels.
+#include "vtkIndirectLibOccupancy.glsl"
+
+uniform usampler2D vtkiOccupancy;  // a texel a column
+uniform vec4 vtkiOccupancyOrigin;  // scene units; voxels per scene unit
+uniform vec3 vtkiOccupancySize;    // voxels
+
+vec3 vtkiToVoxels(vec3 position)
+{
+  return (position - vtkiOccupancyOrigin.xyz) * vtkiOccupancyOrigin.w;
+}
+
+bool vtkiIsOccupied(ivec3 voxel)
+{
+  ivec2 at = clamp(voxel.xy, ivec2(0), ivec2(vtkiOccupancySize.xy) - 1);
+  return vtkiAnyBit(texelFetch(vtkiOccupancy, at, 0), vtkiBitRange(voxel.z, voxel.z)) &&
+    voxel.xy == at;
+}
+
+// Whether the segment between two points (voxel coordinates) meets no occupied voxel besides those
+// of its ends. With test false nothing is looked up; what a branch around this would not save.
+bool vtkiIsFree(vec3 start, vec3 end, bool test)
+{
+  vtkiWalk walk = vtkiBeginWalk(start, end);
+  bool free = true;
+  int count = test ? walk.remaining : -1;
+  for (int i = 0; i <= count; ++i)
+  {
+    ivec2 at = clamp(walk.column, ivec2(0), ivec2(vtkiOccupancySize.xy) - 1);
+    if (walk.column == at && vtkiAnyBit(texelFetch(vtkiOccupancy, at, 0), vtkiWalkBits(walk)))
+    {
+      free = false;
+      break;
+    }
+    vtkiAdvance(walk);
+  }
+  return free;
+}

@@ -1,0 +1,534 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
+#include "vtkRadianceHintsPass.h"
+
+#include "vtkCamera.h"
+#include "vtkGeometryBufferPass.h"
+#include "vtkIndirectHintFields.h"
+#include "vtkIndirectHintGrid.h"
+#include "vtkIndirectOccupancyVolume.h"
+#include "vtkIndirectReport.h"
+#include "vtkIndirectStageTimer.h"
+#include "vtkIndirectTarget.h"
+#include "vtkIndirectUniforms.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkRenderer.h"
+#include "vtkTextureObject.h"
+#include "vtkUniformLightSampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkRadianceHintsPass);
+
+namespace
+{
+const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
+const vtkIndirectChannel IrradianceChannels[] = {
+  { "irradiance", "vtkiIrradiance", "indirect irradiance", GL_RGBA32F, "-", "VTK irradiance" },
+  NoChannel,
+};
+const vtkIndirectChannel CoarseChannels[] = {
+  { "hints.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel", GL_RGBA32F, "-",
+    "VTK irradiance" },
+  NoChannel,
+};
+
+}
+
+//------------------------------------------------------------------------------
+struct vtkRadianceHintsPass::Internals
+{
+  vtkIndirectOccupancyVolume Volume;
+  vtkIndirectHintGrid Grid;
+  vtkIndirectHintGrid::Settings GridSettings;
+  vtkIndirectHintFields Fields;
+  vtkIndirectHintFields::Settings Settings; // of the last frame
+  vtkIndirectTarget Coarse[2] = { vtkIndirectTarget(CoarseChannels, false),
+    vtkIndirectTarget(CoarseChannels, false) };
+  int CoarseNow = 0;
+  bool CoarseValid = false;
+  vtkIndirectHintKernel LookUpKernel{ "vtkIndirectHintFS.glsl" };
+  vtkIndirectHintKernel UpsampleKernel{ "vtkIndirectHintUpsampleFS.glsl" };
+  vtkNew<vtkUniformLightSampler> HeadlightSampler;
+  std::vector<double> LightKey;
+  bool Blocked = false;
+
+  Internals() { this->HeadlightSampler->SetNumberOfLights(1024); }
+};
+
+vtkRadianceHintsPass::vtkRadianceHintsPass()
+  : Internal(new Internals)
+{
+  // With depth, which tells the pixels that interpolation has left.
+  this->Irradiance = std::make_unique<vtkIndirectTarget>(IrradianceChannels, true);
+}
+
+vtkRadianceHintsPass::~vtkRadianceHintsPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkRadianceHintsPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  auto flag = [](bool on) { return on ? "On" : "Off"; };
+  os << indent << "Order: " << this->Order << "\n";
+  os << indent << "ColorLayout: " << (this->ColorLayout == RGB ? "RGB" : "LumaChroma") << "\n";
+  os << indent << "Extent: " << (this->Extent == SCENE ? "Scene" : "View") << "\n";
+  os << indent << "GridResolution: " << this->GridResolution[0] << " " << this->GridResolution[1]
+     << " " << this->GridResolution[2] << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "NumberOfGrids: " << this->NumberOfGrids << "\n";
+  os << indent << "FineGridExtent: " << this->FineGridExtent << "\n";
+  os << indent << "Sampling: " << (this->Sampling == DENSE ? "Dense" : "Sampled") << "\n";
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "Coverage: " << this->Coverage << "\n";
+  os << indent << "BlocksPerEdge: " << this->BlocksPerEdge << "\n";
+  os << indent << "Softening: " << flag(this->Softening) << "\n";
+  os << indent << "Deringing: " << flag(this->Deringing) << "\n";
+  os << indent << "FacingWeights: " << flag(this->FacingWeights) << "\n";
+  os << indent << "Occupancy: " << flag(this->Occupancy) << "\n";
+  os << indent << "OccupancyResolution: " << this->OccupancyResolution << "\n";
+  os << indent << "SkipEmptyCells: " << flag(this->SkipEmptyCells) << "\n";
+  os << indent << "AlbedoVolume: " << flag(this->AlbedoVolume) << "\n";
+  os << indent << "BounceSampling: " << (this->BounceSampling == HINTS ? "Hints" : "Surfaces")
+     << "\n";
+  os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
+  os << indent << "NumberOfBounceSamples: " << this->NumberOfBounceSamples << "\n";
+  os << indent << "BounceRange: " << this->BounceRange << "\n";
+  os << indent << "NumberOfLookups: " << this->NumberOfLookups << "\n";
+  os << indent << "LookupRotation: " << flag(this->LookupRotation) << "\n";
+  os << indent << "DepthOcclusion: " << flag(this->DepthOcclusion) << "\n";
+  os << indent << "NumberOfDepthSamples: " << this->NumberOfDepthSamples << "\n";
+  os << indent << "DepthAttenuation: " << this->DepthAttenuation << "\n";
+  os << indent << "InterpolationStep: " << this->InterpolationStep << "\n";
+  os << indent << "InterpolationMinimumCosine: " << this->InterpolationMinimumCosine << "\n";
+  os << indent << "InterpolationPlaneTolerance: " << this->InterpolationPlaneTolerance << "\n";
+  os << indent << "TemporalSmoothing: " << this->TemporalSmoothing << "\n";
+  os << indent << "NumberOfHintUpdates: " << this->NumberOfHintUpdates << "\n";
+  os << indent << "NumberOfVoxelUpdates: " << this->NumberOfVoxelUpdates << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceHintsPass::SetToPaper()
+{
+  this->SetColorLayout(RGB);
+  this->SetSampling(SAMPLED);
+  this->SetNumberOfSamples(40);
+  this->SetSoftening(false);
+  this->SetDeringing(false);
+  this->SetFacingWeights(false);
+  this->SetOccupancy(false);
+  this->SetSkipEmptyCells(false);
+  this->SetAlbedoVolume(false);
+  this->SetBounceSampling(HINTS);
+  this->SetNumberOfBounceSamples(32);
+  this->SetNumberOfLookups(4);
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceHintsPass::SetNumberOfLookups(int lookups)
+{
+  lookups = lookups < 3 ? 1 : 4;
+  if (lookups != this->NumberOfLookups)
+  {
+    this->NumberOfLookups = lookups;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRadianceHintsPass::GetNumberOfHints() const
+{
+  return this->Internal->Grid.GetNumberOfHints();
+}
+
+//------------------------------------------------------------------------------
+int vtkRadianceHintsPass::GetNumberOfActiveHints() const
+{
+  return this->Internal->Grid.GetNumberOfActiveHints();
+}
+
+//------------------------------------------------------------------------------
+int vtkRadianceHintsPass::GetLayout() const
+{
+  return this->Order == 2 ? 0 : (this->ColorLayout == LUMA_CHROMA ? 1 : 2);
+}
+
+//------------------------------------------------------------------------------
+size_t vtkRadianceHintsPass::GetBytes() const
+{
+  const Internals& in = *this->Internal;
+  const size_t bytes = this->Superclass::GetBytes() + in.Volume.GetBytes() + in.Grid.GetBytes() +
+    in.Fields.GetBytes() + in.Coarse[0].GetBytes() + in.Coarse[1].GetBytes();
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+vtkVirtualLightSampler* vtkRadianceHintsPass::ChooseHeadlightSampler(vtkVirtualLightSampler*)
+{
+  return this->Internal->HeadlightSampler;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceHintsPass::Estimate(const Input& input, vtkIndirectStageTimer& timer)
+{
+  Internals& in = *this->Internal;
+  vtkOpenGLState* state = input.Frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  vtkIndirectKernelState kernelState(input.Frame.Window);
+
+  timer.Begin(vtkIndirectStageTimer::Visibility);
+  const int hints = in.Grid.GetNumberOfHints();
+  this->UpdateGeometry(input);
+  timer.End(vtkIndirectStageTimer::Visibility);
+  return this->UpdateLight(input, timer, hints == 0) && this->LookUp(input, timer);
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
+{
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = input.Frame;
+  const bool raysNeeded = this->Occupancy ||
+    (input.NumberOfBounces > 1 && (this->BounceSampling == SURFACES || this->AlbedoVolume));
+  const bool voxelsNeeded = this->Occupancy || this->SkipEmptyCells || input.NumberOfBounces > 1;
+
+  vtkIndirectHintGrid::Settings settings;
+  glm::dvec3 lower;
+  glm::dvec3 upper;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lower[axis] = (frame.SceneBounds[2 * axis] - frame.SceneCenter[axis]) * frame.SceneScale;
+    upper[axis] = (frame.SceneBounds[2 * axis + 1] - frame.SceneCenter[axis]) * frame.SceneScale;
+  }
+  const glm::dmat4 viewToScene = frame.ViewToScene;
+  if (this->Extent == VIEW)
+  {
+    glm::dvec3 least(INFINITY);
+    glm::dvec3 most(-INFINITY);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const glm::dvec3 ndc(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, 1.0);
+      const double depth = corner & 4 ? frame.Far : frame.Near;
+      const glm::dvec3 view = frame.RayOrigin * ndc + depth * (frame.RayDirection * ndc);
+      const glm::dvec3 place(viewToScene * glm::dvec4(view, 1.0));
+      least = glm::min(least, place);
+      most = glm::max(most, place);
+    }
+    least = glm::max(least, lower);
+    most = glm::min(most, upper);
+    if (glm::all(glm::lessThan(least, most)))
+    {
+      lower = least;
+      upper = most;
+    }
+  }
+  auto fit = [this](const glm::dvec3& extent)
+  {
+    const int along = static_cast<int>(std::ceil(std::sqrt(12.0 / this->ErrorTolerance)));
+    const double longest = std::max({ extent.x, extent.y, extent.z });
+    glm::ivec3 size;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double share = longest > 0.0 ? extent[axis] / longest : 1.0;
+      size[axis] = this->GridResolution[axis] > 0
+        ? std::min(this->GridResolution[axis], 64)
+        : std::clamp(static_cast<int>(std::ceil(along * share - 1e-6)), 2, 64);
+    }
+    return size;
+  };
+  // A flat scene still has room in front of it.
+  const double longest = glm::length(upper - lower);
+  const glm::dvec3 room = glm::max(glm::dvec3(0.0), 0.02 * longest - 0.5 * (upper - lower));
+  vtkIndirectHintGrid::Region region;
+  region.Lower = lower - room;
+  region.Upper = upper + room;
+  region.Size = fit(region.Upper - region.Lower);
+  settings.Regions.push_back(region);
+  if (this->NumberOfGrids > 1)
+  {
+    // Whole cells only, so that small movements of the camera leave the hints where they are.
+    vtkIndirectHintGrid::Region fine;
+    const glm::dvec3 edge = this->FineGridExtent * (region.Upper - region.Lower);
+    fine.Size = region.Size;
+    const glm::dvec3 cell = edge / glm::dvec3(fine.Size);
+    double focal[3];
+    frame.Renderer->GetActiveCamera()->GetFocalPoint(focal);
+    const glm::dvec3 center =
+      (glm::dvec3(focal[0], focal[1], focal[2]) - frame.SceneCenter) * frame.SceneScale;
+    const glm::dvec3 corner =
+      glm::clamp(center - 0.5 * edge, region.Lower, region.Upper - edge) - region.Lower;
+    // Eight cells at a time: a step of one would make new hints for every small movement.
+    fine.Lower = region.Lower + glm::floor(corner / (4.0 * cell) + 0.5) * (4.0 * cell);
+    fine.Upper = fine.Lower + edge;
+    settings.Regions.push_back(fine);
+  }
+  settings.Masks = this->Occupancy;
+  settings.SkipEmpty = this->SkipEmptyCells;
+  settings.Reach = this->NumberOfLookups > 1 ? 1.5 * std::sqrt(3.0) : 1.0;
+  settings.NumberOfRays = raysNeeded ? this->NumberOfRays : 0;
+
+  bool changed =
+    !input.Caching || !(settings == in.GridSettings) || in.Grid.GetNumberOfHints() == 0;
+  if (voxelsNeeded)
+  {
+    if (!input.Caching)
+    {
+      in.Volume.Forget();
+    }
+    if (in.Volume.Update(frame, this->OccupancyResolution))
+    {
+      ++this->NumberOfVoxelUpdates;
+      changed = true;
+    }
+  }
+  in.Blocked = this->Occupancy && !in.Volume.IsEmpty();
+  if (changed)
+  {
+    in.Grid.Release(frame.Window);
+    in.GridSettings = settings;
+    in.Grid.Build(settings, voxelsNeeded ? &in.Volume : nullptr);
+    in.LightKey.clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceHintsPass::UpdateLight(const Input& input, vtkIndirectStageTimer& timer, bool anew)
+{
+  Internals& in = *this->Internal;
+  vtkIndirectHintFields::Settings& settings = in.Settings;
+  settings.Layout = this->GetLayout();
+  settings.Bounces = std::min(input.NumberOfBounces, this->GetMaximumNumberOfBounces());
+  settings.Sampled = this->Sampling == SAMPLED;
+  settings.NumberOfSamples = this->NumberOfSamples;
+  settings.Coverage = this->Coverage;
+  settings.BlocksPerEdge = this->BlocksPerEdge;
+  settings.Softening = this->Softening;
+  settings.Deringing = this->Deringing;
+  settings.FacingWeights = this->FacingWeights;
+  settings.Blocked = in.Blocked;
+  settings.AlbedoVolume = this->AlbedoVolume;
+  settings.FromHints = this->BounceSampling == HINTS;
+  settings.NumberOfBounceSamples = this->NumberOfBounceSamples;
+  settings.BounceRange = this->BounceRange;
+  settings.NumberOfLookups = this->NumberOfLookups;
+  settings.LookupRotation = this->LookupRotation;
+  settings.NumberOfDepthSamples = this->DepthOcclusion ? this->NumberOfDepthSamples : 0;
+  settings.DepthAttenuation = this->DepthAttenuation;
+
+  std::vector<double> key = { static_cast<double>(this->GetMTime()),
+    static_cast<double>(settings.Bounces), static_cast<double>(input.EyeIsMap),
+    static_cast<double>(
+      input.EyeIsMap ? input.Sampler->GetContentTime() : input.Maps.GetContentTime()) };
+  if (this->DepthOcclusion)
+  {
+    const vtkIndirectFrame& frame = input.Frame;
+    key.insert(key.end(), &frame.WorldToView[0][0], &frame.WorldToView[0][0] + 16);
+    key.insert(key.end(), &frame.Projection[0][0], &frame.Projection[0][0] + 16);
+  }
+  if (!anew && input.Caching && key == in.LightKey)
+  {
+    return true;
+  }
+  in.LightKey.clear();
+  if (!in.Fields.Fill(input, settings, in.Grid, in.Volume, timer))
+  {
+    return false;
+  }
+  ++this->NumberOfHintUpdates;
+  in.LightKey = key;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& timer)
+{
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = input.Frame;
+  const int step = this->InterpolationStep;
+  const bool interpolate = step > 1;
+  const bool smooth = this->TemporalSmoothing > 0.0;
+  const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
+    (frame.Size[1] + 2 * step - 2) / step };
+  const int width = interpolate ? coarse[0] : frame.Size[0];
+  const int height = interpolate ? coarse[1] : frame.Size[1];
+  const bool kept = in.CoarseValid && in.Coarse[in.CoarseNow].GetWidth() == width &&
+    in.Coarse[in.CoarseNow].GetHeight() == height;
+  const int next = smooth ? 1 - in.CoarseNow : 0;
+  if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
+    ((interpolate || smooth) && !in.Coarse[next].Resize(frame.Window, width, height)))
+  {
+    return false;
+  }
+  auto prepare = [&](vtkShaderProgram* program)
+  {
+    vtkIndirectSetEyeUniforms(program, frame);
+    program->SetUniform2i("vtkiSize", frame.Size);
+    program->SetUniformi("vtkiStep", step);
+    input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
+    in.Fields.ActivateLookup(input, in.Settings, in.Grid, in.Volume, program);
+  };
+
+  timer.Begin(vtkIndirectStageTimer::Estimate);
+  const int layout = in.Fields.GetLayout();
+  vtkShaderProgram* program = in.LookUpKernel.UseFor(frame.Window, layout, in.Blocked);
+  if (!program)
+  {
+    return false;
+  }
+  vtkIndirectTarget& target = interpolate || smooth ? in.Coarse[next] : *this->Irradiance;
+  target.Begin();
+  prepare(program);
+  const bool mix = smooth && kept;
+  program->SetUniformf("vtkiKeep", mix ? static_cast<float>(this->TemporalSmoothing) : 0.0f);
+  if (mix)
+  {
+    vtkTextureObject* last = in.Coarse[in.CoarseNow].GetTexture(0);
+    last->Activate();
+    program->SetUniformi("vtkiLast", last->GetTextureUnit());
+  }
+  in.LookUpKernel.Draw();
+  if (mix)
+  {
+    in.Coarse[in.CoarseNow].Deactivate();
+  }
+  input.Geometry.GetTarget().Deactivate();
+  in.Fields.Deactivate(in.Grid, in.Volume);
+  target.End();
+  timer.End(vtkIndirectStageTimer::Estimate);
+  in.CoarseNow = next;
+  in.CoarseValid = smooth;
+  if (!interpolate && !smooth)
+  {
+    return true;
+  }
+
+  timer.Begin(vtkIndirectStageTimer::Upsample);
+  program = in.UpsampleKernel.UseFor(frame.Window, 0, false);
+  if (!program)
+  {
+    return false;
+  }
+  this->Irradiance->Begin();
+  this->Irradiance->Clear();
+  vtkOpenGLState* state = frame.Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  vtkIndirectSetEyeUniforms(program, frame);
+  program->SetUniform2i("vtkiSize", frame.Size);
+  program->SetUniformi("vtkiStep", step);
+  input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
+  in.Coarse[next].Activate(0, program);
+  program->SetUniform2i("vtkiCoarseSize", coarse);
+  program->SetUniformf("vtkiMinimumCosine", static_cast<float>(this->InterpolationMinimumCosine));
+  program->SetUniformf("vtkiPlaneTolerance", static_cast<float>(this->InterpolationPlaneTolerance));
+  in.UpsampleKernel.Draw();
+  in.Coarse[next].Deactivate();
+  input.Geometry.GetTarget().Deactivate();
+  // What is left is as deep as the clear: only there is the same depth less.
+  program = in.LookUpKernel.UseFor(frame.Window, layout, in.Blocked);
+  if (program)
+  {
+    prepare(program);
+    program->SetUniformi("vtkiStep", 1);
+    program->SetUniformf("vtkiKeep", 0.0f);
+    in.LookUpKernel.Draw();
+    input.Geometry.GetTarget().Deactivate();
+    in.Fields.Deactivate(in.Grid, in.Volume);
+  }
+  state->vtkglDisable(GL_DEPTH_TEST);
+  this->Irradiance->End();
+  timer.End(vtkIndirectStageTimer::Upsample);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceHintsPass::AddToReport(vtkIndirectReport& report) const
+{
+  const Internals& in = *this->Internal;
+  const std::string grid = std::to_string(this->GetNumberOfActiveHints()) + " of " +
+    std::to_string(this->GetNumberOfHints()) + " hints of order " + std::to_string(this->Order);
+  report.Modelled.emplace_back(std::to_string(in.Settings.Bounces) +
+      (in.Settings.Bounces == 1 ? " diffuse bounce" : " diffuse bounces"),
+    grid);
+  if (in.Blocked)
+  {
+    report.Modelled.emplace_back("visibility between sender and receiver",
+      std::to_string(in.Volume.GetNumberOfOccupiedVoxels()) + " occupied voxels of " +
+        std::to_string(this->OccupancyResolution) + " along the longest edge");
+    for (const auto& entry : in.Volume.GetLeftOut())
+    {
+      report.LeftOut.push_back(entry);
+    }
+  }
+  else
+  {
+    report.LeftOut.emplace_back("visibility between sender and receiver",
+      "Occupancy is off or nothing has polygons; the result is too bright");
+  }
+  if (in.Settings.Bounces > 1 && in.Volume.IsEmpty())
+  {
+    report.LeftOut.emplace_back(
+      "bounces after the first", "nothing in the scene has polygons that reflect them");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRadianceHintsPass::Hint> vtkRadianceHintsPass::ReadHints()
+{
+  Internals& in = *this->Internal;
+  std::vector<Hint> hints(in.Grid.GetHints().size());
+  const std::vector<std::vector<float>> channels = in.Fields.ReadBack();
+  const int layout = in.Fields.GetLayout();
+  if (channels.empty() || layout == 1)
+  {
+    vtkErrorMacro("Hints can be read after a frame, and of ColorLayout RGB or order 2 only.");
+    return {};
+  }
+  for (size_t i = 0; i < hints.size(); ++i)
+  {
+    const glm::vec4& place = in.Grid.GetHints()[i];
+    hints[i].Active = place.w > 0.0f;
+    std::copy(&place.x, &place.x + 3, hints[i].Position);
+    for (int color = 0; color < 3; ++color)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        hints[i].Coefficients.push_back(channels[color][4 * i + k]);
+      }
+      for (int k = 0; k < 4 && layout == 2; ++k)
+      {
+        hints[i].Coefficients.push_back(channels[3 + color][4 * i + k]);
+      }
+      if (layout == 2)
+      {
+        hints[i].Coefficients.push_back(channels[6][4 * i + color]);
+      }
+    }
+  }
+  return hints;
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceHintsPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  Internals& in = *this->Internal;
+  in.Volume.Release(window);
+  in.Grid.Release(window);
+  in.Fields.Release(window);
+  in.LightKey.clear();
+  in.Coarse[0].Release(window);
+  in.Coarse[1].Release(window);
+  in.CoarseValid = false;
+  in.HeadlightSampler->ReleaseGraphicsResources(window);
+  in.LookUpKernel.Release();
+  in.UpsampleKernel.Release();
+}

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The voxels of the scene: walls are watertight however thin, slanted or finely cut, and space that
+// is free is free.
+#include "vtkIndirectHintGrid.h"
+#include "vtkIndirectKernels.h"
+#include "vtkIndirectOccupancyVolume.h"
+#include "vtkIndirectTestUtilities.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+// A parallelogram as two triangles, or cut into n x n pieces of two each.
+void AddPatch(vtkIndirectOccupancyVolume& volume, const glm::dvec3& origin, const glm::dvec3& u,
+  const glm::dvec3& v, int n)
+{
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      const glm::dvec3 a = origin + (u * (1.0 * i) + v * (1.0 * j)) / (1.0 * n);
+      const glm::dvec3 b = a + u / (1.0 * n);
+      const glm::dvec3 c = a + v / (1.0 * n);
+      const glm::dvec3 d = b + v / (1.0 * n);
+      const glm::dvec3 first[3] = { a, b, d };
+      const glm::dvec3 second[3] = { a, d, c };
+      volume.AddTriangle(first, glm::dvec3(0.5));
+      volume.AddTriangle(second, glm::dvec3(0.5));
+    }
+  }
+}
+
+// Segments between random points on both sides of the plane z = f(x, y) of a wall over the whole
+// volume: how many get through.
+int CountLeaks(const vtkIndirectOccupancyVolume& volume, const glm::dvec3& normal, double offset,
+  int count, double clearance)
+{
+  Random random(7);
+  int leaks = 0;
+  int tested = 0;
+  while (tested < count)
+  {
+    glm::dvec3 ends[2];
+    for (glm::dvec3& end : ends)
+    {
+      end = { random.Next(0.02, 0.98), random.Next(0.02, 0.98), random.Next(0.02, 0.98) };
+    }
+    const double d0 = glm::dot(normal, ends[0]) - offset;
+    const double d1 = glm::dot(normal, ends[1]) - offset;
+    // Ends in the wall's own voxels do not count as hidden by them.
+    if (d0 * d1 >= 0.0 || std::min(std::abs(d0), std::abs(d1)) < clearance)
+    {
+      continue;
+    }
+    ++tested;
+    leaks += volume.IsFree(glm::vec3(volume.ToVoxels(ends[0])), glm::vec3(volume.ToVoxels(ends[1])))
+      ? 1
+      : 0;
+  }
+  return leaks;
+}
+}
+
+VTK_INDIRECT_TEST(OccupancyBits)
+{
+  using namespace vtkIndirectKernels;
+  int wrong = 0;
+  for (int first = -3; first < 131; ++first)
+  {
+    for (int last = first - 2; last < 131; ++last)
+    {
+      const glm::uvec4 range = vtkiBitRange(first, last);
+      for (int bit = 0; bit < 128; ++bit)
+      {
+        const bool set = (range[bit / 32] >> (bit % 32) & 1u) != 0u;
+        wrong += set != (bit >= first && bit <= last);
+      }
+    }
+  }
+  CheckEqual("bits of ranges that differ from their definition", wrong, 0);
+}
+
+VTK_INDIRECT_TEST(OccupancyWatertight)
+{
+  // Planes through the cube at all slants, whole and cut into pieces smaller than a voxel, at three
+  // resolutions: one to eight voxels of wall.
+  Random random(3);
+  for (int resolution : { 16, 64, 128 })
+  {
+    int leaks = 0;
+    int walls = 0;
+    for (int i = 0; i < 12; ++i)
+    {
+      glm::dvec3 normal = i < 3 ? glm::dvec3(i == 0, i == 1, i == 2) : random.NextDirection();
+      const double offset = glm::dot(normal, glm::dvec3(0.5) + 0.1 * random.Next());
+      glm::dvec3 helper = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+      const glm::dvec3 u = glm::normalize(glm::cross(normal, helper)) * 4.0;
+      const glm::dvec3 v = glm::cross(normal, u);
+      vtkIndirectOccupancyVolume volume;
+      volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), resolution);
+      AddPatch(volume, normal * offset - 0.5 * u - 0.5 * v, u, v, i % 2 ? 1 : 6 * resolution);
+      volume.Finish();
+      leaks += CountLeaks(volume, normal, offset, 500, 2.0 * volume.GetVoxelSize());
+      ++walls;
+      // Thin: twice a plane's area over a voxel's face bounds what it can touch.
+      const double face = volume.GetVoxelSize() * volume.GetVoxelSize();
+      if (i == 0)
+      {
+        CheckAtMost("occupied voxels of a plane over its own", // 1 plane of voxels
+          volume.GetNumberOfOccupiedVoxels() * face,
+          std::pow(resolution / (resolution - 2.0), 2.0) * (1.0 + 1e-9),
+          "one voxel thick, over the scene and the border of two voxels");
+      }
+    }
+    CheckEqual(
+      std::to_string(resolution) + ": segments through " + std::to_string(walls) + " walls", leaks,
+      0);
+  }
+}
+
+VTK_INDIRECT_TEST(OccupancyThickWalls)
+{
+  // Two faces of a wall of one to five voxels, and a gap in it: closed it lets nothing through,
+  // open just what passes the gap.
+  for (int thickness = 1; thickness <= 5; ++thickness)
+  {
+    vtkIndirectOccupancyVolume volume;
+    volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
+    const double size = volume.GetVoxelSize();
+    const double x = 0.5;
+    for (double at : { x, x + (thickness - 1) * size })
+    {
+      AddPatch(volume, { at, -0.2, -0.2 }, { 0, 1.4, 0 }, { 0, 0, 1.4 }, 1);
+    }
+    volume.Finish();
+    const std::string what = "wall of " + std::to_string(thickness) + " voxels: ";
+    CheckEqual(what + "leaks",
+      CountLeaks(volume, { 1, 0, 0 }, x + 0.5 * (thickness - 1) * size, 2000,
+        (0.5 * thickness + 1.5) * size),
+      0);
+
+    vtkIndirectOccupancyVolume open;
+    open.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
+    for (double at : { x, x + (thickness - 1) * size })
+    {
+      AddPatch(open, { at, -0.2, -0.2 }, { 0, 1.4, 0 }, { 0, 0, 0.6 }, 1);
+      AddPatch(open, { at, -0.2, 0.6 }, { 0, 1.4, 0 }, { 0, 0, 0.6 }, 1);
+    }
+    open.Finish();
+    auto free = [&](double z)
+    {
+      return open.IsFree(
+        glm::vec3(open.ToVoxels({ 0.1, 0.4, z })), glm::vec3(open.ToVoxels({ 0.9, 0.6, z })));
+    };
+    Check(what + "open, through the gap", free(0.5));
+    Check(what + "open, beside it", !free(0.3) && !free(0.7));
+  }
+}
+
+VTK_INDIRECT_TEST(OccupancyFree)
+{
+  // A segment is blocked exactly when a dense march along it meets an occupied voxel.
+  Random random(11);
+  vtkIndirectOccupancyVolume volume;
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 128);
+  for (int i = 0; i < 40; ++i)
+  {
+    const glm::dvec3 at(random.Next(), random.Next(), random.Next());
+    AddPatch(volume, at, 0.2 * random.NextDirection(), 0.2 * random.NextDirection(), 1);
+  }
+  volume.Finish();
+  int blocked = 0;
+  int missed = 0;
+  int invented = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const glm::dvec3 a = volume.ToVoxels({ random.Next(), random.Next(), random.Next() });
+    const glm::dvec3 b = volume.ToVoxels({ random.Next(), random.Next(), random.Next() });
+    const bool free = volume.IsFree(glm::vec3(a), glm::vec3(b));
+    bool met = false;
+    bool near = false; // within rounding of one
+    const glm::ivec3 first(glm::floor(a));
+    const glm::ivec3 last(glm::floor(b));
+    const int steps = static_cast<int>(50.0 * glm::length(b - a)) + 1;
+    for (int s = 0; s <= steps; ++s)
+    {
+      const glm::dvec3 p = a + (b - a) * (static_cast<double>(s) / steps);
+      const glm::ivec3 voxel(glm::floor(p));
+      met = met || (voxel != first && voxel != last && volume.IsOccupied(voxel));
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const glm::ivec3 beside(glm::floor(
+          p + 0.03 * glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1)));
+        near = near || (beside != first && beside != last && volume.IsOccupied(beside));
+      }
+    }
+    blocked += !free;
+    missed += met && free;
+    invented += !near && !free;
+  }
+  CheckEqual("segments that pass an occupied voxel", missed, 0);
+  CheckEqual("segments blocked by nothing", invented, 0);
+  CheckAtLeast("blocked segments", blocked, 500, "the test's own power");
+  CheckAtLeast("free segments", 4000 - blocked, 500, "the test's own power");
+}
+
+VTK_INDIRECT_TEST(OccupancySurfaces)
+{
+  // Area, direction and albedo of what the voxels hold.
+  vtkIndirectOccupancyVolume volume;
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
+  AddPatch(volume, { 0.1, 0.2, 0.3 }, { 0.7, 0, 0 }, { 0, 0.6, 0 }, 5);
+  const glm::dvec3 corners[3] = { { 0.1, 0.1, 0.8 }, { 0.9, 0.1, 0.8 }, { 0.9, 0.6, 0.8 } };
+  volume.AddTriangle(corners, { 0.9, 0.3, 0.1 });
+  volume.Finish();
+  double area = 0.0;
+  double tilt = 0.0;
+  for (const auto& surface : volume.GetSurfaces())
+  {
+    if (surface.Area > 0.0)
+    {
+      area += surface.Area;
+      tilt = std::max(tilt, std::abs(1.0 - std::abs(surface.Axis.z) / glm::length(surface.Axis)));
+    }
+  }
+  CheckRelative("area", area, 0.42 + 0.2, 1e-9, "sums");
+  CheckAbsolute("tilt of the normals", tilt, 0.0, 1e-9, "all along z");
+  CheckRelative("mean albedo, red", volume.GetMeanAlbedo().x, (0.42 * 0.5 + 0.2 * 0.9) / 0.62, 1e-9,
+    "weighed by area");
+  glm::ivec3 voxel;
+  Check("a ray up meets the patch",
+    volume.FindHit(volume.ToVoxels({ 0.4, 0.5, 0.1 }), { 0.01, 0.02, 1.0 }, voxel));
+  CheckAbsolute(
+    "its height", volume.ToScene(glm::dvec3(voxel) + 0.5).z, 0.3, volume.GetVoxelSize(), "a voxel");
+  Check("a ray past it meets nothing",
+    !volume.FindHit(volume.ToVoxels({ 0.05, 0.9, 0.1 }), { 0.01, 0.02, 1.0 }, voxel));
+}
+
+VTK_INDIRECT_TEST(HintMasks)
+{
+  // A wall between two rows of hints: a voxel sees the hints of its own side and no others.
+  vtkIndirectOccupancyVolume volume;
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
+  const double wall = 0.52;
+  AddPatch(volume, { wall, -0.1, -0.1 }, { 0, 1.2, 0 }, { 0, 0, 1.2 }, 1);
+  volume.Finish();
+  vtkIndirectHintGrid::Settings settings;
+  vtkIndirectHintGrid::Region region;
+  region.Upper = glm::dvec3(1.0);
+  region.Size = glm::ivec3(8);
+  settings.Regions.push_back(region);
+  settings.Masks = true;
+  vtkIndirectHintGrid grid;
+  grid.Build(settings, &volume);
+  int wrong = 0;
+  int seen = 0;
+  for (int x = 2; x < volume.GetSize().x - 2; ++x)
+  {
+    const glm::ivec3 voxel(x, 20, 31);
+    const double center = volume.ToScene(glm::dvec3(voxel) + 0.5).x;
+    const double inGrid = center * 8.0 - 0.5;
+    if (volume.IsOccupied(voxel))
+    {
+      continue;
+    }
+    const int mask = grid.GetMask(0, voxel);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const int column = std::clamp(static_cast<int>(std::floor(inGrid)) + (corner & 1), 0, 7);
+      const bool same = (center < wall) == ((column + 0.5) / 8.0 < wall);
+      wrong += same != ((mask >> corner & 1) != 0);
+      seen += mask >> corner & 1;
+    }
+  }
+  CheckEqual("hints seen through the wall or hidden by nothing", wrong, 0);
+  CheckAtLeast("hints seen", seen, 300, "the test's own power");
+}

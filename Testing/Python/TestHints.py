@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Radiance hints from Python: properties by name, the report, the sweep file, the method's page."""
+
+import json
+import unittest
+
+import support
+import vtkindirect
+from vtkindirect import frames, methods, settings, sweep, wrapped
+
+PAGE = support.SOURCE / "Documentation" / "methods" / "radiance-hints.md"
+SWEEP = support.SOURCE / "Testing" / "Benchmark" / "hints.json"
+
+
+@unittest.skipUnless(wrapped.has("vtkRadianceHintsPass"), "vtkRadianceHintsPass was not built")
+class Hints(unittest.TestCase):
+    def test_every_property_is_on_its_page(self) -> None:
+        text = PAGE.read_text(encoding="utf-8")
+        estimator = vtkindirect.vtkRadianceHintsPass()
+        names = settings.properties(estimator)
+        self.assertGreater(len(names), 25)
+        for name in names:
+            self.assertIn(f"`{name}`", text)
+            for choice in settings.choices(estimator, name):
+                self.assertIn(f"`{choice}`", text)
+
+    def test_set_to_paper_and_the_sweep_agree(self) -> None:
+        rows = {row.label: row for row in sweep.load(SWEEP).rows}
+        paper = rows["paper Order=2"].settings
+        estimator = vtkindirect.vtkRadianceHintsPass()
+        estimator.SetToPaper()
+        found = settings.describe([estimator])
+        for name, value in paper.items():
+            if name != "NumberOfBounces":
+                self.assertEqual(found[name], value, name)
+
+    def test_sweep_names_properties(self) -> None:
+        estimator = vtkindirect.vtkRadianceHintsPass()
+        indirect = vtkindirect.vtkIndirectIlluminationPass()
+        for row in sweep.load(SWEEP).rows:
+            with self.subTest(row=row.label):
+                settings.apply([estimator, indirect], row.settings)
+
+    def test_frame_and_report(self) -> None:
+        loaded = vtkindirect.load_scene(support.SCENES / "cornell_box.json")
+        frames.open_window(loaded, (64, 64))
+        window = loaded.render_window
+        indirect = vtkindirect.enable(
+            loaded.renderer, "hints", number_of_bounces=3, grid_resolution=(8, 8, 8), order=3
+        )
+        window.Render()
+        report = json.loads(indirect.GetReport())
+        self.assertEqual(report["method"], "hints")
+        modelled = {entry["what"]: entry["why"] for entry in report["modelled"]}
+        self.assertIn("3 diffuse bounces", modelled)
+        self.assertIn("of 512 hints of order 3", modelled["3 diffuse bounces"])
+        self.assertIn("visibility between sender and receiver", modelled)
+        three = vtkindirect.images.copy_buffer(loaded.renderer, "irradiance").mean()
+        vtkindirect.enable(loaded.renderer, "hints", number_of_bounces=1, occupancy=False)
+        window.Render()
+        left_out = [entry["what"] for entry in json.loads(indirect.GetReport())["left_out"]]
+        self.assertIn("visibility between sender and receiver", left_out)
+        one = vtkindirect.images.copy_buffer(loaded.renderer, "irradiance").mean()
+        self.assertGreater(three, 1.1 * one)
+        vtkindirect.disable(loaded.renderer)
+        window.Finalize()
+
+    def test_sampler_is_not_read(self) -> None:
+        self.assertIsNone(methods.METHODS["hints"].sampler)
+
+
+if __name__ == "__main__":
+    unittest.main()
