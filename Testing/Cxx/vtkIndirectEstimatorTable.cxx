@@ -2,6 +2,7 @@
 #include "vtkIndirectEstimatorTable.h"
 
 #include "vtkIndirectIlluminationPass.h"
+#include "vtkMultiresolutionSplattingPass.h"
 #include "vtkNew.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkUniformLightSampler.h"
@@ -28,6 +29,22 @@ void InstallGather(vtkIndirectIlluminationPass* pass, int numberOfLights)
   pass->SetEstimator(gather);
   InstallSampler(pass, Pattern, numberOfLights);
 }
+
+// Drivers may cut bits off, 2^-10 each time that an interpolated value is stored: four levels.
+constexpr double HalfFloats = 4e-3;
+
+template <bool Finest>
+void InstallMultiresolution(vtkIndirectIlluminationPass* pass, int numberOfLights)
+{
+  vtkNew<vtkMultiresolutionSplattingPass> splatting;
+  if (Finest)
+  {
+    splatting->SetPlaneThreshold(0.0);
+    splatting->SetStorageToFloat();
+  }
+  pass->SetEstimator(splatting);
+  InstallSampler(pass, vtkUniformLightSampler::LOW_DISCREPANCY, numberOfLights);
+}
 }
 
 const std::vector<EstimatorEntry>& GetEstimators()
@@ -36,21 +53,41 @@ const std::vector<EstimatorEntry>& GetEstimators()
   using Sampler = vtkUniformLightSampler;
   using Entry = EstimatorEntry;
   static const std::vector<EstimatorEntry> table = {
-    { "gather, all texels", Entry::ALL_TEXELS, true, false,
+    { "gather, all texels", Entry::ALL_TEXELS, true, false, 0.0,
       InstallGather<Gather::ALL_TEXELS, Sampler::GRID, false> },
-    { "gather, grid", Entry::LIGHTS, true, false,
+    { "gather, grid", Entry::LIGHTS, true, false, 0.0,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::GRID, false> },
-    { "gather, jittered", Entry::LIGHTS, true, false,
+    { "gather, jittered", Entry::LIGHTS, true, false, 0.0,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::JITTERED, false> },
-    { "gather, low discrepancy", Entry::LIGHTS, true, false,
+    { "gather, low discrepancy", Entry::LIGHTS, true, false, 0.0,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::LOW_DISCREPANCY, false> },
     // The error of interpolation stays, however many lights there are.
-    { "gather, interpolated", Entry::OTHER, false, false,
+    { "gather, interpolated", Entry::OTHER, false, false, 0.0,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::LOW_DISCREPANCY, true> },
     // Converges to the sum in its disk, which Radiometry.Neighborhood shows.
-    { "gather, neighborhood", Entry::OTHER, false, true,
+    { "gather, neighborhood", Entry::OTHER, false, true, 0.0,
       InstallGather<Gather::NEIGHBORHOOD, Sampler::LOW_DISCREPANCY, false> },
+    // As with the interpolated gather; see Multiresolution.Defaults.
+    { "multiresolution", Entry::OTHER, false, false, HalfFloats, InstallMultiresolution<false> },
+    { "multiresolution, finest", Entry::LIGHTS, true, false, 0.0, InstallMultiresolution<true> },
   };
   return table;
+}
+
+double GetRounding(const std::string& text)
+{
+  // Of names that begin alike the longest is meant.
+  size_t longest = 0;
+  double rounding = 0.0;
+  for (const EstimatorEntry& estimator : GetEstimators())
+  {
+    const std::string name = estimator.Name;
+    if (name.size() > longest && text.compare(0, name.size(), name) == 0)
+    {
+      longest = name.size();
+      rounding = estimator.Rounding;
+    }
+  }
+  return rounding;
 }
 }

@@ -4,6 +4,7 @@
 #ifndef vtkIndirectEstimatorTable_h
 #define vtkIndirectEstimatorTable_h
 
+#include <string> // for names
 #include <vector> // for the table
 
 class vtkIndirectIlluminationPass;
@@ -26,11 +27,16 @@ struct EstimatorEntry
   bool Converges;
   /** It reads the lights' maps themselves: a headlight, which has none, is an error. */
   bool NeedsMaps;
+  /** Relative rounding of the irradiance as stored, beyond that of 32-bit floats. */
+  double Rounding;
   /** Puts the estimator into the pass, with about this many virtual lights. */
   void (*Install)(vtkIndirectIlluminationPass* pass, int numberOfLights);
 };
 
 const std::vector<EstimatorEntry>& GetEstimators();
+
+/** Rounding of the estimator whose name a text begins with; 0 when there is none. */
+double GetRounding(const std::string& text);
 }
 
 #endif

@@ -233,8 +233,8 @@ VTK_INDIRECT_TEST(LightStrength)
           Comparison how;
           how.Factor = intensity;
           CheckEqual(std::string(name) + ": share of pixels that are not intensity times the light",
-            GetShareOfDifferent(
-              scene.Copy(name), unit[std::string(estimator.Name) + name], 1e-5, how),
+            GetShareOfDifferent(scene.Copy(name), unit[std::string(estimator.Name) + name],
+              std::max(1e-5, estimator.Rounding), how),
             0.0);
         }
       });

@@ -42,7 +42,9 @@ void CheckSame(Results& a, Results& b, double tolerance, double share, const std
     // Its samples are texels around a pixel's own place: one may become the next.
     const bool own = result.first.find("neighborhood") != std::string::npos;
     CheckAtMost(result.first + ": share of pixels that differ",
-      GetShareOfDifferent(b[result.first], result.second, tolerance), own ? 0.01 : share, origin);
+      GetShareOfDifferent(
+        b[result.first], result.second, std::max(tolerance, GetRounding(result.first))),
+      own ? 0.01 : share, origin);
   }
 }
 

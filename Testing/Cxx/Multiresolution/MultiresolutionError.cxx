@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What interpolation between subsplats costs, against the gather at every pixel over the same
+// lights, and what each setting does to it.
+#include "vtkIndirectRandomFrame.h"
+
+#include "vtkActor.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkUniformLightSampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+constexpr double Least = 1e-3;
+
+// A ball over a lit floor: a curved receiver of smooth light.
+struct Ball : MultiresolutionScene
+{
+  Ball()
+    : MultiresolutionScene(160, 160)
+  {
+    this->AddQuad({ -1, 0, -1 }, { -1, 0, 2 }, { 2, 0, -1 }, { 0.75, 0.75, 0.5 });
+    this->AddSphere({ 0.5, 0.9, 0.5 }, 0.3, 128, { 0.5, 0.5, 0.75 });
+    this->AddSpot({ -0.8, 1.4, 0.5 }, { 0, 0, 0.5 }, 30, 1, { 1, 0, 0 });
+    this->SetEye({ 0.5, 0.2, 2.4 }, { 0.5, 0.9, 0.5 }, { 0, 1, 0 }, 16, 0.5, 5);
+    this->Sampler->SetNumberOfLights(256);
+  }
+};
+}
+
+VTK_INDIRECT_TEST(Defaults)
+{
+  // The lower the thresholds, the more subsplats, and the lower the error.
+  const std::vector<double> factors = { 4.0, 1.0, 0.25, 0.0625 };
+  std::vector<double> logarithms(factors.size(), 0.0);
+  std::vector<double> defaults;
+  for (int number = 0; number < 20; ++number)
+  {
+    RandomFrame scene(400 + number, { 271 - number, 197 + 2 * number },
+      static_cast<FrameLight>(number % NumberOfFrameLights));
+    scene.Sampler->SetNumberOfLights(100);
+    scene.Pass->SetReflectiveShadowMapResolution(128);
+    const Image expected = scene.GatherAll();
+    if (!(expected.Mean() > 0.0))
+    {
+      continue;
+    }
+    std::printf("       %s: RMSE", scene.Name.c_str());
+    for (size_t i = 0; i < factors.size(); ++i)
+    {
+      scene.ScaleThresholds(factors[i]);
+      const double error = Compare(scene.Splat(), expected, Least).RootMeanSquare;
+      logarithms[i] += std::log(error);
+      if (factors[i] == 1.0)
+      {
+        defaults.push_back(error);
+      }
+      std::printf(" %.2e", error);
+    }
+    std::printf("\n");
+  }
+  const size_t count = defaults.size();
+  CheckAtLeast("frames with indirect light", count, 18, "the test's own power");
+  CheckAtMost("RMSE over the mean at the defaults, median frame", Percentile(defaults, 0.5), 0.03,
+    "measured 0.02");
+  CheckAtMost("the same, worst frame", Percentile(defaults, 1.0), 0.2,
+    "measured 0.1: a bright spot where a small thing stands on the floor");
+  for (size_t i = 1; i < factors.size(); ++i)
+  {
+    CheckAtMost("RMSE with thresholds times " + std::to_string(factors[i]) +
+        " over that of four times as high ones, geometric mean",
+      std::exp((logarithms[i] - logarithms[i - 1]) / count), 1.0, "it splits more");
+  }
+  CheckAtMost("the same from first to last", std::exp((logarithms.back() - logarithms[0]) / count),
+    0.5, "measured 0.4");
+}
+
+VTK_INDIRECT_TEST(HalfResolution)
+{
+  std::vector<double> errors;
+  double logarithm = 0.0;
+  int amid = 0;
+  for (int number = 0; number < 15; ++number)
+  {
+    RandomFrame scene(500 + number, { 289 - number, 211 + number },
+      static_cast<FrameLight>(number % NumberOfFrameLights));
+    scene.Sampler->SetNumberOfLights(100);
+    const Image expected = scene.GatherAll();
+    const double mean = expected.Mean();
+    if (!(mean > 0.0))
+    {
+      continue;
+    }
+    const Image fine = scene.Splat();
+    scene.Splatting->SetFinestLevelToHalfResolution();
+    const Image coarse = scene.Splat();
+    const Image normal = scene.Copy("normal");
+    int dark = 0;
+    for (int y = 0; y < expected.Height; ++y)
+    {
+      for (int x = 0; x < expected.Width; ++x)
+      {
+        // Each pixel has a value; but where light begins, that of a sample nearby may be 0.
+        bool amidLight = true;
+        for (int i = 0; i < 49; ++i)
+        {
+          const int u = std::min(std::max(x + i % 7 - 3, 0), expected.Width - 1);
+          const int v = std::min(std::max(y + i / 7 - 3, 0), expected.Height - 1);
+          const bool lit = normal.Color(u, v) != glm::dvec3(0.0);
+          amidLight = amidLight && (!lit || expected.Color(u, v).x > 0.1 * mean);
+        }
+        dark += amidLight && expected.Color(x, y).x > 0.0 && !(coarse.Color(x, y).x > 0.0);
+        amid += amidLight && expected.Color(x, y).x > 0.0;
+      }
+    }
+    const double full = Compare(fine, expected, Least).RootMeanSquare;
+    errors.push_back(Compare(coarse, expected, Least).RootMeanSquare);
+    logarithm += std::log(errors.back() / full);
+    std::printf("       %s: RMSE, full %.2e, half %.2e\n", scene.Name.c_str(), full, errors.back());
+    CheckEqual(scene.Name + ": lit pixels without a value", dark, 0);
+  }
+  CheckAtLeast("frames with indirect light", errors.size(), 13, "the test's own power");
+  CheckAtLeast("pixels amid light", amid, 100000, "the test's own power");
+  CheckAtLeast("RMSE over that with pixels, geometric mean", std::exp(logarithm / errors.size()),
+    1.05, "the test's own power: it is another image");
+  CheckAtMost("RMSE over the mean with subsplats of two by two pixels, median frame",
+    Percentile(errors, 0.5), 0.06, "measured 0.04");
+  CheckAtMost("the same, worst frame", Percentile(errors, 1.0), 0.4, "measured 0.3");
+}
+
+VTK_INDIRECT_TEST(NormalCorrection)
+{
+  Ball scene;
+  const Image expected = scene.GatherAll();
+  double error[2] = {};
+  for (bool on : { false, true })
+  {
+    scene.Splatting->SetNormalCorrection(on);
+    error[on] = Compare(scene.Splat(), expected, Least).RootMeanSquare;
+  }
+  CheckAtLeast("without, RMSE over the mean", error[0], 1e-3, "the test's own power");
+  CheckAtMost("with it, over that without", error[1] / error[0], 0.6,
+    "what is left is of second order in the angle between normals");
+}
+
+VTK_INDIRECT_TEST(Lighting)
+{
+  // A wall that stands close to a lit stripe: flat, so that geometry splits nothing.
+  MultiresolutionScene scene(160, 120);
+  scene.AddQuad({ -1, 0, 0 }, { -1, 0, 1 }, { 2, 0, 0 }, glm::dvec3(0.75));
+  scene.AddQuad({ -1, 0.06, 0 }, { 2, 0.06, 0 }, { -1, 2.06, 0 }, glm::dvec3(0.5));
+  scene.AddSpot({ 0.5, 0.5, 0.6 }, { 0.5, 0, 0.1 }, 12, 1, { 1, 0, 0 });
+  scene.SetEye({ 0.5, 0.5, 2.6 }, { 0.5, 0.5, 0 }, { 0, 1, 0 }, 20, 0.5, 5);
+  scene.Sampler->SetNumberOfLights(512);
+  scene.Splatting->SetCoarsestResolution(16); // several levels in a small image
+  const Image expected = scene.GatherAll();
+  std::vector<double> errors;
+  for (double threshold : { 0.0, 0.02, 0.005, 0.00125 })
+  {
+    scene.Splatting->SetLightingThreshold(threshold);
+    errors.push_back(Compare(scene.Splat(), expected, Least).RootMeanSquare);
+    std::printf("       threshold %g: RMSE %.2e of the mean\n", threshold, errors.back());
+  }
+  CheckAtLeast("RMSE over the mean without", errors[0], 0.1, "the test's own power");
+  CheckAtMost("default over none", errors[2] / errors[0], 0.4, "measured 0.2");
+  CheckAtMost("the lowest over the default", errors[3] / errors[2], 0.9, "it splits more");
+  CheckAtMost("the default over a higher one", errors[2] / errors[1], 1.0, "it splits more");
+}
+
+VTK_INDIRECT_TEST(Balance)
+{
+  // Levels that differ by more than one where they touch make steps.
+  double logarithm = 0.0;
+  int differ = 0;
+  int count = 0;
+  for (int number = 0; number < 12; ++number)
+  {
+    RandomFrame scene(600 + number, { 191, 173 }, FrameLight::SPOT);
+    scene.Sampler->SetNumberOfLights(64);
+    scene.Splatting->SetCoarsestResolution(16);
+    const Image expected = scene.GatherAll();
+    if (!(expected.Mean() > 0.0))
+    {
+      continue;
+    }
+    const Image balanced = scene.Splat();
+    scene.Splatting->BalanceOff();
+    const Image loose = scene.Splat();
+    logarithm += std::log(Compare(balanced, expected, Least).RootMeanSquare /
+      Compare(loose, expected, Least).RootMeanSquare);
+    ++count;
+    differ += balanced.Values != loose.Values ? 1 : 0;
+  }
+  CheckAtLeast("frames in which it matters", differ, 8, "the test's own power");
+  CheckAtMost("RMSE with balance over that without, geometric mean", std::exp(logarithm / count),
+    0.95, "measured 0.8; it only splits what would not be");
+}
+
+VTK_INDIRECT_TEST(SurfaceDetail)
+{
+  // Equation (2) of the paper, at every pixel.
+  Ball scene;
+  const Image plain = scene.Splat();
+  scene.Splatting->SetSurfaceDetail(0.5);
+  const Image detailed = scene.Splat();
+  const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
+  const glm::dvec3 eye(0.5, 0.2, 2.4);
+  double worst = 0.0;
+  double least = 1.0;
+  for (size_t i = 0; i < receivers.size(); ++i)
+  {
+    const double irradiance = plain.Values[3 * i];
+    if (receivers[i].Lit && irradiance > 1e-2 * plain.Mean())
+    {
+      const double cosine =
+        std::max(0.0, glm::dot(glm::normalize(eye - receivers[i].Position), receivers[i].Normal));
+      const double expected = 0.5 * cosine + 0.5;
+      least = std::min(least, expected);
+      worst = std::max(worst, std::abs(detailed.Values[3 * i] / irradiance - expected));
+    }
+  }
+  CheckAtMost("smallest factor", least, 0.6, "the test's own power: grazing pixels");
+  CheckAtMost("difference to alpha cos + 1 - alpha, worst", worst, 2e-3, "half floats, twice");
+}
