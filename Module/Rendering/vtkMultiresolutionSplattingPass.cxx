@@ -319,8 +319,9 @@ bool vtkMultiresolutionSplattingPass::Internals::BuildPyramid(
     }
     else
     {
-      program->SetUniformi(
-        "vtkiVariation", input.Geometry.GetTarget().GetTexture(0)->GetTextureUnit());
+      vtkTextureObject* unread = input.Geometry.GetTarget().GetTexture(0);
+      unread->Activate(); // a sampler needs a unit, read or not
+      program->SetUniformi("vtkiVariation", unread->GetTextureUnit());
     }
     if (i == 0)
     {
@@ -339,6 +340,7 @@ bool vtkMultiresolutionSplattingPass::Internals::BuildPyramid(
       finer.Deactivate();
     }
     this->Variation.Deactivate();
+    input.Geometry.GetTarget().Deactivate();
     level.Surface.End();
   }
   if (this->InBlocks)
