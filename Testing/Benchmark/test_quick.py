@@ -57,7 +57,7 @@ class Quick(unittest.TestCase):
 
     def methods(self) -> list[dict[str, Any]]:
         """The rows that are no yardsticks."""
-        return [row for row in self.rows if row["method"] == "gather"]
+        return [row for row in self.rows if row["method"] in ("gather", "multiresolution")]
 
     def test_every_row_of_every_scene(self) -> None:
         expected = [*compare.YARDSTICKS, *(row.label for row in self.sweep.rows)]
@@ -85,7 +85,7 @@ class Quick(unittest.TestCase):
             known += [f"{metric}_{reference}" for metric in compare.METRICS]
             known += [f"flip_{reference}"] if self.without is None else []
         in_a_checkout = (support.SOURCE / ".git").exists()
-        for row in (row for row in table if row["method"] == "gather"):
+        for row in (row for row in table if row["method"] in ("gather", "multiresolution")):
             for name in known:
                 if name == "commit" and not in_a_checkout:
                     continue

@@ -26,7 +26,8 @@ contract_topic(Interaction
 contract_topic(Kinds
   KindsDelegate KindsComposite KindsFull AlbedoValues SurfaceBuffers)
 contract_topic(Lifetime
-  Toggle ToggleHints ToggleNewPass Release Finalize FinalizeWithout DestructionOrder TwoWindows)
+  Toggle ToggleHints ToggleMultiresolution ToggleNewPass Release ReleaseMultiresolution Finalize
+  FinalizeWithout DestructionOrder TwoWindows)
 contract_topic(Lights
   LightShadowAttenuation LightColors LightHeadlight LightOfCamera LightKit ShadowFollows
   ShadowFromOutside ShadowSeams ParallelEye)

@@ -9,6 +9,7 @@
 #endif
 
 #include "vtkImageData.h"
+#include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
 #include "vtkRenderWindow.h"
@@ -75,11 +76,14 @@ double GetResidentMegabytes()
 }
 
 //------------------------------------------------------------------------------
-CONTRACT_TEST(Toggle)
+namespace
+{
+void CheckToggle(vtkIndirectEstimatorPass* estimator)
 {
   View view(160, 120);
   AddRoom(view.Renderer);
   vtkNew<vtkIndirectIlluminationPass> pass;
+  pass->SetEstimator(estimator);
   Names first[2];
   Pixels pictures[2];
   double memory = 0.0;
@@ -119,6 +123,80 @@ CONTRACT_TEST(Toggle)
   std::cout << "on: " << first[0] << "\noff: " << first[1] << "\nresident memory grew by " << grown
             << " MiB in 80 turns\n";
   CONTRACT_CHECK(grown < 4.0, grown << " MiB");
+}
+}
+
+CONTRACT_TEST(Toggle)
+{
+  CheckToggle(nullptr);
+}
+
+CONTRACT_TEST(ToggleMultiresolution)
+{
+  vtkNew<vtkMultiresolutionSplattingPass> splatting;
+  CheckToggle(splatting);
+}
+
+//------------------------------------------------------------------------------
+// Multiresolution splatting lets go of its pyramids, buffers and programs whatever its settings
+// were, is the same after it, after a resize, and in a second window.
+CONTRACT_TEST(ReleaseMultiresolution)
+{
+  View view(160, 120);
+  AddRoom(view.Renderer);
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  vtkNew<vtkMultiresolutionSplattingPass> splatting;
+  pass->SetEstimator(splatting);
+  view.Renderer->UseFXAAOn(); // VTK's own quad: it keeps the buffer of its first one
+  view.Window->Render();
+  const Names before = CountNames(view.Window);
+  Pixels first;
+  for (int turn = 0; turn < 3; ++turn)
+  {
+    view.Renderer->SetPass(pass);
+    splatting->SetStorageToFloat();
+    splatting->SetLightingThreshold(0.0);
+    splatting->SetFinestLevelToHalfResolution();
+    view.Window->Render();
+    splatting->SetStorageToHalfFloat();
+    splatting->SetLightingThreshold(0.005);
+    splatting->SetFinestLevelToFullResolution();
+    // Fewer levels, then more.
+    for (const auto& size : { std::array<int, 2>{ 41, 1 }, { 321, 203 }, { 160, 120 } })
+    {
+      view.Window->SetSize(size[0], size[1]);
+      view.Window->Render();
+    }
+    const Pixels picture = Grab(view.Window, false);
+    first = turn == 0 ? picture : first;
+    CONTRACT_CHECK(Compare(picture, first).Max == 0.0, "picture of turn " << turn);
+    const Names during = CountNames(view.Window);
+    pass->ReleaseGraphicsResources(view.Window);
+    view.Renderer->SetPass(nullptr);
+    view.Window->Render();
+    const Names after = CountNames(view.Window);
+    std::cout << "before: " << before << "\nduring: " << during << "\nafter: " << after << "\n";
+    CONTRACT_CHECK(during.Textures > before.Textures + 16, "nothing was allocated");
+    CONTRACT_CHECK(during.Buffers > before.Buffers + 1, "no lights, no lists");
+    CONTRACT_CHECK(after.Textures == before.Textures, "textures");
+    CONTRACT_CHECK(after.Framebuffers == before.Framebuffers, "framebuffers");
+    CONTRACT_CHECK(after.Renderbuffers == before.Renderbuffers, "renderbuffers");
+    CONTRACT_CHECK(after.Buffers == before.Buffers, "buffers");
+    CONTRACT_CHECK(after.VertexArrays == before.VertexArrays, "vertex arrays");
+  }
+  View other(160, 120);
+  AddRoom(other.Renderer);
+  vtkNew<vtkIndirectIlluminationPass> fresh;
+  vtkNew<vtkMultiresolutionSplattingPass> freshSplatting;
+  fresh->SetEstimator(freshSplatting);
+  view.Renderer->SetPass(pass);
+  other.Renderer->SetPass(fresh);
+  other.Renderer->UseFXAAOn();
+  for (int i = 0; i < 2; ++i)
+  {
+    CONTRACT_CHECK(Compare(first, other.Grab()).Max == 0.0, "other window, turn " << i);
+    CONTRACT_CHECK(Compare(first, view.Grab()).Max == 0.0, "this window, turn " << i);
+  }
 }
 
 //------------------------------------------------------------------------------

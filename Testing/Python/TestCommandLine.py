@@ -141,6 +141,19 @@ class Rendering(support.DirectoryTest):
         self.assertEqual(content["settings"]["NumberOfLights"], 50)
         self.assertEqual(self.names(), sorted(["scene.json", "r.json", *(p.name for p in outputs)]))
 
+    def test_multiresolution(self) -> None:
+        report = self.directory / "r.json"
+        self.run_line(
+            *("--method", "multiresolution", "--set", "NormalThreshold=0.1"),
+            *("--set", "FinestLevel=half_resolution", "--set", "NumberOfLights=50"),
+            *("-o", self.directory / "a.png", "--report", report),
+        )
+        content = json.loads(report.read_text())
+        self.assertEqual(content["method"], "multiresolution")
+        self.assertEqual(content["settings"]["NormalThreshold"], 0.1)
+        self.assertEqual(content["settings"]["FinestLevel"], "half_resolution")
+        self.assertEqual(content["settings"]["NumberOfLights"], 50)
+
     def test_report_alone(self) -> None:
         self.run_line("--method", "off", "--report", self.directory / "r.json")
         self.assertEqual(self.names(), ["r.json", "scene.json"])

@@ -85,6 +85,32 @@ class Enable(unittest.TestCase):
         self.assertIsNone(vtkindirect.enable(self.renderer, "off"))
         self.assertIsNone(self.renderer.GetPass())
 
+    def test_multiresolution(self) -> None:
+        indirect = vtkindirect.enable(
+            self.renderer,
+            "multiresolution",
+            NumberOfLights=300,
+            normal_threshold=0.1,
+            FinestLevel="half_resolution",
+            Storage="float",
+            Balance=False,
+        )
+        estimator = indirect.GetEstimator()
+        self.assertEqual(estimator.GetClassName(), "vtkMultiresolutionSplattingPass")
+        self.assertEqual(indirect.GetSampler().GetNumberOfLights(), 300)
+        self.assertEqual(estimator.GetNormalThreshold(), 0.1)
+        self.assertEqual(estimator.GetFinestLevel(), estimator.HALF_RESOLUTION)
+        self.assertEqual(estimator.GetStorage(), estimator.FLOAT)
+        self.assertFalse(estimator.GetBalance())
+        for settings, expected in (
+            ({"NormalThreshold": 2.5}, "NormalThreshold: 2.5 is out of range"),
+            ({"FinestLevel": "quarter"}, "unknown value 'quarter'"),
+            ({"CoarsestResolution": 2}, "CoarsestResolution: 2 is out of range"),
+        ):
+            with self.subTest(settings=settings), self.assertRaises(UsageError) as caught:
+                vtkindirect.enable(self.renderer, "multiresolution", **settings)
+            self.assertIn(expected, str(caught.exception))
+
     def test_names_in_lower_case(self) -> None:
         indirect = vtkindirect.enable(
             self.renderer,

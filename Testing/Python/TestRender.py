@@ -71,6 +71,30 @@ class Render(unittest.TestCase):
             self.assertIn(key, report)
         self.assertEqual(vtkindirect.report(scene.renderer)["schema"], report["schema"])
 
+    def test_multiresolution_is_near_the_gather(self) -> None:
+        lights = {"NumberOfLights": 64}
+        scene, _ = self.render("cornell_box", method="gather",
+                               settings={**lights, "Interpolation": False})  # fmt: skip
+        expected = vtkindirect.copy_buffer(scene.renderer, "irradiance")
+        errors = {}
+        for name, settings in {
+            "default": {},
+            "half": {"FinestLevel": "half_resolution"},
+            "finest": {"PlaneThreshold": 0, "Storage": "float"},
+        }.items():
+            scene, report = self.render(
+                "cornell_box", method="multiresolution", settings={**lights, **settings}, frames=2
+            )
+            self.assertEqual(report["method"], "multiresolution")
+            for stage in ("estimate", "upsample"):
+                self.assertGreater(report["stages"][stage]["median_ms"], 0.0)
+            found = vtkindirect.copy_buffer(scene.renderer, "irradiance")
+            errors[name] = float(np.sqrt(((found - expected) ** 2).mean()) / expected.mean())
+        self.assertLess(errors["finest"], 1e-5)
+        self.assertLess(errors["default"], 0.05)
+        self.assertLess(errors["default"], errors["half"])
+        self.assertLess(errors["half"], 0.1)
+
     def test_off(self) -> None:
         scene, report = self.render("cornell_box", method="off", frames=2, size=(100, 60))
         self.assertEqual(set(report["stages"]), {"delegate"})

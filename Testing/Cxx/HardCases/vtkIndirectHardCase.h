@@ -33,6 +33,8 @@ struct HardCase : Scene
 
   /** Virtual lights in the next CheckEstimators; texels of all maps are summed as well. */
   int NumberOfLights = 64;
+  /** False where VTK normalizes what has no direction: then buffers only have to be in order. */
+  bool NormalsAreDefined = true;
   /**
    * Differences of the irradiance are relative to at least this: for scenes in which all light
    * comes from senders so near, or so nearly in the same plane, that its cosines are rounding.

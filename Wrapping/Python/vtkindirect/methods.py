@@ -40,7 +40,7 @@ _ROWS = (
         "multiresolution",
         "vtkMultiresolutionSplattingPass",
         "vtkUniformLightSampler",
-        "virtual lights drawn, coarser where the light is smooth",
+        "sum over virtual lights, once for each group of pixels that looks alike",
     ),
     Method("hints", "vtkRadianceHintsPass", None, "light sampled in a grid of the space"),
     Method("proxies", "vtkProxyAccumulationPass", None, "sphere proxies under an environment"),

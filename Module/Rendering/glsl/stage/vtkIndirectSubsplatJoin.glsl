@@ -121,7 +121,9 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
   {
     // Where some of the pixels show nothing the centre may lie beyond the others' depths, and must
     // still lie on the plane: behind it is what lights the other side.
-    depth = vtkiPlaneDepth(normal, position, origin, direction, 0.5f * nearest, 2.0f * farthest);
+    // (Depths of a parallel projection may be negative.)
+    depth = vtkiPlaneDepth(normal, position, origin, direction, min(0.5f * nearest, 2.0f * nearest),
+      max(0.5f * farthest, 2.0f * farthest));
   }
   float state = VTKI_SUBSPLAT_WHOLE;
   if (mixed || forced || vtkiLast || children.split)
