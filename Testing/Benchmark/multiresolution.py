@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Multiresolution splatting against the gather at every pixel, SSAO, and what its paper reports.
 
-    PYTHONPATH=build/lib/python3.11/site-packages python3 Testing/Benchmark/multiresolution.py \
+    PYTHONPATH=build/lib/python3.11/site-packages python3 Testing/Benchmark/multiresolution.py
         [--part NAME]... [--rounds N] [--size N]
 
 Prints Markdown tables. In each part frames alternate between what is compared, in one run on one
@@ -241,10 +241,8 @@ def add(renderer: vtkRenderer, source: Any, color: tuple[float, float, float]) -
     actor.GetProperty().SetColor(color)
     renderer.AddActor(actor)
     source.Update()
-    return sum(
-        max(0, source.GetOutput().GetCellSize(i) - 2)
-        for i in range(source.GetOutput().GetNumberOfCells())
-    )
+    polygons = source.GetOutput().GetPolys()
+    return polygons.GetNumberOfConnectivityIds() - 2 * polygons.GetNumberOfCells()
 
 
 def procedural(balls: int, resolution: int) -> tuple[vtkRenderer, int]:
@@ -310,7 +308,8 @@ def part_paper(rounds: int, size: int) -> None:
                          f"{t['indirect'] / times['128']['indirect']:.1f}"))  # fmt: skip
         window.Finalize()
     print("Table 1: frames a second over those of the first row of the same scene\n")
-    table(("triangles", "resolution", "here", "paper", "indirect stages over the first row's"), rows)
+    head = ("triangles", "resolution", "here", "paper", "indirect stages over the first row's")
+    table(head, rows)
 
     renderer, triangles = procedural(25, 89)
     window = windows.render_window((size, size), offscreen=True)
@@ -330,7 +329,8 @@ def part_paper(rounds: int, size: int) -> None:
     ways = {f"{e} {n}": choose(e, n) for e in edges for n in numbers}
     times = bench.alternate(ways, max(1, rounds // 2))
     first = times["128 100"]["frame"]
-    print(f"Figure 8: frames a second over those of 128 x 128 with 100 lights, {triangles} triangles")
+    print("Figure 8: frames a second over those of 128 x 128 with 100 lights, "
+          f"{triangles} triangles")  # fmt: skip
     print("(the paper prints this as a plot without numbers)\n")
     table(
         ("resolution", *map(str, numbers)),
