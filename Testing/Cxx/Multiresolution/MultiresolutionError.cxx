@@ -69,7 +69,7 @@ VTK_INDIRECT_TEST(Defaults)
   CheckAtMost("RMSE over the mean at the defaults, median frame", Percentile(defaults, 0.5), 0.03,
     "measured 0.02");
   CheckAtMost("the same, worst frame", Percentile(defaults, 1.0), 0.2,
-    "measured 0.1: a bright spot where a small thing stands on the floor");
+    "measured 0.18: a bright spot where a small thing stands on the floor");
   for (size_t i = 1; i < factors.size(); ++i)
   {
     CheckAtMost("RMSE with thresholds times " + std::to_string(factors[i]) +

@@ -1,0 +1,434 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Multiresolution splatting against the gather at every pixel, SSAO, and what its paper reports.
+
+    PYTHONPATH=build/lib/python3.11/site-packages python3 Testing/Benchmark/multiresolution.py
+        [--part NAME]... [--rounds N] [--size N]
+
+Prints Markdown tables. In each part frames alternate between what is compared, in one run on one
+window, so that other load falls on all alike: only ratios are printed as results, and times beside
+them tell how long it took here. Nothing is reused between frames; times are medians over rounds.
+
+- speed: at SIZE x SIZE with 256 lights, indirect stages of the gather at every pixel over those of
+  multiresolution splatting, its RMSE to that gather, and what VTK's SSAO (32 samples, blurred)
+  adds to a plain frame.
+- pixels: growth of evaluation and of all indirect stages for four times the pixels, SIZE / 2 to SIZE.
+- lights: a whole frame from 100 to 3600 lights.
+- paper: Table 1 and Figure 8 of Nichols and Wyman 2009 on scenes with about as many triangles. Their
+  column is the resolution of the indirect light in a picture of 1024 x 1024, here that of the window.
+- flicker: change of the error from frame to frame along a path of the camera and of the light, over
+  that of the gather with the same lights.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import statistics
+import sys
+import time
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkCamera,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+)
+
+import vtkindirect
+from vtkindirect import frames, images, load_scene, methods, metrics, references, windows
+
+SCENES = Path(__file__).resolve().parent.parent / "Scenes"
+LIGHTS = 256
+PUBLISHED = {
+    "6K": {128: 68, 256: 50, 512: 33, 1024: 22},
+    "250K": {128: 60, 256: 42, 512: 30, 1024: 24},
+    "400K": {128: 59, 256: 42, 512: 28, 1024: 21},
+}
+"""Table 1 of the paper: frames a second on a GeForce GTX 280."""
+
+Apply = Callable[[], None]
+Times = dict[str, dict[str, float]]
+
+
+class Bench:
+    """A renderer in a window, its pass, and the two estimators with one sampler."""
+
+    def __init__(self, renderer: vtkRenderer, window: Any) -> None:
+        self.renderer = renderer
+        self.window = window
+        self.indirect = methods.enable(renderer, "gather", Caching=False)
+        self.sampler = self.indirect.GetSampler()
+        self.gather = vtkindirect.vtkRSMGatherPass()
+        self.gather.InterpolationOff()
+        self.splatting = vtkindirect.vtkMultiresolutionSplattingPass()
+        self.set_lights(LIGHTS)
+
+    def set_lights(self, number: int) -> None:
+        self.sampler.SetNumberOfLights(number)
+
+    def use(self, estimator: Any) -> Apply:
+        """Return what puts an estimator into the pass."""
+        return lambda: self.indirect.SetEstimator(estimator)
+
+    def irradiance(self) -> np.ndarray:
+        return images.copy_buffer(self.renderer, "irradiance")
+
+    def frame(self) -> dict[str, float]:
+        """Render; milliseconds of the frame, its indirect stages, and levels and pixels alone."""
+        self.indirect.SetTiming(False)  # forgets
+        self.indirect.SetTiming(True)
+        self.window.WaitForCompletion()
+        begin = time.perf_counter()
+        self.window.Render()
+        self.window.WaitForCompletion()
+        wall = 1000.0 * (time.perf_counter() - begin)
+        report = methods.report(self.indirect)
+        stages = report["stages"]
+        evaluate = sum(stages.get(name, {"median_ms": 0.0})["median_ms"]
+                       for name in ("estimate", "upsample"))  # fmt: skip
+        return {"frame": wall, "indirect": report["indirect_ms"], "evaluate": evaluate}
+
+    def alternate(self, ways: dict[str, Apply], rounds: int) -> Times:
+        """Median times of each way; the first frame of each, which builds shaders, is left out.
+
+        A second frame is rendered before one that counts, because a change of size or estimator
+        allocates.
+        """
+        found: dict[str, list[dict[str, float]]] = {name: [] for name in ways}
+        for turn in range(rounds + 1):
+            for name, apply in ways.items():
+                apply()
+                self.window.Render()
+                times = self.frame()
+                if turn > 0:
+                    found[name].append(times)
+        return {
+            name: {key: statistics.median(t[key] for t in times) for key in times[0]}
+            for name, times in found.items()
+        }
+
+
+def open_scene(name: str, size: int) -> Bench:
+    scene = load_scene(SCENES / f"{name}.json")
+    window = frames.open_window(scene, (size, size))
+    bench = Bench(scene.renderer, window)
+    bench.scene = scene
+    return bench
+
+
+def rmse(image: np.ndarray, expected: np.ndarray) -> float:
+    """Root mean square difference over the mean of where there is light, in per cent."""
+    return 100.0 * float(np.sqrt(((image - expected) ** 2).mean()) / expected.mean())
+
+
+def ssao(bench: Bench, rounds: int) -> float:
+    """Milliseconds that VTK's SSAO adds to a plain frame, in blocks of frames that alternate."""
+    renderer, window = bench.renderer, bench.window
+    kept = renderer.GetPass()
+    renderer.SetPass(None)
+    bounds = renderer.ComputeVisiblePropBounds()
+    diagonal = math.dist(bounds[::2], bounds[1::2])
+    renderer.SetSSAORadius(0.1 * diagonal)
+    renderer.SetSSAOBias(0.001 * diagonal)
+    renderer.SetSSAOKernelSize(32)
+    renderer.SSAOBlurOn()
+    times: dict[bool, list[float]] = {False: [], True: []}
+    for _ in range(rounds):
+        for on in (False, True):
+            renderer.SetUseSSAO(on)
+            window.Render()  # shaders are built anew
+            for _ in range(2):
+                window.WaitForCompletion()
+                begin = time.perf_counter()
+                window.Render()
+                window.WaitForCompletion()
+                times[on].append(1000.0 * (time.perf_counter() - begin))
+    renderer.UseSSAOOff()
+    renderer.SetPass(kept)
+    return statistics.median(times[True]) - statistics.median(times[False])
+
+
+def table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> None:
+    names = list(head)
+    print("| " + " | ".join(names) + " |")
+    print("|" + "---|" * len(names))
+    for row in rows:
+        print("| " + " | ".join(str(cell) for cell in row) + " |")
+    print(flush=True)
+
+
+def part_speed(rounds: int, size: int) -> None:
+    rows = []
+    for name in ("apartment_living", "frog"):
+        bench = open_scene(name, size)
+        half = vtkindirect.vtkMultiresolutionSplattingPass()
+        half.SetFinestLevelToHalfResolution()
+        ways = {
+            "gather at every pixel": bench.use(bench.gather),
+            "multiresolution": bench.use(bench.splatting),
+            "half resolution": bench.use(half),
+        }
+        times = bench.alternate(ways, rounds)
+        found = {}
+        for way, apply in ways.items():
+            apply()
+            bench.window.Render()
+            found[way] = bench.irradiance()
+        added = ssao(bench, rounds)
+        base = times["gather at every pixel"]["indirect"]
+        for way, t in times.items():
+            rows.append((name, way, f"{t['indirect']:.0f}", f"{base / t['indirect']:.1f}",
+                         f"{rmse(found[way], found['gather at every pixel']):.2f} %",
+                         f"{t['indirect'] / added:.2f}"))  # fmt: skip
+        rows.append((name, "SSAO adds", f"{added:.0f}", f"{base / added:.1f}", "", "1"))
+        bench.window.Finalize()
+    print(f"Speed at {size} x {size}, {LIGHTS} lights\n")
+    table(("scene", "method", "indirect, ms", "times as fast as the gather",
+           "RMSE over the mean to it", "over SSAO's"), rows)  # fmt: skip
+
+
+def part_pixels(rounds: int, size: int) -> None:
+    rows = []
+    for name in ("apartment_living", "frog"):
+        bench = open_scene(name, size)
+
+        def resize(edge: int, bench: Bench = bench) -> Apply:
+            return lambda: bench.window.SetSize(edge, edge)
+
+        bench.use(bench.splatting)()
+        small, large = bench.alternate(
+            {"small": resize(size // 2), "large": resize(size)}, rounds
+        ).values()
+        rows.append((name, f"{large['evaluate'] / small['evaluate']:.2f}",
+                     f"{large['indirect'] / small['indirect']:.2f}"))  # fmt: skip
+        bench.window.Finalize()
+    print(f"Growth for four times the pixels, {size // 2} to {size}, {LIGHTS} lights\n")
+    table(("scene", "levels and pixels", "all indirect stages"), rows)
+
+
+def part_lights(rounds: int, size: int) -> None:
+    bench = open_scene("apartment_living", size)
+    bench.use(bench.splatting)()
+    numbers = (100, 400, 900, 1600, 2500, 3600)
+    times = bench.alternate(
+        {str(n): lambda n=n: bench.set_lights(n) for n in numbers}, rounds
+    )
+    first = times["100"]
+    print(f"Growth with the number of lights, apartment_living, {size} x {size}\n")
+    table(
+        ("lights", "over 100", "frame", "indirect stages"),
+        (
+            (n, f"{int(n) / 100:g}", f"{t['frame'] / first['frame']:.2f}",
+             f"{t['indirect'] / first['indirect']:.2f}")
+            for n, t in times.items()
+        ),
+    )  # fmt: skip
+    bench.window.Finalize()
+
+
+def add(renderer: vtkRenderer, source: Any, color: tuple[float, float, float]) -> int:
+    """Add an actor; returns its number of triangles."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(color)
+    renderer.AddActor(actor)
+    source.Update()
+    polygons = source.GetOutput().GetPolys()
+    return polygons.GetNumberOfConnectivityIds() - 2 * polygons.GetNumberOfCells()
+
+
+def procedural(balls: int, resolution: int) -> tuple[vtkRenderer, int]:
+    """A room of three planes with balls in rows, lit by a spot; and its number of triangles."""
+    renderer = vtkRenderer()
+    triangles = 0
+    for point1, point2, color in (
+        ((0, 0, 1), (1, 0, 0), (0.75, 0.75, 0.7)),
+        ((1, 0, 0), (0, 1, 0), (0.3, 0.4, 0.8)),
+        ((0, 1, 0), (0, 0, 1), (0.8, 0.3, 0.2)),
+    ):
+        plane = vtkPlaneSource()
+        plane.SetOrigin(0, 0, 0)
+        plane.SetPoint1(point1)
+        plane.SetPoint2(point2)
+        triangles += add(renderer, plane, color)
+    across = math.ceil(math.sqrt(balls))
+    for index in range(balls):
+        ball = vtkSphereSource()
+        ball.SetRadius(0.35 / across)
+        ball.SetCenter(
+            (index % across + 0.7) / (across + 0.4),
+            0.36 / across,
+            (index // across + 0.7) / (across + 0.4),
+        )
+        ball.SetThetaResolution(resolution)
+        ball.SetPhiResolution(resolution)
+        triangles += add(renderer, ball, (0.8, 0.8, 0.8))
+    spot = vtkLight()
+    spot.SetLightTypeToSceneLight()
+    spot.PositionalOn()
+    spot.SetPosition(0.8, 1.2, 0.8)
+    spot.SetFocalPoint(0.3, 0.1, 0.3)
+    spot.SetConeAngle(35)
+    renderer.AutomaticLightCreationOff()
+    renderer.AddLight(spot)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(2.2, 1.5, 2.2)
+    camera.SetFocalPoint(0.45, 0.3, 0.45)
+    camera.SetViewAngle(28)
+    return renderer, triangles
+
+
+def part_paper(rounds: int, size: int) -> None:
+    edges = [edge for edge in (128, 256, 512, 1024) if edge <= size]
+    rows = []
+    for name, balls, resolution in (("6K", 4, 28), ("250K", 16, 88), ("400K", 25, 89)):
+        renderer, triangles = procedural(balls, resolution)
+        window = windows.render_window((size, size), offscreen=True)
+        windows.start(window)
+        window.AddRenderer(renderer)
+        bench = Bench(renderer, window)
+        bench.use(bench.splatting)()
+        bench.splatting.SetCoarsestResolution(16)
+        times = bench.alternate(
+            {str(e): lambda e=e, w=window: w.SetSize(e, e) for e in edges}, rounds
+        )
+        paper = PUBLISHED[name]
+        for edge in edges:
+            t = times[str(edge)]
+            rows.append((triangles, edge, f"{times['128']['frame'] / t['frame']:.2f}",
+                         f"{paper[edge] / paper[128]:.2f}",
+                         f"{t['indirect'] / times['128']['indirect']:.1f}"))  # fmt: skip
+        window.Finalize()
+    print("Table 1: frames a second over those of the first row of the same scene\n")
+    head = ("triangles", "resolution", "here", "paper", "indirect stages over the first row's")
+    table(head, rows)
+
+    renderer, triangles = procedural(25, 89)
+    window = windows.render_window((size, size), offscreen=True)
+    windows.start(window)
+    window.AddRenderer(renderer)
+    bench = Bench(renderer, window)
+    bench.use(bench.splatting)()
+    numbers = (100, 400, 900, 1600, 2500, 3600)
+
+    def choose(edge: int, number: int) -> Apply:
+        def apply() -> None:
+            window.SetSize(edge, edge)
+            bench.set_lights(number)
+
+        return apply
+
+    ways = {f"{e} {n}": choose(e, n) for e in edges for n in numbers}
+    times = bench.alternate(ways, max(1, rounds // 2))
+    first = times["128 100"]["frame"]
+    print("Figure 8: frames a second over those of 128 x 128 with 100 lights, "
+          f"{triangles} triangles")  # fmt: skip
+    print("(the paper prints this as a plot without numbers)\n")
+    table(
+        ("resolution", *map(str, numbers)),
+        ((e, *(f"{first / times[f'{e} {n}']['frame']:.3f}" for n in numbers)) for e in edges),
+    )
+    window.Finalize()
+
+
+def path(bench: Bench, moves: str, count: int = 8, step: float = 0.5) -> Iterable[None]:
+    """Render frames while the camera, or every light, turns half a degree a frame."""
+    camera = bench.renderer.GetActiveCamera()
+    before = vtkCamera()
+    before.DeepCopy(camera)
+    lights = [bench.renderer.GetLights().GetItemAsObject(i)
+              for i in range(bench.renderer.GetLights().GetNumberOfItems())]  # fmt: skip
+    places = [(np.array(l.GetPosition()), np.array(l.GetFocalPoint())) for l in lights]
+    center = np.array(camera.GetFocalPoint())
+    up = np.array(camera.GetViewUp())
+    try:
+        for index in range(count):
+            angle = step * (index - 0.5 * (count - 1))
+            if moves == "camera":
+                camera.DeepCopy(before)
+                camera.Azimuth(angle)
+                camera.OrthogonalizeViewUp()
+            else:
+                for light, ends in zip(lights, places):
+                    light.SetPosition(turned(ends[0], center, up, angle))
+                    light.SetFocalPoint(turned(ends[1], center, up, angle))
+            bench.window.Render()
+            yield
+    finally:
+        camera.DeepCopy(before)
+        for light, (position, focal) in zip(lights, places):
+            light.SetPosition(position)
+            light.SetFocalPoint(focal)
+
+
+def turned(
+    point: np.ndarray, center: np.ndarray, axis: np.ndarray, degrees: float
+) -> np.ndarray:
+    """A point turned about an axis through a centre (Rodrigues)."""
+    k = axis / np.linalg.norm(axis)
+    v = point - center
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return center + c * v + s * np.cross(k, v) + (1.0 - c) * np.dot(k, v) * k
+
+
+def part_flicker(rounds: int, size: int) -> None:
+    del rounds  # nothing is timed
+    edge = max(64, size // 4)
+    rows = []
+    for name in ("apartment_living", "frog"):
+        bench = open_scene(name, edge)
+        for moves in ("camera", "lights"):
+            bench.use(bench.gather)()
+            bench.gather.SetModeToAllTexels()
+            bench.indirect.SetReflectiveShadowMapResolution(128)
+            truth, masks = [], []
+            for _ in path(bench, moves):
+                truth.append(bench.irradiance())
+                masks.append(references.mask(bench.scene))
+            bench.gather.SetModeToVirtualLights()
+            bench.indirect.SetReflectiveShadowMapResolution(512)
+            found = {}
+            for way, estimator in (("gather", bench.gather), ("splatting", bench.splatting)):
+                bench.use(estimator)()
+                shown = [bench.irradiance() for _ in path(bench, moves)]
+                found[way] = metrics.error_flicker(shown, truth, masks)
+            rows.append((name, moves, f"{found['gather']:.4f}", f"{found['splatting']:.4f}",
+                         f"{found['splatting'] / found['gather']:.2f}"))  # fmt: skip
+        bench.window.Finalize()
+    print(f"Flicker of the error over the mean, {edge} x {edge}, {LIGHTS} lights\n")
+    table(("scene", "what turns", "gather", "multiresolution", "over the gather's"), rows)
+
+
+PARTS = {
+    "speed": part_speed,
+    "pixels": part_pixels,
+    "lights": part_lights,
+    "paper": part_paper,
+    "flicker": part_flicker,
+}
+
+
+def main() -> int:
+    """Run the parts that are named, or all; returns the exit code."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--part", action="append", choices=PARTS, help="default: all")
+    parser.add_argument("--rounds", type=int, default=7, help="frames a median is of (default: 7)")
+    parser.add_argument("--size", type=int, default=1024, help="edge of the window (default: 1024)")
+    words = parser.parse_args()
+    if words.rounds < 1 or words.size < 128:
+        parser.error("--rounds must be 1 or more, --size 128 or more")
+    for name in words.part or PARTS:
+        PARTS[name](words.rounds, words.size)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
