@@ -205,6 +205,8 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
   }
   const vtkIndirectSubsplatList& lists = work.Pyramid.GetLists();
   lists.Activate(program, work.Number);
+  // What was drawn into the images must have arrived: llvmpipe does not wait for it by itself.
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   lists.Dispatch(work.Number);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   lists.Deactivate();
