@@ -29,7 +29,7 @@
  * With vtkIndirectIlluminationPass::ErrorTolerance the thresholds are chosen by the pass: in
  * proportion, the defaults for 0.02.
  *
- * Memory: with the default storage, at most 24 bytes a pixel, a third of it at half resolution.
+ * Memory: with the default storage, at most 24 bytes a pixel.
  */
 
 #ifndef vtkMultiresolutionSplattingPass_h
