@@ -5,6 +5,7 @@
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkNew.h"
 #include "vtkRSMGatherPass.h"
+#include "vtkRadianceHintsPass.h"
 #include "vtkUniformLightSampler.h"
 
 namespace vtkIndirectTest
@@ -45,6 +46,12 @@ void InstallMultiresolution(vtkIndirectIlluminationPass* pass, int numberOfLight
   pass->SetEstimator(splatting);
   InstallSampler(pass, vtkUniformLightSampler::LOW_DISCREPANCY, numberOfLights);
 }
+
+void InstallHints(vtkIndirectIlluminationPass* pass, int)
+{
+  vtkNew<vtkRadianceHintsPass> hints;
+  pass->SetEstimator(hints);
+}
 }
 
 const std::vector<EstimatorEntry>& GetEstimators()
@@ -53,23 +60,29 @@ const std::vector<EstimatorEntry>& GetEstimators()
   using Sampler = vtkUniformLightSampler;
   using Entry = EstimatorEntry;
   static const std::vector<EstimatorEntry> table = {
-    { "gather, all texels", Entry::ALL_TEXELS, true, false, 0.0,
+    { "gather, all texels", Entry::ALL_TEXELS, true, false, 0.0, 0.0,
       InstallGather<Gather::ALL_TEXELS, Sampler::GRID, false> },
-    { "gather, grid", Entry::LIGHTS, true, false, 0.0,
+    { "gather, grid", Entry::LIGHTS, true, false, 0.0, 0.0,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::GRID, false> },
-    { "gather, jittered", Entry::LIGHTS, true, false, 0.0,
+    { "gather, jittered", Entry::LIGHTS, true, false, 0.0, 0.0,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::JITTERED, false> },
-    { "gather, low discrepancy", Entry::LIGHTS, true, false, 0.0,
+    { "gather, low discrepancy", Entry::LIGHTS, true, false, 0.0, 0.0,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::LOW_DISCREPANCY, false> },
     // The error of interpolation stays, however many lights there are.
-    { "gather, interpolated", Entry::OTHER, false, false, 0.0,
+    { "gather, interpolated", Entry::OTHER, false, false, 0.0, 0.0,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::LOW_DISCREPANCY, true> },
     // Converges to the sum in its disk, which Radiometry.Neighborhood shows.
-    { "gather, neighborhood", Entry::OTHER, false, true, 0.0,
+    { "gather, neighborhood", Entry::OTHER, false, true, 0.0, 0.0,
       InstallGather<Gather::NEIGHBORHOOD, Sampler::LOW_DISCREPANCY, false> },
     // As with the interpolated gather; see Multiresolution.Defaults.
-    { "multiresolution", Entry::OTHER, false, false, HalfFloats, InstallMultiresolution<false> },
-    { "multiresolution, finest", Entry::LIGHTS, true, false, 0.0, InstallMultiresolution<true> },
+    { "multiresolution", Entry::OTHER, false, false, HalfFloats, 0.0,
+      InstallMultiresolution<false> },
+    // A field of a few harmonics at points of a grid: no sum over lights, however many there are.
+    // Band two of a hemisphere, which order 2 leaves out, is an eighth of it at the horizon. A
+    // look-up may fall to the next voxel, as with subsplats.
+    { "hints", Entry::OTHER, false, false, 4e-3, 0.1, InstallHints },
+    { "multiresolution, finest", Entry::LIGHTS, true, false, 0.0, 0.0,
+      InstallMultiresolution<true> },
   };
   return table;
 }

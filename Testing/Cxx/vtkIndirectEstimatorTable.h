@@ -27,8 +27,11 @@ struct EstimatorEntry
   bool Converges;
   /** It reads the lights' maps themselves: a headlight, which has none, is an error. */
   bool NeedsMaps;
-  /** Relative rounding of the irradiance as stored, beyond that of 32-bit floats. */
+  /** Relative rounding of the irradiance, beyond that of 32-bit floats: of its storage, or of where
+   * it is looked up. */
   double Rounding;
+  /** Share of a sender's radiance that it may show where the sum over lights is exactly zero. */
+  double Blur;
   /** Puts the estimator into the pass, with about this many virtual lights. */
   void (*Install)(vtkIndirectIlluminationPass* pass, int numberOfLights);
 };

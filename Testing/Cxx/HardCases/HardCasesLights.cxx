@@ -232,10 +232,11 @@ VTK_INDIRECT_TEST(LightStrength)
         {
           Comparison how;
           how.Factor = intensity;
-          CheckEqual(std::string(name) + ": share of pixels that are not intensity times the light",
+          CheckAtMost(
+            std::string(name) + ": share of pixels that are not intensity times the light",
             GetShareOfDifferent(scene.Copy(name), unit[std::string(estimator.Name) + name],
               std::max(1e-5, estimator.Rounding), how),
-            0.0);
+            estimator.Blur > 0.0 ? 0.01 : 0.0, "look-ups in a grid may fall to the next voxel");
         }
       });
   }
