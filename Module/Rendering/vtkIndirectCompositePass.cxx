@@ -96,6 +96,7 @@ struct vtkIndirectCompositePass::Internals
 vtkIndirectCompositePass::vtkIndirectCompositePass()
   : Internal(new Internals)
 {
+  this->Internal->Composite[1].SetDefinitions("#define VTKI_ENCODED\n");
 }
 
 vtkIndirectCompositePass::~vtkIndirectCompositePass() = default;
@@ -176,7 +177,6 @@ bool vtkIndirectCompositePass::Composite(const Input& input)
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   const bool encoded = input.Geometry.HasEncoded();
-  in.Composite[1].SetDefinitions("#define VTKI_ENCODED\n");
   vtkShaderProgram* program = in.Composite[encoded].Use(frame.Window);
   if (!program)
   {

@@ -66,6 +66,15 @@ struct vtkIndirectIlluminationPass::Internals
 
   std::string ReportedError;
 
+  // What the composite reads of the last frame.
+  vtkIndirectCompositePass::Input MakeCompositeInput(vtkIndirectIlluminationPass* self) const
+  {
+    vtkIndirectEstimatorPass* estimator = self->GetActiveEstimator();
+    return { this->Frame, *this->Geometry, this->EyeIsMap ? nullptr : self->ReflectiveShadowMaps,
+      this->HasIrradiance ? &estimator->GetIrradiance() : nullptr, estimator->GetIrradianceUnit(),
+      self->IndirectScale };
+  }
+
   // Releases everything when the window's context ends or the pass moves to another window: VTK
   // tells a pass only when it is in a renderer of that window.
   vtkNew<vtkIndirectContextGuard> Guard;
@@ -290,10 +299,7 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
   in.HasIrradiance = this->IndirectScale > 0.0 && lit && this->UpdateIrradiance();
 
   in.Timer.Begin(vtkIndirectStageTimer::Composite);
-  const vtkIndirectCompositePass::Input input = { frame, *in.Geometry,
-    in.EyeIsMap ? nullptr : this->ReflectiveShadowMaps,
-    in.HasIrradiance ? &this->GetActiveEstimator()->GetIrradiance() : nullptr,
-    this->GetActiveEstimator()->GetIrradianceUnit(), this->IndirectScale };
+  const vtkIndirectCompositePass::Input input = in.MakeCompositeInput(this);
   in.Composite->Composite(input);
   if (this->DebugView.empty())
   {
@@ -425,10 +431,7 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
   {
     return this->CopyLights(image);
   }
-  const vtkIndirectCompositePass::Input input = { in.Frame, *in.Geometry,
-    in.EyeIsMap ? nullptr : this->ReflectiveShadowMaps,
-    in.HasIrradiance ? &this->GetActiveEstimator()->GetIrradiance() : nullptr,
-    this->GetActiveEstimator()->GetIrradianceUnit(), this->IndirectScale };
+  const vtkIndirectCompositePass::Input input = in.MakeCompositeInput(this);
   const bool rendered = estimators
     ? in.HasIrradiance && in.Composite->RenderChannel(input, this->GetActiveEstimator(), name)
     : in.Composite->RenderChannel(input, name);

@@ -48,6 +48,16 @@ std::ostream& operator<<(std::ostream& os, const Names& names)
             << names.VertexArrays << " vertex arrays, " << names.Programs << " programs";
 }
 
+// Of all but programs, which are the window's own cache's.
+void CheckGivenBack(const Names& before, const Names& after)
+{
+  CONTRACT_CHECK(after.Textures == before.Textures, "textures");
+  CONTRACT_CHECK(after.Framebuffers == before.Framebuffers, "framebuffers");
+  CONTRACT_CHECK(after.Renderbuffers == before.Renderbuffers, "renderbuffers");
+  CONTRACT_CHECK(after.Buffers == before.Buffers, "buffers");
+  CONTRACT_CHECK(after.VertexArrays == before.VertexArrays, "vertex arrays");
+}
+
 Names CountNames(vtkRenderWindow* window)
 {
   window->MakeCurrent();
@@ -178,11 +188,7 @@ CONTRACT_TEST(ReleaseMultiresolution)
     std::cout << "before: " << before << "\nduring: " << during << "\nafter: " << after << "\n";
     CONTRACT_CHECK(during.Textures > before.Textures + 16, "nothing was allocated");
     CONTRACT_CHECK(during.Buffers > before.Buffers + 1, "no lights, no lists");
-    CONTRACT_CHECK(after.Textures == before.Textures, "textures");
-    CONTRACT_CHECK(after.Framebuffers == before.Framebuffers, "framebuffers");
-    CONTRACT_CHECK(after.Renderbuffers == before.Renderbuffers, "renderbuffers");
-    CONTRACT_CHECK(after.Buffers == before.Buffers, "buffers");
-    CONTRACT_CHECK(after.VertexArrays == before.VertexArrays, "vertex arrays");
+    CheckGivenBack(before, after);
   }
   View other(160, 120);
   AddRoom(other.Renderer);
@@ -324,11 +330,7 @@ CONTRACT_TEST(Release)
     const Names after = CountNames(view.Window);
     std::cout << "before: " << before << "\nduring: " << during << "\nafter: " << after << "\n";
     CONTRACT_CHECK(during.Textures > before.Textures + 8, "nothing was allocated");
-    CONTRACT_CHECK(after.Textures == before.Textures, "textures");
-    CONTRACT_CHECK(after.Framebuffers == before.Framebuffers, "framebuffers");
-    CONTRACT_CHECK(after.Renderbuffers == before.Renderbuffers, "renderbuffers");
-    CONTRACT_CHECK(after.Buffers == before.Buffers, "buffers");
-    CONTRACT_CHECK(after.VertexArrays == before.VertexArrays, "vertex arrays");
+    CheckGivenBack(before, after);
   }
   view.Renderer->SetPass(pass);
 

@@ -10,6 +10,7 @@ without light), because a number would be taken for a result.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -119,6 +120,24 @@ def compare(
     )
 
 
+def _steps(
+    images: list[np.ndarray],
+    references: list[np.ndarray],
+    masks: list[np.ndarray] | None,
+) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, float]]:
+    """Yield each frame and the next, at pixels that count in both, and their reference's mean.
+
+    Image, reference, next image, next reference, mean of the reference.
+    """
+    if len(images) != len(references) or len(images) < 2:
+        raise MetricError("flicker needs two or more frames, and a reference for each")
+    for i in range(len(images) - 1):
+        mask = None if masks is None else np.asarray(masks[i]) & np.asarray(masks[i + 1])
+        first, first_reference, mean = _pair(images[i], references[i], mask)
+        second, second_reference, _ = _pair(images[i + 1], references[i + 1], mask)
+        yield first, first_reference, second, second_reference, mean
+
+
 def error_flicker(
     images: list[np.ndarray],
     references: list[np.ndarray],
@@ -130,14 +149,9 @@ def error_flicker(
     that stays where it is on a surface moves over the screen with it and counts too, so this is to
     be compared with that of another method with the same lights, not with nothing.
     """
-    if len(images) != len(references) or len(images) < 2:
-        raise MetricError("flicker needs two or more frames, and a reference for each")
     total = 0.0
     light = 0.0
-    for i in range(len(images) - 1):
-        mask = None if masks is None else np.asarray(masks[i]) & np.asarray(masks[i + 1])
-        first, first_reference, mean = _pair(images[i], references[i], mask)
-        second, second_reference, _ = _pair(images[i + 1], references[i + 1], mask)
+    for first, first_reference, second, second_reference, mean in _steps(images, references, masks):
         error = (second - second_reference) - (first - first_reference)
         total += float(np.abs(error).mean())
         light += mean
@@ -170,14 +184,9 @@ def flicker(
 
     The lists hold the frames of one camera or light path, in order; at least two.
     """
-    if len(images) != len(references) or len(images) < 2:
-        raise MetricError("flicker needs two or more frames, and a reference for each")
     total = 0.0
     light = 0.0
-    for i in range(len(images) - 1):
-        mask = None if masks is None else np.asarray(masks[i]) & np.asarray(masks[i + 1])
-        first, first_reference, mean = _pair(images[i], references[i], mask)
-        second, second_reference, _ = _pair(images[i + 1], references[i + 1], mask)
+    for first, first_reference, second, second_reference, mean in _steps(images, references, masks):
         total += float(np.abs(second - first).mean())
         total -= float(np.abs(second_reference - first_reference).mean())
         light += mean

@@ -10,6 +10,12 @@ const float VTKI_SUBSPLAT_WHOLE = 0.0f;  // one evaluation serves all of it
 const float VTKI_SUBSPLAT_MIXED = 0.5f;  // not of one surface, but not split either
 const float VTKI_SUBSPLAT_SPLIT = 1.0f;  // its four children are looked at
 
+/* Whether a texel is lit and its children are not looked at. */
+bool vtkiSubsplatIsUnsplit(float state)
+{
+  return state == VTKI_SUBSPLAT_WHOLE || state == VTKI_SUBSPLAT_MIXED;
+}
+
 // Illumination at a texel, in its alpha.
 const float VTKI_ILLUMINATION_NONE = 0.0f;
 const float VTKI_ILLUMINATION_HERE = 0.5f;

@@ -11,13 +11,9 @@ uniform int vtkiLightCount;
 
 void main()
 {
-  ivec2 at = ivec2(gl_FragCoord.xy);
-  int hint = at.x + 256 * at.y;
-  vec4 place = texelFetch(vtkiHints, at, 0);
-  vec3 cell = vtkiGrid[3 * vtkiGridOf(hint) + 1].xyz;
-  float face = pow(cell.x * cell.y * cell.z, 2.0f / 3.0f);
+  vtkiHintPlace place = vtkiFetchHintPlace();
   vtkiHintSums sums = vtkiBeginHint();
-  int count = hint < vtkiHintCount && place.w > 0.0f ? vtkiLightCount : 0;
+  int count = place.used ? vtkiLightCount : 0;
   for (int i = 0; i < count; ++i)
   {
     ivec2 from = ivec2(i % vtkiRowLength, i / vtkiRowLength);
@@ -25,8 +21,8 @@ void main()
     vec3 densityArea = texelFetch(vtkiLightDensity, from, 0).rgb;
     if (max(max(densityArea.r, densityArea.g), densityArea.b) > 0.0f)
     {
-      vtkiAddSender(sums, hint, place.xyz, sender.xyz, texelFetch(vtkiLightNormal, from, 0).xyz, sender.w,
-        densityArea, max(sender.w, vtkiSoftening * face) / 6.2831853f);
+      vtkiAddSender(sums, place.hint, place.position, sender.xyz, texelFetch(vtkiLightNormal, from, 0).xyz, sender.w,
+        densityArea, max(sender.w, vtkiSoftening * place.face) / 6.2831853f);
     }
   }
   vtkiEndHint(sums);

@@ -34,6 +34,26 @@ float vtkiSeen(int hint, vec3 sender, vec3 direction)
 uniform float vtkiRange;     // scene units that distances are stored in
 uniform float vtkiSoftening; // least area of a sender as a share of the cell's face
 
+// The hint that a fragment is for.
+struct vtkiHintPlace
+{
+  int hint;
+  vec3 position;
+  vec3 cell;  // its size
+  float face; // mean area of a face of it
+  bool used;
+};
+
+vtkiHintPlace vtkiFetchHintPlace()
+{
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  int hint = at.x + 256 * at.y;
+  vec4 place = texelFetch(vtkiHints, at, 0);
+  vec3 cell = vtkiGrid[3 * vtkiGridOf(hint) + 1].xyz;
+  return vtkiHintPlace(hint, place.xyz, cell, pow(cell.x * cell.y * cell.z, 2.0f / 3.0f),
+    hint < vtkiHintCount && place.w > 0.0f);
+}
+
 struct vtkiHintSums
 {
   vtkiField field;

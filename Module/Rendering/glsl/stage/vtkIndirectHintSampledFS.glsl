@@ -11,34 +11,30 @@ uniform float vtkiCoverage; // share of a map that its samples are spread over
 
 void main()
 {
-  ivec2 at = ivec2(gl_FragCoord.xy);
-  int hint = at.x + 256 * at.y;
-  vec4 place = texelFetch(vtkiHints, at, 0);
-  vec3 cell = vtkiGrid[3 * vtkiGridOf(hint) + 1].xyz;
-  float face = pow(cell.x * cell.y * cell.z, 2.0f / 3.0f);
+  vtkiHintPlace place = vtkiFetchHintPlace();
   vtkiHintSums sums = vtkiBeginHint();
-  int layers = hint < vtkiHintCount && place.w > 0.0f ? vtkiLayerCount : 0;
+  int layers = place.used ? vtkiLayerCount : 0;
   for (int layer = 0; layer < layers; ++layer)
   {
     vec4 map = texelFetch(vtkiMapTable, ivec2(3, layer), 0);
     // A square of that share about the hint's own place in the map, moved to lie in it.
     float edge = sqrt(vtkiCoverage);
-    vec3 p = vtkiTransformRows(layer, 5, vec4(place.xyz, 1.0f));
+    vec3 p = vtkiTransformRows(layer, 5, vec4(place.position, 1.0f));
     float w = int(map.x + 0.5f) == VTKI_MAP_PARALLEL ? map.y : max(-p.z, 1.0e-6f) * map.y;
     vec2 corner = clamp(0.5f * p.xy / w + 0.5f - 0.5f * edge, 0.0f, 1.0f - edge);
     float texels = map.z * map.z * vtkiCoverage / float(vtkiSampleCount);
     for (int i = 0; i < vtkiSampleCount; ++i)
     {
-      vec3 random = vtkiSpread(i, uint(hint * 16 + layer));
-      vec3 jitter = vtkiSpread(i, uint(hint * 16 + layer) + 77777777u);
+      vec3 random = vtkiSpread(i, uint(place.hint * 16 + layer));
+      vec3 jitter = vtkiSpread(i, uint(place.hint * 16 + layer) + 77777777u);
       vtkiVirtualLight light;
       ivec2 texel = ivec2(min((corner + edge * random.xy) * map.z, vec2(map.z - 1.0f)));
       if (vtkiVirtualLightFromTexel(layer, texel, light))
       {
         float area = light.area * texels;
-        vtkiAddSender(sums, hint, place.xyz + (jitter - 0.5f) * cell, light.position, light.normal, area,
-          light.densityArea * texels,
-          (vtkiSoftening > 0.0f ? max(area, vtkiSoftening * face) : light.area) / 6.2831853f);
+        vtkiAddSender(sums, place.hint, place.position + (jitter - 0.5f) * place.cell, light.position,
+          light.normal, area, light.densityArea * texels,
+          (vtkiSoftening > 0.0f ? max(area, vtkiSoftening * place.face) : light.area) / 6.2831853f);
       }
     }
   }

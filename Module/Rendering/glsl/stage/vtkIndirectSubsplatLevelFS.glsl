@@ -10,7 +10,7 @@ void main()
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec4 surface = texelFetch(vtkiLevelSurface, texel, 0);
   bool covered = texelFetch(vtkiCoarserSurface, texel >> 1, 0).w == VTKI_SUBSPLAT_WHOLE;
-  bool here = surface.w == VTKI_SUBSPLAT_WHOLE || surface.w == VTKI_SUBSPLAT_MIXED;
+  bool here = vtkiSubsplatIsUnsplit(surface.w);
   bool leaf = here && !covered;
   vec3 position = vtkiTexelPosition(texel, surface.z);
   vec3 normal = vtkiOctahedralDecode(surface.xy);

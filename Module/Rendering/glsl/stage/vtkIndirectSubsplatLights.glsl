@@ -9,6 +9,15 @@ uniform sampler2D vtkiLightDensity;
 uniform int vtkiRowLength;
 uniform int vtkiLightCount;
 
+// A light from the textures: its position with the area, normal, and density times area.
+void vtkiFetchLight(int i, out vec4 sender, out vec3 senderNormal, out vec3 density)
+{
+  ivec2 at = ivec2(i % vtkiRowLength, i / vtkiRowLength);
+  sender = texelFetch(vtkiLightPosition, at, 0);
+  senderNormal = texelFetch(vtkiLightNormal, at, 0).xyz;
+  density = texelFetch(vtkiLightDensity, at, 0).rgb;
+}
+
 void vtkiAddLight(vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, vec3 density,
   inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
@@ -35,9 +44,10 @@ void vtkiEvaluateSubsplat(
   count = wanted ? vtkiLightCount : 0;
   for (int i = vtkiBlockCount; i < count; ++i)
   {
-    ivec2 at = ivec2(i % vtkiRowLength, i / vtkiRowLength);
-    vtkiAddLight(position, normal, texelFetch(vtkiLightPosition, at, 0),
-      texelFetch(vtkiLightNormal, at, 0).xyz, texelFetch(vtkiLightDensity, at, 0).rgb, irradiance,
-      vectorIrradiance);
+    vec4 sender;
+    vec3 senderNormal;
+    vec3 density;
+    vtkiFetchLight(i, sender, senderNormal, density);
+    vtkiAddLight(position, normal, sender, senderNormal, density, irradiance, vectorIrradiance);
   }
 }

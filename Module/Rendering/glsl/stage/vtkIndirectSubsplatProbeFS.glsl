@@ -38,9 +38,11 @@ void main()
   count = lit ? vtkiLightCount : 0;
   for (int i = vtkiBlockCount; i < count; ++i)
   {
-    ivec2 at = ivec2(i % vtkiRowLength, i / vtkiRowLength);
-    float luminance = vtkiLuminanceOf(position, normal, texelFetch(vtkiLightPosition, at, 0),
-      texelFetch(vtkiLightNormal, at, 0).xyz, texelFetch(vtkiLightDensity, at, 0).rgb);
+    vec4 sender;
+    vec3 senderNormal;
+    vec3 density;
+    vtkiFetchLight(i, sender, senderNormal, density);
+    float luminance = vtkiLuminanceOf(position, normal, sender, senderNormal, density);
     sum += luminance;
     difference += sign * luminance;
     sign = -sign;

@@ -20,7 +20,7 @@ void main()
   vec4 surface = texelFetch(vtkiSurface, pixel, 0);
   bool parentSplit = texelFetch(vtkiCoarserSurface, texel >> 1, 0).w == VTKI_SUBSPLAT_SPLIT;
   float state = texelFetch(vtkiLevelSurface, texel, 0).w;
-  bool whole = vtkiLevel == 0 || state == VTKI_SUBSPLAT_WHOLE || state == VTKI_SUBSPLAT_MIXED;
+  bool whole = vtkiLevel == 0 || vtkiSubsplatIsUnsplit(state);
   bool leaf = parentSplit && whole && vtkiSurfaceIsLit(surface);
   vec4 level = vtkiLevel == 0 ? texelFetch(vtkiIrradiance, pixel, 0)
                               : texelFetch(vtkiLevelIrradiance, texel, 0);

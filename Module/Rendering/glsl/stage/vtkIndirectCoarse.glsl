@@ -1,0 +1,42 @@
+// Irradiance from coarse samples: one at every vtkiStep-th pixel, from border to border.
+#include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectLibInterpolation.glsl"
+
+uniform sampler2D vtkiCoarse;
+uniform ivec2 vtkiCoarseSize;
+uniform int vtkiStep;
+uniform float vtkiMinimumCosine;
+uniform float vtkiPlaneTolerance; // as a fraction of the distance between samples
+
+// Bilinear sum of those of the four samples around that lie on the receiver's surface, the sum of
+// their weights, and their number.
+void vtkiInterpolateCoarse(
+  ivec2 pixel, vtkiReceiver receiver, out vec3 sum, out float weights, out int agreeing)
+{
+  // Distance between two samples on a plane that faces the eye here.
+  vec3 dx = (vtkiRayOrigin[0] + receiver.depth * vtkiRayDirection[0]) * (2.0f / float(vtkiSize.x));
+  float tolerance = vtkiPlaneTolerance * float(vtkiStep) * length(dx);
+
+  // The last samples may lie closer.
+  ivec2 corner = pixel / vtkiStep;
+  ivec2 first = corner * vtkiStep;
+  vec2 blend = vec2(pixel - first) / vec2(max(min(first + vtkiStep, vtkiSize - 1) - first, 1));
+  sum = vec3(0.0f);
+  weights = 0.0f;
+  agreeing = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    ivec2 shift = ivec2(i & 1, i >> 1);
+    ivec2 at = min(corner + shift, vtkiCoarseSize - 1);
+    vtkiReceiver other;
+    bool lit = vtkiFetchReceiver(min(at * vtkiStep, vtkiSize - 1), other);
+    if (lit && vtkiSameSurface(other.positionVC - receiver.positionVC, receiver.normalVC,
+                 other.normalVC, vtkiMinimumCosine, tolerance))
+    {
+      vec2 w = mix(1.0f - blend, blend, vec2(shift));
+      sum += w.x * w.y * texelFetch(vtkiCoarse, at, 0).rgb;
+      weights += w.x * w.y;
+      ++agreeing;
+    }
+  }
+}

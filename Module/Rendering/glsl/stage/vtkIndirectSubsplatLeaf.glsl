@@ -1,0 +1,27 @@
+// What is evaluated under a split texel: with VTKI_PIXELS a pixel, else a texel of a level.
+#include "vtkIndirectSubsplatTexel.glsl"
+
+#ifdef VTKI_PIXELS
+uniform sampler2D vtkiSurface;
+#endif
+
+// Position and normal in scene units and coordinates. Returns whether there is something to evaluate.
+bool vtkiFetchLeaf(ivec2 texel, out vec3 position, out vec3 normal)
+{
+  ivec2 inside = min(texel, vtkiLevelSize - 1);
+#ifdef VTKI_PIXELS
+  vec4 surface = texelFetch(vtkiSurface, inside, 0);
+  vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vec2(vtkiSize) - 1.0f;
+  vec3 positionVC = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
+  vec3 normalVC = vtkiSurfaceNormal(surface);
+  bool leaf = vtkiSurfaceIsLit(surface);
+#else
+  vec4 surface = texelFetch(vtkiLevelSurface, inside, 0);
+  vec3 positionVC = vtkiTexelPosition(texel, surface.z);
+  vec3 normalVC = vtkiOctahedralDecode(surface.xy);
+  bool leaf = vtkiSubsplatIsUnsplit(surface.w);
+#endif
+  position = (vtkiViewToScene * vec4(positionVC, 1.0f)).xyz;
+  normal = mat3(vtkiViewToScene) * normalVC;
+  return leaf && texel == inside;
+}
