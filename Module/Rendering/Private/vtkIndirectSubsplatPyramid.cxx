@@ -244,7 +244,7 @@ void vtkIndirectSubsplatPyramid::FillLists(vtkOpenGLRenderWindow* window)
     const std::vector<float> values = level->ReadBack(0);
     for (unsigned int i = 0; i < values.size() / 4; ++i)
     {
-      if (values[4 * i + 3] == vtkIndirectKernels::VTKI_SUBSPLAT_SPLIT)
+      if (vtkIndirectKernels::vtkiSubsplatIsSplit(values[4 * i + 3]))
       {
         const unsigned int width = static_cast<unsigned int>(level->GetWidth());
         lists.back().push_back(i % width | (i / width) << 16);

@@ -9,14 +9,22 @@ const float VTKI_SUBSPLAT_EMPTY = -1.0f; // nothing lit in it
 const float VTKI_SUBSPLAT_WHOLE = 0.0f;  // one evaluation serves all of it
 const float VTKI_SUBSPLAT_MIXED = 0.5f;  // not of one surface, but not split either
 const float VTKI_SUBSPLAT_SPLIT = 1.0f;  // its four children are looked at
+const float VTKI_SUBSPLAT_PARTED = 2.0f; // so are they, though it is of one surface
 
-/* Whether a texel is lit and its children are not looked at. */
-bool vtkiSubsplatIsUnsplit(float state)
+/* Whether a texel's four children are looked at. */
+bool vtkiSubsplatIsSplit(float state)
 {
-  return state == VTKI_SUBSPLAT_WHOLE || state == VTKI_SUBSPLAT_MIXED;
+  return state >= VTKI_SUBSPLAT_SPLIT;
 }
 
-// Illumination at a texel, in its alpha.
+/* Whether a texel has an illumination of its own: neighbours that are not split interpolate with
+ * one that is parted. */
+bool vtkiSubsplatIsSample(float state)
+{
+  return state != VTKI_SUBSPLAT_EMPTY && state != VTKI_SUBSPLAT_SPLIT;
+}
+
+// Illumination at a texel, in its alpha. The alpha of the vector irradiance is 1 where it is parted.
 const float VTKI_ILLUMINATION_NONE = 0.0f;
 const float VTKI_ILLUMINATION_HERE = 0.5f;
 const float VTKI_ILLUMINATION_SMOOTH = 1.0f; // and all eight neighbours lie on the same surface

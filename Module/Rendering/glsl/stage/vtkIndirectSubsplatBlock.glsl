@@ -60,9 +60,10 @@ void vtkiEvaluateBlock(ivec2 block, bool exists)
 #else
       // What lies around was marked before.
       float state = imageLoad(vtkiIrradianceImage, texel).a;
+      float parted = imageLoad(vtkiVectorImage, texel).a;
       imageStore(vtkiIrradianceImage, texel, vec4(value, state));
       imageStore(vtkiVectorImage, texel,
-        vec4((vectorIrradiance[i] * rotation) * vtkiStorageScale, 0.0f));
+        vec4((vectorIrradiance[i] * rotation) * vtkiStorageScale, parted));
 #endif
     }
   }

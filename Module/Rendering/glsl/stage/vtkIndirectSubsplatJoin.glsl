@@ -83,7 +83,7 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
   }
   vec4 range = maximum - minimum;
   bool mixed = range.w > vtkiDepthThreshold || max(max(range.x, range.y), range.z) > vtkiNormalThreshold;
-  bool forced = vtkiDepthThreshold <= 0.0f || vtkiNormalThreshold <= 0.0f;
+  bool everywhere = vtkiLast || vtkiDepthThreshold <= 0.0f || vtkiNormalThreshold <= 0.0f;
   gl_FragData[1] = minimum;
   gl_FragData[2] = maximum;
 #else
@@ -100,12 +100,13 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
     }
   }
   bool mixed = deviation > vtkiPlaneThreshold || spread > vtkiNormalThreshold;
-  bool forced = vtkiPlaneThreshold <= 0.0f || vtkiNormalThreshold <= 0.0f;
+  bool everywhere = vtkiLast || vtkiPlaneThreshold <= 0.0f || vtkiNormalThreshold <= 0.0f;
   gl_FragData[1] = vec4(min(deviation, 60000.0f), spread, 0.0f, 0.0f);
 #endif
   vec2 center = vtkiSubsplatCenter(vec2(texel), vtkiEdge, vec2(vtkiSize));
+  bool forced = false;
 #ifdef VTKI_VARIATION
-  forced = forced || textureLod(vtkiVariation, 0.5f * center + 0.5f, 0.0f).r > vtkiVariationThreshold;
+  forced = textureLod(vtkiVariation, 0.5f * center + 0.5f, 0.0f).r > vtkiVariationThreshold;
 #endif
   vec3 origin = vtkiRayOrigin * vec3(center, 1.0f);
   vec3 direction = vtkiRayDirection * vec3(center, 1.0f);
@@ -126,9 +127,9 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
       max(0.5f * farthest, 2.0f * farthest));
   }
   float state = VTKI_SUBSPLAT_WHOLE;
-  if (mixed || forced || vtkiLast || children.split)
+  if (mixed || everywhere || forced || children.split)
   {
-    state = vtkiSplits ? VTKI_SUBSPLAT_SPLIT
+    state = vtkiSplits ? (mixed || everywhere ? VTKI_SUBSPLAT_SPLIT : VTKI_SUBSPLAT_PARTED)
                        : (mixed ? VTKI_SUBSPLAT_MIXED : VTKI_SUBSPLAT_WHOLE);
 #ifdef VTKI_LIST_SPLIT
     if (vtkiSplits)

@@ -19,7 +19,7 @@ bool vtkiFetchLeaf(ivec2 texel, out vec3 position, out vec3 normal)
   vec4 surface = texelFetch(vtkiLevelSurface, inside, 0);
   vec3 positionVC = vtkiTexelPosition(texel, surface.z);
   vec3 normalVC = vtkiOctahedralDecode(surface.xy);
-  bool leaf = vtkiSubsplatIsUnsplit(surface.w);
+  bool leaf = vtkiSubsplatIsSample(surface.w);
 #endif
   position = (vtkiViewToScene * vec4(positionVC, 1.0f)).xyz;
   normal = mat3(vtkiViewToScene) * normalVC;

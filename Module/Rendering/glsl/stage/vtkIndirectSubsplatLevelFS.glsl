@@ -10,7 +10,7 @@ void main()
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec4 surface = texelFetch(vtkiLevelSurface, texel, 0);
   bool covered = texelFetch(vtkiCoarserSurface, texel >> 1, 0).w == VTKI_SUBSPLAT_WHOLE;
-  bool here = vtkiSubsplatIsUnsplit(surface.w);
+  bool here = vtkiSubsplatIsSample(surface.w);
   bool leaf = here && !covered;
   vec3 position = vtkiTexelPosition(texel, surface.z);
   vec3 normal = vtkiOctahedralDecode(surface.xy);
@@ -34,5 +34,5 @@ void main()
   gl_FragData[0] = vec4(irradiance,
     here ? (amid ? VTKI_ILLUMINATION_SMOOTH : VTKI_ILLUMINATION_HERE)
          : VTKI_ILLUMINATION_NONE);
-  gl_FragData[1] = vec4(vectorIrradiance, 0.0f);
+  gl_FragData[1] = vec4(vectorIrradiance, surface.w == VTKI_SUBSPLAT_PARTED ? 1.0f : 0.0f);
 }

@@ -34,7 +34,7 @@ void main()
     children.spread[i] = deviation.y;
 #endif
     children.present[i] = surface.w != VTKI_SUBSPLAT_EMPTY && at == inside;
-    children.split = children.split || (surface.w == VTKI_SUBSPLAT_SPLIT && at == inside);
+    children.split = children.split || (vtkiSubsplatIsSplit(surface.w) && at == inside);
   }
   // Leaves that touch differ by one level at most: a texel is split when the ring of texels of the
   // level below around its children holds one that is.
@@ -44,7 +44,7 @@ void main()
   {
     vec2 at = vec2(2 * texel + ivec2(i & 3, i >> 2)) - 0.5f;
     children.split = children.split ||
-      textureLod(vtkiFinerSurface, at / vec2(vtkiFinerSize), 0.0f).w == VTKI_SUBSPLAT_SPLIT;
+      vtkiSubsplatIsSplit(textureLod(vtkiFinerSurface, at / vec2(vtkiFinerSize), 0.0f).w);
   }
 #endif
   vtkiWriteJoin(children, texel);

@@ -16,7 +16,7 @@ void main()
   vec2 ndc = 2.0f * (vec2(pixel) + 0.5f) / vec2(vtkiSize) - 1.0f;
   vec3 position = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
   vec3 normal = vtkiSurfaceNormal(surface);
-  bool split = texelFetch(vtkiCoarserSurface, pixel >> 1, 0).w == VTKI_SUBSPLAT_SPLIT;
+  bool split = vtkiSubsplatIsSplit(texelFetch(vtkiCoarserSurface, pixel >> 1, 0).w);
   vec3 irradiance;
   vec3 vectorIrradiance;
   float weights = vtkiInterpolateSubsplat(pixel,

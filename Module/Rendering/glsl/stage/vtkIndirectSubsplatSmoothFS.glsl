@@ -17,13 +17,14 @@ void main()
 {
   vec2 place = 0.5f * gl_FragCoord.xy / vec2(vtkiCoarserSize);
   vec4 irradiance = textureLod(vtkiCoarserIrradiance, place, 0.0f);
-  vec3 vectorIrradiance = textureLod(vtkiCoarserVector, place, 0.0f).xyz;
-  // Half floats round the filter's weights; with one neighbour amiss it is 31/32 at most.
-  bool amid = irradiance.a > 0.98f * VTKI_ILLUMINATION_SMOOTH;
+  vec4 vectorIrradiance = textureLod(vtkiCoarserVector, place, 0.0f);
+  // Half floats round the filter's weights; with one neighbour amiss it is 31/32 at most. The
+  // texel's own weight is 9/16: what lies under a parted one is evaluated.
+  bool amid = irradiance.a > 0.98f * VTKI_ILLUMINATION_SMOOTH && vectorIrradiance.a < 0.5f;
 #ifdef VTKI_TEXELS
   // What lies around is within the neighbourhood that is known to be smooth.
   gl_FragData[0] = vec4(irradiance.rgb, VTKI_ILLUMINATION_SMOOTH);
-  gl_FragData[1] = vec4(vectorIrradiance, 0.0f);
+  gl_FragData[1] = vec4(vectorIrradiance.xyz, 0.0f);
   if (!amid)
   {
     discard;
@@ -33,7 +34,7 @@ void main()
   bool lit = vtkiSurfaceIsLit(surface);
   vec3 normal = vtkiSurfaceNormal(surface);
   float correction = vtkiCorrectNormals
-    ? vtkiNormalCorrection(vtkiLuminance(irradiance.rgb), dot(normal, vectorIrradiance))
+    ? vtkiNormalCorrection(vtkiLuminance(irradiance.rgb), dot(normal, vectorIrradiance.xyz))
     : 1.0f;
   correction *= vtkiDetail(2.0f * gl_FragCoord.xy / vec2(vtkiSize) - 1.0f, normal);
   gl_FragData[0] = lit ? vec4(irradiance.rgb * correction, 1.0f) : vec4(0.0f);

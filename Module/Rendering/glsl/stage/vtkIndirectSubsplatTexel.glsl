@@ -28,7 +28,7 @@ void vtkiEvaluateStored(
 // Whether the texel and its eight neighbours are samples of one surface.
 bool vtkiIsAmid(ivec2 texel, vec4 surface, vec3 position, vec3 normal)
 {
-  bool amid = surface.w == VTKI_SUBSPLAT_WHOLE;
+  bool amid = surface.w == VTKI_SUBSPLAT_WHOLE || surface.w == VTKI_SUBSPLAT_PARTED;
   vtkiTangentPlane plane =
     vtkiMakeTangentPlane(position, normal, surface.xy, surface.z, vtkiEdge);
   for (int i = 0; i < 9; ++i)
@@ -36,7 +36,7 @@ bool vtkiIsAmid(ivec2 texel, vec4 surface, vec3 position, vec3 normal)
     vec2 at = clamp(vec2(texel) + vec2(i % 3 - 1, i / 3 - 1), vec2(0.0f), vec2(vtkiLevelSize - 1));
     vec4 other = textureLod(vtkiLevelSurface, (at + 0.5f) / vec2(vtkiLevelSize), 0.0f);
     amid = amid && vtkiIsOnPlane(plane, vtkiSubsplatCenter(at, vtkiEdge, vec2(vtkiSize)), other) &&
-      vtkiSubsplatIsUnsplit(other.w);
+      vtkiSubsplatIsSample(other.w);
   }
   return amid;
 }

@@ -18,9 +18,9 @@ void main()
   int edge = 1 << vtkiLevel;
   ivec2 texel = pixel / edge;
   vec4 surface = texelFetch(vtkiSurface, pixel, 0);
-  bool parentSplit = texelFetch(vtkiCoarserSurface, texel >> 1, 0).w == VTKI_SUBSPLAT_SPLIT;
+  bool parentSplit = vtkiSubsplatIsSplit(texelFetch(vtkiCoarserSurface, texel >> 1, 0).w);
   float state = texelFetch(vtkiLevelSurface, texel, 0).w;
-  bool whole = vtkiLevel == 0 || vtkiSubsplatIsUnsplit(state);
+  bool whole = vtkiLevel == 0 || !vtkiSubsplatIsSplit(state);
   bool leaf = parentSplit && whole && vtkiSurfaceIsLit(surface);
   vec4 level = vtkiLevel == 0 ? texelFetch(vtkiIrradiance, pixel, 0)
                               : texelFetch(vtkiLevelIrradiance, texel, 0);
