@@ -5,6 +5,12 @@
 
 uniform sampler2D vtkiSurface;
 
+// What makes a corner: heights over the tangent plane in widths of a pixel, above rounding and
+// below where surfaces are merely seen side by side; normals that differ by 41 degrees.
+const float VTKI_LEAST_RISE = 0.05f;
+const float VTKI_GREATEST_RISE = 8.0f;
+const float VTKI_LEAST_TURN = 0.7f;
+
 void main()
 {
   ivec2 texel = ivec2(gl_FragCoord.xy);
@@ -26,6 +32,23 @@ void main()
     children.present[i] =
       vtkiSurfaceIsLit(surface) && pixel.x < vtkiSize.x && pixel.y < vtkiSize.y;
   }
+  // Light bends within a pixel where a surface meets another that rises over it, also when no texel
+  // holds both: one pixel on each side is looked at.
+  vec3 alongOrigin = children.normal[0] * vtkiRayOrigin;
+  vec3 alongDirection = children.normal[0] * vtkiRayDirection;
+  float offset = dot(children.normal[0], children.position[0]);
+  float width = vtkiPixelWidth(-children.position[0].z);
   children.split = false;
+  for (int i = 0; i < 4; ++i)
+  {
+    ivec2 shift = i < 2 ? ivec2(3 * i - 1, i) : ivec2(3 - i, 3 * i - 7);
+    vec2 pixel = vec2(clamp(2 * texel + shift, ivec2(0), vtkiSize - 1)) + 0.5f;
+    vec4 surface = textureLod(vtkiSurface, pixel / vec2(vtkiSize), 0.0f);
+    vec3 ray = vec3(2.0f * pixel / vec2(vtkiSize) - 1.0f, 1.0f);
+    float rise = dot(alongOrigin, ray) + surface.z * dot(alongDirection, ray) - offset;
+    vec3 turn = vtkiSurfaceNormal(surface) - children.normal[0];
+    children.split = children.split || (vtkiSurfaceIsLit(surface) && rise > VTKI_LEAST_RISE * width &&
+      rise < VTKI_GREATEST_RISE * width && dot(turn, turn) > VTKI_LEAST_TURN * VTKI_LEAST_TURN);
+  }
   vtkiWriteJoin(children, texel);
 }

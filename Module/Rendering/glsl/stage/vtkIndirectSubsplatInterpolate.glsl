@@ -7,32 +7,64 @@ uniform sampler2D vtkiCoarserVector;     // luminance of the vector irradiance
 uniform ivec2 vtkiCoarserSize;
 uniform float vtkiCoarserEdge; // pixels along the edge of a coarser texel
 
-// Weighs the coarser texels around with bilinear weights, those on the plane only. trusted: the own
-// one counts in any case. Returns the sum of the weights.
-float vtkiInterpolateSubsplat(ivec2 texel, vtkiTangentPlane plane, bool trusted,
+struct vtkiCoarser
+{
+  bool counts; // has illumination, of the same surface
+  vec3 irradiance;
+  vec3 vectorIrradiance;
+};
+
+// trusted: on the surface whatever its plane says.
+vtkiCoarser vtkiFetchCoarser(ivec2 place, vtkiTangentPlane plane, bool trusted)
+{
+  ivec2 at = clamp(place, ivec2(0), vtkiCoarserSize - 1);
+  vec4 sampled = texelFetch(vtkiCoarserIrradiance, at, 0);
+  vec2 center = vtkiSubsplatCenter(vec2(at), vtkiCoarserEdge, vec2(vtkiSize));
+  bool same = trusted || vtkiIsOnPlane(plane, center, texelFetch(vtkiCoarserSurface, at, 0));
+  return vtkiCoarser(
+    sampled.a > 0.0f && same, sampled.rgb, texelFetch(vtkiCoarserVector, at, 0).xyz);
+}
+
+// Difference to the neighbour that is nearer; where that is of another surface, from the one across:
+// towards a place where surfaces meet the light goes on as it comes.
+vec3 vtkiSlopeTowards(vec3 own, vec3 near, bool nearCounts, vec3 across, bool acrossCounts)
+{
+  return nearCounts ? near - own : (acrossCounts ? own - across : vec3(0.0f));
+}
+
+// Linear along both axes from the coarser texel that this one lies in; without that, the mean of the
+// nearer neighbours. trusted: the own one counts in any case. Returns whether there was any.
+bool vtkiInterpolateSubsplat(ivec2 texel, vtkiTangentPlane plane, bool trusted,
   out vec3 irradiance, out vec3 vectorIrradiance)
 {
-  ivec2 own = texel >> 1;
-  ivec2 step = 2 * (texel & 1) - 1;
-  irradiance = vec3(0.0f);
-  vectorIrradiance = vec3(0.0f);
-  float weights = 0.0f;
-  for (int i = 0; i < 4; ++i)
+  ivec2 place = texel >> 1;
+  ivec2 alongX = ivec2(2 * (texel.x & 1) - 1, 0);
+  ivec2 alongY = ivec2(0, 2 * (texel.y & 1) - 1);
+  vtkiCoarser own = vtkiFetchCoarser(place, plane, trusted);
+  vtkiCoarser x = vtkiFetchCoarser(place + alongX, plane, false);
+  vtkiCoarser y = vtkiFetchCoarser(place + alongY, plane, false);
+  vtkiCoarser acrossX = vtkiFetchCoarser(place - alongX, plane, false);
+  vtkiCoarser acrossY = vtkiFetchCoarser(place - alongY, plane, false);
+  if (own.counts)
   {
-    ivec2 shift = ivec2(i & 1, i >> 1);
-    ivec2 at = clamp(own + shift * step, ivec2(0), vtkiCoarserSize - 1);
-    vec4 sampled = texelFetch(vtkiCoarserIrradiance, at, 0);
-    vec2 center = vtkiSubsplatCenter(vec2(at), vtkiCoarserEdge, vec2(vtkiSize));
-    bool same = vtkiIsOnPlane(plane, center, texelFetch(vtkiCoarserSurface, at, 0));
-    bool counts = sampled.a > 0.0f && (same || (trusted && i == 0));
-    float weight = (shift.x == 0 ? 0.75f : 0.25f) * (shift.y == 0 ? 0.75f : 0.25f);
-    weight = counts ? weight : 0.0f;
-    irradiance += weight * sampled.rgb;
-    vectorIrradiance += weight * texelFetch(vtkiCoarserVector, at, 0).xyz;
-    weights += weight;
+    // A quarter of the coarser edge lies between the centres. No light is less than none.
+    irradiance = max(own.irradiance + 0.25f *
+        (vtkiSlopeTowards(
+           own.irradiance, x.irradiance, x.counts, acrossX.irradiance, acrossX.counts) +
+          vtkiSlopeTowards(
+            own.irradiance, y.irradiance, y.counts, acrossY.irradiance, acrossY.counts)),
+      vec3(0.0f));
+    vectorIrradiance = own.vectorIrradiance + 0.25f *
+        (vtkiSlopeTowards(own.vectorIrradiance, x.vectorIrradiance, x.counts,
+           acrossX.vectorIrradiance, acrossX.counts) +
+          vtkiSlopeTowards(own.vectorIrradiance, y.vectorIrradiance, y.counts,
+            acrossY.vectorIrradiance, acrossY.counts));
+    return true;
   }
-  float scale = weights > 0.0f ? 1.0f / weights : 0.0f;
-  irradiance *= scale;
-  vectorIrradiance *= scale;
-  return weights;
+  float weightX = x.counts ? 1.0f : 0.0f;
+  float weightY = y.counts ? 1.0f : 0.0f;
+  float scale = 1.0f / max(weightX + weightY, 1.0f);
+  irradiance = scale * (weightX * x.irradiance + weightY * y.irradiance);
+  vectorIrradiance = scale * (weightX * x.vectorIrradiance + weightY * y.vectorIrradiance);
+  return x.counts || y.counts;
 }

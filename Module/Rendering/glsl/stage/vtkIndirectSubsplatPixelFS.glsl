@@ -19,7 +19,7 @@ void main()
   bool split = vtkiSubsplatIsSplit(texelFetch(vtkiCoarserSurface, pixel >> 1, 0).w);
   vec3 irradiance;
   vec3 vectorIrradiance;
-  float weights = vtkiInterpolateSubsplat(pixel,
+  bool interpolated = vtkiInterpolateSubsplat(pixel,
     vtkiMakeTangentPlane(
       position, normal, vtkiOctahedralEncode(normal), surface.z, vtkiCoarserEdge),
     vtkiSplits, irradiance, vectorIrradiance);
@@ -29,7 +29,7 @@ void main()
       vtkiNormalCorrection(vtkiLuminance(irradiance), dot(normal, vectorIrradiance));
   }
 #ifdef VTKI_EVALUATE
-  bool evaluate = (vtkiSplits && split) || !(weights > 0.0f);
+  bool evaluate = (vtkiSplits && split) || !interpolated;
   vec3 evaluated;
   vec3 evaluatedVector;
   vtkiEvaluateStored(position, normal, evaluate, evaluated, evaluatedVector);

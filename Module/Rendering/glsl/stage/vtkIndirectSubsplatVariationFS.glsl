@@ -24,8 +24,7 @@ void main()
   float error = 0.0f;
   for (int axis = 0; axis < 2; ++axis)
   {
-    float sum = 0.0f;
-    bool same = vtkiSurfaceIsLit(surface);
+    float second = 0.0f;
     for (int side = -1; side <= 1; side += 2)
     {
       vec2 at = texel + float(side) * (axis == 0 ? vec2(1.0f, 0.0f) : vec2(0.0f, 1.0f));
@@ -35,12 +34,15 @@ void main()
       bool lit = vtkiSurfaceIsLit(other);
       other.xy = vtkiOctahedralEncode(vtkiSurfaceNormal(other));
       float there = textureLod(vtkiProbe, (inside + 0.5f) / vec2(vtkiLevelSize), 0.0f).r;
-      same = same && lit && at == inside && vtkiIsOnPlane(plane, otherCenter, other);
+      bool same = vtkiSurfaceIsLit(surface) && lit && at == inside &&
+        vtkiIsOnPlane(plane, otherCenter, other);
       greatest = max(greatest, there);
-      sum += there;
+      second += same ? there - own : 0.0f;
     }
-    // Interpolation's error midway is an eighth of the second difference.
-    error = max(error, same ? 0.125f * abs(sum - 2.0f * own) : 0.0f);
+    // Interpolation's error midway is an eighth of the second difference. At an end of the surface
+    // there is the first one only; light that comes from what meets it there goes as one over the
+    // distance, whose second difference is as large.
+    error = max(error, 0.125f * abs(second));
   }
   gl_FragData[0] = vec4(greatest > 0.0f ? error / greatest : 0.0f, 0.0f, 0.0f, 1.0f);
 }
