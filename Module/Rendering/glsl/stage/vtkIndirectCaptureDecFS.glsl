@@ -95,18 +95,20 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
   vec2 at = (0.5f * ndc + 0.5f) * map.w - 1.0f;
   vec2 corner = floor(at);
   vec2 fraction = at - corner;
-  int layer = int(map.x + 0.5f) + face;
+  float layer = map.x + float(face);
+  float compared = reference - bias;
   float rows[3];
   for (int j = 0; j < 3; ++j)
   {
     float lit[3];
     for (int i = 0; i < 3; ++i)
     {
-      ivec2 where = clamp(ivec2(corner) + ivec2(i, j), ivec2(0), ivec2(map.w) - 1);
-      vec2 shift = vec2(where) - corner - 0.5f - fraction;
-      float plane = min(dot(gradient.xy, shift), 0.0f);
-      float stored = texelFetch(vtkiShadowMaps, ivec3(where, layer), 0).r;
-      lit[i] = stored >= reference + plane - bias ? 1.0f : 0.0f;
+      // A look-up at a texel's centre is exact, and in software faster than a fetch.
+      vec2 where = clamp(corner + vec2(float(i), float(j)), vec2(0.0f), vec2(map.w - 1.0f));
+      float plane = min(dot(gradient.xy, where - corner - 0.5f - fraction), 0.0f);
+      float stored =
+        textureLod(vtkiShadowMaps, vec3((where + 0.5f) / map.w, layer), 0.0f).r;
+      lit[i] = stored >= compared + plane ? 1.0f : 0.0f;
     }
     rows[j] = vtkiTent(lit[0], lit[1], lit[2], fraction.x);
   }
