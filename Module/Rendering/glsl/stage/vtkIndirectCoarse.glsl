@@ -34,7 +34,7 @@ void vtkiInterpolateCoarse(
                  other.normalVC, vtkiMinimumCosine, tolerance))
     {
       vec2 w = mix(1.0f - blend, blend, vec2(shift));
-      sum += w.x * w.y * texelFetch(vtkiCoarse, at, 0).rgb;
+      sum += w.x * w.y * textureLod(vtkiCoarse, (vec2(at) + 0.5f) / vec2(vtkiCoarseSize), 0.0f).rgb;
       weights += w.x * w.y;
       ++agreeing;
     }

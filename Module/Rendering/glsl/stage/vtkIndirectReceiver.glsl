@@ -19,9 +19,10 @@ struct vtkiReceiver
 // Returns false where nothing lit was drawn.
 bool vtkiFetchReceiver(ivec2 pixel, out vtkiReceiver receiver)
 {
-  vec4 surface = texelFetch(vtkiSurface, pixel, 0);
+  vec2 place = (vec2(pixel) + 0.5f) / vec2(vtkiSize);
+  vec4 surface = textureLod(vtkiSurface, place, 0.0f);
   receiver.depth = surface.z;
-  vec2 ndc = 2.0f * (vec2(pixel) + 0.5f) / vec2(vtkiSize) - 1.0f;
+  vec2 ndc = 2.0f * place - 1.0f;
   receiver.positionVC = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
   receiver.normalVC = vtkiSurfaceNormal(surface);
   receiver.position = (vtkiViewToScene * vec4(receiver.positionVC, 1.0f)).xyz;
