@@ -1,26 +1,28 @@
-// Evaluates up to four texels, or pixels, under one texel that is split. Lights are fetched once
-// for the four: on llvmpipe, where the fetch is what takes time, 2.6 times as fast as one by one.
+// Evaluates up to four texels, or pixels, under each of two texels that are split. Lights are fetched
+// once for the eight: on llvmpipe, where the fetch is what takes time, three times as fast as one by one.
 #include "vtkIndirectSubsplatLeaf.glsl"
+
+#define VTKI_BLOCKS 2
 
 #ifndef VTKI_PIXELS
 layout(VTKI_FORMAT) uniform image2D vtkiVectorImage;
 #endif
 layout(VTKI_FORMAT) uniform image2D vtkiIrradianceImage;
 
-// block: index of the texel that is split, one level above those that are evaluated; exists: whether
+// blocks: indices of texels that are split, one level above those that are evaluated; exists: whether
 // there is one.
-void vtkiEvaluateBlock(ivec2 block, bool exists)
+void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
 {
-  vec3 position[4];
-  vec3 normal[4];
-  vec3 irradiance[4];
-  vec3 vectorIrradiance[4];
-  bool wanted[4];
+  vec3 position[4 * VTKI_BLOCKS];
+  vec3 normal[4 * VTKI_BLOCKS];
+  vec3 irradiance[4 * VTKI_BLOCKS];
+  vec3 vectorIrradiance[4 * VTKI_BLOCKS];
+  bool wanted[4 * VTKI_BLOCKS];
   mat3 rotation = mat3(vtkiViewToScene);
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
-    ivec2 texel = 2 * block + ivec2(i & 1, i >> 1);
-    wanted[i] = vtkiFetchLeaf(texel, position[i], normal[i]) && exists;
+    ivec2 texel = 2 * blocks[i >> 2] + ivec2(i & 1, (i >> 1) & 1);
+    wanted[i] = vtkiFetchLeaf(texel, position[i], normal[i]) && exists[i >> 2];
     irradiance[i] = vec3(0.0f);
     vectorIrradiance[i] = vec3(0.0f);
   }
@@ -29,7 +31,7 @@ void vtkiEvaluateBlock(ivec2 block, bool exists)
     vec4 sender = vtkiBlockPosition[light];
     vec3 senderNormal = vtkiBlockNormal[light].xyz;
     vec3 density = vtkiBlockDensity[light].rgb;
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
     {
       vtkiAddLight(position[i], normal[i], sender, senderNormal, density, irradiance[i],
         vectorIrradiance[i]);
@@ -41,15 +43,15 @@ void vtkiEvaluateBlock(ivec2 block, bool exists)
     vec3 senderNormal;
     vec3 density;
     vtkiFetchLight(light, sender, senderNormal, density);
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
     {
       vtkiAddLight(position[i], normal[i], sender, senderNormal, density, irradiance[i],
         vectorIrradiance[i]);
     }
   }
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
-    ivec2 texel = 2 * block + ivec2(i & 1, i >> 1);
+    ivec2 texel = 2 * blocks[i >> 2] + ivec2(i & 1, (i >> 1) & 1);
     if (wanted[i])
     {
       vec3 value = irradiance[i] * vtkiStorageScale;

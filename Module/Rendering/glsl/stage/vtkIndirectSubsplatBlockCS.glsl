@@ -1,14 +1,21 @@
 //VTK::System::Dec
-// One invocation a split texel: evaluates the four below it.
+// One invocation for two split texels: evaluates the four below each.
 #include "vtkIndirectSubsplatStorage.glsl"
 #include "vtkIndirectSubsplatBlock.glsl"
 
-layout(local_size_x = VTKI_GROUP) in;
+// VTKI_GROUP / VTKI_BLOCKS, which GLSL before 4.40 does not work out here.
+layout(local_size_x = 32) in;
 
 void main()
 {
-  uint place = gl_GlobalInvocationID.x;
-  bool listed = place < vtkiCommand[vtkiList].w;
-  uint entry = vtkiEntry[uint(vtkiListFirst) + (listed ? place : 0u)];
-  vtkiEvaluateBlock(ivec2(int(entry & 0xffffu), int(entry >> 16)), listed);
+  ivec2 blocks[VTKI_BLOCKS];
+  bool listed[VTKI_BLOCKS];
+  for (int i = 0; i < VTKI_BLOCKS; ++i)
+  {
+    uint place = uint(VTKI_BLOCKS) * gl_GlobalInvocationID.x + uint(i);
+    listed[i] = place < vtkiCommand[vtkiList].w;
+    uint entry = vtkiEntry[uint(vtkiListFirst) + (listed[i] ? place : 0u)];
+    blocks[i] = ivec2(int(entry & 0xffffu), int(entry >> 16));
+  }
+  vtkiEvaluateBlocks(blocks, listed);
 }
