@@ -25,6 +25,9 @@ const vtkIndirectChannel Channels[] = {
   { "geometry.surface", "vtkiSurface", "octahedral normal and kind, linear depth", GL_RGBA32F,
     "view", "1, 1, scene units" },
   { "geometry.albedo", "vtkiAlbedo", "diffuse reflectance", GL_RGBA16F, "-", "1" },
+  // Only where a material of the scene is specular.
+  { "geometry.specular", "vtkiSpecular", "specular reflectance, power of the lobe", GL_RGBA16F, "-",
+    "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
@@ -33,6 +36,7 @@ const vtkIndirectChannel Channels[] = {
 vtkGeometryBufferPass::vtkGeometryBufferPass()
   : Target(new vtkIndirectTarget(Channels, true))
 {
+  this->Target->SetNumberOfChannels(Specular);
 }
 
 vtkGeometryBufferPass::~vtkGeometryBufferPass() = default;
@@ -72,6 +76,8 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
 
+  this->WithSpecular = capture->GetSpecular();
+  this->Target->SetNumberOfChannels(this->WithSpecular ? Specular + 1 : Specular);
   if (!this->Target->Resize(frame.Window, frame.Size[0], frame.Size[1]))
   {
     return false;
@@ -85,6 +91,10 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   state->vtkglEnable(GL_BLEND);
   glDisablei(GL_BLEND, Surface);
   glDisablei(GL_BLEND, Albedo);
+  if (this->WithSpecular)
+  {
+    glDisablei(GL_BLEND, Specular);
+  }
 
   vtkRenderState s2(s->GetRenderer());
   s2.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
@@ -106,6 +116,10 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   this->NumberOfRenderedProps = capture->GetNumberOfRenderedProps();
   glEnablei(GL_BLEND, Surface);
   glEnablei(GL_BLEND, Albedo);
+  if (this->WithSpecular)
+  {
+    glEnablei(GL_BLEND, Specular);
+  }
   this->Target->End();
   return true;
 }

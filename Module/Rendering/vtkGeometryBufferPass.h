@@ -8,6 +8,8 @@
  * - geometry.surface, RGBA32F: octahedral normal (view coordinates) with the kind of shading,
  * linear depth in scene units
  * - geometry.albedo, RGBA16F: diffuse reflectance; of PBR times (1 - metallic)
+ * - geometry.specular, RGBA16F: specular reflectance of Phong's model and the power of its lobe;
+ * there only when the capture's Specular is on
  * and a 32-bit float depth texture.
  *
  * @sa vtkSurfaceCapturePass vtkIndirectIlluminationPass
@@ -45,7 +47,8 @@ public:
   {
     Lit,
     Surface,
-    Albedo
+    Albedo,
+    Specular
   };
 
   /**
@@ -64,6 +67,11 @@ public:
   {
     return this->Encoded;
   }
+  /** Whether the last frame has the channel Specular. */
+  bool HasSpecular() const
+  {
+    return this->WithSpecular;
+  }
 #endif
 
 protected:
@@ -76,6 +84,7 @@ private:
 
   std::unique_ptr<vtkIndirectTarget> Target;
   bool Encoded = false;
+  bool WithSpecular = false;
 };
 
 #endif

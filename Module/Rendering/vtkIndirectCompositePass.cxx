@@ -42,6 +42,7 @@ const FrameChannel FrameChannels[] = {
   { "albedo", 3, 1.0f, 0.0f },
   { "normal", 3, 0.5f, 0.5f },
   { "depth", 1, 1.0f, 0.0f },
+  { "specular", 4, 1.0f, 0.0f },
 };
 const FrameChannel MapChannels[] = {
   { "depth", 1, 1.0f, 0.0f },
@@ -54,13 +55,22 @@ const FrameChannel MapChannels[] = {
 struct vtkIndirectCompositePass::Internals
 {
   vtkIndirectTarget Image{ ImageChannels, false };
-  vtkIndirectKernelProgram Composite[2] = { { "vtkIndirectCompositeFS.glsl" },
-    { "vtkIndirectCompositeFS.glsl" } }; // linear colours only; encoded ones too
-  vtkIndirectKernelProgram Channel{ "vtkIndirectChannelFS.glsl" };
+  // Linear colours only, or encoded ones too; the same with specular reflection.
+  vtkIndirectKernelProgram Composite[4] = { { "vtkIndirectCompositeFS.glsl" },
+    { "vtkIndirectCompositeFS.glsl" }, { "vtkIndirectCompositeFS.glsl" },
+    { "vtkIndirectCompositeFS.glsl" } };
+  // Without and with specular reflection.
+  vtkIndirectKernelProgram Channel[2] = { { "vtkIndirectChannelFS.glsl" },
+    { "vtkIndirectChannelFS.glsl" } };
   vtkIndirectKernelProgram MapChannel{ "vtkIndirectMapChannelFS.glsl" };
   vtkIndirectKernelProgram Display{ "vtkIndirectDisplayFS.glsl" };
   const FrameChannel* Shown = nullptr;
   double Farthest = 1.0; // world units
+
+  static bool HasGlossy(const Input& input)
+  {
+    return input.Estimator && input.Estimator->GetGlossy() && input.Geometry.HasSpecular();
+  }
 
   // Without an estimate the sampler reads the albedo and the result is multiplied by zero.
   static void ActivateFrame(vtkShaderProgram* program, const Input& input)
@@ -69,26 +79,36 @@ struct vtkIndirectCompositePass::Internals
     geometry.Activate(vtkGeometryBufferPass::Lit, program);
     geometry.Activate(vtkGeometryBufferPass::Surface, program);
     geometry.Activate(vtkGeometryBufferPass::Albedo, program);
-    if (input.Irradiance)
+    if (input.Estimator)
     {
-      input.Irradiance->Activate(0, program);
+      input.Estimator->GetIrradiance().Activate(0, program);
     }
     else
     {
       program->SetUniformi(
         "vtkiIrradiance", geometry.GetTexture(vtkGeometryBufferPass::Albedo)->GetTextureUnit());
     }
+    if (HasGlossy(input))
+    {
+      geometry.Activate(vtkGeometryBufferPass::Specular, program);
+      input.Estimator->GetGlossy()->Activate(0, program);
+    }
     program->SetUniformf(
-      "vtkiIndirectScale", input.Irradiance ? static_cast<float>(input.IndirectScale) : 0.0f);
-    program->SetUniformf("vtkiIrradianceUnit", static_cast<float>(input.IrradianceUnit));
+      "vtkiIndirectScale", input.Estimator ? static_cast<float>(input.IndirectScale) : 0.0f);
+    program->SetUniformf("vtkiIrradianceUnit",
+      input.Estimator ? static_cast<float>(input.Estimator->GetIrradianceUnit()) : 0.0f);
   }
 
   static void DeactivateFrame(const Input& input)
   {
     input.Geometry.GetTarget().Deactivate();
-    if (input.Irradiance)
+    if (input.Estimator)
     {
-      input.Irradiance->Deactivate();
+      input.Estimator->GetIrradiance().Deactivate();
+    }
+    if (HasGlossy(input))
+    {
+      input.Estimator->GetGlossy()->Deactivate();
     }
   }
 };
@@ -96,7 +116,12 @@ struct vtkIndirectCompositePass::Internals
 vtkIndirectCompositePass::vtkIndirectCompositePass()
   : Internal(new Internals)
 {
-  this->Internal->Composite[1].SetDefinitions("#define VTKI_ENCODED\n");
+  const std::string encoded = "#define VTKI_ENCODED\n";
+  const std::string glossy = "#define VTKI_GLOSSY\n";
+  this->Internal->Composite[1].SetDefinitions(encoded);
+  this->Internal->Composite[2].SetDefinitions(glossy);
+  this->Internal->Composite[3].SetDefinitions(glossy + encoded);
+  this->Internal->Channel[1].SetDefinitions(glossy);
 }
 
 vtkIndirectCompositePass::~vtkIndirectCompositePass() = default;
@@ -176,8 +201,9 @@ bool vtkIndirectCompositePass::Composite(const Input& input)
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-  const bool encoded = input.Geometry.HasEncoded();
-  vtkShaderProgram* program = in.Composite[encoded].Use(frame.Window);
+  vtkIndirectKernelProgram& kernel =
+    in.Composite[input.Geometry.HasEncoded() + 2 * Internals::HasGlossy(input)];
+  vtkShaderProgram* program = kernel.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -194,7 +220,7 @@ bool vtkIndirectCompositePass::Composite(const Input& input)
   program->SetUniform2i("vtkiOrigin", frame.Origin);
   vtkIndirectSetUniform(
     program, "vtkiPixelSize", glm::vec2(1.0 / frame.Size[0], 1.0 / frame.Size[1]));
-  in.Composite[encoded].Draw();
+  kernel.Draw();
   Internals::DeactivateFrame(input);
   return true;
 }
@@ -223,7 +249,8 @@ bool vtkIndirectCompositePass::RenderChannel(const Input& input, const std::stri
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectKernelState kernelState(frame.Window);
-  vtkIndirectKernelProgram& kernel = ofMap ? in.MapChannel : in.Channel;
+  vtkIndirectKernelProgram& kernel =
+    ofMap ? in.MapChannel : in.Channel[Internals::HasGlossy(input)];
   if (!in.Image.Resize(frame.Window, size[0], size[1]))
   {
     return false;
@@ -332,9 +359,12 @@ void vtkIndirectCompositePass::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Internal;
   in.Image.Release(window);
-  in.Composite[0].Release();
-  in.Composite[1].Release();
-  in.Channel.Release();
+  for (vtkIndirectKernelProgram& composite : in.Composite)
+  {
+    composite.Release();
+  }
+  in.Channel[0].Release();
+  in.Channel[1].Release();
   in.MapChannel.Release();
   in.Display.Release();
 }

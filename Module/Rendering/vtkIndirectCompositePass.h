@@ -9,8 +9,9 @@
  * lights, while the irradiance here is physical over pi, so both kinds add albedo times E.
  *
  * Channels, as floats in world units and coordinates, background 0: `final`, `direct`, `indirect`
- * (albedo E + glossy), `irradiance`, `glossy` (zero: no estimator computes it yet), `albedo`,
- * `normal`, `depth` (along the view axis).
+ * (albedo E + glossy), `irradiance`, `glossy` (what receivers reflect specularly), `albedo`,
+ * `normal`, `depth` (along the view axis), `specular` (reflectance, and the power of the lobe in a
+ * fourth component; zero where SpecularTransport computes nothing).
  */
 
 #ifndef vtkIndirectCompositePass_h
@@ -46,8 +47,7 @@ public:
     const vtkIndirectFrame& Frame;
     const vtkGeometryBufferPass& Geometry;
     vtkReflectiveShadowMapPass* Maps;    // null without maps
-    const vtkIndirectTarget* Irradiance; // null for none
-    double IrradianceUnit;               // irradiance that a stored value of one stands for
+    vtkIndirectEstimatorPass* Estimator; // of the irradiance; null for none
     double IndirectScale;
   };
 
@@ -69,7 +69,8 @@ public:
   /** The same for a buffer of the estimator's own. */
   bool RenderChannel(
     const Input& input, vtkIndirectEstimatorPass* estimator, const std::string& name);
-  /** Copies that image: float, one component for lengths, three for colours and vectors. */
+  /** Copies that image: float, one component for lengths, three for colours and vectors,
+   * four for specular. */
   void CopyImage(vtkImageData* image);
   /** Shows that image in the framebuffer that is bound. */
   bool ShowImage(const Input& input);

@@ -3,8 +3,11 @@
 
 #include "vtkIndirectEstimatorPass.h"
 
+#include "vtkGeometryBufferPass.h"
+#include "vtkIndirectFrame.h"
 #include "vtkIndirectReport.h"
 #include "vtkIndirectTarget.h"
+#include "vtkOpenGLRenderWindow.h"
 
 namespace
 {
@@ -17,11 +20,22 @@ const vtkIndirectChannel HalfChannels[] = {
     "VTK irradiance over the frame's unit" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+const vtkIndirectChannel GlossyChannels[] = {
+  { "glossy", "vtkiGlossy", "indirect light in the specular lobe", GL_RGBA32F, "-",
+    "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel HalfGlossyChannels[] = {
+  { "glossy", "vtkiGlossy", "indirect light in the specular lobe", GL_RGBA16F, "-",
+    "VTK irradiance over the frame's unit" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectEstimatorPass::vtkIndirectEstimatorPass()
   : Irradiance(new vtkIndirectTarget(Channels, false))
+  , Glossy(new vtkIndirectTarget(GlossyChannels, false))
 {
 }
 
@@ -32,6 +46,8 @@ void vtkIndirectEstimatorPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MethodName: " << this->GetMethodName() << "\n";
+  os << indent << "SpecularTransport: " << (this->SpecularTransport ? "On" : "Off") << "\n";
+  os << indent << "ComputesGlossy: " << (this->ComputesGlossy() ? "yes" : "no") << "\n";
   os << indent << "MaximumNumberOfBounces: " << this->GetMaximumNumberOfBounces() << "\n";
   this->Irradiance->Print(os, indent);
 }
@@ -53,15 +69,38 @@ void vtkIndirectEstimatorPass::SetIrradianceStorage(
     this->Irradiance->Release(window);
     this->Irradiance =
       std::make_unique<vtkIndirectTarget>(half ? HalfChannels : Channels, depth, 16);
+    this->Glossy->Release(window);
+    this->Glossy =
+      std::make_unique<vtkIndirectTarget>(half ? HalfGlossyChannels : GlossyChannels, false);
     this->IrradianceIsHalf = half;
     this->IrradianceHasDepth = depth;
   }
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectEstimatorPass::WantsGlossy(const vtkIndirectFrame& frame) const
+{
+  return this->SpecularTransport && this->ComputesGlossy() && frame.Specular;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectEstimatorPass::ResizeGlossy(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  this->HasGlossy = input.Geometry.HasSpecular() && this->WantsGlossy(frame);
+  if (!this->HasGlossy)
+  {
+    this->Glossy->Release(frame.Window);
+    return true;
+  }
+  this->HasGlossy = this->Glossy->Resize(frame.Window, frame.Size[0], frame.Size[1]);
+  return this->HasGlossy;
+}
+
+//------------------------------------------------------------------------------
 size_t vtkIndirectEstimatorPass::GetBytes() const
 {
-  return this->Irradiance->GetBytes();
+  return this->Irradiance->GetBytes() + this->Glossy->GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -73,7 +112,26 @@ void vtkIndirectEstimatorPass::AddToReport(vtkIndirectReport& report) const
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectEstimatorPass::AddSpecularToReport(vtkIndirectReport& report) const
+{
+  if (this->HasGlossy)
+  {
+    report.Modelled.emplace_back(
+      "specular indirect light", "receivers reflect it by the lobes of Phong's model");
+    report.LeftOut.emplace_back("specular reflection of senders", "senders are taken as diffuse");
+    return;
+  }
+  report.LeftOut.emplace_back("specular indirect light",
+    !this->ComputesGlossy() ? std::string("senders are taken as diffuse, and ") +
+        this->GetClassName() + " takes receivers as diffuse"
+      : this->SpecularTransport ? "senders are taken as diffuse; no receiver is specular"
+                                : "SpecularTransport is off");
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectEstimatorPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Irradiance->Release(window);
+  this->Glossy->Release(window);
+  this->HasGlossy = false;
 }

@@ -5,6 +5,10 @@
  *
  * The irradiance is in VTK's units, where a constant radiance L over the hemisphere gives E = L and
  * a diffuse surface sends out albedo times E. Its texture has the size of the viewport.
+ *
+ * Estimators that know how also compute what receivers reflect specularly, by the lobes of VTK's
+ * Phong model; see SpecularTransport. It comes without the material's specular colour, by which the
+ * composite multiplies it.
  */
 
 #ifndef vtkIndirectEstimatorPass_h
@@ -41,6 +45,18 @@ public:
   /** Most bounces that this estimator computes. */
   virtual int GetMaximumNumberOfBounces() const { return 1; }
 
+  ///@{
+  /**
+   * Whether receivers with Phong's model and a specular coefficient reflect indirect light
+   * specularly, where the estimator can compute it. Costs nothing where there are none. Default on.
+   */
+  vtkSetMacro(SpecularTransport, bool);
+  vtkGetMacro(SpecularTransport, bool);
+  vtkBooleanMacro(SpecularTransport, bool);
+  ///@}
+  /** Whether this estimator can compute specular reflection of receivers. */
+  virtual bool ComputesGlossy() const { return false; }
+
 #ifndef __VTK_WRAP__
   /** What a frame's estimate reads; eye stands in for the maps where a headlight needs none. */
   struct Input
@@ -76,6 +92,16 @@ public:
   {
     return *this->Irradiance;
   }
+  /**
+   * What lobes of a specular coefficient of one reflect, in the unit of the irradiance; null where
+   * the last frame has none.
+   */
+  const vtkIndirectTarget* GetGlossy() const
+  {
+    return this->HasGlossy ? this->Glossy.get() : nullptr;
+  }
+  /** Whether a frame's receivers are to reflect specularly. */
+  bool WantsGlossy(const vtkIndirectFrame& frame) const;
   /** Irradiance that a stored value of one stands for. */
   double GetIrradianceUnit() const
   {
@@ -85,6 +111,8 @@ public:
 
   /** Says what the last frame modelled and left out. Default: one bounce without visibility. */
   virtual void AddToReport(vtkIndirectReport& report) const;
+  /** Says whether receivers reflected specularly in the last frame, and if not why. */
+  void AddSpecularToReport(vtkIndirectReport& report) const;
 
   /** Names of buffers of the estimator's own that can be looked at. */
   virtual std::vector<std::string> GetChannelNames() const
@@ -111,9 +139,19 @@ protected:
    * a 16-bit depth buffer comes with it. The default is 32-bit floats, one, and none.
    */
   void SetIrradianceStorage(vtkWindow* window, bool half, double unit, bool depth);
+
+  /**
+   * Creates or resizes the texture of what is reflected specularly, stored like the irradiance, for
+   * a frame that has it, and releases it for others; HasGlossy says which. After
+   * SetIrradianceStorage. Returns false, after an error, when OpenGL refuses.
+   */
+  bool ResizeGlossy(const Input& input);
 #endif
 
+  bool SpecularTransport = true;
+  bool HasGlossy = false;
   std::unique_ptr<vtkIndirectTarget> Irradiance;
+  std::unique_ptr<vtkIndirectTarget> Glossy;
 
 private:
   double IrradianceUnit = 1.0;

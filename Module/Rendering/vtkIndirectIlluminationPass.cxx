@@ -71,8 +71,7 @@ struct vtkIndirectIlluminationPass::Internals
   {
     vtkIndirectEstimatorPass* estimator = self->GetActiveEstimator();
     return { this->Frame, *this->Geometry, this->EyeIsMap ? nullptr : self->ReflectiveShadowMaps,
-      this->HasIrradiance ? &estimator->GetIrradiance() : nullptr, estimator->GetIrradianceUnit(),
-      self->IndirectScale };
+      this->HasIrradiance ? estimator : nullptr, self->IndirectScale };
   }
 
   // Releases everything when the window's context ends or the pass moves to another window: VTK
@@ -272,6 +271,8 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
   this->SurfaceCapture->SetDelegatePass(
     this->DelegatePass ? this->DelegatePass : in.DefaultDelegate.Get());
   this->SurfaceCapture->SetShadows(this->Shadows && !in.EyeIsMap);
+  this->SurfaceCapture->SetSpecular(
+    this->IndirectScale > 0.0 && this->GetActiveEstimator()->WantsGlossy(frame));
   this->SurfaceCapture->Attach(frame);
   bool drawn = true;
   if (!in.EyeIsMap)
@@ -535,14 +536,13 @@ std::string vtkIndirectIlluminationPass::GetReport()
     report.VirtualLights = sampler ? sampler->GetActualNumberOfLights() : 0;
     report.Bytes += estimator->GetBytes() + (sampler ? sampler->GetBytes() : 0);
     estimator->AddToReport(report);
+    estimator->AddSpecularToReport(report);
     if (this->NumberOfBounces > estimator->GetMaximumNumberOfBounces())
     {
       report.LeftOut.emplace_back(
         "bounces beyond " + std::to_string(estimator->GetMaximumNumberOfBounces()),
         std::string(estimator->GetClassName()) + " computes no more; the result is too dark");
     }
-    report.LeftOut.emplace_back(
-      "specular indirect light", "senders and receivers are taken as diffuse");
   }
   else if (this->IndirectScale > 0.0)
   {

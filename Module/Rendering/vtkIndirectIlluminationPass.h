@@ -178,7 +178,8 @@ public:
   /**
    * Copies a channel of the last frame, floats, bottom row first, vectors in world coordinates,
    * lengths in world units, background 0: `final`, `direct`, `indirect` (albedo E + glossy),
-   * `irradiance` (E in VTK's units), `glossy`, `albedo`, `normal`, `depth` (along the view axis);
+   * `irradiance` (E in VTK's units), `glossy`, `albedo`, `normal`, `depth` (along the view axis),
+   * `specular` (reflectance, power of the lobe);
    * `rsm<i>.depth`, `rsm<i>.normal`, `rsm<i>.density` (the faces of a map in a row); `lights` (four
    * components, one row a virtual light: position, area; normal, lobe exponent; B A, source).
    * An estimator may have more; see its page. Returns false, after one error, for an unknown name

@@ -3,6 +3,8 @@
 
 #include "vtkMultiresolutionSplattingPass.h"
 
+#include "vtkIndirectGlossyGather.h"
+#include "vtkIndirectGlossySubsplats.h"
 #include "vtkIndirectLightBlock.h"
 #include "vtkIndirectReport.h"
 #include "vtkIndirectStageTimer.h"
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 vtkStandardNewMacro(vtkMultiresolutionSplattingPass);
 
@@ -24,6 +27,8 @@ struct vtkMultiresolutionSplattingPass::Internals
   vtkIndirectSubsplatPyramid Pyramid;
   vtkIndirectSubsplatIllumination Illumination;
   vtkIndirectSubsplatView View;
+  vtkIndirectGlossySubsplats Glossy;
+  vtkIndirectGlossyGather GlossyGather;
 
   // The last frame, for the report.
   double Tolerance = 0.0;
@@ -31,6 +36,8 @@ struct vtkMultiresolutionSplattingPass::Internals
   int Evaluations = -1;
   int NumberOfLights = 0;
   std::string Renderer;
+  bool GlossyIsListed = false;
+  std::string WhyGlossyIsGathered;
 };
 
 namespace
@@ -85,6 +92,7 @@ void vtkMultiresolutionSplattingPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightingThreshold: " << this->LightingThreshold << "\n";
   os << indent << "Balance: " << (this->Balance ? "On" : "Off") << "\n";
   os << indent << "NormalCorrection: " << (this->NormalCorrection ? "On" : "Off") << "\n";
+  os << indent << "GlossyThreshold: " << this->GlossyThreshold << "\n";
   os << indent << "SurfaceDetail: " << this->SurfaceDetail << "\n";
   os << indent << "Renderer: " << renderers[this->Renderer] << "\n";
   os << indent << "Storage: " << (this->Storage == HALF_FLOAT ? "HalfFloat" : "Float") << "\n";
@@ -95,7 +103,7 @@ size_t vtkMultiresolutionSplattingPass::GetBytes() const
 {
   const Internals& in = *this->Internal;
   return this->Superclass::GetBytes() + in.Lights.GetBytes() + in.Pyramid.GetBytes() +
-    in.Illumination.GetBytes();
+    in.Illumination.GetBytes() + in.Glossy.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -149,7 +157,7 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
 
   this->SetIrradianceStorage(window, settings.HalfFloats, unit, true);
   if (!this->Irradiance->Resize(window, frame.Size[0], frame.Size[1]) ||
-    !in.Pyramid.Resize(window, frame.Size, settings) ||
+    !this->ResizeGlossy(input) || !in.Pyramid.Resize(window, frame.Size, settings) ||
     !in.Illumination.Resize(window, in.Pyramid, *this->Irradiance, settings.HalfFloats))
   {
     return false;
@@ -175,6 +183,7 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
   timer.Begin(vtkIndirectStageTimer::Upsample);
   done = done &&
     in.Illumination.FillPixels(input, settings, renderer, in.Pyramid, in.Lights, *this->Irradiance);
+  done = done && this->FillGlossy(input, settings);
   timer.End(vtkIndirectStageTimer::Upsample);
 
   static const char* const renderers[] = { "points", "fragments", "compute" };
@@ -196,12 +205,64 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
 }
 
 //------------------------------------------------------------------------------
+bool vtkMultiresolutionSplattingPass::FillGlossy(
+  const Input& input, const vtkIndirectSubsplatSettings& settings)
+{
+  Internals& in = *this->Internal;
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  const double share = input.ErrorTolerance > 0.0 ? input.ErrorTolerance / 0.02 : 1.0;
+  in.WhyGlossyIsGathered.clear();
+  if (this->HasGlossy)
+  {
+    if (!vtkIndirectComputeProgram::IsSupported())
+    {
+      in.WhyGlossyIsGathered = "this context has no OpenGL 4.3";
+    }
+    else if (this->Renderer == LEAF_FRAGMENTS)
+    {
+      in.WhyGlossyIsGathered = "Renderer is LEAF_FRAGMENTS";
+    }
+    else if (!(this->GlossyThreshold > 0.0))
+    {
+      in.WhyGlossyIsGathered = "GlossyThreshold is 0";
+    }
+    else if (!vtkIndirectGlossySubsplats::Fits(
+               in.Pyramid, input.Sampler->GetActualNumberOfLights()))
+    {
+      in.WhyGlossyIsGathered = "lists for so many pixels and lights are too long";
+    }
+  }
+  in.GlossyIsListed = this->HasGlossy && in.WhyGlossyIsGathered.empty();
+  if (!in.GlossyIsListed)
+  {
+    in.Glossy.Release(window);
+    return !this->HasGlossy ||
+      in.GlossyGather.Sum(input, *this->Glossy, this->GetIrradianceUnit(), {});
+  }
+  return in.Glossy.Resize(window, in.Pyramid, settings.HalfFloats) &&
+    in.Glossy.Fill(input, settings, this->GlossyThreshold * share, in.Pyramid, in.Lights,
+      *this->Irradiance, *this->Glossy);
+}
+
+//------------------------------------------------------------------------------
 void vtkMultiresolutionSplattingPass::AddToReport(vtkIndirectReport& report) const
 {
   this->Superclass::AddToReport(report);
   const Internals& in = *this->Internal;
   report.Modelled.emplace_back(
     "subsplats", std::to_string(in.Pyramid.GetNumberOfLevels()) + " levels, by " + in.Renderer);
+  if (this->HasGlossy)
+  {
+    const double pairs =
+      static_cast<double>(report.Size[0]) * report.Size[1] * static_cast<double>(in.NumberOfLights);
+    char share[32] = "";
+    std::snprintf(share, sizeof(share), "%.3g",
+      in.GlossyIsListed ? in.Glossy.CountEvaluations() / std::max(pairs, 1.0) : 1.0);
+    report.Modelled.emplace_back("lists of specular subsplats",
+      in.GlossyIsListed
+        ? std::string("a set of lights for each; evaluations over pixels times lights: ") + share
+        : "every specular pixel sums all lights, because " + in.WhyGlossyIsGathered);
+  }
   if (in.Tolerance <= 0.0)
   {
     return;
@@ -248,4 +309,6 @@ void vtkMultiresolutionSplattingPass::ReleaseGraphicsResources(vtkWindow* window
   in.Pyramid.Release(window);
   in.Illumination.Release(window);
   in.View.Release();
+  in.Glossy.Release(window);
+  in.GlossyGather.Release();
 }

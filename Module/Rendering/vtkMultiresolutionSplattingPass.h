@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMultiresolutionSplattingPass
- * @brief One bounce of diffuse light, evaluated once for each group of pixels that looks alike
+ * @brief One bounce of light, evaluated once for each group of pixels that looks alike
  *
  * Nichols and Wyman 2009, "Multiresolution splatting for indirect illumination": the image is cut
  * into subsplats, squares of 1 to 2^n pixels, coarse where one surface fills them and fine at edges
@@ -26,6 +26,10 @@
  * `subsplat.evaluated<n>`, the illumination of level n's own subsplats; `subsplat.upsampled<n>`,
  * level n with all coarser ones interpolated into it. Level 0 is pixels.
  *
+ * Receivers with Phong's model and a specular coefficient also reflect the lights in their lobes,
+ * from lists of subsplats for each light that are refined by its computed illumination (section 4.1
+ * of the paper); see GlossyThreshold.
+ *
  * With vtkIndirectIlluminationPass::ErrorTolerance the thresholds are chosen by the pass: in
  * proportion, the defaults for 0.02.
  *
@@ -38,6 +42,8 @@
 #include "vtkIndirectEstimatorPass.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
 
+struct vtkIndirectSubsplatSettings;
+
 class VTKRENDERINGINDIRECT_EXPORT vtkMultiresolutionSplattingPass : public vtkIndirectEstimatorPass
 {
 public:
@@ -46,6 +52,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "multiresolution"; }
+  bool ComputesGlossy() const override { return true; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{
@@ -144,6 +151,17 @@ public:
 
   ///@{
   /**
+   * What virtual lights that are left out of a specular lobe, or interpolated in it, may change of
+   * it, by an estimate for each and all of them together: a fraction of the irradiance. The list of
+   * each subsplat's lights is refined by it. Default 0.02, range 0 to 1; 0 sums all lights at every
+   * specular pixel, and so does an OpenGL older than 4.3. The report says which it was.
+   */
+  vtkSetClampMacro(GlossyThreshold, double, 0.0, 1.0);
+  vtkGetMacro(GlossyThreshold, double);
+  ///@}
+
+  ///@{
+  /**
    * Equation (2) of the paper: the share alpha of the irradiance that goes with the cosine between
    * normal and eye. Not physical: it darkens. Default 0 (off), range 0 to 1; the paper's is 0.5.
    */
@@ -212,6 +230,7 @@ protected:
   double LightingThreshold = 0.005;
   bool Balance = true;
   bool NormalCorrection = true;
+  double GlossyThreshold = 0.02;
   double SurfaceDetail = 0.0;
   int Renderer = AUTOMATIC;
   int Storage = HALF_FLOAT;
@@ -219,6 +238,10 @@ protected:
 private:
   vtkMultiresolutionSplattingPass(const vtkMultiresolutionSplattingPass&) = delete;
   void operator=(const vtkMultiresolutionSplattingPass&) = delete;
+
+#ifndef __VTK_WRAP__
+  bool FillGlossy(const Input& input, const vtkIndirectSubsplatSettings& settings);
+#endif
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

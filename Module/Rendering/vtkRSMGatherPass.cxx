@@ -5,6 +5,7 @@
 
 #include "vtkGeometryBufferPass.h"
 #include "vtkIndirectAllTexelsSampler.h"
+#include "vtkIndirectGlossyGather.h"
 #include "vtkIndirectKernelProgram.h"
 #include "vtkIndirectStageTimer.h"
 #include "vtkIndirectTarget.h"
@@ -42,6 +43,7 @@ struct vtkRSMGatherPass::Internals
     { "vtkIndirectGatherFS.glsl", NeighborhoodFile } };
   vtkIndirectKernelProgram Upsample[2] = { { "vtkIndirectUpsampleFS.glsl", LightsFile },
     { "vtkIndirectUpsampleFS.glsl", NeighborhoodFile } };
+  vtkIndirectGlossyGather Glossy;
   vtkNew<vtkIndirectAllTexelsSampler> AllTexels;
 
   void SetUniforms(
@@ -131,6 +133,7 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
     (frame.Size[1] + 2 * step - 2) / step };
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
+    !this->ResizeGlossy(input) ||
     (interpolate && !in.Coarse.Resize(frame.Window, coarse[0], coarse[1])))
   {
     return false;
@@ -197,6 +200,11 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   state->vtkglDisable(GL_BLEND);
   sums.End();
   releaseTextures();
+  if (this->HasGlossy &&
+    !in.Glossy.Sum(input, *this->Glossy, 1.0, { this->NumberOfSamples, this->NeighborhoodRadius }))
+  {
+    return false;
+  }
   timer.End(vtkIndirectStageTimer::Estimate);
   if (!interpolate)
   {
@@ -235,6 +243,7 @@ void vtkRSMGatherPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   Internals& in = *this->Internal;
   in.Coarse.Release(window);
+  in.Glossy.Release();
   in.AllTexels->ReleaseGraphicsResources(window);
   for (int i = 0; i < 2; ++i)
   {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRSMGatherPass
- * @brief One bounce of diffuse light, summed at each pixel over senders in the lights' maps
+ * @brief One bounce of light from diffuse senders, summed at each pixel over senders in the lights'
+ * maps
  *
  * Equation: E(x) = sum over senders p of B_p A_p cosS cosR / (pi r^2 + A_p), the disk kernel in
  * place of equation (1) of Dachsbacher and Stamminger 2005, "Reflective shadow maps". B_p A_p comes
@@ -14,8 +15,11 @@
  * - NEIGHBORHOOD: the paper's own: per pixel, texels in a disk around the pixel's place in each
  * map. Its expectation is the sum restricted to that disk.
  *
+ * Receivers with a specular coefficient also reflect the same senders in their lobes, summed at
+ * each of their pixels with and without interpolation; see SpecularTransport.
+ *
  * Approximations: no visibility between sender and receiver (bias >= 0), one bounce (<= 0), diffuse
- * only (<= 0); the kernel is low where r^2 < A, by about -0.6 / sqrt(N) for walls that meet.
+ * senders (<= 0); the kernel is low where r^2 < A, by about -0.6 / sqrt(N) for walls that meet.
  *
  * Interpolation (section 5.2 of the paper): the sum is taken at every InterpolationStep-th pixel
  * and interpolated where three of the four around lie on the same surface; other pixels sum for
@@ -36,6 +40,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "gather"; }
+  bool ComputesGlossy() const override { return true; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   enum ModeType

@@ -13,7 +13,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 vtkStandardNewMacro(vtkRSMReferencePass);
@@ -42,6 +44,7 @@ struct Receiver
 {
   double Position[3];
   double Normal[3];
+  double ToEye[3];
 };
 
 VTK_INDIRECT_VECTORIZED
@@ -73,6 +76,46 @@ void Sum(const SenderBlock* blocks, size_t count, const Receiver& receiver, doub
     for (size_t i = 0; i < Lanes; ++i)
     {
       total[c] += sums[c][i];
+    }
+  }
+}
+
+// The same for the specular lobe of a receiver.
+void SumLobe(
+  const SenderBlock* blocks, size_t count, const Receiver& receiver, double power, double* total)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const double* n = receiver.Normal;
+  const double* v = receiver.ToEye;
+  const double facing = 2.0 * (n[0] * v[0] + n[1] * v[1] + n[2] * v[2]);
+  for (size_t b = 0; b < count; ++b)
+  {
+    const SenderBlock& s = blocks[b];
+    for (size_t i = 0; i < Lanes; ++i)
+    {
+      double l[3];
+      double r2 = 0.0;
+      double sender = 0.0;
+      double mine = 0.0;
+      double mirrored = 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        l[c] = s.Position[c][i] - receiver.Position[c];
+        r2 += l[c] * l[c];
+        sender -= s.Normal[c][i] * l[c];
+        mine += n[c] * l[c];
+        mirrored += (facing * n[c] - v[c]) * l[c];
+      }
+      if (r2 > 0.0 && sender > 0.0 && mine > 0.0 && mirrored > 0.0)
+      {
+        const double r = std::sqrt(r2);
+        const double weight =
+          sender / r / (pi * r2 + s.Area[i]) * std::pow(std::min(mirrored / r, 1.0), power);
+        for (int c = 0; c < 3; ++c)
+        {
+          total[c] += s.DensityArea[c][i] * weight;
+        }
+      }
     }
   }
 }
@@ -129,8 +172,11 @@ bool MakeReceiver(
   const glm::dvec3 position(frame.ViewToScene * glm::dvec4(view, 1.0));
   const glm::dvec3 normal = glm::normalize(
     glm::dmat3(frame.ViewToScene) * glm::dvec3(vtkIndirectKernels::vtkiSurfaceNormal(texel)));
+  const glm::dvec3 toEye = glm::dmat3(frame.ViewToScene) *
+    (glm::length(view) > 0.0 ? -glm::normalize(view) : glm::dvec3(0.0, 0.0, 1.0));
   for (int c = 0; c < 3; ++c)
   {
+    receiver.ToEye[c] = toEye[c];
     receiver.Position[c] = position[c];
     receiver.Normal[c] = normal[c];
   }
@@ -174,7 +220,8 @@ vtkVirtualLightSampler* vtkRSMReferencePass::ChooseSampler(vtkVirtualLightSample
 bool vtkRSMReferencePass::Estimate(const Input& input, vtkIndirectStageTimer& timer)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
+    !this->ResizeGlossy(input))
   {
     return false;
   }
@@ -183,7 +230,11 @@ bool vtkRSMReferencePass::Estimate(const Input& input, vtkIndirectStageTimer& ti
   const std::vector<float> surfaces =
     input.Geometry.GetTarget().ReadBack(vtkGeometryBufferPass::Surface);
   const size_t pixels = surfaces.size() / 4;
+  const std::vector<float> specular = this->HasGlossy
+    ? input.Geometry.GetTarget().ReadBack(vtkGeometryBufferPass::Specular)
+    : std::vector<float>();
   std::vector<float> irradiance(surfaces.size(), 0.0f);
+  std::vector<float> glossy(specular.size(), 0.0f);
   vtkSMPTools::For(0, static_cast<vtkIdType>(pixels),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -195,6 +246,13 @@ bool vtkRSMReferencePass::Estimate(const Input& input, vtkIndirectStageTimer& ti
               static_cast<int>(p / frame.Size[0]), receiver))
         {
           Sum(senders.data(), senders.size(), receiver, total);
+          const float* lobe = this->HasGlossy ? &specular[4 * p] : nullptr;
+          if (lobe && std::max({ lobe[0], lobe[1], lobe[2] }) > 0.0f)
+          {
+            double reflected[3] = { 0.0, 0.0, 0.0 };
+            SumLobe(senders.data(), senders.size(), receiver, lobe[3], reflected);
+            std::copy(reflected, reflected + 3, &glossy[4 * p]);
+          }
         }
         for (int c = 0; c < 3; ++c)
         {
@@ -204,6 +262,10 @@ bool vtkRSMReferencePass::Estimate(const Input& input, vtkIndirectStageTimer& ti
       }
     });
   this->Irradiance->Write(0, irradiance);
+  if (this->HasGlossy)
+  {
+    this->Glossy->Write(0, glossy);
+  }
   timer.End(vtkIndirectStageTimer::Estimate);
   return true;
 }

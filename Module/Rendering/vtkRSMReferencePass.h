@@ -9,7 +9,11 @@
  *
  *     E(x) = sum over senders p of B_p A_p cosS cosR / (pi r^2 + A_p)
  *
- * at every pixel, with no interpolation. In mode ALL_TEXELS the senders are all texels of all maps:
+ * at every pixel, with no interpolation, and at specular pixels what their lobes reflect,
+ *
+ *     S(x) = sum over senders p of B_p A_p cosS max(R.V, 0)^power / (pi r^2 + A_p).
+ *
+ * In mode ALL_TEXELS the senders are all texels of all maps:
  * with maps of 256 texels squared that is the reference called R1. In mode VIRTUAL_LIGHTS they are
  * the sampler's lights, which isolates the arithmetic of a shader from its sampling.
  *
@@ -32,6 +36,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "reference"; }
+  bool ComputesGlossy() const override { return true; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   enum ModeType

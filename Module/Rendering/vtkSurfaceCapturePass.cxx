@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
 #include "vtkSurfaceCapturePass.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkCamera.h"
+#include "vtkGeometryBufferPass.h"
 #include "vtkIndirectFrame.h"
 #include "vtkIndirectKernels.h"
 #include "vtkIndirectLightMap.h"
@@ -102,6 +105,7 @@ void vtkSurfaceCapturePass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DelegatePass: " << this->DelegatePass << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "On" : "Off") << "\n";
+  os << indent << "Specular: " << (this->Specular ? "On" : "Off") << "\n";
   os << indent << "NumberOfShaderBuilds: " << this->NumberOfShaderBuilds << "\n";
 }
 
@@ -111,6 +115,17 @@ void vtkSurfaceCapturePass::SetShadows(bool shadows)
   if (shadows != this->Shadows)
   {
     this->Shadows = shadows;
+    this->SourceTime.Modified();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::SetSpecular(bool specular)
+{
+  if (specular != this->Specular)
+  {
+    this->Specular = specular;
     this->SourceTime.Modified();
     this->Modified();
   }
@@ -373,6 +388,15 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
       : "  vec3 vtkiTextureColor = tcolor.rgb;\n";
   }
   outputs += vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureImplFS.glsl");
+  if (this->Specular)
+  {
+    // VTK declares these where a surface is lit; its PBR has them too and does not use them.
+    const bool phong = lit && !pbr && Contains(fragmentShader, "vec3 specularColor =") &&
+      Contains(fragmentShader, "float specularPower =");
+    outputs += std::string("#define VTKI_SPECULAR ") +
+      (phong ? "vec4(specularColor, specularPower)\n" : "vec4(0.0)\n") +
+      vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureSpecularFS.glsl");
+  }
   vtkShaderProgram::Substitute(
     fragmentShader, "//VTK::DepthPeeling::Impl", outputs + "  //VTK::DepthPeeling::Impl", false);
   return true;
@@ -412,6 +436,11 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
       "vtkiShadowMap", count, reinterpret_cast<const float(*)[4]>(in.ShadowMap.data()));
     program->SetUniform4fv(
       "vtkiShadowDepth", count, reinterpret_cast<const float(*)[4]>(in.ShadowDepth.data()));
+  }
+  if (this->Specular && in.Stage == 0)
+  {
+    // The power is in alpha: whatever has switched blending since the stage began must not mix it.
+    glDisablei(GL_BLEND, vtkGeometryBufferPass::Specular);
   }
   if (in.Stage == 1)
   {

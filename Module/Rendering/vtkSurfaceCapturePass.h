@@ -71,6 +71,16 @@ public:
   vtkBooleanMacro(Shadows, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether mappers write the specular colour and power of what the eye sees, as a fourth output.
+   * Default off. Shader sources differ, so a change rebuilds them.
+   */
+  void SetSpecular(bool specular);
+  vtkGetMacro(Specular, bool);
+  vtkBooleanMacro(Specular, bool);
+  ///@}
+
   vtkMTimeType GetShaderStageMTime() override { return this->SourceTime.GetMTime(); }
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
@@ -107,6 +117,7 @@ protected:
   vtkRenderPass* DelegatePass = nullptr;
   vtkIdType NumberOfShaderBuilds = 0;
   bool Shadows = true;
+  bool Specular = false;
   vtkTimeStamp SourceTime; // of the last change to injected text
 
 private:

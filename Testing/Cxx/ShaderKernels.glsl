@@ -3,7 +3,7 @@
 #ifndef ShaderKernels
 #define ShaderKernels
 
-const int VTKI_KERNEL_COUNT = 25;
+const int VTKI_KERNEL_COUNT = 26;
 
 mat3 vtkiTestMatrix(vec4 a, vec4 b, float c)
 {
@@ -139,6 +139,16 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
     }
     return vec4(float(length), float(walk.column.x), float(walk.column.y),
       float(((bits.x >> 1u) ^ bits.y ^ bits.z ^ (bits.w << 1u)) & 0xffffu));
+  }
+  if (kernel == 24)
+  {
+    vec3 mirror = vtkiMirror(-a3, b3);
+    vec3 toSender = (0.1f + a.w) * c3;
+    float power = 128.0f * b.w * b.w;
+    return vec4(vtkiGlossyWeight(toSender, a3, b3, mirror, power, 0.1f + a.w),
+      vtkiGlossyVariation(toSender, a3, mirror, power, 0.1f + a.w, 0.05f * b.w, 0.1f * a.w,
+        0.2f + b.w, c.w > 0.0f),
+      mirror.x, mirror.y);
   }
   return vec4(VTKI_PI, VTKI_GAMMA, float(VTKI_MAP_CAMERA), VTKI_SURFACE_UNLIT);
 }

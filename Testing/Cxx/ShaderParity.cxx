@@ -72,6 +72,8 @@ const Kernel Kernels[] = {
   { "vtkiIrradianceLow, High, Lobe", 1e-4, 0.1, "near half a hemisphere two forms meet" },
   { "vtkiPatchSolidAngle", 1e-4, 1e-2, "cosines near zero cancel" },
   { "vtkiBeginWalk, vtkiWalkBits, vtkiAdvance", 0.0, 1.0, "decisions and bits" },
+  { "vtkiMirror, vtkiGlossyWeight, vtkiGlossyVariation", 1e-3, 0.1,
+    "GPU pow: log2 of limited precision, exponents up to 128" },
   { "constants", 0.0, 1.0, "literals" },
 };
 
@@ -187,8 +189,8 @@ VTK_INDIRECT_TEST(StagesLink)
   {
     const std::string name = entry->Name;
     const std::string text = entry->Text;
-    // The capture's files are parts of mappers' shaders; the frame above has linked them. Points come
-    // with a vertex stage of their own; the tests of multiresolution splatting link both.
+    // The capture's files are parts of mappers' shaders; the frame above has linked them. Points
+    // come with a vertex stage of their own; the tests of multiresolution splatting link both.
     const bool stage = name.size() > 7 && name.substr(name.size() - 7) == "FS.glsl" &&
       name.find("vtkIndirectCapture") != 0 && name.find("PointFS") == std::string::npos;
     if (!stage)

@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
@@ -41,6 +42,39 @@ bool IsDrawnAsPoints(vtkProp* prop)
   return actor &&
     (actor->GetProperty()->GetRepresentation() == VTK_POINTS ||
       actor->GetProperty()->GetRenderPointsAsSpheres());
+}
+
+// VTK lights all of its interpolations but PBR by Phong's model.
+bool IsSpecular(vtkProperty* property)
+{
+  const double* color = property ? property->GetSpecularColor() : nullptr;
+  return color && property->GetLighting() && property->GetInterpolation() != VTK_PBR &&
+    property->GetSpecular() > 0.0 && (color[0] > 0.0 || color[1] > 0.0 || color[2] > 0.0);
+}
+
+bool IsSpecular(vtkProp* prop)
+{
+  if (auto* actor = vtkActor::SafeDownCast(prop))
+  {
+    return IsSpecular(actor->GetProperty()) || IsSpecular(actor->GetBackfaceProperty());
+  }
+  vtkNew<vtkPropCollection> actors; // of assemblies and levels of detail
+  auto* assembly = vtkPropAssembly::SafeDownCast(prop);
+  vtkPropCollection* parts = assembly ? assembly->GetParts() : actors.Get();
+  if (!assembly)
+  {
+    prop->GetActors(actors);
+  }
+  vtkCollectionSimpleIterator it;
+  parts->InitTraversal(it);
+  while (vtkProp* part = parts->GetNextProp(it))
+  {
+    if (part != prop && IsSpecular(part))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 }
 
@@ -108,14 +142,15 @@ void vtkIndirectFrame::CollectProps()
     {
       continue;
     }
-    // Passes attach themselves to a prop through this; giving it one modifies the prop, so that must
-    // not come after its times are read.
+    // Passes attach themselves to a prop through this; giving it one modifies the prop, so that
+    // must not come after its times are read.
     if (!prop->GetPropertyKeys())
     {
       vtkNew<vtkInformation> keys;
       prop->SetPropertyKeys(keys);
     }
     this->Props.push_back(prop);
+    this->Specular = this->Specular || (IsSpecular(prop) && prop->HasOpaqueGeometry());
     if (!prop->GetUseBounds() || !prop->HasOpaqueGeometry())
     {
       continue;

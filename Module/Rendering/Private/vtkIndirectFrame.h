@@ -56,6 +56,7 @@ struct vtkIndirectFrame
   double SceneScale = 1.0;       // scene units per world unit
 
   std::vector<vtkProp*> Props; // all visible ones
+  bool Specular = false;       // whether a lit opaque prop reflects specularly, by Phong's model
   std::vector<vtkIndirectCaster> Casters;
   std::vector<vtkIndirectLight> Lights;
   /** Props and lights that take no part, and why. */

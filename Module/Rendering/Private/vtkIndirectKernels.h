@@ -44,6 +44,7 @@ namespace
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"
+#include "vtkIndirectLibGlossy.glsl"
 #include "vtkIndirectLibSubsplat.glsl"
 #include "vtkIndirectLibShadow.glsl"
 #include "vtkIndirectLibInterpolation.glsl"

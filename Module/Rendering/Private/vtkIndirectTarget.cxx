@@ -54,6 +54,15 @@ vtkIndirectTarget::~vtkIndirectTarget() = default;
 //------------------------------------------------------------------------------
 bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int height)
 {
+  size_t channels = 0;
+  while (channels < this->Limit && this->Channels[channels].InternalFormat)
+  {
+    ++channels;
+  }
+  if (this->Framebuffer && channels != this->Textures.size())
+  {
+    this->Release(this->Window);
+  }
   vtkTextureObject* shared = this->Shared ? this->Shared->GetDepthTexture() : nullptr;
   if (this->Framebuffer && window == this->Window && width == this->Width &&
     height == this->Height && shared == this->SharedDepth)
@@ -72,9 +81,9 @@ bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int hei
   {
     this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
     this->Framebuffer->SetContext(window);
-    for (const vtkIndirectChannel* c = this->Channels; c->InternalFormat; ++c)
+    for (size_t i = 0; i < channels; ++i)
     {
-      const Format& format = FindFormat(c->InternalFormat);
+      const Format& format = FindFormat(this->Channels[i].InternalFormat);
       vtkNew<vtkTextureObject> texture;
       texture->SetContext(window);
       texture->SetInternalFormat(format.Internal);

@@ -25,6 +25,9 @@ public:
   vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth, int depthBits = 32);
   ~vtkIndirectTarget();
 
+  /** Uses only so many of the table's channels, from the first on; before Resize. */
+  void SetNumberOfChannels(int count) { this->Limit = static_cast<size_t>(count); }
+
   /** Creates or resizes the textures. Returns false, after an error, when OpenGL refuses. */
   bool Resize(vtkOpenGLRenderWindow* window, int width, int height);
 
@@ -70,6 +73,7 @@ private:
   const vtkIndirectChannel* Channels;
   bool WithDepth;
   int DepthBits;
+  size_t Limit = static_cast<size_t>(-1);
   const vtkIndirectTarget* Shared = nullptr;
   vtkTextureObject* SharedDepth = nullptr; // as attached
   int Width = 0;

@@ -34,6 +34,7 @@ BUFFERS = (
     "albedo",
     "normal",
     "depth",
+    "specular",
     "lights",
 )
 MAP_BUFFERS = ("depth", "normal", "density")

@@ -8,6 +8,10 @@ uniform sampler2D vtkiLit;
 uniform sampler2D vtkiSurface;
 uniform sampler2D vtkiAlbedo;
 uniform sampler2D vtkiIrradiance;
+#ifdef VTKI_GLOSSY
+uniform sampler2D vtkiSpecular;
+uniform sampler2D vtkiGlossy;
+#endif
 uniform ivec2 vtkiOrigin;
 uniform float vtkiIndirectScale;
 uniform float vtkiIrradianceUnit;
@@ -25,7 +29,15 @@ void main()
   vec3 albedo = lit ? texelFetch(vtkiAlbedo, pixel, 0).rgb : vec3(0.0f);
   vec3 irradiance =
     lit ? texelFetch(vtkiIrradiance, pixel, 0).rgb * vtkiIrradianceUnit : vec3(0.0f);
-  vec3 indirect = vtkiIndirectScale > 0.0f ? albedo * irradiance * vtkiIndirectScale : vec3(0.0f);
+  vec4 specular = vec4(0.0f);
+  vec3 glossy = vec3(0.0f);
+#ifdef VTKI_GLOSSY
+  specular = lit ? texelFetch(vtkiSpecular, pixel, 0) : vec4(0.0f);
+  glossy =
+    lit ? specular.rgb * texelFetch(vtkiGlossy, pixel, 0).rgb * vtkiIrradianceUnit : vec3(0.0f);
+#endif
+  vec3 indirect =
+    vtkiIndirectScale > 0.0f ? (albedo * irradiance + glossy) * vtkiIndirectScale : vec3(0.0f);
   vec3 value = vec3(0.0f);
   if (vtkiChannel == 0)
   {
@@ -44,6 +56,10 @@ void main()
   {
     value = irradiance;
   }
+  else if (vtkiChannel == 4)
+  {
+    value = glossy;
+  }
   else if (vtkiChannel == 5)
   {
     value = albedo;
@@ -56,5 +72,9 @@ void main()
   {
     value = vec3(surface.z / vtkiSceneScale);
   }
-  gl_FragData[0] = vec4(value, 1.0f);
+  else if (vtkiChannel == 8)
+  {
+    value = specular.rgb;
+  }
+  gl_FragData[0] = vec4(value, vtkiChannel == 8 ? specular.a : 1.0f);
 }

@@ -1,7 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Direct light plus albedo times irradiance. Background is left as it was drawn. VTKI_ENCODED where
-// the scene has physically based materials, whose colours are encoded.
+// Direct light plus albedo times irradiance, and with VTKI_GLOSSY what is reflected specularly.
+// Background is left as it was drawn. VTKI_ENCODED where the scene has physically based materials,
+// whose colours are encoded.
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibColor.glsl"
 
@@ -9,6 +10,10 @@ uniform sampler2D vtkiLit;
 uniform sampler2D vtkiSurface;
 uniform sampler2D vtkiAlbedo;
 uniform sampler2D vtkiIrradiance;
+#ifdef VTKI_GLOSSY
+uniform sampler2D vtkiSpecular;
+uniform sampler2D vtkiGlossy;
+#endif
 uniform sampler2D vtkiDepth;
 uniform ivec2 vtkiOrigin;
 uniform vec2 vtkiPixelSize; // one over the size of the image
@@ -29,6 +34,10 @@ void main()
   {
     vec3 indirect = textureLod(vtkiAlbedo, pixel, 0.0f).rgb *
       textureLod(vtkiIrradiance, pixel, 0.0f).rgb * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
+#ifdef VTKI_GLOSSY
+    indirect += textureLod(vtkiSpecular, pixel, 0.0f).rgb *
+      textureLod(vtkiGlossy, pixel, 0.0f).rgb * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
+#endif
 #ifdef VTKI_ENCODED
     float kind = vtkiSurfaceKind(textureLod(vtkiSurface, pixel, 0.0f));
     lit.rgb = kind == VTKI_SURFACE_ENCODED ? vtkiEncodeGamma(vtkiDecodeGamma(lit.rgb) + indirect)

@@ -1,0 +1,76 @@
+// What a receiver with VTK's Phong model reflects of a virtual light in its specular lobe.
+#ifndef vtkIndirectLibGlossy
+#define vtkIndirectLibGlossy
+#include "vtkIndirectLibPortable.glsl"
+#include "vtkIndirectLibVirtualLight.glsl"
+
+/* The way from a surface to the eye, which is the origin of view coordinates, mirrored at the normal:
+ * R.V is the cosine between it and the way to the light. Unit. VTK's Phong model takes the same
+ * way to the eye for parallel projections. */
+vec3 vtkiMirror(vec3 positionVC, vec3 normalVC)
+{
+  float r2 = dot(positionVC, positionVC);
+  vec3 toEye = r2 > 0.0f ? -positionVC * (1.0f / sqrt(r2)) : vec3(0.0f, 0.0f, 1.0f);
+  return 2.0f * dot(normalVC, toEye) * normalVC - toEye;
+}
+
+/* Weight w such that a virtual light of reflected density times area BA adds specular colour times
+ * BA w to what a receiver shows (VTK units). The light's strength there is what VTK's lightColor is
+ * to a lamp: irradiance without the receiver's cosine. The lobe is VTK's, cos^power about the mirror
+ * direction for lights above the horizon, without a cosine at the receiver (Phong 1975,
+ * "Illumination for computer generated pictures"):
+ *   w = cosS / (pi r^2 + A) * max(R.V, 0)^power.
+ * toSender: sender minus receiver, scene units; normals and mirror unit; area > 0. The size of the
+ * disk against the lobe is ignored: of either sign at a pixel. No visibility. */
+float vtkiGlossyWeight(
+  vec3 toSender, vec3 normalS, vec3 normalR, vec3 mirror, float power, float area)
+{
+  float r2 = dot(toSender, toSender);
+  float r = sqrt(r2);
+  float mirrored = r > 0.0f ? min(dot(mirror, toSender) / r, 1.0f) : 0.0f;
+  bool sees = mirrored > 0.0f && dot(normalR, toSender) > 0.0f;
+  float lobe = sees ? pow(mirrored, power) : 0.0f;
+  return vtkiVirtualLightStrength(toSender, normalS, area) * r * lobe;
+}
+
+/* Where a light is against the horizon of a patch of surface: 1 above all of it, -1 below, where it has
+ * no lobe, 0 where the horizon runs through, at which VTK's lobe steps to nothing. radius: of the patch
+ * about the receiver; turn: by how much its normals differ from the receiver's, an angle. */
+float vtkiGlossyHorizon(vec3 toSender, vec3 normalR, float radius, float turn)
+{
+  float height = dot(normalR, toSender);
+  float reach = radius + turn * (sqrt(dot(toSender, toSender)) + radius);
+  return height > reach ? 1.0f : (height < -reach ? -1.0f : 0.0f);
+}
+
+/* What a patch of surface misses of a light, for the same BA, when the light is left out there
+ * (interpolated false) or interpolated between samples at such patches (interpolated true). radius,
+ * turn: as above; toEye: distance of the eye.
+ * The mirror direction turns by twice the normal's turn and by the angle under which the eye sees the
+ * patch, the way to the light by the angle under which the light sees it. What is interpolated comes
+ * from samples twice as far: the light is looked at over twice the patch. Left out is at most the
+ * greatest weight there. Interpolation misses an eighth of the second derivative: that of a lobe cos^m
+ * is at most m max(1, m theta^2) times the lobe, theta its angle, and strength falls with the square of
+ * the distance, whose relative second derivative is 6. */
+float vtkiGlossyVariation(vec3 toSender, vec3 normalS, vec3 mirror, float power, float area,
+  float radius, float turn, float toEye, bool interpolated)
+{
+  float r = sqrt(dot(toSender, toSender));
+  // The arc of a sine x is at most half pi x.
+  float seen = (r > radius ? radius / r : 1.0f) + (toEye > radius ? radius / toEye : 1.0f);
+  float shift = min(0.5f * VTKI_PI * seen + 2.0f * turn, VTKI_PI);
+  float twice = r > 2.0f * radius ? min(2.0f * shift, VTKI_PI) : VTKI_PI;
+  float mirrored = r > 0.0f ? min(max(dot(mirror, toSender) / r, -1.0f), 1.0f) : 1.0f;
+  float nearest = mirrored >= cos(twice)
+    ? 1.0f
+    : mirrored * cos(twice) + sqrt(max(1.0f - mirrored * mirrored, 0.0f)) * sin(twice);
+  float lobe = nearest > 0.0f ? pow(min(nearest, 1.0f), power) : 0.0f;
+  float closest = max(r - 2.0f * radius, 0.0f);
+  float facing = max(-dot(normalS, toSender), 0.0f) + 2.0f * radius;
+  float cosine = facing < closest ? facing / closest : 1.0f;
+  float strength = cosine / (VTKI_PI * closest * closest + area);
+  float curvature = power * max(power * (1.0f - nearest * nearest), 1.0f) + 6.0f;
+  // Samples are as far apart as the patch is wide: twice the shift.
+  return strength * lobe * (interpolated ? min(0.5f * shift * shift * curvature, 1.0f) : 1.0f);
+}
+#endif

@@ -1,0 +1,50 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// What of a texel of a level is specular: the power of its lobe, and whether one evaluation of a light
+// can stand for it. A pyramid over the specular target of the geometry buffer.
+#include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectLibSubsplat.glsl"
+#include "vtkIndirectGlossyState.glsl"
+
+#ifdef VTKI_PIXELS
+uniform sampler2D vtkiSurface;
+uniform sampler2D vtkiSpecular;
+#else
+uniform sampler2D vtkiFinerLobe;
+#endif
+uniform ivec2 vtkiFinerSize;
+uniform sampler2D vtkiLevelSurface;
+
+void main()
+{
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  float least = 65504.0f; // of half floats
+  float most = -1.0f;
+  bool split = false;
+  for (int i = 0; i < 4; ++i)
+  {
+    ivec2 at = 2 * texel + ivec2(i & 1, i >> 1);
+    ivec2 inside = min(at, vtkiFinerSize - 1);
+#ifdef VTKI_PIXELS
+    vec4 specular = texelFetch(vtkiSpecular, inside, 0);
+    bool present = vtkiSurfaceIsLit(texelFetch(vtkiSurface, inside, 0)) &&
+      max(max(specular.r, specular.g), specular.b) > 0.0f;
+    float power = specular.a;
+#else
+    vec2 lobe = texelFetch(vtkiFinerLobe, inside, 0).xy;
+    bool present = lobe.y != VTKI_GLOSSY_NONE;
+    split = split || (at == inside && lobe.y == VTKI_GLOSSY_SPLIT);
+    float power = lobe.x;
+#endif
+    if (present && at == inside)
+    {
+      least = min(least, power);
+      most = max(most, power);
+    }
+  }
+  // Lobes of different powers do not stand for each other.
+  split = split || least < most ||
+    texelFetch(vtkiLevelSurface, texel, 0).w != VTKI_SUBSPLAT_WHOLE;
+  gl_FragData[0] = vec4(
+    most, most < 0.0f ? VTKI_GLOSSY_NONE : (split ? VTKI_GLOSSY_SPLIT : VTKI_GLOSSY_WHOLE), 0.0f, 1.0f);
+}
