@@ -3,7 +3,9 @@
 
 #include "vtkMultiresolutionSplattingPass.h"
 
+#include "vtkIndirectClearance.h"
 #include "vtkIndirectLightBlock.h"
+#include "vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectReport.h"
 #include "vtkIndirectStageTimer.h"
 #include "vtkIndirectSubsplatIllumination.h"
@@ -163,6 +165,14 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectKernelState kernelState(window);
 
+  this->UpdateSight(input, timer);
+  if (this->IsBlocked() && input.Sampler->GetActualNumberOfLights() > MaximumNumberOfSegments)
+  {
+    vtkErrorMacro("Occupancy takes at most " << MaximumNumberOfSegments
+                                             << " virtual lights here; use fewer, or the gather.");
+    return false;
+  }
+  in.Lights.SetVoxels(this->IsBlocked() ? input.Voxels.get() : nullptr);
   timer.Begin(vtkIndirectStageTimer::Estimate);
   in.Lights.Update(window, *input.Sampler);
   bool done = in.Pyramid.Build(input, settings, in.Lights);
@@ -176,6 +186,11 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
   done = done &&
     in.Illumination.FillPixels(input, settings, renderer, in.Pyramid, in.Lights, *this->Irradiance);
   timer.End(vtkIndirectStageTimer::Upsample);
+  if (this->IsBlocked())
+  {
+    input.Voxels->GetClearance().Deactivate();
+  }
+  in.Lights.SetVoxels(nullptr);
 
   static const char* const renderers[] = { "points", "fragments", "compute" };
   in.Renderer = renderers[renderer];

@@ -14,8 +14,9 @@
  * - NEIGHBORHOOD: the paper's own: per pixel, texels in a disk around the pixel's place in each
  * map. Its expectation is the sum restricted to that disk.
  *
- * Approximations: no visibility between sender and receiver (bias >= 0), one bounce (<= 0), diffuse
- * only (<= 0); the kernel is low where r^2 < A, by about -0.6 / sqrt(N) for walls that meet.
+ * Approximations: no visibility between sender and receiver unless Occupancy is on (bias >= 0), one
+ * bounce (<= 0), diffuse only (<= 0); the kernel is low where r^2 < A, by about -0.6 / sqrt(N) for
+ * walls that meet.
  *
  * Interpolation (section 5.2 of the paper): the sum is taken at every InterpolationStep-th pixel
  * and interpolated where three of the four around lie on the same surface; other pixels sum for
