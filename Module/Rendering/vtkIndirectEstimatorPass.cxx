@@ -5,7 +5,9 @@
 
 #include "vtkGeometryBufferPass.h"
 #include "vtkIndirectFrame.h"
+#include "vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectReport.h"
+#include "vtkIndirectStageTimer.h"
 #include "vtkIndirectTarget.h"
 #include "vtkOpenGLRenderWindow.h"
 
@@ -49,6 +51,9 @@ void vtkIndirectEstimatorPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SpecularTransport: " << (this->SpecularTransport ? "On" : "Off") << "\n";
   os << indent << "ComputesGlossy: " << (this->ComputesGlossy() ? "yes" : "no") << "\n";
   os << indent << "MaximumNumberOfBounces: " << this->GetMaximumNumberOfBounces() << "\n";
+  os << indent << "Occupancy: " << (this->Occupancy ? "On" : "Off") << "\n";
+  os << indent << "OccupancyResolution: " << this->OccupancyResolution << "\n";
+  os << indent << "NumberOfVoxelUpdates: " << this->NumberOfVoxelUpdates << "\n";
   this->Irradiance->Print(os, indent);
 }
 
@@ -100,15 +105,71 @@ bool vtkIndirectEstimatorPass::ResizeGlossy(const Input& input)
 //------------------------------------------------------------------------------
 size_t vtkIndirectEstimatorPass::GetBytes() const
 {
-  return this->Irradiance->GetBytes() + this->Glossy->GetBytes();
+  return this->Irradiance->GetBytes() + this->Glossy->GetBytes() +
+    (this->Voxels ? this->Voxels->GetBytes() : 0);
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectEstimatorPass::AddToReport(vtkIndirectReport& report) const
 {
   report.Modelled.emplace_back("one diffuse bounce", this->GetClassName());
-  report.LeftOut.emplace_back("visibility between sender and receiver",
-    std::string(this->GetClassName()) + " does not test it; the result is too bright");
+  this->AddVisibilityToReport(report);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectEstimatorPass::AddVisibilityToReport(vtkIndirectReport& report) const
+{
+  const char* const name = "visibility between sender and receiver";
+  if (!this->IsBlocked())
+  {
+    report.LeftOut.emplace_back(
+      name, "Occupancy is off or nothing has polygons; the result is too bright");
+    return;
+  }
+  report.Modelled.emplace_back(name,
+    std::to_string(this->Voxels->GetNumberOfOccupiedVoxels()) + " occupied voxels of " +
+      std::to_string(this->OccupancyResolution) + " along the longest edge");
+  for (const auto& entry : this->Voxels->GetLeftOut())
+  {
+    report.LeftOut.push_back(entry);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectEstimatorPass::UpdateVoxels(const Input& input)
+{
+  if (!input.Caching)
+  {
+    input.Voxels->Forget();
+  }
+  this->NumberOfVoxelUpdates += input.Voxels->Update(input.Frame, this->OccupancyResolution);
+  // Another estimator may have brought them up to date before.
+  const bool changed =
+    this->Voxels != input.Voxels || this->VoxelsSeen != input.Voxels->GetNumberOfUpdates();
+  this->Voxels = input.Voxels;
+  this->VoxelsSeen = input.Voxels->GetNumberOfUpdates();
+  return changed;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectEstimatorPass::UpdateSight(const Input& input, vtkIndirectStageTimer& timer)
+{
+  if (this->Occupancy)
+  {
+    timer.Begin(vtkIndirectStageTimer::Visibility);
+    this->UpdateVoxels(input);
+    if (this->IsBlocked())
+    {
+      this->Voxels->GetClearance();
+    }
+    timer.End(vtkIndirectStageTimer::Visibility);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectEstimatorPass::IsBlocked() const
+{
+  return this->Occupancy && this->Voxels && !this->Voxels->IsEmpty();
 }
 
 //------------------------------------------------------------------------------
@@ -119,6 +180,11 @@ void vtkIndirectEstimatorPass::AddSpecularToReport(vtkIndirectReport& report) co
     report.Modelled.emplace_back(
       "specular indirect light", "receivers reflect it by the lobes of Phong's model");
     report.LeftOut.emplace_back("specular reflection of senders", "senders are taken as diffuse");
+    if (this->IsBlocked())
+    {
+      report.LeftOut.emplace_back("visibility between sender and specular lobe",
+        "Occupancy hides senders from diffuse reflection only; highlights are too bright");
+    }
     return;
   }
   report.LeftOut.emplace_back("specular indirect light",

@@ -17,11 +17,12 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
 
-#include <memory> // for the target
+#include <memory> // for the target and the voxels
 #include <string> // for names
 #include <vector> // for names
 
 class vtkGeometryBufferPass;
+class vtkIndirectOccupancyVolume;
 class vtkIndirectStageTimer;
 struct vtkIndirectReport;
 class vtkIndirectTarget;
@@ -57,6 +58,25 @@ public:
   /** Whether this estimator can compute specular reflection of receivers. */
   virtual bool ComputesGlossy() const { return false; }
 
+  ///@{
+  /**
+   * Whether what stands between senders and receivers is looked up in voxels of the scene. Without
+   * it light passes through everything on its second way. Default off, of radiance hints on.
+   */
+  vtkSetMacro(Occupancy, bool);
+  vtkGetMacro(Occupancy, bool);
+  vtkBooleanMacro(Occupancy, bool);
+  ///@}
+
+  ///@{
+  /** Voxels along the longest edge of the scene. Default 128, range 16 to 128. */
+  vtkSetClampMacro(OccupancyResolution, int, 16, 128);
+  vtkGetMacro(OccupancyResolution, int);
+  ///@}
+
+  /** How often frames of this estimator have made the scene's voxels anew. */
+  vtkGetMacro(NumberOfVoxelUpdates, vtkIdType);
+
 #ifndef __VTK_WRAP__
   /** What a frame's estimate reads; eye stands in for the maps where a headlight needs none. */
   struct Input
@@ -69,6 +89,7 @@ public:
     int NumberOfBounces = 1;     // as asked for
     bool Caching = true;         // off: nothing may be kept from earlier frames
     double ErrorTolerance = 0.0; // relative; 0: the estimator's own parameters
+    std::shared_ptr<vtkIndirectOccupancyVolume> Voxels; // as some frame left them
   };
 
   /**
@@ -146,14 +167,36 @@ protected:
    * SetIrradianceStorage. Returns false, after an error, when OpenGL refuses.
    */
   bool ResizeGlossy(const Input& input);
+  /**
+   * Brings the frame's voxels up to date, which all estimators share, and keeps hold of them.
+   * Returns whether they differ from those of this estimator's last frame.
+   */
+  bool UpdateVoxels(const Input& input);
+  /** For Occupancy, before anything is summed: voxels, and distances between them. */
+  void UpdateSight(const Input& input, vtkIndirectStageTimer& timer);
+  /**
+   * Senders that a shader may look for from one place. Mesa's llvmpipe ends all loops of an
+   * invocation after 65535 rounds together, and a round is a sender or four steps on the way to it:
+   * this leaves 124 steps a sender, four times what rooms need.
+   */
+  static constexpr int MaximumNumberOfSegments = 2048;
+  /** Whether senders can be hidden: Occupancy is on, and voxels are occupied. */
+  bool IsBlocked() const;
+  void AddVisibilityToReport(vtkIndirectReport& report) const;
+
+  std::shared_ptr<vtkIndirectOccupancyVolume> Voxels;
 #endif
 
   bool SpecularTransport = true;
   bool HasGlossy = false;
   std::unique_ptr<vtkIndirectTarget> Irradiance;
   std::unique_ptr<vtkIndirectTarget> Glossy;
+  bool Occupancy = false;
+  int OccupancyResolution = 128;
+  vtkIdType NumberOfVoxelUpdates = 0;
 
 private:
+  size_t VoxelsSeen = 0; // their number of updates
   double IrradianceUnit = 1.0;
   bool IrradianceIsHalf = false;
   bool IrradianceHasDepth = false;

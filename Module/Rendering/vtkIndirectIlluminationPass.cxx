@@ -9,6 +9,7 @@
 #include "vtkIndirectContextGuard.h"
 #include "vtkIndirectFrame.h"
 #include "vtkIndirectLightMap.h"
+#include "vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectReport.h"
 #include "vtkIndirectStageTimer.h"
 #include "vtkIndirectTarget.h"
@@ -47,6 +48,7 @@ struct vtkIndirectIlluminationPass::Internals
   vtkNew<vtkGeometryBufferPass> Geometry;
   vtkNew<vtkUniformLightSampler> DefaultSampler;
   vtkNew<vtkMultiresolutionSplattingPass> DefaultEstimator;
+  std::shared_ptr<vtkIndirectOccupancyVolume> Voxels{ new vtkIndirectOccupancyVolume };
   vtkNew<vtkIndirectCompositePass> Composite;
 
   vtkNew<vtkSequencePass> DefaultDelegate;
@@ -385,7 +387,7 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
 
   const vtkIndirectEstimatorPass::Input input = { in.Frame, *in.Geometry,
     *this->ReflectiveShadowMaps, sampler, in.EyeIsMap, this->NumberOfBounces, this->Caching,
-    this->ErrorTolerance };
+    this->ErrorTolerance, in.Voxels };
   if (!sampled || !estimator->Estimate(input, in.Timer))
   {
     return false;
@@ -577,20 +579,19 @@ void vtkIndirectIlluminationPass::ReleaseGraphicsResources(vtkWindow* window)
   in.Geometry->ReleaseGraphicsResources(window);
   in.DefaultSampler->ReleaseGraphicsResources(window);
   in.DefaultEstimator->ReleaseGraphicsResources(window);
+  in.Voxels->Release(window);
   in.Composite->ReleaseGraphicsResources(window);
   in.DefaultDelegate->ReleaseGraphicsResources(window);
-  if (this->Estimator)
+  auto release = [window](auto* users)
   {
-    this->Estimator->ReleaseGraphicsResources(window);
-  }
-  if (this->Sampler)
-  {
-    this->Sampler->ReleaseGraphicsResources(window);
-  }
-  if (this->DelegatePass)
-  {
-    this->DelegatePass->ReleaseGraphicsResources(window);
-  }
+    if (users)
+    {
+      users->ReleaseGraphicsResources(window);
+    }
+  };
+  release(this->Estimator);
+  release(this->Sampler);
+  release(this->DelegatePass);
   in.View.Release(window);
   in.EstimateKey.clear();
   in.HasBuffers = in.HasIrradiance = false;

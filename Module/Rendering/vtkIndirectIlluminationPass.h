@@ -14,7 +14,7 @@
  *
  * Units: VTK's. Radiance is physical; irradiance and light strength are physical divided by pi.
  * With IndirectScale 1 the result agrees with a path tracer's single diffuse bounce without
- * visibility between sender and receiver.
+ * visibility between sender and receiver unless the estimator has Occupancy on.
  *
  * Multisampling has no effect on what this pass draws: its targets are float textures. Use FXAA
  * (vtkRenderer::SetUseFXAA) or vtkSSAAPass around it.

@@ -3,9 +3,11 @@
 
 #include "vtkMultiresolutionSplattingPass.h"
 
+#include "vtkIndirectClearance.h"
 #include "vtkIndirectGlossyGather.h"
 #include "vtkIndirectGlossySubsplats.h"
 #include "vtkIndirectLightBlock.h"
+#include "vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectReport.h"
 #include "vtkIndirectStageTimer.h"
 #include "vtkIndirectSubsplatIllumination.h"
@@ -171,6 +173,14 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectKernelState kernelState(window);
 
+  this->UpdateSight(input, timer);
+  if (this->IsBlocked() && input.Sampler->GetActualNumberOfLights() > MaximumNumberOfSegments)
+  {
+    vtkErrorMacro("Occupancy takes at most " << MaximumNumberOfSegments
+                                             << " virtual lights here; use fewer, or the gather.");
+    return false;
+  }
+  in.Lights.SetVoxels(this->IsBlocked() ? input.Voxels.get() : nullptr);
   timer.Begin(vtkIndirectStageTimer::Estimate);
   in.Lights.Update(window, *input.Sampler);
   bool done = in.Pyramid.Build(input, settings, in.Lights);
@@ -185,6 +195,11 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
     in.Illumination.FillPixels(input, settings, renderer, in.Pyramid, in.Lights, *this->Irradiance);
   done = done && this->FillGlossy(input, settings);
   timer.End(vtkIndirectStageTimer::Upsample);
+  if (this->IsBlocked())
+  {
+    input.Voxels->GetClearance().Deactivate();
+  }
+  in.Lights.SetVoxels(nullptr);
 
   static const char* const renderers[] = { "points", "fragments", "compute" };
   in.Renderer = renderers[renderer];

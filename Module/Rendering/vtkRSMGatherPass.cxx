@@ -5,8 +5,10 @@
 
 #include "vtkGeometryBufferPass.h"
 #include "vtkIndirectAllTexelsSampler.h"
+#include "vtkIndirectClearance.h"
 #include "vtkIndirectGlossyGather.h"
 #include "vtkIndirectKernelProgram.h"
+#include "vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectStageTimer.h"
 #include "vtkIndirectTarget.h"
 #include "vtkIndirectUniforms.h"
@@ -57,6 +59,10 @@ void vtkRSMGatherPass::Internals::SetUniforms(
   vtkIndirectSetEyeUniforms(program, input.Frame);
   program->SetUniform2i("vtkiSize", input.Frame.Size);
   input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
+  if (self->IsBlocked())
+  {
+    input.Voxels->GetClearance().Activate(input.Frame.Window, program);
+  }
   if (neighborhood)
   {
     input.Maps.Activate(program);
@@ -128,7 +134,24 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
                   "none. Use VIRTUAL_LIGHTS.");
     return false;
   }
-  const bool interpolate = this->Interpolation && this->Mode != ALL_TEXELS;
+  this->UpdateSight(input, timer);
+  const bool blocked = this->IsBlocked();
+  const int rows = neighborhood
+    ? 1
+    : (input.Sampler->GetActualNumberOfLights() + vtkVirtualLightSampler::RowLength - 1) /
+      vtkVirtualLightSampler::RowLength;
+  const int rowsOfSight = MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength;
+  const int rowsPerDraw = blocked ? rowsOfSight : RowsPerDraw;
+  if (blocked && neighborhood &&
+    this->NumberOfSamples * input.Maps.GetNumberOfLayers() > MaximumNumberOfSegments)
+  {
+    vtkErrorMacro("Mode NEIGHBORHOOD with Occupancy takes at most "
+      << MaximumNumberOfSegments << " samples over all maps; lower NumberOfSamples.");
+    return false;
+  }
+  // Pixels that interpolation leaves are summed in one go, so more rows are taken everywhere.
+  const bool interpolate =
+    this->Interpolation && this->Mode != ALL_TEXELS && !(blocked && rows > rowsOfSight);
   const int step = interpolate ? this->InterpolationStep : 1;
   const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
     (frame.Size[1] + 2 * step - 2) / step };
@@ -153,6 +176,10 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   auto releaseTextures = [&]()
   {
     input.Geometry.GetTarget().Deactivate();
+    if (blocked)
+    {
+      input.Voxels->GetClearance().Deactivate();
+    }
     if (neighborhood)
     {
       input.Maps.Deactivate();
@@ -163,6 +190,10 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
     }
   };
 
+  const char* const definitions = blocked ? "#define VTKI_OCCUPANCY\n" : "";
+  in.Gather[neighborhood].SetDefinitions(definitions);
+  in.Upsample[neighborhood].SetDefinitions(definitions);
+
   // The sum at coarse samples, or at every pixel.
   timer.Begin(vtkIndirectStageTimer::Estimate);
   vtkIndirectTarget& sums = interpolate ? in.Coarse : *this->Irradiance;
@@ -171,12 +202,8 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   {
     return false;
   }
-  const int rows = neighborhood
-    ? 1
-    : (input.Sampler->GetActualNumberOfLights() + vtkVirtualLightSampler::RowLength - 1) /
-      vtkVirtualLightSampler::RowLength;
   sums.Begin();
-  if (rows > RowsPerDraw)
+  if (rows > rowsPerDraw)
   {
     sums.Clear();
     state->vtkglEnable(GL_BLEND);
@@ -184,15 +211,15 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   }
   in.SetUniforms(program, input, this, neighborhood);
   program->SetUniformi("vtkiStep", step);
-  for (int row = 0; row < rows; row += RowsPerDraw)
+  for (int row = 0; row < rows; row += rowsPerDraw)
   {
     if (!neighborhood)
     {
-      const int block[2] = { row, std::min(row + RowsPerDraw, rows) };
+      const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
       program->SetUniform2i("vtkiLightRows", block);
     }
     in.Gather[neighborhood].Draw();
-    if (rows > RowsPerDraw)
+    if (rows > rowsPerDraw)
     {
       glFlush();
     }

@@ -5,8 +5,10 @@
 
 #include "vtkGeometryBufferPass.h"
 #include "vtkIndirectAllTexelsSampler.h"
+#include "vtkIndirectClearance.h"
 #include "vtkIndirectFrame.h"
 #include "vtkIndirectKernels.h"
+#include "vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectStageTimer.h"
 #include "vtkIndirectTarget.h"
 #include "vtkNew.h"
@@ -120,6 +122,52 @@ void SumLobe(
   }
 }
 
+// The senders as ends of segments, block by block.
+using SenderEnds = std::vector<std::array<vtkIndirectClearance::End, Lanes>>;
+
+SenderEnds FindEnds(const std::vector<SenderBlock>& blocks, const vtkIndirectClearance& clearance)
+{
+  SenderEnds ends(blocks.size());
+  for (size_t b = 0; b < blocks.size(); ++b)
+  {
+    const SenderBlock& s = blocks[b];
+    for (size_t i = 0; i < Lanes; ++i)
+    {
+      ends[b][i] = clearance.FindEnd(
+        glm::vec3(glm::dvec3(s.Position[0][i], s.Position[1][i], s.Position[2][i])),
+        glm::vec3(glm::dvec3(s.Normal[0][i], s.Normal[1][i], s.Normal[2][i])));
+    }
+  }
+  return ends;
+}
+
+void SumVisible(const std::vector<SenderBlock>& blocks, const SenderEnds& ends,
+  const vtkIndirectClearance& clearance, const Receiver& receiver, double* total)
+{
+  const vtkIndirectClearance::End end = clearance.FindEnd(
+    glm::vec3(glm::dvec3(receiver.Position[0], receiver.Position[1], receiver.Position[2])),
+    glm::vec3(glm::dvec3(receiver.Normal[0], receiver.Normal[1], receiver.Normal[2])));
+  for (size_t b = 0; b < blocks.size(); ++b)
+  {
+    SenderBlock visible = blocks[b];
+    for (size_t i = 0; i < Lanes; ++i)
+    {
+      double facing[2] = { 0.0, 0.0 }; // of the sender, and of the receiver
+      for (int c = 0; c < 3; ++c)
+      {
+        const double toSender = visible.Position[c][i] - receiver.Position[c];
+        facing[0] -= visible.Normal[c][i] * toSender;
+        facing[1] += receiver.Normal[c] * toSender;
+      }
+      if (facing[0] > 0.0 && facing[1] > 0.0 && !clearance.IsVisible(end, ends[b][i]))
+      {
+        visible.DensityArea[0][i] = visible.DensityArea[1][i] = visible.DensityArea[2][i] = 0.0;
+      }
+    }
+    Sum(&visible, 1, receiver, total);
+  }
+}
+
 std::vector<SenderBlock> ReadSenders(vtkVirtualLightSampler* sampler)
 {
   const size_t count = static_cast<size_t>(sampler->GetActualNumberOfLights());
@@ -225,8 +273,12 @@ bool vtkRSMReferencePass::Estimate(const Input& input, vtkIndirectStageTimer& ti
   {
     return false;
   }
+  this->UpdateSight(input, timer);
   timer.Begin(vtkIndirectStageTimer::Estimate);
   const std::vector<SenderBlock> senders = ReadSenders(input.Sampler);
+  const vtkIndirectClearance* const clearance =
+    this->IsBlocked() ? &this->Voxels->GetClearance() : nullptr;
+  const SenderEnds ends = clearance ? FindEnds(senders, *clearance) : SenderEnds();
   const std::vector<float> surfaces =
     input.Geometry.GetTarget().ReadBack(vtkGeometryBufferPass::Surface);
   const size_t pixels = surfaces.size() / 4;
@@ -245,7 +297,14 @@ bool vtkRSMReferencePass::Estimate(const Input& input, vtkIndirectStageTimer& ti
         if (MakeReceiver(frame, &surfaces[4 * p], static_cast<int>(p % frame.Size[0]),
               static_cast<int>(p / frame.Size[0]), receiver))
         {
-          Sum(senders.data(), senders.size(), receiver, total);
+          if (clearance)
+          {
+            SumVisible(senders, ends, *clearance, receiver, total);
+          }
+          else
+          {
+            Sum(senders.data(), senders.size(), receiver, total);
+          }
           const float* lobe = this->HasGlossy ? &specular[4 * p] : nullptr;
           if (lobe && std::max({ lobe[0], lobe[1], lobe[2] }) > 0.0f)
           {

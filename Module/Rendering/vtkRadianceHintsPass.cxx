@@ -43,7 +43,6 @@ const vtkIndirectChannel CoarseChannels[] = {
 //------------------------------------------------------------------------------
 struct vtkRadianceHintsPass::Internals
 {
-  vtkIndirectOccupancyVolume Volume;
   vtkIndirectHintGrid Grid;
   vtkIndirectHintGrid::Settings GridSettings;
   vtkIndirectHintFields Fields;
@@ -64,6 +63,7 @@ struct vtkRadianceHintsPass::Internals
 vtkRadianceHintsPass::vtkRadianceHintsPass()
   : Internal(new Internals)
 {
+  this->Occupancy = true;
   // With depth, which tells the pixels that interpolation has left.
   this->Irradiance = std::make_unique<vtkIndirectTarget>(IrradianceChannels, true);
 }
@@ -90,8 +90,6 @@ void vtkRadianceHintsPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Softening: " << flag(this->Softening) << "\n";
   os << indent << "Deringing: " << flag(this->Deringing) << "\n";
   os << indent << "FacingWeights: " << flag(this->FacingWeights) << "\n";
-  os << indent << "Occupancy: " << flag(this->Occupancy) << "\n";
-  os << indent << "OccupancyResolution: " << this->OccupancyResolution << "\n";
   os << indent << "SkipEmptyCells: " << flag(this->SkipEmptyCells) << "\n";
   os << indent << "AlbedoVolume: " << flag(this->AlbedoVolume) << "\n";
   os << indent << "BounceSampling: " << (this->BounceSampling == HINTS ? "Hints" : "Surfaces")
@@ -109,7 +107,6 @@ void vtkRadianceHintsPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InterpolationPlaneTolerance: " << this->InterpolationPlaneTolerance << "\n";
   os << indent << "TemporalSmoothing: " << this->TemporalSmoothing << "\n";
   os << indent << "NumberOfHintUpdates: " << this->NumberOfHintUpdates << "\n";
-  os << indent << "NumberOfVoxelUpdates: " << this->NumberOfVoxelUpdates << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -162,8 +159,8 @@ int vtkRadianceHintsPass::GetLayout() const
 size_t vtkRadianceHintsPass::GetBytes() const
 {
   const Internals& in = *this->Internal;
-  const size_t bytes = this->Superclass::GetBytes() + in.Volume.GetBytes() + in.Grid.GetBytes() +
-    in.Fields.GetBytes() + in.Coarse[0].GetBytes() + in.Coarse[1].GetBytes();
+  const size_t bytes = this->Superclass::GetBytes() + in.Grid.GetBytes() + in.Fields.GetBytes() +
+    in.Coarse[0].GetBytes() + in.Coarse[1].GetBytes();
   return bytes;
 }
 
@@ -277,24 +274,13 @@ void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
 
   bool changed =
     !input.Caching || !(settings == in.GridSettings) || in.Grid.GetNumberOfHints() == 0;
-  if (voxelsNeeded)
-  {
-    if (!input.Caching)
-    {
-      in.Volume.Forget();
-    }
-    if (in.Volume.Update(frame, this->OccupancyResolution))
-    {
-      ++this->NumberOfVoxelUpdates;
-      changed = true;
-    }
-  }
-  in.Blocked = this->Occupancy && !in.Volume.IsEmpty();
+  changed = (voxelsNeeded && this->UpdateVoxels(input)) || changed;
+  in.Blocked = this->IsBlocked();
   if (changed)
   {
     in.Grid.Release(frame.Window);
     in.GridSettings = settings;
-    in.Grid.Build(settings, voxelsNeeded ? &in.Volume : nullptr);
+    in.Grid.Build(settings, voxelsNeeded ? this->Voxels.get() : nullptr);
     in.LightKey.clear();
   }
 }
@@ -338,7 +324,7 @@ bool vtkRadianceHintsPass::UpdateLight(const Input& input, vtkIndirectStageTimer
     return true;
   }
   in.LightKey.clear();
-  if (!in.Fields.Fill(input, settings, in.Grid, in.Volume, timer))
+  if (!in.Fields.Fill(input, settings, in.Grid, *input.Voxels, timer))
   {
     return false;
   }
@@ -373,7 +359,7 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
     program->SetUniform2i("vtkiSize", frame.Size);
     program->SetUniformi("vtkiStep", step);
     input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
-    in.Fields.ActivateLookup(input, in.Settings, in.Grid, in.Volume, program);
+    in.Fields.ActivateLookup(input, in.Settings, in.Grid, *input.Voxels, program);
   };
 
   timer.Begin(vtkIndirectStageTimer::Estimate);
@@ -400,7 +386,7 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
     in.Coarse[in.CoarseNow].Deactivate();
   }
   input.Geometry.GetTarget().Deactivate();
-  in.Fields.Deactivate(in.Grid, in.Volume);
+  in.Fields.Deactivate(in.Grid, *input.Voxels);
   target.End();
   timer.End(vtkIndirectStageTimer::Estimate);
   in.CoarseNow = next;
@@ -441,7 +427,7 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
     program->SetUniformf("vtkiKeep", 0.0f);
     in.LookUpKernel.Draw();
     input.Geometry.GetTarget().Deactivate();
-    in.Fields.Deactivate(in.Grid, in.Volume);
+    in.Fields.Deactivate(in.Grid, *input.Voxels);
   }
   state->vtkglDisable(GL_DEPTH_TEST);
   this->Irradiance->End();
@@ -458,22 +444,8 @@ void vtkRadianceHintsPass::AddToReport(vtkIndirectReport& report) const
   report.Modelled.emplace_back(std::to_string(in.Settings.Bounces) +
       (in.Settings.Bounces == 1 ? " diffuse bounce" : " diffuse bounces"),
     grid);
-  if (in.Blocked)
-  {
-    report.Modelled.emplace_back("visibility between sender and receiver",
-      std::to_string(in.Volume.GetNumberOfOccupiedVoxels()) + " occupied voxels of " +
-        std::to_string(this->OccupancyResolution) + " along the longest edge");
-    for (const auto& entry : in.Volume.GetLeftOut())
-    {
-      report.LeftOut.push_back(entry);
-    }
-  }
-  else
-  {
-    report.LeftOut.emplace_back("visibility between sender and receiver",
-      "Occupancy is off or nothing has polygons; the result is too bright");
-  }
-  if (in.Settings.Bounces > 1 && in.Volume.IsEmpty())
+  this->AddVisibilityToReport(report);
+  if (in.Settings.Bounces > 1 && (!this->Voxels || this->Voxels->IsEmpty()))
   {
     report.LeftOut.emplace_back(
       "bounces after the first", "nothing in the scene has polygons that reflect them");
@@ -521,7 +493,6 @@ void vtkRadianceHintsPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   Internals& in = *this->Internal;
-  in.Volume.Release(window);
   in.Grid.Release(window);
   in.Fields.Release(window);
   in.LightKey.clear();

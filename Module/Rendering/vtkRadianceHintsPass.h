@@ -189,22 +189,6 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Whether voxels of the scene tell what hides what: senders from hints, hints from each other and
-   * from pixels. Default on.
-   */
-  vtkSetMacro(Occupancy, bool);
-  vtkGetMacro(Occupancy, bool);
-  vtkBooleanMacro(Occupancy, bool);
-  ///@}
-
-  ///@{
-  /** Voxels along the scene's longest edge. Default 128, range 16 to 128. */
-  vtkSetClampMacro(OccupancyResolution, int, 16, 128);
-  vtkGetMacro(OccupancyResolution, int);
-  ///@}
-
-  ///@{
   /** Whether hints far from every surface are left out. Default on. */
   vtkSetMacro(SkipEmptyCells, bool);
   vtkGetMacro(SkipEmptyCells, bool);
@@ -333,9 +317,8 @@ public:
   ///@}
 
   ///@{
-  /** How often light was brought to the hints, and voxels were made, since construction. */
+  /** How often light was brought to the hints since construction. */
   vtkGetMacro(NumberOfHintUpdates, vtkIdType);
-  vtkGetMacro(NumberOfVoxelUpdates, vtkIdType);
   ///@}
   /** Hints of the last frame, and those of them that were computed. */
   int GetNumberOfHints() const;
@@ -380,8 +363,6 @@ protected:
   bool Softening = true;
   bool Deringing = true;
   bool FacingWeights = true;
-  bool Occupancy = true;
-  int OccupancyResolution = 128;
   bool SkipEmptyCells = true;
   bool AlbedoVolume = true;
   int BounceSampling = SURFACES;
@@ -398,7 +379,6 @@ protected:
   double InterpolationPlaneTolerance = 0.5;
   double TemporalSmoothing = 0.0;
   vtkIdType NumberOfHintUpdates = 0;
-  vtkIdType NumberOfVoxelUpdates = 0;
 
 private:
   vtkRadianceHintsPass(const vtkRadianceHintsPass&) = delete;

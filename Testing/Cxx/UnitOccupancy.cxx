@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The voxels of the scene: walls are watertight however thin, slanted or finely cut, and space that
 // is free is free.
+#include "vtkIndirectClearance.h"
 #include "vtkIndirectHintGrid.h"
 #include "vtkIndirectKernels.h"
 #include "vtkIndirectOccupancyVolume.h"
@@ -34,8 +35,8 @@ void AddPatch(vtkIndirectOccupancyVolume& volume, const glm::dvec3& origin, cons
 }
 
 // Segments between random points on both sides of the plane z = f(x, y) of a wall over the whole
-// volume: how many get through.
-int CountLeaks(const vtkIndirectOccupancyVolume& volume, const glm::dvec3& normal, double offset,
+// volume: how many get through, by either walk.
+int CountLeaks(vtkIndirectOccupancyVolume& volume, const glm::dvec3& normal, double offset,
   int count, double clearance)
 {
   Random random(7);
@@ -56,9 +57,9 @@ int CountLeaks(const vtkIndirectOccupancyVolume& volume, const glm::dvec3& norma
       continue;
     }
     ++tested;
-    leaks += volume.IsFree(glm::vec3(volume.ToVoxels(ends[0])), glm::vec3(volume.ToVoxels(ends[1])))
-      ? 1
-      : 0;
+    const glm::vec3 start(volume.ToVoxels(ends[0]));
+    const glm::vec3 end(volume.ToVoxels(ends[1]));
+    leaks += volume.IsFree(start, end) || volume.GetClearance().IsFree(start, end);
   }
   return leaks;
 }
@@ -162,7 +163,8 @@ VTK_INDIRECT_TEST(OccupancyThickWalls)
 
 VTK_INDIRECT_TEST(OccupancyFree)
 {
-  // A segment is blocked exactly when a dense march along it meets an occupied voxel.
+  // A segment is blocked exactly when a dense march along it meets an occupied voxel: from column
+  // to column, and by leaps.
   Random random(11);
   vtkIndirectOccupancyVolume volume;
   volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 128);
@@ -173,14 +175,16 @@ VTK_INDIRECT_TEST(OccupancyFree)
   }
   volume.Finish();
   int blocked = 0;
-  int missed = 0;
-  int invented = 0;
+  int missed[2] = {};
+  int invented[2] = {};
   for (int i = 0; i < 4000; ++i)
   {
     const glm::dvec3 a = volume.ToVoxels({ random.Next(), random.Next(), random.Next() });
     const glm::dvec3 b = volume.ToVoxels({ random.Next(), random.Next(), random.Next() });
-    const bool free = volume.IsFree(glm::vec3(a), glm::vec3(b));
+    const bool free[2] = { volume.IsFree(glm::vec3(a), glm::vec3(b)),
+      volume.GetClearance().IsFree(glm::vec3(a), glm::vec3(b)) };
     bool met = false;
+    bool deep = false; // and by more than rounding
     bool near = false; // within rounding of one
     const glm::ivec3 first(glm::floor(a));
     const glm::ivec3 last(glm::floor(b));
@@ -190,21 +194,91 @@ VTK_INDIRECT_TEST(OccupancyFree)
       const glm::dvec3 p = a + (b - a) * (static_cast<double>(s) / steps);
       const glm::ivec3 voxel(glm::floor(p));
       met = met || (voxel != first && voxel != last && volume.IsOccupied(voxel));
+      bool around = met;
       for (int corner = 0; corner < 8; ++corner)
       {
         const glm::ivec3 beside(glm::floor(
           p + 0.03 * glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1)));
-        near = near || (beside != first && beside != last && volume.IsOccupied(beside));
+        const bool occupied = beside != first && beside != last && volume.IsOccupied(beside);
+        near = near || occupied;
+        around = around && occupied;
       }
+      deep = deep || around;
     }
-    blocked += !free;
-    missed += met && free;
-    invented += !near && !free;
+    blocked += !free[0];
+    for (int walk = 0; walk < 2; ++walk)
+    {
+      // Columns count both sides of a voxel's face; leaps choose one of two voxels at an edge.
+      missed[walk] += (walk == 0 ? met : deep) && free[walk];
+      invented[walk] += !near && !free[walk];
+    }
   }
-  CheckEqual("segments that pass an occupied voxel", missed, 0);
-  CheckEqual("segments blocked by nothing", invented, 0);
+  for (int walk = 0; walk < 2; ++walk)
+  {
+    const std::string what = walk == 0 ? "columns: " : "leaps: ";
+    CheckEqual(what + "segments that pass an occupied voxel", missed[walk], 0);
+    CheckEqual(what + "segments blocked by nothing", invented[walk], 0);
+  }
   CheckAtLeast("blocked segments", blocked, 500, "the test's own power");
   CheckAtLeast("free segments", 4000 - blocked, 500, "the test's own power");
+}
+
+VTK_INDIRECT_TEST(OccupancyClearance)
+{
+  // Distances by their definition; the edges of the volume differ, and none is a power of two.
+  Random random(23);
+  vtkIndirectOccupancyVolume volume;
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(0.7, 1.0, 0.9), 45);
+  for (int i = 0; i < 4; ++i)
+  {
+    AddPatch(volume, 0.6 * glm::dvec3(random.Next(), random.Next(), random.Next()),
+      0.1 * random.NextDirection(), 0.1 * random.NextDirection(), 1);
+  }
+  volume.Finish();
+  const glm::ivec3 size = volume.GetSize();
+  std::vector<glm::ivec3> occupied;
+  auto forEach = [&size](const std::function<void(const glm::ivec3&)>& f)
+  {
+    for (int z = 0; z < size.z; ++z)
+    {
+      for (int y = 0; y < size.y; ++y)
+      {
+        for (int x = 0; x < size.x; ++x)
+        {
+          f({ x, y, z });
+        }
+      }
+    }
+  };
+  forEach(
+    [&](const glm::ivec3& voxel)
+    {
+      if (volume.IsOccupied(voxel))
+      {
+        occupied.push_back(voxel);
+      }
+    });
+  int wrong = 0;
+  int farthest = 0;
+  forEach(
+    [&](const glm::ivec3& voxel)
+    {
+      int nearest = 255;
+      for (const glm::ivec3& other : occupied)
+      {
+        const glm::ivec3 d = glm::abs(other - voxel);
+        nearest = std::min(nearest, std::max({ d.x, d.y, d.z }));
+      }
+      wrong += nearest != volume.GetClearance().Get(voxel);
+      farthest = std::max(farthest, nearest);
+    });
+  CheckEqual("distances that differ from their definition", wrong, 0);
+  CheckAtLeast("farthest", farthest, 15, "the test's own power");
+  // Made anew with the volume.
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 16);
+  CheckEqual("distance in an empty volume", volume.GetClearance().Get({ 3, 4, 5 }), 255);
+  const glm::vec3 outside(-3.0f, 4.5f, 20.0f);
+  Check("a segment from outside to outside ends", volume.GetClearance().IsFree(outside, -outside));
 }
 
 VTK_INDIRECT_TEST(OccupancySurfaces)

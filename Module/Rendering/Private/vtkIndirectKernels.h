@@ -52,6 +52,7 @@ namespace
 #include "vtkIndirectLibColor.glsl"
 #include "vtkIndirectLibHarmonics.glsl"
 #include "vtkIndirectLibOccupancy.glsl"
+#include "vtkIndirectLibClearance.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

@@ -3,6 +3,8 @@
 
 #include "vtkIndirectLightBlock.h"
 
+#include "vtkIndirectClearance.h"
+#include "vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectTarget.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -46,7 +48,8 @@ int vtkIndirectLightBlock::GetCapacity(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 std::string vtkIndirectLightBlock::GetDefinitions(vtkOpenGLRenderWindow* window)
 {
-  return "#define VTKI_LIGHTS " + std::to_string(this->GetCapacity(window)) + "\n";
+  return "#define VTKI_LIGHTS " + std::to_string(this->GetCapacity(window)) + "\n" +
+    (this->Voxels ? "#define VTKI_OCCUPANCY\n" : "");
 }
 
 //------------------------------------------------------------------------------
@@ -95,6 +98,10 @@ void vtkIndirectLightBlock::Activate(
   }
   program->SetUniformi("vtkiRowLength", vtkVirtualLightSampler::RowLength);
   program->SetUniformi("vtkiLightCount", count);
+  if (this->Voxels)
+  {
+    this->Voxels->GetClearance().Activate(this->Window, program);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetMapper.h"
+#include "vtkIndirectClearance.h"
 #include "vtkIndirectKernels.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -91,7 +92,7 @@ void vtkIndirectOccupancyVolume::Clear(
     static_cast<size_t>(this->Blocks.x) * this->Blocks.y * this->Blocks.z, Surface());
   this->NumberOfTriangles = 0;
   this->LeftOut.clear();
-  this->Uploaded = false;
+  this->Uploaded = this->ClearanceIsCurrent = false;
 }
 
 //------------------------------------------------------------------------------
@@ -229,7 +230,23 @@ bool vtkIndirectOccupancyVolume::Update(const vtkIndirectFrame& frame, int resol
     this->AddProp(frame, caster.Prop);
   }
   this->Finish();
+  ++this->NumberOfUpdates;
   return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectClearance& vtkIndirectOccupancyVolume::GetClearance()
+{
+  if (!this->Clearance)
+  {
+    this->Clearance = std::make_unique<vtkIndirectClearance>();
+  }
+  if (!this->ClearanceIsCurrent)
+  {
+    this->Clearance->Build(*this);
+    this->ClearanceIsCurrent = true;
+  }
+  return *this->Clearance;
 }
 
 //------------------------------------------------------------------------------
@@ -529,7 +546,8 @@ void vtkIndirectOccupancyVolume::Deactivate()
 //------------------------------------------------------------------------------
 size_t vtkIndirectOccupancyVolume::GetBytes() const
 {
-  return this->Uploaded ? this->Columns.size() * sizeof(glm::uvec4) : 0;
+  return (this->Uploaded ? this->Columns.size() * sizeof(glm::uvec4) : 0) +
+    (this->Clearance ? this->Clearance->GetBytes() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -539,6 +557,10 @@ void vtkIndirectOccupancyVolume::Release(vtkWindow* window)
   {
     this->Texture->ReleaseGraphicsResources(window);
     this->Texture = nullptr;
+  }
+  if (this->Clearance)
+  {
+    this->Clearance->Release(window);
   }
   this->Uploaded = false;
 }

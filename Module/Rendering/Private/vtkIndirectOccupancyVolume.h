@@ -15,10 +15,12 @@
 #include "vtkSmartPointer.h"  // for members
 
 #include <glm/glm.hpp> // for vectors
+#include <memory>      // for the clearance
 #include <string>      // for reasons
 #include <utility>     // for pairs
 #include <vector>      // for columns
 
+class vtkIndirectClearance;
 class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkShaderProgram;
@@ -48,6 +50,9 @@ public:
 
   /** Makes the next Update start anew. */
   void Forget() { this->Key.clear(); }
+  /** How often Update has changed the volume: tells those who derive from it that they are stale.
+   */
+  size_t GetNumberOfUpdates() const { return this->NumberOfUpdates; }
 
   /** An empty volume over these bounds (scene units); Add fills it. For Update, and for tests. */
   void Clear(const glm::dvec3& lower, const glm::dvec3& upper, int resolution);
@@ -78,6 +83,10 @@ public:
    */
   bool FindHit(const glm::dvec3& start, const glm::dvec3& direction, glm::ivec3& voxel) const;
   size_t GetNumberOfOccupiedVoxels() const;
+  /** A bit a voxel, by x + GetSize().x y; bit z. */
+  const std::vector<glm::uvec4>& GetColumns() const { return this->Columns; }
+  /** Distances to occupied voxels, made when first asked for. */
+  vtkIndirectClearance& GetClearance();
 
   /** Surfaces by block; empty ones have no area. */
   const std::vector<Surface>& GetSurfaces() const { return this->Surfaces; }
@@ -116,6 +125,9 @@ private:
   glm::dvec3 MeanAlbedo{ 0.0 };
   std::vector<glm::ivec3> Touched; // by the triangle at hand
   std::vector<double> Key;
+  size_t NumberOfUpdates = 0;
+  std::unique_ptr<vtkIndirectClearance> Clearance;
+  bool ClearanceIsCurrent = false;
   std::vector<std::pair<std::string, std::string>> LeftOut;
   vtkSmartPointer<vtkTextureObject> Texture;
   bool Uploaded = false;

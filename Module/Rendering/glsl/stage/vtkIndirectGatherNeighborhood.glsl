@@ -2,6 +2,9 @@
 #include "vtkIndirectMapTexel.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"
 #include "vtkIndirectLibSampling.glsl"
+#ifdef VTKI_OCCUPANCY
+#include "vtkIndirectSight.glsl"
+#endif
 
 uniform int vtkiSampleCount;
 uniform float vtkiRadius; // of the disk, as a fraction of the map's width
@@ -10,6 +13,9 @@ uniform int vtkiLayerCount;
 vec3 vtkiGather(vec3 position, vec3 normal)
 {
   vec3 total = vec3(0.0f);
+#ifdef VTKI_OCCUPANCY
+  vec3 open = vtkiOpenPlace(position, normal);
+#endif
   for (int layer = 0; layer < vtkiLayerCount; ++layer)
   {
     vec4 map = texelFetch(vtkiMapTable, ivec2(3, layer), 0);
@@ -38,8 +44,14 @@ vec3 vtkiGather(vec3 position, vec3 normal)
       vtkiVirtualLight light;
       if (vtkiVirtualLightFromTexel(layer, ivec2(at * map.z), light))
       {
-        total += light.densityArea * (pattern.z * texels *
-          vtkiVirtualLightWeight(light.position - position, light.normal, normal, light.area));
+        float weight =
+          vtkiVirtualLightWeight(light.position - position, light.normal, normal, light.area);
+#ifdef VTKI_OCCUPANCY
+        bool seen =
+          vtkiSees(open, position, normal, light.position, light.normal, weight > 0.0f);
+        weight = seen ? weight : 0.0f;
+#endif
+        total += light.densityArea * (pattern.z * texels * weight);
       }
     }
   }

@@ -1,5 +1,9 @@
 // Sum over a block of virtual lights.
+// VTKI_OCCUPANCY: those that the receiver sees.
 #include "vtkIndirectLibVirtualLight.glsl"
+#ifdef VTKI_OCCUPANCY
+#include "vtkIndirectSight.glsl"
+#endif
 
 uniform sampler2D vtkiLightPosition; // position, area
 uniform sampler2D vtkiLightNormal;   // normal, lobe exponent
@@ -11,6 +15,9 @@ uniform int vtkiLightCount;
 vec3 vtkiGather(vec3 position, vec3 normal)
 {
   vec3 total = vec3(0.0f);
+#ifdef VTKI_OCCUPANCY
+  vec3 open = vtkiOpenPlace(position, normal);
+#endif
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y; ++row)
   {
     // Sums by row keep rounding errors of long sums small.
@@ -20,9 +27,19 @@ vec3 vtkiGather(vec3 position, vec3 normal)
     {
       ivec2 at = ivec2(column, row);
       vec4 sender = texelFetch(vtkiLightPosition, at, 0);
+#ifdef VTKI_OCCUPANCY
+      vec3 density = texelFetch(vtkiLightDensity, at, 0).rgb;
+      vec3 senderNormal = texelFetch(vtkiLightNormal, at, 0).xyz;
+      float weight =
+        vtkiVirtualLightWeight(sender.xyz - position, senderNormal, normal, sender.w);
+      bool lit = weight > 0.0f && max(max(density.r, density.g), density.b) > 0.0f;
+      bool seen = vtkiSees(open, position, normal, sender.xyz, senderNormal, lit);
+      partial += seen ? density * weight : vec3(0.0f);
+#else
       partial += texelFetch(vtkiLightDensity, at, 0).rgb *
         vtkiVirtualLightWeight(
           sender.xyz - position, texelFetch(vtkiLightNormal, at, 0).xyz, normal, sender.w);
+#endif
     }
     total += partial;
   }

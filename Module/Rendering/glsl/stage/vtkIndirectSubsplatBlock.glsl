@@ -9,6 +9,42 @@ layout(VTKI_FORMAT) uniform image2D vtkiVectorImage;
 #endif
 layout(VTKI_FORMAT) uniform image2D vtkiIrradianceImage;
 
+// Stores what was summed for a texel.
+void vtkiStoreLeaf(ivec2 texel, vec3 normal, vec3 irradiance, vec3 vectorIrradiance)
+{
+  mat3 rotation = mat3(vtkiViewToScene);
+  vec3 value = irradiance * vtkiStorageScale;
+#ifdef VTKI_PIXELS
+  vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vec2(vtkiSize) - 1.0f;
+  value *= vtkiDetail(ndc, normal * rotation);
+  imageStore(vtkiIrradianceImage, texel, vec4(value, 1.0f));
+#else
+  // What lies around was marked before.
+  float state = imageLoad(vtkiIrradianceImage, texel).a;
+  float parted = imageLoad(vtkiVectorImage, texel).a;
+  imageStore(vtkiIrradianceImage, texel, vec4(value, state));
+  imageStore(vtkiVectorImage, texel,
+    vec4((vectorIrradiance * rotation) * vtkiStorageScale, parted));
+#endif
+}
+
+#ifdef VTKI_OCCUPANCY
+// One at a time: the ways to the lights are what takes time, and differ.
+void vtkiEvaluateChild(ivec2 block, int child, bool exists)
+{
+  ivec2 texel = 2 * block + ivec2(child & 1, child >> 1);
+  vec3 position;
+  vec3 normal;
+  bool wanted = vtkiFetchLeaf(texel, position, normal) && exists;
+  vec3 irradiance;
+  vec3 vectorIrradiance;
+  vtkiEvaluateSubsplat(position, normal, wanted, irradiance, vectorIrradiance);
+  if (wanted)
+  {
+    vtkiStoreLeaf(texel, normal, irradiance, vectorIrradiance);
+  }
+}
+#else
 // blocks: indices of texels that are split, one level above those that are evaluated; exists: whether
 // there is one.
 void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
@@ -18,7 +54,6 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
   vec3 irradiance[4 * VTKI_BLOCKS];
   vec3 vectorIrradiance[4 * VTKI_BLOCKS];
   bool wanted[4 * VTKI_BLOCKS];
-  mat3 rotation = mat3(vtkiViewToScene);
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
     ivec2 texel = 2 * blocks[i >> 2] + ivec2(i & 1, (i >> 1) & 1);
@@ -33,7 +68,7 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     vec3 density = vtkiBlockDensity[light].rgb;
     for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
     {
-      vtkiAddLight(position[i], normal[i], sender, senderNormal, density, irradiance[i],
+      vtkiAddLight(position[i], normal[i], position[i], sender, senderNormal, density, irradiance[i],
         vectorIrradiance[i]);
     }
   }
@@ -45,7 +80,7 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     vtkiFetchLight(light, sender, senderNormal, density);
     for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
     {
-      vtkiAddLight(position[i], normal[i], sender, senderNormal, density, irradiance[i],
+      vtkiAddLight(position[i], normal[i], position[i], sender, senderNormal, density, irradiance[i],
         vectorIrradiance[i]);
     }
   }
@@ -54,19 +89,8 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     ivec2 texel = 2 * blocks[i >> 2] + ivec2(i & 1, (i >> 1) & 1);
     if (wanted[i])
     {
-      vec3 value = irradiance[i] * vtkiStorageScale;
-#ifdef VTKI_PIXELS
-      vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vec2(vtkiSize) - 1.0f;
-      value *= vtkiDetail(ndc, normal[i] * rotation);
-      imageStore(vtkiIrradianceImage, texel, vec4(value, 1.0f));
-#else
-      // What lies around was marked before.
-      float state = imageLoad(vtkiIrradianceImage, texel).a;
-      float parted = imageLoad(vtkiVectorImage, texel).a;
-      imageStore(vtkiIrradianceImage, texel, vec4(value, state));
-      imageStore(vtkiVectorImage, texel,
-        vec4((vectorIrradiance[i] * rotation) * vtkiStorageScale, parted));
-#endif
+      vtkiStoreLeaf(texel, normal[i], irradiance[i], vectorIrradiance[i]);
     }
   }
 }
+#endif

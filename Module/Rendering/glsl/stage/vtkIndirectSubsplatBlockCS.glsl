@@ -1,8 +1,26 @@
 //VTK::System::Dec
-// One invocation for two split texels: evaluates the four below each.
+// One invocation for two split texels: evaluates the four below each. With VTKI_OCCUPANCY each of the
+// four has an invocation of its own.
 #include "vtkIndirectSubsplatStorage.glsl"
 #include "vtkIndirectSubsplatBlock.glsl"
 
+ivec2 vtkiListedTexel(uint place, out bool listed)
+{
+  listed = place < vtkiCommand[vtkiList].w;
+  uint entry = vtkiEntry[uint(vtkiListFirst) + (listed ? place : 0u)];
+  return ivec2(int(entry & 0xffffu), int(entry >> 16));
+}
+
+#ifdef VTKI_OCCUPANCY
+layout(local_size_x = VTKI_GROUP, local_size_y = 4) in;
+
+void main()
+{
+  bool listed;
+  ivec2 block = vtkiListedTexel(gl_GlobalInvocationID.x, listed);
+  vtkiEvaluateChild(block, int(gl_LocalInvocationID.y), listed);
+}
+#else
 // VTKI_GROUP / VTKI_BLOCKS, which GLSL before 4.40 does not work out here.
 layout(local_size_x = 32) in;
 
@@ -12,10 +30,9 @@ void main()
   bool listed[VTKI_BLOCKS];
   for (int i = 0; i < VTKI_BLOCKS; ++i)
   {
-    uint place = uint(VTKI_BLOCKS) * gl_GlobalInvocationID.x + uint(i);
-    listed[i] = place < vtkiCommand[vtkiList].w;
-    uint entry = vtkiEntry[uint(vtkiListFirst) + (listed[i] ? place : 0u)];
-    blocks[i] = ivec2(int(entry & 0xffffu), int(entry >> 16));
+    blocks[i] = vtkiListedTexel(uint(VTKI_BLOCKS) * gl_GlobalInvocationID.x + uint(i), listed[i]);
   }
   vtkiEvaluateBlocks(blocks, listed);
+}
+#endif
 }

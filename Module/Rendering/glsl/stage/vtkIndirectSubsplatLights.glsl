@@ -2,6 +2,14 @@
 #include "vtkIndirectLibVirtualLight.glsl"
 #include "vtkIndirectLibSubsplat.glsl"
 #include "vtkIndirectLightUniforms.glsl"
+#ifdef VTKI_OCCUPANCY
+#include "vtkIndirectSight.glsl"
+#else
+vec3 vtkiOpenPlace(vec3 position, vec3 normal)
+{
+  return position;
+}
+#endif
 
 uniform sampler2D vtkiLightPosition; // lights beyond the block's
 uniform sampler2D vtkiLightNormal;
@@ -18,13 +26,18 @@ void vtkiFetchLight(int i, out vec4 sender, out vec3 senderNormal, out vec3 dens
   density = texelFetch(vtkiLightDensity, at, 0).rgb;
 }
 
-void vtkiAddLight(vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, vec3 density,
+// open: see vtkiOpenPlace; of no meaning without VTKI_OCCUPANCY.
+void vtkiAddLight(vec3 position, vec3 normal, vec3 open, vec4 sender, vec3 senderNormal, vec3 density,
   inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
   vec3 toSender = sender.xyz - position;
   float cosine = dot(normal, toSender);
   float strength =
     cosine > 0.0f ? vtkiVirtualLightStrength(toSender, senderNormal, sender.w) : 0.0f;
+#ifdef VTKI_OCCUPANCY
+  bool lit = strength > 0.0f && max(max(density.r, density.g), density.b) > 0.0f;
+  strength = vtkiSees(open, position, normal, sender.xyz, senderNormal, lit) ? strength : 0.0f;
+#endif
   irradiance += (strength * cosine) * density;
   vectorIrradiance += (strength * vtkiLuminance(density)) * toSender;
 }
@@ -35,10 +48,11 @@ void vtkiEvaluateSubsplat(
 {
   irradiance = vec3(0.0f);
   vectorIrradiance = vec3(0.0f);
+  vec3 open = vtkiOpenPlace(position, normal);
   int count = wanted ? vtkiBlockCount : 0;
   for (int i = 0; i < count; ++i)
   {
-    vtkiAddLight(position, normal, vtkiBlockPosition[i], vtkiBlockNormal[i].xyz,
+    vtkiAddLight(position, normal, open, vtkiBlockPosition[i], vtkiBlockNormal[i].xyz,
       vtkiBlockDensity[i].rgb, irradiance, vectorIrradiance);
   }
   count = wanted ? vtkiLightCount : 0;
@@ -48,6 +62,6 @@ void vtkiEvaluateSubsplat(
     vec3 senderNormal;
     vec3 density;
     vtkiFetchLight(i, sender, senderNormal, density);
-    vtkiAddLight(position, normal, sender, senderNormal, density, irradiance, vectorIrradiance);
+    vtkiAddLight(position, normal, open, sender, senderNormal, density, irradiance, vectorIrradiance);
   }
 }

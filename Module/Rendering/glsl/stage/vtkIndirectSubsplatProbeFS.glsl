@@ -7,11 +7,12 @@
 
 uniform sampler2D vtkiSurface;
 
-float vtkiLuminanceOf(vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, vec3 density)
+float vtkiLuminanceOf(
+  vec3 position, vec3 normal, vec3 open, vec4 sender, vec3 senderNormal, vec3 density)
 {
   vec3 irradiance = vec3(0.0f);
   vec3 unused = vec3(0.0f);
-  vtkiAddLight(position, normal, sender, senderNormal, density, irradiance, unused);
+  vtkiAddLight(position, normal, open, sender, senderNormal, density, irradiance, unused);
   return vtkiLuminance(irradiance);
 }
 
@@ -23,13 +24,14 @@ void main()
   position = (vtkiViewToScene * vec4(position, 1.0f)).xyz;
   vec3 normal = mat3(vtkiViewToScene) * vtkiSurfaceNormal(surface);
   bool lit = vtkiSurfaceIsLit(surface);
+  vec3 open = vtkiOpenPlace(position, normal);
   float sum = 0.0f;
   float difference = 0.0f;
   float sign = 1.0f;
   int count = lit ? vtkiBlockCount : 0;
   for (int i = 0; i < count; ++i)
   {
-    float luminance = vtkiLuminanceOf(position, normal, vtkiBlockPosition[i],
+    float luminance = vtkiLuminanceOf(position, normal, open, vtkiBlockPosition[i],
       vtkiBlockNormal[i].xyz, vtkiBlockDensity[i].rgb);
     sum += luminance;
     difference += sign * luminance;
@@ -42,7 +44,7 @@ void main()
     vec3 senderNormal;
     vec3 density;
     vtkiFetchLight(i, sender, senderNormal, density);
-    float luminance = vtkiLuminanceOf(position, normal, sender, senderNormal, density);
+    float luminance = vtkiLuminanceOf(position, normal, open, sender, senderNormal, density);
     sum += luminance;
     difference += sign * luminance;
     sign = -sign;
