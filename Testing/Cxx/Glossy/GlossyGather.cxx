@@ -232,10 +232,10 @@ VTK_INDIRECT_TEST(IsVTKs)
     }
     const std::string what = "power " + std::to_string(static_cast<int>(power)) + ": ";
     CheckAtLeast(what + "pixels in the highlight", lit, 8, "the test's own power");
-    CheckAtMost(what + "worst difference to VTK's own lamp over its brightest", worst, 0.02,
-      "the plate is 0.04 wide at a distance of 3.6: its corners are 0.4 degrees off, which the "
-      "power "
-      "of 30 at its steepest turns into 0.03 at most, and half of the plate compensates the other");
+    CheckAtMost(what + "worst difference to VTK's own lamp over its brightest", worst, 2e-3,
+      "the plate is 0.04 wide at a distance of 3.6: its lights lie 0.32 degrees off at most; in "
+      "pairs "
+      "what is odd cancels, and 30 / 2 times the square is 5e-4; the power in half floats");
   }
 }
 

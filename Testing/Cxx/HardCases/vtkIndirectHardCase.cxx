@@ -130,6 +130,7 @@ void HardCase::CheckBuffersFit()
   const Image direct = this->Copy("direct");
   const Image indirect = this->Copy("indirect");
   const Image irradiance = this->Copy("irradiance");
+  const Image glossy = this->Copy("glossy");
   const Image albedo = this->Copy("albedo");
   const Image normal = this->Copy("normal");
   const Image depth = this->Copy("depth");
@@ -141,7 +142,7 @@ void HardCase::CheckBuffersFit()
   {
     const double sum = double(direct.Values[i]) + indirect.Values[i];
     sums += std::abs(final.Values[i] - sum) <= 1e-6 * sum ? 0 : 1;
-    const double product = double(albedo.Values[i]) * irradiance.Values[i];
+    const double product = double(albedo.Values[i]) * irradiance.Values[i] + glossy.Values[i];
     // Below the least normal float, shaders may flush to zero.
     products += std::abs(indirect.Values[i] - product) <= 1e-6 * product + 1e-37 ? 0 : 1;
   }
@@ -153,7 +154,7 @@ void HardCase::CheckBuffersFit()
     depths += lit && !(depth.At(i / 3 % depth.Width, i / 3 / depth.Width)[0] > 0.0f) ? 1 : 0;
   }
   CheckEqual("values of final that are not direct + indirect", sums, 0);
-  CheckEqual("values of indirect that are not albedo * irradiance", products, 0);
+  CheckEqual("values of indirect that are not albedo * irradiance + glossy", products, 0);
   CheckEqual("normals that are neither zero nor unit vectors", normals, 0);
   CheckEqual("lit pixels without a depth", depths, 0);
 }
