@@ -180,11 +180,6 @@ void vtkIndirectEstimatorPass::AddSpecularToReport(vtkIndirectReport& report) co
     report.Modelled.emplace_back(
       "specular indirect light", "receivers reflect it by the lobes of Phong's model");
     report.LeftOut.emplace_back("specular reflection of senders", "senders are taken as diffuse");
-    if (this->IsBlocked())
-    {
-      report.LeftOut.emplace_back("visibility between sender and specular lobe",
-        "Occupancy hides senders from diffuse reflection only; highlights are too bright");
-    }
     return;
   }
   report.LeftOut.emplace_back("specular indirect light",

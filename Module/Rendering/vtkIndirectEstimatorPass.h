@@ -78,6 +78,13 @@ public:
   vtkGetMacro(NumberOfVoxelUpdates, vtkIdType);
 
 #ifndef __VTK_WRAP__
+  /**
+   * Senders that a shader may look for from one place. Mesa's llvmpipe ends all loops of an
+   * invocation after 65535 rounds together, and a round is a sender or four steps on the way to it:
+   * this leaves 124 steps a sender, four times what rooms need.
+   */
+  static constexpr int MaximumNumberOfSegments = 2048;
+
   /** What a frame's estimate reads; eye stands in for the maps where a headlight needs none. */
   struct Input
   {
@@ -174,12 +181,6 @@ protected:
   bool UpdateVoxels(const Input& input);
   /** For Occupancy, before anything is summed: voxels, and distances between them. */
   void UpdateSight(const Input& input, vtkIndirectStageTimer& timer);
-  /**
-   * Senders that a shader may look for from one place. Mesa's llvmpipe ends all loops of an
-   * invocation after 65535 rounds together, and a round is a sender or four steps on the way to it:
-   * this leaves 124 steps a sender, four times what rooms need.
-   */
-  static constexpr int MaximumNumberOfSegments = 2048;
   /** Whether senders can be hidden: Occupancy is on, and voxels are occupied. */
   bool IsBlocked() const;
   void AddVisibilityToReport(vtkIndirectReport& report) const;

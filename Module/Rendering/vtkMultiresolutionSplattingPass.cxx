@@ -241,6 +241,10 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
     {
       in.WhyGlossyIsGathered = "GlossyThreshold is 0";
     }
+    else if (this->IsBlocked())
+    {
+      in.WhyGlossyIsGathered = "Occupancy is on, and lists do not look what stands between";
+    }
     else if (!vtkIndirectGlossySubsplats::Fits(
                in.Pyramid, input.Sampler->GetActualNumberOfLights()))
     {
@@ -252,7 +256,8 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
   {
     in.Glossy.Release(window);
     return !this->HasGlossy ||
-      in.GlossyGather.Sum(input, *this->Glossy, this->GetIrradianceUnit(), {});
+      in.GlossyGather.Sum(input, *this->Glossy, this->GetIrradianceUnit(),
+        this->IsBlocked() ? input.Voxels.get() : nullptr, {});
   }
   return in.Glossy.Resize(window, in.Pyramid, settings.HalfFloats) &&
     in.Glossy.Fill(input, settings, this->GlossyThreshold * share, in.Pyramid, in.Lights,

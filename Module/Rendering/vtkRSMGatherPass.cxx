@@ -228,7 +228,8 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   sums.End();
   releaseTextures();
   if (this->HasGlossy &&
-    !in.Glossy.Sum(input, *this->Glossy, 1.0, { this->NumberOfSamples, this->NeighborhoodRadius }))
+    !in.Glossy.Sum(input, *this->Glossy, 1.0, blocked ? input.Voxels.get() : nullptr,
+      { this->NumberOfSamples, this->NeighborhoodRadius }))
   {
     return false;
   }

@@ -141,15 +141,18 @@ SenderEnds FindEnds(const std::vector<SenderBlock>& blocks, const vtkIndirectCle
   return ends;
 }
 
-void SumVisible(const std::vector<SenderBlock>& blocks, const SenderEnds& ends,
-  const vtkIndirectClearance& clearance, const Receiver& receiver, double* total)
+// The senders without those that the receiver does not see.
+void FindVisible(const std::vector<SenderBlock>& blocks, const SenderEnds& ends,
+  const vtkIndirectClearance& clearance, const Receiver& receiver,
+  std::vector<SenderBlock>& visibleBlocks)
 {
+  visibleBlocks = blocks;
   const vtkIndirectClearance::End end = clearance.FindEnd(
     glm::vec3(glm::dvec3(receiver.Position[0], receiver.Position[1], receiver.Position[2])),
     glm::vec3(glm::dvec3(receiver.Normal[0], receiver.Normal[1], receiver.Normal[2])));
   for (size_t b = 0; b < blocks.size(); ++b)
   {
-    SenderBlock visible = blocks[b];
+    SenderBlock& visible = visibleBlocks[b];
     for (size_t i = 0; i < Lanes; ++i)
     {
       double facing[2] = { 0.0, 0.0 }; // of the sender, and of the receiver
@@ -164,7 +167,6 @@ void SumVisible(const std::vector<SenderBlock>& blocks, const SenderEnds& ends,
         visible.DensityArea[0][i] = visible.DensityArea[1][i] = visible.DensityArea[2][i] = 0.0;
       }
     }
-    Sum(&visible, 1, receiver, total);
   }
 }
 
@@ -290,6 +292,7 @@ bool vtkRSMReferencePass::Estimate(const Input& input, vtkIndirectStageTimer& ti
   vtkSMPTools::For(0, static_cast<vtkIdType>(pixels),
     [&](vtkIdType begin, vtkIdType end)
     {
+      std::vector<SenderBlock> visible;
       for (vtkIdType p = begin; p < end; ++p)
       {
         Receiver receiver;
@@ -299,17 +302,15 @@ bool vtkRSMReferencePass::Estimate(const Input& input, vtkIndirectStageTimer& ti
         {
           if (clearance)
           {
-            SumVisible(senders, ends, *clearance, receiver, total);
+            FindVisible(senders, ends, *clearance, receiver, visible);
           }
-          else
-          {
-            Sum(senders.data(), senders.size(), receiver, total);
-          }
+          const SenderBlock* blocks = clearance ? visible.data() : senders.data();
+          Sum(blocks, senders.size(), receiver, total);
           const float* lobe = this->HasGlossy ? &specular[4 * p] : nullptr;
           if (lobe && std::max({ lobe[0], lobe[1], lobe[2] }) > 0.0f)
           {
             double reflected[3] = { 0.0, 0.0, 0.0 };
-            SumLobe(senders.data(), senders.size(), receiver, lobe[3], reflected);
+            SumLobe(blocks, senders.size(), receiver, lobe[3], reflected);
             std::copy(reflected, reflected + 3, &glossy[4 * p]);
           }
         }

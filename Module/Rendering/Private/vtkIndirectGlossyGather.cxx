@@ -4,6 +4,8 @@
 #include "vtkIndirectGlossyGather.h"
 
 #include "vtkGeometryBufferPass.h"
+#include "vtkIndirectClearance.h"
+#include "vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectTarget.h"
 #include "vtkIndirectUniforms.h"
 #include "vtkReflectiveShadowMapPass.h"
@@ -19,10 +21,12 @@ constexpr int RowsPerDraw = 16;
 
 //------------------------------------------------------------------------------
 bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimatorPass::Input& input,
-  vtkIndirectTarget& glossy, double unit, const Neighborhood& neighborhood)
+  vtkIndirectTarget& glossy, double unit, vtkIndirectOccupancyVolume* voxels,
+  const Neighborhood& neighborhood)
 {
   const vtkIndirectFrame& frame = input.Frame;
   vtkIndirectKernelProgram& kernel = input.Sampler ? this->Lights : this->Around;
+  kernel.SetDefinitions(voxels ? "#define VTKI_OCCUPANCY\n" : "");
   vtkShaderProgram* program = kernel.Use(frame.Window);
   if (!program)
   {
@@ -37,6 +41,13 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimatorPass::Input& input,
   const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
   geometry.Activate(vtkGeometryBufferPass::Surface, program);
   geometry.Activate(vtkGeometryBufferPass::Specular, program);
+  if (voxels)
+  {
+    voxels->GetClearance().Activate(frame.Window, program);
+  }
+  const int rowsPerDraw = voxels
+    ? vtkIndirectEstimatorPass::MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength
+    : RowsPerDraw;
   int rows = 1;
   if (input.Sampler)
   {
@@ -57,21 +68,21 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimatorPass::Input& input,
     program->SetUniformi("vtkiLayerCount", input.Maps.GetNumberOfLayers());
   }
   glossy.Begin();
-  if (rows > RowsPerDraw)
+  if (rows > rowsPerDraw)
   {
     glossy.Clear();
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFunc(GL_ONE, GL_ONE);
   }
-  for (int row = 0; row < rows; row += RowsPerDraw)
+  for (int row = 0; row < rows; row += rowsPerDraw)
   {
     if (input.Sampler)
     {
-      const int block[2] = { row, std::min(row + RowsPerDraw, rows) };
+      const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
       program->SetUniform2i("vtkiLightRows", block);
     }
     kernel.Draw();
-    if (rows > RowsPerDraw)
+    if (rows > rowsPerDraw)
     {
       glFlush();
     }
@@ -79,6 +90,10 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimatorPass::Input& input,
   state->vtkglDisable(GL_BLEND);
   glossy.End();
   geometry.Deactivate();
+  if (voxels)
+  {
+    voxels->GetClearance().Deactivate();
+  }
   if (input.Sampler)
   {
     input.Sampler->GetTarget().Deactivate();

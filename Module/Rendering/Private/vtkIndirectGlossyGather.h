@@ -6,6 +6,7 @@
 #include "vtkIndirectEstimatorPass.h" // for its input
 #include "vtkIndirectKernelProgram.h" // for members
 
+class vtkIndirectOccupancyVolume;
 class vtkIndirectTarget;
 
 class vtkIndirectGlossyGather
@@ -19,11 +20,11 @@ public:
   };
 
   /**
-   * Fills `glossy`, of the frame's size, in which one stands for `unit`. Within a
-   * vtkIndirectKernelState.
+   * Fills `glossy`, of the frame's size, in which one stands for `unit`. voxels hide senders; none
+   * where nothing does. Within a vtkIndirectKernelState.
    */
   bool Sum(const vtkIndirectEstimatorPass::Input& input, vtkIndirectTarget& glossy, double unit,
-    const Neighborhood& neighborhood);
+    vtkIndirectOccupancyVolume* voxels, const Neighborhood& neighborhood);
 
   void Release();
 

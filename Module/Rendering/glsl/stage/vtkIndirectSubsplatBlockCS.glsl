@@ -35,4 +35,3 @@ void main()
   vtkiEvaluateBlocks(blocks, listed);
 }
 #endif
-}
