@@ -279,6 +279,10 @@ void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
     !input.Caching || !(settings == in.GridSettings) || in.Grid.GetNumberOfHints() == 0;
   if (voxelsNeeded)
   {
+    if (raysNeeded)
+    {
+      in.Volume.KeepTriangles();
+    }
     if (!input.Caching)
     {
       in.Volume.Forget();
