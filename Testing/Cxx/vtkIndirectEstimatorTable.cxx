@@ -78,9 +78,9 @@ const std::vector<EstimatorEntry>& GetEstimators()
     { "multiresolution", Entry::OTHER, false, false, HalfFloats, 0.0,
       InstallMultiresolution<false> },
     // A field of a few harmonics at points of a grid: no sum over lights, however many there are.
-    // Band two of a hemisphere, which order 2 leaves out, is an eighth of it at the horizon. A
-    // look-up may fall to the next voxel, as with subsplats.
-    { "hints", Entry::OTHER, false, false, 4e-3, 0.1, InstallHints },
+    // Band two of a hemisphere, which order 2 leaves out, is an eighth of it at the horizon. Where
+    // the harmonics cancel, rounding is that of the whole sum: 1e-6 over a hundredth of it.
+    { "hints", Entry::OTHER, false, false, 1e-4, 0.1, InstallHints },
     { "multiresolution, finest", Entry::LIGHTS, true, false, 0.0, 0.0,
       InstallMultiresolution<true> },
   };
