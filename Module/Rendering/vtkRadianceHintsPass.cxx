@@ -274,6 +274,10 @@ void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
 
   bool changed =
     !input.Caching || !(settings == in.GridSettings) || in.Grid.GetNumberOfHints() == 0;
+  if (raysNeeded)
+  {
+    input.Voxels->KeepTriangles();
+  }
   changed = (voxelsNeeded && this->UpdateVoxels(input)) || changed;
   in.Blocked = this->IsBlocked();
   if (changed)

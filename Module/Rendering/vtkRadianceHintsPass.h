@@ -162,7 +162,7 @@ public:
   ///@{
   /**
    * Whether a sender's size is at least a share of the hint's cell: a hint stands for its cell and
-   * cannot tell what is nearer. Default on.
+   * cannot tell what is nearer. It steps back from a sender's plane instead. Default on.
    */
   vtkSetMacro(Softening, bool);
   vtkGetMacro(Softening, bool);
@@ -214,7 +214,7 @@ public:
   ///@{
   /**
    * Where later bounces come from: HINTS, random other hints (Eq. 8 to 11), or SURFACES, those that
-   * rays from the hint meet in the occupancy volume. Default SURFACES.
+   * rays from the hint meet. Default SURFACES.
    */
   vtkSetClampMacro(BounceSampling, int, HINTS, SURFACES);
   vtkGetMacro(BounceSampling, int);

@@ -124,8 +124,9 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
   }
   if (kernel == 22)
   {
-    return vec4(vtkiPatchSolidAngle((0.1f + a.w) * c3, b3, 0.01f),
-      vtkiPatchSolidAngle(vec3(0.0f), b3, 0.1f), 0.0f, 0.0f);
+    vec3 offset = vtkiPatchOffset((0.1f + a.w) * c3, b3, 0.01f);
+    return vec4(offset, vtkiPatchSolidAngle(offset, b3)) +
+      vec4(vtkiPatchSolidAngle(vec3(0.0f), b3));
   }
   if (kernel == 23)
   {

@@ -70,7 +70,7 @@ const Kernel Kernels[] = {
   { "gamma round trip", 1e-4, 1e-3, "GPU pow" },
   { "vtkiHarmonicsLow, vtkiHarmonicsHigh", 1e-5, 0.1, Rounding },
   { "vtkiIrradianceLow, High, Lobe", 1e-4, 0.1, "near half a hemisphere two forms meet" },
-  { "vtkiPatchSolidAngle", 1e-4, 1e-2, "cosines near zero cancel" },
+  { "vtkiPatchOffset, vtkiPatchSolidAngle", 1e-4, 1e-2, "cosines near zero cancel" },
   { "vtkiBeginWalk, vtkiWalkBits, vtkiAdvance", 0.0, 1.0, "decisions and bits" },
   { "vtkiMirror, vtkiGlossyWeight, vtkiGlossyVariation", 1e-3, 0.1,
     "GPU pow: log2 of limited precision, exponents up to 128" },

@@ -148,21 +148,50 @@ VTK_INDIRECT_TEST(HarmonicsLobe)
 
 VTK_INDIRECT_TEST(PatchSolidAngle)
 {
+  const vec3 up(0, 0, 1);
+  auto seen = [&](const vec3& toSender, float softening)
+  { return vtkiPatchSolidAngle(vtkiPatchOffset(toSender, up, softening), up); };
   // A disk seen from its axis: solid angle 2 pi (1 - 1 / sqrt(1 + (a/h)^2)).
   const double area = vtkMath::Pi() * 0.01;
   for (double height : { 0.01, 0.05, 0.1, 0.3, 1.0, 10.0 })
   {
     const double exact =
       2.0 * vtkMath::Pi() * (1.0 - 1.0 / std::sqrt(1.0 + 0.01 / height / height));
-    const double measured = area *
-      vtkiPatchSolidAngle(
-        vec3(0, 0, -height), vec3(0, 0, 1), static_cast<float>(area / (2.0 * vtkMath::Pi())));
+    const double measured =
+      area * seen(vec3(0, 0, -height), static_cast<float>(area / (2.0 * vtkMath::Pi())));
     // The limits are the same; between them 1 / (h^2 + a^2 / 2) is above the disk's own.
     CheckRelative("disk at " + std::to_string(height / 0.1) + " radii", measured, exact, 0.21,
       "same limits near and far; a fifth too much at half a radius");
     CheckAtMost(
       "no more than half of the sphere", measured, 2.0 * vtkMath::Pi() * 1.000001, "limit");
   }
-  CheckEqual("from behind", vtkiPatchSolidAngle(vec3(0, 0, 1), vec3(0, 0, 1), 0.1f), 0.0);
-  CheckEqual("from within", vtkiPatchSolidAngle(vec3(0.0f), vec3(0, 0, 1), 0.0f), 0.0);
+  CheckEqual("from behind", seen(vec3(0, 0, 1), 0.1f), 0.0);
+  CheckEqual("from within", seen(vec3(0.0f), 0.0f), 0.0);
+  // A large plane of patches fills half of all directions, from however near it is seen, and light
+  // from it is light from a hemisphere.
+  const double edge = 0.1;
+  const float softening = static_cast<float>(edge * edge / (2.0 * vtkMath::Pi()));
+  for (double height : { 0.002, 0.02, 0.1, 0.3 })
+  {
+    double sum = 0.0;
+    double vertical = 0.0;
+    const int count = 600;
+    for (int j = -count; j < count; ++j)
+    {
+      for (int i = -count; i < count; ++i)
+      {
+        // The point is above none of the patches' own corners or middles.
+        const vec3 toSender(edge * (i + 0.3), edge * (j + 0.2), -height);
+        const vec3 offset = vtkiPatchOffset(toSender, up, softening);
+        const double share = edge * edge * vtkiPatchSolidAngle(offset, up);
+        sum += share;
+        vertical -= share * offset.z / glm::length(offset);
+      }
+    }
+    // Beyond the patches lie h'/R of all; h' is at most 0.3, R 60 and more. Sums over patches in
+    // place of an integral: the kernel is as wide as sqrt(s), 0.4 of a patch.
+    CheckAbsolute("plane from a height of " + std::to_string(height / edge) + " patches",
+      sum / (2.0 * vtkMath::Pi()), 1.0, 0.09, "sum over patches of a kernel half as wide");
+    CheckAbsolute("its light straight up", vertical / vtkMath::Pi(), 1.0, 0.09, "as above");
+  }
 }

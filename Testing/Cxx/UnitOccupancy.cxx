@@ -8,7 +8,9 @@
 #include "vtkIndirectTestUtilities.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 using namespace vtkIndirectTest;
 
@@ -281,36 +283,210 @@ VTK_INDIRECT_TEST(OccupancyClearance)
   Check("a segment from outside to outside ends", volume.GetClearance().IsFree(outside, -outside));
 }
 
-VTK_INDIRECT_TEST(OccupancySurfaces)
+VTK_INDIRECT_TEST(OccupancyAlbedo)
 {
-  // Area, direction and albedo of what the voxels hold.
   vtkIndirectOccupancyVolume volume;
   volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
   AddPatch(volume, { 0.1, 0.2, 0.3 }, { 0.7, 0, 0 }, { 0, 0.6, 0 }, 5);
   const glm::dvec3 corners[3] = { { 0.1, 0.1, 0.8 }, { 0.9, 0.1, 0.8 }, { 0.9, 0.6, 0.8 } };
   volume.AddTriangle(corners, { 0.9, 0.3, 0.1 });
   volume.Finish();
-  double area = 0.0;
-  double tilt = 0.0;
-  for (const auto& surface : volume.GetSurfaces())
-  {
-    if (surface.Area > 0.0)
-    {
-      area += surface.Area;
-      tilt = std::max(tilt, std::abs(1.0 - std::abs(surface.Axis.z) / glm::length(surface.Axis)));
-    }
-  }
-  CheckRelative("area", area, 0.42 + 0.2, 1e-9, "sums");
-  CheckAbsolute("tilt of the normals", tilt, 0.0, 1e-9, "all along z");
   CheckRelative("mean albedo, red", volume.GetMeanAlbedo().x, (0.42 * 0.5 + 0.2 * 0.9) / 0.62, 1e-9,
     "weighed by area");
-  glm::ivec3 voxel;
-  Check("a ray up meets the patch",
-    volume.FindHit(volume.ToVoxels({ 0.4, 0.5, 0.1 }), { 0.01, 0.02, 1.0 }, voxel));
-  CheckAbsolute(
-    "its height", volume.ToScene(glm::dvec3(voxel) + 0.5).z, 0.3, volume.GetVoxelSize(), "a voxel");
-  Check("a ray past it meets nothing",
-    !volume.FindHit(volume.ToVoxels({ 0.05, 0.9, 0.1 }), { 0.01, 0.02, 1.0 }, voxel));
+  CheckEqual("triangles that nobody asked for", volume.GetTriangles().GetNumberOfTriangles(), 0);
+}
+
+VTK_INDIRECT_TEST(TriangleHits)
+{
+  // Against every triangle by itself, with another formula: the plane, and the three areas.
+  Random random(17);
+  vtkIndirectOccupancyVolume volume;
+  volume.KeepTriangles();
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
+  std::vector<std::array<glm::dvec3, 3>> triangles;
+  for (int i = 0; i < 300; ++i)
+  {
+    const glm::dvec3 at(random.Next(), random.Next(), random.Next());
+    const double size = i % 3 == 0 ? 0.6 : 0.03;
+    triangles.push_back(
+      { at, at + size * random.NextDirection(), at + size * random.NextDirection() });
+    // What reaches out of the bounds is in no voxel there.
+    for (glm::dvec3& corner : triangles.back())
+    {
+      corner = glm::clamp(corner, glm::dvec3(0.0), glm::dvec3(1.0));
+    }
+    volume.AddTriangle(triangles.back().data(), glm::dvec3(i / 300.0, 0.5, 0.5));
+  }
+  volume.Finish();
+  int wrong = 0;
+  int met = 0;
+  int compared = 0;
+  for (int i = 0; i < 6000; ++i)
+  {
+    const double span = i % 4 == 0 ? 3.0 : 1.0; // some start outside
+    const glm::dvec3 start =
+      span * (glm::dvec3(random.Next(), random.Next(), random.Next()) - 0.5) + 0.5;
+    const glm::dvec3 direction =
+      i % 10 == 0 ? glm::dvec3(0.0, 0.0, i % 20 ? 1.0 : -1.0) : random.NextDirection();
+    double nearest = INFINITY;
+    int expected = -1;
+    bool close = false; // to an edge, or to another triangle
+    for (size_t k = 0; k < triangles.size(); ++k)
+    {
+      const auto& v = triangles[k];
+      const glm::dvec3 normal = glm::cross(v[1] - v[0], v[2] - v[0]);
+      const double along = glm::dot(normal, direction);
+      const double t = glm::dot(normal, v[0] - start) / along;
+      if (!(t > 0.0))
+      {
+        continue;
+      }
+      const glm::dvec3 p = start + t * direction;
+      double least = INFINITY;
+      for (int e = 0; e < 3; ++e)
+      {
+        const glm::dvec3& a = v[e];
+        least = std::min(least,
+          glm::dot(glm::cross(v[(e + 1) % 3] - a, p - a), normal) / glm::dot(normal, normal));
+      }
+      close = close || std::abs(least) < 1e-3 || (least > 0.0 && std::abs(t - nearest) < 1e-4);
+      if (least > 0.0 && t < nearest)
+      {
+        nearest = t;
+        expected = static_cast<int>(k);
+      }
+    }
+    if (close)
+    {
+      continue;
+    }
+    ++compared;
+    vtkIndirectTriangleGrid::Hit hit;
+    const bool found = volume.GetTriangles().FindHit(volume.ToVoxels(start), direction, hit);
+    met += found;
+    wrong += found != (expected >= 0);
+    if (found && expected >= 0)
+    {
+      const glm::dvec3 p = volume.ToScene(hit.Position);
+      wrong += glm::length(p - (start + nearest * direction)) > 1e-4 ||
+        std::abs(hit.Albedo.x - expected / 300.0) > 1e-6 || glm::dot(hit.Normal, direction) > 0.0;
+    }
+  }
+  CheckEqual("rays that meet another triangle, or from another side", wrong, 0);
+  CheckAtLeast("rays that meet one", met, 1500, "the test's own power");
+  CheckAtLeast("rays that meet none", compared - met, 1500, "the test's own power");
+
+  // Nothing gets out of a closed box, not through its edges and corners either.
+  vtkIndirectOccupancyVolume box;
+  box.KeepTriangles();
+  box.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 32);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (double at : { 0.1, 0.9 })
+    {
+      glm::dvec3 origin(0.1);
+      origin[axis] = at;
+      glm::dvec3 u(0.0);
+      glm::dvec3 v(0.0);
+      u[(axis + 1) % 3] = 0.8;
+      v[(axis + 2) % 3] = 0.8;
+      AddPatch(box, origin, u, v, 7);
+    }
+  }
+  box.Finish();
+  int out = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const glm::dvec3 start(random.Next(0.2, 0.8), random.Next(0.2, 0.8), random.Next(0.2, 0.8));
+    glm::dvec3 end(random.Next(0.1, 0.9), random.Next(0.1, 0.9), random.Next(0.1, 0.9));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // On vertices of the pieces, on their edges, and anywhere.
+      end[axis] =
+        (i >> axis & 1) ? 0.1 + 0.8 / 7.0 * std::floor(7.999 * (end[axis] - 0.1) / 0.8) : end[axis];
+    }
+    end[i % 3] = i & 8 ? 0.1 : 0.9;
+    vtkIndirectTriangleGrid::Hit hit;
+    out += !box.GetTriangles().FindHit(box.ToVoxels(start), glm::normalize(end - start), hit);
+  }
+  CheckEqual("rays that leave a closed box", out, 0);
+}
+
+VTK_INDIRECT_TEST(HintSurfaces)
+{
+  // A wall of another colour on each side, thinner than a voxel, and a bar thinner than a voxel:
+  // hints see the colour that is turned to them, and as much of the bar as there is.
+  vtkIndirectOccupancyVolume volume;
+  volume.KeepTriangles();
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 32);
+  const double wall = 0.52;
+  auto quad = [&](const glm::dvec3& a, const glm::dvec3& u, const glm::dvec3& v, double albedo)
+  {
+    const glm::dvec3 first[3] = { a, a + u, a + u + v };
+    const glm::dvec3 second[3] = { a, a + u + v, a + v };
+    volume.AddTriangle(first, glm::dvec3(albedo));
+    volume.AddTriangle(second, glm::dvec3(albedo));
+  };
+  quad({ wall, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, 0.9);
+  quad({ wall + 0.004, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, 0.1);
+  const double bar = 0.008;
+  const double place = 0.3;
+  quad({ place, 0, 0.5 }, { 0, 1, 0 }, { 0, 0, bar }, 0.5);
+  volume.Finish();
+  vtkIndirectHintGrid::Settings settings;
+  vtkIndirectHintGrid::Region region;
+  region.Upper = glm::dvec3(1.0);
+  region.Size = glm::ivec3(8);
+  settings.Regions.push_back(region);
+  settings.NumberOfRays = 4096;
+  vtkIndirectHintGrid grid;
+  grid.Build(settings, &volume);
+  int wrong = 0;
+  int seen[3] = { 0, 0, 0 };
+  double share = 0.0;
+  double expected = 0.0;
+  for (int hint = 0; hint < grid.GetNumberOfHints(); ++hint)
+  {
+    const glm::dvec3 at(grid.GetHints()[hint]);
+    const bool left = at.x < wall;
+    for (int ray = 0; ray < grid.GetNumberOfRays(); ++ray)
+    {
+      const int surfel = grid.GetHit(hint, ray);
+      if (surfel < 0)
+      {
+        continue;
+      }
+      const auto& surface = grid.GetSurfels()[surfel];
+      const glm::dvec4 direction = vtkIndirectHintGrid::GetDirection(ray, 64);
+      const bool isBar = std::abs(surface.Position.x - place) < 1e-3;
+      wrong += glm::dot(glm::dvec3(surface.Normal), glm::dvec3(direction)) > 0.0;
+      wrong += std::abs(surface.Albedo.x - (isBar ? 0.5 : (left ? 0.9 : 0.1))) > 1e-6;
+      ++seen[isBar ? 2 : (left ? 0 : 1)];
+      share += isBar ? direction.w : 0.0;
+    }
+    if (left)
+    {
+      // Solid angle of the bar: a rectangle's, from four of its corner ones.
+      auto corner = [&](double y, double z)
+      {
+        const double d = std::abs(place - at.x);
+        return std::atan(y * z / (d * std::sqrt(d * d + y * y + z * z)));
+      };
+      const double y0 = -at.y;
+      const double y1 = 1.0 - at.y;
+      const double z0 = 0.5 - at.z;
+      const double z1 = z0 + bar;
+      expected += corner(y1, z1) - corner(y0, z1) - corner(y1, z0) + corner(y0, z0);
+    }
+  }
+  CheckEqual("surfaces of another colour, or turned away", wrong, 0);
+  for (int count : seen)
+  {
+    CheckAtLeast("rays on each", count, 1000, "the test's own power");
+  }
+  CheckRelative("solid angle of a bar a quarter of a voxel wide", share, expected, 0.1,
+    "4096 rays from each of 256 hints, 3 degrees apart; a voxel's width would be four times as "
+    "much");
 }
 
 VTK_INDIRECT_TEST(HintMasks)

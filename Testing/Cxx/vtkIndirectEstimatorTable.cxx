@@ -78,9 +78,10 @@ const std::vector<EstimatorEntry>& GetEstimators()
     { "multiresolution", Entry::OTHER, false, false, HalfFloats, 0.0,
       InstallMultiresolution<false> },
     // A field of a few harmonics at points of a grid: no sum over lights, however many there are.
-    // Band two of a hemisphere, which order 2 leaves out, is an eighth of it at the horizon. A
-    // look-up may fall to the next voxel, as with subsplats.
-    { "hints", Entry::OTHER, false, false, 4e-3, 0.1, InstallHints },
+    // Band two of a hemisphere, which order 2 leaves out, is an eighth of it at the horizon; lit
+    // parts of a plane fill half of one at most: 1/16 and a little. Where the harmonics cancel,
+    // rounding is that of the whole sum: 1e-6 over a hundredth of it.
+    { "hints", Entry::OTHER, false, false, 1e-4, 0.07, InstallHints },
     { "multiresolution, finest", Entry::LIGHTS, true, false, 0.0, 0.0,
       InstallMultiresolution<true> },
   };

@@ -6,7 +6,7 @@ import unittest
 
 import support
 import vtkindirect
-from vtkindirect import frames, methods, settings, sweep, wrapped
+from vtkindirect import frames, images, methods, metrics, references, settings, sweep, wrapped
 
 PAGE = support.SOURCE / "Documentation" / "methods" / "radiance-hints.md"
 SWEEP = support.SOURCE / "Testing" / "Benchmark" / "hints.json"
@@ -64,6 +64,31 @@ class Hints(unittest.TestCase):
         self.assertGreater(three, 1.1 * one)
         vtkindirect.disable(loaded.renderer)
         window.Finalize()
+
+    @unittest.skipUnless(wrapped.has("vtkOpenEXRReader"), "references are OpenEXR files")
+    def test_half_of_the_papers_error(self) -> None:
+        # The requirement, with four bounces: exact ones with two have more. Of their light no more
+        # than a tenth is lost: the grid's corners and what a ray's share of the sphere hides.
+        for name in ("room_fire", "apartment_living"):
+            stored = support.SOURCE / "Testing" / "Reference" / "data" / f"{name}.exr"
+            expected = references.read_layer(stored, "R3")
+            loaded = vtkindirect.load_scene(support.SCENES / f"{name}.json")
+            frames.open_window(loaded, (expected.shape[1], expected.shape[0]))
+            indirect = vtkindirect.enable(loaded.renderer, "hints", number_of_bounces=4)
+            found = {}
+            for version in ("all", "paper"):
+                if version == "paper":
+                    indirect.GetEstimator().SetToPaper()
+                    indirect.SetNumberOfBounces(2)
+                loaded.render_window.Render()
+                irradiance = images.copy_buffer(loaded.renderer, "irradiance")
+                found[version] = metrics.compare(irradiance, expected, references.mask(loaded))
+            self.assertLess(found["all"].relmse, 0.5 * found["paper"].relmse, name)
+            record = json.loads(stored.with_suffix(".json").read_text(encoding="utf-8"))
+            exact = sum(record["R3"]["fraction_of_bounce"][:4]) - 1.0
+            self.assertGreater(found["all"].bias, exact - 0.1, name)
+            self.assertLess(found["all"].bias, exact + 0.1, name)
+            loaded.render_window.Finalize()
 
     def test_sampler_is_not_read(self) -> None:
         self.assertIsNone(methods.METHODS["hints"].sampler)

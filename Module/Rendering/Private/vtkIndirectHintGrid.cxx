@@ -3,6 +3,7 @@
 
 #include "vtkIndirectHintGrid.h"
 
+#include "vtkIndirectHintSurfaces.h"
 #include "vtkIndirectKernels.h"
 #include "vtkIndirectOccupancyVolume.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -17,10 +18,8 @@ namespace
 {
 // Texels in a row of the table of rays: a row less than OpenGL's least limit on textures.
 constexpr int RayRowLength = 1024;
-// Voxels that a sender may lie behind a surface's plane and still be on it: of a plane, for maps'
-// rounding, and of any surface.
-constexpr double LeastDepth = 0.3;
-constexpr double MostDepth = 1.75;
+// Hints whose rays are followed before what they meet is gathered.
+constexpr int RayBatch = 256;
 
 glm::ivec3 Unfold(int index, const glm::ivec3& size)
 {
@@ -109,9 +108,7 @@ void vtkIndirectHintGrid::Build(const Settings& settings, const vtkIndirectOccup
   }
   if (this->Current.NumberOfRays > 0)
   {
-    std::vector<int> sides;
-    this->FindSurfels(sides);
-    this->FindHits(sides);
+    this->FindHits();
   }
 }
 
@@ -333,43 +330,7 @@ unsigned char vtkIndirectHintGrid::GetMask(int grid, const glm::ivec3& voxel) co
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::FindSurfels(std::vector<int>& sides)
-{
-  const auto& surfaces = this->Volume->GetSurfaces();
-  sides.assign(2 * surfaces.size(), -1);
-  for (size_t block = 0; block < surfaces.size(); ++block)
-  {
-    const auto& surface = surfaces[block];
-    const double length = glm::length(surface.Axis);
-    if (!(surface.Area > 0.0) || !(length > 0.0))
-    {
-      continue;
-    }
-    for (int side = 0; side < 2; ++side)
-    {
-      const glm::dvec3 normal = (side ? -1.0 : 1.0) / length * surface.Axis;
-      // The sender's own place is looked up from a free voxel in front of it.
-      bool free = false;
-      for (double height = 1.0; height <= 3.0 && !free; height += 0.5)
-      {
-        const glm::dvec3 before = this->Volume->ToVoxels(surface.Position) + height * normal;
-        free = !this->Volume->IsOccupied(glm::ivec3(glm::floor(before)));
-      }
-      if (free)
-      {
-        sides[2 * block + side] = static_cast<int>(this->Surfels.size());
-        // The mean normal of a plane has length one; the more a block's normals differ, the less
-        // its plane says, up to the block's half diagonal.
-        const double depth = std::min(LeastDepth + 8.0 * (1.0 - length), MostDepth);
-        this->Surfels.push_back({ glm::vec3(surface.Position), glm::vec3(normal),
-          glm::vec3(surface.Albedo), static_cast<float>(depth * this->Volume->GetVoxelSize()) });
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintGrid::FindHits(const std::vector<int>& sides)
+void vtkIndirectHintGrid::FindHits()
 {
   const int rays = this->Current.NumberOfRays;
   std::vector<glm::dvec3> directions;
@@ -381,35 +342,57 @@ void vtkIndirectHintGrid::FindHits(const std::vector<int>& sides)
   }
   this->Hits.assign(this->Hints.size() * rays, -1.0f);
   this->Albedo.assign(this->Hints.size(), glm::vec4(0.0f));
-  const auto& surfaces = this->Volume->GetSurfaces();
-  vtkSMPTools::For(0, this->GetNumberOfHints(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType hint = begin; hint < end; ++hint)
+  const vtkIndirectTriangleGrid& triangles = this->Volume->GetTriangles();
+  vtkIndirectHintSurfaces surfaces(triangles.GetSize());
+  struct Met
+  {
+    vtkIndirectTriangleGrid::Hit Hit;
+    bool There;
+  };
+  std::vector<Met> met(static_cast<size_t>(RayBatch) * rays);
+  for (int begin = 0; begin < this->GetNumberOfHints(); begin += RayBatch)
+  {
+    const int count = std::min(RayBatch, this->GetNumberOfHints() - begin);
+    vtkSMPTools::For(0, count,
+      [&](vtkIdType from, vtkIdType to)
       {
-        if (!(this->Hints[hint].w > 0.0f))
+        for (vtkIdType i = from; i < to; ++i)
         {
-          continue;
-        }
-        const glm::dvec3 start = this->Volume->ToVoxels(glm::dvec3(this->Hints[hint]));
-        for (int i = 0; i < rays; ++i)
-        {
-          glm::ivec3 voxel;
-          if (!this->Volume->FindHit(start, directions[i], voxel))
+          const glm::vec4& hint = this->Hints[begin + i];
+          const glm::dvec3 start = this->Volume->ToVoxels(glm::dvec3(hint));
+          for (int ray = 0; ray < rays; ++ray)
           {
-            continue;
+            Met& one = met[i * rays + ray];
+            one.There = hint.w > 0.0f && triangles.FindHit(start, directions[ray], one.Hit);
           }
-          const int block = this->Volume->GetBlock(voxel);
-          const int side = glm::dot(surfaces[block].Axis, directions[i]) > 0.0 ? 1 : 0;
-          const int surfel = sides[2 * static_cast<size_t>(block) + side];
-          // A side that lies in a solid is met only past the edge of what is in front of it.
-          this->Hits[static_cast<size_t>(hint) * rays + i] = static_cast<float>(
-            surfel >= 0 ? surfel : sides[2 * static_cast<size_t>(block) + 1 - side]);
-          this->Albedo[hint] += glm::vec4(glm::vec3(surfaces[block].Albedo), 1.0f);
         }
-        this->Albedo[hint] /= std::max(this->Albedo[hint].w, 1.0f);
+      });
+    // In the order of hints: the surfaces do not depend on the threads.
+    for (int i = 0; i < count; ++i)
+    {
+      glm::vec4& albedo = this->Albedo[begin + i];
+      for (int ray = 0; ray < rays; ++ray)
+      {
+        const Met& one = met[static_cast<size_t>(i) * rays + ray];
+        if (one.There)
+        {
+          this->Hits[static_cast<size_t>(begin + i) * rays + ray] =
+            static_cast<float>(surfaces.Add(one.Hit));
+          albedo += glm::vec4(glm::vec3(one.Hit.Albedo), 1.0f);
+        }
       }
-    });
+      albedo /= std::max(albedo.w, 1.0f);
+    }
+  }
+  // How far behind the plane a sender may lie and still be on it: as far as what makes it may.
+  const float depth =
+    static_cast<float>(vtkIndirectHintSurfaces::PlaneDepth * this->Volume->GetVoxelSize());
+  for (int i = 0; i < surfaces.GetNumberOfSurfaces(); ++i)
+  {
+    const vtkIndirectTriangleGrid::Hit mean = surfaces.GetMean(i);
+    this->Surfels.push_back({ glm::vec3(this->Volume->ToScene(mean.Position)),
+      glm::vec3(mean.Normal), glm::vec3(mean.Albedo), depth });
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -115,8 +115,7 @@ private:
 
   void Place(int grid);
   void FindMasks(int grid);
-  void FindSurfels(std::vector<int>& sides);
-  void FindHits(const std::vector<int>& sides);
+  void FindHits();
   void Bind(Table table, vtkShaderProgram* program, const char* uniform);
   vtkTextureObject* Make(Table table, vtkOpenGLRenderWindow* window);
 

@@ -86,10 +86,10 @@ void vtkIndirectOccupancyVolume::Clear(
     this->Size[axis] =
       std::min(resolution, static_cast<int>(std::ceil(extent[axis] / this->VoxelSize)) + 2);
   }
-  this->Blocks = (this->Size + 1) / 2;
   this->Columns.assign(static_cast<size_t>(this->Size.x) * this->Size.y, glm::uvec4(0u));
-  this->Surfaces.assign(
-    static_cast<size_t>(this->Blocks.x) * this->Blocks.y * this->Blocks.z, Surface());
+  this->Triangles.Clear(this->Size);
+  this->Area = 0.0;
+  this->MeanAlbedo = glm::dvec3(0.0);
   this->NumberOfTriangles = 0;
   this->LeftOut.clear();
   this->Uploaded = this->ClearanceIsCurrent = false;
@@ -168,38 +168,32 @@ void vtkIndirectOccupancyVolume::AddTriangle(const glm::dvec3 corners[3], const 
   {
     return;
   }
-  const glm::dvec3 normal = doubled / (2.0 * area);
-  const double share =
-    area * this->VoxelSize * this->VoxelSize / static_cast<double>(this->Touched.size());
-  for (const glm::ivec3& at : this->Touched)
+  this->Area += area;
+  this->MeanAlbedo += area * albedo;
+  if (this->TrianglesAreKept)
   {
-    Surface& surface = this->Surfaces[this->GetBlock(at)];
-    const glm::dvec3 center = glm::dvec3(at) + 0.5;
-    const glm::dvec3 onPlane = center - normal * glm::dot(normal, center - v[0]);
-    surface.Area += share;
-    surface.Position += share * this->ToScene(onPlane);
-    surface.Axis += share * (glm::dot(surface.Axis, normal) < 0.0 ? -normal : normal);
-    surface.Albedo += share * albedo;
+    this->Triangles.Add(v, albedo, this->Touched);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectOccupancyVolume::KeepTriangles()
+{
+  if (!this->TrianglesAreKept)
+  {
+    this->TrianglesAreKept = true;
+    this->Forget();
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectOccupancyVolume::Finish()
 {
-  double area = 0.0;
-  this->MeanAlbedo = glm::dvec3(0.0);
-  for (Surface& surface : this->Surfaces)
+  this->MeanAlbedo /= this->Area > 0.0 ? this->Area : 1.0;
+  if (this->TrianglesAreKept)
   {
-    if (surface.Area > 0.0)
-    {
-      area += surface.Area;
-      this->MeanAlbedo += surface.Albedo;
-      surface.Position /= surface.Area;
-      surface.Axis /= surface.Area;
-      surface.Albedo /= surface.Area;
-    }
+    this->Triangles.Finish();
   }
-  this->MeanAlbedo = area > 0.0 ? this->MeanAlbedo / area : glm::dvec3(0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -451,40 +445,6 @@ bool vtkIndirectOccupancyVolume::IsFree(const glm::vec3& start, const glm::vec3&
     vtkIndirectKernels::vtkiAdvance(walk);
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectOccupancyVolume::FindHit(
-  const glm::dvec3& start, const glm::dvec3& direction, glm::ivec3& voxel) const
-{
-  // Amanatides and Woo 1987, "A fast voxel traversal algorithm for ray tracing".
-  voxel = glm::ivec3(glm::floor(start));
-  glm::ivec3 step;
-  glm::dvec3 next;
-  glm::dvec3 delta;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    step[axis] = direction[axis] >= 0.0 ? 1 : -1;
-    const double size = std::abs(direction[axis]);
-    delta[axis] = size > 0.0 ? 1.0 / size : INFINITY;
-    const double gap =
-      direction[axis] >= 0.0 ? voxel[axis] + 1.0 - start[axis] : start[axis] - voxel[axis];
-    next[axis] = size > 0.0 ? gap / size : INFINITY;
-  }
-  while (true)
-  {
-    const int axis = next.x <= next.y ? (next.x <= next.z ? 0 : 2) : (next.y <= next.z ? 1 : 2);
-    voxel[axis] += step[axis];
-    next[axis] += delta[axis];
-    if (step[axis] > 0 ? voxel[axis] >= this->Size[axis] : voxel[axis] < 0)
-    {
-      return false;
-    }
-    if (this->IsOccupied(voxel))
-    {
-      return true;
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

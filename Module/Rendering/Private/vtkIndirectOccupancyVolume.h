@@ -6,13 +6,13 @@
 // no segment gets through a wall, however thin, slanted or finely cut. What it costs is that walls
 // are up to two voxels thick. The voxels of a segment's two ends do not block it.
 //
-// The triangles are those that the props' mappers draw. The same voxels, in blocks of two, tell the
-// surfaces' areas, directions and albedo.
+// The triangles are those that the props' mappers draw. Who asks for it has them kept, by voxel.
 #ifndef vtkIndirectOccupancyVolume_h
 #define vtkIndirectOccupancyVolume_h
 
-#include "vtkIndirectFrame.h" // for casters
-#include "vtkSmartPointer.h"  // for members
+#include "vtkIndirectFrame.h"        // for casters
+#include "vtkIndirectTriangleGrid.h" // for members
+#include "vtkSmartPointer.h"         // for members
 
 #include <glm/glm.hpp> // for vectors
 #include <memory>      // for the clearance
@@ -33,20 +33,15 @@ public:
   vtkIndirectOccupancyVolume();
   ~vtkIndirectOccupancyVolume();
 
-  /** What the surfaces in a block of two by two by two voxels are like. */
-  struct Surface
-  {
-    double Area = 0.0;          // scene units squared
-    glm::dvec3 Position{ 0.0 }; // mean, scene units
-    glm::dvec3 Axis{ 0.0 };     // mean normal, its sign of no meaning; not unit
-    glm::dvec3 Albedo{ 0.0 };   // mean
-  };
-
   /**
    * Brings the volume up to date: resolution (8 to 128) voxels along the longest edge of the scene.
    * Returns whether it has changed.
    */
   bool Update(const vtkIndirectFrame& frame, int resolution);
+
+  /** From the next Update on triangles are kept, for rays; this costs their memory. */
+  void KeepTriangles();
+  const vtkIndirectTriangleGrid& GetTriangles() const { return this->Triangles; }
 
   /** Makes the next Update start anew. */
   void Forget() { this->Key.clear(); }
@@ -58,7 +53,7 @@ public:
   void Clear(const glm::dvec3& lower, const glm::dvec3& upper, int resolution);
   /** Corners in scene units. */
   void AddTriangle(const glm::dvec3 corners[3], const glm::dvec3& albedo);
-  /** Finishes the surfaces' means after the last triangle. */
+  /** Finishes the mean and the lists after the last triangle. */
   void Finish();
 
   bool IsEmpty() const { return this->NumberOfTriangles == 0; }
@@ -77,23 +72,12 @@ public:
   bool IsAnyOccupied(const glm::ivec3& lower, const glm::ivec3& upper) const;
   /** Whether the segment between two points (voxel coordinates) meets no occupied voxel. */
   bool IsFree(const glm::vec3& start, const glm::vec3& end) const;
-  /**
-   * First occupied voxel on a ray from a point (voxel coordinates), its own voxel left out; returns
-   * false when there is none.
-   */
-  bool FindHit(const glm::dvec3& start, const glm::dvec3& direction, glm::ivec3& voxel) const;
   size_t GetNumberOfOccupiedVoxels() const;
   /** A bit a voxel, by x + GetSize().x y; bit z. */
   const std::vector<glm::uvec4>& GetColumns() const { return this->Columns; }
   /** Distances to occupied voxels, made when first asked for. */
   vtkIndirectClearance& GetClearance();
 
-  /** Surfaces by block; empty ones have no area. */
-  const std::vector<Surface>& GetSurfaces() const { return this->Surfaces; }
-  int GetBlock(const glm::ivec3& voxel) const
-  {
-    return voxel.x / 2 + this->Blocks.x * (voxel.y / 2 + this->Blocks.y * (voxel.z / 2));
-  }
   /** Albedo of all surfaces, by area. */
   const glm::dvec3& GetMeanAlbedo() const { return this->MeanAlbedo; }
 
@@ -118,10 +102,11 @@ private:
   glm::dvec3 Origin{ 0.0 };
   double VoxelSize = 1.0;
   glm::ivec3 Size{ 0 };
-  glm::ivec3 Blocks{ 0 };
   size_t NumberOfTriangles = 0;
   std::vector<glm::uvec4> Columns; // by x + Size.x y
-  std::vector<Surface> Surfaces;
+  bool TrianglesAreKept = false;
+  vtkIndirectTriangleGrid Triangles;
+  double Area = 0.0; // voxels squared
   glm::dvec3 MeanAlbedo{ 0.0 };
   std::vector<glm::ivec3> Touched; // by the triangle at hand
   std::vector<double> Key;

@@ -62,14 +62,26 @@ float vtkiIrradianceLobe(vec4 c, vec3 n)
   return mean * ((1.0f - t) * (1.0f + x) + 4.0f * t * max(x, 0.0f));
 }
 
-/* Share of a patch's radiance times area that is seen as radiance times solid angle from a point at
- * offset toSender (sender minus point): cosS / (r^2 + s), with s = area / (2 pi). Close to the patch
- * this is the solid angle of a disk, at most 2 pi / area; far away the exact inverse square. */
-float vtkiPatchSolidAngle(vec3 toSender, vec3 normalS, float softening)
+/* Where a patch is seen from, as the offset from there to the patch: a point at offset toSender
+ * (patch minus point) in front of the patch's plane steps back along its normal, from the height h to
+ * sqrt(h^2 + s), s = area / (2 pi). So no patch fills more than its half of all directions, and a plane
+ * of patches still fills just that half, seen from any height: what one takes away from the places
+ * right above it, its neighbours give. Far away nothing changes. */
+vec3 vtkiPatchOffset(vec3 toSender, vec3 normalS, float softening)
+{
+  float height = -dot(normalS, toSender);
+  return height > 0.0f
+    ? toSender - (sqrt(height * height + softening) - height) * normalS
+    : toSender;
+}
+
+/* Share of a patch's radiance times area that is seen as radiance times solid angle: cosS / r^2, at
+ * most 2 pi / area with the offset of vtkiPatchOffset. */
+float vtkiPatchSolidAngle(vec3 toSender, vec3 normalS)
 {
   float r2 = dot(toSender, toSender);
   float projected = max(-dot(normalS, toSender), 0.0f);
-  float denominator = sqrt(r2) * (r2 + softening);
+  float denominator = r2 * sqrt(r2);
   return denominator > 0.0f ? projected / denominator : 0.0f;
 }
 #endif

@@ -68,14 +68,15 @@ vtkiHintSums vtkiBeginHint()
   return vtkiHintSums(vtkiZeroField(), 1.0e30f, 0.0f, 0.0f, 0.0f);
 }
 
-// position: of the hint, or near it. softening: see vtkiPatchSolidAngle.
+// position: of the hint, or near it. softening: see vtkiPatchOffset.
 void vtkiAddSender(inout vtkiHintSums sums, int hint, vec3 position, vec3 sender, vec3 normal, float area,
   vec3 densityArea, float softening)
 {
   vec3 toSender = sender - position;
   float r = length(toSender);
-  float angle = vtkiPatchSolidAngle(toSender, normal, softening);
-  float mirrored = vtkiPatchSolidAngle(toSender, -normal, softening);
+  vec3 offset = vtkiPatchOffset(toSender, normal, softening);
+  float angle = vtkiPatchSolidAngle(offset, normal);
+  float mirrored = vtkiPatchSolidAngle(vtkiPatchOffset(toSender, -normal, softening), -normal);
   sums.nearest = min(sums.nearest, r);
   sums.farthest = max(sums.farthest, r);
   sums.front += area * angle;
@@ -89,7 +90,7 @@ void vtkiAddSender(inout vtkiHintSums sums, int hint, vec3 position, vec3 sender
   share *= vtkiDepthShare(position, sender, lit);
   if (lit)
   {
-    vtkiAddLight(sums.field, light * share, toSender / r);
+    vtkiAddLight(sums.field, light * share, normalize(offset));
   }
 }
 

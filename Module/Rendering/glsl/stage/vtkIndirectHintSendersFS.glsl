@@ -21,6 +21,13 @@ void main()
   vec3 densityArea = vec3(0.0f);
   float area = 0.0f;
   float weights = 0.0f;
+  // Where senders are does not depend on the light's strength, not even by rounding: decisions on what
+  // hides them would fall otherwise. So its colour, in steps, weighs what is reflected.
+  vec3 power = texelFetch(vtkiMapTable, ivec2(4, min(layer, 1 << 20)), 0).rgb;
+  float most = max(power.r, max(power.g, power.b));
+  vec3 hue = most > 0.0f
+    ? max(floor(power / most * 1024.0f + 0.5f), ceil(min(power / most, 1.0f))) / 1024.0f
+    : vec3(0.0f);
   float texels = texelFetch(vtkiMapTable, ivec2(3, min(layer, 1 << 20)), 0).z;
   float width = texels / float(vtkiBlocks);
   int reads = index < vtkiLightCount ? min(vtkiReads, max(int(width), 1)) : 0;
@@ -32,7 +39,7 @@ void main()
     vtkiVirtualLight light;
     if (vtkiVirtualLightFromTexel(layer, ivec2(min(at, vec2(texels - 1.0f))), light))
     {
-      float weight = dot(light.densityArea, vec3(1.0f));
+      float weight = dot(light.reflected, hue);
       mean += weight * light.position;
       densityArea += light.densityArea;
       // Unlit surface in the block sends nothing and makes the sender no larger.
@@ -50,13 +57,15 @@ void main()
     vec2 at = first + (vec2(i % reads, i / reads) + 0.5f) * (width / float(reads));
     vtkiVirtualLight light;
     if (vtkiVirtualLightFromTexel(layer, ivec2(min(at, vec2(texels - 1.0f))), light) &&
-      dot(light.densityArea, vec3(1.0f)) > 0.0f)
+      dot(light.reflected, hue) > 0.0f)
     {
       vec3 offset = light.position - mean;
       float distance2 = dot(offset, offset);
-      position = distance2 < nearest ? light.position : position;
-      normal = distance2 < nearest ? light.normal : normal;
-      nearest = min(nearest, distance2);
+      // In a regular block several are as near: the first of them, however the mean is rounded.
+      bool nearer = distance2 < 0.99f * nearest;
+      position = nearer ? light.position : position;
+      normal = nearer ? light.normal : normal;
+      nearest = nearer ? distance2 : nearest;
     }
   }
   vec3 shift = mean - position;

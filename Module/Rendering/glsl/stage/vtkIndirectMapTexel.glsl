@@ -75,6 +75,7 @@ struct vtkiVirtualLight
   vec3 position; // scene units
   vec3 normal;
   float area;       // of one texel, scene units squared
+  vec3 reflected;   // the same without the light's colour and intensity
   vec3 densityArea; // reflected density times area of one texel
   float source;     // light index
 };
@@ -95,6 +96,7 @@ bool vtkiVirtualLightFromTexel(int layer, ivec2 texel, out vtkiVirtualLight ligh
   light.position = vec3(0.0f);
   light.normal = vec3(0.0f, 0.0f, 1.0f);
   light.area = 1.0f;
+  light.reflected = vec3(0.0f);
   light.densityArea = vec3(0.0f);
   light.source = power.w;
   if (!vtkiSurfaceIsLit(surface))
@@ -113,7 +115,7 @@ bool vtkiVirtualLightFromTexel(int layer, ivec2 texel, out vtkiVirtualLight ligh
   light.position = vtkiTransformRows(layer, 0, vec4(p, 1.0f));
   light.normal = vtkiTransformRows(layer, 0, vec4(vtkiSurfaceNormal(surface), 0.0f));
   light.area = footprint * (parallel ? 1.0f : dot(p, p)) / cosine;
-  light.densityArea =
-    reflectance * (vtkiMapFalloff(layer, map, p) * footprint) * power.rgb;
+  light.reflected = reflectance * (vtkiMapFalloff(layer, map, p) * footprint);
+  light.densityArea = light.reflected * power.rgb;
   return true;
 }
