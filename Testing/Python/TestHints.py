@@ -67,8 +67,9 @@ class Hints(unittest.TestCase):
 
     @unittest.skipUnless(wrapped.has("vtkOpenEXRReader"), "references are OpenEXR files")
     def test_half_of_the_papers_error(self) -> None:
-        # The requirement, with four bounces: exact ones with two have more. Of their light no more
-        # than a tenth is lost: the grid's corners and what a ray's share of the sphere hides.
+        # Four bounces against the paper's two, for exact ones with two alone have more than half of
+        # its error; and with a finer grid against as many. Of their light no more than a tenth is
+        # lost: the grid's corners and what a ray's share of the sphere hides.
         for name in ("room_fire", "apartment_living"):
             stored = support.SOURCE / "Testing" / "Reference" / "data" / f"{name}.exr"
             expected = references.read_layer(stored, "R3")
@@ -76,14 +77,17 @@ class Hints(unittest.TestCase):
             frames.open_window(loaded, (expected.shape[1], expected.shape[0]))
             indirect = vtkindirect.enable(loaded.renderer, "hints", number_of_bounces=4)
             found = {}
-            for version in ("all", "paper"):
-                if version == "paper":
-                    indirect.GetEstimator().SetToPaper()
-                    indirect.SetNumberOfBounces(2)
+            estimator = indirect.GetEstimator()
+            for version, bounces in (("all", 4), ("finer", 4), ("paper", 2), ("paper, equal", 4)):
+                estimator.SetErrorTolerance(0.02 if version == "finer" else 0.05)
+                if version.startswith("paper"):
+                    estimator.SetToPaper()
+                indirect.SetNumberOfBounces(bounces)
                 loaded.render_window.Render()
                 irradiance = images.copy_buffer(loaded.renderer, "irradiance")
                 found[version] = metrics.compare(irradiance, expected, references.mask(loaded))
-            self.assertLess(found["all"].relmse, 0.5 * found["paper"].relmse, name)
+            for ours, theirs in (("all", "paper"), ("finer", "paper, equal")):
+                self.assertLess(found[ours].relmse, 0.5 * found[theirs].relmse, (name, ours))
             record = json.loads(stored.with_suffix(".json").read_text(encoding="utf-8"))
             exact = sum(record["R3"]["fraction_of_bounce"][:4]) - 1.0
             self.assertGreater(found["all"].bias, exact - 0.1, name)
