@@ -4,6 +4,7 @@
 #include "vtkIndirectEstimatorPass.h"
 
 #include "vtkGeometryBufferPass.h"
+#include "vtkIndirectContextGuard.h"
 #include "vtkIndirectFrame.h"
 #include "vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectReport.h"
@@ -36,12 +37,20 @@ const vtkIndirectChannel HalfGlossyChannels[] = {
 
 //------------------------------------------------------------------------------
 vtkIndirectEstimatorPass::vtkIndirectEstimatorPass()
-  : Irradiance(new vtkIndirectTarget(Channels, false))
+  : Guard(vtkSmartPointer<vtkIndirectContextGuard>::New())
+  , Irradiance(new vtkIndirectTarget(Channels, false))
   , Glossy(new vtkIndirectTarget(GlossyChannels, false))
 {
+  this->Guard->Release = [this](vtkWindow* window) { this->ReleaseGraphicsResources(window); };
 }
 
 vtkIndirectEstimatorPass::~vtkIndirectEstimatorPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkIndirectEstimatorPass::HoldContext(vtkOpenGLRenderWindow* window)
+{
+  this->Guard->SetContext(window);
+}
 
 //------------------------------------------------------------------------------
 void vtkIndirectEstimatorPass::PrintSelf(ostream& os, vtkIndent indent)

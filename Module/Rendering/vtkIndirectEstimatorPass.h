@@ -16,16 +16,18 @@
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
+#include "vtkSmartPointer.h"            // For the guard
 
 #include <memory> // for the target and the voxels
 #include <string> // for names
 #include <vector> // for names
 
 class vtkGeometryBufferPass;
+class vtkIndirectContextGuard;
 class vtkIndirectOccupancyVolume;
 class vtkIndirectStageTimer;
-struct vtkIndirectReport;
 class vtkIndirectTarget;
+class vtkOpenGLRenderWindow;
 class vtkReflectiveShadowMapPass;
 class vtkVirtualLightSampler;
 struct vtkIndirectFrame;
@@ -84,6 +86,12 @@ public:
    * this leaves 124 steps a sender, four times what rooms need.
    */
   static constexpr int MaximumNumberOfSegments = 2048;
+
+  /**
+   * Lets go of all graphics resources when the window's context ends, also while the pass uses
+   * another estimator and does not know this one. To be called in every frame.
+   */
+  void HoldContext(vtkOpenGLRenderWindow* window);
 
   /** What a frame's estimate reads; eye stands in for the maps where a headlight needs none. */
   struct Input
@@ -190,6 +198,7 @@ protected:
 
   bool SpecularTransport = true;
   bool HasGlossy = false;
+  vtkSmartPointer<vtkIndirectContextGuard> Guard;
   std::unique_ptr<vtkIndirectTarget> Irradiance;
   std::unique_ptr<vtkIndirectTarget> Glossy;
   bool Occupancy = false;

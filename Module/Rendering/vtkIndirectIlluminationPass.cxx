@@ -388,6 +388,7 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
   const vtkIndirectEstimatorPass::Input input = { in.Frame, *in.Geometry,
     *this->ReflectiveShadowMaps, sampler, in.EyeIsMap, this->NumberOfBounces, this->Caching,
     this->ErrorTolerance, in.Voxels };
+  estimator->HoldContext(in.Frame.Window);
   if (!sampled || !estimator->Estimate(input, in.Timer))
   {
     return false;

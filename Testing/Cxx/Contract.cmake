@@ -27,7 +27,7 @@ contract_topic(Kinds
   KindsDelegate KindsComposite KindsFull AlbedoValues SurfaceBuffers)
 contract_topic(Lifetime
   Toggle ToggleHints ToggleMultiresolution ToggleNewPass Release ReleaseMultiresolution Finalize
-  FinalizeWithout DestructionOrder TwoWindows)
+  FinalizeUnused FinalizeWithout DestructionOrder TwoWindows)
 contract_topic(Lights
   LightShadowAttenuation LightColors LightHeadlight LightOfCamera LightKit ShadowFollows
   ShadowFromOutside ShadowSeams ParallelEye)

@@ -13,6 +13,7 @@
 #include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
 #include "vtkRenderWindow.h"
+#include "vtkSmartPointer.h"
 #include "vtkUniformLightSampler.h"
 
 #include <algorithm>
@@ -372,6 +373,48 @@ CONTRACT_TEST(Finalize)
     const Difference difference = Compare(before, view.Grab());
     CONTRACT_CHECK(difference.Max == 0.0, "context " << i + 2 << ": " << difference);
   }
+}
+
+//------------------------------------------------------------------------------
+// Estimators that the pass has exchanged for another know when their window closes. Later they neither
+// draw with its names nor delete what the next context calls by them.
+CONTRACT_TEST(FinalizeUnused)
+{
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  vtkSmartPointer<vtkIndirectEstimatorPass> used[] = {
+    vtkSmartPointer<vtkMultiresolutionSplattingPass>::New(),
+    vtkSmartPointer<vtkMultiresolutionSplattingPass>::New(),
+    vtkSmartPointer<vtkRadianceHintsPass>::New(), vtkSmartPointer<vtkRSMGatherPass>::New()
+  };
+  View view(160, 120);
+  AddRoom(view.Renderer);
+  view.Renderer->SetPass(pass);
+  Pixels before;
+  for (vtkIndirectEstimatorPass* estimator : used)
+  {
+    pass->SetEstimator(estimator);
+    const Pixels shown = view.Grab();
+    before = estimator == used[0] ? shown : before;
+  }
+  view.Window->Finalize();
+
+  View other(160, 120);
+  AddRoom(other.Renderer);
+  vtkNew<vtkIndirectIlluminationPass> fresh;
+  vtkNew<vtkMultiresolutionSplattingPass> splatting;
+  fresh->SetEstimator(splatting);
+  fresh->CachingOff();
+  other.Renderer->SetPass(fresh);
+  CONTRACT_CHECK(Compare(before, other.Grab()).Max == 0.0, "in a new window");
+  pass->SetEstimator(nullptr);
+  for (int i : { 0, 2, 3 })
+  {
+    used[i] = nullptr;
+    CONTRACT_CHECK(
+      Compare(before, other.Grab()).Max == 0.0, "after estimator " << i << " was destroyed");
+  }
+  fresh->SetEstimator(used[1]);
+  CONTRACT_CHECK(Compare(before, other.Grab()).Max == 0.0, "with one of the closed window's");
 }
 
 //------------------------------------------------------------------------------
