@@ -19,8 +19,8 @@
  * each of their pixels with and without interpolation; see SpecularTransport.
  *
  * Approximations: no visibility between sender and receiver unless Occupancy is on (bias >= 0), one
- * bounce (<= 0), diffuse senders (<= 0); the kernel is low where r^2 < A, by about -0.6 / sqrt(N) for
- * walls that meet.
+ * bounce (<= 0), diffuse senders (<= 0); the kernel is low where r^2 < A, by about -0.6 / sqrt(N)
+ * for walls that meet.
  *
  * Interpolation (section 5.2 of the paper): the sum is taken at every InterpolationStep-th pixel
  * and interpolated where three of the four around lie on the same surface; other pixels sum for

@@ -8,17 +8,18 @@
  * point lights (six), a parallel map for directional lights. All faces of all lights are layers of
  * the same array textures, so a shader that samples them needs one unit a channel:
  * - rsm.albedo, RGBA16F: diffuse reflectance (of PBR over pi, as VTK shades it)
- * - rsm.surface, RGBA32F: octahedral normal (the face's view coordinates), linear depth along its axis
+ * - rsm.surface, RGBA32F: octahedral normal (the face's view coordinates), linear depth along its
+ * axis
  * - rsm.slope, RG16F: slope of the depth, which tells the facet's normal n_g
  * and a depth array for percentage-closer shadow look-ups.
  *
- * When it is sampled, albedo (n_s.l)/(n_g.l) times att(d) d^2 cone (positional lights) is the reflected
- * density, and that times the texel's solid angle (directional: its area) and the light's intensity the
- * reflected radiance times area, B A. The density does not depend on the resolution: the sum of B A
- * over a map is the light's reflected flux at any number of texels.
+ * When it is sampled, albedo (n_s.l)/(n_g.l) times att(d) d^2 cone (positional lights) is the
+ * reflected density, and that times the texel's solid angle (directional: its area) and the light's
+ * intensity the reflected radiance times area, B A. The density does not depend on the resolution:
+ * the sum of B A over a map is the light's reflected flux at any number of texels.
  *
- * A face is drawn again only when its light's place, what it can see (GetRedrawMTime) or the resolution
- * has changed; strength, falloff and exponent redraw nothing.
+ * A face is drawn again only when its light's place, what it can see (GetRedrawMTime) or the
+ * resolution has changed; strength, falloff and exponent redraw nothing.
  */
 
 #ifndef vtkReflectiveShadowMapPass_h

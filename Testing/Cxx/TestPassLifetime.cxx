@@ -376,8 +376,8 @@ CONTRACT_TEST(Finalize)
 }
 
 //------------------------------------------------------------------------------
-// Estimators that the pass has exchanged for another know when their window closes. Later they neither
-// draw with its names nor delete what the next context calls by them.
+// Estimators that the pass has exchanged for another know when their window closes. Later they
+// neither draw with its names nor delete what the next context calls by them.
 CONTRACT_TEST(FinalizeUnused)
 {
   vtkNew<vtkIndirectIlluminationPass> pass;

@@ -8,8 +8,8 @@
 
 #include <functional> // for the callback
 
-// VTK's windows tell their textures, and no one else, to let go of a context: this is a texture that
-// never allocates anything. SetContext with another window lets go of the earlier one, too.
+// VTK's windows tell their textures, and no one else, to let go of a context: this is a texture
+// that never allocates anything. SetContext with another window lets go of the earlier one, too.
 class vtkIndirectContextGuard : public vtkTextureObject
 {
 public:
