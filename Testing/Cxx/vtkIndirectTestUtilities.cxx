@@ -10,6 +10,7 @@
 #include "vtkImageData.h"
 #include "vtkIndirectFrame.h"
 #include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlaneSource.h"
@@ -395,6 +396,15 @@ vtkLight* Scene::AddDirectional(const glm::dvec3& direction)
   light->SetColor(1.0, 1.0, 1.0);
   this->Renderer->AddLight(light);
   return light;
+}
+
+void Scene::SetIntensities(double intensity)
+{
+  vtkLightCollection* lights = this->Renderer->GetLights();
+  for (int i = 0; i < lights->GetNumberOfItems(); ++i)
+  {
+    vtkLight::SafeDownCast(lights->GetItemAsObject(i))->SetIntensity(intensity);
+  }
 }
 
 void Scene::SetEye(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up,

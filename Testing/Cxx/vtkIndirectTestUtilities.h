@@ -148,6 +148,8 @@ public:
   vtkLight* AddSpot(const glm::dvec3& position, const glm::dvec3& target, double coneAngle,
     double exponent, const glm::dvec3& attenuation);
   vtkLight* AddDirectional(const glm::dvec3& direction);
+  /** Of all lights. */
+  void SetIntensities(double intensity);
 
   /** viewAngle: vertical, degrees. */
   void SetEye(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up,

@@ -6,18 +6,12 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
-#include <array>
 #include <bitset>
 
 namespace
 {
-// Three numbers of groups, as the indirect dispatch reads them, and the number of entries.
-using Command = std::array<unsigned int, 4>;
 constexpr size_t MaximumLists = 32; // VTKI_GLOSSY_LISTS
 constexpr size_t Header = 2;        // VTKI_GLOSSY_HEADER
-#ifdef GL_SHADER_STORAGE_BUFFER
-constexpr unsigned int Binding = 0;
-#endif
 
 size_t CountWords(int lights)
 {
@@ -25,13 +19,9 @@ size_t CountWords(int lights)
 }
 }
 
-vtkIndirectGlossyLists::~vtkIndirectGlossyLists()
+vtkIndirectGlossyLists::vtkIndirectGlossyLists()
+  : Buffer(MaximumLists)
 {
-  if (this->Window)
-  {
-    this->Window->MakeCurrent();
-    this->Release();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -43,15 +33,13 @@ size_t vtkIndirectGlossyLists::GetStride() const
 //------------------------------------------------------------------------------
 size_t vtkIndirectGlossyLists::GetBytes(size_t entries, int lights)
 {
-  return MaximumLists * sizeof(Command) +
-    entries * (Header + CountWords(lights)) * sizeof(unsigned int);
+  return vtkIndirectCommandBuffer::GetBytes(MaximumLists, entries * (Header + CountWords(lights)));
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectGlossyLists::Begin(
   vtkOpenGLRenderWindow* window, const std::vector<size_t>& capacities, int numberOfLights)
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
   this->Words = static_cast<int>(CountWords(numberOfLights));
   size_t entries = 0;
   this->First.clear();
@@ -60,47 +48,14 @@ void vtkIndirectGlossyLists::Begin(
     this->First.push_back(entries * this->GetStride());
     entries += capacity;
   }
-  if (this->Buffer == 0)
-  {
-    this->Window = window;
-    glGenBuffers(1, &this->Buffer);
-  }
-  const size_t bytes = GetBytes(entries, numberOfLights);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Buffer);
-  if (bytes != this->Bytes)
-  {
-    glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
-    this->Bytes = bytes;
-  }
-  std::array<Command, MaximumLists> commands;
-  commands.fill({ 0, 1, 1, 0 });
-  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(commands), commands.data());
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-#else
-  (void)window, (void)capacities, (void)numberOfLights;
-#endif
+  this->Buffer.Begin(window, entries * this->GetStride());
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectGlossyLists::Activate(vtkShaderProgram* program) const
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
-  const auto handle = static_cast<GLuint>(program->GetHandle());
-  glShaderStorageBlockBinding(
-    handle, glGetProgramResourceIndex(handle, GL_SHADER_STORAGE_BLOCK, "vtkiGlossyLists"), Binding);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Binding, this->Buffer);
+  this->Buffer.Activate(program, "vtkiGlossyLists");
   program->SetUniformi("vtkiGlossyWords", this->Words);
-#else
-  (void)program;
-#endif
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectGlossyLists::Deactivate() const
-{
-#ifdef GL_SHADER_STORAGE_BUFFER
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Binding, 0);
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -113,53 +68,20 @@ void vtkIndirectGlossyLists::Wait()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectGlossyLists::Dispatch(size_t list) const
-{
-#ifdef GL_SHADER_STORAGE_BUFFER
-  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, this->Buffer);
-  glDispatchComputeIndirect(static_cast<GLintptr>(list * sizeof(Command)));
-  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
-#else
-  (void)list;
-#endif
-}
-
-//------------------------------------------------------------------------------
 vtkIndirectGlossyLists::Size vtkIndirectGlossyLists::Count(size_t list) const
 {
   Size size;
-  if (!this->Window)
+  if (!this->Buffer.GetWindow())
   {
     return size;
   }
-  this->Window->MakeCurrent();
-  Command command{};
-  glBindBuffer(GL_ARRAY_BUFFER, this->Buffer);
-  glGetBufferSubData(GL_ARRAY_BUFFER, list * sizeof(Command), sizeof(Command), command.data());
-  size.Texels = command[3];
+  this->Buffer.GetWindow()->MakeCurrent();
+  size.Texels = this->Buffer.Count(list);
   std::vector<unsigned int> entries(size.Texels * this->GetStride());
-  if (!entries.empty())
-  {
-    glGetBufferSubData(GL_ARRAY_BUFFER,
-      MaximumLists * sizeof(Command) + this->First[list] * sizeof(unsigned int),
-      entries.size() * sizeof(unsigned int), entries.data());
-  }
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  this->Buffer.Read(this->First[list], entries.size(), entries.data());
   for (size_t i = 0; i < entries.size(); ++i)
   {
     size.Pairs += i % this->GetStride() < Header ? 0 : std::bitset<32>(entries[i]).count();
   }
   return size;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectGlossyLists::Release()
-{
-  if (this->Buffer)
-  {
-    glDeleteBuffers(1, &this->Buffer);
-    this->Buffer = 0;
-  }
-  this->Window = nullptr;
-  this->Bytes = 0;
 }

@@ -5,7 +5,7 @@
 #ifndef vtkIndirectGlossyLists_h
 #define vtkIndirectGlossyLists_h
 
-#include "vtkWeakPointer.h" // for the window
+#include "vtkIndirectCommandBuffer.h" // for a member
 
 #include <cstddef> // for size_t
 #include <vector>  // for the lists
@@ -16,7 +16,7 @@ class vtkShaderProgram;
 class vtkIndirectGlossyLists
 {
 public:
-  ~vtkIndirectGlossyLists();
+  vtkIndirectGlossyLists();
 
   /** Bytes that the lists of so many texels and lights take. */
   static size_t GetBytes(size_t entries, int lights);
@@ -29,12 +29,12 @@ public:
   void Activate(vtkShaderProgram* program) const;
   /** Where in the buffer a list begins, in words. */
   int GetFirst(size_t list) const { return static_cast<int>(this->First[list]); }
-  void Deactivate() const;
+  void Deactivate() const { this->Buffer.Deactivate(); }
 
   /** Between programs that append and those that read. */
   static void Wait();
   /** One invocation for each entry, rounded up to groups; the program must be current. */
-  void Dispatch(size_t list) const;
+  void Dispatch(size_t list) const { this->Buffer.Dispatch(list); }
 
   /** Entries of a list, and lights in their sets together. Waits for the GPU. */
   struct Size
@@ -44,16 +44,14 @@ public:
   };
   Size Count(size_t list) const;
 
-  size_t GetBytes() const { return this->Bytes; }
+  size_t GetBytes() const { return this->Buffer.GetBytes(); }
   /** The buffer's context must be current. */
-  void Release();
+  void Release() { this->Buffer.Release(); }
 
 private:
   size_t GetStride() const;
 
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the buffer
-  unsigned int Buffer = 0;
-  size_t Bytes = 0;
+  vtkIndirectCommandBuffer Buffer;
   int Words = 0; // of a set
   std::vector<size_t> First;
 };

@@ -5,7 +5,7 @@
 #ifndef vtkIndirectSubsplatList_h
 #define vtkIndirectSubsplatList_h
 
-#include "vtkWeakPointer.h" // for the window
+#include "vtkIndirectCommandBuffer.h" // for a member
 
 #include <cstddef> // for size_t
 #include <vector>  // for the levels
@@ -16,7 +16,7 @@ class vtkShaderProgram;
 class vtkIndirectSubsplatList
 {
 public:
-  ~vtkIndirectSubsplatList();
+  vtkIndirectSubsplatList();
 
   /** Empties the lists; capacities[i] entries are room enough for list i. */
   void Begin(vtkOpenGLRenderWindow* window, const std::vector<size_t>& capacities);
@@ -28,27 +28,23 @@ public:
 
   /** Binds the buffer to a program that appends to, or reads, one of the lists. */
   void Activate(vtkShaderProgram* program, size_t list) const;
-  void Deactivate() const;
+  void Deactivate() const { this->Buffer.Deactivate(); }
 
   /** One invocation for each entry, rounded up to groups; the program must be current. */
-  void Dispatch(size_t list) const;
+  void Dispatch(size_t list) const { this->Buffer.Dispatch(list); }
 
   /** Entries in a list. Waits for the GPU. */
-  int Count(size_t list) const;
+  int Count(size_t list) const { return static_cast<int>(this->Buffer.Count(list)); }
   /** The buffer, and where in it the entries of a list begin. */
-  unsigned int GetBuffer() const { return this->Buffer; }
-  size_t GetOffset(size_t list) const;
+  unsigned int GetBuffer() const { return this->Buffer.GetHandle(); }
+  size_t GetOffset(size_t list) const { return this->Buffer.GetOffset(this->First[list]); }
 
-  size_t GetBytes() const { return this->Bytes; }
+  size_t GetBytes() const { return this->Buffer.GetBytes(); }
   /** The buffer's context must be current. */
-  void Release();
+  void Release() { this->Buffer.Release(); }
 
 private:
-  void Create(vtkOpenGLRenderWindow* window);
-
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the buffer
-  unsigned int Buffer = 0;
-  size_t Bytes = 0;
+  vtkIndirectCommandBuffer Buffer;
   std::vector<unsigned int> First; // of each list, in entries
 };
 

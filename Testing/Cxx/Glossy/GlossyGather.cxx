@@ -4,7 +4,6 @@
 
 #include "vtkAssembly.h"
 #include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkPropAssembly.h"
@@ -286,9 +285,7 @@ VTK_INDIRECT_TEST(Strength)
   const Image unit = scene.Copy("glossy");
   for (double intensity : { 1e-12, 1e12 })
   {
-    auto* lights = scene.Renderer->GetLights();
-    lights->InitTraversal();
-    lights->GetNextItem()->SetIntensity(intensity);
+    scene.SetIntensities(intensity);
     scene.Render();
     Image scaled = scene.Copy("glossy");
     for (float& value : scaled.Values)

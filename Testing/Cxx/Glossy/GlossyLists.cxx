@@ -5,8 +5,6 @@
 
 #include "vtkActorCollection.h"
 #include "vtkIndirectComputeProgram.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRenderWindow.h"
 
@@ -193,12 +191,7 @@ VTK_INDIRECT_TEST(ListsStrength)
     CheckAtLeast("brightest", Largest(unit), 1e-2, "the test's own power");
     for (double intensity : { 1e-12, 1e12 })
     {
-      auto* lights = scene.Renderer->GetLights();
-      lights->InitTraversal();
-      while (vtkLight* light = lights->GetNextItem())
-      {
-        light->SetIntensity(intensity);
-      }
+      scene.SetIntensities(intensity);
       Image scaled = scene.Splat();
       scene.CheckBuffers(2);
       for (float& value : scaled.Values)

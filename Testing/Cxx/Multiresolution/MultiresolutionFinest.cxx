@@ -6,8 +6,6 @@
 // below it, cosines of senders in nearly the same plane are rounding.
 #include "vtkIndirectRandomFrame.h"
 
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkRenderWindow.h"
@@ -163,12 +161,7 @@ VTK_INDIRECT_TEST(Strength)
     const Image unit = scene.Splat();
     for (double intensity : { 1e-12, 1e12 })
     {
-      auto* lights = scene.Renderer->GetLights();
-      lights->InitTraversal();
-      while (vtkLight* light = lights->GetNextItem())
-      {
-        light->SetIntensity(intensity);
-      }
+      scene.SetIntensities(intensity);
       Image scaled = scene.Splat();
       scene.CheckBuffers(3);
       for (float& value : scaled.Values)
