@@ -11,6 +11,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 //------------------------------------------------------------------------------
@@ -107,6 +108,13 @@ bool vtkIndirectComputeProgram::IsSupported()
 #else
   return false;
 #endif
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectComputeProgram::RunsOnProcessor()
+{
+  const char* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
 }
 
 //------------------------------------------------------------------------------

@@ -24,7 +24,7 @@ bool vtkiSubsplatIsSample(float state)
   return state != VTKI_SUBSPLAT_EMPTY && state != VTKI_SUBSPLAT_SPLIT;
 }
 
-// Illumination at a texel, in its alpha. The alpha of the vector irradiance is 1 where it is parted.
+// Illumination at a texel, in its alpha. The alpha of the vector irradiance is 1 where it is split.
 const float VTKI_ILLUMINATION_NONE = 0.0f;
 const float VTKI_ILLUMINATION_HERE = 0.5f;
 const float VTKI_ILLUMINATION_SMOOTH = 1.0f; // and all eight neighbours lie on the same surface

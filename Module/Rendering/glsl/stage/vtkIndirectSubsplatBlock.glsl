@@ -1,8 +1,7 @@
-// Evaluates up to four texels, or pixels, under each of two texels that are split. Lights are fetched
-// once for the eight: on llvmpipe, where the fetch is what takes time, three times as fast as one by one.
+// Evaluates up to four texels, or pixels, under each of VTKI_BLOCKS texels that are split. Lights are
+// fetched once for all of them: on llvmpipe, where the fetch is what takes time, with two of them
+// three times as fast as one by one.
 #include "vtkIndirectSubsplatLeaf.glsl"
-
-#define VTKI_BLOCKS 2
 
 #ifndef VTKI_PIXELS
 layout(VTKI_FORMAT) uniform image2D vtkiVectorImage;

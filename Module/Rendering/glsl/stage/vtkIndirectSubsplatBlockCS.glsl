@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// One invocation for two split texels: evaluates the four below each. With VTKI_OCCUPANCY each of the
+// One invocation for VTKI_BLOCKS split texels: evaluates the four below each. With VTKI_OCCUPANCY each of the
 // four has an invocation of its own.
 #include "vtkIndirectSubsplatStorage.glsl"
 #include "vtkIndirectSubsplatBlock.glsl"
@@ -22,7 +22,7 @@ void main()
 }
 #else
 // VTKI_GROUP / VTKI_BLOCKS, which GLSL before 4.40 does not work out here.
-layout(local_size_x = 32) in;
+layout(local_size_x = VTKI_INVOCATIONS) in;
 
 void main()
 {

@@ -34,5 +34,5 @@ void main()
   gl_FragData[0] = vec4(irradiance,
     here ? (amid ? VTKI_ILLUMINATION_SMOOTH : VTKI_ILLUMINATION_HERE)
          : VTKI_ILLUMINATION_NONE);
-  gl_FragData[1] = vec4(vectorIrradiance, surface.w == VTKI_SUBSPLAT_PARTED ? 1.0f : 0.0f);
+  gl_FragData[1] = vec4(vectorIrradiance, vtkiSubsplatIsSplit(surface.w) ? 1.0f : 0.0f);
 }

@@ -19,7 +19,8 @@ void main()
   vec4 irradiance = textureLod(vtkiCoarserIrradiance, place, 0.0f);
   vec4 vectorIrradiance = textureLod(vtkiCoarserVector, place, 0.0f);
   // Half floats round the filter's weights; with one neighbour amiss it is 31/32 at most. The
-  // texel's own weight is 9/16: what lies under a parted one is evaluated.
+  // texel's own weight is 9/16: what lies under a split one is evaluated, with VTKI_BLOCKS_FOLLOW
+  // after this.
   bool amid = irradiance.a > 0.98f * VTKI_ILLUMINATION_SMOOTH && vectorIrradiance.a < 0.5f;
 #ifdef VTKI_TEXELS
   // What lies around is within the neighbourhood that is known to be smooth.
@@ -38,6 +39,11 @@ void main()
     : 1.0f;
   correction *= vtkiDetail(2.0f * gl_FragCoord.xy / vec2(vtkiSize) - 1.0f, normal);
   gl_FragData[0] = lit ? vec4(irradiance.rgb * correction, 1.0f) : vec4(0.0f);
+#ifdef VTKI_BLOCKS_FOLLOW
+  bool evaluated = lit && vectorIrradiance.a > 0.5f;
+  gl_FragData[0] = evaluated ? vec4(0.0f, 0.0f, 0.0f, 1.0f) : gl_FragData[0];
+  amid = amid || evaluated;
+#endif
   if (lit && !amid)
   {
     discard;
