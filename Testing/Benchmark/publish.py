@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts a comparison's table and plots into the documentation: publish.py REPORT [DOCUMENTATION].
+"""Puts comparisons and benchmarks into the documentation: publish.py REPORTS [DOCUMENTATION].
 
-REPORT is a directory that ``vtk-indirect compare`` has made. Testing/Benchmark/report does both.
+REPORTS is the directory that Testing/Benchmark/report fills: ``all``, ``hints`` and ``occupancy`` are
+comparisons by ``vtk-indirect compare``, ``*.md`` are tables that benchmarks printed.
 """
 
 from __future__ import annotations
@@ -10,15 +11,20 @@ import json
 import shutil
 import sys
 from pathlib import Path
+from typing import NamedTuple
 
 DOCUMENTATION = Path(__file__).resolve().parent.parent.parent / "Documentation"
 
-PREFACE = """
-Regenerate this page with one command, which also writes difference images of every row (build/report):
+HOW = """
+Regenerate this page and its siblings with one command, which also writes difference images of every row
+(build/report):
 
     Testing/Benchmark/report --environment
+"""
 
-The rows with all their columns: [rows.csv](speed-vs-error/rows.csv).
+ALL = """
+Siblings: [each switch of radiance hints](speed-vs-error/hints.md), [occupancy](speed-vs-error/occupancy.md),
+[multiresolution splatting and hints against the gather, SSAO and their papers](speed-vs-error/benchmarks.md).
 
 How to read it: R1 is what the method converges to as virtual lights grow, so the columns R1 are its sampling
 error, most of it where surfaces meet. R2 adds what ignoring visibility between sender and receiver costs: the
@@ -28,39 +34,103 @@ reference at each pixel, so light where there should be none weighs most: behind
 method that does not test visibility is further from the truth than no indirect light at all.
 """
 
+HINTS = """
+The paper's version, then one cure at a time added to it, all of them, and all but one; see
+[radiance hints](../methods/radiance-hints.md). What halves the paper's relMSE R3, and what a switch costs,
+is read down its column.
+"""
 
-def publish(report: Path, documentation: Path) -> None:
-    """Write the page, the table and the plots."""
+OCCUPANCY = """
+The estimators that sum over virtual lights, without and with voxels that hide senders from receivers; see
+[occupancy](../methods/occupancy.md). relMSE R2 and leak R2 are what it is for.
+"""
+
+BENCHMARKS = """# Benchmarks
+
+Ratios within one run, frames of what is compared alternating on one window, so that other load falls on all
+alike. See [multiresolution splatting](../methods/multiresolution-splatting.md) and
+[radiance hints](../methods/radiance-hints.md).
+"""
+
+
+class Page(NamedTuple):
+    """Where a comparison goes."""
+
+    file: str
+    title: str
+    figures: str
+    """What names of its table and plots begin with, from the documentation's folder."""
+    link: str
+    """The same, from the page."""
+    preface: str
+
+
+PAGES = {
+    "all": Page("speed-vs-error.md", "Speed against error", "speed-vs-error/", "speed-vs-error/", ALL),
+    "hints": Page(
+        "speed-vs-error/hints.md",
+        "Speed against error: radiance hints",
+        "speed-vs-error/hints-",
+        "hints-",
+        HINTS,
+    ),
+    "occupancy": Page(
+        "speed-vs-error/occupancy.md",
+        "Speed against error: occupancy",
+        "speed-vs-error/occupancy-",
+        "occupancy-",
+        OCCUPANCY,
+    ),
+}
+
+
+def publish(report: Path, page: Page, documentation: Path) -> None:
+    """Write a comparison's page, table and plots."""
     results = json.loads((report / "rows.json").read_text(encoding="utf-8"))
-    target = documentation / "speed-vs-error"
-    target.mkdir(exist_ok=True)
-    for old in target.glob("*.png"):
-        old.unlink()
-    shutil.copy(report / "rows.csv", target / "rows.csv")
+    shutil.copy(report / "rows.csv", documentation / f"{page.figures}rows.csv")
     for scene in dict.fromkeys(result["scene"] for result in results):
         if (report / f"{scene}.png").is_file():
-            shutil.copy(report / f"{scene}.png", target / f"{scene}.png")
+            shutil.copy(report / f"{scene}.png", documentation / f"{page.figures}{scene}.png")
+    table = f"The rows with all their columns: [rows.csv]({page.link}rows.csv)."
+    preface = "\n\n".join(text.strip() for text in (HOW, table, page.preface))
     lines: list[str] = []
     for line in (report / "index.md").read_text(encoding="utf-8").splitlines():
         if " | ![" in line or line == "---|---":
             continue  # pictures of every row stay in the report
         if line.startswith("## ") and not any(old.startswith("## ") for old in lines):
-            lines += PREFACE.strip().splitlines() + [""]
-        lines.append(
-            line.replace("![error against time](", "![error against time](speed-vs-error/")
-        )
+            lines += preface.splitlines() + [""]
+        line = f"# {page.title}" if line.startswith("# ") else line
+        lines.append(line.replace("![error against time](", f"![error against time]({page.link}"))
     text = "\n".join(lines).rstrip() + "\n"
     while "\n\n\n" in text:
         text = text.replace("\n\n\n", "\n\n")
-    (documentation / "speed-vs-error.md").write_text(text, encoding="utf-8")
+    (documentation / page.file).write_text(text, encoding="utf-8")
+
+
+def publish_tables(reports: Path, documentation: Path) -> None:
+    """Write the page of what the benchmarks printed."""
+    texts = [BENCHMARKS, HOW]
+    texts += [file.read_text(encoding="utf-8") for file in sorted(reports.glob("*.md"))]
+    text = "\n\n".join(part.strip() for part in texts) + "\n"
+    (documentation / "speed-vs-error" / "benchmarks.md").write_text(text, encoding="utf-8")
 
 
 def main() -> int:
     """Publish what the command line names; returns the exit code."""
-    if len(sys.argv) not in (2, 3) or not (Path(sys.argv[1]) / "rows.json").is_file():
-        print("usage: publish.py REPORT [DOCUMENTATION] (REPORT has rows.json)", file=sys.stderr)
+    reports = Path(sys.argv[1]) if len(sys.argv) in (2, 3) else Path()
+    missing = [name for name in PAGES if not (reports / name / "rows.json").is_file()]
+    if len(sys.argv) not in (2, 3) or missing:
+        print("usage: publish.py REPORTS [DOCUMENTATION] (REPORTS/all, hints and occupancy have "
+              "rows.json)", file=sys.stderr)  # fmt: skip
         return 2
-    publish(Path(sys.argv[1]), Path(sys.argv[2]) if len(sys.argv) == 3 else DOCUMENTATION)
+    documentation = Path(sys.argv[2]) if len(sys.argv) == 3 else DOCUMENTATION
+    figures = documentation / "speed-vs-error"
+    figures.mkdir(exist_ok=True)
+    for old in [*figures.glob("*.png"), *figures.glob("*.csv")]:
+        old.unlink()
+    for name, page in PAGES.items():
+        publish(reports / name, page, documentation)
+    publish_tables(reports, documentation)
     return 0
 
 
