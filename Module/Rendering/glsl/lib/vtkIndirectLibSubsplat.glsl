@@ -24,9 +24,10 @@ bool vtkiSubsplatIsSample(float state)
   return state != VTKI_SUBSPLAT_EMPTY && state != VTKI_SUBSPLAT_SPLIT;
 }
 
-// Illumination at a texel, in its alpha. The alpha of the vector irradiance is 1 where it is split.
+// Illumination at a texel, in its alpha; a bilinear filter tells by it whether the own texel, of weight
+// 9/16, is smooth, and whether all four are. The alpha of the vector irradiance is 1 where it is split.
 const float VTKI_ILLUMINATION_NONE = 0.0f;
-const float VTKI_ILLUMINATION_HERE = 0.5f;
+const float VTKI_ILLUMINATION_HERE = 0.0625f;
 const float VTKI_ILLUMINATION_SMOOTH = 1.0f; // and all eight neighbours lie on the same surface
 
 /* Centre of a texel of a level in normalized device coordinates: of those of its pixels that the

@@ -18,11 +18,12 @@ void main()
   vec2 place = 0.5f * gl_FragCoord.xy / vec2(vtkiCoarserSize);
   vec4 irradiance = textureLod(vtkiCoarserIrradiance, place, 0.0f);
   vec4 vectorIrradiance = textureLod(vtkiCoarserVector, place, 0.0f);
-  // Half floats round the filter's weights; with one neighbour amiss it is 31/32 at most. The
-  // texel's own weight is 9/16: what lies under a split one is evaluated, with VTKI_BLOCKS_FOLLOW
-  // after this.
-  bool amid = irradiance.a > 0.98f * VTKI_ILLUMINATION_SMOOTH && vectorIrradiance.a < 0.5f;
+  // The texel's own weight in the filter is 9/16: what lies under a split one is evaluated, with
+  // VTKI_BLOCKS_FOLLOW after this. All four that the filter takes must be smooth for what is
+  // written to be known as smooth itself (with one amiss it is 0.94 at most); for a pixel the own one
+  // must: that says that the others lie on its surface.
 #ifdef VTKI_TEXELS
+  bool amid = irradiance.a > 0.97f && vectorIrradiance.a < 0.5f;
   // What lies around is within the neighbourhood that is known to be smooth.
   gl_FragData[0] = vec4(irradiance.rgb, VTKI_ILLUMINATION_SMOOTH);
   gl_FragData[1] = vec4(vectorIrradiance.xyz, 0.0f);
@@ -31,6 +32,7 @@ void main()
     discard;
   }
 #else
+  bool amid = irradiance.a > 0.5f && vectorIrradiance.a < 0.5f;
   vec4 surface = textureLod(vtkiSurface, gl_FragCoord.xy / vec2(vtkiSize), 0.0f);
   bool lit = vtkiSurfaceIsLit(surface);
   vec3 normal = vtkiSurfaceNormal(surface);
