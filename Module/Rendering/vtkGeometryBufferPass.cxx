@@ -82,6 +82,15 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   {
     return false;
   }
+  vtkIndirectShadowMaps maps;
+  if (shadows)
+  {
+    maps = shadows->ActivateShadows(frame.Window);
+    if (maps.Unit < 0)
+    {
+      return false;
+    }
+  }
   this->Target->Begin();
   this->Target->Clear();
   state->vtkglEnable(GL_DEPTH_TEST);
@@ -100,11 +109,6 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   s2.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
   s2.SetFrameBuffer(this->Target->GetFramebuffer());
   s2.SetRequiredKeys(s->GetRequiredKeys());
-  vtkIndirectShadowMaps maps;
-  if (shadows)
-  {
-    maps = shadows->ActivateShadows();
-  }
   capture->BeginEye(frame, shadows ? &maps : nullptr);
   capture->Render(&s2);
   capture->EndStage();
