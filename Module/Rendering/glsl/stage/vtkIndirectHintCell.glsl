@@ -44,14 +44,18 @@ float vtkiCellState(ivec2 first, vtkiReceiver corner, bool lit)
   bool complete = all(lessThan(last, vtkiSize));
   vtkiCell cell = vtkiCell(corner, vtkiOctahedralEncode(corner.normalVC), lit && complete, !lit, 0.0f,
     0.0f, 0.0f, corner.depth);
-  int edge = vtkiStep > 1 ? vtkiStep : 0;
-  for (int y = 0; y < edge; ++y)
+  // Conditions come last; see vtkIndirectHintLookup.glsl.
+  int y = 0;
+  do
   {
-    for (int x = 0; x < edge; ++x)
+    int x = 0;
+    do
     {
       vtkiAddToCell(cell, first + ivec2(x, y));
-    }
-  }
+      ++x;
+    } while (x < vtkiStep);
+    ++y;
+  } while (y < vtkiStep);
   vtkiAddToCell(cell, ivec2(last.x, first.y));
   vtkiAddToCell(cell, ivec2(first.x, last.y));
   vtkiAddToCell(cell, last);
