@@ -73,8 +73,8 @@ struct vtkIndirectCompositePass::Internals
   static vtkShaderProgram* Use(
     vtkIndirectKernelProgram& kernel, const Input& input, const std::string& definitions)
   {
-    kernel.SetGather(
-      input.Estimator ? input.Estimator->GetIrradianceShader() : "vtkIndirectIrradianceTexture.glsl");
+    kernel.SetGather(input.Estimator ? input.Estimator->GetIrradianceShader()
+                                     : "vtkIndirectIrradianceTexture.glsl");
     kernel.SetDefinitions((HasGlossy(input) ? "#define VTKI_GLOSSY\n" : "") + definitions);
     return kernel.Use(input.Frame.Window);
   }
@@ -256,8 +256,7 @@ bool vtkIndirectCompositePass::RenderChannel(const Input& input, const std::stri
   {
     return false;
   }
-  vtkShaderProgram* program =
-    ofMap ? kernel.Use(frame.Window) : Internals::Use(kernel, input, "");
+  vtkShaderProgram* program = ofMap ? kernel.Use(frame.Window) : Internals::Use(kernel, input, "");
   if (!program)
   {
     return false;

@@ -30,8 +30,8 @@ namespace
 {
 const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
 const vtkIndirectChannel IrradianceChannels[] = {
-  { "irradiance", "vtkiIrradiance", "indirect irradiance where a cell of pixels is mixed", GL_RGBA32F,
-    "-", "VTK irradiance" },
+  { "irradiance", "vtkiIrradiance", "indirect irradiance where a cell of pixels is mixed",
+    GL_RGBA32F, "-", "VTK irradiance" },
   NoChannel,
 };
 const vtkIndirectChannel CoarseChannels[] = {
@@ -53,8 +53,7 @@ struct vtkRadianceHintsPass::Internals
   int CoarseNow = 0;
   bool CoarseValid = false;
   vtkIndirectHintKernel LookUpKernel{ "vtkIndirectHintFS.glsl" };
-  vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl",
-    "vtkIndirectHintMixedFS.glsl" };
+  vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintMixedFS.glsl" };
   vtkIndirectPointProgram Pixels{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintPixelFS.glsl" };
   vtkNew<vtkUniformLightSampler> HeadlightSampler;
   std::vector<double> LightKey;

@@ -315,8 +315,8 @@ vtkIndirectShadowMaps vtkReflectiveShadowMapPass::ActivateShadows(vtkOpenGLRende
     shadows.Maps.push_back(in.Maps[i].get());
   }
   shadows.Texels = this->Resolution;
-  const bool updated = in.Rows.Update(
-    window, in.Target.ActivateShadow(), this->Resolution, in.Target.GetLayers());
+  const bool updated =
+    in.Rows.Update(window, in.Target.ActivateShadow(), this->Resolution, in.Target.GetLayers());
   in.Target.Deactivate();
   shadows.Unit = updated ? in.Rows.Activate() : -1;
   return shadows;

@@ -196,8 +196,8 @@ VTK_INDIRECT_TEST(OneSurface)
     {
       const glm::dvec3 normal = glm::normalize(reference + bend * random.NextDirection());
       const glm::dvec3 along = random.NextDirection();
-      const glm::dvec3 place = along - glm::dot(along, reference) * reference +
-        rough * random.Next(-1.0, 1.0) * reference;
+      const glm::dvec3 place =
+        along - glm::dot(along, reference) * reference + rough * random.Next(-1.0, 1.0) * reference;
       normals[k] = k == 0 ? vec3(reference) : vec3(normal);
       places[k] = vec3(place);
       const vec2 own = vtkiOctahedralEncode(normals[k]);

@@ -9,8 +9,7 @@
 #include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
-vtkIndirectPointProgram::vtkIndirectPointProgram(
-  const char* vertexStage, const char* fragmentStage)
+vtkIndirectPointProgram::vtkIndirectPointProgram(const char* vertexStage, const char* fragmentStage)
   : VertexStage(vertexStage)
   , FragmentStage(fragmentStage)
 {

@@ -26,8 +26,7 @@ void vtkIndirectShadowRows::Forget(int layer)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectShadowRows::Update(
-  vtkOpenGLRenderWindow* window, int unit, int texels, int layers)
+bool vtkIndirectShadowRows::Update(vtkOpenGLRenderWindow* window, int unit, int texels, int layers)
 {
   if (this->Window != window || this->Texels != texels ||
     static_cast<int>(this->Valid.size()) < layers)

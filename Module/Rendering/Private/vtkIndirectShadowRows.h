@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depths of light maps as shadow look-ups read them: three neighbours of a row in one texel. Nine depths
-// take three fetches; a fetch of four channels costs little more than one of one.
+// Depths of light maps as shadow look-ups read them: three neighbours of a row in one texel. Nine
+// depths take three fetches; a fetch of four channels costs little more than one of one.
 #ifndef vtkIndirectShadowRows_h
 #define vtkIndirectShadowRows_h
 

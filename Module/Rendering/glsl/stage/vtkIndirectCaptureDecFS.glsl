@@ -55,6 +55,7 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
   int projection = int(map.y + 0.5f);
   bool parallel = projection == VTKI_MAP_PARALLEL;
   int face = 0;
+#ifdef VTKI_SHADOW_FACES
   if (projection == VTKI_MAP_FACES)
   {
     face = vtkiFaceOf(p);
@@ -66,6 +67,7 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
     n = vtkiToFace(n, face);
     facet = vtkiToFace(facet, face);
   }
+#endif
   float depth = -p.z;
   if (!parallel && !(depth > 0.0f))
   {
