@@ -3,9 +3,10 @@
 
 #include "vtkGeometryBufferPass.h"
 
-#include "vtkIndirectFrame.h"
+#include "vtkIndirectKernelProgram.h"
 #include "vtkIndirectShadowMaps.h"
 #include "vtkIndirectTarget.h"
+#include "vtkIndirectUniforms.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -35,6 +36,7 @@ const vtkIndirectChannel Channels[] = {
 //------------------------------------------------------------------------------
 vtkGeometryBufferPass::vtkGeometryBufferPass()
   : Target(new vtkIndirectTarget(Channels, true))
+  , ClearKernel(new vtkIndirectKernelProgram("vtkIndirectClearFS.glsl"))
 {
   this->Target->SetNumberOfChannels(Specular);
 }
@@ -74,7 +76,6 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
 
   this->WithSpecular = capture->GetSpecular();
   this->Target->SetNumberOfChannels(this->WithSpecular ? Specular + 1 : Specular);
@@ -82,8 +83,27 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   {
     return false;
   }
+  vtkIndirectShadowMaps maps;
+  if (shadows)
+  {
+    maps = shadows->ActivateShadows(frame.Window);
+    if (maps.Unit < 0)
+    {
+      return false;
+    }
+  }
+  this->ClearKernel->SetDefinitions(this->WithSpecular ? "#define VTKI_SPECULAR\n" : "");
+  if (!this->ClearKernel->Use(frame.Window))
+  {
+    return false;
+  }
   this->Target->Begin();
-  this->Target->Clear();
+  this->Target->ClearDepth();
+  {
+    vtkIndirectKernelState kernelState(frame.Window);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    this->ClearKernel->Draw();
+  }
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   // VTK draws opaque props blended too: textures and point sprites have soft edges. Only colour is
@@ -100,11 +120,6 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   s2.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
   s2.SetFrameBuffer(this->Target->GetFramebuffer());
   s2.SetRequiredKeys(s->GetRequiredKeys());
-  vtkIndirectShadowMaps maps;
-  if (shadows)
-  {
-    maps = shadows->ActivateShadows();
-  }
   capture->BeginEye(frame, shadows ? &maps : nullptr);
   capture->Render(&s2);
   capture->EndStage();
@@ -128,4 +143,5 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
 void vtkGeometryBufferPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Target->Release(window);
+  this->ClearKernel->Release();
 }

@@ -24,6 +24,7 @@
 #include <memory> // for the target
 
 struct vtkIndirectFrame;
+class vtkIndirectKernelProgram;
 class vtkIndirectTarget;
 class vtkReflectiveShadowMapPass;
 class vtkSurfaceCapturePass;
@@ -83,6 +84,7 @@ private:
   void operator=(const vtkGeometryBufferPass&) = delete;
 
   std::unique_ptr<vtkIndirectTarget> Target;
+  std::unique_ptr<vtkIndirectKernelProgram> ClearKernel;
   bool Encoded = false;
   bool WithSpecular = false;
 };

@@ -55,13 +55,10 @@ const FrameChannel MapChannels[] = {
 struct vtkIndirectCompositePass::Internals
 {
   vtkIndirectTarget Image{ ImageChannels, false };
-  // Linear colours only, or encoded ones too; the same with specular reflection.
-  vtkIndirectKernelProgram Composite[4] = { { "vtkIndirectCompositeFS.glsl" },
-    { "vtkIndirectCompositeFS.glsl" }, { "vtkIndirectCompositeFS.glsl" },
+  // Linear colours only, or encoded ones too.
+  vtkIndirectKernelProgram Composite[2] = { { "vtkIndirectCompositeFS.glsl" },
     { "vtkIndirectCompositeFS.glsl" } };
-  // Without and with specular reflection.
-  vtkIndirectKernelProgram Channel[2] = { { "vtkIndirectChannelFS.glsl" },
-    { "vtkIndirectChannelFS.glsl" } };
+  vtkIndirectKernelProgram Channel{ "vtkIndirectChannelFS.glsl" };
   vtkIndirectKernelProgram MapChannel{ "vtkIndirectMapChannelFS.glsl" };
   vtkIndirectKernelProgram Display{ "vtkIndirectDisplayFS.glsl" };
   const FrameChannel* Shown = nullptr;
@@ -70,6 +67,16 @@ struct vtkIndirectCompositePass::Internals
   static bool HasGlossy(const Input& input)
   {
     return input.Estimator && input.Estimator->GetGlossy() && input.Geometry.HasSpecular();
+  }
+
+  // Programs are built for where the estimator has its irradiance.
+  static vtkShaderProgram* Use(
+    vtkIndirectKernelProgram& kernel, const Input& input, const std::string& definitions)
+  {
+    kernel.SetGather(input.Estimator ? input.Estimator->GetIrradianceShader()
+                                     : "vtkIndirectIrradianceTexture.glsl");
+    kernel.SetDefinitions((HasGlossy(input) ? "#define VTKI_GLOSSY\n" : "") + definitions);
+    return kernel.Use(input.Frame.Window);
   }
 
   // Without an estimate the sampler reads the albedo and the result is multiplied by zero.
@@ -81,7 +88,7 @@ struct vtkIndirectCompositePass::Internals
     geometry.Activate(vtkGeometryBufferPass::Albedo, program);
     if (input.Estimator)
     {
-      input.Estimator->GetIrradiance().Activate(0, program);
+      input.Estimator->ActivateIrradiance(program);
     }
     else
     {
@@ -93,6 +100,8 @@ struct vtkIndirectCompositePass::Internals
       geometry.Activate(vtkGeometryBufferPass::Specular, program);
       input.Estimator->GetGlossy()->Activate(0, program);
     }
+    vtkIndirectSetEyeUniforms(program, input.Frame);
+    program->SetUniform2i("vtkiSize", input.Frame.Size);
     program->SetUniformf(
       "vtkiIndirectScale", input.Estimator ? static_cast<float>(input.IndirectScale) : 0.0f);
     program->SetUniformf("vtkiIrradianceUnit",
@@ -104,7 +113,7 @@ struct vtkIndirectCompositePass::Internals
     input.Geometry.GetTarget().Deactivate();
     if (input.Estimator)
     {
-      input.Estimator->GetIrradiance().Deactivate();
+      input.Estimator->DeactivateIrradiance();
     }
     if (HasGlossy(input))
     {
@@ -116,12 +125,6 @@ struct vtkIndirectCompositePass::Internals
 vtkIndirectCompositePass::vtkIndirectCompositePass()
   : Internal(new Internals)
 {
-  const std::string encoded = "#define VTKI_ENCODED\n";
-  const std::string glossy = "#define VTKI_GLOSSY\n";
-  this->Internal->Composite[1].SetDefinitions(encoded);
-  this->Internal->Composite[2].SetDefinitions(glossy);
-  this->Internal->Composite[3].SetDefinitions(glossy + encoded);
-  this->Internal->Channel[1].SetDefinitions(glossy);
 }
 
 vtkIndirectCompositePass::~vtkIndirectCompositePass() = default;
@@ -201,9 +204,10 @@ bool vtkIndirectCompositePass::Composite(const Input& input)
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-  vtkIndirectKernelProgram& kernel =
-    in.Composite[input.Geometry.HasEncoded() + 2 * Internals::HasGlossy(input)];
-  vtkShaderProgram* program = kernel.Use(frame.Window);
+  const bool encoded = input.Geometry.HasEncoded();
+  vtkIndirectKernelProgram& kernel = in.Composite[encoded];
+  vtkShaderProgram* program =
+    Internals::Use(kernel, input, encoded ? "#define VTKI_ENCODED\n" : "");
   if (!program)
   {
     return false;
@@ -218,8 +222,6 @@ bool vtkIndirectCompositePass::Composite(const Input& input)
   Internals::ActivateFrame(program, input);
   input.Geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
   program->SetUniform2i("vtkiOrigin", frame.Origin);
-  vtkIndirectSetUniform(
-    program, "vtkiPixelSize", glm::vec2(1.0 / frame.Size[0], 1.0 / frame.Size[1]));
   kernel.Draw();
   Internals::DeactivateFrame(input);
   return true;
@@ -249,13 +251,12 @@ bool vtkIndirectCompositePass::RenderChannel(const Input& input, const std::stri
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectKernelState kernelState(frame.Window);
-  vtkIndirectKernelProgram& kernel =
-    ofMap ? in.MapChannel : in.Channel[Internals::HasGlossy(input)];
+  vtkIndirectKernelProgram& kernel = ofMap ? in.MapChannel : in.Channel;
   if (!in.Image.Resize(frame.Window, size[0], size[1]))
   {
     return false;
   }
-  vtkShaderProgram* program = kernel.Use(frame.Window);
+  vtkShaderProgram* program = ofMap ? kernel.Use(frame.Window) : Internals::Use(kernel, input, "");
   if (!program)
   {
     return false;
@@ -363,8 +364,7 @@ void vtkIndirectCompositePass::ReleaseGraphicsResources(vtkWindow* window)
   {
     composite.Release();
   }
-  in.Channel[0].Release();
-  in.Channel[1].Release();
+  in.Channel.Release();
   in.MapChannel.Release();
   in.Display.Release();
 }

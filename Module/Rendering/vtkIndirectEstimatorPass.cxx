@@ -112,6 +112,18 @@ bool vtkIndirectEstimatorPass::ResizeGlossy(const Input& input)
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectEstimatorPass::ActivateIrradiance(vtkShaderProgram* program)
+{
+  this->Irradiance->Activate(0, program);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectEstimatorPass::DeactivateIrradiance()
+{
+  this->Irradiance->Deactivate();
+}
+
+//------------------------------------------------------------------------------
 size_t vtkIndirectEstimatorPass::GetBytes() const
 {
   return this->Irradiance->GetBytes() + this->Glossy->GetBytes() +

@@ -29,6 +29,7 @@ class vtkIndirectStageTimer;
 class vtkIndirectTarget;
 class vtkOpenGLRenderWindow;
 class vtkReflectiveShadowMapPass;
+class vtkShaderProgram;
 class vtkVirtualLightSampler;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
@@ -121,13 +122,22 @@ public:
     return this->ChooseSampler(users);
   }
 
-  /** Fills the irradiance texture. Returns false, after an error, when it cannot. */
+  /** Makes the frame's irradiance. Returns false, after an error, when it cannot. */
   virtual bool Estimate(const Input& input, vtkIndirectStageTimer& timer) = 0;
 
-  vtkIndirectTarget& GetIrradiance()
+  ///@{
+  /**
+   * How the composite reads the last frame's irradiance: a file in glsl/stage with a function
+   * `vec3 vtkiFetchIrradiance(vec2 position)`, and what it needs to be bound. Default: a value for
+   * every pixel, in the irradiance texture.
+   */
+  virtual const char* GetIrradianceShader() const
   {
-    return *this->Irradiance;
+    return "vtkIndirectIrradianceTexture.glsl";
   }
+  virtual void ActivateIrradiance(vtkShaderProgram* program);
+  virtual void DeactivateIrradiance();
+  ///@}
   /**
    * What lobes of a specular coefficient of one reflect, in the unit of the irradiance; null where
    * the last frame has none.

@@ -8,6 +8,7 @@
 #include "vtkIndirectHintFields.h"
 #include "vtkIndirectHintGrid.h"
 #include "vtkIndirectOccupancyVolume.h"
+#include "vtkIndirectPointProgram.h"
 #include "vtkIndirectReport.h"
 #include "vtkIndirectStageTimer.h"
 #include "vtkIndirectTarget.h"
@@ -29,15 +30,15 @@ namespace
 {
 const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
 const vtkIndirectChannel IrradianceChannels[] = {
-  { "irradiance", "vtkiIrradiance", "indirect irradiance", GL_RGBA32F, "-", "VTK irradiance" },
+  { "irradiance", "vtkiIrradiance", "indirect irradiance where a cell of pixels is mixed",
+    GL_RGBA32F, "-", "VTK irradiance" },
   NoChannel,
 };
 const vtkIndirectChannel CoarseChannels[] = {
-  { "hints.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel", GL_RGBA32F, "-",
-    "VTK irradiance" },
+  { "hints.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel, kind of cell",
+    GL_RGBA32F, "-", "VTK irradiance" },
   NoChannel,
 };
-
 }
 
 //------------------------------------------------------------------------------
@@ -52,12 +53,27 @@ struct vtkRadianceHintsPass::Internals
   int CoarseNow = 0;
   bool CoarseValid = false;
   vtkIndirectHintKernel LookUpKernel{ "vtkIndirectHintFS.glsl" };
-  vtkIndirectHintKernel UpsampleKernel{ "vtkIndirectHintUpsampleFS.glsl" };
+  vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintMixedFS.glsl" };
+  vtkIndirectPointProgram Pixels{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintPixelFS.glsl" };
   vtkNew<vtkUniformLightSampler> HeadlightSampler;
   std::vector<double> LightKey;
   bool Blocked = false;
 
   Internals() { this->HeadlightSampler->SetNumberOfLights(1024); }
+
+  // Binds receivers and hints.
+  void ActivateLookup(vtkShaderProgram* program, const vtkIndirectEstimatorPass::Input& input)
+  {
+    vtkIndirectSetEyeUniforms(program, input.Frame);
+    program->SetUniform2i("vtkiSize", input.Frame.Size);
+    input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
+    this->Fields.ActivateLookup(input, this->Settings, this->Grid, *input.Voxels, program);
+  }
+  void DeactivateLookup(const vtkIndirectEstimatorPass::Input& input)
+  {
+    input.Geometry.GetTarget().Deactivate();
+    this->Fields.Deactivate(this->Grid, *input.Voxels);
+  }
 };
 
 vtkRadianceHintsPass::vtkRadianceHintsPass()
@@ -65,7 +81,7 @@ vtkRadianceHintsPass::vtkRadianceHintsPass()
 {
   this->Occupancy = true;
   // With depth, which tells the pixels that interpolation has left.
-  this->Irradiance = std::make_unique<vtkIndirectTarget>(IrradianceChannels, true);
+  this->Irradiance = std::make_unique<vtkIndirectTarget>(IrradianceChannels, true, 16);
 }
 
 vtkRadianceHintsPass::~vtkRadianceHintsPass() = default;
@@ -107,6 +123,7 @@ void vtkRadianceHintsPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InterpolationPlaneTolerance: " << this->InterpolationPlaneTolerance << "\n";
   os << indent << "TemporalSmoothing: " << this->TemporalSmoothing << "\n";
   os << indent << "NumberOfHintUpdates: " << this->NumberOfHintUpdates << "\n";
+  this->Internal->Coarse[this->Internal->CoarseNow].Print(os, indent);
 }
 
 //------------------------------------------------------------------------------
@@ -343,100 +360,132 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
   const int step = this->InterpolationStep;
-  const bool interpolate = step > 1;
+  const int width = (frame.Size[0] + 2 * step - 2) / step;
+  const int height = (frame.Size[1] + 2 * step - 2) / step;
   const bool smooth = this->TemporalSmoothing > 0.0;
-  const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
-    (frame.Size[1] + 2 * step - 2) / step };
-  const int width = interpolate ? coarse[0] : frame.Size[0];
-  const int height = interpolate ? coarse[1] : frame.Size[1];
   const bool kept = in.CoarseValid && in.Coarse[in.CoarseNow].GetWidth() == width &&
     in.Coarse[in.CoarseNow].GetHeight() == height;
   const int next = smooth ? 1 - in.CoarseNow : 0;
-  if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
-    ((interpolate || smooth) && !in.Coarse[next].Resize(frame.Window, width, height)))
+  vtkShaderProgram* program =
+    in.LookUpKernel.UseFor(frame.Window, in.Fields.GetLayout(), in.Blocked);
+  if (!program || !in.Coarse[next].Resize(frame.Window, width, height))
   {
     return false;
   }
-  auto prepare = [&](vtkShaderProgram* program)
-  {
-    vtkIndirectSetEyeUniforms(program, frame);
-    program->SetUniform2i("vtkiSize", frame.Size);
-    program->SetUniformi("vtkiStep", step);
-    input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
-    in.Fields.ActivateLookup(input, in.Settings, in.Grid, *input.Voxels, program);
-  };
 
   timer.Begin(vtkIndirectStageTimer::Estimate);
-  const int layout = in.Fields.GetLayout();
-  vtkShaderProgram* program = in.LookUpKernel.UseFor(frame.Window, layout, in.Blocked);
-  if (!program)
-  {
-    return false;
-  }
-  vtkIndirectTarget& target = interpolate || smooth ? in.Coarse[next] : *this->Irradiance;
-  target.Begin();
-  prepare(program);
+  in.Coarse[next].Begin();
+  in.ActivateLookup(program, input);
+  this->SetInterpolationUniforms(program);
   const bool mix = smooth && kept;
   program->SetUniformf("vtkiKeep", mix ? static_cast<float>(this->TemporalSmoothing) : 0.0f);
   if (mix)
   {
-    vtkTextureObject* last = in.Coarse[in.CoarseNow].GetTexture(0);
-    last->Activate();
-    program->SetUniformi("vtkiLast", last->GetTextureUnit());
+    in.Coarse[in.CoarseNow].Activate(0, program, "vtkiLast");
   }
   in.LookUpKernel.Draw();
   if (mix)
   {
     in.Coarse[in.CoarseNow].Deactivate();
   }
-  input.Geometry.GetTarget().Deactivate();
-  in.Fields.Deactivate(in.Grid, *input.Voxels);
-  target.End();
+  in.DeactivateLookup(input);
+  in.Coarse[next].End();
   timer.End(vtkIndirectStageTimer::Estimate);
   in.CoarseNow = next;
   in.CoarseValid = smooth;
-  if (!interpolate && !smooth)
+  if (step == 1)
   {
     return true;
   }
-
   timer.Begin(vtkIndirectStageTimer::Upsample);
-  program = in.UpsampleKernel.UseFor(frame.Window, 0, false);
-  if (!program)
+  const bool filled = this->FillMixedCells(input);
+  timer.End(vtkIndirectStageTimer::Upsample);
+  return filled;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceHintsPass::FillMixedCells(const Input& input)
+{
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkIndirectTarget& coarse = in.Coarse[in.CoarseNow];
+  const int cells = coarse.GetWidth() * coarse.GetHeight();
+  const int step = this->InterpolationStep;
+  const std::string definitions =
+    vtkIndirectHintKernel::GetDefinitions(in.Fields.GetLayout(), in.Blocked);
+  if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]))
   {
     return false;
   }
   this->Irradiance->Begin();
-  this->Irradiance->Clear();
+  // Other cells' pixels are never read.
+  this->Irradiance->ClearDepth();
   vtkOpenGLState* state = frame.Window->GetState();
+  state->vtkglViewport(0, 0, coarse.GetWidth() * step, coarse.GetHeight() * step);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LESS);
-  vtkIndirectSetEyeUniforms(program, frame);
-  program->SetUniform2i("vtkiSize", frame.Size);
-  program->SetUniformi("vtkiStep", step);
-  input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
-  in.Coarse[next].Activate(0, program);
-  program->SetUniform2i("vtkiCoarseSize", coarse);
-  program->SetUniformf("vtkiMinimumCosine", static_cast<float>(this->InterpolationMinimumCosine));
-  program->SetUniformf("vtkiPlaneTolerance", static_cast<float>(this->InterpolationPlaneTolerance));
-  in.UpsampleKernel.Draw();
-  in.Coarse[next].Deactivate();
-  input.Geometry.GetTarget().Deactivate();
-  // What is left is as deep as the clear: only there is the same depth less.
-  program = in.LookUpKernel.UseFor(frame.Window, layout, in.Blocked);
-  if (program)
+  bool drawn = false;
+  for (vtkIndirectPointProgram* points : { &in.MixedCells, &in.Pixels })
   {
-    prepare(program);
-    program->SetUniformi("vtkiStep", 1);
-    program->SetUniformf("vtkiKeep", 0.0f);
-    in.LookUpKernel.Draw();
-    input.Geometry.GetTarget().Deactivate();
-    in.Fields.Deactivate(in.Grid, *input.Voxels);
+    // The second draws the pixels that the first has discarded: where depth is still that of the
+    // clear.
+    vtkShaderProgram* program = points->Use(frame.Window, definitions);
+    drawn = program != nullptr;
+    if (!drawn)
+    {
+      break;
+    }
+    in.ActivateLookup(program, input);
+    coarse.Activate(0, program);
+    const int size[2] = { coarse.GetWidth(), coarse.GetHeight() };
+    program->SetUniform2i("vtkiCoarseSize", size);
+    this->SetInterpolationUniforms(program);
+    points->Draw(cells, step);
+    coarse.Deactivate();
+    in.DeactivateLookup(input);
   }
   state->vtkglDisable(GL_DEPTH_TEST);
   this->Irradiance->End();
-  timer.End(vtkIndirectStageTimer::Upsample);
-  return true;
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceHintsPass::SetInterpolationUniforms(vtkShaderProgram* program) const
+{
+  program->SetUniformi("vtkiStep", this->InterpolationStep);
+  program->SetUniformf("vtkiMinimumCosine", static_cast<float>(this->InterpolationMinimumCosine));
+  program->SetUniformf("vtkiPlaneTolerance", static_cast<float>(this->InterpolationPlaneTolerance));
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRadianceHintsPass::GetIrradianceShader() const
+{
+  return this->InterpolationStep > 1 ? "vtkIndirectHintIrradiance.glsl"
+                                     : this->Superclass::GetIrradianceShader();
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceHintsPass::ActivateIrradiance(vtkShaderProgram* program)
+{
+  Internals& in = *this->Internal;
+  vtkIndirectTarget& coarse = in.Coarse[in.CoarseNow];
+  if (this->InterpolationStep == 1)
+  {
+    coarse.Activate(0, program, "vtkiIrradiance");
+    return;
+  }
+  this->Superclass::ActivateIrradiance(program);
+  coarse.Activate(0, program);
+  const int size[2] = { coarse.GetWidth(), coarse.GetHeight() };
+  program->SetUniform2i("vtkiCoarseSize", size);
+  program->SetUniformi("vtkiStep", this->InterpolationStep);
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceHintsPass::DeactivateIrradiance()
+{
+  this->Superclass::DeactivateIrradiance();
+  this->Internal->Coarse[this->Internal->CoarseNow].Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -505,5 +554,6 @@ void vtkRadianceHintsPass::ReleaseGraphicsResources(vtkWindow* window)
   in.CoarseValid = false;
   in.HeadlightSampler->ReleaseGraphicsResources(window);
   in.LookUpKernel.Release();
-  in.UpsampleKernel.Release();
+  in.MixedCells.Release();
+  in.Pixels.Release();
 }

@@ -331,6 +331,9 @@ public:
   }
   vtkVirtualLightSampler* ChooseHeadlightSampler(vtkVirtualLightSampler*) override;
   bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
+  const char* GetIrradianceShader() const override;
+  void ActivateIrradiance(vtkShaderProgram* program) override;
+  void DeactivateIrradiance() override;
   size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
 
@@ -388,6 +391,8 @@ private:
   void UpdateGeometry(const Input& input);
   bool UpdateLight(const Input& input, vtkIndirectStageTimer& timer, bool anew);
   bool LookUp(const Input& input, vtkIndirectStageTimer& timer);
+  bool FillMixedCells(const Input& input);
+  void SetInterpolationUniforms(vtkShaderProgram* program) const;
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -8,6 +8,7 @@
 #include "vtkIndirectLayeredTarget.h"
 #include "vtkIndirectLightMap.h"
 #include "vtkIndirectShadowMaps.h"
+#include "vtkIndirectShadowRows.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
@@ -71,6 +72,7 @@ struct FaceKey
 struct vtkReflectiveShadowMapPass::Internals
 {
   vtkIndirectLayeredTarget Target{ Channels };
+  vtkIndirectShadowRows Rows; // of the target's depths, for shadow look-ups
   std::vector<std::unique_ptr<vtkIndirectLightMap>> Maps;
   int NumberOfMaps = 0;
   int NumberOfLayers = 0;
@@ -118,7 +120,7 @@ const vtkIndirectLightMap& vtkReflectiveShadowMapPass::GetMap(int i) const
 //------------------------------------------------------------------------------
 size_t vtkReflectiveShadowMapPass::GetBytes() const
 {
-  return this->Internal->Target.GetBytes();
+  return this->Internal->Target.GetBytes() + this->Internal->Rows.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -179,6 +181,7 @@ bool vtkReflectiveShadowMapPass::Update(
   }
   if (lost)
   {
+    in.Rows.Release(frame.Window);
     in.Faces.clear();
   }
   in.Faces.resize(in.Target.GetLayers());
@@ -206,6 +209,7 @@ bool vtkReflectiveShadowMapPass::Update(
       }
       last = key;
       this->DrawFace(frame, capture, map, face);
+      in.Rows.Forget(map.FirstLayer + face);
       ++this->NumberOfFacesDrawn;
       this->ContentTime.Modified();
     }
@@ -302,7 +306,7 @@ void vtkReflectiveShadowMapPass::Activate(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectShadowMaps vtkReflectiveShadowMapPass::ActivateShadows()
+vtkIndirectShadowMaps vtkReflectiveShadowMapPass::ActivateShadows(vtkOpenGLRenderWindow* window)
 {
   Internals& in = *this->Internal;
   vtkIndirectShadowMaps shadows;
@@ -311,7 +315,10 @@ vtkIndirectShadowMaps vtkReflectiveShadowMapPass::ActivateShadows()
     shadows.Maps.push_back(in.Maps[i].get());
   }
   shadows.Texels = this->Resolution;
-  shadows.Unit = in.Target.ActivateShadow();
+  const bool updated =
+    in.Rows.Update(window, in.Target.ActivateShadow(), this->Resolution, in.Target.GetLayers());
+  in.Target.Deactivate();
+  shadows.Unit = updated ? in.Rows.Activate() : -1;
   return shadows;
 }
 
@@ -319,6 +326,7 @@ vtkIndirectShadowMaps vtkReflectiveShadowMapPass::ActivateShadows()
 void vtkReflectiveShadowMapPass::Deactivate()
 {
   this->Internal->Target.Deactivate();
+  this->Internal->Rows.Deactivate();
   if (this->Internal->TableTexture)
   {
     this->Internal->TableTexture->Deactivate();
@@ -330,6 +338,7 @@ void vtkReflectiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Internal;
   in.Target.Release(window);
+  in.Rows.Release(window);
   in.Faces.clear();
   if (in.TableTexture)
   {

@@ -30,6 +30,7 @@
 
 #include <memory> // for the internals
 
+class vtkOpenGLRenderWindow;
 class vtkIndirectLightMap;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
@@ -87,7 +88,7 @@ public:
   /** Binds the maps and their table for vtkIndirectMapTexel.glsl; pair with Deactivate. */
   void Activate(vtkShaderProgram* program);
   /** Binds the depth array for shadow look-ups; pair with Deactivate. */
-  vtkIndirectShadowMaps ActivateShadows();
+  vtkIndirectShadowMaps ActivateShadows(vtkOpenGLRenderWindow* window);
   void Deactivate();
 
   size_t GetBytes() const;

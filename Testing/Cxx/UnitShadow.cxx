@@ -169,6 +169,72 @@ VTK_INDIRECT_TEST(SameSurface)
     !same(vec3(1.0f, 0.0f, 0.0f), vec3(std::sin(0.9f * tilt), 0.0f, std::cos(0.9f * tilt))));
 }
 
+// What is found out once for several places must hold between any two of them.
+VTK_INDIRECT_TEST(OneSurface)
+{
+  constexpr int count = 6;
+  constexpr float cosine = 0.9f;
+  constexpr float tolerance = 0.1f;
+  Random random(14);
+  int accepted = 0;
+  int wrong = 0;
+  int declined = 0; // though every pair agrees
+  int planes = 0;
+  double worstTurn = 0.0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    const double bend = i % 4 == 0 ? 0.0 : random.NextMagnitude(1e-3, 1.0);
+    const double rough = i % 4 == 0 ? 0.0 : random.NextMagnitude(1e-4, 1.0);
+    const glm::dvec3 reference = random.NextDirection();
+    vec3 places[count];
+    vec3 normals[count];
+    float height = 0.0f;
+    float turn = 0.0f;
+    float radius = 0.0f;
+    vec2 code(0.0f);
+    for (int k = 0; k < count; ++k)
+    {
+      const glm::dvec3 normal = glm::normalize(reference + bend * random.NextDirection());
+      const glm::dvec3 along = random.NextDirection();
+      const glm::dvec3 place =
+        along - glm::dot(along, reference) * reference + rough * random.Next(-1.0, 1.0) * reference;
+      normals[k] = k == 0 ? vec3(reference) : vec3(normal);
+      places[k] = vec3(place);
+      const vec2 own = vtkiOctahedralEncode(normals[k]);
+      code = k == 0 ? own : code;
+      const vec3 offset = places[k] - places[0];
+      const float byCode =
+        VTKI_TURN_PER_CODE * (std::abs(own.x - code.x) + std::abs(own.y - code.y));
+      height = std::max(height, std::abs(glm::dot(normals[0], offset)));
+      turn = std::max(turn, byCode);
+      radius = std::max(radius, glm::length(offset));
+      worstTurn =
+        std::max(worstTurn, double(glm::length(normals[k] - normals[0])) - double(byCode));
+    }
+    const bool one = vtkiOneSurface(height, turn, radius, cosine, tolerance);
+    bool all = true;
+    for (int a = 0; a < count; ++a)
+    {
+      for (int b = 0; b < count; ++b)
+      {
+        // Rounding of positions and products of length one.
+        all = all &&
+          vtkiSameSurface(
+            places[a] - places[b], normals[b], normals[a], cosine - 1e-6f, tolerance + 1e-6f);
+      }
+    }
+    accepted += one;
+    wrong += one && !all;
+    declined += all && !one;
+    planes += i % 4 == 0 && one;
+  }
+  CheckAtMost("length between normals beyond that of their codes", worstTurn, 1e-6, "rounding");
+  CheckEqual("taken for one surface though a pair disagrees", wrong, 0);
+  CheckEqual("planes", planes, 25000);
+  CheckAtLeast("bent or rough surfaces taken for one", accepted - planes, 1000, "the test's power");
+  CheckAtLeast("agreeing pairs not taken for one", declined, 1, "the bounds are not exact");
+}
+
 VTK_INDIRECT_TEST(Gamma)
 {
   double worst = 0.0;

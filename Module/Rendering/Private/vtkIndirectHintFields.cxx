@@ -57,11 +57,17 @@ constexpr double SofteningShare = 0.25;
 }
 
 //------------------------------------------------------------------------------
+std::string vtkIndirectHintKernel::GetDefinitions(int layout, bool occupancy)
+{
+  return "#define VTKI_HINT_LAYOUT " + std::to_string(layout) + "\n" +
+    (occupancy ? "#define VTKI_HINT_OCCUPANCY\n" : "");
+}
+
+//------------------------------------------------------------------------------
 vtkShaderProgram* vtkIndirectHintKernel::UseFor(
   vtkOpenGLRenderWindow* window, int layout, bool occupancy)
 {
-  this->SetDefinitions("#define VTKI_HINT_LAYOUT " + std::to_string(layout) + "\n" +
-    (occupancy ? "#define VTKI_HINT_OCCUPANCY\n" : ""));
+  this->SetDefinitions(GetDefinitions(layout, occupancy));
   return this->Use(window);
 }
 

@@ -22,6 +22,8 @@ public:
     : vtkIndirectKernelProgram(stage)
   {
   }
+  /** What their texts begin with. */
+  static std::string GetDefinitions(int layout, bool occupancy);
   vtkShaderProgram* UseFor(vtkOpenGLRenderWindow* window, int layout, bool occupancy);
 };
 

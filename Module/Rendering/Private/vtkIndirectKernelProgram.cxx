@@ -31,6 +31,16 @@ void main()
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectKernelProgram::SetGather(const std::string& gather)
+{
+  if (gather != this->Gather)
+  {
+    this->Gather = gather;
+    this->Quad.reset();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectKernelProgram::SetDefinitions(const std::string& definitions)
 {
   if (definitions != this->Definitions)

@@ -26,6 +26,9 @@ public:
    */
   vtkShaderProgram* Use(vtkOpenGLRenderWindow* window);
 
+  /** The file that VTKI_GATHER stands for; another one builds the program anew. */
+  void SetGather(const std::string& gather);
+
   /** Lines that the text begins with, such as macros; new ones build the program anew. */
   void SetDefinitions(const std::string& definitions);
 

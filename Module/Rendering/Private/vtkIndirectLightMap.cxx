@@ -90,6 +90,12 @@ glm::dmat3 vtkIndirectLightMap::GetFaceRotation(int face) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectLightMap::MayHaveFaces(const vtkIndirectLight& light)
+{
+  return light.Positional && light.ConeAngle > MaximumSingleFaceAngle;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLight& light)
 {
   using namespace vtkIndirectKernels;

@@ -11,7 +11,7 @@ struct vtkIndirectShadowMaps
 {
   std::vector<const vtkIndirectLightMap*> Maps;
   int Texels = 0; // along an edge of a map
-  int Unit = -1;  // texture unit that the depth array is bound to
+  int Unit = -1;  // texture unit that the rows of depths are bound to; -1 where there are none
 };
 
 #endif

@@ -183,6 +183,15 @@ void vtkIndirectTarget::Clear()
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectTarget::ClearDepth()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectTarget::Activate(int channel, vtkShaderProgram* program) const
 {
   this->Activate(channel, program, this->Channels[channel].Uniform);

@@ -43,6 +43,8 @@ public:
 
   /** Clears all channels to zero and depth to one; between Begin and End. */
   void Clear();
+  /** The depth alone: colours of many bytes cost as much to clear as to draw. */
+  void ClearDepth();
 
   vtkOpenGLFramebufferObject* GetFramebuffer() const { return this->Framebuffer; }
   vtkTextureObject* GetTexture(int channel) const { return this->Textures[channel]; }

@@ -11,7 +11,7 @@ uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel proje
 #ifdef VTKI_SHADOWS
 uniform float vtkiMagnitude; // of the numbers that positions are differences of [scene units]
 // From the eye: where each light's shadow map is. The arrays are as long as the scene has lights.
-uniform sampler2DArray vtkiShadowMaps;
+uniform sampler2DArray vtkiShadowMaps; // depths of a texel and its neighbours in the row
 uniform mat4 vtkiViewToLight[VTKI_LIGHT_COUNT]; // view coordinates to light frame, scene units
 uniform vec4 vtkiShadowMap[VTKI_LIGHT_COUNT];   // first layer (-1: none), projection, half width, texels
 uniform vec4 vtkiShadowDepth[VTKI_LIGHT_COUNT]; // near, far, shadow strength, number of layers
@@ -55,6 +55,7 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
   int projection = int(map.y + 0.5f);
   bool parallel = projection == VTKI_MAP_PARALLEL;
   int face = 0;
+#ifdef VTKI_SHADOW_FACES
   if (projection == VTKI_MAP_FACES)
   {
     face = vtkiFaceOf(p);
@@ -66,6 +67,7 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
     n = vtkiToFace(n, face);
     facet = vtkiToFace(facet, face);
   }
+#endif
   float depth = -p.z;
   if (!parallel && !(depth > 0.0f))
   {
@@ -93,24 +95,23 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
   // Each texel is compared with the plane's own depth at its centre; where the plane runs away from
   // the light the receiver's depth will do, and does not reach behind what ends the surface.
   vec2 at = (0.5f * ndc + 0.5f) * map.w - 1.0f;
-  vec2 corner = floor(at);
-  vec2 fraction = at - corner;
+  vec2 center = min(floor(at) + 1.0f, vec2(map.w - 1.0f));
+  vec2 fraction = at - (center - 1.0f);
   float layer = map.x + float(face);
   float compared = reference - bias;
+  // Places of the three columns from the receiver, in texels; a column beyond the map is its last.
+  vec3 columns =
+    clamp(center.x + vec3(-1.0f, 0.0f, 1.0f), vec3(0.0f), vec3(map.w - 1.0f)) - (at.x + 0.5f);
   float rows[3];
   for (int j = 0; j < 3; ++j)
   {
-    float lit[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      // A look-up at a texel's centre is exact, and in software faster than a fetch.
-      vec2 where = clamp(corner + vec2(float(i), float(j)), vec2(0.0f), vec2(map.w - 1.0f));
-      float plane = min(dot(gradient.xy, where - corner - 0.5f - fraction), 0.0f);
-      float stored =
-        textureLod(vtkiShadowMaps, vec3((where + 0.5f) / map.w, layer), 0.0f).r;
-      lit[i] = stored >= compared + plane ? 1.0f : 0.0f;
-    }
-    rows[j] = vtkiTent(lit[0], lit[1], lit[2], fraction.x);
+    // A look-up at a texel's centre is exact, and in software faster than a fetch.
+    float row = clamp(center.y + float(j) - 1.0f, 0.0f, map.w - 1.0f);
+    vec3 stored =
+      textureLod(vtkiShadowMaps, vec3((vec2(center.x, row) + 0.5f) / map.w, layer), 0.0f).rgb;
+    vec3 plane = min(gradient.x * columns + gradient.y * (row - (at.y + 0.5f)), vec3(0.0f));
+    vec3 lit = vec3(greaterThanEqual(stored, compared + plane));
+    rows[j] = vtkiTent(lit.x, lit.y, lit.z, fraction.x);
   }
   float lit = vtkiTent(rows[0], rows[1], rows[2], fraction.y);
   return mix(1.0f, lit, depthRange.z);

@@ -1,13 +1,12 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // One channel of the frame as floats, in world units and world coordinates; background 0.
-#include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibColor.glsl"
+#include VTKI_GATHER
 
 uniform sampler2D vtkiLit;
-uniform sampler2D vtkiSurface;
 uniform sampler2D vtkiAlbedo;
-uniform sampler2D vtkiIrradiance;
 #ifdef VTKI_GLOSSY
 uniform sampler2D vtkiSpecular;
 uniform sampler2D vtkiGlossy;
@@ -28,7 +27,7 @@ void main()
   vec3 direct = texelFetch(vtkiLit, pixel, 0).rgb;
   vec3 albedo = lit ? texelFetch(vtkiAlbedo, pixel, 0).rgb : vec3(0.0f);
   vec3 irradiance =
-    lit ? texelFetch(vtkiIrradiance, pixel, 0).rgb * vtkiIrradianceUnit : vec3(0.0f);
+    lit ? vtkiFetchIrradiance(vec2(pixel) + 0.5f) * vtkiIrradianceUnit : vec3(0.0f);
   vec4 specular = vec4(0.0f);
   vec3 glossy = vec3(0.0f);
 #ifdef VTKI_GLOSSY

@@ -1,10 +1,10 @@
 // Irradiance from coarse samples: one at every vtkiStep-th pixel, from border to border.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibInterpolation.glsl"
+#include "vtkIndirectStep.glsl"
 
 uniform sampler2D vtkiCoarse;
 uniform ivec2 vtkiCoarseSize;
-uniform int vtkiStep;
 uniform float vtkiMinimumCosine;
 uniform float vtkiPlaneTolerance; // as a fraction of the distance between samples
 
@@ -13,9 +13,7 @@ uniform float vtkiPlaneTolerance; // as a fraction of the distance between sampl
 void vtkiInterpolateCoarse(
   ivec2 pixel, vtkiReceiver receiver, out vec3 sum, out float weights, out int agreeing)
 {
-  // Distance between two samples on a plane that faces the eye here.
-  vec3 dx = (vtkiRayOrigin[0] + receiver.depth * vtkiRayDirection[0]) * (2.0f / float(vtkiSize.x));
-  float tolerance = vtkiPlaneTolerance * float(vtkiStep) * length(dx);
+  float tolerance = vtkiPlaneTolerance * vtkiSampleDistance(receiver.depth);
 
   // The last samples may lie closer.
   ivec2 corner = pixel / vtkiStep;

@@ -2,27 +2,26 @@
 //VTK::Output::Dec
 // Direct light plus albedo times irradiance, and with VTKI_GLOSSY what is reflected specularly.
 // Background is left as it was drawn. VTKI_ENCODED where the scene has physically based materials,
-// whose colours are encoded.
-#include "vtkIndirectLibSurface.glsl"
+// whose colours are encoded. VTKI_GATHER names the file that knows where the irradiance is.
+#include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibColor.glsl"
+#include VTKI_GATHER
 
 uniform sampler2D vtkiLit;
-uniform sampler2D vtkiSurface;
 uniform sampler2D vtkiAlbedo;
-uniform sampler2D vtkiIrradiance;
 #ifdef VTKI_GLOSSY
 uniform sampler2D vtkiSpecular;
 uniform sampler2D vtkiGlossy;
 #endif
 uniform sampler2D vtkiDepth;
 uniform ivec2 vtkiOrigin;
-uniform vec2 vtkiPixelSize; // one over the size of the image
 uniform float vtkiIndirectScale;
 uniform float vtkiIrradianceUnit;
 
 void main()
 {
-  vec2 pixel = (gl_FragCoord.xy - vec2(vtkiOrigin)) * vtkiPixelSize;
+  vec2 position = gl_FragCoord.xy - vec2(vtkiOrigin);
+  vec2 pixel = position / vec2(vtkiSize);
   float depth = textureLod(vtkiDepth, pixel, 0.0f).r;
   vec4 lit = textureLod(vtkiLit, pixel, 0.0f);
   if (depth >= 1.0f && lit.a <= 0.0f)
@@ -33,7 +32,7 @@ void main()
   if (vtkiIndirectScale > 0.0f)
   {
     vec3 indirect = textureLod(vtkiAlbedo, pixel, 0.0f).rgb *
-      textureLod(vtkiIrradiance, pixel, 0.0f).rgb * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
+      vtkiFetchIrradiance(position) * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
 #ifdef VTKI_GLOSSY
     indirect += textureLod(vtkiSpecular, pixel, 0.0f).rgb *
       textureLod(vtkiGlossy, pixel, 0.0f).rgb * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);

@@ -75,18 +75,25 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
   vec3 place = vtkiToVoxels(position);
   vec3 open = place + normal;
   bool found = false;
-  for (int i = 0; i < 6; ++i)
+  int tried = 0;
+  do
   {
-    open = found ? open : place + (1.0f + 0.5f * float(i)) * normal;
+    open = found ? open : place + (1.0f + 0.5f * float(tried)) * normal;
     found = found || !vtkiIsOccupied(ivec3(floor(open)));
-  }
+    ++tried;
+  } while (!found && tried < 6);
 #endif
   float fine = vtkiGridCount > 1 ? vtkiFineShare(position) : 0.0f;
-  // Once with the hints that are seen; where none is, once with all.
-  for (int attempt = 0; attempt < 2; ++attempt)
+  // Once with the hints that are seen; where none is, once with all. Conditions come last: a loop ends
+  // when they hold for all places that are shaded together, and one that begins with them has a round
+  // more, which costs as much as the others.
+  int attempt = 0;
+  bool again = false;
+  do
   {
     int lookups = needed && !(total > 0.0f) ? vtkiLookupCount * vtkiGridCount : 0;
-    for (int i = 0; i < lookups; ++i)
+    int i = 0;
+    do
     {
       int grid = i / vtkiLookupCount;
       int lookup = i - grid * vtkiLookupCount;
@@ -121,12 +128,15 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
       }
       at = (open + reached * way) / vtkiOccupancyOrigin.w + vtkiOccupancyOrigin.xyz;
 #endif
-      if (weight > 0.0f)
+      if (weight > 0.0f && i < lookups)
       {
         vtkiAddLookup(sum, total, grid, at, weight, attempt == 0);
       }
-    }
-  }
+      ++i;
+    } while (i < lookups);
+    ++attempt;
+    again = needed && !(total > 0.0f) && attempt < 2;
+  } while (again);
   for (int i = 0; i < VTKI_HINT_TEXTURES; ++i)
   {
     sum.c[i] *= total > 0.0f ? 1.0f / total : 0.0f;

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Irradiance at every pixel: joint bilateral interpolation of the coarse samples that lie on the same
-// surface. Where none does nothing is written, nor depth: a second draw finds those pixels by it.
+// Joint bilateral interpolation of the coarse samples that lie on a pixel's surface. Where none does
+// nothing is written, nor depth: a second draw finds those pixels by it.
 #include "vtkIndirectCoarse.glsl"
 
 void main()

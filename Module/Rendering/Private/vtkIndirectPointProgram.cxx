@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
+#include "vtkIndirectPointProgram.h"
+
+#include "vtkIndirectShaderLibrary.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+//------------------------------------------------------------------------------
+vtkIndirectPointProgram::vtkIndirectPointProgram(const char* vertexStage, const char* fragmentStage)
+  : VertexStage(vertexStage)
+  , FragmentStage(fragmentStage)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectPointProgram::~vtkIndirectPointProgram()
+{
+  if (this->Window)
+  {
+    this->Window->MakeCurrent();
+    this->Release();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkIndirectPointProgram::Use(
+  vtkOpenGLRenderWindow* window, const std::string& definitions)
+{
+  if (this->VertexText.empty() || definitions != this->Definitions)
+  {
+    this->Definitions = definitions;
+    auto text = [&definitions](const std::string& file)
+    {
+      // VTK puts #version in place of the text's first line.
+      std::string out = vtkIndirectShaderLibrary::GetText(file);
+      return out.insert(out.find('\n') + 1, definitions);
+    };
+    this->VertexText = text(this->VertexStage);
+    this->FragmentText = text(this->FragmentStage);
+  }
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    this->VertexText.c_str(), this->FragmentText.c_str(), "");
+  if (!program || !program->GetCompiled())
+  {
+    return nullptr;
+  }
+  if (this->VertexArray == 0)
+  {
+    this->Window = window;
+    glGenVertexArrays(1, &this->VertexArray);
+  }
+  return program;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPointProgram::Draw(int count, int pixels)
+{
+  this->Window->GetState()->vtkglPointSize(static_cast<float>(pixels));
+  glBindVertexArray(this->VertexArray);
+  glDrawArrays(GL_POINTS, 0, count);
+  glBindVertexArray(0);
+  this->Window->GetState()->vtkglPointSize(1.0f);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPointProgram::Release()
+{
+  if (this->VertexArray)
+  {
+    glDeleteVertexArrays(1, &this->VertexArray);
+    this->VertexArray = 0;
+  }
+  this->Window = nullptr;
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A program that draws points which its vertex shader makes from their numbers alone.
+#ifndef vtkIndirectPointProgram_h
+#define vtkIndirectPointProgram_h
+
+#include "vtkOpenGLRenderWindow.h" // for the weak pointer
+#include "vtkWeakPointer.h"        // for the context
+
+#include <string> // for names
+
+class vtkShaderProgram;
+
+class vtkIndirectPointProgram
+{
+public:
+  /** Files in glsl/stage. */
+  vtkIndirectPointProgram(const char* vertexStage, const char* fragmentStage);
+  ~vtkIndirectPointProgram();
+  vtkIndirectPointProgram(const vtkIndirectPointProgram&) = delete;
+  void operator=(const vtkIndirectPointProgram&) = delete;
+
+  /**
+   * Makes the program current, with these lines at the beginning of both texts. Returns nullptr
+   * when it does not compile; VTK has reported why. Set every uniform before each Draw.
+   */
+  vtkShaderProgram* Use(vtkOpenGLRenderWindow* window, const std::string& definitions);
+
+  /** Draws points 0 to count - 1, squares of so many pixels. */
+  void Draw(int count, int pixels);
+
+  void Release();
+
+private:
+  std::string VertexStage;
+  std::string FragmentStage;
+  std::string Definitions;
+  std::string VertexText;
+  std::string FragmentText;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  unsigned int VertexArray = 0; // core profiles draw nothing without one
+};
+
+#endif

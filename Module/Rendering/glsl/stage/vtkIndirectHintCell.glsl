@@ -1,0 +1,67 @@
+// What is in a cell of vtkiStep by vtkiStep pixels.
+#include "vtkIndirectStep.glsl"
+#include "vtkIndirectLibInterpolation.glsl"
+
+uniform float vtkiMinimumCosine;
+uniform float vtkiPlaneTolerance; // as a fraction of the distance between samples
+
+struct vtkiCell
+{
+  vtkiReceiver corner; // at the cell's own sample
+  vec2 code;           // its normal, as it is stored
+  bool whole;          // all lit
+  bool empty;          // none lit
+  float height;        // how far the others stray from it, at most
+  float turn;
+  float radius2;
+  float nearest; // depth
+};
+
+void vtkiAddToCell(inout vtkiCell cell, ivec2 pixel)
+{
+  vec2 place = (vec2(min(pixel, vtkiSize - 1)) + 0.5f) / vec2(vtkiSize);
+  vec4 surface = textureLod(vtkiSurface, place, 0.0f);
+  float kind = vtkiSurfaceKind(surface);
+  bool lit = kind > 0.5f && kind < 2.5f;
+  cell.whole = cell.whole && lit;
+  cell.empty = cell.empty && !lit;
+  vec3 offset =
+    vtkiReconstruct(2.0f * place - 1.0f, surface.z, vtkiRayOrigin, vtkiRayDirection) -
+    cell.corner.positionVC;
+  cell.height = max(cell.height, abs(dot(cell.corner.normalVC, offset)));
+  cell.turn = max(
+    cell.turn, abs(surface.x - 4.0f * kind - cell.code.x) + abs(surface.y - cell.code.y));
+  cell.radius2 = max(cell.radius2, dot(offset, offset));
+  cell.nearest = min(cell.nearest, surface.z);
+}
+
+// first: the cell's lower left pixel, where its sample is, with the surface there. Each pixel of the cell
+// and the samples at its other three corners are read once.
+float vtkiCellState(ivec2 first, vtkiReceiver corner, bool lit)
+{
+  // The last samples may lie closer.
+  ivec2 last = first + vtkiStep;
+  bool complete = all(lessThan(last, vtkiSize));
+  vtkiCell cell = vtkiCell(corner, vtkiOctahedralEncode(corner.normalVC), lit && complete, !lit, 0.0f,
+    0.0f, 0.0f, corner.depth);
+  // Conditions come last; see vtkIndirectHintLookup.glsl.
+  int y = 0;
+  do
+  {
+    int x = 0;
+    do
+    {
+      vtkiAddToCell(cell, first + ivec2(x, y));
+      ++x;
+    } while (x < vtkiStep);
+    ++y;
+  } while (y < vtkiStep);
+  vtkiAddToCell(cell, ivec2(last.x, first.y));
+  vtkiAddToCell(cell, ivec2(first.x, last.y));
+  vtkiAddToCell(cell, last);
+  bool whole = cell.whole &&
+    vtkiOneSurface(cell.height, VTKI_TURN_PER_CODE * cell.turn, sqrt(cell.radius2),
+      vtkiMinimumCosine, vtkiPlaneTolerance * vtkiSampleDistance(cell.nearest));
+  float mixed = lit ? VTKI_CELL_MIXED : VTKI_CELL_MIXED_UNLIT;
+  return whole ? VTKI_CELL_WHOLE : (cell.empty ? VTKI_CELL_EMPTY : mixed);
+}

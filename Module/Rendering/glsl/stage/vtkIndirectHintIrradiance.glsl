@@ -1,0 +1,27 @@
+// The irradiance from what hints have at every vtkiStep-th pixel. Where a cell of pixels between four
+// samples is one surface it is the samples' bilinear mean; vtkIndirectHintCell.glsl has found that out
+// once for the cell. Pixels of mixed cells have a value of their own.
+#include "vtkIndirectStep.glsl"
+#include "vtkIndirectLibInterpolation.glsl"
+
+uniform sampler2D vtkiCoarse;
+uniform ivec2 vtkiCoarseSize;
+uniform sampler2D vtkiIrradiance;
+
+// position: centre of a pixel, in pixels of the view.
+vec3 vtkiFetchIrradiance(vec2 position)
+{
+  float edge = float(vtkiStep);
+  vec2 cell = floor(position / edge);
+  vec2 blend = (position - 0.5f) / edge - cell;
+  vec2 texel = 1.0f / vec2(vtkiCoarseSize);
+  vec2 first = (cell + 0.5f) * texel;
+  vec2 second = first + texel;
+  vec4 corner = textureLod(vtkiCoarse, first, 0.0f);
+  vec3 below = mix(corner.rgb, textureLod(vtkiCoarse, vec2(second.x, first.y), 0.0f).rgb, blend.x);
+  vec3 above = mix(textureLod(vtkiCoarse, vec2(first.x, second.y), 0.0f).rgb,
+    textureLod(vtkiCoarse, second, 0.0f).rgb, blend.x);
+  vec3 own = textureLod(vtkiIrradiance, position / vec2(vtkiSize), 0.0f).rgb;
+  return corner.a == VTKI_CELL_WHOLE ? mix(below, above, blend.y)
+                                     : (corner.a == VTKI_CELL_EMPTY ? vec3(0.0f) : own);
+}

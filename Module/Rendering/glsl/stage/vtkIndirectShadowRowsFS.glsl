@@ -1,0 +1,15 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// A texel's depth in a light's map between those of its neighbours in the row; see
+// vtkIndirectCaptureDecFS.glsl.
+uniform sampler2DArray vtkiShadowMaps;
+uniform int vtkiLayer;
+
+void main()
+{
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  int last = textureSize(vtkiShadowMaps, 0).x - 1;
+  gl_FragData[0] = vec4(texelFetch(vtkiShadowMaps, ivec3(max(at.x - 1, 0), at.y, vtkiLayer), 0).r,
+    texelFetch(vtkiShadowMaps, ivec3(at, vtkiLayer), 0).r,
+    texelFetch(vtkiShadowMaps, ivec3(min(at.x + 1, last), at.y, vtkiLayer), 0).r, 1.0f);
+}
