@@ -3,6 +3,7 @@
 #ifndef vtkIndirectLibSubsplat
 #define vtkIndirectLibSubsplat
 #include "vtkIndirectLibPortable.glsl"
+#include "vtkIndirectLibVirtualLight.glsl"
 
 // States of a texel in the pyramid of subsplats.
 const float VTKI_SUBSPLAT_EMPTY = -1.0f; // nothing lit in it
@@ -56,6 +57,21 @@ float vtkiPlaneDepth(
 float vtkiNormalCorrection(float luminance, float projection)
 {
   return luminance > 0.0f ? min(max(projection / luminance, 0.0f), 2.0f) : 1.0f;
+}
+
+/* Curvature that one virtual light gives to the irradiance at a receiver, over the irradiance there:
+ * times the square of the distance between samples, over eight, it is the relative error of linear
+ * interpolation midway. A light at height a over the line along which a receiver's plane leaves the
+ * sender's, r along that line, gives E = a r / (pi (r^2 + a^2)^2); of that the second derivative is
+ * 6 E / d^2 in size where E is greatest, at r^2 = a^2 / 3. The disk keeps d from vanishing.
+ * toSender, normalS, normalR, area: see vtkiVirtualLightWeight; density: the light's, times its area,
+ * over the irradiance that receivers nearby have from all lights. Per square of the scene's unit. */
+float vtkiVirtualLightCurvature(
+  vec3 toSender, vec3 normalS, vec3 normalR, float area, float density)
+{
+  float share = density * vtkiVirtualLightWeight(toSender, normalS, normalR, area);
+  float denominator = dot(toSender, toSender) + area / VTKI_PI;
+  return denominator > 0.0f ? 6.0f * (share / (1.0f + share)) / denominator : 0.0f;
 }
 
 /* Relative luminance of linear Rec. 709 colours. */
