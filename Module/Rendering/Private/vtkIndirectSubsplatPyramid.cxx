@@ -33,19 +33,17 @@ const vtkIndirectChannel RangeChannels[] = {
 const vtkIndirectChannel ProbeChannels[] = {
   { "subsplat.probe", "vtkiProbe",
     "luminance of the irradiance at a pixel of each texel, and of the difference between halves of "
-    "the lights, density of the light of greatest curvature over the irradiance, whether lit",
+    "the lights, whether lit",
     GL_RGBA32F, "-", "VTK irradiance over the frame's unit" },
-  { "subsplat.sender", "vtkiProbeSender", "position of that light, area", GL_RGBA32F, "view",
-    "scene units" },
-  { "subsplat.senderNormal", "vtkiProbeNormal", "octahedral normal of that light", GL_RG32F, "view",
-    "-" },
+  { "subsplat.sender", "vtkiProbeSender", "position and area of the light of greatest curvature",
+    GL_RGBA32F, "view", "scene units" },
+  { "subsplat.senderDensity", "vtkiProbeDensity",
+    "its normal times density and area, over the irradiance", GL_RGBA32F, "view", "-" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 const vtkIndirectChannel VariationChannels[] = {
   { "subsplat.variation", "vtkiVariation",
-    "relative error of interpolation between probes; density over irradiance, and octahedral "
-    "normal, "
-    "of the probe's light",
+    "relative error of interpolation between probes; that light's normal times density and area",
     GL_RGBA32F, "view", "-" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };

@@ -3,7 +3,6 @@
 #ifndef vtkIndirectLibSubsplat
 #define vtkIndirectLibSubsplat
 #include "vtkIndirectLibPortable.glsl"
-#include "vtkIndirectLibVirtualLight.glsl"
 
 // States of a texel in the pyramid of subsplats.
 const float VTKI_SUBSPLAT_EMPTY = -1.0f; // nothing lit in it
@@ -64,14 +63,17 @@ float vtkiNormalCorrection(float luminance, float projection)
  * interpolation midway. A light at height a over the line along which a receiver's plane leaves the
  * sender's, r along that line, gives E = a r / (pi (r^2 + a^2)^2); of that the second derivative is
  * 6 E / d^2 in size where E is greatest, at r^2 = a^2 / 3. The disk keeps d from vanishing.
- * toSender, normalS, normalR, area: see vtkiVirtualLightWeight; density: the light's, times its area,
- * over the irradiance that receivers nearby have from all lights. Per square of the scene's unit. */
-float vtkiVirtualLightCurvature(
-  vec3 toSender, vec3 normalS, vec3 normalR, float area, float density)
+ * toSender, normalR, area: see vtkiVirtualLightWeight; densityS: the light's normal times its
+ * reflected density and area, over the irradiance that receivers nearby have from all lights. Per
+ * square of the scene's unit. */
+float vtkiVirtualLightCurvature(vec3 toSender, vec3 densityS, vec3 normalR, float area)
 {
-  float share = density * vtkiVirtualLightWeight(toSender, normalS, normalR, area);
-  float denominator = dot(toSender, toSender) + area / VTKI_PI;
-  return denominator > 0.0f ? 6.0f * (share / (1.0f + share)) / denominator : 0.0f;
+  // The light's share e = p / q of what it and the others give is e / (1 + e), that is p / (p + q).
+  float r2 = dot(toSender, toSender);
+  float p = max(-dot(densityS, toSender), 0.0f) * max(dot(normalR, toSender), 0.0f);
+  float q = r2 * (VTKI_PI * r2 + area);
+  float denominator = (p + q) * (r2 + area / VTKI_PI);
+  return denominator > 0.0f ? 6.0f * p / denominator : 0.0f;
 }
 
 /* Relative luminance of linear Rec. 709 colours. */

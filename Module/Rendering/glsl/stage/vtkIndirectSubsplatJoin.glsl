@@ -112,8 +112,8 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
 #ifdef VTKI_VARIATION
   vec4 variation = textureLod(vtkiVariation, 0.5f * center + 0.5f, 0.0f);
   vec4 sender = textureLod(vtkiProbeSender, 0.5f * center + 0.5f, 0.0f);
-  float curvature = vtkiVirtualLightCurvature(sender.xyz - position,
-    vtkiOctahedralDecode(variation.zw), normal, sender.w, variation.y);
+  float curvature =
+    vtkiVirtualLightCurvature(sender.xyz - position, variation.yzw, normal, sender.w);
   // What a surface that is seen at a grazing angle hides in a pixel is as much longer.
   float cosine = dot(normal, direction);
   forced = variation.x > vtkiVariationThreshold ||

@@ -66,10 +66,10 @@ void main()
     vtkiAddToProbe(sums, position, normal, open, sender, senderNormal, density);
   }
   gl_FragData[0] = vec4(sums.sum * vtkiStorageScale, sums.difference * vtkiStorageScale,
-    sums.sum > 0.0f ? sums.normal.w / sums.sum : 0.0f, lit ? 1.0f : 0.0f);
+    0.0f, lit ? 1.0f : 0.0f);
   // In view coordinates, where the texels are that ask.
   vec3 senderVC = (sums.sender.xyz - vtkiViewToScene[3].xyz) * mat3(vtkiViewToScene);
   gl_FragData[1] = vec4(senderVC, sums.sender.w);
-  gl_FragData[2] =
-    vec4(vtkiOctahedralEncode(sums.normal.xyz * mat3(vtkiViewToScene)), 0.0f, 0.0f);
+  float density = sums.sum > 0.0f ? sums.normal.w / sums.sum : 0.0f;
+  gl_FragData[2] = vec4(density * (sums.normal.xyz * mat3(vtkiViewToScene)), 0.0f);
 }
