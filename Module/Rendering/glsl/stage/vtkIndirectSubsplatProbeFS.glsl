@@ -1,9 +1,10 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Luminance of the irradiance at one pixel in each texel of the coarsest level, to see how the
-// lighting varies before the image is cut up; and of the difference between the sums over lights of
-// even and of odd number, which tells how much the choice of lights matters. With them the light that
-// bends the irradiance most there: what it does between probes can be told where it is near.
+// lighting varies before the image is cut up; and of the difference between the sums over lights
+// of even and of odd number, which tells how much the choice of lights matters. With them the
+// light that bends the irradiance most there: what it does between probes can be told where it is
+// near.
 #include "vtkIndirectSubsplatTexel.glsl"
 
 uniform sampler2D vtkiSurface;

@@ -1,9 +1,9 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Error of linear interpolation between probes, relative: each probe against the mean of its two
-// neighbours on the same surface, as a coarse value is held against its children. On a grid half as
-// wide it is a quarter of that. With it the probe's nearest light, whose curvature is larger between
-// probes than they can tell.
+// neighbours on the same surface, as a coarse value is held against its children. On a grid half
+// as wide it is a quarter of that. With it the probe's nearest light, whose curvature is larger
+// between probes than they can tell.
 #include "vtkIndirectSubsplatPlane.glsl"
 
 uniform sampler2D vtkiSurface;
