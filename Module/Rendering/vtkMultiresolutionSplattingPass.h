@@ -129,7 +129,8 @@ public:
   ///@{
   /**
    * Largest error of interpolating the irradiance between subsplats, relative to it, as estimated
-   * from how it varies over the coarsest level. Default 0.005, range 0 to 1; 0 does not look.
+   * from how it varies over the coarsest level, and from how much the virtual light bends it that
+   * does so most nearby. Default 0.005, range 0 to 1; 0 does not look.
    */
   vtkSetClampMacro(LightingThreshold, double, 0.0, 1.0);
   vtkGetMacro(LightingThreshold, double);

@@ -140,3 +140,50 @@ VTK_INDIRECT_TEST(ClosedSphereBias)
       1.0 - std::log(1.0 + n) / n, 1e-5, "quadrature of a float kernel");
   }
 }
+
+VTK_INDIRECT_TEST(Curvature)
+{
+  // A light in a floor, at distance a from the wall that rises over it; receivers at height r. What
+  // linear interpolation misses midway, from the kernel itself, against what the curvature
+  // foretells.
+  const double a = 0.3;
+  const double area = 1e-4;
+  const glm::dvec3 across(1.0, 0.0, 0.0);
+  const glm::dvec3 up(0.0, 0.0, 1.0);
+  auto at = [&](double r) { return Weight(glm::dvec3(a, 0.0, -r), up, across, area); };
+  auto estimate = [&](double r, double h, double density)
+  {
+    return 0.125 * h * h *
+      vtkiVirtualLightCurvature(vec3(static_cast<float>(a), 0.0f, static_cast<float>(-r)),
+        Up * static_cast<float>(density), vec3(across), static_cast<float>(area));
+  };
+  // Where the light is strongest, and all there is (a density of 1e9 times the other light).
+  const double h = 0.02 * a;
+  const double r = a / std::sqrt(3.0);
+  const double missed = 1.0 - 0.5 * (at(r - 0.5 * h) + at(r + 0.5 * h)) / at(r);
+  CheckRelative("error where the light is strongest", estimate(r, h, 1e9), missed, 0.01,
+    "the next term goes with h^2 / d^2, 3e-4, the disk with area / d^2, 8e-4");
+
+  // Elsewhere no more than twice: 12 E / d^2 is the limit on both sides.
+  double least = 1e30;
+  double greatest = 0.0;
+  for (int i = 1; i < 200; ++i)
+  {
+    const double place = 0.02 * i * a;
+    const double midway =
+      std::abs(1.0 - 0.5 * (at(place - 0.5 * h) + at(place + 0.5 * h)) / at(place));
+    const double ratio = midway / estimate(place, h, 1e9);
+    least = std::min(least, ratio);
+    greatest = std::max(greatest, ratio);
+  }
+  CheckAtMost("largest error over the estimate", greatest, 2.05, "12 over 6, and h of 0.02");
+  CheckAtMost("smallest error over the estimate", least, 0.2, "there is a turning point at r = a");
+
+  // A light that gives a tenth of the irradiance bends a tenth of it, and behind a surface none.
+  CheckRelative("light beside nine times as much",
+    estimate(r, h, 1.0 / (9.0 * at(r))) / estimate(r, h, 1e9), 0.1, 1e-5, "float");
+  CheckEqual("light from behind",
+    vtkiVirtualLightCurvature(vec3(-0.3f, 0.0f, -0.1f), Up, vec3(across), 1e-4f), 0.0f);
+  CheckEqual("sender and receiver coincide",
+    vtkiVirtualLightCurvature(vec3(0.0f), Up, vec3(across), 0.0f), 0.0f);
+}

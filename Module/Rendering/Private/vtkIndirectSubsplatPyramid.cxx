@@ -33,13 +33,18 @@ const vtkIndirectChannel RangeChannels[] = {
 const vtkIndirectChannel ProbeChannels[] = {
   { "subsplat.probe", "vtkiProbe",
     "luminance of the irradiance at a pixel of each texel, and of the difference between halves of "
-    "the lights",
+    "the lights, whether lit",
     GL_RGBA32F, "-", "VTK irradiance over the frame's unit" },
+  { "subsplat.sender", "vtkiProbeSender", "position and area of the light of greatest curvature",
+    GL_RGBA32F, "view", "scene units" },
+  { "subsplat.senderDensity", "vtkiProbeDensity",
+    "its normal times density and area, over the irradiance", GL_RGBA32F, "view", "-" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 const vtkIndirectChannel VariationChannels[] = {
-  { "subsplat.variation", "vtkiVariation", "relative error of interpolation between probes",
-    GL_RGBA32F, "-", "-" },
+  { "subsplat.variation", "vtkiVariation",
+    "relative error of interpolation between probes; that light's normal times density and area",
+    GL_RGBA32F, "view", "-" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
@@ -128,6 +133,7 @@ bool vtkIndirectSubsplatPyramid::ProbeLighting(
     else
     {
       this->Probe->Activate(0, program);
+      this->Probe->Activate(2, program);
     }
     kernel.Draw();
     this->Probe->Deactivate();
@@ -172,7 +178,9 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
     const double widths = std::exp2(static_cast<double>(this->Levels.size() - number));
     program->SetUniformf(
       "vtkiVariationThreshold", static_cast<float>(settings.LightingThreshold * widths * widths));
+    program->SetUniformf("vtkiLightingThreshold", static_cast<float>(settings.LightingThreshold));
     this->Variation->Activate(0, program);
+    this->Probe->Activate(1, program);
   }
   if (first)
   {
@@ -196,6 +204,7 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
   if (settings.LightingThreshold > 0.0)
   {
     this->Variation->Deactivate();
+    this->Probe->Deactivate();
   }
   level.End();
   return true;

@@ -59,6 +59,24 @@ float vtkiNormalCorrection(float luminance, float projection)
   return luminance > 0.0f ? min(max(projection / luminance, 0.0f), 2.0f) : 1.0f;
 }
 
+/* Curvature that one virtual light gives to the irradiance at a receiver, over the irradiance there:
+ * times the square of the distance between samples, over eight, it is the relative error of linear
+ * interpolation midway. A light at height a over the line along which a receiver's plane leaves the
+ * sender's, r along that line, gives E = a r / (pi (r^2 + a^2)^2); of that the second derivative is
+ * 6 E / d^2 in size where E is greatest, at r^2 = a^2 / 3. The disk keeps d from vanishing.
+ * toSender, normalR, area: see vtkiVirtualLightWeight; densityS: the light's normal times its
+ * reflected density and area, over the irradiance that receivers nearby have from all lights. Per
+ * square of the scene's unit. */
+float vtkiVirtualLightCurvature(vec3 toSender, vec3 densityS, vec3 normalR, float area)
+{
+  // The light's share e = p / q of what it and the others give is e / (1 + e), that is p / (p + q).
+  float r2 = dot(toSender, toSender);
+  float p = max(-dot(densityS, toSender), 0.0f) * max(dot(normalR, toSender), 0.0f);
+  float q = r2 * (VTKI_PI * r2 + area);
+  float denominator = (p + q) * (r2 + area / VTKI_PI);
+  return denominator > 0.0f ? 6.0f * p / denominator : 0.0f;
+}
+
 /* Relative luminance of linear Rec. 709 colours. */
 float vtkiLuminance(vec3 c)
 {

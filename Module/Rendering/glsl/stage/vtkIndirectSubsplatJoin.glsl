@@ -8,8 +8,10 @@ uniform float vtkiPlaneThreshold;  // fraction of the texel's width
 uniform float vtkiNormalThreshold; // length of the difference of unit normals
 uniform float vtkiDepthThreshold;  // scene units
 #ifdef VTKI_VARIATION
-uniform sampler2D vtkiVariation;      // error of interpolation on the coarsest level
-uniform float vtkiVariationThreshold; // what of that is too much on this level
+uniform sampler2D vtkiVariation;      // error of interpolation on the coarsest level; nearest light
+uniform sampler2D vtkiProbeSender;    // that light's place in view coordinates, and area
+uniform float vtkiVariationThreshold; // what of that error is too much on this level
+uniform float vtkiLightingThreshold;  // relative error of interpolation
 #endif
 uniform bool vtkiSplits;           // whether this level may be split
 uniform bool vtkiLast;             // whether it always is
@@ -104,12 +106,20 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
   gl_FragData[1] = vec4(min(deviation, 60000.0f), spread, 0.0f, 0.0f);
 #endif
   vec2 center = vtkiSubsplatCenter(vec2(texel), vtkiEdge, vec2(vtkiSize));
-  bool forced = false;
-#ifdef VTKI_VARIATION
-  forced = textureLod(vtkiVariation, 0.5f * center + 0.5f, 0.0f).r > vtkiVariationThreshold;
-#endif
   vec3 origin = vtkiRayOrigin * vec3(center, 1.0f);
   vec3 direction = vtkiRayDirection * vec3(center, 1.0f);
+  bool forced = false;
+#ifdef VTKI_VARIATION
+  vec4 variation = textureLod(vtkiVariation, 0.5f * center + 0.5f, 0.0f);
+  vec4 sender = textureLod(vtkiProbeSender, 0.5f * center + 0.5f, 0.0f);
+  float curvature =
+    vtkiVirtualLightCurvature(sender.xyz - position, variation.yzw, normal, sender.w);
+  // What a surface that is seen at a grazing angle hides in a pixel is as much longer.
+  float cosine = dot(normal, direction);
+  forced = variation.x > vtkiVariationThreshold ||
+    0.125f * curvature * width * width * dot(direction, direction) >
+      vtkiLightingThreshold * cosine * cosine;
+#endif
   float depth;
   if (mixed)
   {

@@ -1,12 +1,14 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Error of linear interpolation between probes, relative: each probe against the mean of its two
-// neighbours on the same surface, as a coarse value is held against its children. On a grid half as
-// wide it is a quarter of that.
+// neighbours on the same surface, as a coarse value is held against its children. On a grid half
+// as wide it is a quarter of that. With it the probe's nearest light, whose curvature is larger
+// between probes than they can tell.
 #include "vtkIndirectSubsplatPlane.glsl"
 
 uniform sampler2D vtkiSurface;
 uniform sampler2D vtkiProbe;
+uniform sampler2D vtkiProbeDensity;
 uniform ivec2 vtkiLevelSize;
 uniform float vtkiEdge;
 
@@ -20,6 +22,7 @@ void main()
     vtkiMakeTangentPlane(vtkiReconstruct(center, surface.z, vtkiRayOrigin, vtkiRayDirection),
       normal, vtkiOctahedralEncode(normal), surface.z, vtkiEdge);
   float own = textureLod(vtkiProbe, gl_FragCoord.xy / vec2(vtkiLevelSize), 0.0f).r;
+  vec3 nearest = textureLod(vtkiProbeDensity, gl_FragCoord.xy / vec2(vtkiLevelSize), 0.0f).xyz;
   float greatest = own;
   float error = 0.0f;
   for (int axis = 0; axis < 2; ++axis)
@@ -44,5 +47,5 @@ void main()
     // distance, whose second difference is as large.
     error = max(error, 0.125f * abs(second));
   }
-  gl_FragData[0] = vec4(greatest > 0.0f ? error / greatest : 0.0f, 0.0f, 0.0f, 1.0f);
+  gl_FragData[0] = vec4(greatest > 0.0f ? error / greatest : 0.0f, nearest);
 }
