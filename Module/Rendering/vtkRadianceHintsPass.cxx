@@ -362,6 +362,9 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
     vtkIndirectSetEyeUniforms(program, frame);
     program->SetUniform2i("vtkiSize", frame.Size);
     program->SetUniformi("vtkiStep", step);
+    program->SetUniformf("vtkiMinimumCosine", static_cast<float>(this->InterpolationMinimumCosine));
+    program->SetUniformf(
+      "vtkiPlaneTolerance", static_cast<float>(this->InterpolationPlaneTolerance));
     input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
     in.Fields.ActivateLookup(input, in.Settings, in.Grid, *input.Voxels, program);
   };

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Irradiance at every pixel: joint bilateral interpolation of the coarse samples that lie on the same
-// surface. Where none does nothing is written, nor depth: a second draw finds those pixels by it.
+// surface. Where none does, or where something stands between them, nothing is written, nor depth: a second draw finds those pixels by it.
 #include "vtkIndirectCoarse.glsl"
 
 void main()
@@ -13,7 +13,10 @@ void main()
   float weights;
   int agreeing;
   vtkiInterpolateCoarse(pixel, receiver, sum, weights, agreeing);
-  if (lit && weights < 0.05f)
+  // As vtkIndirectHintFS.glsl writes it.
+  float alpha = texelFetch(vtkiCoarse, pixel / vtkiStep, 0).a;
+  bool divided = abs(alpha - 0.5f) < 0.4f;
+  if (lit && (divided || weights < 0.05f))
   {
     discard;
   }
