@@ -19,29 +19,49 @@ uniform float vtkiPlaneTolerance;
 // apart.
 bool vtkiIsDivided(ivec2 coarse)
 {
-  vtkiReceiver sample4[4];
-  vec3 open[4];
+  vtkiReceiver receivers[4];
+  vec3 places[4];
+  float heights[4];
   bool lit[4];
-  bool found[4];
+  bool free = true;
+  ivec3 least = ivec3(1 << 20);
+  ivec3 most = ivec3(-1);
   for (int i = 0; i < 4; ++i)
   {
     ivec2 pixel = min((coarse + ivec2(i & 1, i >> 1)) * vtkiStep, vtkiSize - 1);
-    vec3 aside;
-    lit[i] = vtkiFetchReceiver(pixel, sample4[i]);
-    found[i] = vtkiFindOpen(vtkiToVoxels(sample4[i].position), sample4[i].normal, open[i], aside);
+    lit[i] = vtkiFetchReceiver(pixel, receivers[i]);
+    places[i] = vtkiToVoxels(receivers[i].position);
+    // So high that the surface itself, if flat, touches none of the voxels there.
+    heights[i] = dot(abs(receivers[i].normal), vec3(1.0f)) + 0.01f;
+    ivec3 voxel = ivec3(floor(places[i] + heights[i] * receivers[i].normal));
+    free = free && !(lit[i] && vtkiIsOccupied(voxel));
+    least = lit[i] ? min(least, voxel) : least;
+    most = lit[i] ? max(most, voxel) : most;
   }
+  // Nothing is between free voxels that touch.
   bool divided = false;
-  for (int i = 0; i < 3; ++i)
+  if (!free || any(greaterThan(most - least, ivec3(1))))
   {
-    vec3 dx = (vtkiRayOrigin[0] + sample4[i].depth * vtkiRayDirection[0]) * (2.0f / float(vtkiSize.x));
-    float tolerance = vtkiPlaneTolerance * float(vtkiStep) * length(dx);
-    for (int j = i + 1; j < 4; ++j)
+    vec3 open[4];
+    bool found[4];
+    for (int i = 0; i < 4; ++i)
     {
-      bool same = lit[i] && lit[j] &&
-        vtkiSameSurface(sample4[j].positionVC - sample4[i].positionVC, sample4[i].normalVC,
-          sample4[j].normalVC, vtkiMinimumCosine, tolerance);
-      bool free = vtkiIsFree(open[i], open[j], same && found[i] && found[j]);
-      divided = divided || (same && (found[i] != found[j] || !free));
+      vec3 aside;
+      found[i] = vtkiFindOpen(places[i], receivers[i].normal, heights[i], open[i], aside);
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      vec3 dx =
+        (vtkiRayOrigin[0] + receivers[i].depth * vtkiRayDirection[0]) * (2.0f / float(vtkiSize.x));
+      float tolerance = vtkiPlaneTolerance * float(vtkiStep) * length(dx);
+      for (int j = i + 1; j < 4; ++j)
+      {
+        bool same = lit[i] && lit[j] &&
+          vtkiSameSurface(receivers[j].positionVC - receivers[i].positionVC, receivers[i].normalVC,
+            receivers[j].normalVC, vtkiMinimumCosine, tolerance);
+        bool clear = vtkiIsFree(open[i], open[j], same && found[i] && found[j]);
+        divided = divided || (same && (found[i] != found[j] || !clear));
+      }
     }
   }
   return divided;

@@ -10,16 +10,16 @@ uniform sampler3D vtkiMasks;
 
 const int VTKI_ASIDE_STEPS = 2; // out of the voxels of two walls that meet
 
-// The first free voxel before a surface (voxel coordinates): along its normal, or aside, where a wall
-// that stands on it fills the voxels there. Returns false where there is none.
-bool vtkiFindOpen(vec3 place, vec3 normal, out vec3 open, out vec3 aside)
+// The first free voxel before a surface (voxel coordinates), from this height on: along its normal, or
+// aside, where a wall that stands on it fills the voxels there. Returns false where there is none.
+bool vtkiFindOpen(vec3 place, vec3 normal, float height, out vec3 open, out vec3 aside)
 {
   bool found = false;
   open = place;
   aside = vec3(0.0f);
   for (int i = 0; i < 6 && !found; ++i)
   {
-    vec3 before = place + (1.0f + 0.5f * float(i)) * normal;
+    vec3 before = place + (height + 0.5f * float(i)) * normal;
     open = before;
     found = !vtkiIsOccupied(ivec3(floor(open)));
     bool more = !found;
@@ -106,7 +106,7 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
 #ifdef VTKI_HINT_OCCUPANCY
   vec3 open;
   vec3 aside;
-  vtkiFindOpen(vtkiToVoxels(position), normal, open, aside);
+  vtkiFindOpen(vtkiToVoxels(position), normal, 1.0f, open, aside);
 #endif
   float fine = vtkiGridCount > 1 ? vtkiFineShare(position) : 0.0f;
   // Once with the hints that are seen; where none is, once with all.
