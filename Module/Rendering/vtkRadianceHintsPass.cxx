@@ -51,6 +51,9 @@ struct vtkRadianceHintsPass::Internals
     vtkIndirectTarget(CoarseChannels, false) };
   int CoarseNow = 0;
   bool CoarseValid = false;
+  // The last frame's, for pixels that are not interpolated; swapped with this one's.
+  std::unique_ptr<vtkIndirectTarget> Last =
+    std::make_unique<vtkIndirectTarget>(IrradianceChannels, true);
   vtkIndirectHintKernel LookUpKernel{ "vtkIndirectHintFS.glsl" };
   vtkIndirectHintKernel UpsampleKernel{ "vtkIndirectHintUpsampleFS.glsl" };
   vtkNew<vtkUniformLightSampler> HeadlightSampler;
@@ -160,7 +163,7 @@ size_t vtkRadianceHintsPass::GetBytes() const
 {
   const Internals& in = *this->Internal;
   const size_t bytes = this->Superclass::GetBytes() + in.Grid.GetBytes() + in.Fields.GetBytes() +
-    in.Coarse[0].GetBytes() + in.Coarse[1].GetBytes();
+    in.Coarse[0].GetBytes() + in.Coarse[1].GetBytes() + in.Last->GetBytes();
   return bytes;
 }
 
@@ -352,6 +355,14 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   const bool kept = in.CoarseValid && in.Coarse[in.CoarseNow].GetWidth() == width &&
     in.Coarse[in.CoarseNow].GetHeight() == height;
   const int next = smooth ? 1 - in.CoarseNow : 0;
+  if (smooth && interpolate)
+  {
+    std::swap(this->Irradiance, in.Last);
+  }
+  else
+  {
+    in.Last->Release(frame.Window);
+  }
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
     ((interpolate || smooth) && !in.Coarse[next].Resize(frame.Window, width, height)))
   {
@@ -431,8 +442,21 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   {
     prepare(program);
     program->SetUniformi("vtkiStep", 1);
-    program->SetUniformf("vtkiKeep", 0.0f);
+    const bool mixPixels = mix && in.Last->GetWidth() == frame.Size[0] &&
+      in.Last->GetHeight() == frame.Size[1];
+    program->SetUniformf(
+      "vtkiKeep", mixPixels ? static_cast<float>(this->TemporalSmoothing) : 0.0f);
+    if (mixPixels)
+    {
+      vtkTextureObject* last = in.Last->GetTexture(0);
+      last->Activate();
+      program->SetUniformi("vtkiLast", last->GetTextureUnit());
+    }
     in.LookUpKernel.Draw();
+    if (mixPixels)
+    {
+      in.Last->Deactivate();
+    }
     input.Geometry.GetTarget().Deactivate();
     in.Fields.Deactivate(in.Grid, *input.Voxels);
   }
@@ -505,6 +529,7 @@ void vtkRadianceHintsPass::ReleaseGraphicsResources(vtkWindow* window)
   in.LightKey.clear();
   in.Coarse[0].Release(window);
   in.Coarse[1].Release(window);
+  in.Last->Release(window);
   in.CoarseValid = false;
   in.HeadlightSampler->ReleaseGraphicsResources(window);
   in.LookUpKernel.Release();

@@ -20,5 +20,5 @@ void main()
   {
     discard;
   }
-  gl_FragData[0] = vec4(lit ? sum / weights : vec3(0.0f), 1.0f);
+  gl_FragData[0] = lit ? vec4(sum / weights, 1.0f) : vec4(0.0f);
 }
