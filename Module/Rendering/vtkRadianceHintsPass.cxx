@@ -442,8 +442,8 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   {
     prepare(program);
     program->SetUniformi("vtkiStep", 1);
-    const bool mixPixels = mix && in.Last->GetWidth() == frame.Size[0] &&
-      in.Last->GetHeight() == frame.Size[1];
+    const bool mixPixels =
+      mix && in.Last->GetWidth() == frame.Size[0] && in.Last->GetHeight() == frame.Size[1];
     program->SetUniformf(
       "vtkiKeep", mixPixels ? static_cast<float>(this->TemporalSmoothing) : 0.0f);
     if (mixPixels)

@@ -14,54 +14,73 @@ uniform sampler2D vtkiLast;
 uniform float vtkiMinimumCosine;
 uniform float vtkiPlaneTolerance;
 
-// Whether something stands between two of the four samples around a square of pixels that lie on one
-// surface: interpolation there would carry light through it, however finely the hints tell its sides
-// apart.
+const int VTKI_BOX = 24; // columns of voxels that cost less than comparing pairs
+
+// Sample i of the four around a square of pixels, and where it looks from in voxels: so high that the
+// surface itself, if flat, touches none of the voxels there.
+bool vtkiFetchSample(ivec2 coarse, int i, out vtkiReceiver receiver, out vec3 place, out float height)
+{
+  ivec2 pixel = min((coarse + ivec2(i & 1, i >> 1)) * vtkiStep, vtkiSize - 1);
+  bool lit = vtkiFetchReceiver(pixel, receiver);
+  place = vtkiToVoxels(receiver.position);
+  height = dot(abs(receiver.normal), vec3(1.0f)) + 0.01f;
+  return lit;
+}
+
+// Whether something stands between two of these samples that lie on one surface: interpolation there
+// would carry light through it, however finely the hints tell its sides apart.
 bool vtkiIsDivided(ivec2 coarse)
 {
-  vtkiReceiver receivers[4];
-  vec3 places[4];
-  float heights[4];
-  bool lit[4];
+  vtkiReceiver a;
+  vec3 place;
+  float height;
   bool free = true;
   ivec3 least = ivec3(1 << 20);
   ivec3 most = ivec3(-1);
   for (int i = 0; i < 4; ++i)
   {
-    ivec2 pixel = min((coarse + ivec2(i & 1, i >> 1)) * vtkiStep, vtkiSize - 1);
-    lit[i] = vtkiFetchReceiver(pixel, receivers[i]);
-    places[i] = vtkiToVoxels(receivers[i].position);
-    // So high that the surface itself, if flat, touches none of the voxels there.
-    heights[i] = dot(abs(receivers[i].normal), vec3(1.0f)) + 0.01f;
-    ivec3 voxel = ivec3(floor(places[i] + heights[i] * receivers[i].normal));
-    free = free && !(lit[i] && vtkiIsOccupied(voxel));
-    least = lit[i] ? min(least, voxel) : least;
-    most = lit[i] ? max(most, voxel) : most;
+    bool lit = vtkiFetchSample(coarse, i, a, place, height);
+    ivec3 voxel = ivec3(floor(place + height * a.normal));
+    free = free && !(lit && vtkiIsOccupied(voxel));
+    least = lit ? min(least, voxel) : least;
+    most = lit ? max(most, voxel) : most;
   }
-  // Nothing is between free voxels that touch.
-  bool divided = false;
-  if (!free || any(greaterThan(most - least, ivec3(1))))
+  // Nothing is between free voxels that touch, nor between any in a box without surface.
+  if (free && any(greaterThan(most - least, ivec3(1))))
   {
-    vec3 open[4];
-    bool found[4];
-    for (int i = 0; i < 4; ++i)
+    ivec2 size = most.xy - least.xy + 1;
+    int columns = size.x * size.y;
+    free = columns <= VTKI_BOX;
+    for (int i = 0; i < columns && free; ++i)
     {
-      vec3 aside;
-      found[i] = vtkiFindOpen(places[i], receivers[i].normal, heights[i], open[i], aside);
+      ivec2 at = clamp(least.xy + ivec2(i % size.x, i / size.x), ivec2(0),
+        ivec2(vtkiOccupancySize.xy) - 1);
+      free = !vtkiAnyBit(texelFetch(vtkiOccupancy, at, 0), vtkiBitRange(least.z, most.z));
     }
-    for (int i = 0; i < 3; ++i)
+  }
+  // All others by pairs: 01 02 03 12 13 23.
+  int pairs = free ? 0 : 6;
+  bool divided = false;
+  for (int pair = 0; pair < pairs && !divided; ++pair)
+  {
+    int first = pair < 3 ? 0 : (pair < 5 ? 1 : 2);
+    int second = pair < 3 ? pair + 1 : (pair < 5 ? pair - 1 : 3);
+    vtkiReceiver b;
+    vec3 placeB;
+    float heightB;
+    bool lit = vtkiFetchSample(coarse, first, a, place, height);
+    lit = vtkiFetchSample(coarse, second, b, placeB, heightB) && lit;
+    vec3 dx = (vtkiRayOrigin[0] + a.depth * vtkiRayDirection[0]) * (2.0f / float(vtkiSize.x));
+    float tolerance = vtkiPlaneTolerance * float(vtkiStep) * length(dx);
+    if (lit && vtkiSameSurface(b.positionVC - a.positionVC, a.normalVC, b.normalVC,
+                 vtkiMinimumCosine, tolerance))
     {
-      vec3 dx =
-        (vtkiRayOrigin[0] + receivers[i].depth * vtkiRayDirection[0]) * (2.0f / float(vtkiSize.x));
-      float tolerance = vtkiPlaneTolerance * float(vtkiStep) * length(dx);
-      for (int j = i + 1; j < 4; ++j)
-      {
-        bool same = lit[i] && lit[j] &&
-          vtkiSameSurface(receivers[j].positionVC - receivers[i].positionVC, receivers[i].normalVC,
-            receivers[j].normalVC, vtkiMinimumCosine, tolerance);
-        bool clear = vtkiIsFree(open[i], open[j], same && found[i] && found[j]);
-        divided = divided || (same && (found[i] != found[j] || !clear));
-      }
+      vec3 open;
+      vec3 openB;
+      vec3 aside;
+      bool found = vtkiFindOpen(place, a.normal, height, open, aside);
+      bool foundB = vtkiFindOpen(placeB, b.normal, heightB, openB, aside);
+      divided = found != foundB || !vtkiIsFree(open, openB, found && foundB);
     }
   }
   return divided;
