@@ -3,7 +3,7 @@
 #ifndef ShaderKernels
 #define ShaderKernels
 
-const int VTKI_KERNEL_COUNT = 26;
+const int VTKI_KERNEL_COUNT = 27;
 
 mat3 vtkiTestMatrix(vec4 a, vec4 b, float c)
 {
@@ -150,6 +150,14 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
       vtkiGlossyVariation(toSender, a3, mirror, power, 0.1f + a.w, 0.05f * b.w, 0.1f * a.w,
         0.2f + b.w, c.w > 0.0f),
       mirror.x, mirror.y);
+  }
+  if (kernel == 25)
+  {
+    // Codes are made on the host; what is read are codes.
+    vec4 plane = vtkiUnpackPlane(
+      int(30.99f * a.w) | (int(30.99f * b.w * b.w) << 5) | (int(1.0f + 62.99f * a.w * a.w) << 10));
+    vec3 place = 8.0f * (a3 + 1.0f);
+    return vec4(vtkiLeavePlane(place, plane), dot(vec3(plane.x, plane.y, plane.z), c3) + plane.w);
   }
   return vec4(VTKI_PI, VTKI_GAMMA, float(VTKI_MAP_CAMERA), VTKI_SURFACE_UNLIT);
 }

@@ -7,6 +7,7 @@
 #include "vtkIndirectLibInterpolation.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 #include "vtkIndirectLibOccupancy.glsl"
+#include "vtkIndirectLibPlane.glsl"
 #include "vtkIndirectLibSampling.glsl"
 #include "vtkIndirectLibShadow.glsl"
 #include "vtkIndirectLibSurface.glsl"

@@ -74,6 +74,7 @@ const Kernel Kernels[] = {
   { "vtkiBeginWalk, vtkiWalkBits, vtkiAdvance", 0.0, 1.0, "decisions and bits" },
   { "vtkiMirror, vtkiGlossyWeight, vtkiGlossyVariation", 1e-3, 0.1,
     "GPU pow: log2 of limited precision, exponents up to 128" },
+  { "vtkiPackPlane, vtkiUnpackPlane, vtkiLeavePlane", 1e-5, 0.1, Rounding },
   { "constants", 0.0, 1.0, "literals" },
 };
 

@@ -528,3 +528,56 @@ VTK_INDIRECT_TEST(HintMasks)
   CheckEqual("hints seen through the wall or hidden by nothing", wrong, 0);
   CheckAtLeast("hints seen", seen, 300, "the test's own power");
 }
+
+VTK_INDIRECT_TEST(HintPlanes)
+{
+  // A wall at any slant: from places in its own voxels one step leads to a free voxel, on the side
+  // that the place is on.
+  Random random(11);
+  int wrong = 0;
+  int stuck = 0;
+  int tested = 0;
+  for (int i = 0; i < 12; ++i)
+  {
+    const glm::dvec3 normal = i < 3 ? glm::dvec3(i == 0, i == 1, i == 2) : random.NextDirection();
+    const glm::dvec3 u = glm::normalize(glm::cross(normal, glm::dvec3(0.36, 0.48, 0.8)));
+    const glm::dvec3 v = glm::cross(normal, u);
+    const glm::dvec3 middle(0.5 + random.Next(-0.05, 0.05));
+    vtkIndirectOccupancyVolume volume;
+    volume.KeepTriangles();
+    volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
+    AddPatch(volume, middle - u - v, 2.0 * u, 2.0 * v, i % 2 ? 1 : 9);
+    volume.Finish();
+    vtkIndirectHintGrid::Settings settings;
+    vtkIndirectHintGrid::Region region;
+    region.Upper = glm::dvec3(1.0);
+    region.Size = glm::ivec3(4);
+    settings.Regions.push_back(region);
+    settings.Masks = true;
+    vtkIndirectHintGrid grid;
+    grid.Build(settings, &volume);
+    const double voxel = volume.GetVoxelSize();
+    for (int k = 0; k < 2000; ++k)
+    {
+      const glm::dvec3 place = middle + random.Next(-0.3, 0.3) * u + random.Next(-0.3, 0.3) * v +
+        random.Next(-1.0, 1.0) * voxel * normal;
+      const glm::dvec3 at = volume.ToVoxels(place);
+      const glm::ivec3 home(glm::floor(at));
+      const double side = glm::dot(normal, place - middle) / voxel;
+      // Of five bits a coordinate: a sixtieth of a right angle and more off over half a diagonal.
+      if (!volume.IsOccupied(home) || std::abs(side) < 0.1)
+      {
+        continue;
+      }
+      ++tested;
+      const glm::vec4 plane =
+        vtkIndirectKernels::vtkiUnpackPlane(grid.GetMask(0, home) | (grid.GetMask(1, home) << 8));
+      const glm::dvec3 left(vtkIndirectKernels::vtkiLeavePlane(glm::vec3(at), plane));
+      stuck += volume.IsOccupied(glm::ivec3(glm::floor(left)));
+      wrong += glm::dot(normal, volume.ToScene(left) - middle) * side <= 0.0;
+    }
+  }
+  CheckAtLeast("places in walls", tested, 5000, "the test's own power");
+  CheckEqual("places led to the wall's other side", wrong, 0);
+  CheckEqual("places led to occupied voxels", stuck, 0);
+}

@@ -47,9 +47,14 @@ void InstallMultiresolution(vtkIndirectIlluminationPass* pass, int numberOfLight
   InstallSampler(pass, vtkUniformLightSampler::LOW_DISCREPANCY, numberOfLights);
 }
 
+template <bool Finer>
 void InstallHints(vtkIndirectIlluminationPass* pass, int)
 {
   vtkNew<vtkRadianceHintsPass> hints;
+  if (Finer)
+  {
+    hints->SetErrorTolerance(0.02);
+  }
   pass->SetEstimator(hints);
 }
 }
@@ -81,7 +86,8 @@ const std::vector<EstimatorEntry>& GetEstimators()
     // Band two of a hemisphere, which order 2 leaves out, is an eighth of it at the horizon; lit
     // parts of a plane fill half of one at most: 1/16 and a little. Where the harmonics cancel,
     // rounding is that of the whole sum: 1e-6 over a hundredth of it.
-    { "hints", Entry::OTHER, false, false, 1e-4, 0.07, InstallHints },
+    { "hints", Entry::OTHER, false, false, 1e-4, 0.07, InstallHints<false> },
+    { "hints, finer", Entry::OTHER, false, false, 1e-4, 0.07, InstallHints<true> },
     { "multiresolution, finest", Entry::LIGHTS, true, false, 0.0, 0.0,
       InstallMultiresolution<true> },
   };

@@ -105,6 +105,7 @@ void vtkIndirectHintGrid::Build(const Settings& settings, const vtkIndirectOccup
     {
       this->FindMasks(grid);
     }
+    this->FindPlanes();
   }
   if (this->Current.NumberOfRays > 0)
   {
@@ -321,6 +322,29 @@ void vtkIndirectHintGrid::FindMasks(int grid)
         }
       });
   }
+}
+
+//------------------------------------------------------------------------------
+// Places in a wall's own voxels see no hint: what they need is the side that they are on.
+void vtkIndirectHintGrid::FindPlanes()
+{
+  const vtkIndirectTriangleGrid& triangles = this->Volume->GetTriangles();
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Masks.size() / 2),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        glm::dvec3 normal;
+        double height;
+        if (triangles.FindPlane(Unfold(static_cast<int>(i), this->MaskSize), normal, height))
+        {
+          const int code =
+            vtkIndirectKernels::vtkiPackPlane(glm::vec3(normal), static_cast<float>(height));
+          this->Masks[2 * i] = static_cast<unsigned char>(code & 255);
+          this->Masks[2 * i + 1] = static_cast<unsigned char>(code >> 8);
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -115,6 +115,7 @@ private:
 
   void Place(int grid);
   void FindMasks(int grid);
+  void FindPlanes();
   void FindHits();
   void Bind(Table table, vtkShaderProgram* program, const char* uniform);
   vtkTextureObject* Make(Table table, vtkOpenGLRenderWindow* window);
@@ -123,7 +124,8 @@ private:
   const vtkIndirectOccupancyVolume* Volume = nullptr;
   std::vector<int> First;           // hint of each grid
   std::vector<glm::vec4> Hints;     // position (scene units), 1 active or 0
-  std::vector<unsigned char> Masks; // two a voxel, one a grid
+  // Two a voxel: free, one a grid; occupied, 16 bits of vtkiPackPlane.
+  std::vector<unsigned char> Masks;
   glm::ivec3 MaskSize{ 0 };
   std::vector<float> Hits; // surfel of each ray of each hint, -1: none
   std::vector<glm::vec4> Directions;

@@ -42,6 +42,7 @@ namespace
 {
 #include "vtkIndirectLibPortable.glsl"
 #include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectLibPlane.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"
 #include "vtkIndirectLibGlossy.glsl"

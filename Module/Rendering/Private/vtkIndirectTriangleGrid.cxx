@@ -148,3 +148,38 @@ bool vtkIndirectTriangleGrid::FindHit(
   hit.Albedo = glm::dvec3(triangle.Albedo);
   return true;
 }
+
+//------------------------------------------------------------------------------
+bool vtkIndirectTriangleGrid::FindPlane(
+  const glm::ivec3& voxel, glm::dvec3& normal, double& height) const
+{
+  // Cosine between normals of one surface, bent a little, or of a wall's two sides.
+  constexpr double leastCosine = 0.9;
+  if (this->Lists.empty())
+  {
+    return false;
+  }
+  const int at = this->Fold(voxel);
+  const glm::dvec3 centre = glm::dvec3(voxel) + 0.5;
+  normal = glm::dvec3(0.0);
+  height = 0.0;
+  for (uint32_t i = this->First[at]; i < this->First[at + 1]; ++i)
+  {
+    const Triangle& triangle = this->Triangles[this->Lists[i]];
+    const glm::dvec3 corner(triangle.Corners[0]);
+    glm::dvec3 n = glm::normalize(glm::cross(
+      glm::dvec3(triangle.Corners[1]) - corner, glm::dvec3(triangle.Corners[2]) - corner));
+    const double cosine = glm::dot(n, normal);
+    n *= cosine < 0.0 ? -1.0 : 1.0;
+    if (std::abs(cosine) < leastCosine * glm::length(normal))
+    {
+      return false;
+    }
+    normal += n;
+    height += glm::dot(n, corner - centre);
+  }
+  const double size = glm::length(normal);
+  height /= std::max(size, 1.0);
+  normal /= std::max(size, 1.0);
+  return size > 0.0 && std::abs(height) <= 1.0;
+}

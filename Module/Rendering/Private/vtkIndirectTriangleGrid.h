@@ -36,6 +36,12 @@ public:
   /** The first triangle on a ray of unit direction; returns false when there is none. */
   bool FindHit(const glm::dvec3& start, const glm::dvec3& direction, Hit& hit) const;
 
+  /**
+   * The plane that all triangles of a voxel share, roughly: its normal, to either side, and its
+   * height over the voxel's centre. Returns false when there is none or they differ.
+   */
+  bool FindPlane(const glm::ivec3& voxel, glm::dvec3& normal, double& height) const;
+
   size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
   const glm::ivec3& GetSize() const { return this->Size; }
 

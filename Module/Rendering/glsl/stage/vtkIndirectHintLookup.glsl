@@ -2,8 +2,43 @@
 // VTKI_HINT_OCCUPANCY: hints that the surface does not see weigh nothing.
 #include "vtkIndirectHintTexture.glsl"
 #ifdef VTKI_HINT_OCCUPANCY
+#include "vtkIndirectLibPlane.glsl"
 #include "vtkIndirectOccupancy.glsl"
-uniform sampler3D vtkiMasks; // by voxel: the hints around it that it sees, a channel a grid
+// By voxel: free, the hints around it that it sees, a channel a grid; occupied, the plane of the
+// surface in it.
+uniform sampler3D vtkiMasks;
+
+const int VTKI_ASIDE_STEPS = 2; // out of the voxels of two walls that meet
+
+// The first free voxel before a surface (voxel coordinates): along its normal, or aside, where a wall that
+// stands on it fills the voxels there. Where there is none, the last that was tried.
+void vtkiFindOpen(vec3 place, vec3 normal, out vec3 open, out vec3 aside)
+{
+  bool found = false;
+  open = place;
+  aside = vec3(0.0f);
+  // Conditions come last, as below.
+  int tried = 0;
+  do
+  {
+    vec3 before = place + (1.0f + 0.5f * float(tried)) * normal;
+    open = before;
+    found = !vtkiIsOccupied(ivec3(floor(open)));
+    bool more = !found;
+    for (int k = 0; k < VTKI_ASIDE_STEPS && more; ++k)
+    {
+      ivec3 voxel = clamp(ivec3(floor(open)), ivec3(0), ivec3(vtkiOccupancySize) - 1);
+      ivec2 bytes = ivec2(texelFetch(vtkiMasks, voxel, 0).rg * 255.0f + 0.5f);
+      vec4 plane = vtkiUnpackPlane(bytes.x | (bytes.y << 8));
+      more = plane.xyz != vec3(0.0f);
+      open = more ? vtkiLeavePlane(open, plane) : open;
+      found = more && !vtkiIsOccupied(ivec3(floor(open)));
+      more = more && !found;
+    }
+    aside = open - before;
+    ++tried;
+  } while (!found && tried < 6);
+}
 #endif
 
 uniform int vtkiLookupCount;    // 1, or 4: one above and three at 80 degrees (Eq. 7)
@@ -71,17 +106,9 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
     ? 6.2831853f * vtkiSpread(0, uint(pixel.x * 4099 + pixel.y)).x
     : 0.0f;
 #ifdef VTKI_HINT_OCCUPANCY
-  // The first free voxel in front of the surface.
-  vec3 place = vtkiToVoxels(position);
-  vec3 open = place + normal;
-  bool found = false;
-  int tried = 0;
-  do
-  {
-    open = found ? open : place + (1.0f + 0.5f * float(tried)) * normal;
-    found = found || !vtkiIsOccupied(ivec3(floor(open)));
-    ++tried;
-  } while (!found && tried < 6);
+  vec3 open;
+  vec3 aside;
+  vtkiFindOpen(vtkiToVoxels(position), normal, open, aside);
 #endif
   float fine = vtkiGridCount > 1 ? vtkiFineShare(position) : 0.0f;
   // Once with the hints that are seen; where none is, once with all. Conditions come last: a loop ends
@@ -114,7 +141,7 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
       vec3 at = position + offset;
 #ifdef VTKI_HINT_OCCUPANCY
       // As far as the way is free.
-      vec3 way = vtkiToVoxels(at) - open;
+      vec3 way = vtkiToVoxels(at) + aside - open;
       int steps = min(int(ceil(1.2f * length(way))), VTKI_MARCH);
       float reached = 0.0f;
       for (int s = 1; s <= steps; ++s)

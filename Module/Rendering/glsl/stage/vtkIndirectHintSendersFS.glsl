@@ -28,16 +28,21 @@ void main()
   vec3 hue = most > 0.0f
     ? max(floor(power / most * 1024.0f + 0.5f), ceil(min(power / most, 1.0f))) / 1024.0f
     : vec3(0.0f);
-  float texels = texelFetch(vtkiMapTable, ivec2(3, min(layer, 1 << 20)), 0).z;
-  float width = texels / float(vtkiBlocks);
-  int reads = index < vtkiLightCount ? min(vtkiReads, max(int(width), 1)) : 0;
-  vec2 first = vec2(block % vtkiBlocks, block / vtkiBlocks) * width;
-  float share = width * width / float(max(reads * reads, 1));
-  for (int i = 0; i < reads * reads; ++i)
+  int texels = int(texelFetch(vtkiMapTable, ivec2(3, min(layer, 1 << 20)), 0).z);
+  // Whole texels, each in one block only: blocks that share them would count some twice and others
+  // never, and a row of them at a surface's edge is far more light than the mean allows for.
+  ivec2 column = ivec2(block % vtkiBlocks, block / vtkiBlocks);
+  ivec2 first = column * texels / vtkiBlocks;
+  ivec2 width = (column + 1) * texels / vtkiBlocks - first;
+  ivec2 reads = index < vtkiLightCount ? min(width, ivec2(vtkiReads)) : ivec2(0);
+  int count = reads.x * reads.y;
+  vec2 between = vec2(width) / vec2(max(reads, ivec2(1)));
+  float share = between.x * between.y;
+  for (int i = 0; i < count; ++i)
   {
-    vec2 at = first + (vec2(i % reads, i / reads) + 0.5f) * (width / float(reads));
+    vec2 at = (vec2(i % reads.x, i / reads.x) + 0.5f) * between;
     vtkiVirtualLight light;
-    if (vtkiVirtualLightFromTexel(layer, ivec2(min(at, vec2(texels - 1.0f))), light))
+    if (vtkiVirtualLightFromTexel(layer, first + ivec2(at), light))
     {
       float weight = dot(light.reflected, hue);
       mean += weight * light.position;
@@ -51,12 +56,12 @@ void main()
   float nearest = 1.0e30f;
   vec3 position = vec3(0.0f);
   vec3 normal = vec3(0.0f, 0.0f, 1.0f);
-  int again = weights > 0.0f ? reads * reads : 0;
+  int again = weights > 0.0f ? count : 0;
   for (int i = 0; i < again; ++i)
   {
-    vec2 at = first + (vec2(i % reads, i / reads) + 0.5f) * (width / float(reads));
+    vec2 at = (vec2(i % reads.x, i / reads.x) + 0.5f) * between;
     vtkiVirtualLight light;
-    if (vtkiVirtualLightFromTexel(layer, ivec2(min(at, vec2(texels - 1.0f))), light) &&
+    if (vtkiVirtualLightFromTexel(layer, first + ivec2(at), light) &&
       dot(light.reflected, hue) > 0.0f)
     {
       vec3 offset = light.position - mean;
