@@ -186,6 +186,8 @@ VTK_INDIRECT_TEST(StagesLink)
   std::set<std::string> used;
   const char* const gathers[] = { "vtkIndirectGatherVirtualLights.glsl",
     "vtkIndirectGatherNeighborhood.glsl" };
+  const char* const irradiances[] = { "vtkIndirectIrradianceTexture.glsl",
+    "vtkIndirectHintIrradiance.glsl" };
   for (const vtkIndirectShaderTableEntry* entry = vtkIndirectShaderTable; entry->Name; ++entry)
   {
     const std::string name = entry->Name;
@@ -199,10 +201,12 @@ VTK_INDIRECT_TEST(StagesLink)
       continue;
     }
     const bool open = text.find("#include VTKI_GATHER") != std::string::npos;
+    const auto& files =
+      text.find("vtkiFetchIrradiance") != std::string::npos ? irradiances : gathers;
     for (int i = 0; i < (open ? 2 : 1); ++i)
     {
-      vtkIndirectKernelProgram kernel(entry->Name, gathers[i]);
-      Check(name + (open ? std::string(" with ") + gathers[i] : "") + " links",
+      vtkIndirectKernelProgram kernel(entry->Name, files[i]);
+      Check(name + (open ? std::string(" with ") + files[i] : "") + " links",
         kernel.Use(window) != nullptr);
       ++linked;
       kernel.Release();
