@@ -6,6 +6,7 @@ from __future__ import annotations
 import csv
 import json
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -127,25 +128,53 @@ class Quick(unittest.TestCase):
                 said = re.search(f"[Ll]eft out: {name}, because ", text) is not None
                 self.assertEqual(said, self.without is not None, self.without)
 
+    def publish(self, reports: Path, target: Path) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [sys.executable, "-B", str(HERE / "publish.py"), str(reports), str(target)],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
     def test_publishing(self) -> None:
-        """The published page has the plots and none of the pictures, beside a copy of the table."""
+        """The published pages have plots and none of the pictures, beside copies of the tables."""
         with tempfile.TemporaryDirectory(prefix="vtkindirect-") as name:
-            done = subprocess.run(
-                [sys.executable, "-B", str(HERE / "publish.py"), str(self.report), name],
-                capture_output=True,
-                text=True,
-                check=False,
-            )
+            reports, target = Path(name) / "reports", Path(name) / "documentation"
+            target.mkdir()
+            for comparison in ("all", "hints", "occupancy"):
+                shutil.copytree(self.report, reports / comparison)
+            (reports / "order.md").write_text("| what a benchmark printed |\n", encoding="utf-8")
+            done = self.publish(reports, target)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
-            target = Path(name)
-            text = (target / "speed-vs-error.md").read_text()
-            links = re.findall(r"\]\((speed-vs-error/[^)]+)\)", text)
-            expected = {f"speed-vs-error/{name}.png" for name in SCENES}
-            self.assertEqual(set(links), {"speed-vs-error/rows.csv", *expected})
-            for link in links:
-                self.assertTrue((target / link).is_file(), link)
-            table = (target / "speed-vs-error" / "rows.csv").read_text()
-            self.assertEqual(table, (self.report / "rows.csv").read_text())
+            for page, prefix in (
+                ("speed-vs-error.md", "speed-vs-error/"),
+                ("speed-vs-error/hints.md", "hints-"),
+                ("speed-vs-error/occupancy.md", "occupancy-"),
+            ):
+                text = (target / page).read_text(encoding="utf-8")
+                links = set(re.findall(rf"\]\(({prefix}[^)]+\.(?:png|csv))\)", text))
+                expected = {f"{prefix}{scene}.png" for scene in SCENES}
+                self.assertEqual(links, {f"{prefix}rows.csv", *expected})
+                folder = (target / page).parent
+                for link in links:
+                    self.assertTrue((folder / link).is_file(), link)
+                table = (folder / f"{prefix}rows.csv").read_text(encoding="utf-8")
+                self.assertEqual(table, (self.report / "rows.csv").read_text(encoding="utf-8"))
+            tables = (target / "speed-vs-error" / "benchmarks.md").read_text(encoding="utf-8")
+            self.assertTrue(tables.endswith("\n\n| what a benchmark printed |\n"), tables)
+
+    def test_publishing_what_is_not_whole(self) -> None:
+        """Without one of the comparisons nothing is published, nor taken away."""
+        with tempfile.TemporaryDirectory(prefix="vtkindirect-") as name:
+            reports, target = Path(name) / "reports", Path(name) / "documentation"
+            (target / "speed-vs-error").mkdir(parents=True)
+            (target / "speed-vs-error" / "old.png").touch()
+            shutil.copytree(self.report, reports / "all")
+            done = self.publish(reports, target)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("hints", done.stderr)
+            found = [path.name for path in target.rglob("*") if path.is_file()]
+            self.assertEqual(found, ["old.png"])
 
 
 if __name__ == "__main__":
