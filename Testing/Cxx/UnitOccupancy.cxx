@@ -65,6 +65,16 @@ int CountLeaks(vtkIndirectOccupancyVolume& volume, const glm::dvec3& normal, dou
   }
   return leaks;
 }
+
+vtkIndirectHintGrid::Settings HintsInUnitCube(int edge)
+{
+  vtkIndirectHintGrid::Region region;
+  region.Upper = glm::dvec3(1.0);
+  region.Size = glm::ivec3(edge);
+  vtkIndirectHintGrid::Settings settings;
+  settings.Regions.push_back(region);
+  return settings;
+}
 }
 
 VTK_INDIRECT_TEST(OccupancyBits)
@@ -433,11 +443,7 @@ VTK_INDIRECT_TEST(HintSurfaces)
   const double place = 0.3;
   quad({ place, 0, 0.5 }, { 0, 1, 0 }, { 0, 0, bar }, 0.5);
   volume.Finish();
-  vtkIndirectHintGrid::Settings settings;
-  vtkIndirectHintGrid::Region region;
-  region.Upper = glm::dvec3(1.0);
-  region.Size = glm::ivec3(8);
-  settings.Regions.push_back(region);
+  vtkIndirectHintGrid::Settings settings = HintsInUnitCube(8);
   settings.NumberOfRays = 4096;
   vtkIndirectHintGrid grid;
   grid.Build(settings, &volume);
@@ -497,11 +503,7 @@ VTK_INDIRECT_TEST(HintMasks)
   const double wall = 0.52;
   AddPatch(volume, { wall, -0.1, -0.1 }, { 0, 1.2, 0 }, { 0, 0, 1.2 }, 1);
   volume.Finish();
-  vtkIndirectHintGrid::Settings settings;
-  vtkIndirectHintGrid::Region region;
-  region.Upper = glm::dvec3(1.0);
-  region.Size = glm::ivec3(8);
-  settings.Regions.push_back(region);
+  vtkIndirectHintGrid::Settings settings = HintsInUnitCube(8);
   settings.Masks = true;
   vtkIndirectHintGrid grid;
   grid.Build(settings, &volume);
@@ -548,11 +550,7 @@ VTK_INDIRECT_TEST(HintPlanes)
     volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
     AddPatch(volume, middle - u - v, 2.0 * u, 2.0 * v, i % 2 ? 1 : 9);
     volume.Finish();
-    vtkIndirectHintGrid::Settings settings;
-    vtkIndirectHintGrid::Region region;
-    region.Upper = glm::dvec3(1.0);
-    region.Size = glm::ivec3(4);
-    settings.Regions.push_back(region);
+    vtkIndirectHintGrid::Settings settings = HintsInUnitCube(4);
     settings.Masks = true;
     vtkIndirectHintGrid grid;
     grid.Build(settings, &volume);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program that draws points which its vertex shader makes from their numbers alone.
+// A program that draws points which its vertex shader makes from their numbers, or one integer
+// each.
 #ifndef vtkIndirectPointProgram_h
 #define vtkIndirectPointProgram_h
 
 #include "vtkOpenGLRenderWindow.h" // for the weak pointer
 #include "vtkWeakPointer.h"        // for the context
 
-#include <string> // for names
+#include <cstddef> // for size_t
+#include <string>  // for names
 
 class vtkShaderProgram;
 
@@ -27,6 +29,12 @@ public:
 
   /** Draws points 0 to count - 1, squares of so many pixels. */
   void Draw(int count, int pixels);
+
+  /**
+   * Draws points of one pixel, each so many times; an unsigned integer of each, from a buffer at
+   * that offset, goes to the vertex shader's attribute.
+   */
+  void DrawInstances(int attribute, unsigned int buffer, size_t offset, int count, int instances);
 
   void Release();
 

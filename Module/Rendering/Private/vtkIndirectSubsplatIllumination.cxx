@@ -5,9 +5,7 @@
 
 #include "vtkGeometryBufferPass.h"
 #include "vtkIndirectLightBlock.h"
-#include "vtkIndirectShaderLibrary.h"
 #include "vtkIndirectUniforms.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkTextureObject.h"
 #include "vtkVirtualLightSampler.h"
 
@@ -39,16 +37,6 @@ std::string GetGrouping()
     ? "#define VTKI_BLOCKS 4\n#define VTKI_INVOCATIONS 16\n"
     : "#define VTKI_BLOCKS 2\n#define VTKI_INVOCATIONS 32\n";
 }
-}
-
-//------------------------------------------------------------------------------
-vtkIndirectSubsplatIllumination::~vtkIndirectSubsplatIllumination()
-{
-  if (this->Window)
-  {
-    this->Window->MakeCurrent();
-    glDeleteVertexArrays(1, &this->VertexArray);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -155,9 +143,7 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
   bool done = true;
   work.Target.Begin();
   state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglClearDepth(1.0);
-  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+  work.Target.ClearDepth();
   for (vtkIndirectKernelProgram* kernel : { &amid, &edge })
   {
     vtkShaderProgram* program = kernel->Use(window);
@@ -247,15 +233,9 @@ bool vtkIndirectSubsplatIllumination::SplatPoints(const Work& work)
   std::string definitions = work.Lights.GetDefinitions(window);
   definitions += work.Number == 0 ? "#define VTKI_PIXELS\n" : "";
   definitions += work.Set.SurfaceDetail > 0.0 ? "#define VTKI_SURFACE_DETAIL\n" : "";
-  auto text = [&definitions](const char* file)
-  {
-    std::string out = vtkIndirectShaderLibrary::GetText(file);
-    return out.insert(out.find('\n') + 1, definitions);
-  };
-  vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(text("vtkIndirectSubsplatPointVS.glsl").c_str(),
-      text("vtkIndirectSubsplatPointFS.glsl").c_str(), "");
-  if (!program || !program->GetCompiled())
+  vtkIndirectPointProgram& splats = work.Number == 0 ? this->PixelPoints : this->TexelPoints;
+  vtkShaderProgram* program = splats.Use(window, definitions);
+  if (!program)
   {
     return false;
   }
@@ -266,26 +246,13 @@ bool vtkIndirectSubsplatIllumination::SplatPoints(const Work& work)
   this->SetUniforms(program, work);
   work.Lights.Activate(program, *work.In.Sampler);
   const vtkIndirectTarget& surface = this->ActivateSurface(program, work);
-  if (this->VertexArray == 0)
-  {
-    glGenVertexArrays(1, &this->VertexArray);
-    this->Window = window;
-  }
-  glBindVertexArray(this->VertexArray);
-  const int attribute = program->FindAttributeArray("vtkiSplitTexel");
-  glBindBuffer(GL_ARRAY_BUFFER, lists.GetBuffer());
-  glEnableVertexAttribArray(attribute);
-  glVertexAttribIPointer(
-    attribute, 1, GL_UNSIGNED_INT, 0, reinterpret_cast<const void*>(lists.GetOffset(work.Number)));
   for (int child = 0; child < 4; ++child)
   {
     const int offset[2] = { child & 1, child >> 1 };
     program->SetUniform2i("vtkiChild", offset);
-    glDrawArraysInstanced(GL_POINTS, 0, points, work.In.Sampler->GetActualNumberOfLights());
+    splats.DrawInstances(program->FindAttributeArray("vtkiSplitTexel"), lists.GetBuffer(),
+      lists.GetOffset(work.Number), points, work.In.Sampler->GetActualNumberOfLights());
   }
-  glDisableVertexAttribArray(attribute);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
-  glBindVertexArray(0);
   surface.Deactivate();
   work.In.Sampler->GetTarget().Deactivate();
   state->vtkglDisable(GL_BLEND);
@@ -352,12 +319,8 @@ void vtkIndirectSubsplatIllumination::Release(vtkWindow* window)
     level->Release(window);
   }
   this->Levels.clear();
-  if (this->VertexArray)
-  {
-    glDeleteVertexArrays(1, &this->VertexArray);
-    this->VertexArray = 0;
-    this->Window = nullptr;
-  }
+  this->TexelPoints.Release();
+  this->PixelPoints.Release();
   for (vtkIndirectKernelProgram* kernel :
     { &this->Amid, &this->Edge, &this->AmidPixel, &this->EdgePixel })
   {

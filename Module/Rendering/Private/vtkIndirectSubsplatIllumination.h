@@ -5,8 +5,8 @@
 #define vtkIndirectSubsplatIllumination_h
 
 #include "vtkIndirectComputeProgram.h"  // for members
+#include "vtkIndirectPointProgram.h"    // for members
 #include "vtkIndirectSubsplatPyramid.h" // for the pyramid
-#include "vtkWeakPointer.h"             // for the window
 
 class vtkIndirectSubsplatIllumination
 {
@@ -17,8 +17,6 @@ public:
     Fragments, // full-screen passes in which leaves sum over the lights
     Compute    // invocations for lists of split texels, four leaves each
   };
-
-  ~vtkIndirectSubsplatIllumination();
 
   using Input = vtkIndirectEstimatorPass::Input;
   using Settings = vtkIndirectSubsplatSettings;
@@ -61,12 +59,14 @@ private:
 
   std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // [i] is level i + 1
   bool HalfFloats = true;
-  unsigned int VertexArray = 0;
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the vertex array
   vtkIndirectKernelProgram Amid{ "vtkIndirectSubsplatSmoothFS.glsl" };
   vtkIndirectKernelProgram Edge{ "vtkIndirectSubsplatLevelFS.glsl" };
   vtkIndirectKernelProgram AmidPixel{ "vtkIndirectSubsplatSmoothFS.glsl" };
   vtkIndirectKernelProgram EdgePixel{ "vtkIndirectSubsplatPixelFS.glsl" };
+  vtkIndirectPointProgram TexelPoints{ "vtkIndirectSubsplatPointVS.glsl",
+    "vtkIndirectSubsplatPointFS.glsl" };
+  vtkIndirectPointProgram PixelPoints{ "vtkIndirectSubsplatPointVS.glsl",
+    "vtkIndirectSubsplatPointFS.glsl" };
   vtkIndirectComputeProgram TexelBlock{ "vtkIndirectSubsplatBlockCS.glsl" };
   vtkIndirectComputeProgram PixelBlock{ "vtkIndirectSubsplatBlockCS.glsl" };
 };

@@ -21,8 +21,7 @@ void vtkiAddToCell(inout vtkiCell cell, ivec2 pixel)
 {
   vec2 place = (vec2(min(pixel, vtkiSize - 1)) + 0.5f) / vec2(vtkiSize);
   vec4 surface = textureLod(vtkiSurface, place, 0.0f);
-  float kind = vtkiSurfaceKind(surface);
-  bool lit = kind > 0.5f && kind < 2.5f;
+  bool lit = vtkiSurfaceIsLit(surface);
   cell.whole = cell.whole && lit;
   cell.empty = cell.empty && !lit;
   vec3 offset =
@@ -30,7 +29,7 @@ void vtkiAddToCell(inout vtkiCell cell, ivec2 pixel)
     cell.corner.positionVC;
   cell.height = max(cell.height, abs(dot(cell.corner.normalVC, offset)));
   cell.turn = max(
-    cell.turn, abs(surface.x - 4.0f * kind - cell.code.x) + abs(surface.y - cell.code.y));
+    cell.turn, abs(surface.x - 4.0f * vtkiSurfaceKind(surface) - cell.code.x) + abs(surface.y - cell.code.y));
   cell.radius2 = max(cell.radius2, dot(offset, offset));
   cell.nearest = min(cell.nearest, surface.z);
 }
