@@ -147,7 +147,7 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
     settings.PlaneThreshold = std::min(0.25 * share, 100.0);
     settings.DepthThreshold = std::min(0.02 * share, 1.0);
     settings.NormalThreshold = std::min(0.2 * share, 2.0);
-    settings.LightingThreshold = std::min(0.005 * share, 1.0);
+    settings.LightingThreshold = std::min(0.0015 * share, 1.0);
   }
   settings.Balance = this->Balance;
   settings.NormalCorrection = this->NormalCorrection;

@@ -130,7 +130,7 @@ public:
   /**
    * Largest error of interpolating the irradiance between subsplats, relative to it, as estimated
    * from how it varies over the coarsest level, and from how much the virtual light bends it that
-   * does so most nearby. Default 0.005, range 0 to 1; 0 does not look.
+   * does so most nearby. Default 0.0015, range 0 to 1; 0 does not look.
    */
   vtkSetClampMacro(LightingThreshold, double, 0.0, 1.0);
   vtkGetMacro(LightingThreshold, double);
@@ -228,7 +228,7 @@ protected:
   double PlaneThreshold = 0.25;
   double DepthThreshold = 0.02;
   double NormalThreshold = 0.2;
-  double LightingThreshold = 0.005;
+  double LightingThreshold = 0.0015;
   bool Balance = true;
   bool NormalCorrection = true;
   double GlossyThreshold = 0.02;

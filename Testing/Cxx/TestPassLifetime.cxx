@@ -166,11 +166,12 @@ CONTRACT_TEST(ReleaseMultiresolution)
   {
     view.Renderer->SetPass(pass);
     splatting->SetStorageToFloat();
+    const double lighting = splatting->GetLightingThreshold();
     splatting->SetLightingThreshold(0.0);
     splatting->SetFinestLevelToHalfResolution();
     view.Window->Render();
     splatting->SetStorageToHalfFloat();
-    splatting->SetLightingThreshold(0.005);
+    splatting->SetLightingThreshold(lighting);
     splatting->SetFinestLevelToFullResolution();
     // Fewer levels, then more.
     for (const auto& size : { std::array<int, 2>{ 41, 1 }, { 321, 203 }, { 160, 120 } })

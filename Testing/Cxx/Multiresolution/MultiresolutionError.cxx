@@ -160,7 +160,8 @@ VTK_INDIRECT_TEST(Lighting)
   scene.Splatting->SetCoarsestResolution(16); // several levels in a small image
   const Image expected = scene.GatherAll();
   std::vector<double> errors;
-  for (double threshold : { 0.0, 0.02, 0.005, 0.00125 })
+  const double standard = scene.Splatting->GetLightingThreshold();
+  for (double threshold : { 0.0, 4.0 * standard, standard, 0.25 * standard })
   {
     scene.Splatting->SetLightingThreshold(threshold);
     errors.push_back(Compare(scene.Splat(), expected, Least).RootMeanSquare);
@@ -176,7 +177,7 @@ VTK_INDIRECT_TEST(Lighting)
   scene.Splatting->SetCoarsestResolution(64);
   scene.Splatting->SetLightingThreshold(0.0);
   const double none = Compare(scene.Splat(), expected, Least).RootMeanSquare;
-  scene.Splatting->SetLightingThreshold(0.005);
+  scene.Splatting->SetLightingThreshold(standard);
   const double split = Compare(scene.Splat(), expected, Least).RootMeanSquare;
   CheckAtMost("default over none, from finer subsplats on", split / none, 0.6, "measured 0.36");
 }
@@ -193,7 +194,7 @@ VTK_INDIRECT_TEST(NearLights)
   scene.Sampler->SetNumberOfLights(25);
   scene.Splatting->SetStorageToFloat();       // rounding flickers too
   scene.Splatting->SetCoarsestResolution(16); // several levels in a small image
-  const std::vector<double> thresholds = { 0.0, 0.005 };
+  const std::vector<double> thresholds = { 0.0, scene.Splatting->GetLightingThreshold() };
   std::vector<Image> expected;
   std::vector<std::vector<Image>> shown(thresholds.size());
   for (int frame = 0; frame < 6; ++frame)
