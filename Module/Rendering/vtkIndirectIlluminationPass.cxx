@@ -29,6 +29,7 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkSequencePass.h"
+#include "vtkSmartPointer.h"
 #include "vtkSurfaceCapturePass.h"
 #include "vtkUniformLightSampler.h"
 #include "vtkWeakPointer.h"
@@ -60,6 +61,9 @@ struct vtkIndirectIlluminationPass::Internals
   bool HasBuffers = false;
   bool HasIrradiance = false;
   bool EyeIsMap = false;
+  // What made its irradiance: its buffers stay readable when the pass is given others.
+  vtkSmartPointer<vtkIndirectEstimatorPass> Estimator;
+  vtkSmartPointer<vtkVirtualLightSampler> Sampler;
   std::string WhyDelegate = "no frame has been rendered yet";
   vtkIndirectStageTimer Timer;
 
@@ -71,9 +75,8 @@ struct vtkIndirectIlluminationPass::Internals
   // What the composite reads of the last frame.
   vtkIndirectCompositePass::Input MakeCompositeInput(vtkIndirectIlluminationPass* self) const
   {
-    vtkIndirectEstimatorPass* estimator = self->GetActiveEstimator();
     return { this->Frame, *this->Geometry, this->EyeIsMap ? nullptr : self->ReflectiveShadowMaps,
-      this->HasIrradiance ? estimator : nullptr, self->IndirectScale };
+      this->HasIrradiance ? this->Estimator.Get() : nullptr, self->IndirectScale };
   }
 
   // Releases everything when the window's context ends or the pass moves to another window: VTK
@@ -270,11 +273,15 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
   in.EyeIsMap =
     frame.Lights.size() == 1 && first.Light->LightTypeIsHeadlight() && !first.Positional;
 
+  in.Estimator = this->GetActiveEstimator();
+  vtkVirtualLightSampler* sampler = this->GetActiveSampler();
+  in.Sampler = in.EyeIsMap ? in.Estimator->ChooseHeadlightSampler(sampler)
+                           : in.Estimator->ChooseSampler(sampler);
+
   this->SurfaceCapture->SetDelegatePass(
     this->DelegatePass ? this->DelegatePass : in.DefaultDelegate.Get());
   this->SurfaceCapture->SetShadows(this->Shadows && !in.EyeIsMap);
-  this->SurfaceCapture->SetSpecular(
-    this->IndirectScale > 0.0 && this->GetActiveEstimator()->WantsGlossy(frame));
+  this->SurfaceCapture->SetSpecular(this->IndirectScale > 0.0 && in.Estimator->WantsGlossy(frame));
   this->SurfaceCapture->Attach(frame);
   bool drawn = true;
   if (!in.EyeIsMap)
@@ -311,8 +318,7 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
   else
   {
     if (in.Composite->RenderChannel(input, this->DebugView) ||
-      (in.HasIrradiance &&
-        in.Composite->RenderChannel(input, this->GetActiveEstimator(), this->DebugView)))
+      (in.HasIrradiance && in.Composite->RenderChannel(input, in.Estimator, this->DebugView)))
     {
       in.ReportedError.clear();
       in.Composite->ShowImage(input);
@@ -333,12 +339,11 @@ std::vector<double> vtkIndirectIlluminationPass::MakeEstimateKey()
 {
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = in.Frame;
-  vtkIndirectEstimatorPass* estimator = this->GetActiveEstimator();
-  vtkVirtualLightSampler* sampler = this->GetActiveSampler();
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
-    static_cast<double>(frame.Size[1]), static_cast<double>(estimator->GetMTime()),
-    static_cast<double>(sampler->GetMTime()), static_cast<double>(this->NumberOfBounces),
-    static_cast<double>(in.EyeIsMap), this->ErrorTolerance,
+    static_cast<double>(frame.Size[1]), static_cast<double>(in.Estimator->GetMTime()),
+    static_cast<double>(this->GetActiveSampler()->GetMTime()),
+    static_cast<double>(this->NumberOfBounces), static_cast<double>(in.EyeIsMap),
+    this->ErrorTolerance,
     static_cast<double>(in.EyeIsMap ? 0 : this->ReflectiveShadowMaps->GetContentTime()) };
   auto append = [&key](const double* values, int count)
   { key.insert(key.end(), values, values + count); };
@@ -359,18 +364,9 @@ std::vector<double> vtkIndirectIlluminationPass::MakeEstimateKey()
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkIndirectIlluminationPass::GetFrameSampler()
-{
-  vtkIndirectEstimatorPass* estimator = this->GetActiveEstimator();
-  return this->Internal->EyeIsMap ? estimator->ChooseHeadlightSampler(this->GetActiveSampler())
-                                  : estimator->ChooseSampler(this->GetActiveSampler());
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectIlluminationPass::UpdateIrradiance()
 {
   Internals& in = *this->Internal;
-  vtkIndirectEstimatorPass* estimator = this->GetActiveEstimator();
   const std::vector<double> key = this->MakeEstimateKey();
   if (this->Caching && key == in.EstimateKey)
   {
@@ -379,17 +375,16 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
   in.EstimateKey.clear();
 
   in.Timer.Begin(vtkIndirectStageTimer::Lights);
-  vtkVirtualLightSampler* sampler = this->GetFrameSampler();
-  const bool sampled = !sampler ||
-    sampler->Update(
+  const bool sampled = !in.Sampler ||
+    in.Sampler->Update(
       in.Frame, this->ReflectiveShadowMaps, in.EyeIsMap ? in.Geometry.Get() : nullptr);
   in.Timer.End(vtkIndirectStageTimer::Lights);
 
   const vtkIndirectEstimatorPass::Input input = { in.Frame, *in.Geometry,
-    *this->ReflectiveShadowMaps, sampler, in.EyeIsMap, this->NumberOfBounces, this->Caching,
+    *this->ReflectiveShadowMaps, in.Sampler, in.EyeIsMap, this->NumberOfBounces, this->Caching,
     this->ErrorTolerance, in.Voxels };
-  estimator->HoldContext(in.Frame.Window);
-  if (!sampled || !estimator->Estimate(input, in.Timer))
+  in.Estimator->HoldContext(in.Frame.Window);
+  if (!sampled || !in.Estimator->Estimate(input, in.Timer))
   {
     return false;
   }
@@ -402,7 +397,9 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
 std::string vtkIndirectIlluminationPass::GetChannelNames()
 {
   std::string names = vtkIndirectCompositePass::GetChannelNames();
-  for (const std::string& name : this->GetActiveEstimator()->GetChannelNames())
+  // Without a frame, what the next one will have.
+  vtkIndirectEstimatorPass* last = this->Internal->Estimator;
+  for (const std::string& name : (last ? last : this->GetActiveEstimator())->GetChannelNames())
   {
     names += ", " + name;
   }
@@ -415,7 +412,8 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
   Internals& in = *this->Internal;
   int map = 0;
   int channel = 0;
-  const std::vector<std::string> own = this->GetActiveEstimator()->GetChannelNames();
+  const std::vector<std::string> own =
+    in.Estimator ? in.Estimator->GetChannelNames() : this->GetActiveEstimator()->GetChannelNames();
   const bool estimators = std::find(own.begin(), own.end(), name) != own.end();
   const bool known = name == "lights" || vtkIndirectCompositePass::FindChannel(name) >= 0 ||
     vtkIndirectCompositePass::ParseMapChannel(name, map, channel) || estimators;
@@ -433,11 +431,17 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
   in.Frame.Window->MakeCurrent();
   if (name == "lights")
   {
-    return this->CopyLights(image);
+    if (!in.HasIrradiance || !in.Sampler)
+    {
+      vtkErrorMacro("There is no buffer 'lights': the last frame used no virtual lights.");
+      return false;
+    }
+    in.Sampler->CopyLights(in.Frame, image);
+    return true;
   }
   const vtkIndirectCompositePass::Input input = in.MakeCompositeInput(this);
   const bool rendered = estimators
-    ? in.HasIrradiance && in.Composite->RenderChannel(input, this->GetActiveEstimator(), name)
+    ? in.HasIrradiance && in.Composite->RenderChannel(input, in.Estimator, name)
     : in.Composite->RenderChannel(input, name);
   if (!rendered)
   {
@@ -449,39 +453,6 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
     return false;
   }
   in.Composite->CopyImage(image);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectIlluminationPass::CopyLights(vtkImageData* image)
-{
-  Internals& in = *this->Internal;
-  vtkVirtualLightSampler* sampler = this->GetFrameSampler();
-  if (!in.HasIrradiance || !sampler)
-  {
-    vtkErrorMacro("There is no buffer 'lights': the last frame used no virtual lights.");
-    return false;
-  }
-  const double scale = in.Frame.SceneScale;
-  const int count = sampler->GetActualNumberOfLights();
-  image->SetDimensions(3, count, 1);
-  image->AllocateScalars(VTK_FLOAT, 4);
-  auto* out = static_cast<float*>(image->GetScalarPointer());
-  const std::vector<float> channels[3] = { sampler->GetTarget().ReadBack(0),
-    sampler->GetTarget().ReadBack(1), sampler->GetTarget().ReadBack(2) };
-  for (int i = 0; i < count; ++i)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      std::copy(&channels[c][4 * i], &channels[c][4 * i] + 4, out + 12 * i + 4 * c);
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      out[12 * i + k] = static_cast<float>(out[12 * i + k] / scale + in.Frame.SceneCenter[k]);
-      out[12 * i + 8 + k] = static_cast<float>(out[12 * i + 8 + k] / scale / scale);
-    }
-    out[12 * i + 3] = static_cast<float>(out[12 * i + 3] / scale / scale);
-  }
   return true;
 }
 
@@ -505,7 +476,7 @@ std::string vtkIndirectIlluminationPass::GetReport()
     return report.ToJSON(in.Timer);
   }
 
-  vtkIndirectEstimatorPass* estimator = this->GetActiveEstimator();
+  vtkIndirectEstimatorPass* estimator = in.Estimator;
   report.Bytes = in.Geometry->GetTarget().GetBytes();
   if (in.EyeIsMap)
   {
@@ -515,15 +486,7 @@ std::string vtkIndirectIlluminationPass::GetReport()
   }
   else
   {
-    report.Bytes += this->ReflectiveShadowMaps->GetBytes();
-    static const char* const names[] = { "a parallel map", "a perspective map", "faces of a cube" };
-    for (int i = 0; i < this->ReflectiveShadowMaps->GetNumberOfMaps(); ++i)
-    {
-      const vtkIndirectLightMap& map = this->ReflectiveShadowMaps->GetMap(i);
-      report.Modelled.emplace_back("light " + std::to_string(map.Light.Index),
-        std::string(names[map.Projection]) + ", " + std::to_string(map.NumberOfFaces) + " of " +
-          std::to_string(this->GetReflectiveShadowMapResolution()) + " texels squared");
-    }
+    this->ReflectiveShadowMaps->AddToReport(report);
     for (const vtkIndirectLight& light : in.Frame.Lights)
     {
       if (light.Color == glm::dvec3(0.0))
@@ -534,7 +497,7 @@ std::string vtkIndirectIlluminationPass::GetReport()
   }
   if (in.HasIrradiance)
   {
-    vtkVirtualLightSampler* sampler = this->GetFrameSampler();
+    vtkVirtualLightSampler* sampler = in.Sampler;
     report.Method = estimator->GetMethodName();
     report.VirtualLights = sampler ? sampler->GetActualNumberOfLights() : 0;
     report.Bytes += estimator->GetBytes() + (sampler ? sampler->GetBytes() : 0);
@@ -590,6 +553,10 @@ void vtkIndirectIlluminationPass::ReleaseGraphicsResources(vtkWindow* window)
       users->ReleaseGraphicsResources(window);
     }
   };
+  release(in.Estimator.Get());
+  release(in.Sampler.Get());
+  in.Estimator = nullptr;
+  in.Sampler = nullptr;
   release(this->Estimator);
   release(this->Sampler);
   release(this->DelegatePass);

@@ -220,9 +220,7 @@ private:
 
   bool RenderIndirect(const vtkRenderState* s);
   bool UpdateIrradiance();
-  vtkVirtualLightSampler* GetFrameSampler(); // that the last frame's estimate read, or null
   void RenderDelegate(const vtkRenderState* s, const std::string& why);
-  bool CopyLights(vtkImageData* image);
   std::string GetChannelNames();
   std::vector<double> MakeEstimateKey();
 

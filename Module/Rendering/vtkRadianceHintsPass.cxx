@@ -52,6 +52,7 @@ struct vtkRadianceHintsPass::Internals
     vtkIndirectTarget(CoarseChannels, false) };
   int CoarseNow = 0;
   bool CoarseValid = false;
+  int Step = 1; // of the last look-up: its buffers stay readable when InterpolationStep changes
   vtkIndirectHintKernel LookUpKernel{ "vtkIndirectHintFS.glsl" };
   vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintMixedFS.glsl" };
   vtkIndirectPointProgram Pixels{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintPixelFS.glsl" };
@@ -373,6 +374,7 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
     return false;
   }
 
+  in.Step = step;
   timer.Begin(vtkIndirectStageTimer::Estimate);
   in.Coarse[next].Begin();
   in.ActivateLookup(program, input);
@@ -460,8 +462,8 @@ void vtkRadianceHintsPass::SetInterpolationUniforms(vtkShaderProgram* program) c
 //------------------------------------------------------------------------------
 const char* vtkRadianceHintsPass::GetIrradianceShader() const
 {
-  return this->InterpolationStep > 1 ? "vtkIndirectHintIrradiance.glsl"
-                                     : this->Superclass::GetIrradianceShader();
+  return this->Internal->Step > 1 ? "vtkIndirectHintIrradiance.glsl"
+                                  : this->Superclass::GetIrradianceShader();
 }
 
 //------------------------------------------------------------------------------
@@ -469,7 +471,7 @@ void vtkRadianceHintsPass::ActivateIrradiance(vtkShaderProgram* program)
 {
   Internals& in = *this->Internal;
   vtkIndirectTarget& coarse = in.Coarse[in.CoarseNow];
-  if (this->InterpolationStep == 1)
+  if (in.Step == 1)
   {
     coarse.Activate(0, program, "vtkiIrradiance");
     return;
@@ -478,7 +480,7 @@ void vtkRadianceHintsPass::ActivateIrradiance(vtkShaderProgram* program)
   coarse.Activate(0, program);
   const int size[2] = { coarse.GetWidth(), coarse.GetHeight() };
   program->SetUniform2i("vtkiCoarseSize", size);
-  program->SetUniformi("vtkiStep", this->InterpolationStep);
+  program->SetUniformi("vtkiStep", in.Step);
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "vtkIndirectKernels.h"
 #include "vtkIndirectLayeredTarget.h"
 #include "vtkIndirectLightMap.h"
+#include "vtkIndirectReport.h"
 #include "vtkIndirectShadowMaps.h"
 #include "vtkIndirectShadowRows.h"
 #include "vtkNew.h"
@@ -121,6 +122,20 @@ const vtkIndirectLightMap& vtkReflectiveShadowMapPass::GetMap(int i) const
 size_t vtkReflectiveShadowMapPass::GetBytes() const
 {
   return this->Internal->Target.GetBytes() + this->Internal->Rows.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkReflectiveShadowMapPass::AddToReport(vtkIndirectReport& report) const
+{
+  report.Bytes += this->GetBytes();
+  static const char* const names[] = { "a parallel map", "a perspective map", "faces of a cube" };
+  for (int i = 0; i < this->GetNumberOfMaps(); ++i)
+  {
+    const vtkIndirectLightMap& map = this->GetMap(i);
+    report.Modelled.emplace_back("light " + std::to_string(map.Light.Index),
+      std::string(names[map.Projection]) + ", " + std::to_string(map.NumberOfFaces) + " of " +
+        std::to_string(this->Resolution) + " texels squared");
+  }
 }
 
 //------------------------------------------------------------------------------

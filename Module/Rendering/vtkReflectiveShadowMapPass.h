@@ -35,6 +35,7 @@ class vtkIndirectLightMap;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
+struct vtkIndirectReport;
 struct vtkIndirectShadowMaps;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkReflectiveShadowMapPass : public vtkOpenGLRenderPass
@@ -92,6 +93,8 @@ public:
   void Deactivate();
 
   size_t GetBytes() const;
+  /** What the maps are and the memory that they take. */
+  void AddToReport(vtkIndirectReport& report) const;
 #endif
 
 protected:

@@ -4,6 +4,7 @@
 #include "vtkVirtualLightSampler.h"
 
 #include "vtkGeometryBufferPass.h"
+#include "vtkImageData.h"
 #include "vtkIndirectFrame.h"
 #include "vtkIndirectKernelProgram.h"
 #include "vtkIndirectKernels.h"
@@ -16,6 +17,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -86,6 +88,32 @@ size_t vtkVirtualLightSampler::GetBytes() const
 {
   return this->Internal->Target.GetBytes() +
     static_cast<size_t>(this->Internal->Rows) * RowLength * sizeof(Sample);
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualLightSampler::CopyLights(const vtkIndirectFrame& frame, vtkImageData* image)
+{
+  const double scale = frame.SceneScale;
+  const int count = this->GetActualNumberOfLights();
+  image->SetDimensions(3, count, 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  auto* out = static_cast<float*>(image->GetScalarPointer());
+  vtkIndirectTarget& target = this->GetTarget();
+  const std::vector<float> channels[3] = { target.ReadBack(PositionArea),
+    target.ReadBack(NormalExponent), target.ReadBack(DensityArea) };
+  for (int i = 0; i < count; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      std::copy(&channels[c][4 * i], &channels[c][4 * i] + 4, out + 12 * i + 4 * c);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      out[12 * i + k] = static_cast<float>(out[12 * i + k] / scale + frame.SceneCenter[k]);
+      out[12 * i + 8 + k] = static_cast<float>(out[12 * i + 8 + k] / scale / scale);
+    }
+    out[12 * i + 3] = static_cast<float>(out[12 * i + 3] / scale / scale);
+  }
 }
 
 //------------------------------------------------------------------------------

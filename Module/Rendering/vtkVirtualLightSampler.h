@@ -22,6 +22,7 @@
 #include <vector> // for patterns
 
 class vtkGeometryBufferPass;
+class vtkImageData;
 class vtkIndirectTarget;
 class vtkReflectiveShadowMapPass;
 class vtkShaderProgram;
@@ -92,6 +93,9 @@ public:
     return this->ContentTime.GetMTime();
   }
   size_t GetBytes() const;
+
+  /** Copies the lights of the last frame: a row each of three texels, in world units. */
+  void CopyLights(const vtkIndirectFrame& frame, vtkImageData* image);
 #endif
 
 protected:

@@ -25,6 +25,7 @@ contract_topic(Interaction
   SelectionSame PickingSame DepthSame StateUntouched)
 contract_topic(Kinds
   KindsDelegate KindsComposite KindsFull AlbedoValues SurfaceBuffers)
+contract_topic(Buffers BuffersOfLastFrame)
 contract_topic(Lifetime
   Toggle ToggleHints ToggleMultiresolution ToggleNewPass Release ReleaseMultiresolution Finalize
   FinalizeUnused FinalizeWithout DestructionOrder TwoWindows)
