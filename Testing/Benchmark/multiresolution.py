@@ -11,8 +11,8 @@ them tell how long it took here. Nothing is reused between frames; times are med
 - speed: at SIZE x SIZE with 256 lights, indirect stages of the gather at every pixel over those of
   multiresolution splatting, its RMSE to that gather, and what VTK's SSAO (32 samples, blurred)
   adds to a plain frame.
-- pixels: growth of evaluation (time with 1024 lights less time with one, same leaves) and of all
-  indirect stages for four times the pixels, SIZE / 2 to SIZE.
+- pixels: growth of subsplats, of evaluation (time with 1024 lights less time with one that nothing is
+  refined for) and of all indirect stages for four times the pixels, SIZE / 2 to SIZE.
 - lights: a whole frame from 100 to 3600 lights.
 - paper: Table 1 and Figures 7 and 8 of Nichols and Wyman 2009 on scenes with about as many triangles. Their
   column is the resolution of the indirect light in a picture of 1024 x 1024, here that of the window.
@@ -194,36 +194,50 @@ def part_speed(rounds: int, size: int) -> None:
            "RMSE over the mean to it", "over SSAO's"), rows)  # fmt: skip
 
 
+def count_subsplats(bench: Bench) -> float:
+    """Subsplats of the last frame: a subsplat of level n covers 4 ** n pixels."""
+    level = images.copy_buffer(bench.renderer, "subsplat.level")[..., 0]
+    lit = np.linalg.norm(images.copy_buffer(bench.renderer, "normal"), axis=-1) > 0.5
+    return float((0.25 ** level[lit]).sum())
+
+
 def part_pixels(rounds: int, size: int) -> None:
     rows = []
     for name in ("apartment_living", "frog"):
         bench = open_scene(name, size)
-        # The same leaves whatever the lights, so that one light more costs one evaluation more.
-        bench.splatting.SetLightingThreshold(0.0)
+        threshold = bench.splatting.GetLightingThreshold()
         bench.use(bench.splatting)()
 
-        def choose(edge: int, number: int, bench: Bench = bench) -> Apply:
+        def choose(edge: int, number: int, lighting: float, bench: Bench = bench) -> Apply:
             def apply() -> None:
                 bench.window.SetSize(edge, edge)
                 bench.set_lights(number)
+                bench.splatting.SetLightingThreshold(lighting)
 
             return apply
 
         # More lights for the sums: with the usual number they are a few milliseconds of a small
-        # picture, and differences of times come out as noise.
-        ways = {f"{e} {n}": choose(e, n)
-                for e in (size // 2, size) for n in (1, LIGHTS, 4 * LIGHTS)}  # fmt: skip
+        # picture, and differences of times come out as noise. What is there without sums: one light
+        # that nothing is refined for.
+        kinds = ((1, 0.0), (LIGHTS, threshold), (4 * LIGHTS, threshold))
+        ways = {f"{e} {n}": choose(e, n, t) for e in (size // 2, size) for n, t in kinds}
         few_small, small, many_small, few_large, large, many_large = bench.alternate(
             ways, rounds
         ).values()
         sums = [many["evaluate"] - few["evaluate"]
                 for many, few in ((many_small, few_small), (many_large, few_large))]  # fmt: skip
-        rows.append((name, f"{sums[1] / sums[0]:.2f}",
+        counts = []
+        for edge in (size // 2, size):
+            choose(edge, LIGHTS, threshold)()
+            bench.window.Render()
+            counts.append(count_subsplats(bench))
+        rows.append((name, f"{counts[1] / counts[0]:.2f}", f"{sums[1] / sums[0]:.2f}",
                      f"{large['evaluate'] / small['evaluate']:.2f}",
                      f"{large['indirect'] / small['indirect']:.2f}"))  # fmt: skip
         bench.window.Finalize()
     print(f"Growth for four times the pixels, {size // 2} to {size}, {LIGHTS} lights\n")
-    table(("scene", "evaluation of the lights", "levels and pixels", "all indirect stages"), rows)
+    table(("scene", "subsplats", "evaluation of the lights", "levels and pixels",
+           "all indirect stages"), rows)  # fmt: skip
 
 
 def part_lights(rounds: int, size: int) -> None:
