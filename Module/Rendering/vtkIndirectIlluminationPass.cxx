@@ -394,12 +394,17 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
 }
 
 //------------------------------------------------------------------------------
+vtkIndirectEstimatorPass* vtkIndirectIlluminationPass::GetFrameEstimator()
+{
+  vtkIndirectEstimatorPass* last = this->Internal->Estimator;
+  return last ? last : this->GetActiveEstimator();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkIndirectIlluminationPass::GetChannelNames()
 {
   std::string names = vtkIndirectCompositePass::GetChannelNames();
-  // Without a frame, what the next one will have.
-  vtkIndirectEstimatorPass* last = this->Internal->Estimator;
-  for (const std::string& name : (last ? last : this->GetActiveEstimator())->GetChannelNames())
+  for (const std::string& name : this->GetFrameEstimator()->GetChannelNames())
   {
     names += ", " + name;
   }
@@ -412,8 +417,7 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
   Internals& in = *this->Internal;
   int map = 0;
   int channel = 0;
-  const std::vector<std::string> own =
-    in.Estimator ? in.Estimator->GetChannelNames() : this->GetActiveEstimator()->GetChannelNames();
+  const std::vector<std::string> own = this->GetFrameEstimator()->GetChannelNames();
   const bool estimators = std::find(own.begin(), own.end(), name) != own.end();
   const bool known = name == "lights" || vtkIndirectCompositePass::FindChannel(name) >= 0 ||
     vtkIndirectCompositePass::ParseMapChannel(name, map, channel) || estimators;

@@ -220,6 +220,7 @@ private:
 
   bool RenderIndirect(const vtkRenderState* s);
   bool UpdateIrradiance();
+  vtkIndirectEstimatorPass* GetFrameEstimator(); // of the last frame, without one of the next
   void RenderDelegate(const vtkRenderState* s, const std::string& why);
   std::string GetChannelNames();
   std::vector<double> MakeEstimateKey();

@@ -144,10 +144,10 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
   {
     // The defaults give an error of 0.02 on a hard scene, and the error goes with the thresholds.
     const double share = tolerance / 0.02;
-    settings.PlaneThreshold = std::min(0.25 * share, 100.0);
-    settings.DepthThreshold = std::min(0.02 * share, 1.0);
-    settings.NormalThreshold = std::min(0.2 * share, 2.0);
-    settings.LightingThreshold = std::min(0.0015 * share, 1.0);
+    settings.PlaneThreshold = std::min(StandardPlaneThreshold * share, 100.0);
+    settings.DepthThreshold = std::min(StandardDepthThreshold * share, 1.0);
+    settings.NormalThreshold = std::min(StandardNormalThreshold * share, 2.0);
+    settings.LightingThreshold = std::min(StandardLightingThreshold * share, 1.0);
   }
   settings.Balance = this->Balance;
   settings.NormalCorrection = this->NormalCorrection;

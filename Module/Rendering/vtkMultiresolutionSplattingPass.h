@@ -225,10 +225,17 @@ protected:
   int CoarsestResolution = 64;
   int FinestLevel = FULL_RESOLUTION;
   int Refinement = PLANE_DEVIATION;
-  double PlaneThreshold = 0.25;
-  double DepthThreshold = 0.02;
-  double NormalThreshold = 0.2;
-  double LightingThreshold = 0.0015;
+#ifndef __VTK_WRAP__
+  // The defaults, which ErrorTolerance scales.
+  static constexpr double StandardPlaneThreshold = 0.25;
+  static constexpr double StandardDepthThreshold = 0.02;
+  static constexpr double StandardNormalThreshold = 0.2;
+  static constexpr double StandardLightingThreshold = 0.0015;
+#endif
+  double PlaneThreshold = StandardPlaneThreshold;
+  double DepthThreshold = StandardDepthThreshold;
+  double NormalThreshold = StandardNormalThreshold;
+  double LightingThreshold = StandardLightingThreshold;
   bool Balance = true;
   bool NormalCorrection = true;
   double GlossyThreshold = 0.02;

@@ -53,9 +53,15 @@ float vtkiSurfaceKind(vec4 surface)
   return floor((surface.x + 2.0f) * 0.25f);
 }
 
+/* Octahedral coordinates of the normal. */
+vec2 vtkiSurfaceCode(vec4 surface)
+{
+  return vec2(surface.x - 4.0f * vtkiSurfaceKind(surface), surface.y);
+}
+
 vec3 vtkiSurfaceNormal(vec4 surface)
 {
-  return vtkiOctahedralDecode(vec2(surface.x - 4.0f * vtkiSurfaceKind(surface), surface.y));
+  return vtkiOctahedralDecode(vtkiSurfaceCode(surface));
 }
 
 bool vtkiSurfaceIsLit(vec4 surface)

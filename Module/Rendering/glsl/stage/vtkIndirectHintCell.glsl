@@ -28,8 +28,8 @@ void vtkiAddToCell(inout vtkiCell cell, ivec2 pixel)
     vtkiReconstruct(2.0f * place - 1.0f, surface.z, vtkiRayOrigin, vtkiRayDirection) -
     cell.corner.positionVC;
   cell.height = max(cell.height, abs(dot(cell.corner.normalVC, offset)));
-  cell.turn = max(
-    cell.turn, abs(surface.x - 4.0f * vtkiSurfaceKind(surface) - cell.code.x) + abs(surface.y - cell.code.y));
+  vec2 difference = abs(vtkiSurfaceCode(surface) - cell.code);
+  cell.turn = max(cell.turn, difference.x + difference.y);
   cell.radius2 = max(cell.radius2, dot(offset, offset));
   cell.nearest = min(cell.nearest, surface.z);
 }
