@@ -23,9 +23,8 @@ namespace
 const vtkIndirectChannel Channels[] = {
   { "geometry.lit", "vtkiLit", "VTK's shading with shadows, premultiplied alpha", GL_RGBA32F,
     "view", "VTK radiance" },
-  { "geometry.surface", "vtkiSurface", "octahedral normal and kind, linear depth", GL_RGBA32F,
-    "view", "1, 1, scene units" },
-  { "geometry.albedo", "vtkiAlbedo", "diffuse reflectance", GL_RGBA16F, "-", "1" },
+  { "geometry.surface", "vtkiSurface", "octahedral normal and kind, linear depth, albedo",
+    GL_RGBA32F, "view", "1, 1, scene units, 1" },
   // Only where a material of the scene is specular.
   { "geometry.specular", "vtkiSpecular", "specular reflectance, power of the lobe", GL_RGBA16F, "-",
     "1" },
@@ -107,10 +106,9 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   // VTK draws opaque props blended too: textures and point sprites have soft edges. Only colour is
-  // mixed; the other channels' alpha is 1, so blending them would cost time and change nothing.
+  // mixed: the other channels' alphas hold bits and powers.
   state->vtkglEnable(GL_BLEND);
   glDisablei(GL_BLEND, Surface);
-  glDisablei(GL_BLEND, Albedo);
   if (this->WithSpecular)
   {
     glDisablei(GL_BLEND, Specular);
@@ -130,7 +128,6 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   }
   this->NumberOfRenderedProps = capture->GetNumberOfRenderedProps();
   glEnablei(GL_BLEND, Surface);
-  glEnablei(GL_BLEND, Albedo);
   if (this->WithSpecular)
   {
     glEnablei(GL_BLEND, Specular);

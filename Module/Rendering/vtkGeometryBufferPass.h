@@ -6,8 +6,8 @@
  * Textures of the size of the viewport, read by the stages that follow:
  * - geometry.lit, RGBA32F: VTK's own shading, each light times its visibility, premultiplied alpha
  * - geometry.surface, RGBA32F: octahedral normal (view coordinates) with the kind of shading,
- * linear depth in scene units
- * - geometry.albedo, RGBA16F: diffuse reflectance; of PBR times (1 - metallic)
+ * linear depth in scene units, and the bits of the albedo (of PBR times 1 - metallic), ten a
+ * channel
  * - geometry.specular, RGBA16F: specular reflectance of Phong's model and the power of its lobe;
  * there only when the capture's Specular is on
  * and a 32-bit float depth texture.
@@ -48,7 +48,6 @@ public:
   {
     Lit,
     Surface,
-    Albedo,
     Specular
   };
 

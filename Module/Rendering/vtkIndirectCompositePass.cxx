@@ -79,13 +79,12 @@ struct vtkIndirectCompositePass::Internals
     return kernel.Use(input.Frame.Window);
   }
 
-  // Without an estimate the sampler reads the albedo and the result is multiplied by zero.
+  // Without an estimate the sampler reads the surface and the result is multiplied by zero.
   static void ActivateFrame(vtkShaderProgram* program, const Input& input)
   {
     const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
     geometry.Activate(vtkGeometryBufferPass::Lit, program);
     geometry.Activate(vtkGeometryBufferPass::Surface, program);
-    geometry.Activate(vtkGeometryBufferPass::Albedo, program);
     if (input.Estimator)
     {
       input.Estimator->ActivateIrradiance(program);
@@ -93,7 +92,7 @@ struct vtkIndirectCompositePass::Internals
     else
     {
       program->SetUniformi(
-        "vtkiIrradiance", geometry.GetTexture(vtkGeometryBufferPass::Albedo)->GetTextureUnit());
+        "vtkiIrradiance", geometry.GetTexture(vtkGeometryBufferPass::Surface)->GetTextureUnit());
     }
     if (HasGlossy(input))
     {

@@ -8,12 +8,14 @@
 #include "vtkGeometryBufferPass.h"
 #include "vtkIndirectFrame.h"
 #include "vtkIndirectKernels.h"
+#include "vtkIndirectLightConstants.h"
 #include "vtkIndirectLightMap.h"
 #include "vtkIndirectShaderLibrary.h"
 #include "vtkIndirectShadowMaps.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLight.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -54,6 +56,8 @@ struct vtkSurfaceCapturePass::Internals
   int ShadowUnit = -1;
   bool OwnsUnit = false;
   glm::vec2 MapLight{ 0.0f };
+  vtkIndirectLightConstants LightConstants;
+  std::vector<float> ConeCosine; // of each light's cone
 
   vtkOpenGLRenderWindow* Window = nullptr;
 
@@ -145,6 +149,10 @@ void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
     this->Internal->ShadowFaces = faces;
     this->SourceTime.Modified();
   }
+  if (this->Internal->LightConstants.Update(frame))
+  {
+    this->SourceTime.Modified();
+  }
   auto* key = vtkOpenGLRenderPass::RenderPasses();
   for (vtkProp* prop : frame.Props)
   {
@@ -206,6 +214,12 @@ void vtkSurfaceCapturePass::BeginEye(
   in.ViewToLight.assign(count, glm::mat4(1.0f));
   in.ShadowMap.assign(count, glm::vec4(-1.0f));
   in.ShadowDepth.assign(count, glm::vec4(0.0f));
+  in.ConeCosine.assign(count, 0.0f);
+  for (const vtkIndirectLight& light : frame.Lights)
+  {
+    in.ConeCosine[light.Index] =
+      static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(light.ConeAngle)));
+  }
   in.Window = frame.Window;
   if (!shadows)
   {
@@ -339,6 +353,9 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
     {
       break;
     }
+    // The only piece of light code that is matched as text: a cosine of a uniform at every pixel.
+    ReplaceAll(
+      fragmentShader, "cos(radians(lightConeAngle" + n + "))", "vtkiConeCosine[" + n + "]");
     if (lit && this->Shadows)
     {
       visibility += "  vec3 lightColor" + n + " = lightColor" + n + " * vtkiVisibility(" + n +
@@ -353,7 +370,7 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
                        "  vec3 vtkiFacetNormalVC = vtkiFacetNormal(vtkiPosition,\n"
                        "    cross(dFdx(vtkiPosition), dFdy(vtkiPosition)), normalVCVSOutput);\n"
                      : "") +
-      visibility;
+      this->Internal->LightConstants.GetDeclarations(fragmentShader) + visibility;
   }
   ReplaceAll(fragmentShader, PreLightMarker, visibility);
 
@@ -388,6 +405,9 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
     (positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()") +
     // VTK's PBR divides diffuse reflection by pi, its Phong does not.
     "\n#define VTKI_SENDER_SCALE " + (pbr ? "(vtkiEncoded / VTKI_PI)" : "1.0") + "\n";
+  // Extensions stand before all but what the preprocessor reads; see vtkIndirectLibAlbedo.glsl.
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
+    "//VTK::System::Dec\n#extension GL_ARB_shader_bit_encoding : enable\n", false);
   vtkShaderProgram::Substitute(fragmentShader, "void main()", declarations + "void main()", false);
 
   std::string outputs;
@@ -398,16 +418,15 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
         "vec3(1.0);\n"
       : "  vec3 vtkiTextureColor = tcolor.rgb;\n";
   }
-  outputs += vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureImplFS.glsl");
   if (this->Specular)
   {
     // VTK declares these where a surface is lit; its PBR has them too and does not use them.
     const bool phong = lit && !pbr && Contains(fragmentShader, "vec3 specularColor =") &&
       Contains(fragmentShader, "float specularPower =");
     outputs += std::string("#define VTKI_SPECULAR ") +
-      (phong ? "vec4(specularColor, specularPower)\n" : "vec4(0.0)\n") +
-      vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureSpecularFS.glsl");
+      (phong ? "vec4(specularColor, specularPower)\n" : "vec4(0.0)\n");
   }
+  outputs += vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureImplFS.glsl");
   vtkShaderProgram::Substitute(
     fragmentShader, "//VTK::DepthPeeling::Impl", outputs + "  //VTK::DepthPeeling::Impl", false);
   return true;
@@ -438,6 +457,11 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   {
     program->SetUniformi("vtkiParallel", in.StageIsParallel);
   }
+  if (program->IsUniformUsed("vtkiConeCosine"))
+  {
+    program->SetUniform1fv(
+      "vtkiConeCosine", static_cast<int>(in.ConeCosine.size()), in.ConeCosine.data());
+  }
   if (program->IsUniformUsed("vtkiShadowMaps"))
   {
     const int count = static_cast<int>(in.ShadowMap.size());
@@ -448,10 +472,15 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
     program->SetUniform4fv(
       "vtkiShadowDepth", count, reinterpret_cast<const float(*)[4]>(in.ShadowDepth.data()));
   }
-  if (this->Specular && in.Stage == 0)
+  if (in.Stage == 0)
   {
-    // The power is in alpha: whatever has switched blending since the stage began must not mix it.
-    glDisablei(GL_BLEND, vtkGeometryBufferPass::Specular);
+    // Albedo and power are in alpha: whatever has switched blending since the stage began must not
+    // mix them.
+    glDisablei(GL_BLEND, vtkGeometryBufferPass::Surface);
+    if (this->Specular)
+    {
+      glDisablei(GL_BLEND, vtkGeometryBufferPass::Specular);
+    }
   }
   if (in.Stage == 1)
   {

@@ -9,11 +9,14 @@
  * frame.
  *
  * From the eye it writes VTK's own shading times each light's visibility, the surface (unit normal
- * in view coordinates, linear depth, kind of shading) and the albedo. From a light it writes the
+ * in view coordinates, linear depth, kind of shading, albedo). From a light it writes the
  * reflected density per unit light intensity, the surface and the cosine at the geometric normal.
  *
- * Visibility enters VTK's shading by a local variable that shadows the uniform lightColorN; no
- * light code is matched as text, so every material of VTK keeps working.
+ * Visibility enters VTK's shading by a local variable that shadows the uniform lightColorN, and
+ * what the frame's lights and materials make needless (cones, powers and lobes that none of them
+ * has) leaves it the same way: by constants that a compiler folds. Of light code only the cosine of
+ * a cone's angle is matched as text, and where that is not found nothing changes, so every material
+ * of VTK keeps working.
  *
  * Approximations: PBR's diffuse part is taken as albedo (1 - metallic) / pi, without VTK's (1 - F):
  * high by the Fresnel reflectance, about 4 %. Specular reflection sends no light.
@@ -58,7 +61,8 @@ public:
 
   /**
    * How often VTK asked for a shader source since construction. A frame in which only lights, the
-   * camera or float properties changed asks for none.
+   * camera or float properties changed asks for none, but for a light that becomes or ceases to be
+   * positional, a cone or attenuated, and the scene's first or last specular material.
    */
   vtkGetMacro(NumberOfShaderBuilds, vtkIdType);
 
@@ -73,7 +77,7 @@ public:
 
   ///@{
   /**
-   * Whether mappers write the specular colour and power of what the eye sees, as a fourth output.
+   * Whether mappers write the specular colour and power of what the eye sees, as a third output.
    * Default off. Shader sources differ, so a change rebuilds them.
    */
   void SetSpecular(bool specular);

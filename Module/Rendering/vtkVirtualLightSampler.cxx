@@ -204,7 +204,6 @@ bool vtkVirtualLightSampler::Update(
   {
     const vtkIndirectLight& light = frame.Lights.front();
     eye->GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
-    eye->GetTarget().Activate(vtkGeometryBufferPass::Albedo, program);
     vtkIndirectSetEyeUniforms(program, frame);
     vtkIndirectSetUniform(program, "vtkiSize", glm::vec2(frame.Size[0], frame.Size[1]));
     vtkIndirectSetUniform(program, "vtkiLightColor", glm::vec3(light.Color));

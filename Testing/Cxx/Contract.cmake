@@ -30,7 +30,7 @@ contract_topic(Lifetime
   Toggle ToggleHints ToggleMultiresolution ToggleNewPass Release ReleaseMultiresolution Finalize
   FinalizeUnused FinalizeWithout DestructionOrder TwoWindows)
 contract_topic(Lights
-  LightShadowAttenuation LightColors LightHeadlight LightOfCamera LightKit ShadowFollows
+  LightShadowAttenuation LightColors LightSettings LightHeadlight LightOfCamera LightKit ShadowFollows
   ShadowFromOutside ShadowSeams ParallelEye)
 contract_topic(Speed
   WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds CaptureTime)

@@ -94,8 +94,8 @@ VTK_INDIRECT_TEST(PhysicallyBased)
     }
   }
   CheckAtLeast("texels", texels, 1000, "the test's own power");
-  CheckAtMost("a sender's density is 1 / pi of Phong's: worst deviation", worst, 1e-3,
-    "albedo in half floats");
+  CheckAtMost("a sender's density is 1 / pi of Phong's: worst deviation", worst, 3e-3,
+    "the eye's albedos, whose roots have ten bits, against the map's half floats");
 
   const Image irradiancePhong = phong.Copy("irradiance");
   const Image irradiance = pbr.Copy("irradiance");

@@ -3,7 +3,7 @@
 #ifndef ShaderKernels
 #define ShaderKernels
 
-const int VTKI_KERNEL_COUNT = 27;
+const int VTKI_KERNEL_COUNT = 28;
 
 mat3 vtkiTestMatrix(vec4 a, vec4 b, float c)
 {
@@ -158,6 +158,10 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
       int(30.99f * a.w) | (int(30.99f * b.w * b.w) << 5) | (int(1.0f + 62.99f * a.w * a.w) << 10));
     vec3 place = 8.0f * (a3 + 1.0f);
     return vec4(vtkiLeavePlane(place, plane), dot(vec3(plane.x, plane.y, plane.z), c3) + plane.w);
+  }
+  if (kernel == 26)
+  {
+    return vec4(vtkiUnpackAlbedo(vtkiPackAlbedo(a3)), 0.0f);
   }
   return vec4(VTKI_PI, VTKI_GAMMA, float(VTKI_MAP_CAMERA), VTKI_SURFACE_UNLIT);
 }

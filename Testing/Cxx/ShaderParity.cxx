@@ -75,6 +75,8 @@ const Kernel Kernels[] = {
   { "vtkiMirror, vtkiGlossyWeight, vtkiGlossyVariation", 1e-3, 0.1,
     "GPU pow: log2 of limited precision, exponents up to 128" },
   { "vtkiPackPlane, vtkiUnpackPlane, vtkiLeavePlane", 1e-5, 0.1, Rounding },
+  { "vtkiPackAlbedo, vtkiUnpackAlbedo", 2e-3, 1.0,
+    "a rounding may fall on the next of 1023 roots" },
   { "constants", 0.0, 1.0, "literals" },
 };
 

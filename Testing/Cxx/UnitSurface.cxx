@@ -104,6 +104,32 @@ VTK_INDIRECT_TEST(PackSurface)
   Check("a cleared texel is not lit", !vtkiSurfaceIsLit(vec4(0.0f)));
 }
 
+VTK_INDIRECT_TEST(PackAlbedo)
+{
+  Random random(4);
+  double worst = 0.0;
+  int numbers = 0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    const glm::dvec3 albedo(random.Next(), random.NextMagnitude(1e-6, 1.0), random.Next());
+    const float code = vtkiPackAlbedo(vec3(albedo));
+    numbers += std::isnormal(code);
+    const glm::dvec3 read(vtkiUnpackAlbedo(code));
+    for (int k = 0; k < 3; ++k)
+    {
+      worst = std::max(worst, std::abs(std::sqrt(read[k]) - std::sqrt(albedo[k])));
+    }
+  }
+  CheckAtMost("worst error of a root", worst, 0.5 / 1023.0 + 1e-6, "half a step and rounding");
+  CheckEqual("codes that are normal numbers", numbers, 100000);
+  // What scenes are made of, and what they must not be.
+  CheckEqual("black", glm::length(vtkiUnpackAlbedo(vtkiPackAlbedo(vec3(0.0f)))), 0.0f);
+  Check("white", vtkiUnpackAlbedo(vtkiPackAlbedo(vec3(1.0f))) == vec3(1.0f));
+  Check("more than white", vtkiUnpackAlbedo(vtkiPackAlbedo(vec3(2.0f))) == vec3(1.0f));
+  Check("less than black", vtkiUnpackAlbedo(vtkiPackAlbedo(vec3(-1.0f))) == vec3(0.0f));
+  Check("a cleared texel is black", vtkiUnpackAlbedo(0.0f) == vec3(0.0f));
+}
+
 namespace
 {
 // Positions through the frame's rays in float against the inverse projection in double.

@@ -15,6 +15,7 @@ using glm::abs;
 using glm::cos;
 using glm::cross;
 using glm::dot;
+using glm::floatBitsToUint;
 using glm::floor;
 using glm::fract;
 using glm::ivec2;
@@ -27,6 +28,7 @@ using glm::normalize;
 using glm::pow;
 using glm::sin;
 using glm::sqrt;
+using glm::uintBitsToFloat;
 using glm::uvec4;
 using glm::vec2;
 using glm::vec3;
@@ -42,6 +44,7 @@ namespace
 {
 #include "vtkIndirectLibPortable.glsl"
 #include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectLibAlbedo.glsl"
 #include "vtkIndirectLibPlane.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"

@@ -40,7 +40,8 @@ vec3 vtkiOctahedralDecode(vec2 p)
 }
 
 /* normal unit; depth along the view axis, scene units (diagonal = 1); kind one of the above.
- * Alpha is 1 because VTK blends opaque geometry: any other value would mix with what lies behind.
+ * Alpha is 1 because VTK blends opaque geometry: any other value would mix with what lies behind. What
+ * the eye sees is not blended and has the albedo there, see vtkIndirectLibAlbedo.glsl.
  * The kind rides on the first coordinate in steps of four, clear of its range [-1,1]. */
 vec4 vtkiPackSurface(vec3 normal, float depth, float kind)
 {

@@ -1,12 +1,13 @@
 //VTK::System::Dec
+#extension GL_ARB_shader_bit_encoding : enable
 //VTK::Output::Dec
 // Virtual lights of a headlight, read from the geometry buffer: the eye's view is its map.
 #include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectLibAlbedo.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 
 uniform sampler2D vtkiPattern;
 uniform sampler2D vtkiSurface;
-uniform sampler2D vtkiAlbedo;
 uniform vec2 vtkiSize;
 uniform mat3 vtkiRayOrigin;
 uniform mat3 vtkiRayDirection;
@@ -39,7 +40,7 @@ void main()
     float covered = pixelArea * toEye.z / cosEye * sampled.w;
     float encoded = vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED ? 1.0f / VTKI_PI : 1.0f;
     position = (vtkiViewToScene * vec4(p, 1.0f)).xyz;
-    densityArea = texelFetch(vtkiAlbedo, texel, 0).rgb * vtkiLightColor *
+    densityArea = vtkiUnpackAlbedo(surface.a) * vtkiLightColor *
       (max(dot(normal, vtkiToLight), 0.0f) * covered * encoded);
     area = covered;
     normal = mat3(vtkiViewToScene) * normal;

@@ -1,6 +1,7 @@
 // Added to the fragment shader of every surface mapper. One text serves both stages, so that a
 // frame that draws a light's map and then the eye's view rebuilds no shader source.
 #include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectLibAlbedo.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 #include "vtkIndirectLibShadow.glsl"
 
@@ -16,6 +17,9 @@ uniform mat4 vtkiViewToLight[VTKI_LIGHT_COUNT]; // view coordinates to light fra
 uniform vec4 vtkiShadowMap[VTKI_LIGHT_COUNT];   // first layer (-1: none), projection, half width, texels
 uniform vec4 vtkiShadowDepth[VTKI_LIGHT_COUNT]; // near, far, shadow strength, number of layers
 #endif
+
+// Of VTK's spot lights; its own code takes the cosine of a uniform angle at every pixel.
+uniform float vtkiConeCosine[VTKI_LIGHT_COUNT];
 
 // From a light: the light whose map is drawn.
 uniform vec2 vtkiMapLight; // 1 if positional, texel size in tangents or scene units

@@ -1,5 +1,6 @@
   // The mapper's names are bound to these by vtkSurfaceCapturePass: VTKI_ALBEDO, VTKI_NORMAL,
-  // VTKI_SLOPE, VTKI_KIND, VTKI_DEPTH, VTKI_SENDER_SCALE.
+  // VTKI_SLOPE, VTKI_KIND, VTKI_DEPTH, VTKI_SENDER_SCALE; and where something in the scene is specular,
+  // VTKI_SPECULAR: the mapper's specular colour and power, zero where it has none.
   {
     vec3 vtkiAlbedo = max(VTKI_ALBEDO, vec3(0.0f));
     vec3 vtkiNormal = VTKI_NORMAL;
@@ -22,6 +23,9 @@
       // floats would keep it, and hand it on to whatever reads a neighbourhood.
       vec3 vtkiLit = gl_FragData[0].rgb;
       gl_FragData[0].rgb = min(mix(vtkiLit, vec3(0.0f), isnan(vtkiLit)), vec3(1.0e38f));
-      gl_FragData[2] = vec4(vtkiAlbedo, 1.0f);
+      gl_FragData[1].a = vtkiPackAlbedo(vtkiAlbedo);
+#ifdef VTKI_SPECULAR
+      gl_FragData[2] = max(VTKI_SPECULAR, vec4(0.0f));
+#endif
     }
   }

@@ -1,12 +1,13 @@
 //VTK::System::Dec
+#extension GL_ARB_shader_bit_encoding : enable
 //VTK::Output::Dec
 // One channel of the frame as floats, in world units and world coordinates; background 0.
 #include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectLibAlbedo.glsl"
 #include "vtkIndirectLibColor.glsl"
 #include VTKI_GATHER
 
 uniform sampler2D vtkiLit;
-uniform sampler2D vtkiAlbedo;
 #ifdef VTKI_GLOSSY
 uniform sampler2D vtkiSpecular;
 uniform sampler2D vtkiGlossy;
@@ -25,7 +26,7 @@ void main()
   float kind = vtkiSurfaceKind(surface);
   bool lit = kind > 0.5f && kind < 2.5f;
   vec3 direct = texelFetch(vtkiLit, pixel, 0).rgb;
-  vec3 albedo = lit ? texelFetch(vtkiAlbedo, pixel, 0).rgb : vec3(0.0f);
+  vec3 albedo = lit ? vtkiUnpackAlbedo(surface.a) : vec3(0.0f);
   vec3 irradiance =
     lit ? vtkiFetchIrradiance(vec2(pixel) + 0.5f) * vtkiIrradianceUnit : vec3(0.0f);
   vec4 specular = vec4(0.0f);

@@ -1,14 +1,15 @@
 //VTK::System::Dec
+#extension GL_ARB_shader_bit_encoding : enable
 //VTK::Output::Dec
 // Direct light plus albedo times irradiance, and with VTKI_GLOSSY what is reflected specularly.
 // Background is left as it was drawn. VTKI_ENCODED where the scene has physically based materials,
 // whose colours are encoded. VTKI_GATHER names the file that knows where the irradiance is.
 #include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectLibAlbedo.glsl"
 #include "vtkIndirectLibColor.glsl"
 #include VTKI_GATHER
 
 uniform sampler2D vtkiLit;
-uniform sampler2D vtkiAlbedo;
 #ifdef VTKI_GLOSSY
 uniform sampler2D vtkiSpecular;
 uniform sampler2D vtkiGlossy;
@@ -31,14 +32,15 @@ void main()
   // Estimators write zero where nothing is lit.
   if (vtkiIndirectScale > 0.0f)
   {
-    vec3 indirect = textureLod(vtkiAlbedo, pixel, 0.0f).rgb *
+    vec4 surface = textureLod(vtkiSurface, pixel, 0.0f);
+    vec3 indirect = vtkiUnpackAlbedo(surface.a) *
       vtkiFetchIrradiance(position) * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
 #ifdef VTKI_GLOSSY
     indirect += textureLod(vtkiSpecular, pixel, 0.0f).rgb *
       textureLod(vtkiGlossy, pixel, 0.0f).rgb * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
 #endif
 #ifdef VTKI_ENCODED
-    float kind = vtkiSurfaceKind(textureLod(vtkiSurface, pixel, 0.0f));
+    float kind = vtkiSurfaceKind(surface);
     lit.rgb = kind == VTKI_SURFACE_ENCODED ? vtkiEncodeGamma(vtkiDecodeGamma(lit.rgb) + indirect)
                                            : lit.rgb + indirect;
 #else

@@ -21,7 +21,9 @@ vec3 vtkiFetchIrradiance(vec2 position)
   vec3 below = mix(corner.rgb, textureLod(vtkiCoarse, vec2(second.x, first.y), 0.0f).rgb, blend.x);
   vec3 above = mix(textureLod(vtkiCoarse, vec2(first.x, second.y), 0.0f).rgb,
     textureLod(vtkiCoarse, second, 0.0f).rgb, blend.x);
-  vec3 own = textureLod(vtkiIrradiance, position / vec2(vtkiSize), 0.0f).rgb;
+  // Whole cells leave the image alone: a texel of it costs more than the four above, which neighbours share.
+  vec2 at = corner.a == VTKI_CELL_WHOLE ? vec2(0.0f) : position / vec2(vtkiSize);
+  vec3 own = textureLod(vtkiIrradiance, at, 0.0f).rgb;
   return corner.a == VTKI_CELL_WHOLE ? mix(below, above, blend.y)
                                      : (corner.a == VTKI_CELL_EMPTY ? vec3(0.0f) : own);
 }

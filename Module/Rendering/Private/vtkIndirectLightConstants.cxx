@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectLightConstants.h"
+
+#include "vtkIndirectFrame.h"
+
+//------------------------------------------------------------------------------
+bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame)
+{
+  std::vector<Constant> constants;
+  auto add = [&constants](
+               const std::string& type, const std::string& name, int light, const char* value)
+  {
+    const std::string variable = type + " " + name + std::to_string(light);
+    constants.push_back({ "uniform " + variable + ";", "  " + variable + " = " + value + ";\n" });
+  };
+  for (const vtkIndirectLight& light : frame.Lights)
+  {
+    const int n = light.Index;
+    add("int", "lightPositional", n, light.Positional ? "1" : "0");
+    if (!light.Positional)
+    {
+      continue; // it has no cone
+    }
+    if (light.ConeAngle >= 90.0)
+    {
+      add("float", "lightConeAngle", n, "90.0");
+    }
+    else if (light.Exponent == 1.0)
+    {
+      add("float", "lightExponent", n, "1.0");
+    }
+  }
+  const bool changed = constants != this->Constants || frame.Specular != this->Specular;
+  this->Constants = std::move(constants);
+  this->Specular = frame.Specular;
+  return changed;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectLightConstants::GetDeclarations(const std::string& fragmentShader) const
+{
+  std::string text;
+  for (const Constant& constant : this->Constants)
+  {
+    if (fragmentShader.find(constant.Uniform) != std::string::npos)
+    {
+      text += constant.Declaration;
+    }
+  }
+  // A local variable of VTK's already. Where no material of the scene has a lobe, none is
+  // evaluated.
+  if (!this->Specular && fragmentShader.find("vec3 specularColor =") != std::string::npos)
+  {
+    text += "  specularColor = vec3(0.0);\n";
+  }
+  return text;
+}

@@ -1,0 +1,29 @@
+// Diffuse reflectance in the bits of one float, so that a pixel of surface is one texel. Shaders that include
+// this enable GL_ARB_shader_bit_encoding, a part of OpenGL since 3.3 whose functions VTK's GLSL 1.50 lacks.
+#ifndef vtkIndirectLibAlbedo
+#define vtkIndirectLibAlbedo
+#include "vtkIndirectLibPortable.glsl"
+
+/* albedo: clamped to 0 to 1, the physical range. Ten bits a channel hold its square root, which is about as
+ * even to the eye as it is here: off by at most 1 / (1023 sqrt(albedo)) of the albedo, 0.14 % of 0.5. The
+ * thirty bits leave out those of the exponent that would make no number, or one so small that it may be
+ * flushed to zero. */
+float vtkiPackAlbedo(vec3 albedo)
+{
+  uint r = uint(1023.0f * sqrt(min(max(albedo.x, 0.0f), 1.0f)) + 0.5f);
+  uint g = uint(1023.0f * sqrt(min(max(albedo.y, 0.0f), 1.0f)) + 0.5f);
+  uint b = uint(1023.0f * sqrt(min(max(albedo.z, 0.0f), 1.0f)) + 0.5f);
+  // The last bit goes to the sign, above the two of the exponent that are kept at 01.
+  return uintBitsToFloat(r | (g << 10u) | ((b & 511u) << 20u) | (1u << 29u) | ((b & 512u) << 22u));
+}
+
+/* Inverse of vtkiPackAlbedo; 0 of a cleared texel. */
+vec3 vtkiUnpackAlbedo(float code)
+{
+  uint bits = floatBitsToUint(code);
+  vec3 root = vec3(float(bits & 1023u), float((bits >> 10u) & 1023u),
+                float(((bits >> 20u) & 511u) | ((bits >> 22u) & 512u))) *
+    (1.0f / 1023.0f);
+  return root * root;
+}
+#endif
