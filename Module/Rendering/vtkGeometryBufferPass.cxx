@@ -78,6 +78,7 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
 
   this->WithSpecular = capture->GetSpecular();
   this->Target->SetNumberOfChannels(this->WithSpecular ? Specular + 1 : Specular);
+  this->Target->MatchDepth();
   if (!this->Target->Resize(frame.Window, frame.Size[0], frame.Size[1]))
   {
     return false;

@@ -10,7 +10,7 @@
  * channel
  * - geometry.specular, RGBA16F: specular reflectance of Phong's model and the power of its lobe;
  * there only when the capture's Specular is on
- * and a 32-bit float depth texture.
+ * and a depth texture, of the format of the framebuffer that the frame goes to.
  *
  * @sa vtkSurfaceCapturePass vtkIndirectIlluminationPass
  */

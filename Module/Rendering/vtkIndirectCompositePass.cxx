@@ -205,21 +205,35 @@ bool vtkIndirectCompositePass::Composite(const Input& input)
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   const bool encoded = input.Geometry.HasEncoded();
   vtkIndirectKernelProgram& kernel = in.Composite[encoded];
-  vtkShaderProgram* program =
-    Internals::Use(kernel, input, encoded ? "#define VTKI_ENCODED\n" : "");
+  // Where nothing has been drawn before, copying depth is cheaper than testing and writing each
+  // pixel's.
+  const bool copied = input.DepthCleared && input.Geometry.GetTarget().CopyDepth(frame.Origin);
+  vtkShaderProgram* program = Internals::Use(kernel, input,
+    std::string(encoded ? "#define VTKI_ENCODED\n" : "") +
+      (copied ? "#define VTKI_DEPTH_COPIED\n" : ""));
   if (!program)
   {
     return false;
   }
-  // The depth test keeps what an earlier layer has drawn in front.
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDepthMask(GL_TRUE);
+  if (copied)
+  {
+    state->vtkglDisable(GL_DEPTH_TEST);
+  }
+  else
+  {
+    // The depth test keeps what an earlier layer has drawn in front.
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    state->vtkglDepthMask(GL_TRUE);
+  }
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   state->vtkglViewport(frame.Origin[0], frame.Origin[1], frame.Size[0], frame.Size[1]);
   Internals::ActivateFrame(program, input);
-  input.Geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
+  if (!copied)
+  {
+    input.Geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
+  }
   program->SetUniform2i("vtkiOrigin", frame.Origin);
   kernel.Draw();
   Internals::DeactivateFrame(input);

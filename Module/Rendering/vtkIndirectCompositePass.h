@@ -49,6 +49,7 @@ public:
     vtkReflectiveShadowMapPass* Maps;    // null without maps
     vtkIndirectEstimatorPass* Estimator; // of the irradiance; null for none
     double IndirectScale;
+    bool DepthCleared; // of the framebuffer that is bound: nothing is drawn there yet
   };
 
   /** Index of a channel of the frame, or -1. */

@@ -64,6 +64,7 @@ struct vtkIndirectIlluminationPass::Internals
   // What made its irradiance: its buffers stay readable when the pass is given others.
   vtkSmartPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkVirtualLightSampler> Sampler;
+  bool DepthCleared = false; // of what the frame is drawn into
   std::string WhyDelegate = "no frame has been rendered yet";
   vtkIndirectStageTimer Timer;
 
@@ -76,7 +77,8 @@ struct vtkIndirectIlluminationPass::Internals
   vtkIndirectCompositePass::Input MakeCompositeInput(vtkIndirectIlluminationPass* self) const
   {
     return { this->Frame, *this->Geometry, this->EyeIsMap ? nullptr : self->ReflectiveShadowMaps,
-      this->HasIrradiance ? this->Estimator.Get() : nullptr, self->IndirectScale };
+      this->HasIrradiance ? this->Estimator.Get() : nullptr, self->IndirectScale,
+      this->DepthCleared };
   }
 
   // Releases everything when the window's context ends or the pass moves to another window: VTK
@@ -224,7 +226,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
 
   in.Timer.BeginFrame();
-  in.View.Begin(s);
+  in.DepthCleared = in.View.Begin(s);
 
   in.Frame = vtkIndirectFrame();
   in.Renderer = renderer;

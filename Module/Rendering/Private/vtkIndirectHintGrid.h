@@ -122,8 +122,8 @@ private:
 
   Settings Current;
   const vtkIndirectOccupancyVolume* Volume = nullptr;
-  std::vector<int> First;           // hint of each grid
-  std::vector<glm::vec4> Hints;     // position (scene units), 1 active or 0
+  std::vector<int> First;       // hint of each grid
+  std::vector<glm::vec4> Hints; // position (scene units), 1 active or 0
   // Two a voxel: free, one a grid; occupied, 16 bits of vtkiPackPlane.
   std::vector<unsigned char> Masks;
   glm::ivec3 MaskSize{ 0 };

@@ -39,6 +39,41 @@ const Format& FindFormat(unsigned int internalFormat)
   }
   return Formats[0];
 }
+
+// vtkTextureObject's name for the depth format of the framebuffer that is bound for drawing; -1
+// when that has none, has samples or stencil, or is the window's own.
+int FindBoundDepthFormat()
+{
+  GLint name = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name);
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  auto get = [](GLenum attachment, GLenum parameter)
+  {
+    GLint value = GL_NONE;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, parameter, &value);
+    return value;
+  };
+  const GLenum type = GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE;
+  if (name == 0 || samples > 0 || get(GL_DEPTH_ATTACHMENT, type) == GL_NONE ||
+    get(GL_STENCIL_ATTACHMENT, type) != GL_NONE)
+  {
+    return -1;
+  }
+  const bool isFloat =
+    get(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+  switch (get(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE))
+  {
+    case 16:
+      return vtkTextureObject::Fixed16;
+    case 24:
+      return vtkTextureObject::Fixed24;
+    case 32:
+      return isFloat ? vtkTextureObject::Float32 : vtkTextureObject::Fixed32;
+    default:
+      return -1;
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -59,7 +94,11 @@ bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int hei
   {
     ++channels;
   }
-  if (this->Framebuffer && channels != this->Textures.size())
+  const int depthFormat = this->DepthFormat >= 0
+    ? this->DepthFormat
+    : (this->DepthBits == 16 ? vtkTextureObject::Fixed16 : vtkTextureObject::Float32);
+  const bool otherDepth = this->Depth && depthFormat != this->AllocatedDepth;
+  if (this->Framebuffer && (channels != this->Textures.size() || otherDepth))
   {
     this->Release(this->Window);
   }
@@ -102,8 +141,8 @@ bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int hei
       this->Depth->SetContext(window);
       this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
       this->Depth->SetMagnificationFilter(vtkTextureObject::Nearest);
-      this->Depth->AllocateDepth(width, height,
-        this->DepthBits == 16 ? vtkTextureObject::Fixed16 : vtkTextureObject::Float32);
+      this->Depth->AllocateDepth(width, height, depthFormat);
+      this->AllocatedDepth = depthFormat;
     }
   }
   else
@@ -142,6 +181,32 @@ bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int hei
     this->Release(window);
   }
   return complete;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::MatchDepth()
+{
+  const int format = FindBoundDepthFormat();
+  this->DepthRefused = this->DepthRefused && format == this->DepthFormat;
+  this->DepthFormat = format;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectTarget::CopyDepth(const int origin[2]) const
+{
+  if (this->DepthFormat < 0 || this->DepthRefused)
+  {
+    return false;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushReadFramebufferBinding();
+  this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
+  state->vtkglBlitFramebuffer(0, 0, this->Width, this->Height, origin[0], origin[1],
+    origin[0] + this->Width, origin[1] + this->Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  state->PopReadFramebufferBinding();
+  // A driver may tell the size of what it holds rather than the name of the format.
+  this->DepthRefused = glGetError() != GL_NO_ERROR;
+  return !this->DepthRefused;
 }
 
 //------------------------------------------------------------------------------

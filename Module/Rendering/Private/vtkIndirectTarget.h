@@ -37,6 +37,17 @@ public:
    */
   void ShareDepth(const vtkIndirectTarget& other) { this->Shared = &other; }
 
+  /**
+   * Takes the depth format of the framebuffer that is bound for drawing, so that CopyDepth can copy
+   * to it, or else 32-bit floats; before Resize.
+   */
+  void MatchDepth();
+  /**
+   * Copies depth to the framebuffer that is bound for drawing, whose size it has from `origin` on.
+   * Returns false when the formats differ or either has samples; nothing is drawn then.
+   */
+  bool CopyDepth(const int origin[2]) const;
+
   /** Binds for drawing to all channels with the viewport over the whole target. Pair with End. */
   void Begin();
   void End();
@@ -75,6 +86,9 @@ private:
   const vtkIndirectChannel* Channels;
   bool WithDepth;
   int DepthBits;
+  int DepthFormat = -1; // of vtkTextureObject, to be matched; -1: by DepthBits, nothing to match
+  int AllocatedDepth = -1;
+  mutable bool DepthRefused = false; // OpenGL has refused to copy this format
   size_t Limit = static_cast<size_t>(-1);
   const vtkIndirectTarget* Shared = nullptr;
   vtkTextureObject* SharedDepth = nullptr; // as attached

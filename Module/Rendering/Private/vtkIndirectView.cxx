@@ -18,7 +18,7 @@ vtkIndirectView::vtkIndirectView() = default;
 vtkIndirectView::~vtkIndirectView() = default;
 
 //------------------------------------------------------------------------------
-void vtkIndirectView::Begin(const vtkRenderState* s)
+bool vtkIndirectView::Begin(const vtkRenderState* s)
 {
   vtkRenderer* renderer = s->GetRenderer();
   if (!renderer->IsActiveCameraCreated())
@@ -41,11 +41,13 @@ void vtkIndirectView::Begin(const vtkRenderState* s)
   state->vtkglViewport(origin[0], origin[1], size[0], size[1]);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(origin[0], origin[1], size[0], size[1]);
-  if (window->GetErase() && renderer->GetErase())
+  const bool erased = window->GetErase() && renderer->GetErase();
+  if (erased)
   {
     renderer->Clear();
   }
   this->Lights->Render(s);
+  return erased && !renderer->GetPreserveDepthBuffer();
 }
 
 //------------------------------------------------------------------------------

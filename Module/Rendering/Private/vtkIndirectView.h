@@ -17,8 +17,11 @@ public:
   vtkIndirectView();
   ~vtkIndirectView();
 
-  /** Viewport, scissor, background (as vtkCameraPass) and the lights (as vtkLightsPass). */
-  void Begin(const vtkRenderState* s);
+  /**
+   * Viewport, scissor, background (as vtkCameraPass) and the lights (as vtkLightsPass). Returns
+   * whether the viewport's depth has been cleared.
+   */
+  bool Begin(const vtkRenderState* s);
 
   /**
    * Translucent props, FXAA when the renderer asks for it, volumes and overlays, as

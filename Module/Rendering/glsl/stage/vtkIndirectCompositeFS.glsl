@@ -2,7 +2,7 @@
 #extension GL_ARB_shader_bit_encoding : enable
 //VTK::Output::Dec
 // Direct light plus albedo times irradiance, and with VTKI_GLOSSY what is reflected specularly.
-// Background is left as it was drawn. VTKI_ENCODED where the scene has physically based materials,
+// Background is left as it was drawn. Depth comes too, unless with VTKI_DEPTH_COPIED it is there. VTKI_ENCODED where the scene has physically based materials,
 // whose colours are encoded. VTKI_GATHER names the file that knows where the irradiance is.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibAlbedo.glsl"
@@ -14,7 +14,9 @@ uniform sampler2D vtkiLit;
 uniform sampler2D vtkiSpecular;
 uniform sampler2D vtkiGlossy;
 #endif
+#ifndef VTKI_DEPTH_COPIED
 uniform sampler2D vtkiDepth;
+#endif
 uniform ivec2 vtkiOrigin;
 uniform float vtkiIndirectScale;
 uniform float vtkiIrradianceUnit;
@@ -23,9 +25,13 @@ void main()
 {
   vec2 position = gl_FragCoord.xy - vec2(vtkiOrigin);
   vec2 pixel = position / vec2(vtkiSize);
-  float depth = textureLod(vtkiDepth, pixel, 0.0f).r;
   vec4 lit = textureLod(vtkiLit, pixel, 0.0f);
-  if (depth >= 1.0f && lit.a <= 0.0f)
+  bool drawn = lit.a > 0.0f;
+#ifndef VTKI_DEPTH_COPIED
+  float depth = textureLod(vtkiDepth, pixel, 0.0f).r;
+  drawn = drawn || depth < 1.0f;
+#endif
+  if (!drawn)
   {
     discard;
   }
@@ -48,5 +54,7 @@ void main()
 #endif
   }
   gl_FragData[0] = lit;
+#ifndef VTKI_DEPTH_COPIED
   gl_FragDepth = depth;
+#endif
 }
