@@ -26,6 +26,7 @@
 struct vtkIndirectFrame;
 class vtkIndirectKernelProgram;
 class vtkIndirectTarget;
+class vtkOpenGLState;
 class vtkReflectiveShadowMapPass;
 class vtkSurfaceCapturePass;
 
@@ -81,6 +82,8 @@ protected:
 private:
   vtkGeometryBufferPass(const vtkGeometryBufferPass&) = delete;
   void operator=(const vtkGeometryBufferPass&) = delete;
+
+  void ClearBackground(vtkOpenGLState* state);
 
   std::unique_ptr<vtkIndirectTarget> Target;
   std::unique_ptr<vtkIndirectKernelProgram> ClearKernel;

@@ -282,6 +282,8 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
 
   this->SurfaceCapture->SetDelegatePass(
     this->DelegatePass ? this->DelegatePass : in.DefaultDelegate.Get());
+  // What somebody else's pass draws is not known.
+  frame.Solid = frame.Solid && !this->DelegatePass;
   this->SurfaceCapture->SetShadows(this->Shadows && !in.EyeIsMap);
   this->SurfaceCapture->SetSpecular(this->IndirectScale > 0.0 && in.Estimator->WantsGlossy(frame));
   this->SurfaceCapture->Attach(frame);

@@ -7,18 +7,22 @@
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
 
 #include <cmath>
+#include <cstring>
 
 namespace
 {
@@ -42,6 +46,26 @@ bool IsDrawnAsPoints(vtkProp* prop)
   return actor &&
     (actor->GetProperty()->GetRepresentation() == VTK_POINTS ||
       actor->GetProperty()->GetRenderPointsAsSpheres());
+}
+
+// Whether a prop is drawn by VTK's own polygons with alpha 1 wherever it draws: no texture, which
+// has soft edges, no shader text or pass of somebody else's, and nothing that is forced to be
+// opaque.
+bool IsSolid(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  if (!mapper || std::strcmp(actor->GetClassName(), "vtkOpenGLActor") != 0 ||
+    std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
+  {
+    return false;
+  }
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return !actor->GetTexture() && actor->GetProperty()->GetNumberOfTextures() == 0 &&
+    !actor->GetForceOpaque() &&
+    !actor->GetPropertyKeys()->Has(vtkOpenGLRenderPass::RenderPasses()) &&
+    shaders->GetNumberOfShaderReplacements() == 0 && !shaders->HasVertexShaderCode() &&
+    !shaders->HasFragmentShaderCode() && !shaders->HasGeometryShaderCode();
 }
 
 // VTK lights all of its interpolations but PBR by Phong's model.
@@ -133,6 +157,8 @@ bool vtkIndirectFrame::Build(const vtkRenderState* state, std::string& why)
 void vtkIndirectFrame::CollectProps()
 {
   vtkBoundingBox box;
+  this->Solid = !this->Window->GetPointSmoothing() && !this->Window->GetLineSmoothing() &&
+    !this->Window->GetPolygonSmoothing();
   vtkPropCollection* props = this->Renderer->GetViewProps();
   vtkCollectionSimpleIterator it;
   props->InitTraversal(it);
@@ -150,6 +176,7 @@ void vtkIndirectFrame::CollectProps()
       prop->SetPropertyKeys(keys);
     }
     this->Props.push_back(prop);
+    this->Solid = this->Solid && (!prop->HasOpaqueGeometry() || IsSolid(prop));
     this->Specular = this->Specular || (IsSpecular(prop) && prop->HasOpaqueGeometry());
     if (!prop->GetUseBounds() || !prop->HasOpaqueGeometry())
     {

@@ -57,6 +57,7 @@ struct vtkIndirectFrame
 
   std::vector<vtkProp*> Props; // all visible ones
   bool Specular = false;       // whether a lit opaque prop reflects specularly, by Phong's model
+  bool Solid = false;          // whether whatever an opaque prop draws hides all that is behind it
   std::vector<vtkIndirectCaster> Casters;
   std::vector<vtkIndirectLight> Lights;
   /** Props and lights that take no part, and why. */
