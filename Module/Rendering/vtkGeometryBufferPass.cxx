@@ -120,6 +120,10 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   // VTK draws opaque props blended too: textures and point sprites have soft edges. Only colour is
   // mixed: the other channels' alphas hold bits and powers.
   state->vtkglEnable(GL_BLEND);
+  if (frame.Solid)
+  {
+    glDisablei(GL_BLEND, Lit);
+  }
   glDisablei(GL_BLEND, Surface);
   if (this->WithSpecular)
   {
@@ -143,6 +147,7 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   {
     this->ClearBackground(state);
   }
+  glEnablei(GL_BLEND, Lit);
   glEnablei(GL_BLEND, Surface);
   if (this->WithSpecular)
   {

@@ -4,7 +4,8 @@
  * @brief Receivers: what the eye sees, as VTK shades it, with the surfaces it is made of
  *
  * Textures of the size of the viewport, read by the stages that follow:
- * - geometry.lit, RGBA32F: VTK's own shading, each light times its visibility, premultiplied alpha
+ * - geometry.lit, RGBA32F: VTK's own shading, each light times its visibility, premultiplied alpha;
+ * where all that is drawn is solid, the bits of the albedo in place of alpha
  * - geometry.surface, RGBA32F: octahedral normal (view coordinates) with the kind of shading,
  * linear depth in scene units, and the bits of the albedo (of PBR times 1 - metallic), ten a
  * channel

@@ -210,7 +210,7 @@ bool vtkIndirectCompositePass::Composite(const Input& input)
   const bool copied = input.DepthCleared && input.Geometry.GetTarget().CopyDepth(frame.Origin);
   vtkShaderProgram* program = Internals::Use(kernel, input,
     std::string(encoded ? "#define VTKI_ENCODED\n" : "") +
-      (copied ? "#define VTKI_DEPTH_COPIED\n" : ""));
+      (copied ? "#define VTKI_DEPTH_COPIED\n" : "") + (frame.Solid ? "#define VTKI_SOLID\n" : ""));
   if (!program)
   {
     return false;

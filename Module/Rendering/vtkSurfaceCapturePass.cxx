@@ -44,6 +44,7 @@ struct vtkSurfaceCapturePass::Internals
 
   // Uniforms of the current stage.
   int Stage = 0;
+  bool Solid = false;
   float SceneScale = 1.0f;
   float Magnitude = 0.0f;
   float DepthRange[3] = { 0.0f, 1.0f, 0.0f };
@@ -196,6 +197,7 @@ void vtkSurfaceCapturePass::BeginEye(
 {
   Internals& in = *this->Internal;
   in.Stage = 0;
+  in.Solid = frame.Solid;
   in.Encoded = false;
   in.SceneScale = static_cast<float>(frame.SceneScale);
   in.StageIsParallel = frame.Parallel ? 1 : 0;
@@ -442,6 +444,7 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
     return true;
   }
   program->SetUniformi("vtkiStage", in.Stage);
+  program->SetUniformi("vtkiSolid", in.Stage == 0 && in.Solid ? 1 : 0);
   program->SetUniformf("vtkiSceneScale", in.SceneScale);
   program->SetUniform3f("vtkiDepthRange", in.DepthRange);
   if (program->IsUniformUsed("vtkiMagnitude"))
@@ -476,6 +479,10 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   {
     // Albedo and power are in alpha: whatever has switched blending since the stage began must not
     // mix them.
+    if (in.Solid)
+    {
+      glDisablei(GL_BLEND, vtkGeometryBufferPass::Lit);
+    }
     glDisablei(GL_BLEND, vtkGeometryBufferPass::Surface);
     if (this->Specular)
     {

@@ -125,8 +125,9 @@ VTK_INDIRECT_TEST(Oracle)
     const Image all = scene.Copy("glossy");
     scene.Gather->InterpolationOn();
     scene.Render();
-    CheckEqual(
-      what + "interpolation changes the lobes by", Difference(scene.Copy("glossy"), all), 0.0);
+    CheckAtMost(what + "interpolation changes the lobes by", Difference(scene.Copy("glossy"), all),
+      1e-36,
+      "terms below 1.2e-38, the least normal float: not all threads that draw flush them to zero");
   }
 }
 

@@ -2,8 +2,10 @@
 #extension GL_ARB_shader_bit_encoding : enable
 //VTK::Output::Dec
 // Direct light plus albedo times irradiance, and with VTKI_GLOSSY what is reflected specularly.
-// Background is left as it was drawn. Depth comes too, unless with VTKI_DEPTH_COPIED it is there. VTKI_ENCODED where the scene has physically based materials,
-// whose colours are encoded. VTKI_GATHER names the file that knows where the irradiance is.
+// Background is left as it was drawn. Depth comes too, unless with VTKI_DEPTH_COPIED it is there already.
+// VTKI_SOLID where the lit image has the albedo in place of alpha, VTKI_ENCODED where the scene has
+// physically based materials, whose colours are encoded. VTKI_GATHER names the file that knows where the
+// irradiance is.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibAlbedo.glsl"
 #include "vtkIndirectLibColor.glsl"
@@ -26,7 +28,17 @@ void main()
   vec2 position = gl_FragCoord.xy - vec2(vtkiOrigin);
   vec2 pixel = position / vec2(vtkiSize);
   vec4 lit = textureLod(vtkiLit, pixel, 0.0f);
+#if defined(VTKI_ENCODED) || !defined(VTKI_SOLID)
+  vec4 surface = textureLod(vtkiSurface, pixel, 0.0f);
+#endif
+#ifdef VTKI_SOLID
+  bool drawn = lit.a != 0.0f;
+  vec3 albedo = vtkiUnpackAlbedo(lit.a);
+  lit.a = 1.0f;
+#else
   bool drawn = lit.a > 0.0f;
+  vec3 albedo = vtkiUnpackAlbedo(surface.a);
+#endif
 #ifndef VTKI_DEPTH_COPIED
   float depth = textureLod(vtkiDepth, pixel, 0.0f).r;
   drawn = drawn || depth < 1.0f;
@@ -38,8 +50,7 @@ void main()
   // Estimators write zero where nothing is lit.
   if (vtkiIndirectScale > 0.0f)
   {
-    vec4 surface = textureLod(vtkiSurface, pixel, 0.0f);
-    vec3 indirect = vtkiUnpackAlbedo(surface.a) *
+    vec3 indirect = albedo *
       vtkiFetchIrradiance(position) * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
 #ifdef VTKI_GLOSSY
     indirect += textureLod(vtkiSpecular, pixel, 0.0f).rgb *
