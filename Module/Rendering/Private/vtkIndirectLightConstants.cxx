@@ -19,11 +19,7 @@ bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame)
     add("int", "lightPositional", n, light.Positional ? "1" : "0");
     if (!light.Positional)
     {
-      continue; // it has no cone, and nothing attenuates it
-    }
-    if (light.Attenuation == glm::dvec3(1.0, 0.0, 0.0))
-    {
-      add("vec3", "lightAttenuation", n, "vec3(1.0, 0.0, 0.0)");
+      continue; // it has no cone
     }
     if (light.ConeAngle >= 90.0)
     {

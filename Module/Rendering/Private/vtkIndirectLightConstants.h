@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What of VTK's lighting is the same at every pixel of a frame, as shader text: a compiler leaves
-// out what it makes needless. A processor without branches evaluates every cone, power and
-// attenuation of VTK's light code at every pixel, whatever the lights and materials are: with one
-// lamp and no specular material, a quarter of what an opaque pixel takes.
+// out what it makes needless. A processor without branches evaluates every cone and power of VTK's
+// light code at every pixel, whatever the lights and materials are: with one lamp and no specular
+// material, a quarter of what an opaque pixel takes.
 #ifndef vtkIndirectLightConstants_h
 #define vtkIndirectLightConstants_h
 
@@ -16,8 +16,8 @@ class vtkIndirectLightConstants
 public:
   /**
    * Reads the frame's lights and materials. Returns whether a text has changed since the last call:
-   * shaders that have it must be built anew. A light that moves, turns or changes its colour
-   * or cone changes none, nor does one that goes on being attenuated.
+   * shaders that have it must be built anew. A light that moves, turns or changes its colour,
+   * attenuation or cone changes none.
    */
   bool Update(const vtkIndirectFrame& frame);
 
