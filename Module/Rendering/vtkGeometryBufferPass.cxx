@@ -30,13 +30,6 @@ const vtkIndirectChannel Channels[] = {
     "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-
-// Whether depths tell surfaces from the background: far ones round to that of the clear when the
-// eye is too near, as a depth of 24 bits sees it.
-bool IsFarResolved(const vtkIndirectFrame& frame)
-{
-  return frame.Parallel || frame.Far < 1e4 * frame.Near;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -106,10 +99,6 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   }
   this->Target->Begin();
   this->Target->ClearDepth();
-  // Pixels that will be drawn owe nothing to what was there: only the others are cleared,
-  // afterwards.
-  const bool clearFirst = !frame.Solid || !IsFarResolved(frame);
-  if (clearFirst)
   {
     vtkIndirectKernelState kernelState(frame.Window);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -143,10 +132,6 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
     shadows->Deactivate();
   }
   this->NumberOfRenderedProps = capture->GetNumberOfRenderedProps();
-  if (!clearFirst && this->ClearKernel->Use(frame.Window))
-  {
-    this->ClearBackground(state);
-  }
   glEnablei(GL_BLEND, Lit);
   glEnablei(GL_BLEND, Surface);
   if (this->WithSpecular)
@@ -155,23 +140,6 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   }
   this->Target->End();
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkGeometryBufferPass::ClearBackground(vtkOpenGLState* state)
-{
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDepthMask(GL_FALSE);
-  // Where depth is still that of the clear. VTK's state does not know the range, and has the
-  // default.
-  glDepthRange(1.0, 1.0);
-  this->ClearKernel->Draw();
-  glDepthRange(0.0, 1.0);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglEnable(GL_BLEND);
 }
 
 //------------------------------------------------------------------------------

@@ -27,7 +27,6 @@
 struct vtkIndirectFrame;
 class vtkIndirectKernelProgram;
 class vtkIndirectTarget;
-class vtkOpenGLState;
 class vtkReflectiveShadowMapPass;
 class vtkSurfaceCapturePass;
 
@@ -83,8 +82,6 @@ protected:
 private:
   vtkGeometryBufferPass(const vtkGeometryBufferPass&) = delete;
   void operator=(const vtkGeometryBufferPass&) = delete;
-
-  void ClearBackground(vtkOpenGLState* state);
 
   std::unique_ptr<vtkIndirectTarget> Target;
   std::unique_ptr<vtkIndirectKernelProgram> ClearKernel;

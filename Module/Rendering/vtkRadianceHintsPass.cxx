@@ -367,8 +367,9 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   const bool kept = in.CoarseValid && in.Coarse[in.CoarseNow].GetWidth() == width &&
     in.Coarse[in.CoarseNow].GetHeight() == height;
   const int next = smooth ? 1 - in.CoarseNow : 0;
-  vtkShaderProgram* program =
-    in.LookUpKernel.UseFor(frame.Window, in.Fields.GetLayout(), in.Blocked);
+  const bool mix = smooth && kept;
+  vtkShaderProgram* program = in.LookUpKernel.UseFor(
+    frame.Window, in.Fields.GetLayout(), in.Blocked, mix ? "#define VTKI_KEEP\n" : "");
   if (!program || !in.Coarse[next].Resize(frame.Window, width, height))
   {
     return false;
@@ -379,10 +380,9 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   in.Coarse[next].Begin();
   in.ActivateLookup(program, input);
   this->SetInterpolationUniforms(program);
-  const bool mix = smooth && kept;
-  program->SetUniformf("vtkiKeep", mix ? static_cast<float>(this->TemporalSmoothing) : 0.0f);
   if (mix)
   {
+    program->SetUniformf("vtkiKeep", static_cast<float>(this->TemporalSmoothing));
     in.Coarse[in.CoarseNow].Activate(0, program, "vtkiLast");
   }
   in.LookUpKernel.Draw();

@@ -65,9 +65,9 @@ std::string vtkIndirectHintKernel::GetDefinitions(int layout, bool occupancy)
 
 //------------------------------------------------------------------------------
 vtkShaderProgram* vtkIndirectHintKernel::UseFor(
-  vtkOpenGLRenderWindow* window, int layout, bool occupancy)
+  vtkOpenGLRenderWindow* window, int layout, bool occupancy, const std::string& definitions)
 {
-  this->SetDefinitions(GetDefinitions(layout, occupancy));
+  this->SetDefinitions(GetDefinitions(layout, occupancy) + definitions);
   return this->Use(window);
 }
 

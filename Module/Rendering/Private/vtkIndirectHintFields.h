@@ -24,7 +24,8 @@ public:
   }
   /** What their texts begin with. */
   static std::string GetDefinitions(int layout, bool occupancy);
-  vtkShaderProgram* UseFor(vtkOpenGLRenderWindow* window, int layout, bool occupancy);
+  vtkShaderProgram* UseFor(
+    vtkOpenGLRenderWindow* window, int layout, bool occupancy, const std::string& definitions = "");
 };
 
 class vtkIndirectHintFields

@@ -1,12 +1,14 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Irradiance from the hints at every vtkiStep-th pixel, mixed with that of the last frame, and what the
-// cell of pixels beyond it holds.
+// Irradiance from the hints at every vtkiStep-th pixel, with VTKI_KEEP mixed with that of the last frame,
+// and what the cell of pixels beyond it holds.
 #include "vtkIndirectHintCell.glsl"
 #include "vtkIndirectHintLookup.glsl"
 
+#ifdef VTKI_KEEP
 uniform float vtkiKeep; // share of the last frame
 uniform sampler2D vtkiLast;
+#endif
 
 void main()
 {
@@ -15,8 +17,10 @@ void main()
   vtkiReceiver receiver;
   bool lit = vtkiFetchReceiver(pixel, receiver);
   vec3 e = max(vtkiHintIrradiance(receiver.position, receiver.normal, coarse, lit), vec3(0.0f));
+#ifdef VTKI_KEEP
   vec4 last = texelFetch(vtkiLast, coarse, 0);
-  float keep = last.a > 0.5f ? vtkiKeep : 0.0f;
-  gl_FragData[0] = vec4(lit ? (keep > 0.0f ? mix(e, last.rgb, keep) : e) : vec3(0.0f),
+  e = last.a > 0.5f ? mix(e, last.rgb, vtkiKeep) : e;
+#endif
+  gl_FragData[0] = vec4(lit ? e : vec3(0.0f),
     vtkiCellState(coarse * vtkiStep, receiver, lit));
 }

@@ -28,7 +28,7 @@ void vtkiFindOpen(vec3 place, vec3 normal, out vec3 open, out vec3 aside)
     for (int k = 0; k < VTKI_ASIDE_STEPS && more; ++k)
     {
       ivec3 voxel = clamp(ivec3(floor(open)), ivec3(0), ivec3(vtkiOccupancySize) - 1);
-      ivec2 bytes = ivec2(texelFetch(vtkiMasks, voxel, 0).rg * 255.0f + 0.5f);
+      ivec2 bytes = ivec2(textureLod(vtkiMasks, (vec3(voxel) + 0.5f) / vtkiOccupancySize, 0.0f).rg * 255.0f + 0.5f);
       vec4 plane = vtkiUnpackPlane(bytes.x | (bytes.y << 8));
       more = plane.xyz != vec3(0.0f);
       open = more ? vtkiLeavePlane(open, plane) : open;
@@ -63,7 +63,7 @@ void vtkiAddLookup(
   // The mask is of the voxel's centre, and so are the hints that it names.
   vec3 centre = (vec3(voxel) + 0.5f) / vtkiOccupancyOrigin.w + vtkiOccupancyOrigin.xyz;
   base = floor((centre - lower) / cell - 0.5f);
-  vec2 masks = texelFetch(vtkiMasks, voxel, 0).rg;
+  vec2 masks = textureLod(vtkiMasks, (vec3(voxel) + 0.5f) / vtkiOccupancySize, 0.0f).rg;
   mask = seen ? int((grid == 0 ? masks.x : masks.y) * 255.0f + 0.5f) : 255;
 #endif
   vec3 blend = clamp(inGrid - base, 0.0f, 1.0f);

@@ -10,10 +10,16 @@ vec3 vtkiToVoxels(vec3 position)
   return (position - vtkiOccupancyOrigin.xyz) * vtkiOccupancyOrigin.w;
 }
 
+// A look-up at a texel's centre is exact, and in software faster than a fetch.
+uvec4 vtkiFetchColumn(ivec2 at)
+{
+  return textureLod(vtkiOccupancy, (vec2(at) + 0.5f) / vtkiOccupancySize.xy, 0.0f);
+}
+
 bool vtkiIsOccupied(ivec3 voxel)
 {
   ivec2 at = clamp(voxel.xy, ivec2(0), ivec2(vtkiOccupancySize.xy) - 1);
-  return vtkiAnyBit(texelFetch(vtkiOccupancy, at, 0), vtkiBitRange(voxel.z, voxel.z)) &&
+  return vtkiAnyBit(vtkiFetchColumn(at), vtkiBitRange(voxel.z, voxel.z)) &&
     voxel.xy == at;
 }
 
@@ -27,7 +33,7 @@ bool vtkiIsFree(vec3 start, vec3 end, bool test)
   for (int i = 0; i <= count; ++i)
   {
     ivec2 at = clamp(walk.column, ivec2(0), ivec2(vtkiOccupancySize.xy) - 1);
-    if (walk.column == at && vtkiAnyBit(texelFetch(vtkiOccupancy, at, 0), vtkiWalkBits(walk)))
+    if (walk.column == at && vtkiAnyBit(vtkiFetchColumn(at), vtkiWalkBits(walk)))
     {
       free = false;
       break;
