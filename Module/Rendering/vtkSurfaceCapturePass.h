@@ -62,7 +62,7 @@ public:
   /**
    * How often VTK asked for a shader source since construction. A frame in which only lights, the
    * camera or float properties changed asks for none, but for a light that becomes or ceases to be
-   * positional, a cone or attenuated, and the scene's first or last specular material.
+   * positional, a cone or of exponent 0 or 1, and the scene's first or last specular material.
    */
   vtkGetMacro(NumberOfShaderBuilds, vtkIdType);
 

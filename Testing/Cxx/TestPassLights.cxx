@@ -167,6 +167,7 @@ CONTRACT_TEST(LightSettings)
     const std::pair<const char*, std::function<void()>> changes[] = {
       { "as made", [] {} },
       { "exponent 8", [&] { spot->SetExponent(8.0); } },
+      { "exponent 0", [&] { spot->SetExponent(0.0); } },
       { "exponent 1", [&] { spot->SetExponent(1.0); } },
       { "narrow cone", [&] { spot->SetConeAngle(12.0); } },
       { "no cone", [&] { spot->SetConeAngle(90.0); } },

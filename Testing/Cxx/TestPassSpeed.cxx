@@ -134,6 +134,7 @@ CONTRACT_TEST(WorkChanges)
   vtkRenderer* renderer = scene.Window.Renderer;
   vtkCamera* camera = renderer->GetActiveCamera();
   auto spot = scene.AddLight(LightKind::Spot, { 0.5, 0.95, 0.5 });
+  spot->SetExponent(3.0);
   auto sun = scene.AddLight(LightKind::Directional, { 1.0, 2.0, 3.0 });
   auto bulb = scene.AddLight(LightKind::Point, { 0.5, 0.9, 0.6 });
   scene.Frame();
@@ -157,6 +158,12 @@ CONTRACT_TEST(WorkChanges)
   // Maps hold what surfaces reflect; strength and falloff are multiplied when they are sampled.
   spot->SetExponent(2.0);
   CheckWork(scene.Frame(), 0, 1, "exponent");
+  // Exponents of 0 and 1 need no power; with them light code is another source.
+  spot->SetExponent(1.0);
+  const Scene::Work linear = scene.Frame();
+  CONTRACT_CHECK(linear.Faces == 0 && linear.Estimates == 1 && linear.Builds > 0,
+    "exponent 1: " << linear.Faces << " faces, " << linear.Estimates << " estimates, "
+                   << linear.Builds << " sources");
   bulb->SetAttenuationValues(1, 0, 0.5);
   CheckWork(scene.Frame(), 0, 1, "attenuation");
 

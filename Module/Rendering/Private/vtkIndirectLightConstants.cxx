@@ -25,9 +25,9 @@ bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame)
     {
       add("float", "lightConeAngle", n, "90.0");
     }
-    else if (light.Exponent == 1.0)
+    else if (light.Exponent == 0.0 || light.Exponent == 1.0)
     {
-      add("float", "lightExponent", n, "1.0");
+      add("float", "lightExponent", n, light.Exponent == 0.0 ? "0.0" : "1.0");
     }
   }
   const bool changed = constants != this->Constants || frame.Specular != this->Specular;
