@@ -49,8 +49,7 @@ struct vtkSurfaceCapturePass::Internals
   float Magnitude = 0.0f;
   float DepthRange[3] = { 0.0f, 1.0f, 0.0f };
   int StageIsParallel = 0;
-  bool ShadowFaces = true; // whether a light may have a map of several faces
-  bool Encoded = false;    // whether the stage has drawn encoded colours
+  bool Encoded = false; // whether the stage has drawn encoded colours
   std::vector<glm::mat4> ViewToLight;
   std::vector<glm::vec4> ShadowMap;
   std::vector<glm::vec4> ShadowDepth;
@@ -142,15 +141,7 @@ void vtkSurfaceCapturePass::SetSpecular(bool specular)
 void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
 {
   this->Detach();
-  // Where no light can have several, choosing among faces at every pixel is a quarter of a look-up.
-  const bool faces =
-    std::any_of(frame.Lights.begin(), frame.Lights.end(), vtkIndirectLightMap::MayHaveFaces);
-  if (this->Shadows && faces != this->Internal->ShadowFaces)
-  {
-    this->Internal->ShadowFaces = faces;
-    this->SourceTime.Modified();
-  }
-  if (this->Internal->LightConstants.Update(frame))
+  if (this->Internal->LightConstants.Update(frame, this->Shadows))
   {
     this->SourceTime.Modified();
   }
@@ -361,6 +352,7 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
     if (lit && this->Shadows)
     {
       visibility += "  vec3 lightColor" + n + " = lightColor" + n + " * vtkiVisibility(" + n +
+        ", " + std::to_string(this->Internal->LightConstants.GetProjection(lights)) +
         ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC);\n";
     }
   }
@@ -378,7 +370,6 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
 
   std::string declarations = "#define VTKI_LIGHT_COUNT " + std::to_string(std::max(lights, 1)) +
     (this->Shadows ? "\n#define VTKI_SHADOWS\n" : "\n") +
-    (this->Internal->ShadowFaces ? "#define VTKI_SHADOW_FACES\n" : "") +
     vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureDecFS.glsl");
   if (!Contains(fragmentShader, "uniform int vtkiParallel"))
   {

@@ -2,11 +2,13 @@
 #include "vtkIndirectLightConstants.h"
 
 #include "vtkIndirectFrame.h"
+#include "vtkIndirectLightMap.h"
 
 //------------------------------------------------------------------------------
-bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame)
+bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame, bool shadows)
 {
   std::vector<Constant> constants;
+  std::vector<int> projections;
   auto add = [&constants](
                const std::string& type, const std::string& name, int light, const char* value)
   {
@@ -16,6 +18,10 @@ bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame)
   for (const vtkIndirectLight& light : frame.Lights)
   {
     const int n = light.Index;
+    if (shadows)
+    {
+      projections.push_back(vtkIndirectLightMap::FindProjection(light));
+    }
     add("int", "lightPositional", n, light.Positional ? "1" : "0");
     if (!light.Positional)
     {
@@ -30,7 +36,9 @@ bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame)
       add("float", "lightExponent", n, light.Exponent == 0.0 ? "0.0" : "1.0");
     }
   }
-  const bool changed = constants != this->Constants || frame.Specular != this->Specular;
+  const bool changed = constants != this->Constants || projections != this->Projections ||
+    frame.Specular != this->Specular;
+  this->Projections = std::move(projections);
   this->Constants = std::move(constants);
   this->Specular = frame.Specular;
   return changed;

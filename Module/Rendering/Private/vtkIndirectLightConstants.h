@@ -15,17 +15,24 @@ class vtkIndirectLightConstants
 {
 public:
   /**
-   * Reads the frame's lights and materials. Returns whether a text has changed since the last call:
-   * shaders that have it must be built anew. A light that moves, turns or changes its colour,
-   * attenuation or cone changes none.
+   * Reads the frame's lights and materials; shadows: whether shadows are looked up. Returns whether
+   * a text has changed since the last call: shaders that have it must be built anew. A light that
+   * moves, turns or changes its colour, attenuation or cone changes none.
    */
-  bool Update(const vtkIndirectFrame& frame);
+  bool Update(const vtkIndirectFrame& frame, bool shadows);
 
   /**
    * Local variables to go in front of VTK's light code, which hide its uniforms; `fragmentShader`
    * has that code. Only what the shader declares is hidden.
    */
   std::string GetDeclarations(const std::string& fragmentShader) const;
+
+  /** What vtkIndirectLightMap::FindProjection says of a light. Light code may be of more lights
+   * than the frame has, of which no map exists: 0. */
+  int GetProjection(int light) const
+  {
+    return static_cast<size_t>(light) < this->Projections.size() ? this->Projections[light] : 0;
+  }
 
 private:
   struct Constant
@@ -35,6 +42,7 @@ private:
     bool operator==(const Constant& other) const { return this->Declaration == other.Declaration; }
   };
   std::vector<Constant> Constants;
+  std::vector<int> Projections; // empty without shadows
   bool Specular = true;
 };
 

@@ -90,9 +90,12 @@ glm::dmat3 vtkIndirectLightMap::GetFaceRotation(int face) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectLightMap::MayHaveFaces(const vtkIndirectLight& light)
+int vtkIndirectLightMap::FindProjection(const vtkIndirectLight& light)
 {
-  return light.Positional && light.ConeAngle > MaximumSingleFaceAngle;
+  using namespace vtkIndirectKernels;
+  return !light.Positional                      ? VTKI_MAP_PARALLEL
+    : light.ConeAngle <= MaximumSingleFaceAngle ? VTKI_MAP_SINGLE
+                                                : VTKI_MAP_FACES;
 }
 
 //------------------------------------------------------------------------------

@@ -20,8 +20,8 @@ public:
   /** Largest half angle, in degrees, that one perspective face covers. */
   static constexpr double MaximumSingleFaceAngle = 60.0;
 
-  /** Whether a light of this kind can have several faces, wherever it is. */
-  static bool MayHaveFaces(const vtkIndirectLight& light);
+  /** Projection of a light's map, VTKI_MAP_FACES where it depends on where the light is. */
+  static int FindProjection(const vtkIndirectLight& light);
 
   /** Fits the map to the scene. */
   void Fit(const vtkIndirectFrame& frame, const vtkIndirectLight& light);

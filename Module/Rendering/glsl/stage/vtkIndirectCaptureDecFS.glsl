@@ -44,7 +44,10 @@ vec3 vtkiFacetNormal(vec3 p, vec3 facet, vec3 fallback)
   return away ? -n : n;
 }
 
-float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormalVC)
+// projection: of the light's map, VTKI_MAP_FACES where only the map knows whether it has several; a literal,
+// so that nothing is evaluated that the light cannot have.
+float vtkiVisibility(
+  int light, int projection, vec3 positionVC, vec3 normalVC, vec3 facetNormalVC)
 {
   vec4 map = vtkiShadowMap[light];
   if (vtkiStage != 0 || map.x < 0.0f)
@@ -57,11 +60,9 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
   vec3 p = (viewToLight * vec4(positionVC, 1.0f)).xyz;
   vec3 n = rotation * normalVC;
   vec3 facet = rotation * facetNormalVC;
-  int projection = int(map.y + 0.5f);
   bool parallel = projection == VTKI_MAP_PARALLEL;
   int face = 0;
-#ifdef VTKI_SHADOW_FACES
-  if (projection == VTKI_MAP_FACES)
+  if (projection == VTKI_MAP_FACES && int(map.y + 0.5f) == VTKI_MAP_FACES)
   {
     face = vtkiFaceOf(p);
     if (float(face) >= depthRange.w)
@@ -72,7 +73,6 @@ float vtkiVisibility(int light, vec3 positionVC, vec3 normalVC, vec3 facetNormal
     n = vtkiToFace(n, face);
     facet = vtkiToFace(facet, face);
   }
-#endif
   float depth = -p.z;
   if (!parallel && !(depth > 0.0f))
   {
