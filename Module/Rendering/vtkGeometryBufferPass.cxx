@@ -68,6 +68,20 @@ void vtkGeometryBufferPass::Render(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+void vtkGeometryBufferPass::DisableBlending(bool solid, bool specular)
+{
+  if (solid)
+  {
+    glDisablei(GL_BLEND, Lit);
+  }
+  glDisablei(GL_BLEND, Surface);
+  if (specular)
+  {
+    glDisablei(GL_BLEND, Specular);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFrame& frame,
   vtkSurfaceCapturePass* capture, vtkReflectiveShadowMapPass* shadows)
 {
@@ -109,15 +123,7 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   // VTK draws opaque props blended too: textures and point sprites have soft edges. Only colour is
   // mixed: the other channels' alphas hold bits and powers.
   state->vtkglEnable(GL_BLEND);
-  if (frame.Solid)
-  {
-    glDisablei(GL_BLEND, Lit);
-  }
-  glDisablei(GL_BLEND, Surface);
-  if (this->WithSpecular)
-  {
-    glDisablei(GL_BLEND, Specular);
-  }
+  DisableBlending(frame.Solid, this->WithSpecular);
 
   vtkRenderState s2(s->GetRenderer());
   s2.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());

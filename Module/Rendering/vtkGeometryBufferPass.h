@@ -59,6 +59,12 @@ public:
   bool Update(const vtkRenderState* s, const vtkIndirectFrame& frame,
     vtkSurfaceCapturePass* capture, vtkReflectiveShadowMapPass* shadows);
 
+  /**
+   * Keeps the channels whose alpha holds bits or powers from being blended: all but the lit image,
+   * and that too where all is solid. VTK may have switched blending for all of them since.
+   */
+  static void DisableBlending(bool solid, bool specular);
+
   const vtkIndirectTarget& GetTarget() const
   {
     return *this->Target;

@@ -468,17 +468,8 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   }
   if (in.Stage == 0)
   {
-    // Albedo and power are in alpha: whatever has switched blending since the stage began must not
-    // mix them.
-    if (in.Solid)
-    {
-      glDisablei(GL_BLEND, vtkGeometryBufferPass::Lit);
-    }
-    glDisablei(GL_BLEND, vtkGeometryBufferPass::Surface);
-    if (this->Specular)
-    {
-      glDisablei(GL_BLEND, vtkGeometryBufferPass::Specular);
-    }
+    // Whatever has switched blending since the stage began must not mix bits.
+    vtkGeometryBufferPass::DisableBlending(in.Solid, this->Specular);
   }
   if (in.Stage == 1)
   {

@@ -176,9 +176,13 @@ void vtkIndirectFrame::CollectProps()
       prop->SetPropertyKeys(keys);
     }
     this->Props.push_back(prop);
-    this->Solid = this->Solid && (!prop->HasOpaqueGeometry() || IsSolid(prop));
-    this->Specular = this->Specular || (IsSpecular(prop) && prop->HasOpaqueGeometry());
-    if (!prop->GetUseBounds() || !prop->HasOpaqueGeometry())
+    if (!prop->HasOpaqueGeometry())
+    {
+      continue;
+    }
+    this->Solid = this->Solid && IsSolid(prop);
+    this->Specular = this->Specular || IsSpecular(prop);
+    if (!prop->GetUseBounds())
     {
       continue;
     }

@@ -105,7 +105,7 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
   this->Light = light;
   this->SceneScale = frame.SceneScale;
   const bool omnidirectional = light.Positional && light.ConeAngle >= 90.0;
-  const bool narrow = light.Positional && light.ConeAngle <= MaximumSingleFaceAngle;
+  const bool narrow = FindProjection(light) == VTKI_MAP_SINGLE;
   const double cone = narrow ? std::tan(light.ConeAngle * vtkMath::Pi() / 180.0) : 1.0;
   glm::dvec3 aim;
   const double around = AimAtCasters(frame, light, aim);
