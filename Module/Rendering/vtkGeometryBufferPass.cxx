@@ -23,8 +23,10 @@ namespace
 const vtkIndirectChannel Channels[] = {
   { "geometry.lit", "vtkiLit", "VTK's shading with shadows, premultiplied alpha", GL_RGBA32F,
     "view", "VTK radiance" },
-  { "geometry.surface", "vtkiSurface", "octahedral normal and kind, linear depth, albedo",
-    GL_RGBA32F, "view", "1, 1, scene units, 1" },
+  { "geometry.surface", "vtkiSurface", "linear depth, octahedral normal and kind", GL_RG32F, "view",
+    "scene units, 1" },
+  // Only where not all is solid, or something is specular.
+  { "geometry.albedo", "vtkiAlbedo", "albedo", GL_R32F, "-", "1" },
   // Only where a material of the scene is specular.
   { "geometry.specular", "vtkiSpecular", "specular reflectance, power of the lobe", GL_RGBA16F, "-",
     "1" },
@@ -37,7 +39,7 @@ vtkGeometryBufferPass::vtkGeometryBufferPass()
   : Target(new vtkIndirectTarget(Channels, true))
   , ClearKernel(new vtkIndirectKernelProgram("vtkIndirectClearFS.glsl"))
 {
-  this->Target->SetNumberOfChannels(Specular);
+  this->Target->SetNumberOfChannels(this->NumberOfChannels);
 }
 
 vtkGeometryBufferPass::~vtkGeometryBufferPass() = default;
@@ -68,16 +70,11 @@ void vtkGeometryBufferPass::Render(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeometryBufferPass::DisableBlending(bool solid, bool specular)
+void vtkGeometryBufferPass::DisableBlending(int channels)
 {
-  if (solid)
+  for (int i = channels > Albedo ? Surface : Lit; i < channels; ++i)
   {
-    glDisablei(GL_BLEND, Lit);
-  }
-  glDisablei(GL_BLEND, Surface);
-  if (specular)
-  {
-    glDisablei(GL_BLEND, Specular);
+    glDisablei(GL_BLEND, static_cast<unsigned int>(i));
   }
 }
 
@@ -90,8 +87,10 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
 
-  this->WithSpecular = capture->GetSpecular();
-  this->Target->SetNumberOfChannels(this->WithSpecular ? Specular + 1 : Specular);
+  this->NumberOfChannels = capture->GetSpecular() ? Specular + 1
+    : frame.Solid                                 ? Albedo
+                                                  : Albedo + 1;
+  this->Target->SetNumberOfChannels(this->NumberOfChannels);
   this->Target->MatchDepth();
   if (!this->Target->Resize(frame.Window, frame.Size[0], frame.Size[1]))
   {
@@ -106,7 +105,6 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
       return false;
     }
   }
-  this->ClearKernel->SetDefinitions(this->WithSpecular ? "#define VTKI_SPECULAR\n" : "");
   if (!this->ClearKernel->Use(frame.Window))
   {
     return false;
@@ -123,13 +121,13 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   // VTK draws opaque props blended too: textures and point sprites have soft edges. Only colour is
   // mixed: the other channels' alphas hold bits and powers.
   state->vtkglEnable(GL_BLEND);
-  DisableBlending(frame.Solid, this->WithSpecular);
+  DisableBlending(this->NumberOfChannels);
 
   vtkRenderState s2(s->GetRenderer());
   s2.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
   s2.SetFrameBuffer(this->Target->GetFramebuffer());
   s2.SetRequiredKeys(s->GetRequiredKeys());
-  capture->BeginEye(frame, shadows ? &maps : nullptr);
+  capture->BeginEye(frame, shadows ? &maps : nullptr, this->NumberOfChannels);
   capture->Render(&s2);
   capture->EndStage();
   this->Encoded = capture->HasEncoded();
@@ -138,14 +136,22 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
     shadows->Deactivate();
   }
   this->NumberOfRenderedProps = capture->GetNumberOfRenderedProps();
-  glEnablei(GL_BLEND, Lit);
-  glEnablei(GL_BLEND, Surface);
-  if (this->WithSpecular)
+  for (int i = 0; i < this->NumberOfChannels; ++i)
   {
-    glEnablei(GL_BLEND, Specular);
+    glEnablei(GL_BLEND, static_cast<unsigned int>(i));
   }
   this->Target->End();
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeometryBufferPass::ActivateAlbedo(vtkShaderProgram* program) const
+{
+  this->Target->Activate(Lit, program);
+  if (!this->IsSolid())
+  {
+    this->Target->Activate(Albedo, program);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -5,10 +5,12 @@
  *
  * Textures of the size of the viewport, read by the stages that follow:
  * - geometry.lit, RGBA32F: VTK's own shading, each light times its visibility, premultiplied alpha;
- * where all that is drawn is solid, the bits of the albedo in place of alpha
- * - geometry.surface, RGBA32F: octahedral normal (view coordinates) with the kind of shading,
- * linear depth in scene units, and the bits of the albedo (of PBR times 1 - metallic), ten a
- * channel
+ * where all that is drawn is solid and nothing is specular, the bits of the albedo in place of
+ * alpha
+ * - geometry.surface, RG32F: linear depth in scene units, and in bits the octahedral normal (view
+ * coordinates) with the kind of shading
+ * - geometry.albedo, R32F: the bits of the albedo (of PBR times 1 - metallic), ten a channel; there
+ * only when the lit texels do not hold them
  * - geometry.specular, RGBA16F: specular reflectance of Phong's model and the power of its lobe;
  * there only when the capture's Specular is on
  * and a depth texture, of the format of the framebuffer that the frame goes to.
@@ -28,6 +30,7 @@ struct vtkIndirectFrame;
 class vtkIndirectKernelProgram;
 class vtkIndirectTarget;
 class vtkReflectiveShadowMapPass;
+class vtkShaderProgram;
 class vtkSurfaceCapturePass;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkGeometryBufferPass : public vtkOpenGLRenderPass
@@ -49,6 +52,7 @@ public:
   {
     Lit,
     Surface,
+    Albedo,
     Specular
   };
 
@@ -60,15 +64,26 @@ public:
     vtkSurfaceCapturePass* capture, vtkReflectiveShadowMapPass* shadows);
 
   /**
-   * Keeps the channels whose alpha holds bits or powers from being blended: all but the lit image,
-   * and that too where all is solid. VTK may have switched blending for all of them since.
+   * Keeps the channels that hold bits or powers from being blended: all but the lit image, and that
+   * too where it holds the albedo. VTK may have switched blending for all of them since.
    */
-  static void DisableBlending(bool solid, bool specular);
+  static void DisableBlending(int channels);
 
   const vtkIndirectTarget& GetTarget() const
   {
     return *this->Target;
   }
+  /** Whether the lit texels of the last frame hold the albedo, and there is no channel for it. */
+  bool IsSolid() const
+  {
+    return this->NumberOfChannels == Albedo;
+  }
+  /** What shaders that include vtkIndirectAlbedo.glsl are built with, and the textures it reads. */
+  const char* GetAlbedoDefinitions() const
+  {
+    return this->IsSolid() ? "#define VTKI_SOLID\n" : "";
+  }
+  void ActivateAlbedo(vtkShaderProgram* program) const;
   /** Whether the buffer may hold encoded colours. */
   bool HasEncoded() const
   {
@@ -77,7 +92,7 @@ public:
   /** Whether the last frame has the channel Specular. */
   bool HasSpecular() const
   {
-    return this->WithSpecular;
+    return this->NumberOfChannels > Specular;
   }
 #endif
 
@@ -92,7 +107,7 @@ private:
   std::unique_ptr<vtkIndirectTarget> Target;
   std::unique_ptr<vtkIndirectKernelProgram> ClearKernel;
   bool Encoded = false;
-  bool WithSpecular = false;
+  int NumberOfChannels = 2; // of the table, from the first on
 };
 
 #endif

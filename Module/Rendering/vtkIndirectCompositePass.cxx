@@ -75,7 +75,8 @@ struct vtkIndirectCompositePass::Internals
   {
     kernel.SetGather(input.Estimator ? input.Estimator->GetIrradianceShader()
                                      : "vtkIndirectIrradianceTexture.glsl");
-    kernel.SetDefinitions((HasGlossy(input) ? "#define VTKI_GLOSSY\n" : "") + definitions);
+    kernel.SetDefinitions(input.Geometry.GetAlbedoDefinitions() +
+      std::string(HasGlossy(input) ? "#define VTKI_GLOSSY\n" : "") + definitions);
     return kernel.Use(input.Frame.Window);
   }
 
@@ -83,7 +84,7 @@ struct vtkIndirectCompositePass::Internals
   static void ActivateFrame(vtkShaderProgram* program, const Input& input)
   {
     const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
-    geometry.Activate(vtkGeometryBufferPass::Lit, program);
+    input.Geometry.ActivateAlbedo(program);
     geometry.Activate(vtkGeometryBufferPass::Surface, program);
     if (input.Estimator)
     {
@@ -210,7 +211,7 @@ bool vtkIndirectCompositePass::Composite(const Input& input)
   const bool copied = input.DepthCleared && input.Geometry.GetTarget().CopyDepth(frame.Origin);
   vtkShaderProgram* program = Internals::Use(kernel, input,
     std::string(encoded ? "#define VTKI_ENCODED\n" : "") +
-      (copied ? "#define VTKI_DEPTH_COPIED\n" : "") + (frame.Solid ? "#define VTKI_SOLID\n" : ""));
+      (copied ? "#define VTKI_DEPTH_COPIED\n" : ""));
   if (!program)
   {
     return false;

@@ -217,8 +217,8 @@ bool MakeReceiver(
   }
   const glm::dvec3 ndc(
     2.0 * (i + 0.5) / frame.Size[0] - 1.0, 2.0 * (j + 0.5) / frame.Size[1] - 1.0, 1.0);
-  const glm::dvec3 view =
-    frame.RayOrigin * ndc + static_cast<double>(texel.z) * (frame.RayDirection * ndc);
+  const glm::dvec3 view = frame.RayOrigin * ndc +
+    static_cast<double>(vtkIndirectKernels::vtkiSurfaceDepth(texel)) * (frame.RayDirection * ndc);
   const glm::dvec3 position(frame.ViewToScene * glm::dvec4(view, 1.0));
   const glm::dvec3 normal = glm::normalize(
     glm::dmat3(frame.ViewToScene) * glm::dvec3(vtkIndirectKernels::vtkiSurfaceNormal(texel)));

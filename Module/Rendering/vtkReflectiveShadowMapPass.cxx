@@ -30,7 +30,7 @@ namespace
 {
 const vtkIndirectChannel Channels[] = {
   { "rsm.albedo", "vtkiMapAlbedo", "diffuse reflectance", GL_RGBA16F, "-", "1" },
-  { "rsm.surface", "vtkiMapSurface", "octahedral normal and kind, linear depth", GL_RGBA32F,
+  { "rsm.surface", "vtkiMapSurface", "linear depth, octahedral normal and kind", GL_RG32F,
     "face view", "1, 1, scene units" },
   { "rsm.slope", "vtkiMapSlope", "slope of depth over a texel's width", GL_RG16F, "face view",
     "1" },

@@ -44,7 +44,7 @@ struct vtkSurfaceCapturePass::Internals
 
   // Uniforms of the current stage.
   int Stage = 0;
-  bool Solid = false;
+  int Channels = 0; // of the geometry buffer
   float SceneScale = 1.0f;
   float Magnitude = 0.0f;
   float DepthRange[3] = { 0.0f, 1.0f, 0.0f };
@@ -184,11 +184,11 @@ void vtkSurfaceCapturePass::Detach()
 
 //------------------------------------------------------------------------------
 void vtkSurfaceCapturePass::BeginEye(
-  const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows)
+  const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows, int channels)
 {
   Internals& in = *this->Internal;
   in.Stage = 0;
-  in.Solid = frame.Solid;
+  in.Channels = channels;
   in.Encoded = false;
   in.SceneScale = static_cast<float>(frame.SceneScale);
   in.StageIsParallel = frame.Parallel ? 1 : 0;
@@ -400,7 +400,7 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
     "\n#define VTKI_SENDER_SCALE " + (pbr ? "(vtkiEncoded / VTKI_PI)" : "1.0") + "\n";
   // Extensions stand before all but what the preprocessor reads; see vtkIndirectLibAlbedo.glsl.
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
-    "//VTK::System::Dec\n#extension GL_ARB_shader_bit_encoding : enable\n", false);
+    std::string("//VTK::System::Dec\n") + vtkIndirectShaderLibrary::Extensions, false);
   vtkShaderProgram::Substitute(fragmentShader, "void main()", declarations + "void main()", false);
 
   std::string outputs;
@@ -435,7 +435,8 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
     return true;
   }
   program->SetUniformi("vtkiStage", in.Stage);
-  program->SetUniformi("vtkiSolid", in.Stage == 0 && in.Solid ? 1 : 0);
+  program->SetUniformi(
+    "vtkiSolid", in.Stage == 0 && in.Channels == vtkGeometryBufferPass::Albedo ? 1 : 0);
   program->SetUniformf("vtkiSceneScale", in.SceneScale);
   program->SetUniform3f("vtkiDepthRange", in.DepthRange);
   if (program->IsUniformUsed("vtkiMagnitude"))
@@ -469,7 +470,7 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   if (in.Stage == 0)
   {
     // Whatever has switched blending since the stage began must not mix bits.
-    vtkGeometryBufferPass::DisableBlending(in.Solid, this->Specular);
+    vtkGeometryBufferPass::DisableBlending(in.Channels);
   }
   if (in.Stage == 1)
   {

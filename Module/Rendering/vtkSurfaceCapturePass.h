@@ -104,7 +104,7 @@ public:
   ///@}
 
   /** Next stage: from the eye, with shadows from the maps unless null. */
-  void BeginEye(const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows);
+  void BeginEye(const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows, int channels);
   /** Next stage: one face of a light's map. */
   void BeginMap(
     const vtkIndirectFrame& frame, const vtkIndirectLightMap& map, int face, int texels);

@@ -191,6 +191,10 @@ bool vtkVirtualLightSampler::Update(
   {
     return false;
   }
+  if (eye)
+  {
+    in.FromEye.SetDefinitions(eye->GetAlbedoDefinitions());
+  }
   vtkShaderProgram* program = (eye ? in.FromEye : in.FromMaps).Use(frame.Window);
   if (!program)
   {
@@ -203,6 +207,7 @@ bool vtkVirtualLightSampler::Update(
   if (eye)
   {
     const vtkIndirectLight& light = frame.Lights.front();
+    eye->ActivateAlbedo(program);
     eye->GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
     vtkIndirectSetEyeUniforms(program, frame);
     vtkIndirectSetUniform(program, "vtkiSize", glm::vec2(frame.Size[0], frame.Size[1]));
@@ -210,7 +215,7 @@ bool vtkVirtualLightSampler::Update(
     vtkIndirectSetUniform(program, "vtkiToLight",
       glm::vec3(-glm::normalize(glm::dmat3(frame.WorldToView) * light.DirectionWC)));
     program->SetUniformi("vtkiParallel", frame.Parallel ? 1 : 0);
-    (in.FromEye).Draw();
+    in.FromEye.Draw();
     eye->GetTarget().Deactivate();
   }
   else

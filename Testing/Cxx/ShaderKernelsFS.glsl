@@ -1,5 +1,4 @@
 //VTK::System::Dec
-#extension GL_ARB_shader_bit_encoding : enable
 //VTK::Output::Dec
 // Test stage: one kernel, three texels of input a pixel.
 #include "vtkIndirectLibAlbedo.glsl"

@@ -49,8 +49,10 @@ const char* const Rounding = "rounding, order of operations";
 const Kernel Kernels[] = {
   { "vtkiOctahedralEncode", 1e-5, 0.1, Rounding },
   { "vtkiOctahedralDecode", 1e-5, 0.1, Rounding },
-  { "vtkiPackSurface", 1e-5, 0.1, Rounding },
-  { "vtkiSurfaceNormal, vtkiSurfaceKind", 1e-5, 0.1, Rounding },
+  { "vtkiPackSurface, vtkiSurfaceDepth, vtkiSurfaceCode", 1.0 / 16127.0, 1.0,
+    "a rounding may fall on the next of 16127 steps" },
+  { "vtkiSurfaceNormal, vtkiSurfaceKind", 3.0 / 16127.0, 1.0,
+    "the same, through the decoder's gain of 3" },
   { "vtkiSurfaceIsLit", 0.0, 1.0, "a decision" },
   { "vtkiReconstruct", 1e-5, 0.5, "sums that cancel" },
   { "vtkiFaceOf", 0.0, 1.0, "a decision" },

@@ -7,8 +7,6 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
 
-#include <algorithm>
-
 vtkIndirectKernelProgram::vtkIndirectKernelProgram(const char* stage, const char* gather)
   : Stage(stage)
   , Gather(gather)
@@ -55,9 +53,8 @@ vtkShaderProgram* vtkIndirectKernelProgram::Use(vtkOpenGLRenderWindow* window)
 {
   if (!this->Quad)
   {
-    std::string text = vtkIndirectShaderLibrary::GetText(this->Stage, this->Gather);
-    // VTK puts #version in place of the text's first line.
-    text.insert(std::min(text.find('\n') + 1, text.size()), this->Definitions);
+    const std::string text =
+      vtkIndirectShaderLibrary::GetShader(this->Stage, this->Definitions, this->Gather);
     // Four arguments up to VTK 9.1; the fifth of later versions has a default.
     this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, VertexShader, text.c_str(), "");
   }

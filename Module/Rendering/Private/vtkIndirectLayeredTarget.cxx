@@ -17,6 +17,7 @@ size_t BytesPerTexel(unsigned int internalFormat)
   {
     case GL_RG16F:
       return 4;
+    case GL_RG32F:
     case GL_RGBA16F:
       return 8;
     default:

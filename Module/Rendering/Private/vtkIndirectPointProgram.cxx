@@ -32,14 +32,8 @@ vtkShaderProgram* vtkIndirectPointProgram::Use(
   if (this->VertexText.empty() || definitions != this->Definitions)
   {
     this->Definitions = definitions;
-    auto text = [&definitions](const std::string& file)
-    {
-      // VTK puts #version in place of the text's first line.
-      std::string out = vtkIndirectShaderLibrary::GetText(file);
-      return out.insert(out.find('\n') + 1, definitions);
-    };
-    this->VertexText = text(this->VertexStage);
-    this->FragmentText = text(this->FragmentStage);
+    this->VertexText = vtkIndirectShaderLibrary::GetShader(this->VertexStage, definitions);
+    this->FragmentText = vtkIndirectShaderLibrary::GetShader(this->FragmentStage, definitions);
   }
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
     this->VertexText.c_str(), this->FragmentText.c_str(), "");

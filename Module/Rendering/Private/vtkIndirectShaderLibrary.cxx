@@ -4,6 +4,7 @@
 #include "vtkIndirectShaderTable.h"
 #include "vtkObject.h" // for the error macro
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -62,6 +63,18 @@ std::string vtkIndirectShaderLibrary::GetText(
   std::set<std::string> seen;
   std::string out;
   return Expand(fileName, gather, seen, out) ? out : std::string();
+}
+
+//------------------------------------------------------------------------------
+const char* const vtkIndirectShaderLibrary::Extensions =
+  "#extension GL_ARB_shader_bit_encoding : enable\n";
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectShaderLibrary::GetShader(
+  const std::string& fileName, const std::string& definitions, const std::string& gather)
+{
+  std::string text = GetText(fileName, gather);
+  return text.insert(std::min(text.find('\n') + 1, text.size()), Extensions + definitions);
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,17 @@ namespace vtkIndirectShaderLibrary
  */
 std::string GetText(const std::string& fileName, const std::string& gather = std::string());
 
+/** What all shaders enable: a part of OpenGL since 3.3 that VTK's GLSL 1.50 lacks, bits of floats.
+ */
+extern const char* const Extensions;
+
+/**
+ * Text of a shader: GetText with the extensions and then `definitions` behind its first line, in
+ * place of which VTK puts the version.
+ */
+std::string GetShader(const std::string& fileName, const std::string& definitions,
+  const std::string& gather = std::string());
+
 /** MD5 of all shader text, so that a figure can be traced to the shaders that made it. */
 std::string GetHash();
 }

@@ -25,6 +25,8 @@ struct Format
 const Format Formats[] = {
   { GL_RGBA32F, GL_RGBA, GL_FLOAT, 4, VTK_FLOAT, 16 },
   { GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 4, VTK_FLOAT, 8 },
+  { GL_RG32F, GL_RG, GL_FLOAT, 2, VTK_FLOAT, 8 },
+  { GL_R32F, GL_RED, GL_FLOAT, 1, VTK_FLOAT, 4 },
   { GL_RG16F, GL_RG, GL_HALF_FLOAT, 2, VTK_FLOAT, 4 },
 };
 

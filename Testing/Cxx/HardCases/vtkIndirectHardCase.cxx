@@ -48,7 +48,7 @@ double GetShareOfDifferent(
   double least = how.Least;
   for (size_t i = 0; i < expected.Values.size(); i += components)
   {
-    least = std::max(least, 1e-4 * length(i));
+    least = std::max(least, 2e-4 * length(i));
   }
   int different = 0;
   for (size_t i = 0; i < expected.Values.size(); i += components)

@@ -52,8 +52,9 @@ private:
 struct Comparison
 {
   double Factor = 1.0; // the image's unit over the expected one's
-  /** Differences are relative to at least this, and to a ten-thousandth of the largest value:
-   * below it, cosines of senders in nearly the same plane are rounding. */
+  /** Differences are relative to at least this, and to a five-thousandth of the largest value:
+   * below it, senders in nearly the same plane count, whose cosines are the steps of
+   * normals, 1.3e-4 at most (Unit.PackSurface), with few digits. */
   double Least = 0.0;
   int FirstComponent = 0;
   int LastComponent = 2;

@@ -1,5 +1,4 @@
-// Diffuse reflectance in the bits of one float, so that a pixel of surface is one texel. Shaders that include
-// this enable GL_ARB_shader_bit_encoding, a part of OpenGL since 3.3 whose functions VTK's GLSL 1.50 lacks.
+// Diffuse reflectance in the bits of one float.
 #ifndef vtkIndirectLibAlbedo
 #define vtkIndirectLibAlbedo
 #include "vtkIndirectLibPortable.glsl"

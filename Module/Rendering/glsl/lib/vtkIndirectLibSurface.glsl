@@ -1,4 +1,5 @@
-// One pixel of surface in one RGBA texel: unit normal, linear depth and how the pixel was shaded.
+// One pixel of surface in eight bytes: linear depth, and in the bits of one float the unit normal and how the
+// pixel was shaded.
 #ifndef vtkIndirectLibSurface
 #define vtkIndirectLibSurface
 #include "vtkIndirectLibPortable.glsl"
@@ -39,25 +40,40 @@ vec3 vtkiOctahedralDecode(vec2 p)
   return normalize(n);
 }
 
-/* normal unit; depth along the view axis, scene units (diagonal = 1); kind one of the above.
- * Alpha is 1 because VTK blends opaque geometry: any other value would mix with what lies behind. What
- * the eye sees is not blended and has the albedo there, see vtkIndirectLibAlbedo.glsl.
- * The kind rides on the first coordinate in steps of four, clear of its range [-1,1]. */
+/* Steps from 0 to 1 of an octahedral coordinate. Zero and both ends are steps, so that normals along the
+ * axes are exact. */
+const float VTKI_CODE_STEPS_X = 16127.0f;
+const float VTKI_CODE_STEPS_Y = 16383.0f;
+
+/* normal unit; depth along the view axis, scene units (diagonal = 1); kind one of the above, not
+ * VTKI_SURFACE_NONE. The third is unused; alpha is 1 because VTK blends opaque geometry: any other value
+ * would mix with what lies behind.
+ * Bits of the code, from above: two of kind, 15 of x, 15 of y. The least exponent and the greatest, of floats
+ * that may be flushed to zero and that are no numbers, are kept clear by x, which begins at 256. */
 vec4 vtkiPackSurface(vec3 normal, float depth, float kind)
 {
   vec2 p = vtkiOctahedralEncode(normal);
-  return vec4(p.x + 4.0f * kind, p.y, depth, 1.0f);
+  uint x = uint(VTKI_CODE_STEPS_X * p.x + (VTKI_CODE_STEPS_X + 256.5f));
+  uint y = uint(VTKI_CODE_STEPS_Y * p.y + (VTKI_CODE_STEPS_Y + 0.5f));
+  return vec4(depth, uintBitsToFloat((uint(kind) << 30u) | (x << 15u) | y), 0.0f, 1.0f);
+}
+
+float vtkiSurfaceDepth(vec4 surface)
+{
+  return surface.x;
 }
 
 float vtkiSurfaceKind(vec4 surface)
 {
-  return floor((surface.x + 2.0f) * 0.25f);
+  return float(floatBitsToUint(surface.y) >> 30u);
 }
 
-/* Octahedral coordinates of the normal. */
+/* Octahedral coordinates of the normal, each off by half a step at most. */
 vec2 vtkiSurfaceCode(vec4 surface)
 {
-  return vec2(surface.x - 4.0f * vtkiSurfaceKind(surface), surface.y);
+  uint code = floatBitsToUint(surface.y);
+  return vec2((float((code >> 15u) & 32767u) - 256.0f) * (1.0f / VTKI_CODE_STEPS_X) - 1.0f,
+    float(code & 32767u) * (1.0f / VTKI_CODE_STEPS_Y) - 1.0f);
 }
 
 vec3 vtkiSurfaceNormal(vec4 surface)
@@ -65,10 +81,10 @@ vec3 vtkiSurfaceNormal(vec4 surface)
   return vtkiOctahedralDecode(vtkiSurfaceCode(surface));
 }
 
+/* Kinds by the float that their two bits are the first of: 2 and above, -2 to 0, below -2. */
 bool vtkiSurfaceIsLit(vec4 surface)
 {
-  float kind = vtkiSurfaceKind(surface);
-  return kind > 0.5f && kind < 2.5f;
+  return surface.y > -2.0f && surface.y != 0.0f;
 }
 
 /* Position at linear depth on the ray through ndc in [-1,1]^2: origin and direction are affine in

@@ -1,9 +1,8 @@
 //VTK::System::Dec
-#extension GL_ARB_shader_bit_encoding : enable
 //VTK::Output::Dec
 // Virtual lights of a headlight, read from the geometry buffer: the eye's view is its map.
 #include "vtkIndirectLibSurface.glsl"
-#include "vtkIndirectLibAlbedo.glsl"
+#include "vtkIndirectAlbedo.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 
 uniform sampler2D vtkiPattern;
@@ -28,11 +27,11 @@ void main()
   if (sampled.w > 0.0f && vtkiSurfaceIsLit(surface))
   {
     vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vtkiSize - 1.0f;
-    vec3 p = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
+    vec3 p = vtkiReconstruct(ndc, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
     normal = vtkiSurfaceNormal(surface);
     // Edge vectors of the pixel on the plane at this depth: its area there, whatever the projection.
-    vec3 dx = (vtkiRayOrigin[0] + surface.z * vtkiRayDirection[0]) * (2.0f / vtkiSize.x);
-    vec3 dy = (vtkiRayOrigin[1] + surface.z * vtkiRayDirection[1]) * (2.0f / vtkiSize.y);
+    vec3 dx = (vtkiRayOrigin[0] + vtkiSurfaceDepth(surface) * vtkiRayDirection[0]) * (2.0f / vtkiSize.x);
+    vec3 dy = (vtkiRayOrigin[1] + vtkiSurfaceDepth(surface) * vtkiRayDirection[1]) * (2.0f / vtkiSize.y);
     float pixelArea = length(cross(dx, dy));
     vec3 toEye = vtkiParallel != 0 ? vec3(0.0f, 0.0f, 1.0f) : -normalize(p);
     // pixelArea is perpendicular to the axis: seen from the eye it covers area * toEye.z / (n.v).
@@ -40,7 +39,7 @@ void main()
     float covered = pixelArea * toEye.z / cosEye * sampled.w;
     float encoded = vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED ? 1.0f / VTKI_PI : 1.0f;
     position = (vtkiViewToScene * vec4(p, 1.0f)).xyz;
-    densityArea = vtkiUnpackAlbedo(surface.a) * vtkiLightColor *
+    densityArea = vtkiFetchAlbedo(texel) * vtkiLightColor *
       (max(dot(normal, vtkiToLight), 0.0f) * covered * encoded);
     area = covered;
     normal = mat3(vtkiViewToScene) * normal;

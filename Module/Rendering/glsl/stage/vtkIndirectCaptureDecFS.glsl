@@ -6,7 +6,7 @@
 #include "vtkIndirectLibShadow.glsl"
 
 uniform int vtkiStage;          // 0: from the eye, 1: from a light
-uniform int vtkiSolid;          // 1: alpha is one wherever the eye sees something
+uniform int vtkiSolid;          // 1: alpha is one wherever the eye sees something, and makes room
 uniform float vtkiSceneScale;   // scene units per world unit
 uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel projection
 

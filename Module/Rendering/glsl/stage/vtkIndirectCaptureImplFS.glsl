@@ -23,11 +23,11 @@
       // floats would keep it, and hand it on to whatever reads a neighbourhood.
       vec3 vtkiLit = gl_FragData[0].rgb;
       gl_FragData[0].rgb = min(mix(vtkiLit, vec3(0.0f), isnan(vtkiLit)), vec3(1.0e38f));
-      // Beside the light too where alpha says nothing, so that the composite reads one texel for both.
-      gl_FragData[1].a = vtkiPackAlbedo(vtkiAlbedo);
-      gl_FragData[0].a = vtkiSolid != 0 ? gl_FragData[1].a : gl_FragData[0].a;
+      // In place of alpha where that says nothing: no texture of its own then.
+      gl_FragData[2] = vec4(vtkiPackAlbedo(vtkiAlbedo), 0.0f, 0.0f, 1.0f);
+      gl_FragData[0].a = vtkiSolid != 0 ? gl_FragData[2].r : gl_FragData[0].a;
 #ifdef VTKI_SPECULAR
-      gl_FragData[2] = max(VTKI_SPECULAR, vec4(0.0f));
+      gl_FragData[3] = max(VTKI_SPECULAR, vec4(0.0f));
 #endif
     }
   }

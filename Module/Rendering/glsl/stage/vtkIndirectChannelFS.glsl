@@ -1,13 +1,11 @@
 //VTK::System::Dec
-#extension GL_ARB_shader_bit_encoding : enable
 //VTK::Output::Dec
 // One channel of the frame as floats, in world units and world coordinates; background 0.
 #include "vtkIndirectReceiver.glsl"
-#include "vtkIndirectLibAlbedo.glsl"
+#include "vtkIndirectAlbedo.glsl"
 #include "vtkIndirectLibColor.glsl"
 #include VTKI_GATHER
 
-uniform sampler2D vtkiLit;
 #ifdef VTKI_GLOSSY
 uniform sampler2D vtkiSpecular;
 uniform sampler2D vtkiGlossy;
@@ -26,7 +24,7 @@ void main()
   float kind = vtkiSurfaceKind(surface);
   bool lit = kind > 0.5f && kind < 2.5f;
   vec3 direct = texelFetch(vtkiLit, pixel, 0).rgb;
-  vec3 albedo = lit ? vtkiUnpackAlbedo(surface.a) : vec3(0.0f);
+  vec3 albedo = lit ? vtkiFetchAlbedo(pixel) : vec3(0.0f);
   vec3 irradiance =
     lit ? vtkiFetchIrradiance(vec2(pixel) + 0.5f) * vtkiIrradianceUnit : vec3(0.0f);
   vec4 specular = vec4(0.0f);
@@ -70,7 +68,7 @@ void main()
   }
   else if (vtkiChannel == 7)
   {
-    value = vec3(surface.z / vtkiSceneScale);
+    value = vec3(vtkiSurfaceDepth(surface) / vtkiSceneScale);
   }
   else if (vtkiChannel == 8)
   {

@@ -6,7 +6,6 @@ void main()
 {
   gl_FragData[0] = vec4(0.0f);
   gl_FragData[1] = vec4(0.0f);
-#ifdef VTKI_SPECULAR
   gl_FragData[2] = vec4(0.0f);
-#endif
+  gl_FragData[3] = vec4(0.0f);
 }

@@ -1,5 +1,4 @@
 //VTK::System::Dec
-#extension GL_ARB_shader_bit_encoding : enable
 //VTK::Output::Dec
 // Direct light plus albedo times irradiance, and with VTKI_GLOSSY what is reflected specularly.
 // Background is left as it was drawn. Depth comes too, unless with VTKI_DEPTH_COPIED it is there already.
@@ -7,11 +6,10 @@
 // physically based materials, whose colours are encoded. VTKI_GATHER names the file that knows where the
 // irradiance is.
 #include "vtkIndirectReceiver.glsl"
-#include "vtkIndirectLibAlbedo.glsl"
+#include "vtkIndirectAlbedo.glsl"
 #include "vtkIndirectLibColor.glsl"
 #include VTKI_GATHER
 
-uniform sampler2D vtkiLit;
 #ifdef VTKI_GLOSSY
 uniform sampler2D vtkiSpecular;
 uniform sampler2D vtkiGlossy;
@@ -28,16 +26,13 @@ void main()
   vec2 position = gl_FragCoord.xy - vec2(vtkiOrigin);
   vec2 pixel = position / vec2(vtkiSize);
   vec4 lit = textureLod(vtkiLit, pixel, 0.0f);
-#if defined(VTKI_ENCODED) || !defined(VTKI_SOLID)
-  vec4 surface = textureLod(vtkiSurface, pixel, 0.0f);
-#endif
 #ifdef VTKI_SOLID
   bool drawn = lit.a != 0.0f;
   vec3 albedo = vtkiUnpackAlbedo(lit.a);
   lit.a = 1.0f;
 #else
   bool drawn = lit.a > 0.0f;
-  vec3 albedo = vtkiUnpackAlbedo(surface.a);
+  vec3 albedo = vtkiUnpackAlbedo(textureLod(vtkiAlbedo, pixel, 0.0f).r);
 #endif
 #ifndef VTKI_DEPTH_COPIED
   float depth = textureLod(vtkiDepth, pixel, 0.0f).r;
@@ -57,7 +52,7 @@ void main()
       textureLod(vtkiGlossy, pixel, 0.0f).rgb * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
 #endif
 #ifdef VTKI_ENCODED
-    float kind = vtkiSurfaceKind(surface);
+    float kind = vtkiSurfaceKind(textureLod(vtkiSurface, pixel, 0.0f));
     lit.rgb = kind == VTKI_SURFACE_ENCODED ? vtkiEncodeGamma(vtkiDecodeGamma(lit.rgb) + indirect)
                                            : lit.rgb + indirect;
 #else

@@ -30,6 +30,7 @@ vtkiGlossyReceiver vtkiFetchGlossyReceiver(ivec2 texel)
   vec4 specular = texelFetch(vtkiSpecular, inside, 0);
   vec2 center = 2.0f * (vec2(inside) + 0.5f) / vec2(vtkiSize) - 1.0f;
   bool present = vtkiSurfaceIsLit(surface) && max(max(specular.r, specular.g), specular.b) > 0.0f;
+  receiver.depth = vtkiSurfaceDepth(surface);
   receiver.normal = vtkiSurfaceNormal(surface);
   receiver.power = specular.a;
   receiver.state = present ? VTKI_GLOSSY_WHOLE : VTKI_GLOSSY_NONE;
@@ -37,12 +38,12 @@ vtkiGlossyReceiver vtkiFetchGlossyReceiver(ivec2 texel)
   vec4 surface = texelFetch(vtkiLevelSurface, inside, 0);
   vec2 center = vtkiSubsplatCenter(vec2(inside), vtkiEdge, vec2(vtkiSize));
   vec2 lobe = texelFetch(vtkiLevelLobe, inside, 0).xy;
+  receiver.depth = surface.z;
   receiver.normal = vtkiOctahedralDecode(surface.xy);
   receiver.power = lobe.x;
   receiver.state = lobe.y;
 #endif
-  receiver.depth = surface.z;
-  receiver.position = vtkiReconstruct(center, surface.z, vtkiRayOrigin, vtkiRayDirection);
+  receiver.position = vtkiReconstruct(center, receiver.depth, vtkiRayOrigin, vtkiRayDirection);
   receiver.state = texel == inside ? receiver.state : VTKI_GLOSSY_NONE;
   return receiver;
 }

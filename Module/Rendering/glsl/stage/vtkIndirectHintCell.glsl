@@ -25,13 +25,13 @@ void vtkiAddToCell(inout vtkiCell cell, ivec2 pixel)
   cell.whole = cell.whole && lit;
   cell.empty = cell.empty && !lit;
   vec3 offset =
-    vtkiReconstruct(2.0f * place - 1.0f, surface.z, vtkiRayOrigin, vtkiRayDirection) -
+    vtkiReconstruct(2.0f * place - 1.0f, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection) -
     cell.corner.positionVC;
   cell.height = max(cell.height, abs(dot(cell.corner.normalVC, offset)));
   vec2 difference = abs(vtkiSurfaceCode(surface) - cell.code);
   cell.turn = max(cell.turn, difference.x + difference.y);
   cell.radius2 = max(cell.radius2, dot(offset, offset));
-  cell.nearest = min(cell.nearest, surface.z);
+  cell.nearest = min(cell.nearest, vtkiSurfaceDepth(surface));
 }
 
 // first: the cell's lower left pixel, where its sample is, with the surface there. Each pixel of the cell

@@ -1,5 +1,7 @@
 // What the eye's depth tells about the way between two points (section 8 of the paper). Not
 // physical: what is hidden from the eye need not be hidden from a sender.
+#include "vtkIndirectLibSurface.glsl"
+
 uniform int vtkiDepthSamples; // 0: off
 uniform float vtkiDepthFactor;
 uniform sampler2D vtkiSurface;
@@ -17,7 +19,8 @@ float vtkiDepthShare(vec3 a, vec3 b, bool needed)
     vec2 at = 0.5f * clip.xy / clip.w + 0.5f;
     if (clip.w > 0.0f && min(at.x, at.y) >= 0.0f && max(at.x, at.y) < 1.0f)
     {
-      float depth = texelFetch(vtkiSurface, ivec2(at * vec2(textureSize(vtkiSurface, 0))), 0).z;
+      float depth = vtkiSurfaceDepth(
+        texelFetch(vtkiSurface, ivec2(at * vec2(textureSize(vtkiSurface, 0))), 0));
       share *= depth > 0.0f && -(vtkiSceneToView * p).z > depth ? vtkiDepthFactor : 1.0f;
     }
   }

@@ -18,7 +18,7 @@ void main()
   vec3 value = vec3(0.0f);
   if (vtkiChannel == 0)
   {
-    value = vec3(surface.z / vtkiSceneScale);
+    value = vec3(vtkiSurfaceDepth(surface) / vtkiSceneScale);
   }
   else if (vtkiChannel == 1 && vtkiSurfaceIsLit(surface))
   {
@@ -28,7 +28,7 @@ void main()
   {
     vec4 own = texelFetch(vtkiMapTable, ivec2(3, layer), 0);
     bool parallel = int(own.x + 0.5f) == VTKI_MAP_PARALLEL;
-    vec3 p = vtkiMapPosition(own, at.xy, surface.z);
+    vec3 p = vtkiMapPosition(own, at.xy, vtkiSurfaceDepth(surface));
     float cosine = vtkiMapFacetCosine(own, texelFetch(vtkiMapSlope, at, 0).rg, p);
     value = vtkiMapReflectance(layer, at.xy, own, surface, p, cosine) * vtkiMapFalloff(layer, own, p) /
       (parallel ? 1.0f : vtkiSceneScale * vtkiSceneScale);

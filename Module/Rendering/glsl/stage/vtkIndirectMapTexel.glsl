@@ -105,7 +105,7 @@ bool vtkiVirtualLightFromTexel(int layer, ivec2 texel, out vtkiVirtualLight ligh
   }
   float texelSize = 2.0f * map.y / map.z;
   bool parallel = int(map.x + 0.5f) == VTKI_MAP_PARALLEL;
-  vec3 p = vtkiMapPosition(map, texel, surface.z);
+  vec3 p = vtkiMapPosition(map, texel, vtkiSurfaceDepth(surface));
   float footprint = parallel
     ? texelSize * texelSize
     : vtkiTexelSolidAngle((vec2(texel) + 0.5f) * texelSize - map.y, texelSize);

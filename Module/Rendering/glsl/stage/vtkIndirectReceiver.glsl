@@ -21,9 +21,9 @@ bool vtkiFetchReceiver(ivec2 pixel, out vtkiReceiver receiver)
 {
   vec2 place = (vec2(pixel) + 0.5f) / vec2(vtkiSize);
   vec4 surface = textureLod(vtkiSurface, place, 0.0f);
-  receiver.depth = surface.z;
+  receiver.depth = vtkiSurfaceDepth(surface);
   vec2 ndc = 2.0f * place - 1.0f;
-  receiver.positionVC = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
+  receiver.positionVC = vtkiReconstruct(ndc, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
   receiver.normalVC = vtkiSurfaceNormal(surface);
   receiver.position = (vtkiViewToScene * vec4(receiver.positionVC, 1.0f)).xyz;
   receiver.normal = mat3(vtkiViewToScene) * receiver.normalVC;

@@ -20,10 +20,10 @@ void main()
     ivec2 pixel = 2 * texel + ivec2(i & 1, i >> 1);
     vec4 surface = textureLod(vtkiSurface, (vec2(pixel) + 0.5f) / vec2(vtkiSize), 0.0f);
     vec2 ndc = 2.0f * (vec2(pixel) + 0.5f) / vec2(vtkiSize) - 1.0f;
-    children.position[i] = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
+    children.position[i] = vtkiReconstruct(ndc, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
     children.normal[i] = vtkiSurfaceNormal(surface);
 #ifdef VTKI_DEPTH_RANGE
-    children.minimum[i] = vec4(children.normal[i], surface.z);
+    children.minimum[i] = vec4(children.normal[i], vtkiSurfaceDepth(surface));
     children.maximum[i] = children.minimum[i];
 #else
     children.deviation[i] = 0.0f;
@@ -45,7 +45,7 @@ void main()
     vec2 pixel = vec2(clamp(2 * texel + shift, ivec2(0), vtkiSize - 1)) + 0.5f;
     vec4 surface = textureLod(vtkiSurface, pixel / vec2(vtkiSize), 0.0f);
     vec3 ray = vec3(2.0f * pixel / vec2(vtkiSize) - 1.0f, 1.0f);
-    float rise = dot(alongOrigin, ray) + surface.z * dot(alongDirection, ray) - offset;
+    float rise = dot(alongOrigin, ray) + vtkiSurfaceDepth(surface) * dot(alongDirection, ray) - offset;
     vec3 turn = vtkiSurfaceNormal(surface) - children.normal[0];
     children.split = children.split || (vtkiSurfaceIsLit(surface) && rise > VTKI_LEAST_RISE * width &&
       rise < VTKI_GREATEST_RISE * width && dot(turn, turn) > VTKI_LEAST_TURN * VTKI_LEAST_TURN);

@@ -12,7 +12,7 @@ bool vtkiFetchLeaf(ivec2 texel, out vec3 position, out vec3 normal)
 #ifdef VTKI_PIXELS
   vec4 surface = texelFetch(vtkiSurface, inside, 0);
   vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vec2(vtkiSize) - 1.0f;
-  vec3 positionVC = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
+  vec3 positionVC = vtkiReconstruct(ndc, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
   vec3 normalVC = vtkiSurfaceNormal(surface);
   bool leaf = vtkiSurfaceIsLit(surface);
 #else

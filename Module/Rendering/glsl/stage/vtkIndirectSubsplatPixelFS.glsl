@@ -14,14 +14,14 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 surface = texelFetch(vtkiSurface, pixel, 0);
   vec2 ndc = 2.0f * (vec2(pixel) + 0.5f) / vec2(vtkiSize) - 1.0f;
-  vec3 position = vtkiReconstruct(ndc, surface.z, vtkiRayOrigin, vtkiRayDirection);
+  vec3 position = vtkiReconstruct(ndc, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
   vec3 normal = vtkiSurfaceNormal(surface);
   bool split = vtkiSubsplatIsSplit(texelFetch(vtkiCoarserSurface, pixel >> 1, 0).w);
   vec3 irradiance;
   vec3 vectorIrradiance;
   bool interpolated = vtkiInterpolateSubsplat(pixel,
     vtkiMakeTangentPlane(
-      position, normal, vtkiOctahedralEncode(normal), surface.z, vtkiCoarserEdge),
+      position, normal, vtkiSurfaceCode(surface), vtkiSurfaceDepth(surface), vtkiCoarserEdge),
     vtkiSplits, irradiance, vectorIrradiance);
   if (vtkiCorrectNormals)
   {

@@ -44,7 +44,7 @@ void main()
 {
   vec2 center = vtkiSubsplatCenter(floor(gl_FragCoord.xy), vtkiEdge, vec2(vtkiSize));
   vec4 surface = textureLod(vtkiSurface, 0.5f * center + 0.5f, 0.0f);
-  vec3 position = vtkiReconstruct(center, surface.z, vtkiRayOrigin, vtkiRayDirection);
+  vec3 position = vtkiReconstruct(center, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
   position = (vtkiViewToScene * vec4(position, 1.0f)).xyz;
   vec3 normal = mat3(vtkiViewToScene) * vtkiSurfaceNormal(surface);
   bool lit = vtkiSurfaceIsLit(surface);

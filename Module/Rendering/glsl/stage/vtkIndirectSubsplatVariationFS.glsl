@@ -19,8 +19,8 @@ void main()
   vec4 surface = textureLod(vtkiSurface, 0.5f * center + 0.5f, 0.0f);
   vec3 normal = vtkiSurfaceNormal(surface);
   vtkiTangentPlane plane =
-    vtkiMakeTangentPlane(vtkiReconstruct(center, surface.z, vtkiRayOrigin, vtkiRayDirection),
-      normal, vtkiOctahedralEncode(normal), surface.z, vtkiEdge);
+    vtkiMakeTangentPlane(vtkiReconstruct(center, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection),
+      normal, vtkiSurfaceCode(surface), vtkiSurfaceDepth(surface), vtkiEdge);
   float own = textureLod(vtkiProbe, gl_FragCoord.xy / vec2(vtkiLevelSize), 0.0f).r;
   vec3 nearest = textureLod(vtkiProbeDensity, gl_FragCoord.xy / vec2(vtkiLevelSize), 0.0f).xyz;
   float greatest = own;
@@ -35,10 +35,10 @@ void main()
       vec2 otherCenter = vtkiSubsplatCenter(inside, vtkiEdge, vec2(vtkiSize));
       vec4 other = textureLod(vtkiSurface, 0.5f * otherCenter + 0.5f, 0.0f);
       bool lit = vtkiSurfaceIsLit(other);
-      other.xy = vtkiOctahedralEncode(vtkiSurfaceNormal(other));
       float there = textureLod(vtkiProbe, (inside + 0.5f) / vec2(vtkiLevelSize), 0.0f).r;
       bool same = vtkiSurfaceIsLit(surface) && lit && at == inside &&
-        vtkiIsOnPlane(plane, otherCenter, other);
+        vtkiIsOnPlane(plane, otherCenter,
+          vec4(vtkiSurfaceCode(other), vtkiSurfaceDepth(other), 0.0f));
       greatest = max(greatest, there);
       second += same ? there - own : 0.0f;
     }
