@@ -6,6 +6,8 @@
 #include "vtkAbstractMapper.h"
 #include "vtkCamera.h"
 #include "vtkGeometryBufferPass.h"
+#include "vtkIndirectCaptureLights.h"
+#include "vtkIndirectFlatUniforms.h"
 #include "vtkIndirectFrame.h"
 #include "vtkIndirectKernels.h"
 #include "vtkIndirectLightConstants.h"
@@ -14,8 +16,6 @@
 #include "vtkIndirectShadowMaps.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
-#include "vtkLight.h"
-#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -30,7 +30,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_map>
 #include <vector>
 
@@ -50,15 +49,11 @@ struct vtkSurfaceCapturePass::Internals
   float DepthRange[3] = { 0.0f, 1.0f, 0.0f };
   int StageIsParallel = 0;
   bool Encoded = false; // whether the stage has drawn encoded colours
-  std::vector<glm::mat4> ViewToLight;
-  std::vector<glm::vec4> ShadowMap;
-  std::vector<glm::vec4> ShadowDepth;
+  vtkIndirectCaptureLights Lights;
   int ShadowUnit = -1;
   bool OwnsUnit = false;
   glm::vec2 MapLight{ 0.0f };
   vtkIndirectLightConstants LightConstants;
-  std::vector<float> ConeCosine; // of each light's cone
-
   vtkOpenGLRenderWindow* Window = nullptr;
 
   // A stage without shadows looks none up, but its sampler still needs a texture unit that no
@@ -67,6 +62,20 @@ struct vtkSurfaceCapturePass::Internals
   {
     this->ShadowUnit = this->Window->GetState()->GetTextureUnitManager()->Allocate();
     this->OwnsUnit = true;
+  }
+
+  // Whether uniforms come as flat varyings, for which there must be enough pixels a triangle.
+  bool FlatUniforms = false;
+
+  // Returns whether that has changed, which rebuilds all shaders: there is some play.
+  bool UpdateFlatUniforms(const vtkIndirectFrame& frame)
+  {
+    const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
+    const bool flat = vtkIndirectFlatUniforms::Pay() &&
+      pixels > (this->FlatUniforms ? 4.0 : 8.0) * frame.NumberOfTriangles;
+    const bool changed = flat != this->FlatUniforms;
+    this->FlatUniforms = flat;
+    return changed;
   }
 
   // The camera that a program's lighting uniforms were last set for.
@@ -141,7 +150,9 @@ void vtkSurfaceCapturePass::SetSpecular(bool specular)
 void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
 {
   this->Detach();
-  if (this->Internal->LightConstants.Update(frame, this->Shadows))
+  bool changed = this->Internal->LightConstants.Update(frame, this->Shadows);
+  changed = this->Internal->UpdateFlatUniforms(frame) || changed;
+  if (changed)
   {
     this->SourceTime.Modified();
   }
@@ -203,16 +214,7 @@ void vtkSurfaceCapturePass::BeginEye(
   const double fromEye = glm::length(glm::dvec3(frame.ViewToScene[3]));
   in.Magnitude = static_cast<float>(1.0 + fromEye + (fromOrigin < shiftedFrom ? fromOrigin : 0.0));
 
-  const size_t count = std::max<size_t>(frame.Lights.size(), 1);
-  in.ViewToLight.assign(count, glm::mat4(1.0f));
-  in.ShadowMap.assign(count, glm::vec4(-1.0f));
-  in.ShadowDepth.assign(count, glm::vec4(0.0f));
-  in.ConeCosine.assign(count, 0.0f);
-  for (const vtkIndirectLight& light : frame.Lights)
-  {
-    in.ConeCosine[light.Index] =
-      static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(light.ConeAngle)));
-  }
+  in.Lights.Update(frame, shadows);
   in.Window = frame.Window;
   if (!shadows)
   {
@@ -220,18 +222,6 @@ void vtkSurfaceCapturePass::BeginEye(
     return;
   }
   in.ShadowUnit = shadows->Unit;
-  const glm::dmat4 viewToWorld = glm::inverse(frame.WorldToView);
-  for (const vtkIndirectLightMap* map : shadows->Maps)
-  {
-    glm::dmat4 m = map->WorldToLight * viewToWorld;
-    m *= frame.SceneScale;
-    const int light = map->Light.Index;
-    in.ViewToLight[light] = glm::mat4(m);
-    in.ShadowMap[light] =
-      glm::vec4(map->FirstLayer, map->Projection, map->HalfWidth, shadows->Texels);
-    in.ShadowDepth[light] =
-      glm::vec4(map->Near, map->Far, map->Light.Light->GetShadowAttenuation(), map->NumberOfFaces);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -249,10 +239,7 @@ void vtkSurfaceCapturePass::BeginMap(
   in.DepthRange[2] = static_cast<float>(in.StageIsParallel);
   in.Camera = frame.Renderer->GetActiveCamera();
   in.MapLight = glm::vec2(light.Positional ? 1.0 : 0.0, 2.0 * map.HalfWidth / texels);
-  const size_t count = std::max<size_t>(frame.Lights.size(), 1);
-  in.ViewToLight.assign(count, glm::mat4(1.0f));
-  in.ShadowMap.assign(count, glm::vec4(-1.0f));
-  in.ShadowDepth.assign(count, glm::vec4(0.0f));
+  in.Lights.Update(frame, nullptr);
   in.Window = frame.Window;
   in.ReserveUnit();
 }
@@ -347,12 +334,13 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
       break;
     }
     // The only piece of light code that is matched as text: a cosine of a uniform at every pixel.
-    ReplaceAll(
-      fragmentShader, "cos(radians(lightConeAngle" + n + "))", "vtkiConeCosine[" + n + "]");
+    ReplaceAll(fragmentShader, "cos(radians(lightConeAngle" + n + "))",
+      vtkIndirectCaptureLights::GetConeCosine(lights));
     if (lit && this->Shadows)
     {
-      visibility += "  vec3 lightColor" + n + " = lightColor" + n + " * vtkiVisibility(" + n +
-        ", " + std::to_string(this->Internal->LightConstants.GetProjection(lights)) +
+      visibility += "  vec3 lightColor" + n + " = lightColor" + n + " * vtkiVisibility(" +
+        vtkIndirectCaptureLights::GetArguments(lights) + ", " +
+        std::to_string(this->Internal->LightConstants.GetProjection(lights)) +
         ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC);\n";
     }
   }
@@ -368,9 +356,12 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   }
   ReplaceAll(fragmentShader, PreLightMarker, visibility);
 
-  std::string declarations = "#define VTKI_LIGHT_COUNT " + std::to_string(std::max(lights, 1)) +
-    (this->Shadows ? "\n#define VTKI_SHADOWS\n" : "\n") +
+  std::string declarations = (this->Shadows ? "#define VTKI_SHADOWS\n" : "") +
     vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureDecFS.glsl");
+  for (int light = 0; light < lights; ++light)
+  {
+    declarations += vtkIndirectCaptureLights::GetDeclarations(light, this->Shadows);
+  }
   if (!Contains(fragmentShader, "uniform int vtkiParallel"))
   {
     declarations += "uniform int vtkiParallel;\n";
@@ -422,6 +413,12 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   outputs += vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureImplFS.glsl");
   vtkShaderProgram::Substitute(
     fragmentShader, "//VTK::DepthPeeling::Impl", outputs + "  //VTK::DepthPeeling::Impl", false);
+  if (this->Internal->FlatUniforms && geometryShader.empty())
+  {
+    // Those of two lights with shadows. Beyond, triangles cost more than pixels save.
+    constexpr int maximum = 72;
+    vtkIndirectFlatUniforms::Move(vertexShader, fragmentShader, maximum);
+  }
   return true;
 }
 
@@ -452,21 +449,11 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   {
     program->SetUniformi("vtkiParallel", in.StageIsParallel);
   }
-  if (program->IsUniformUsed("vtkiConeCosine"))
-  {
-    program->SetUniform1fv(
-      "vtkiConeCosine", static_cast<int>(in.ConeCosine.size()), in.ConeCosine.data());
-  }
   if (program->IsUniformUsed("vtkiShadowMaps"))
   {
-    const int count = static_cast<int>(in.ShadowMap.size());
     program->SetUniformi("vtkiShadowMaps", in.ShadowUnit);
-    program->SetUniformMatrix4x4v("vtkiViewToLight", count, glm::value_ptr(in.ViewToLight.front()));
-    program->SetUniform4fv(
-      "vtkiShadowMap", count, reinterpret_cast<const float(*)[4]>(in.ShadowMap.data()));
-    program->SetUniform4fv(
-      "vtkiShadowDepth", count, reinterpret_cast<const float(*)[4]>(in.ShadowDepth.data()));
   }
+  in.Lights.SetUniforms(program);
   if (in.Stage == 0)
   {
     // Whatever has switched blending since the stage began must not mix bits.

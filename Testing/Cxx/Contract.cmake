@@ -33,7 +33,7 @@ contract_topic(Lights
   LightShadowAttenuation LightColors LightSettings LightHeadlight LightOfCamera LightKit ShadowFollows
   ShadowFromOutside ShadowSeams ParallelEye)
 contract_topic(Speed
-  WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds CaptureTime)
+  WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds FlatUniforms CaptureTime)
 contract_topic(Errors
   DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany NothingToDo BadActors
   PrintSelf)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shader files of glsl/lib keep to the dialect that compiles as GLSL and as C++.
+#include "vtkIndirectFlatUniforms.h"
 #include "vtkIndirectShaderLibrary.h"
 #include "vtkIndirectShaderTable.h"
 #include "vtkIndirectTestUtilities.h"
@@ -91,6 +92,60 @@ VTK_INDIRECT_TEST(PortableSubset)
   {
     Check(std::string("accepts ") + good, Lint(good).empty(), Lint(good));
   }
+}
+
+VTK_INDIRECT_TEST(FlatUniforms)
+{
+  const std::string vertex =
+    "//VTK::System::Dec\nuniform mat4 shared;\nvoid main()\n{\n  f();\n}\n";
+  auto move = [&vertex](const std::string& fragment, int maximum)
+  {
+    std::string v = vertex;
+    std::string f = fragment;
+    vtkIndirectFlatUniforms::Move(v, f, maximum);
+    return std::make_pair(v, f);
+  };
+  const auto moved =
+    move("//VTK::System::Dec\n"
+         "#ifdef A\nuniform vec3 twice; // here\n#else\nuniform vec3 twice;\n#endif\n"
+         "uniform mat4 shared;\nuniform float unused;\nuniform int used;\n"
+         "uniform vec4 array[2];\nuniform sampler2D image;\nuniform bool flag;\n"
+         "void main()\n{\n  twice; shared; used; array; image; flag; unused2;\n}\n",
+      128);
+  for (const char* name : { "twice", "shared", "used" })
+  {
+    const std::string varying = std::string("vtkiFlat_") + name;
+    Check(std::string(name) + " is handed on",
+      moved.first.find("  " + varying + " = " + name + ";\n") != std::string::npos &&
+        moved.second.find("#define " + std::string(name) + " " + varying + "\n") !=
+          std::string::npos &&
+        moved.second.find(std::string(" ") + name + ";\nuniform") == std::string::npos);
+  }
+  auto count = [](const std::string& text, const std::string& what)
+  {
+    int found = 0;
+    for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+    {
+      ++found;
+    }
+    return found;
+  };
+  CheckEqual("uniforms that the vertex shader has once", count(moved.first, "uniform "), 3);
+  CheckEqual("varyings of the vertex shader", count(moved.first, "flat out "), 3);
+  CheckEqual("varyings of the fragment shader", count(moved.second, "flat in "), 4);
+  for (const char* kept : { "uniform float unused;", "uniform vec4 array[2];",
+         "uniform sampler2D image;", "uniform bool flag;" })
+  {
+    Check(std::string("stays: ") + kept, count(moved.second, kept) == 1);
+  }
+  const std::string two = "uniform vec4 a;\nuniform vec3 b;\nuniform float c;\na b c\n";
+  CheckEqual("varyings of at most 5 components", count(move(two, 5).second, "flat in "), 2);
+  Check(
+    "the one that fits comes with the first", count(move(two, 5).second, "uniform vec3 b;") == 1);
+  std::string none = "no entry";
+  std::string fragment = two;
+  vtkIndirectFlatUniforms::Move(none, fragment, 128);
+  Check("nothing moves where no vertex shader hands on", none == "no entry" && fragment == two);
 }
 
 VTK_INDIRECT_TEST(ShaderFiles)

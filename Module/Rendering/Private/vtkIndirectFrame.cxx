@@ -4,6 +4,7 @@
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -14,6 +15,7 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
 #include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -48,15 +50,21 @@ bool IsDrawnAsPoints(vtkProp* prop)
       actor->GetProperty()->GetRenderPointsAsSpheres());
 }
 
+// Whether an actor and its mapper are VTK's own for polygons, not classes derived from them.
+bool IsPlain(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  return mapper && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
+    std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
+}
+
 // Whether a prop is drawn by VTK's own polygons with alpha 1 wherever it draws: no texture, which
 // has soft edges, no shader text or pass of somebody else's, and nothing that is forced to be
 // opaque.
 bool IsSolid(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
-  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  if (!mapper || std::strcmp(actor->GetClassName(), "vtkOpenGLActor") != 0 ||
-    std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
+  if (!actor || !IsPlain(actor))
   {
     return false;
   }
@@ -66,6 +74,34 @@ bool IsSolid(vtkProp* prop)
     !actor->GetPropertyKeys()->Has(vtkOpenGLRenderPass::RenderPasses()) &&
     shaders->GetNumberOfShaderReplacements() == 0 && !shaders->HasVertexShaderCode() &&
     !shaders->HasFragmentShaderCode() && !shaders->HasGeometryShaderCode();
+}
+
+// About how many triangles a prop draws; 1e9 where its mapper alone knows.
+double CountTriangles(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!actor || !IsPlain(actor))
+  {
+    return 1e9;
+  }
+  actor->GetBounds(); // brings the mapper's data up to date
+  auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
+  if (!data)
+  {
+    return 0.0;
+  }
+  // A polygon or strip of n points is n - 2 triangles; lines and points are as many of their own.
+  double triangles = 0.0;
+  for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
+  {
+    triangles += static_cast<double>(cells->GetNumberOfConnectivityIds()) -
+      2.0 * static_cast<double>(cells->GetNumberOfCells());
+  }
+  for (vtkCellArray* cells : { data->GetVerts(), data->GetLines() })
+  {
+    triangles += static_cast<double>(cells->GetNumberOfConnectivityIds());
+  }
+  return triangles;
 }
 
 // VTK lights all of its interpolations but PBR by Phong's model.
@@ -181,6 +217,7 @@ void vtkIndirectFrame::CollectProps()
       continue;
     }
     this->Solid = this->Solid && IsSolid(prop);
+    this->NumberOfTriangles += CountTriangles(prop);
     this->Specular = this->Specular || IsSpecular(prop);
     if (!prop->GetUseBounds())
     {

@@ -58,6 +58,7 @@ struct vtkIndirectFrame
   std::vector<vtkProp*> Props; // all visible ones
   bool Specular = false;       // whether a lit opaque prop reflects specularly, by Phong's model
   bool Solid = false;          // whether whatever an opaque prop draws hides all that is behind it
+  double NumberOfTriangles = 0.0; // about, of opaque props; 1e9 of one that does not tell
   std::vector<vtkIndirectCaster> Casters;
   std::vector<vtkIndirectLight> Lights;
   /** Props and lights that take no part, and why. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIndirectKernelProgram.h"
 
+#include "vtkIndirectFlatUniforms.h"
 #include "vtkIndirectShaderLibrary.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -53,10 +54,18 @@ vtkShaderProgram* vtkIndirectKernelProgram::Use(vtkOpenGLRenderWindow* window)
 {
   if (!this->Quad)
   {
-    const std::string text =
+    std::string fragment =
       vtkIndirectShaderLibrary::GetShader(this->Stage, this->Definitions, this->Gather);
+    std::string vertex = VertexShader;
+    if (vtkIndirectFlatUniforms::Pay())
+    {
+      // What OpenGL on the processor has; the compiler drops those that no result depends on.
+      constexpr int maximum = 128;
+      vtkIndirectFlatUniforms::Move(vertex, fragment, maximum);
+    }
     // Four arguments up to VTK 9.1; the fifth of later versions has a default.
-    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, VertexShader, text.c_str(), "");
+    this->Quad =
+      std::make_unique<vtkOpenGLQuadHelper>(window, vertex.c_str(), fragment.c_str(), "");
   }
   else if (this->Quad->Program)
   {

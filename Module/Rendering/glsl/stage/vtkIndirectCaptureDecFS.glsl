@@ -12,15 +12,8 @@ uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel proje
 
 #ifdef VTKI_SHADOWS
 uniform float vtkiMagnitude; // of the numbers that positions are differences of [scene units]
-// From the eye: where each light's shadow map is. The arrays are as long as the scene has lights.
 uniform sampler2DArray vtkiShadowMaps; // depths of a texel and its neighbours in the row
-uniform mat4 vtkiViewToLight[VTKI_LIGHT_COUNT]; // view coordinates to light frame, scene units
-uniform vec4 vtkiShadowMap[VTKI_LIGHT_COUNT];   // first layer (-1: none), projection, half width, texels
-uniform vec4 vtkiShadowDepth[VTKI_LIGHT_COUNT]; // near, far, shadow strength, number of layers
 #endif
-
-// Of VTK's spot lights; its own code takes the cosine of a uniform angle at every pixel.
-uniform float vtkiConeCosine[VTKI_LIGHT_COUNT];
 
 // From a light: the light whose map is drawn.
 uniform vec2 vtkiMapLight; // 1 if positional, texel size in tangents or scene units
@@ -44,22 +37,22 @@ vec3 vtkiFacetNormal(vec3 p, vec3 facet, vec3 fallback)
   return away ? -n : n;
 }
 
-// projection: of the light's map, VTKI_MAP_FACES where only the map knows whether it has several; a literal,
-// so that nothing is evaluated that the light cannot have.
-float vtkiVisibility(
-  int light, int projection, vec3 positionVC, vec3 normalVC, vec3 facetNormalVC)
+// A light's visibility from a place the eye sees. viewToLight: columns are rows of the matrix from view
+// coordinates to the light's frame in scene units; map: first layer (-1: none), projection, half width,
+// texels; depthRange: near, far, shadow strength, number of layers. projection: of the light's map,
+// VTKI_MAP_FACES where only the map knows whether it has several; a literal, so that nothing is evaluated
+// that the light cannot have.
+float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projection, vec3 positionVC,
+  vec3 normalVC, vec3 facetNormalVC)
 {
-  vec4 map = vtkiShadowMap[light];
   if (vtkiStage != 0 || map.x < 0.0f)
   {
     return 1.0f;
   }
-  vec4 depthRange = vtkiShadowDepth[light];
-  mat4 viewToLight = vtkiViewToLight[light];
-  mat3 rotation = mat3(viewToLight) * (1.0f / vtkiSceneScale);
-  vec3 p = (viewToLight * vec4(positionVC, 1.0f)).xyz;
-  vec3 n = rotation * normalVC;
-  vec3 facet = rotation * facetNormalVC;
+  float scale = 1.0f / vtkiSceneScale;
+  vec3 p = vec4(positionVC, 1.0f) * viewToLight;
+  vec3 n = vec4(normalVC * scale, 0.0f) * viewToLight;
+  vec3 facet = vec4(facetNormalVC * scale, 0.0f) * viewToLight;
   bool parallel = projection == VTKI_MAP_PARALLEL;
   int face = 0;
   if (projection == VTKI_MAP_FACES && int(map.y + 0.5f) == VTKI_MAP_FACES)
