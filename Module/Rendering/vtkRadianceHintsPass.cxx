@@ -62,6 +62,14 @@ struct vtkRadianceHintsPass::Internals
 
   Internals() { this->HeadlightSampler->SetNumberOfLights(1024); }
 
+  // step: between samples
+  std::string GetLookupDefinitions(int step) const
+  {
+    return vtkIndirectHintFields::GetLookupDefinitions(
+             this->Settings, this->Grid.GetNumberOfGrids()) +
+      "#define VTKI_STEP " + std::to_string(step) + "\n";
+  }
+
   // Binds receivers and hints.
   void ActivateLookup(vtkShaderProgram* program, const vtkIndirectEstimatorPass::Input& input)
   {
@@ -368,8 +376,9 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
     in.Coarse[in.CoarseNow].GetHeight() == height;
   const int next = smooth ? 1 - in.CoarseNow : 0;
   const bool mix = smooth && kept;
-  vtkShaderProgram* program = in.LookUpKernel.UseFor(
-    frame.Window, in.Fields.GetLayout(), in.Blocked, mix ? "#define VTKI_KEEP\n" : "");
+  const std::string definitions = in.GetLookupDefinitions(step);
+  vtkShaderProgram* program =
+    in.LookUpKernel.UseFor(frame.Window, definitions + (mix ? "#define VTKI_KEEP\n" : ""));
   if (!program || !in.Coarse[next].Resize(frame.Window, width, height))
   {
     return false;
@@ -413,8 +422,7 @@ bool vtkRadianceHintsPass::FillMixedCells(const Input& input)
   vtkIndirectTarget& coarse = in.Coarse[in.CoarseNow];
   const int cells = coarse.GetWidth() * coarse.GetHeight();
   const int step = this->InterpolationStep;
-  const std::string definitions =
-    vtkIndirectHintKernel::GetDefinitions(in.Fields.GetLayout(), in.Blocked);
+  const std::string definitions = in.GetLookupDefinitions(step);
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]))
   {
     return false;
@@ -454,7 +462,6 @@ bool vtkRadianceHintsPass::FillMixedCells(const Input& input)
 //------------------------------------------------------------------------------
 void vtkRadianceHintsPass::SetInterpolationUniforms(vtkShaderProgram* program) const
 {
-  program->SetUniformi("vtkiStep", this->InterpolationStep);
   program->SetUniformf("vtkiMinimumCosine", static_cast<float>(this->InterpolationMinimumCosine));
   program->SetUniformf("vtkiPlaneTolerance", static_cast<float>(this->InterpolationPlaneTolerance));
 }

@@ -94,6 +94,16 @@ VTK_INDIRECT_TEST(OccupancyBits)
     }
   }
   CheckEqual("bits of ranges that differ from their definition", wrong, 0);
+  wrong = 0;
+  for (int set = 0; set < 128; ++set)
+  {
+    const glm::uvec4 column = vtkiBitRange(set, set);
+    for (int bit = -70; bit < 200; ++bit)
+    {
+      wrong += vtkiHasBit(column, bit) != (bit == set);
+    }
+  }
+  CheckEqual("bits that are found where they are not, or not where they are", wrong, 0);
 }
 
 VTK_INDIRECT_TEST(OccupancyWatertight)

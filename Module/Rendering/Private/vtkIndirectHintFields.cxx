@@ -54,21 +54,35 @@ constexpr int ReadsPerBlockEdge = 8;
 // over sqrt(A / 2 pi): a fifth of a cell's edge for this, less than a hint's distance from its own
 // wall.
 constexpr double SofteningShare = 0.25;
+
+std::string Define(const std::string& name, int value)
+{
+  return "#define " + name + " " + std::to_string(value) + "\n";
+}
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIndirectHintKernel::GetDefinitions(int layout, bool occupancy)
+std::string vtkIndirectHintKernel::GetDefinitions(int layout, bool occupancy, int grids)
 {
-  return "#define VTKI_HINT_LAYOUT " + std::to_string(layout) + "\n" +
+  return Define("VTKI_HINT_LAYOUT", layout) + Define("VTKI_GRIDS", grids) +
     (occupancy ? "#define VTKI_HINT_OCCUPANCY\n" : "");
 }
 
 //------------------------------------------------------------------------------
 vtkShaderProgram* vtkIndirectHintKernel::UseFor(
-  vtkOpenGLRenderWindow* window, int layout, bool occupancy, const std::string& definitions)
+  vtkOpenGLRenderWindow* window, const std::string& definitions)
 {
-  this->SetDefinitions(GetDefinitions(layout, occupancy) + definitions);
+  this->SetDefinitions(definitions);
   return this->Use(window);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectHintFields::GetLookupDefinitions(const Settings& settings, int grids)
+{
+  return vtkIndirectHintKernel::GetDefinitions(settings.Layout, settings.Blocked, grids) +
+    Define("VTKI_LOOKUPS", settings.NumberOfLookups) +
+    Define("VTKI_LOOKUP_ROTATION", settings.LookupRotation) +
+    Define("VTKI_LOBES", settings.Deringing) + Define("VTKI_FACING", settings.FacingWeights);
 }
 
 //------------------------------------------------------------------------------
@@ -156,7 +170,7 @@ bool vtkIndirectHintFields::MakeSenders(const Input& input, const Settings& sett
   const int count =
     input.Maps.GetNumberOfLayers() * settings.BlocksPerEdge * settings.BlocksPerEdge;
   const int rows = (count + SenderRowLength - 1) / SenderRowLength;
-  vtkShaderProgram* program = this->SendersKernel.UseFor(input.Frame.Window, 0, false);
+  vtkShaderProgram* program = this->SendersKernel.UseFor(input.Frame.Window, "");
   if (!program || !this->Senders.Resize(input.Frame.Window, SenderRowLength, rows))
   {
     return false;
@@ -180,7 +194,8 @@ bool vtkIndirectHintFields::Inject(
   const vtkIndirectFrame& frame = input.Frame;
   const bool list = input.EyeIsMap || !settings.Sampled;
   vtkIndirectHintKernel& kernel = list ? this->DenseKernel : this->SampledKernel;
-  vtkShaderProgram* program = kernel.UseFor(frame.Window, this->Layout, settings.Blocked);
+  vtkShaderProgram* program = kernel.UseFor(frame.Window,
+    vtkIndirectHintKernel::GetDefinitions(this->Layout, settings.Blocked, grid.GetNumberOfGrids()));
   if (!program)
   {
     return false;
@@ -248,7 +263,8 @@ bool vtkIndirectHintFields::Reflect(const Input& input, const Settings& settings
   vtkIndirectHintGrid& grid, vtkIndirectOccupancyVolume& volume, const float albedo[4])
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
-  vtkShaderProgram* program = this->RadiosityKernel.UseFor(window, this->Layout, settings.Blocked);
+  vtkShaderProgram* program =
+    this->RadiosityKernel.UseFor(window, GetLookupDefinitions(settings, grid.GetNumberOfGrids()));
   if (!program ||
     !this->Radiosity.Resize(window, vtkIndirectHintGrid::RowLength, grid.GetNumberOfSurfelRows()))
   {
@@ -279,7 +295,8 @@ bool vtkIndirectHintFields::Bounce(const Input& input, const Settings& settings,
 
   // L^k = L^1 + T L^(k-1)
   const int next = settings.FromHints && this->Current == 1 ? 2 : 1;
-  vtkShaderProgram* program = this->CopyKernel.UseFor(window, this->Layout, false);
+  vtkShaderProgram* program = this->CopyKernel.UseFor(
+    window, vtkIndirectHintKernel::GetDefinitions(this->Layout, false, grid.GetNumberOfGrids()));
   if (!program)
   {
     return false;
@@ -290,7 +307,9 @@ bool vtkIndirectHintFields::Bounce(const Input& input, const Settings& settings,
   this->Deactivate(grid, volume);
 
   vtkIndirectHintKernel& kernel = settings.FromHints ? this->ExchangeKernel : this->SurfacesKernel;
-  program = kernel.UseFor(window, this->Layout, settings.FromHints && settings.Blocked);
+  program = kernel.UseFor(window,
+    vtkIndirectHintKernel::GetDefinitions(
+      this->Layout, settings.FromHints && settings.Blocked, grid.GetNumberOfGrids()));
   if (!program)
   {
     this->Fields[next]->End();
@@ -353,10 +372,6 @@ void vtkIndirectHintFields::ActivateLookup(const Input& input, const Settings& s
     volume.Activate(input.Frame.Window, program);
     grid.ActivateMasks(input.Frame.Window, program);
   }
-  program->SetUniformi("vtkiLookupCount", settings.NumberOfLookups);
-  program->SetUniformi("vtkiLookupRotation", settings.LookupRotation ? 1 : 0);
-  program->SetUniformi("vtkiLobes", settings.Deringing ? 1 : 0);
-  program->SetUniformi("vtkiFacing", settings.FacingWeights ? 1 : 0);
 }
 
 //------------------------------------------------------------------------------

@@ -22,10 +22,9 @@ public:
     : vtkIndirectKernelProgram(stage)
   {
   }
-  /** What their texts begin with. */
-  static std::string GetDefinitions(int layout, bool occupancy);
-  vtkShaderProgram* UseFor(
-    vtkOpenGLRenderWindow* window, int layout, bool occupancy, const std::string& definitions = "");
+  /** What their texts begin with; grids: how many. */
+  static std::string GetDefinitions(int layout, bool occupancy, int grids);
+  vtkShaderProgram* UseFor(vtkOpenGLRenderWindow* window, const std::string& definitions);
 };
 
 class vtkIndirectHintFields
@@ -63,7 +62,9 @@ public:
   bool Fill(const Input& input, const Settings& settings, vtkIndirectHintGrid& grid,
     vtkIndirectOccupancyVolume& volume, vtkIndirectStageTimer& timer);
 
-  /** Binds what vtkIndirectHintLookup.glsl reads; pair with Deactivate. */
+  /** What a stage with vtkIndirectHintLookup.glsl begins with, to be built anew for others. */
+  static std::string GetLookupDefinitions(const Settings& settings, int grids);
+  /** Binds what it reads; pair with Deactivate. */
   void ActivateLookup(const Input& input, const Settings& settings, vtkIndirectHintGrid& grid,
     vtkIndirectOccupancyVolume& volume, vtkShaderProgram* program);
   void Deactivate(vtkIndirectHintGrid& grid, vtkIndirectOccupancyVolume& volume);

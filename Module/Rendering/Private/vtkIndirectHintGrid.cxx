@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIndirectGL.h"
-
 #include "vtkIndirectHintGrid.h"
 
 #include "vtkIndirectHintSurfaces.h"
@@ -9,7 +7,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,10 +82,7 @@ void vtkIndirectHintGrid::Build(const Settings& settings, const vtkIndirectOccup
   this->Directions.clear();
   this->Albedo.clear();
   this->MaskSize = glm::ivec3(0);
-  for (auto& texture : this->Textures)
-  {
-    texture = nullptr;
-  }
+  this->Textures.Clear();
   const int grids = static_cast<int>(settings.Regions.size());
   for (int grid = 0; grid < grids; ++grid)
   {
@@ -432,107 +426,89 @@ int vtkIndirectHintGrid::GetNumberOfSurfelRows() const
 }
 
 //------------------------------------------------------------------------------
-vtkTextureObject* vtkIndirectHintGrid::Make(Table table, vtkOpenGLRenderWindow* window)
+void vtkIndirectHintGrid::Bind(
+  Table table, vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* uniform)
 {
-  vtkSmartPointer<vtkTextureObject>& texture = this->Textures[table];
-  if (texture)
+  if (!this->Textures.Has(table))
   {
-    return texture;
+    this->Make(table, window);
   }
-  texture = vtkSmartPointer<vtkTextureObject>::New();
-  texture->SetContext(window);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  texture->SetWrapR(vtkTextureObject::ClampToEdge);
+  this->Textures.Bind(table, program, uniform);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Make(Table table, vtkOpenGLRenderWindow* window)
+{
   std::vector<glm::vec4> texels;
-  unsigned int width = RowLength;
+  int width = RowLength;
   switch (table)
   {
-    case MaskTable:
-      texture->SetInternalFormat(GL_RG8);
-      texture->SetFormat(GL_RG);
-      texture->SetDataType(GL_UNSIGNED_BYTE);
-      texture->Create3DFromRaw(static_cast<unsigned int>(this->MaskSize.x),
-        static_cast<unsigned int>(this->MaskSize.y), static_cast<unsigned int>(this->MaskSize.z), 2,
-        VTK_UNSIGNED_CHAR, this->Masks.data());
-      return texture;
-    case HintTable:
+    case Tables::Masks:
+      this->Textures.Make(table, window, this->MaskSize, this->Masks);
+      return;
+    case Tables::Hints:
       texels = this->Hints;
       break;
-    case RayTable:
+    case Tables::Rays:
       width = RayRowLength;
       texels.resize(this->Hits.size() / 4);
       std::copy(this->Hits.begin(), this->Hits.end(), texels.empty() ? nullptr : &texels[0].x);
       break;
-    case HintAlbedo:
+    case Tables::Albedo:
       texels = this->Albedo;
       break;
-    case DirectionTable:
+    case Tables::Directions:
       texels = this->Directions;
       break;
     default:
       for (const Surfel& surfel : this->Surfels)
       {
-        texels.emplace_back(table == SurfelPosition
+        texels.emplace_back(table == Tables::SurfelPosition
             ? surfel.Position
-            : (table == SurfelNormal ? surfel.Normal : surfel.Albedo),
+            : (table == Tables::SurfelNormal ? surfel.Normal : surfel.Albedo),
           surfel.Depth);
       }
   }
-  const size_t rows = std::max<size_t>(1, (texels.size() + width - 1) / width);
-  texels.resize(rows * width, glm::vec4(0.0f));
-  texture->Create2DFromRaw(width, static_cast<unsigned int>(rows), 4, VTK_FLOAT, &texels[0].x);
-  return texture;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Bind(Table table, vtkShaderProgram* program, const char* uniform)
-{
-  this->Textures[table]->Activate();
-  program->SetUniformi(uniform, this->Textures[table]->GetTextureUnit());
+  this->Textures.Make(table, window, std::move(texels), width);
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectHintGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
 {
-  this->Make(HintTable, window);
-  this->Bind(HintTable, program, "vtkiHints");
+  this->Bind(Tables::Hints, window, program, "vtkiHints");
   const int grids = static_cast<int>(this->Current.Regions.size());
-  float rows[3 * MaximumNumberOfGrids][4] = {};
   for (int grid = 0; grid < grids; ++grid)
   {
+    float rows[3][4] = {};
     const Region& region = this->Current.Regions[grid];
     const glm::dvec3 cell = this->GetCell(grid);
     for (int axis = 0; axis < 3; ++axis)
     {
-      rows[3 * grid][axis] = static_cast<float>(region.Lower[axis]);
-      rows[3 * grid + 1][axis] = static_cast<float>(cell[axis]);
-      rows[3 * grid + 2][axis] = static_cast<float>(region.Size[axis]);
+      rows[0][axis] = static_cast<float>(region.Lower[axis]);
+      rows[1][axis] = static_cast<float>(cell[axis]);
+      rows[2][axis] = static_cast<float>(region.Size[axis]);
     }
-    rows[3 * grid][3] = static_cast<float>(this->First[grid]);
-    rows[3 * grid + 1][3] = static_cast<float>(glm::length(cell));
+    rows[0][3] = static_cast<float>(this->First[grid]);
+    rows[1][3] = static_cast<float>(glm::length(cell));
+    const std::string n = std::to_string(grid);
+    program->SetUniform4f(("vtkiGridLower" + n).c_str(), rows[0]);
+    program->SetUniform4f(("vtkiGridCell" + n).c_str(), rows[1]);
+    program->SetUniform4f(("vtkiGridSize" + n).c_str(), rows[2]);
   }
-  program->SetUniformi("vtkiGridCount", grids);
-  program->SetUniform4fv("vtkiGrid", 3 * MaximumNumberOfGrids, rows);
   program->SetUniformi("vtkiHintCount", this->GetNumberOfHints());
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectHintGrid::ActivateMasks(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
 {
-  this->Make(MaskTable, window);
-  this->Bind(MaskTable, program, "vtkiMasks");
+  this->Bind(Tables::Masks, window, program, "vtkiMasks");
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectHintGrid::ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
 {
-  this->Make(RayTable, window);
-  this->Make(DirectionTable, window);
-  this->Bind(RayTable, program, "vtkiRays");
-  this->Bind(DirectionTable, program, "vtkiDirections");
+  this->Bind(Tables::Rays, window, program, "vtkiRays");
+  this->Bind(Tables::Directions, window, program, "vtkiDirections");
   program->SetUniformi("vtkiRayEdge", this->RayEdge);
   program->SetUniformi("vtkiRayRowLength", RayRowLength);
 }
@@ -540,8 +516,7 @@ void vtkIndirectHintGrid::ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderP
 //------------------------------------------------------------------------------
 void vtkIndirectHintGrid::ActivateAlbedo(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
 {
-  this->Make(HintAlbedo, window);
-  this->Bind(HintAlbedo, program, "vtkiHintAlbedo");
+  this->Bind(Tables::Albedo, window, program, "vtkiHintAlbedo");
 }
 
 //------------------------------------------------------------------------------
@@ -550,50 +525,7 @@ void vtkIndirectHintGrid::ActivateSurfels(vtkOpenGLRenderWindow* window, vtkShad
   const char* const names[] = { "vtkiSurfelPosition", "vtkiSurfelNormal", "vtkiSurfelAlbedo" };
   for (int i = 0; i < 3; ++i)
   {
-    const Table table = static_cast<Table>(SurfelPosition + i);
-    this->Make(table, window);
-    this->Bind(table, program, names[i]);
+    this->Bind(static_cast<Table>(Tables::SurfelPosition + i), window, program, names[i]);
   }
   program->SetUniformi("vtkiSurfelCount", static_cast<int>(this->Surfels.size()));
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Deactivate()
-{
-  for (auto& texture : this->Textures)
-  {
-    if (texture)
-    {
-      texture->Deactivate();
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectHintGrid::GetBytes() const
-{
-  size_t bytes = 0;
-  for (int i = 0; i < NumberOfTables; ++i)
-  {
-    if (const auto& texture = this->Textures[i])
-    {
-      const size_t texels = static_cast<size_t>(texture->GetWidth()) * texture->GetHeight() *
-        std::max(1u, texture->GetDepth());
-      bytes += texels * (i == MaskTable ? 2 : sizeof(glm::vec4));
-    }
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Release(vtkWindow* window)
-{
-  for (auto& texture : this->Textures)
-  {
-    if (texture)
-    {
-      texture->ReleaseGraphicsResources(window);
-      texture = nullptr;
-    }
-  }
 }

@@ -11,7 +11,7 @@
 #ifndef vtkIndirectHintGrid_h
 #define vtkIndirectHintGrid_h
 
-#include "vtkSmartPointer.h" // for members
+#include "vtkIndirectHintTables.h" // for members
 
 #include <glm/glm.hpp> // for vectors
 #include <string>      // for uniform names
@@ -20,7 +20,6 @@
 class vtkIndirectOccupancyVolume;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWindow;
 
 class vtkIndirectHintGrid
@@ -94,31 +93,25 @@ public:
   void ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
   void ActivateAlbedo(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
   void ActivateSurfels(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  void Deactivate();
+  void Deactivate() { this->Textures.Deactivate(); }
   ///@}
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+  int GetNumberOfGrids() const { return static_cast<int>(this->Current.Regions.size()); }
+
+  size_t GetBytes() const { return this->Textures.GetBytes(); }
+  void Release(vtkWindow* window) { this->Textures.Release(window); }
 
 private:
-  enum Table
-  {
-    HintTable,
-    MaskTable,
-    RayTable,
-    DirectionTable,
-    SurfelPosition,
-    SurfelNormal,
-    SurfelAlbedo,
-    HintAlbedo,
-    NumberOfTables
-  };
+  using Tables = vtkIndirectHintTables;
+  using Table = Tables::Table;
 
   void Place(int grid);
   void FindMasks(int grid);
   void FindPlanes();
   void FindHits();
-  void Bind(Table table, vtkShaderProgram* program, const char* uniform);
-  vtkTextureObject* Make(Table table, vtkOpenGLRenderWindow* window);
+  // A table's texture, made when there is none.
+  void Bind(
+    Table table, vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* uniform);
+  void Make(Table table, vtkOpenGLRenderWindow* window);
 
   Settings Current;
   const vtkIndirectOccupancyVolume* Volume = nullptr;
@@ -133,7 +126,7 @@ private:
   std::vector<glm::vec4> Albedo; // of what a hint sees around it
   int NumberOfActive = 0;
   int RayEdge = 0;
-  vtkSmartPointer<vtkTextureObject> Textures[NumberOfTables];
+  Tables Textures;
 };
 
 #endif

@@ -29,6 +29,15 @@ bool vtkiAnyBit(uvec4 column, uvec4 range)
            (column.w & range.w)) != 0u;
 }
 
+/* Bit z of a column; none outside it. */
+bool vtkiHasBit(uvec4 column, int z)
+{
+  uint lower = z < 32 ? column.x : column.y;
+  uint upper = z < 96 ? column.z : column.w;
+  uint word = z < 64 ? lower : upper;
+  return z >= 0 && z < 128 && ((word >> uint(z & 31)) & 1u) != 0u;
+}
+
 /* Where a segment is. Coordinates count voxels: voxel i reaches from i to i + 1. */
 struct vtkiWalk
 {

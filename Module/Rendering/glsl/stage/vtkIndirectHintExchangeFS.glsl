@@ -23,10 +23,10 @@ void main()
   int hint = at.x + 256 * at.y;
   vec4 place = texelFetch(vtkiHints, at, 0);
   vec2 own = texelFetch(vtkiHintDistance, at, 0).xy;
-  int grid = vtkiGridOf(hint);
-  int first = int(vtkiGrid[3 * grid].w);
-  ivec3 size = ivec3(vtkiGrid[3 * grid + 2].xyz);
-  vec3 reach = vtkiRange / vtkiGrid[3 * grid + 1].xyz;
+  vtkiGrid grid = vtkiGetGrid(vtkiGridOf(hint));
+  int first = grid.first;
+  ivec3 size = grid.size;
+  vec3 reach = vtkiRange / grid.cell;
   int inGrid = hint - first;
   vec3 middle = vec3(inGrid % size.x, inGrid / size.x % size.y, inGrid / (size.x * size.y));
   vtkiField sum = vtkiZeroField();

@@ -49,7 +49,7 @@ vtkiHintPlace vtkiFetchHintPlace()
   ivec2 at = ivec2(gl_FragCoord.xy);
   int hint = at.x + 256 * at.y;
   vec4 place = texelFetch(vtkiHints, at, 0);
-  vec3 cell = vtkiGrid[3 * vtkiGridOf(hint) + 1].xyz;
+  vec3 cell = vtkiGetGrid(vtkiGridOf(hint)).cell;
   return vtkiHintPlace(hint, place.xyz, cell, pow(cell.x * cell.y * cell.z, 2.0f / 3.0f),
     hint < vtkiHintCount && place.w > 0.0f);
 }

@@ -41,28 +41,28 @@ void vtkiFindOpen(vec3 place, vec3 normal, out vec3 open, out vec3 aside)
 }
 #endif
 
-uniform int vtkiLookupCount;    // 1, or 4: one above and three at 80 degrees (Eq. 7)
-uniform int vtkiLookupRotation; // whether the three turn from pixel to pixel
-uniform int vtkiLobes;
-uniform int vtkiFacing; // whether hints behind what sends light weigh less
+// Settings, as literals: nothing is evaluated for those that are off.
+#ifndef VTKI_LOOKUPS
+#define VTKI_LOOKUPS 4         // 1, or 4: one above and three at 80 degrees (Eq. 7)
+#define VTKI_LOOKUP_ROTATION 1 // whether the three turn from pixel to pixel
+#define VTKI_LOBES 1
+#define VTKI_FACING 1 // whether hints behind what sends light weigh less
+#endif
 
 const int VTKI_MARCH = 24; // steps of a look-up through the voxels
 
 void vtkiAddLookup(
   inout vtkiField sum, inout float total, int grid, vec3 at, float weight, bool seen)
 {
-  vec3 lower = vtkiGrid[3 * grid].xyz;
-  vec3 cell = vtkiGrid[3 * grid + 1].xyz;
-  ivec3 size = ivec3(vtkiGrid[3 * grid + 2].xyz);
-  int first = int(vtkiGrid[3 * grid].w);
+  vtkiGrid g = vtkiGetGrid(grid);
   int mask = 255;
-  vec3 inGrid = (at - lower) / cell - 0.5f;
+  vec3 inGrid = (at - g.lower) / g.cell - 0.5f;
   vec3 base = floor(inGrid);
 #ifdef VTKI_HINT_OCCUPANCY
   ivec3 voxel = clamp(ivec3(floor(vtkiToVoxels(at))), ivec3(0), ivec3(vtkiOccupancySize) - 1);
   // The mask is of the voxel's centre, and so are the hints that it names.
   vec3 centre = (vec3(voxel) + 0.5f) / vtkiOccupancyOrigin.w + vtkiOccupancyOrigin.xyz;
-  base = floor((centre - lower) / cell - 0.5f);
+  base = floor((centre - g.lower) / g.cell - 0.5f);
   vec2 masks = textureLod(vtkiMasks, (vec3(voxel) + 0.5f) / vtkiOccupancySize, 0.0f).rg;
   mask = seen ? int((grid == 0 ? masks.x : masks.y) * 255.0f + 0.5f) : 255;
 #endif
@@ -70,13 +70,13 @@ void vtkiAddLookup(
   for (int corner = 0; corner < 8; ++corner)
   {
     ivec3 shift = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
-    ivec3 hintAt = clamp(ivec3(base) + shift, ivec3(0), size - 1);
-    int hint = first + hintAt.x + size.x * (hintAt.y + size.y * hintAt.z);
+    ivec3 hintAt = clamp(ivec3(base) + shift, ivec3(0), g.size - 1);
+    int hint = g.first + hintAt.x + g.size.x * (hintAt.y + g.size.y * hintAt.z);
     vec3 w3 = mix(1.0f - blend, blend, vec3(shift));
     // Never quite zero, so that the one hint that is seen counts wherever it lies.
     float w = weight * max(w3.x * w3.y * w3.z, 1.0e-4f) * float((mask >> corner) & 1);
 #ifndef VTKI_HINT_OCCUPANCY
-    if (vtkiFacing != 0)
+    if (VTKI_FACING != 0)
     {
       w *= texelFetch(vtkiHintDistance, vtkiHintTexel(hint), 0).z;
     }
@@ -89,8 +89,8 @@ void vtkiAddLookup(
 // Share of the finer grid at a point: whole inside, fading over its outermost two cells.
 float vtkiFineShare(vec3 position)
 {
-  vec3 inGrid = (position - vtkiGrid[3].xyz) / vtkiGrid[4].xyz;
-  vec3 inside = min(inGrid, vtkiGrid[5].xyz - inGrid);
+  vec3 inGrid = (position - vtkiGridLower1.xyz) / vtkiGridCell1.xyz;
+  vec3 inside = min(inGrid, vtkiGridSize1.xyz - inGrid);
   return clamp(0.5f * min(min(inside.x, inside.y), inside.z), 0.0f, 1.0f);
 }
 
@@ -102,7 +102,7 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
   vec3 helper = abs(normal.x) < 0.5f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
   vec3 tangent = normalize(cross(helper, normal));
   vec3 bitangent = cross(normal, tangent);
-  float turn = vtkiLookupRotation != 0
+  float turn = VTKI_LOOKUP_ROTATION != 0
     ? 6.2831853f * vtkiSpread(0, uint(pixel.x * 4099 + pixel.y)).x
     : 0.0f;
 #ifdef VTKI_HINT_OCCUPANCY
@@ -110,7 +110,7 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
   vec3 aside;
   vtkiFindOpen(vtkiToVoxels(position), normal, open, aside);
 #endif
-  float fine = vtkiGridCount > 1 ? vtkiFineShare(position) : 0.0f;
+  float fine = VTKI_GRIDS > 1 ? vtkiFineShare(position) : 0.0f;
   // Once with the hints that are seen; where none is, once with all. Conditions come last: a loop ends
   // when they hold for all places that are shaded together, and one that begins with them has a round
   // more, which costs as much as the others.
@@ -118,19 +118,20 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
   bool again = false;
   do
   {
-    int lookups = needed && !(total > 0.0f) ? vtkiLookupCount * vtkiGridCount : 0;
+    int lookups = needed && !(total > 0.0f) ? VTKI_LOOKUPS * VTKI_GRIDS : 0;
     int i = 0;
     do
     {
-      int grid = i / vtkiLookupCount;
-      int lookup = i - grid * vtkiLookupCount;
+      int grid = VTKI_GRIDS > 1 ? i / VTKI_LOOKUPS : 0;
+      int lookup = i - grid * VTKI_LOOKUPS;
       float weight = grid == 1 ? fine : 1.0f - fine;
-      float diagonal = vtkiGrid[3 * grid + 1].w;
-      vec3 cell = vtkiGrid[3 * grid + 1].xyz;
+      vtkiGrid g = vtkiGetGrid(grid);
+      float diagonal = g.diagonal;
+      vec3 cell = g.cell;
       // Half a cell along the normal; or the paper's hemisphere, a cell's diagonal in radius and
       // half of that above the surface.
       vec3 offset = 0.5f * dot(abs(normal), cell) * normal;
-      if (vtkiLookupCount > 1)
+      if (VTKI_LOOKUPS > 1)
       {
         float angle = turn + 2.0943951f * float(lookup);
         offset = lookup == 0
@@ -160,7 +161,7 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
         vtkiAddLookup(sum, total, grid, at, weight, attempt == 0);
       }
       ++i;
-    } while (i < lookups);
+    } while (VTKI_LOOKUPS * VTKI_GRIDS > 1 && i < lookups);
     ++attempt;
     again = needed && !(total > 0.0f) && attempt < 2;
   } while (again);
@@ -168,5 +169,5 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
   {
     sum.c[i] *= total > 0.0f ? 1.0f / total : 0.0f;
   }
-  return vtkiFieldIrradiance(sum, normal, vtkiLobes != 0);
+  return vtkiFieldIrradiance(sum, normal, VTKI_LOBES != 0);
 }

@@ -1,9 +1,33 @@
 // Places of the hints. Hint i is texel (i mod 256, i div 256) of every table of hints.
 uniform sampler2D vtkiHints; // position (scene units), 1 where active
 uniform int vtkiHintCount;
-uniform int vtkiGridCount;
-// Three rows a grid: lower corner, first hint; cell, its diagonal; hints along each axis, 0.
-uniform vec4 vtkiGrid[6];
+// How many grids there are, one or two.
+#ifndef VTKI_GRIDS
+#define VTKI_GRIDS 2
+#endif
+uniform vec4 vtkiGridLower0; // lower corner, first hint
+uniform vec4 vtkiGridCell0;  // cell, its diagonal
+uniform vec4 vtkiGridSize0;  // hints along each axis, 0
+uniform vec4 vtkiGridLower1;
+uniform vec4 vtkiGridCell1;
+uniform vec4 vtkiGridSize1;
+
+struct vtkiGrid
+{
+  vec3 lower; // corner
+  int first;  // hint
+  vec3 cell;
+  float diagonal; // of a cell
+  ivec3 size;     // hints along each axis
+};
+
+vtkiGrid vtkiGetGrid(int grid)
+{
+  vec4 lower = grid == 0 ? vtkiGridLower0 : vtkiGridLower1;
+  vec4 cell = grid == 0 ? vtkiGridCell0 : vtkiGridCell1;
+  vec4 size = grid == 0 ? vtkiGridSize0 : vtkiGridSize1;
+  return vtkiGrid(lower.xyz, int(lower.w), cell.xyz, cell.w, ivec3(size.xyz));
+}
 
 ivec2 vtkiHintTexel(int hint)
 {
@@ -13,7 +37,7 @@ ivec2 vtkiHintTexel(int hint)
 // The grid that a hint belongs to.
 int vtkiGridOf(int hint)
 {
-  return vtkiGridCount > 1 && hint >= int(vtkiGrid[3].w) ? 1 : 0;
+  return VTKI_GRIDS > 1 && hint >= int(vtkiGridLower1.w) ? 1 : 0;
 }
 
 // Well spread numbers in [0,1)^3 for item i of a sequence that starts anew at every seed: additive

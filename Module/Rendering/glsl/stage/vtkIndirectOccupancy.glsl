@@ -19,8 +19,7 @@ uvec4 vtkiFetchColumn(ivec2 at)
 bool vtkiIsOccupied(ivec3 voxel)
 {
   ivec2 at = clamp(voxel.xy, ivec2(0), ivec2(vtkiOccupancySize.xy) - 1);
-  return vtkiAnyBit(vtkiFetchColumn(at), vtkiBitRange(voxel.z, voxel.z)) &&
-    voxel.xy == at;
+  return vtkiHasBit(vtkiFetchColumn(at), voxel.z) && voxel.xy == at;
 }
 
 // Whether the segment between two points (voxel coordinates) meets no occupied voxel besides those
