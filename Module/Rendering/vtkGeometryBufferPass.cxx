@@ -105,16 +105,14 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
       return false;
     }
   }
-  if (!this->ClearKernel->Use(frame.Window))
-  {
-    return false;
-  }
   this->Target->Begin();
   this->Target->ClearDepth();
+  // Where nothing is blended, pixels that something is drawn to need not be cleared before.
+  const bool clearAfter = this->IsSolid() && this->DepthTellsBackground(frame);
+  if (!clearAfter && !this->Clear(frame.Window, false))
   {
-    vtkIndirectKernelState kernelState(frame.Window);
-    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    this->ClearKernel->Draw();
+    this->Target->End();
+    return false;
   }
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
@@ -140,7 +138,45 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   {
     glEnablei(GL_BLEND, static_cast<unsigned int>(i));
   }
+  const bool cleared = !clearAfter || this->Clear(frame.Window, true);
   this->Target->End();
+  return cleared;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeometryBufferPass::DepthTellsBackground(const vtkIndirectFrame& frame) const
+{
+  // From which share of the far plane's distance on depths are those of the background: half a step
+  // of the depth buffer, over the slope of depth there.
+  constexpr double mostLost = 1e-3;
+  const double slope = frame.Parallel ? 1.0 : frame.Near / frame.Far;
+  return 0.5 * this->Target->GetDepthStep() < mostLost * slope;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeometryBufferPass::Clear(vtkOpenGLRenderWindow* window, bool background)
+{
+  vtkOpenGLState* state = window->GetState();
+  vtkIndirectKernelState kernelState(window);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  if (!this->ClearKernel->Use(window))
+  {
+    return false;
+  }
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  if (background)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    state->vtkglDepthMask(GL_FALSE);
+    glDepthRange(1.0, 1.0);
+  }
+  this->ClearKernel->Draw();
+  if (background)
+  {
+    glDepthRange(0.0, 1.0);
+  }
   return true;
 }
 

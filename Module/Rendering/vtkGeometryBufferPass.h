@@ -29,6 +29,7 @@
 struct vtkIndirectFrame;
 class vtkIndirectKernelProgram;
 class vtkIndirectTarget;
+class vtkOpenGLRenderWindow;
 class vtkReflectiveShadowMapPass;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
@@ -103,6 +104,12 @@ protected:
 private:
   vtkGeometryBufferPass(const vtkGeometryBufferPass&) = delete;
   void operator=(const vtkGeometryBufferPass&) = delete;
+
+  // Whether a depth of one can only be that of the clear, but for a sliver in front of the far
+  // plane.
+  bool DepthTellsBackground(const vtkIndirectFrame& frame) const;
+  // All pixels, or those whose depth is still that of the clear. Returns false when OpenGL refuses.
+  bool Clear(vtkOpenGLRenderWindow* window, bool background);
 
   std::unique_ptr<vtkIndirectTarget> Target;
   std::unique_ptr<vtkIndirectKernelProgram> ClearKernel;

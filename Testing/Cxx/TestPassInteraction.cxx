@@ -168,6 +168,47 @@ CONTRACT_TEST(DepthSame)
 }
 
 //------------------------------------------------------------------------------
+// What is drawn and what is background are told apart also where planes are so far apart that
+// depths round to that of the background, and after something has moved away.
+CONTRACT_TEST(DepthOfBackground)
+{
+  for (double nearPlane : { 1.0, 1e-2, 1e-4, 1e-6, 1e-8 })
+  {
+    auto render = [nearPlane](bool indirect)
+    {
+      View view(64, 48);
+      view.Renderer->SetBackground(0.1, 0.2, 0.4);
+      auto wall = MakeQuad({ -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 });
+      view.Renderer->AddActor(wall);
+      view.Renderer->AddLight(MakeLight(LightKind::Directional, { 0, 0, 1 }, { 0, 0, 0 }));
+      vtkNew<vtkIndirectIlluminationPass> pass;
+      if (indirect)
+      {
+        // Too little to be seen.
+        pass->SetIndirectScale(1e-9);
+        view.Renderer->SetPass(pass);
+      }
+      vtkCamera* camera = view.Renderer->GetActiveCamera();
+      camera->SetPosition(0, 0, 5);
+      camera->SetFocalPoint(0, 0, 0);
+      camera->SetClippingRange(nearPlane, 1000.0);
+      std::vector<Pixels> images{ view.Grab() };
+      wall->SetPosition(0.7, 0.4, 0.0);
+      images.push_back(view.Grab());
+      return images;
+    };
+    const std::vector<Pixels> found = render(true);
+    const std::vector<Pixels> expected = render(false);
+    CONTRACT_CHECK(Compare(expected[0], expected[1]).Max > 50, "nothing has moved");
+    for (size_t i = 0; i < found.size(); ++i)
+    {
+      const Difference difference = Compare(found[i], expected[i]);
+      CONTRACT_CHECK(difference.Max <= 1, "near plane " << nearPlane << ": " << difference);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 namespace
 {
 // Every number that a camera and a light give away.

@@ -10,6 +10,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <cmath>
+
 namespace
 {
 struct Format
@@ -209,6 +211,21 @@ bool vtkIndirectTarget::CopyDepth(const int origin[2]) const
   // A driver may tell the size of what it holds rather than the name of the format.
   this->DepthRefused = glGetError() != GL_NO_ERROR;
   return !this->DepthRefused;
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectTarget::GetDepthStep() const
+{
+  switch (this->AllocatedDepth)
+  {
+    case vtkTextureObject::Fixed16:
+      return std::ldexp(1.0, -16);
+    case vtkTextureObject::Fixed32:
+      return std::ldexp(1.0, -32);
+    default:
+      // Floats have 24 bits.
+      return std::ldexp(1.0, -24);
+  }
 }
 
 //------------------------------------------------------------------------------

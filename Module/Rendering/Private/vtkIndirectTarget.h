@@ -48,6 +48,9 @@ public:
    */
   bool CopyDepth(const int origin[2]) const;
 
+  /** Distance between two depths near one. */
+  double GetDepthStep() const;
+
   /** Binds for drawing to all channels with the viewport over the whole target. Pair with End. */
   void Begin();
   void End();
