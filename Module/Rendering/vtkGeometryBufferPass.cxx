@@ -72,7 +72,7 @@ void vtkGeometryBufferPass::Render(const vtkRenderState* s)
 //------------------------------------------------------------------------------
 void vtkGeometryBufferPass::DisableBlending(int channels)
 {
-  for (int i = channels > Albedo ? Surface : Lit; i < channels; ++i)
+  for (int i = IsAlbedoInLit(channels) ? Lit : Surface; i < channels; ++i)
   {
     glDisablei(GL_BLEND, static_cast<unsigned int>(i));
   }
@@ -170,6 +170,7 @@ bool vtkGeometryBufferPass::Clear(vtkOpenGLRenderWindow* window, bool background
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDepthFunc(GL_LEQUAL);
     state->vtkglDepthMask(GL_FALSE);
+    // VTK's state does not know the range, and has the default.
     glDepthRange(1.0, 1.0);
   }
   this->ClearKernel->Draw();

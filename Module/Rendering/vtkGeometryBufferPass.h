@@ -64,6 +64,12 @@ public:
   bool Update(const vtkRenderState* s, const vtkIndirectFrame& frame,
     vtkSurfaceCapturePass* capture, vtkReflectiveShadowMapPass* shadows);
 
+  /** Whether a buffer of so many channels has the albedo in its lit texels. */
+  static bool IsAlbedoInLit(int channels)
+  {
+    return channels == Albedo;
+  }
+
   /**
    * Keeps the channels that hold bits or powers from being blended: all but the lit image, and that
    * too where it holds the albedo. VTK may have switched blending for all of them since.
@@ -77,7 +83,7 @@ public:
   /** Whether the lit texels of the last frame hold the albedo, and there is no channel for it. */
   bool IsSolid() const
   {
-    return this->NumberOfChannels == Albedo;
+    return IsAlbedoInLit(this->NumberOfChannels);
   }
   /** What shaders that include vtkIndirectAlbedo.glsl are built with, and the textures it reads. */
   const char* GetAlbedoDefinitions() const

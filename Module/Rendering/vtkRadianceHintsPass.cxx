@@ -53,7 +53,7 @@ struct vtkRadianceHintsPass::Internals
   int CoarseNow = 0;
   bool CoarseValid = false;
   int Step = 1; // of the last look-up: its buffers stay readable when InterpolationStep changes
-  vtkIndirectHintKernel LookUpKernel{ "vtkIndirectHintFS.glsl" };
+  vtkIndirectKernelProgram LookUpKernel{ "vtkIndirectHintFS.glsl" };
   vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintMixedFS.glsl" };
   vtkIndirectPointProgram Pixels{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintPixelFS.glsl" };
   vtkNew<vtkUniformLightSampler> HeadlightSampler;
@@ -378,7 +378,7 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   const bool mix = smooth && kept;
   const std::string definitions = in.GetLookupDefinitions(step);
   vtkShaderProgram* program =
-    in.LookUpKernel.UseFor(frame.Window, definitions + (mix ? "#define VTKI_KEEP\n" : ""));
+    in.LookUpKernel.Use(frame.Window, definitions + (mix ? "#define VTKI_KEEP\n" : ""));
   if (!program || !in.Coarse[next].Resize(frame.Window, width, height))
   {
     return false;

@@ -433,7 +433,7 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   }
   program->SetUniformi("vtkiStage", in.Stage);
   program->SetUniformi(
-    "vtkiSolid", in.Stage == 0 && in.Channels == vtkGeometryBufferPass::Albedo ? 1 : 0);
+    "vtkiSolid", in.Stage == 0 && vtkGeometryBufferPass::IsAlbedoInLit(in.Channels) ? 1 : 0);
   program->SetUniformf("vtkiSceneScale", in.SceneScale);
   program->SetUniform3f("vtkiDepthRange", in.DepthRange);
   if (program->IsUniformUsed("vtkiMagnitude"))

@@ -18,7 +18,6 @@ void vtkIndirectCaptureLights::Update(
   this->Lights.assign(frame.Lights.size(), Light());
   for (const vtkIndirectLight& light : frame.Lights)
   {
-    this->Lights[light.Index].Number = std::to_string(light.Index);
     this->Lights[light.Index].ConeCosine =
       static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(light.ConeAngle)));
   }
@@ -74,10 +73,11 @@ void vtkIndirectCaptureLights::SetUniforms(vtkShaderProgram* program) const
 {
   auto set = [program](const std::string& name, const glm::vec4& value)
   { program->SetUniform4f(name.c_str(), glm::value_ptr(value)); };
-  for (const Light& light : this->Lights)
+  for (size_t i = 0; i < this->Lights.size(); ++i)
   {
-    const std::string& n = light.Number;
-    const std::string cone = "vtkiConeCosine" + n;
+    const Light& light = this->Lights[i];
+    const std::string n = std::to_string(i);
+    const std::string cone = GetConeCosine(static_cast<int>(i));
     if (program->IsUniformUsed(cone.c_str()))
     {
       program->SetUniformf(cone.c_str(), light.ConeCosine);

@@ -34,7 +34,6 @@ public:
 private:
   struct Light
   {
-    std::string Number;
     float ConeCosine = 0.0f;
     glm::mat4 ViewToLight{ 1.0f }; // scene units
     glm::vec4 ShadowMap{ -1.0f };

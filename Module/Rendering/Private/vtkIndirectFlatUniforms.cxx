@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIndirectGL.h"
-
 #include "vtkIndirectFlatUniforms.h"
 
 #include "vtkIndirectComputeProgram.h"

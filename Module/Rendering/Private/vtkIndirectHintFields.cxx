@@ -59,27 +59,19 @@ std::string Define(const std::string& name, int value)
 {
   return "#define " + name + " " + std::to_string(value) + "\n";
 }
-}
 
-//------------------------------------------------------------------------------
-std::string vtkIndirectHintKernel::GetDefinitions(int layout, bool occupancy, int grids)
+// What stages with fields begin with; grids: how many.
+std::string GetDefinitions(int layout, bool occupancy, int grids)
 {
   return Define("VTKI_HINT_LAYOUT", layout) + Define("VTKI_GRIDS", grids) +
     (occupancy ? "#define VTKI_HINT_OCCUPANCY\n" : "");
 }
-
-//------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectHintKernel::UseFor(
-  vtkOpenGLRenderWindow* window, const std::string& definitions)
-{
-  this->SetDefinitions(definitions);
-  return this->Use(window);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkIndirectHintFields::GetLookupDefinitions(const Settings& settings, int grids)
 {
-  return vtkIndirectHintKernel::GetDefinitions(settings.Layout, settings.Blocked, grids) +
+  return GetDefinitions(settings.Layout, settings.Blocked, grids) +
     Define("VTKI_LOOKUPS", settings.NumberOfLookups) +
     Define("VTKI_LOOKUP_ROTATION", settings.LookupRotation) +
     Define("VTKI_LOBES", settings.Deringing) + Define("VTKI_FACING", settings.FacingWeights);
@@ -170,7 +162,7 @@ bool vtkIndirectHintFields::MakeSenders(const Input& input, const Settings& sett
   const int count =
     input.Maps.GetNumberOfLayers() * settings.BlocksPerEdge * settings.BlocksPerEdge;
   const int rows = (count + SenderRowLength - 1) / SenderRowLength;
-  vtkShaderProgram* program = this->SendersKernel.UseFor(input.Frame.Window, "");
+  vtkShaderProgram* program = this->SendersKernel.Use(input.Frame.Window, "");
   if (!program || !this->Senders.Resize(input.Frame.Window, SenderRowLength, rows))
   {
     return false;
@@ -193,9 +185,9 @@ bool vtkIndirectHintFields::Inject(
 {
   const vtkIndirectFrame& frame = input.Frame;
   const bool list = input.EyeIsMap || !settings.Sampled;
-  vtkIndirectHintKernel& kernel = list ? this->DenseKernel : this->SampledKernel;
-  vtkShaderProgram* program = kernel.UseFor(frame.Window,
-    vtkIndirectHintKernel::GetDefinitions(this->Layout, settings.Blocked, grid.GetNumberOfGrids()));
+  vtkIndirectKernelProgram& kernel = list ? this->DenseKernel : this->SampledKernel;
+  vtkShaderProgram* program = kernel.Use(
+    frame.Window, GetDefinitions(this->Layout, settings.Blocked, grid.GetNumberOfGrids()));
   if (!program)
   {
     return false;
@@ -264,7 +256,7 @@ bool vtkIndirectHintFields::Reflect(const Input& input, const Settings& settings
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   vtkShaderProgram* program =
-    this->RadiosityKernel.UseFor(window, GetLookupDefinitions(settings, grid.GetNumberOfGrids()));
+    this->RadiosityKernel.Use(window, GetLookupDefinitions(settings, grid.GetNumberOfGrids()));
   if (!program ||
     !this->Radiosity.Resize(window, vtkIndirectHintGrid::RowLength, grid.GetNumberOfSurfelRows()))
   {
@@ -295,8 +287,8 @@ bool vtkIndirectHintFields::Bounce(const Input& input, const Settings& settings,
 
   // L^k = L^1 + T L^(k-1)
   const int next = settings.FromHints && this->Current == 1 ? 2 : 1;
-  vtkShaderProgram* program = this->CopyKernel.UseFor(
-    window, vtkIndirectHintKernel::GetDefinitions(this->Layout, false, grid.GetNumberOfGrids()));
+  vtkShaderProgram* program =
+    this->CopyKernel.Use(window, GetDefinitions(this->Layout, false, grid.GetNumberOfGrids()));
   if (!program)
   {
     return false;
@@ -306,10 +298,10 @@ bool vtkIndirectHintFields::Bounce(const Input& input, const Settings& settings,
   this->CopyKernel.Draw();
   this->Deactivate(grid, volume);
 
-  vtkIndirectHintKernel& kernel = settings.FromHints ? this->ExchangeKernel : this->SurfacesKernel;
-  program = kernel.UseFor(window,
-    vtkIndirectHintKernel::GetDefinitions(
-      this->Layout, settings.FromHints && settings.Blocked, grid.GetNumberOfGrids()));
+  vtkIndirectKernelProgram& kernel =
+    settings.FromHints ? this->ExchangeKernel : this->SurfacesKernel;
+  program = kernel.Use(window,
+    GetDefinitions(this->Layout, settings.FromHints && settings.Blocked, grid.GetNumberOfGrids()));
   if (!program)
   {
     this->Fields[next]->End();
@@ -426,7 +418,7 @@ void vtkIndirectHintFields::Release(vtkWindow* window)
   }
   this->Senders.Release(window);
   this->Radiosity.Release(window);
-  for (vtkIndirectHintKernel* kernel :
+  for (vtkIndirectKernelProgram* kernel :
     { &this->SendersKernel, &this->DenseKernel, &this->SampledKernel, &this->CopyKernel,
       &this->RadiosityKernel, &this->SurfacesKernel, &this->ExchangeKernel })
   {

@@ -14,19 +14,6 @@ class vtkIndirectHintGrid;
 class vtkIndirectOccupancyVolume;
 class vtkIndirectStageTimer;
 
-/** A stage that is compiled for a layout of the fields, with or without occupancy. */
-class vtkIndirectHintKernel : public vtkIndirectKernelProgram
-{
-public:
-  explicit vtkIndirectHintKernel(const char* stage)
-    : vtkIndirectKernelProgram(stage)
-  {
-  }
-  /** What their texts begin with; grids: how many. */
-  static std::string GetDefinitions(int layout, bool occupancy, int grids);
-  vtkShaderProgram* UseFor(vtkOpenGLRenderWindow* window, const std::string& definitions);
-};
-
 class vtkIndirectHintFields
 {
 public:
@@ -92,13 +79,13 @@ private:
   int Current = 0; // which of them is looked up
   vtkIndirectTarget Senders;
   vtkIndirectTarget Radiosity;
-  vtkIndirectHintKernel SendersKernel;
-  vtkIndirectHintKernel DenseKernel;
-  vtkIndirectHintKernel SampledKernel;
-  vtkIndirectHintKernel CopyKernel;
-  vtkIndirectHintKernel RadiosityKernel;
-  vtkIndirectHintKernel SurfacesKernel;
-  vtkIndirectHintKernel ExchangeKernel;
+  vtkIndirectKernelProgram SendersKernel;
+  vtkIndirectKernelProgram DenseKernel;
+  vtkIndirectKernelProgram SampledKernel;
+  vtkIndirectKernelProgram CopyKernel;
+  vtkIndirectKernelProgram RadiosityKernel;
+  vtkIndirectKernelProgram SurfacesKernel;
+  vtkIndirectKernelProgram ExchangeKernel;
 };
 
 #endif

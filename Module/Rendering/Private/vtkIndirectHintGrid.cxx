@@ -476,8 +476,7 @@ void vtkIndirectHintGrid::Make(Table table, vtkOpenGLRenderWindow* window)
 void vtkIndirectHintGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
 {
   this->Bind(Tables::Hints, window, program, "vtkiHints");
-  const int grids = static_cast<int>(this->Current.Regions.size());
-  for (int grid = 0; grid < grids; ++grid)
+  for (int grid = 0; grid < this->GetNumberOfGrids(); ++grid)
   {
     float rows[3][4] = {};
     const Region& region = this->Current.Regions[grid];

@@ -76,6 +76,14 @@ vtkShaderProgram* vtkIndirectKernelProgram::Use(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
+vtkShaderProgram* vtkIndirectKernelProgram::Use(
+  vtkOpenGLRenderWindow* window, const std::string& definitions)
+{
+  this->SetDefinitions(definitions);
+  return this->Use(window);
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectKernelProgram::Draw()
 {
   this->Quad->Render();

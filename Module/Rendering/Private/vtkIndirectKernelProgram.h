@@ -25,6 +25,8 @@ public:
    * Programs with equal text are shared by VTK's cache: set every uniform before each Draw.
    */
   vtkShaderProgram* Use(vtkOpenGLRenderWindow* window);
+  /** The same with SetDefinitions before. */
+  vtkShaderProgram* Use(vtkOpenGLRenderWindow* window, const std::string& definitions);
 
   /** The file that VTKI_GATHER stands for; another one builds the program anew. */
   void SetGather(const std::string& gather);

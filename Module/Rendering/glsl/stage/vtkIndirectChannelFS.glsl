@@ -22,7 +22,7 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy) - vtkiOrigin;
   vec4 surface = texelFetch(vtkiSurface, pixel, 0);
   float kind = vtkiSurfaceKind(surface);
-  bool lit = kind > 0.5f && kind < 2.5f;
+  bool lit = vtkiSurfaceIsLit(surface);
   vec3 direct = texelFetch(vtkiLit, pixel, 0).rgb;
   vec3 albedo = lit ? vtkiFetchAlbedo(pixel) : vec3(0.0f);
   vec3 irradiance =
