@@ -3,7 +3,10 @@
 
 #include "vtkGeometryBufferPass.h"
 
+#include "vtkIndirectColorOnlyProp.h"
+#include "vtkIndirectFrame.h"
 #include "vtkIndirectKernelProgram.h"
+#include "vtkIndirectRendererAccess.h"
 #include "vtkIndirectShadowMaps.h"
 #include "vtkIndirectTarget.h"
 #include "vtkIndirectUniforms.h"
@@ -15,6 +18,8 @@
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkRenderState.h"
 #include "vtkSurfaceCapturePass.h"
+
+#include <unordered_set>
 
 vtkStandardNewMacro(vtkGeometryBufferPass);
 
@@ -32,6 +37,28 @@ const vtkIndirectChannel Channels[] = {
     "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+
+// What stands for props that draw colour alone, and one behind all props.
+using StandIns = std::vector<vtkSmartPointer<vtkIndirectColorOnlyProp>>;
+
+StandIns ReplaceColorOnly(
+  const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture, std::vector<vtkProp*>& props)
+{
+  StandIns standIns;
+  auto replace = [&](vtkProp* prop)
+  {
+    standIns.push_back(vtkSmartPointer<vtkIndirectColorOnlyProp>::New());
+    standIns.back()->Set(prop, capture);
+    return standIns.back().Get();
+  };
+  const std::unordered_set<vtkProp*> colorOnly(frame.ColorOnly.begin(), frame.ColorOnly.end());
+  for (vtkProp*& prop : props)
+  {
+    prop = colorOnly.count(prop) ? replace(prop) : prop;
+  }
+  props.push_back(replace(nullptr));
+  return standIns;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -122,11 +149,20 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   DisableBlending(this->NumberOfChannels);
 
   vtkRenderState s2(s->GetRenderer());
-  s2.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
+  std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  // Where all is solid there are none.
+  const StandIns standIns = this->IsSolid() ? StandIns() : ReplaceColorOnly(frame, capture, props);
+  s2.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   s2.SetFrameBuffer(this->Target->GetFramebuffer());
   s2.SetRequiredKeys(s->GetRequiredKeys());
-  capture->BeginEye(frame, shadows ? &maps : nullptr, this->NumberOfChannels);
+  capture->BeginEye(
+    frame, shadows ? &maps : nullptr, this->Target->GetFramebuffer(), this->NumberOfChannels);
+  // The background is not for this buffer, whatever passes draw into it.
+  vtkTypeBool& clearing = vtkIndirectRendererAccess::Clearing(s->GetRenderer());
+  const vtkTypeBool erase = clearing;
+  clearing = 0;
   capture->Render(&s2);
+  clearing = erase;
   capture->EndStage();
   this->Encoded = capture->HasEncoded();
   if (shadows)
@@ -138,9 +174,9 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   {
     glEnablei(GL_BLEND, static_cast<unsigned int>(i));
   }
-  const bool cleared = !clearAfter || this->Clear(frame.Window, true);
+  const bool complete = !clearAfter || this->Clear(frame.Window, true);
   this->Target->End();
-  return cleared;
+  return complete;
 }
 
 //------------------------------------------------------------------------------

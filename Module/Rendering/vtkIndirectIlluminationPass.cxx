@@ -14,6 +14,7 @@
 #include "vtkIndirectStageTimer.h"
 #include "vtkIndirectTarget.h"
 #include "vtkIndirectView.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
@@ -40,7 +41,8 @@
 vtkStandardNewMacro(vtkIndirectIlluminationPass);
 vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Estimator, vtkIndirectEstimatorPass);
 vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Sampler, vtkVirtualLightSampler);
-vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, DelegatePass, vtkRenderPass);
+vtkInformationKeyMacro(vtkIndirectIlluminationPass, CASTS_SHADOWS, Integer);
+vtkInformationKeyMacro(vtkIndirectIlluminationPass, SENDS_LIGHT, Integer);
 
 //------------------------------------------------------------------------------
 struct vtkIndirectIlluminationPass::Internals
@@ -72,6 +74,11 @@ struct vtkIndirectIlluminationPass::Internals
   std::vector<double> EstimateKey;
 
   std::string ReportedError;
+
+  // A delegate of whose picture no surfaces can be had, as it was then.
+  vtkWeakPointer<vtkRenderPass> RefusedDelegate;
+  vtkMTimeType RefusedTime = 0;
+  bool Rendering = false;
 
   // What the composite reads of the last frame.
   vtkIndirectCompositePass::Input MakeCompositeInput(vtkIndirectIlluminationPass* self) const
@@ -136,6 +143,17 @@ void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
   this->SurfaceCapture->PrintSelf(os, indent.GetNextIndent());
   os << indent << "ReflectiveShadowMaps:\n";
   this->ReflectiveShadowMaps->PrintSelf(os, indent.GetNextIndent());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::SetDelegatePass(vtkRenderPass* delegate)
+{
+  if (delegate == this)
+  {
+    vtkErrorMacro("A pass cannot be its own delegate; the delegate stays as it was.");
+    return;
+  }
+  vtkSetObjectBodyMacro(DelegatePass, vtkRenderPass, delegate);
 }
 
 //------------------------------------------------------------------------------
@@ -207,6 +225,14 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
     vtkErrorMacro("vtkIndirectIlluminationPass needs an OpenGL render window.");
     return;
   }
+  if (in.Rendering)
+  {
+    if (!this->IsDelegateRefused())
+    {
+      this->RefuseDelegate("contains this very pass");
+    }
+    return;
+  }
   in.Guard->SetContext(window);
   window->MakeCurrent();
   if (renderer->GetSelector())
@@ -240,10 +266,12 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   {
     in.Frame.Build(s, why);
   }
-  if (!why.empty() || !this->RenderIndirect(s))
+  in.Rendering = true;
+  if (!why.empty() || !this->RenderIndirect(s, why))
   {
-    this->RenderDelegate(s, why.empty() ? "OpenGL could not hold the frame's textures" : why);
+    this->RenderDelegate(s, why);
   }
+  in.Rendering = false;
   if (this->RemainingGeometry)
   {
     this->NumberOfRenderedProps += in.View.RenderRemaining(s);
@@ -267,13 +295,38 @@ void vtkIndirectIlluminationPass::RenderDelegate(const vtkRenderState* s, const 
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
+void vtkIndirectIlluminationPass::RefuseDelegate(const std::string& reason)
+{
+  Internals& in = *this->Internal;
+  in.RefusedDelegate = this->DelegatePass;
+  in.RefusedTime = this->DelegatePass->GetMTime();
+  vtkErrorMacro("The delegate " << this->DelegatePass->GetClassName() << ' ' << reason
+                                << ": its picture is shown without indirect light.");
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectIlluminationPass::IsDelegateRefused() const
+{
+  const Internals& in = *this->Internal;
+  return this->DelegatePass && in.RefusedDelegate == this->DelegatePass &&
+    in.RefusedTime == this->DelegatePass->GetMTime();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s, std::string& why)
 {
   Internals& in = *this->Internal;
   vtkIndirectFrame& frame = in.Frame;
+  if (this->IsDelegateRefused())
+  {
+    why = "the surfaces of what its delegate draws are not to be had";
+    return false;
+  }
+  why = "OpenGL could not hold the frame's textures";
   const vtkIndirectLight& first = frame.Lights.front();
-  in.EyeIsMap =
-    frame.Lights.size() == 1 && first.Light->LightTypeIsHeadlight() && !first.Positional;
+  // The eye sees all that it lights and sends, unless a prop is not to send.
+  in.EyeIsMap = frame.Lights.size() == 1 && first.Light->LightTypeIsHeadlight() &&
+    !first.Positional && frame.AllSendLight;
 
   in.Estimator = this->GetActiveEstimator();
   vtkVirtualLightSampler* sampler = this->GetActiveSampler();
@@ -302,8 +355,13 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s)
       s, frame, this->SurfaceCapture, shadowed ? this->ReflectiveShadowMaps : nullptr);
   in.Timer.End(vtkIndirectStageTimer::Geometry);
   this->SurfaceCapture->Detach();
-  if (!drawn)
+  if (this->DelegatePass && this->SurfaceCapture->IsRedirected())
   {
+    this->RefuseDelegate("draws into a framebuffer of its own, where surfaces cannot be captured");
+  }
+  if (!drawn || this->IsDelegateRefused())
+  {
+    why = drawn ? "the surfaces of what its delegate draws are not to be had" : why;
     return false;
   }
   this->NumberOfRenderedProps += in.Geometry->GetNumberOfRenderedProps();
@@ -425,7 +483,12 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
   const bool estimators = std::find(own.begin(), own.end(), name) != own.end();
   const bool known = name == "lights" || vtkIndirectCompositePass::FindChannel(name) >= 0 ||
     vtkIndirectCompositePass::ParseMapChannel(name, map, channel) || estimators;
-  if (!known || !image)
+  if (!image)
+  {
+    vtkErrorMacro("CopyBuffer needs an image to copy '" << name << "' to.");
+    return false;
+  }
+  if (!known)
   {
     vtkErrorMacro("'" << name << "' is no buffer; known are " << this->GetChannelNames() << ".");
     return false;
@@ -477,7 +540,12 @@ std::string vtkIndirectIlluminationPass::GetReport()
     { "IndirectScale", std::to_string(this->IndirectScale) },
     { "ErrorTolerance", std::to_string(this->ErrorTolerance) },
     { "Caching", flag(this->Caching) } };
-  report.LeftOut = in.Frame.LeftOut;
+  for (const vtkIndirectFrame::LeftOutEntry& entry : in.Frame.LeftOut)
+  {
+    report.LeftOut.emplace_back(
+      entry.Count > 1 ? entry.What + ", " + std::to_string(entry.Count) + " props" : entry.What,
+      entry.Why);
+  }
   if (!in.HasBuffers)
   {
     report.Modelled.emplace_back("the delegate alone", in.WhyDelegate);

@@ -36,6 +36,7 @@
 #include <vector> // for keys
 
 class vtkImageData;
+class vtkInformationIntegerKey;
 class vtkIndirectCompositePass;
 class vtkIndirectEstimatorPass;
 class vtkGeometryBufferPass;
@@ -70,7 +71,13 @@ public:
   ///@}
 
   ///@{
-  /** The opaque part of the picture. Default null: VTK's lights pass, then its opaque pass. */
+  /**
+   * The opaque part of the picture. Default null: VTK's lights pass, then its opaque pass. It must
+   * draw the props into the framebuffer that it is given: of a pass that draws them into one of its
+   * own, such as vtkSSAOPass or vtkShadowMapPass, no surfaces can be had, and after one error only
+   * its picture is shown. Passes that process images (vtkSSAAPass, vtkToneMappingPass and others)
+   * take this pass as their delegate.
+   */
   virtual void SetDelegatePass(vtkRenderPass* delegate);
   vtkGetObjectMacro(DelegatePass, vtkRenderPass);
   ///@}
@@ -193,6 +200,23 @@ public:
   vtkGetObjectMacro(ReflectiveShadowMaps, vtkReflectiveShadowMapPass);
   ///@}
 
+  ///@{
+  /**
+   * Property keys of a prop of the renderer (vtkProp::SetPropertyKeys), 1 or 0, each for one prop.
+   * CASTS_SHADOWS 0: the prop casts no shadow, and sends no light either, because no light's map
+   * has it; it still receives light. Default 1 of surfaces, 0 of props that turn to the camera.
+   * Lines, points and what has no surface, such as annotation, never cast any. SENDS_LIGHT 0: the
+   * prop casts shadows and sends no indirect light. Default 1.
+   * @code
+   * vtkNew<vtkInformation> keys;
+   * keys->Set(vtkIndirectIlluminationPass::CASTS_SHADOWS(), 0);
+   * actor->SetPropertyKeys(keys);
+   * @endcode
+   */
+  static vtkInformationIntegerKey* CASTS_SHADOWS();
+  static vtkInformationIntegerKey* SENDS_LIGHT();
+  ///@}
+
   /** How many frames computed the irradiance anew since construction. */
   vtkGetMacro(NumberOfEstimates, vtkIdType);
 
@@ -218,10 +242,12 @@ private:
   vtkIndirectIlluminationPass(const vtkIndirectIlluminationPass&) = delete;
   void operator=(const vtkIndirectIlluminationPass&) = delete;
 
-  bool RenderIndirect(const vtkRenderState* s);
+  bool RenderIndirect(const vtkRenderState* s, std::string& why);
   bool UpdateIrradiance();
   vtkIndirectEstimatorPass* GetFrameEstimator(); // of the last frame, without one of the next
   void RenderDelegate(const vtkRenderState* s, const std::string& why);
+  void RefuseDelegate(const std::string& reason);
+  bool IsDelegateRefused() const;
   std::string GetChannelNames();
   std::vector<double> MakeEstimateKey();
 

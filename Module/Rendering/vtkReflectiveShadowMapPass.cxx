@@ -7,6 +7,7 @@
 #include "vtkIndirectKernels.h"
 #include "vtkIndirectLayeredTarget.h"
 #include "vtkIndirectLightMap.h"
+#include "vtkIndirectRendererAccess.h"
 #include "vtkIndirectReport.h"
 #include "vtkIndirectShadowMaps.h"
 #include "vtkIndirectShadowRows.h"
@@ -40,24 +41,15 @@ const vtkIndirectChannel Channels[] = {
 // Texels of a row of the table that vtkIndirectMapTexel.glsl reads.
 constexpr int TableWidth = 10;
 
-// Draws for another camera without the events and modification times of SetActiveCamera, which also
-// frees a camera that only the renderer holds.
-class RendererCamera : public vtkRenderer
-{
-public:
-  static vtkCamera*& Of(vtkRenderer* renderer)
-  {
-    return renderer->*(&RendererCamera::ActiveCamera);
-  }
-};
-
 struct CasterKey
 {
   vtkProp* Prop;
   vtkMTimeType RedrawMTime;
+  bool SendsLight;
   bool operator==(const CasterKey& other) const
   {
-    return this->Prop == other.Prop && this->RedrawMTime == other.RedrawMTime;
+    return this->Prop == other.Prop && this->RedrawMTime == other.RedrawMTime &&
+      this->SendsLight == other.SendsLight;
   }
 };
 
@@ -214,7 +206,7 @@ bool vtkReflectiveShadowMapPass::Update(
       {
         if (map.Sees(face, caster.Bounds))
         {
-          key.Casters.push_back({ caster.Prop, caster.RedrawMTime });
+          key.Casters.push_back({ caster.Prop, caster.RedrawMTime, caster.SendsLight });
         }
       }
       FaceKey& last = in.Faces[map.FirstLayer + face];
@@ -244,12 +236,13 @@ void vtkReflectiveShadowMapPass::DrawFace(
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDisable(GL_BLEND);
 
-  vtkCamera*& active = RendererCamera::Of(frame.Renderer);
+  vtkCamera*& active = vtkIndirectRendererAccess::Camera(frame.Renderer);
   vtkCamera* const eye = active;
   active = map.GetCamera(face, frame.Parallel);
   capture->BeginMap(frame, map, face, this->Resolution);
   for (const CasterKey& caster : in.Faces[map.FirstLayer + face].Casters)
   {
+    capture->BeginCaster();
     caster.Prop->RenderOpaqueGeometry(frame.Renderer);
   }
   capture->EndStage();

@@ -4,23 +4,30 @@
 #include "vtkSurfaceCapturePass.h"
 
 #include "vtkAbstractMapper.h"
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkGeometryBufferPass.h"
 #include "vtkIndirectCaptureLights.h"
 #include "vtkIndirectFlatUniforms.h"
 #include "vtkIndirectFrame.h"
+#include "vtkIndirectIlluminationPass.h"
 #include "vtkIndirectKernels.h"
 #include "vtkIndirectLightConstants.h"
 #include "vtkIndirectLightMap.h"
 #include "vtkIndirectShaderLibrary.h"
 #include "vtkIndirectShadowMaps.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkProp.h"
+#include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -52,7 +59,35 @@ struct vtkSurfaceCapturePass::Internals
   vtkIndirectCaptureLights Lights;
   int ShadowUnit = -1;
   bool OwnsUnit = false;
-  glm::vec2 MapLight{ 0.0f };
+
+  // The geometry buffer.
+  vtkOpenGLFramebufferObject* Framebuffer = nullptr;
+  bool Redirected = false;
+  std::unique_ptr<vtkOpenGLState::ScopedglBlendFuncSeparate> Blending; // while there is no surface
+
+  // Draws a shader's outputs to `count` channels from `first` on, and no others. VTK's state keeps
+  // draw buffers by their place in the list and does not see one that becomes shorter: the list
+  // always has all channels.
+  void UseChannels(int first, int count)
+  {
+    unsigned int buffers[vtkGeometryBufferPass::Specular + 1];
+    for (int i = 0; i < this->Channels; ++i)
+    {
+      buffers[i] =
+        i < count ? GL_COLOR_ATTACHMENT0 + static_cast<unsigned int>(first + i) : GL_NONE;
+    }
+    this->Window->GetState()->vtkglDrawBuffers(static_cast<unsigned int>(this->Channels), buffers);
+  }
+
+  // Whether colours and depth of what a map's stage draws next are written.
+  void UseMap(bool colors, bool depth)
+  {
+    vtkOpenGLState* state = this->Window->GetState();
+    const GLboolean mask = colors ? GL_TRUE : GL_FALSE;
+    state->vtkglColorMask(mask, mask, mask, mask);
+    state->vtkglDepthMask(depth ? GL_TRUE : GL_FALSE);
+  }
+  glm::vec3 MapLight{ 0.0f };
   vtkIndirectLightConstants LightConstants;
   vtkOpenGLRenderWindow* Window = nullptr;
 
@@ -98,6 +133,55 @@ void ReplaceAll(std::string& text, const std::string& from, const std::string& t
 bool Contains(const std::string& text, const char* what)
 {
   return text.find(what) != std::string::npos;
+}
+
+// Which of its primitives a mapper is about to draw.
+class MapperPrimitive : public vtkOpenGLPolyDataMapper
+{
+public:
+  static bool IsTriangles(vtkAbstractMapper* mapper, vtkProp* prop)
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    auto* polygons = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+    const vtkOpenGLHelper* drawn = polygons ? polygons->*(&MapperPrimitive::LastBoundBO) : nullptr;
+    return (!actor || actor->GetProperty()->GetRepresentation() == VTK_SURFACE) && drawn &&
+      (drawn->PrimitiveType == PrimitiveTris || drawn->PrimitiveType == PrimitiveTriStrips);
+  }
+};
+
+bool SendsLight(vtkProp* prop)
+{
+  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
+  auto* key = vtkIndirectIlluminationPass::SENDS_LIGHT();
+  return !keys || !keys->Has(key) || keys->Get(key) != 0;
+}
+
+vtkPointGaussianMapper* FindSplats(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor ? vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+}
+
+// Edges of faces have a width in pixels: none in a map. VTK draws them within the faces, which it
+// widens for it.
+void LeaveEdgesOutOfMaps(std::string& geometryShader, std::string& fragmentShader)
+{
+  if (!Contains(geometryShader, "edgeEqn") || !Contains(fragmentShader, "edgeEqn"))
+  {
+    return;
+  }
+  const std::string declaration = "uniform float vtkiLineWidth;";
+  auto replace = [&declaration](std::string& text, const std::string& stage, const char* width)
+  {
+    ReplaceAll(text, "lineWidth", "vtkiLineWidth");
+    vtkShaderProgram::Substitute(text, declaration,
+      "uniform float lineWidth;\n" + stage +
+        "#define vtkiLineWidth (vtkiStage == 0 ? lineWidth : " + width + ")\n",
+      false);
+  };
+  replace(geometryShader, "uniform int vtkiStage;\n", "0.0");
+  // So thin that no pixel is near enough to have a share of it.
+  replace(fragmentShader, "", "-1.0e6");
 }
 }
 
@@ -157,7 +241,7 @@ void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
     this->SourceTime.Modified();
   }
   auto* key = vtkOpenGLRenderPass::RenderPasses();
-  for (vtkProp* prop : frame.Props)
+  for (vtkProp* prop : frame.Captured)
   {
     vtkInformation* info = prop->GetPropertyKeys();
     // Assemblies share their information with their parts: a second entry would inject twice.
@@ -194,12 +278,16 @@ void vtkSurfaceCapturePass::Detach()
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceCapturePass::BeginEye(
-  const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows, int channels)
+void vtkSurfaceCapturePass::BeginEye(const vtkIndirectFrame& frame,
+  const vtkIndirectShadowMaps* shadows, vtkOpenGLFramebufferObject* framebuffer, int channels)
 {
   Internals& in = *this->Internal;
   in.Stage = 0;
   in.Channels = channels;
+  in.Framebuffer = framebuffer;
+  in.Redirected = false;
+  in.Window = frame.Window;
+  in.UseChannels(vtkGeometryBufferPass::Lit, 1);
   in.Encoded = false;
   in.SceneScale = static_cast<float>(frame.SceneScale);
   in.StageIsParallel = frame.Parallel ? 1 : 0;
@@ -215,7 +303,6 @@ void vtkSurfaceCapturePass::BeginEye(
   in.Magnitude = static_cast<float>(1.0 + fromEye + (fromOrigin < shiftedFrom ? fromOrigin : 0.0));
 
   in.Lights.Update(frame, shadows);
-  in.Window = frame.Window;
   if (!shadows)
   {
     in.ReserveUnit();
@@ -238,16 +325,50 @@ void vtkSurfaceCapturePass::BeginMap(
   in.DepthRange[1] = static_cast<float>(map.Far);
   in.DepthRange[2] = static_cast<float>(in.StageIsParallel);
   in.Camera = frame.Renderer->GetActiveCamera();
-  in.MapLight = glm::vec2(light.Positional ? 1.0 : 0.0, 2.0 * map.HalfWidth / texels);
+  in.MapLight = glm::vec3(light.Positional ? 1.0 : 0.0, 2.0 * map.HalfWidth / texels, 1.0);
   in.Lights.Update(frame, nullptr);
   in.Window = frame.Window;
   in.ReserveUnit();
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::DrawChannel(UnattachedChannel channel)
+{
+  Internals& in = *this->Internal;
+  in.Blending = nullptr;
+  if (channel == Color)
+  {
+    in.UseChannels(vtkGeometryBufferPass::Lit, 1);
+    return;
+  }
+  vtkOpenGLState* state = in.Window->GetState();
+  in.Blending = std::make_unique<vtkOpenGLState::ScopedglBlendFuncSeparate>(state);
+  state->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_ZERO, GL_ZERO);
+  in.UseChannels(vtkGeometryBufferPass::Surface, 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::BeginCaster()
+{
+  // Depth is the same whoever draws; colours are undefined where the capture's outputs are not
+  // written.
+  this->Internal->UseMap(false, true);
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceCapturePass::EndStage()
 {
   Internals& in = *this->Internal;
+  if (in.Stage == 0)
+  {
+    in.Blending = nullptr;
+    in.UseChannels(vtkGeometryBufferPass::Lit, in.Channels);
+    in.Framebuffer = nullptr;
+  }
+  else
+  {
+    in.UseMap(true, true);
+  }
   if (in.OwnsUnit)
   {
     in.Window->GetState()->GetTextureUnitManager()->Free(in.ShadowUnit);
@@ -276,6 +397,12 @@ void vtkSurfaceCapturePass::Render(const vtkRenderState* s)
 bool vtkSurfaceCapturePass::HasEncoded() const
 {
   return this->Internal->Encoded;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceCapturePass::IsRedirected() const
+{
+  return this->Internal->Redirected;
 }
 
 //------------------------------------------------------------------------------
@@ -388,7 +515,13 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
     "\n#define VTKI_DEPTH " +
     (positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()") +
     // VTK's PBR divides diffuse reflection by pi, its Phong does not.
-    "\n#define VTKI_SENDER_SCALE " + (pbr ? "(vtkiEncoded / VTKI_PI)" : "1.0") + "\n";
+    "\n#define VTKI_SENDER_SCALE " +
+    (pbr ? "(vtkiMapLight.z * vtkiEncoded / VTKI_PI)" : "vtkiMapLight.z") + "\n";
+  if (mapper->IsA("vtkOpenGLPointGaussianMapperHelper"))
+  {
+    declarations += "#define VTKI_SOFT\n";
+  }
+  LeaveEdgesOutOfMaps(geometryShader, fragmentShader);
   // Extensions stand before all but what the preprocessor reads; see vtkIndirectLibAlbedo.glsl.
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
     std::string("//VTK::System::Dec\n") + vtkIndirectShaderLibrary::Extensions, false);
@@ -424,7 +557,7 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
 
 //------------------------------------------------------------------------------
 bool vtkSurfaceCapturePass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   Internals& in = *this->Internal;
   if (!program->IsUniformUsed("vtkiStage"))
@@ -456,12 +589,14 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   in.Lights.SetUniforms(program);
   if (in.Stage == 0)
   {
-    // Whatever has switched blending since the stage began must not mix bits.
-    vtkGeometryBufferPass::DisableBlending(in.Channels);
+    this->UseEyeChannels(prop);
   }
-  if (in.Stage == 1)
+  else
   {
-    program->SetUniform2f("vtkiMapLight", glm::value_ptr(in.MapLight));
+    in.MapLight.z = SendsLight(prop) ? 1.0f : 0.0f;
+    program->SetUniform3f("vtkiMapLight", glm::value_ptr(in.MapLight));
+    const bool triangles = MapperPrimitive::IsTriangles(mapper, prop);
+    in.UseMap(triangles, triangles);
   }
 
   // VTK sends light directions in view coordinates only when the camera or a light has changed; it
@@ -473,4 +608,37 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
     last = in.Camera;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::UseEyeChannels(vtkProp* prop)
+{
+  Internals& in = *this->Internal;
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  if (!in.Framebuffer || static_cast<unsigned int>(bound) != in.Framebuffer->GetFBOIndex())
+  {
+    in.Redirected = true;
+    return;
+  }
+  vtkPointGaussianMapper* splats = FindSplats(prop);
+  if (splats && splats->GetEmissive())
+  {
+    // Light that is added to what lies behind, whose surface stays; it covers nothing.
+    in.UseChannels(vtkGeometryBufferPass::Lit, 1);
+    in.Window->GetState()->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
+    return;
+  }
+  // Whatever has switched blending since the stage began must not mix bits.
+  vtkGeometryBufferPass::DisableBlending(in.Channels);
+  if (!splats)
+  {
+    in.UseChannels(vtkGeometryBufferPass::Lit, in.Channels);
+    return;
+  }
+  // Their alpha is one or zero in these channels, see VTKI_SOFT: bits are kept whole. The power of
+  // a lobe has the place of an alpha, and splats have no lobe.
+  in.UseChannels(vtkGeometryBufferPass::Lit, vtkGeometryBufferPass::Specular);
+  glEnablei(GL_BLEND, vtkGeometryBufferPass::Surface);
+  glEnablei(GL_BLEND, vtkGeometryBufferPass::Albedo);
 }

@@ -35,6 +35,7 @@
 struct vtkIndirectFrame;
 struct vtkIndirectShadowMaps;
 class vtkIndirectLightMap;
+class vtkOpenGLFramebufferObject;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkSurfaceCapturePass : public vtkOpenGLRenderPass
 {
@@ -96,15 +97,30 @@ public:
 #ifndef __VTK_WRAP__
   ///@{
   /**
-   * Attaches this object to the visible props of a frame, and detaches it from those it is attached
-   * to. Between the two, mappers of these props draw with the capture's outputs.
+   * Attaches this object to those props of a frame whose surfaces it can capture, and detaches it
+   * from those it is attached to. Between the two, mappers of these props draw with the capture's
+   * outputs.
    */
   void Attach(const vtkIndirectFrame& frame);
   void Detach();
   ///@}
 
-  /** Next stage: from the eye, with shadows from the maps unless null. */
-  void BeginEye(const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows, int channels);
+  /**
+   * Next stage: from the eye into the first channels of a framebuffer, which is bound, with shadows
+   * from the maps unless null. Whatever does not write the capture's outputs draws into the first
+   * channel alone.
+   */
+  void BeginEye(const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows,
+    vtkOpenGLFramebufferObject* framebuffer, int channels);
+  /** What the next draw from the eye writes that is not attached; see vtkIndirectColorOnlyProp. */
+  enum UnattachedChannel
+  {
+    Color,    // the picture
+    NoSurface // zero to the surface
+  };
+  void DrawChannel(UnattachedChannel channel);
+  /** Before each prop that is drawn into a map. */
+  void BeginCaster();
   /** Next stage: one face of a light's map. */
   void BeginMap(
     const vtkIndirectFrame& frame, const vtkIndirectLightMap& map, int face, int texels);
@@ -112,6 +128,8 @@ public:
   void EndStage();
   /** Whether the last stage drew physically based materials, whose colours are encoded. */
   bool HasEncoded() const;
+  /** Whether what is attached was drawn into another framebuffer in the last stage from the eye. */
+  bool IsRedirected() const;
 #endif
 
 protected:
@@ -127,6 +145,8 @@ protected:
 private:
   vtkSurfaceCapturePass(const vtkSurfaceCapturePass&) = delete;
   void operator=(const vtkSurfaceCapturePass&) = delete;
+
+  void UseEyeChannels(vtkProp* prop);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

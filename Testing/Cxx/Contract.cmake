@@ -17,7 +17,7 @@ contract_topic(Shadows
   ShadowPosition ShadowDistance ShadowAspect ShadowNoSelf ShadowNoSelfScales)
 contract_topic(Viewports
   ViewportsFour ViewportsOnePass ViewportsNeighbors ViewportOrigin LayersOver LayersPreserve Tiles
-  Resize)
+  Resize StereoEyes)
 contract_topic(Composition
   TranslucentBlend TranslucentPeeling Volumes Overlay Backgrounds AntialiasingFXAA
   AntialiasingFXAAPass AntialiasingSSAAPass)
@@ -34,6 +34,10 @@ contract_topic(Lights
   ShadowFromOutside ShadowSeams ParallelEye)
 contract_topic(Speed
   WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds FlatUniforms CaptureTime)
+contract_topic(Props
+  PropsSky PropsColorOnly PropsBillboard PropsTubes PropsEdges PropsAnnotation PropsKeys PropsSplats
+  PropsLeftOut)
+contract_topic(Delegates DelegateRedirects DelegateItself DelegateSteps)
 contract_topic(Errors
   DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany NothingToDo BadActors
   PrintSelf)

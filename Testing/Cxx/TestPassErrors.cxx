@@ -263,6 +263,9 @@ CONTRACT_TEST(CopyBufferWrong)
     ExpectedErrors errors;
     CONTRACT_CHECK(!pass->CopyBuffer("final", nullptr), "no image");
     CONTRACT_CHECK(errors.GetCount() == 1, errors.GetText());
+    CONTRACT_CHECK(
+      errors.GetText().find("needs an image to copy 'final' to") != std::string::npos,
+      errors.GetText());
   }
   // Nothing of this harms what follows.
   for (const char* name : { "final", "direct", "indirect", "irradiance", "glossy", "albedo",

@@ -3,7 +3,10 @@
 #include "vtkIndirectContractUtilities.h"
 
 #include "vtkImageData.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
+#include "vtkRSMGatherPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
@@ -381,4 +384,64 @@ CONTRACT_TEST(Resize)
   }
   view.Renderer->SetViewport(0.5, 0.5, 0.5, 0.5);
   view.Grab();
+}
+
+//------------------------------------------------------------------------------
+// Both eyes of a stereo picture: each is what a camera shows that stands in its place.
+CONTRACT_TEST(StereoEyes)
+{
+  Pixels eyes[2];
+  for (int eye : { 0, 1 })
+  {
+    for (bool stereo : { true, false })
+    {
+      View view(160, 120);
+      AddRoom(view.Renderer);
+      vtkCamera* camera = view.Renderer->GetActiveCamera();
+      camera->SetEyeAngle(6.0);
+      if (stereo)
+      {
+        view.Window->SetStereoType(eye == 0 ? VTK_STEREO_LEFT : VTK_STEREO_RIGHT);
+        view.Window->StereoCapableWindowOn();
+        view.Window->StereoRenderOn();
+      }
+      else
+      {
+        // VTK shears the image: the eye stands beside the camera, and what lies in the focal plane
+        // stays where it is.
+        const double shift = camera->GetDistance() *
+          std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetEyeAngle())) * (eye ? 1.0 : -1.0);
+        const double halfWidth = camera->GetDistance() * 160.0 / 120.0 *
+          std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+        double place[3];
+        camera->GetPosition(place);
+        camera->SetPosition(place[0] + shift, place[1], place[2]);
+        camera->GetFocalPoint(place);
+        camera->SetFocalPoint(place[0] + shift, place[1], place[2]);
+        camera->SetWindowCenter(-shift / halfWidth, 0.0);
+      }
+      const Pixels plain = view.Grab();
+      vtkNew<vtkIndirectIlluminationPass> pass;
+      vtkNew<vtkRSMGatherPass> gather;
+      gather->InterpolationOff(); // it follows the pixels, so that no two pictures differ by it
+      pass->SetEstimator(gather);
+      view.Renderer->SetPass(pass);
+      const Pixels image = view.Grab();
+      CONTRACT_CHECK(Mean(image, 0) > Mean(plain, 0) + 5.0, "no indirect light");
+      if (stereo)
+      {
+        eyes[eye] = image;
+        // Over shadows that are off, and without indirect light, it is VTK's own picture.
+        pass->SetIndirectScale(0.0);
+        view.Renderer->GetLights()->InitTraversal();
+        view.Renderer->GetLights()->GetNextItem()->SetShadowAttenuation(0.0);
+        CheckSamePicture(plain, view.Grab(), eye ? "right eye over VTK's" : "left eye over VTK's");
+      }
+      else
+      {
+        CheckSamePicture(eyes[eye], image, eye ? "right eye" : "left eye");
+      }
+    }
+  }
+  CONTRACT_CHECK(Compare(eyes[0], eyes[1]).Pixels > 2000, "both eyes see the same");
 }

@@ -1,30 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIndirectFrame.h"
 
-#include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
+#include "vtkIndirectIlluminationPass.h"
+#include "vtkIndirectPropKind.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPolyData.h"
-#include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
-#include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProperty.h"
 
 #include <cmath>
-#include <cstring>
 
 namespace
 {
@@ -40,101 +34,11 @@ bool IsFinite(const double bounds[6])
   return vtkMath::AreBoundsInitialized(bounds) != 0;
 }
 
-// Sizes of points are pixels of the target: in a light's map they would be sprites of any size that
-// shadow themselves.
-bool IsDrawnAsPoints(vtkProp* prop)
+// What a property key of a prop says; `otherwise` where it is not set.
+bool ReadKey(vtkProp* prop, vtkInformationIntegerKey* key, bool otherwise)
 {
-  vtkActor* actor = vtkActor::SafeDownCast(prop);
-  return actor &&
-    (actor->GetProperty()->GetRepresentation() == VTK_POINTS ||
-      actor->GetProperty()->GetRenderPointsAsSpheres());
-}
-
-// Whether an actor and its mapper are VTK's own for polygons, not classes derived from them.
-bool IsPlain(vtkActor* actor)
-{
-  vtkMapper* mapper = actor->GetMapper();
-  return mapper && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
-    std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
-}
-
-// Whether a prop is drawn by VTK's own polygons with alpha 1 wherever it draws: no texture, which
-// has soft edges, no shader text or pass of somebody else's, and nothing that is forced to be
-// opaque.
-bool IsSolid(vtkProp* prop)
-{
-  auto* actor = vtkActor::SafeDownCast(prop);
-  if (!actor || !IsPlain(actor))
-  {
-    return false;
-  }
-  vtkShaderProperty* shaders = actor->GetShaderProperty();
-  return !actor->GetTexture() && actor->GetProperty()->GetNumberOfTextures() == 0 &&
-    !actor->GetForceOpaque() &&
-    !actor->GetPropertyKeys()->Has(vtkOpenGLRenderPass::RenderPasses()) &&
-    shaders->GetNumberOfShaderReplacements() == 0 && !shaders->HasVertexShaderCode() &&
-    !shaders->HasFragmentShaderCode() && !shaders->HasGeometryShaderCode();
-}
-
-// About how many triangles a prop draws; 1e9 where its mapper alone knows.
-double CountTriangles(vtkProp* prop)
-{
-  auto* actor = vtkActor::SafeDownCast(prop);
-  if (!actor || !IsPlain(actor))
-  {
-    return 1e9;
-  }
-  actor->GetBounds(); // brings the mapper's data up to date
-  auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
-  if (!data)
-  {
-    return 0.0;
-  }
-  // A polygon or strip of n points is n - 2 triangles; lines and points are as many of their own.
-  double triangles = 0.0;
-  for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
-  {
-    triangles += static_cast<double>(cells->GetNumberOfConnectivityIds()) -
-      2.0 * static_cast<double>(cells->GetNumberOfCells());
-  }
-  for (vtkCellArray* cells : { data->GetVerts(), data->GetLines() })
-  {
-    triangles += static_cast<double>(cells->GetNumberOfConnectivityIds());
-  }
-  return triangles;
-}
-
-// VTK lights all of its interpolations but PBR by Phong's model.
-bool IsSpecular(vtkProperty* property)
-{
-  const double* color = property ? property->GetSpecularColor() : nullptr;
-  return color && property->GetLighting() && property->GetInterpolation() != VTK_PBR &&
-    property->GetSpecular() > 0.0 && (color[0] > 0.0 || color[1] > 0.0 || color[2] > 0.0);
-}
-
-bool IsSpecular(vtkProp* prop)
-{
-  if (auto* actor = vtkActor::SafeDownCast(prop))
-  {
-    return IsSpecular(actor->GetProperty()) || IsSpecular(actor->GetBackfaceProperty());
-  }
-  vtkNew<vtkPropCollection> actors; // of assemblies and levels of detail
-  auto* assembly = vtkPropAssembly::SafeDownCast(prop);
-  vtkPropCollection* parts = assembly ? assembly->GetParts() : actors.Get();
-  if (!assembly)
-  {
-    prop->GetActors(actors);
-  }
-  vtkCollectionSimpleIterator it;
-  parts->InitTraversal(it);
-  while (vtkProp* part = parts->GetNextProp(it))
-  {
-    if (part != prop && IsSpecular(part))
-    {
-      return true;
-    }
-  }
-  return false;
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(key) ? keys->Get(key) != 0 : otherwise;
 }
 }
 
@@ -170,6 +74,12 @@ bool vtkIndirectFrame::Build(const vtkRenderState* state, std::string& why)
   }
   this->CollectLights();
   this->CollectProps();
+  if (this->Renderer->GetUseImageBasedLighting())
+  {
+    this->LeaveOut("environment light",
+      "VTK lights physically based props with the renderer's environment texture, without shadows; "
+      "none of it is reflected further");
+  }
   if (this->Size[0] < 1 || this->Size[1] < 1)
   {
     why = "the viewport is empty";
@@ -187,6 +97,20 @@ bool vtkIndirectFrame::Build(const vtkRenderState* state, std::string& why)
     return false;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::LeaveOut(const std::string& what, const std::string& why)
+{
+  for (LeftOutEntry& entry : this->LeftOut)
+  {
+    if (entry.What == what && entry.Why == why)
+    {
+      ++entry.Count;
+      return;
+    }
+  }
+  this->LeftOut.push_back({ what, why, 1 });
 }
 
 //------------------------------------------------------------------------------
@@ -212,40 +136,21 @@ void vtkIndirectFrame::CollectProps()
       prop->SetPropertyKeys(keys);
     }
     this->Props.push_back(prop);
-    if (!prop->HasOpaqueGeometry())
+    const bool opaque = prop->HasOpaqueGeometry() != 0;
+    if (prop->IsA("vtkVolume"))
+    {
+      this->LeaveOut(prop->GetClassName(), "volumes neither send nor receive indirect light");
+    }
+    else if (prop->HasTranslucentPolygonalGeometry())
+    {
+      this->LeaveOut(prop->GetClassName(),
+        "translucent geometry casts no shadows, and neither sends nor receives indirect light");
+    }
+    if (!opaque)
     {
       continue;
     }
-    this->Solid = this->Solid && IsSolid(prop);
-    this->NumberOfTriangles += CountTriangles(prop);
-    this->Specular = this->Specular || IsSpecular(prop);
-    if (!prop->GetUseBounds())
-    {
-      continue;
-    }
-    const double* bounds = prop->GetBounds();
-    if (!bounds)
-    {
-      continue;
-    }
-    if (!IsFinite(bounds))
-    {
-      this->LeftOut.emplace_back(prop->GetClassName(), "its bounds are empty or not finite");
-      continue;
-    }
-    if (IsDrawnAsPoints(prop))
-    {
-      this->LeftOut.emplace_back(prop->GetClassName(),
-        "points are sized in pixels, so they neither cast shadows nor reflect light");
-      box.AddBounds(bounds);
-      continue;
-    }
-    vtkIndirectCaster caster;
-    caster.Prop = prop;
-    std::copy(bounds, bounds + 6, caster.Bounds);
-    caster.RedrawMTime = prop->GetRedrawMTime();
-    this->Casters.push_back(caster);
-    box.AddBounds(bounds);
+    this->AddOpaque(prop, box);
   }
   if (box.IsValid())
   {
@@ -254,6 +159,49 @@ void vtkIndirectFrame::CollectProps()
     const double diagonal = box.GetDiagonalLength();
     // A scene of one point has no length of its own.
     this->SceneScale = diagonal > 0.0 ? 1.0 / diagonal : 1.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
+{
+  const vtkIndirectPropKind kind = vtkIndirectPropKind::Find(prop);
+  this->Solid = this->Solid && kind.Solid;
+  this->NumberOfTriangles += kind.NumberOfTriangles;
+  this->Specular = this->Specular || (kind.Captured && kind.Specular);
+  (kind.Captured ? this->Captured : this->ColorOnly).push_back(prop);
+  if (!prop->GetUseBounds())
+  {
+    return;
+  }
+  const double* bounds = prop->GetBounds();
+  if (kind.Captured && bounds && !IsFinite(bounds))
+  {
+    this->LeaveOut(prop->GetClassName(), "its bounds are empty or not finite");
+    return;
+  }
+  const bool casts =
+    ReadKey(prop, vtkIndirectIlluminationPass::CASTS_SHADOWS(), kind.NoCaster == nullptr);
+  const bool finite = bounds && IsFinite(bounds);
+  if (casts && kind.Captured && kind.Surface && finite)
+  {
+    vtkIndirectCaster caster;
+    caster.Prop = prop;
+    std::copy(bounds, bounds + 6, caster.Bounds);
+    caster.RedrawMTime = prop->GetRedrawMTime();
+    caster.SendsLight = ReadKey(prop, vtkIndirectIlluminationPass::SENDS_LIGHT(), true);
+    this->AllSendLight = this->AllSendLight && caster.SendsLight;
+    this->Casters.push_back(caster);
+    box.AddBounds(bounds);
+    return;
+  }
+  this->LeaveOut(prop->GetClassName(),
+    kind.NoCaster ? kind.NoCaster
+                  : "its property key CASTS_SHADOWS is 0: it sends no light either");
+  this->AllSendLight = this->AllSendLight && kind.NoCaster != nullptr;
+  if (kind.Captured && finite)
+  {
+    box.AddBounds(bounds); // it receives light
   }
 }
 
@@ -328,8 +276,15 @@ void vtkIndirectFrame::SetUpEye()
   }
   if (!this->Parallel && this->Projection[2][3] != 0.0)
   {
-    // All rays of a perspective meet in the eye; what is left here is rounding.
-    this->RayOrigin = glm::dmat3(0.0);
+    // All rays of a perspective meet where both coordinates of the image and the divisor are zero:
+    // the origin, or in stereo beside it. Made of that, they are free of rounding.
+    const glm::dmat4 rows = glm::transpose(this->Projection);
+    const glm::dmat3 meeting =
+      glm::transpose(glm::dmat3{ glm::dvec3(rows[0]), glm::dvec3(rows[1]), glm::dvec3(rows[3]) });
+    const glm::dvec3 eye =
+      this->SceneScale * (glm::inverse(meeting) * -glm::dvec3{ rows[0].w, rows[1].w, rows[3].w });
+    this->RayOrigin = eye.z * this->RayDirection;
+    this->RayOrigin[2] += eye;
   }
   this->Near = -unproject(0.0, 0.0, -1.0).z;
   this->Far = -unproject(0.0, 0.0, 1.0).z;

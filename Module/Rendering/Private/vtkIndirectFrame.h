@@ -11,9 +11,9 @@
 
 #include <glm/glm.hpp> // for vectors and matrices
 #include <string>      // for reasons
-#include <utility>     // for pairs
 #include <vector>      // for lists
 
+class vtkBoundingBox;
 class vtkLight;
 class vtkMatrix4x4;
 class vtkOpenGLRenderWindow;
@@ -42,6 +42,7 @@ struct vtkIndirectCaster
   vtkProp* Prop = nullptr;
   double Bounds[6];
   vtkMTimeType RedrawMTime = 0;
+  bool SendsLight = true;
 };
 
 struct vtkIndirectFrame
@@ -55,14 +56,23 @@ struct vtkIndirectFrame
   glm::dvec3 SceneCenter{ 0.0 }; // world
   double SceneScale = 1.0;       // scene units per world unit
 
-  std::vector<vtkProp*> Props; // all visible ones
-  bool Specular = false;       // whether a lit opaque prop reflects specularly, by Phong's model
-  bool Solid = false;          // whether whatever an opaque prop draws hides all that is behind it
+  std::vector<vtkProp*> Props;     // all visible ones
+  std::vector<vtkProp*> Captured;  // opaque ones whose surfaces the capture gets
+  std::vector<vtkProp*> ColorOnly; // other opaque ones: they have a colour, but no surface
+  bool Specular = false; // whether a lit opaque prop reflects specularly, by Phong's model
+  bool Solid = false;    // whether whatever an opaque prop draws hides all that is behind it
   double NumberOfTriangles = 0.0; // about, of opaque props; 1e9 of one that does not tell
   std::vector<vtkIndirectCaster> Casters;
+  bool AllSendLight = true; // whether all surfaces may send light
   std::vector<vtkIndirectLight> Lights;
-  /** Props and lights that take no part, and why. */
-  std::vector<std::pair<std::string, std::string>> LeftOut;
+  /** Props that take no part, or not the whole, and why. */
+  struct LeftOutEntry
+  {
+    std::string What;
+    std::string Why;
+    int Count;
+  };
+  std::vector<LeftOutEntry> LeftOut;
 
   // The eye. View coordinates in the shaders are scaled to scene units.
   bool Parallel = false;
@@ -86,7 +96,9 @@ struct vtkIndirectFrame
   static glm::dmat4 ToGLM(vtkMatrix4x4* matrix);
 
 private:
+  void LeaveOut(const std::string& what, const std::string& why);
   void CollectProps();
+  void AddOpaque(vtkProp* prop, vtkBoundingBox& box);
   void CollectLights();
   void SetUpEye();
 };

@@ -3,6 +3,7 @@
 
 #include "vtkIndirectView.h"
 
+#include "vtkCamera.h"
 #include "vtkLightsPass.h"
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -13,6 +14,20 @@
 #include "vtkRenderState.h"
 
 #include <algorithm>
+
+namespace
+{
+// vtkCamera::Render, which a renderer without a pass calls, tells the camera whether it is one eye
+// of two. It also clears the window, not the framebuffer of a pass around this one.
+class StereoCamera : public vtkCamera
+{
+public:
+  static void Update(vtkCamera* camera, vtkRenderWindow* window)
+  {
+    camera->*(&StereoCamera::Stereo) = window->GetStereoRender();
+  }
+};
+}
 
 vtkIndirectView::vtkIndirectView() = default;
 vtkIndirectView::~vtkIndirectView() = default;
@@ -27,6 +42,7 @@ bool vtkIndirectView::Begin(const vtkRenderState* s)
     renderer->ResetCamera();
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  StereoCamera::Update(renderer->GetActiveCamera(), window);
   int size[2];
   int origin[2] = { 0, 0 };
   if (auto* framebuffer = vtkOpenGLFramebufferObject::SafeDownCast(s->GetFrameBuffer()))

@@ -33,7 +33,8 @@ void main()
     vec3 dx = (vtkiRayOrigin[0] + vtkiSurfaceDepth(surface) * vtkiRayDirection[0]) * (2.0f / vtkiSize.x);
     vec3 dy = (vtkiRayOrigin[1] + vtkiSurfaceDepth(surface) * vtkiRayDirection[1]) * (2.0f / vtkiSize.y);
     float pixelArea = length(cross(dx, dy));
-    vec3 toEye = vtkiParallel != 0 ? vec3(0.0f, 0.0f, 1.0f) : -normalize(p);
+    // In stereo an eye stands beside the origin.
+    vec3 toEye = vtkiParallel != 0 ? vec3(0.0f, 0.0f, 1.0f) : normalize(vtkiRayOrigin[2] - p);
     // pixelArea is perpendicular to the axis: seen from the eye it covers area * toEye.z / (n.v).
     float cosEye = max(dot(normal, toEye), sqrt(pixelArea));
     float covered = pixelArea * toEye.z / cosEye * sampled.w;

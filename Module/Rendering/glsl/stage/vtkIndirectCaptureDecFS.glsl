@@ -16,7 +16,7 @@ uniform sampler2DArray vtkiShadowMaps; // depths of a texel and its neighbours i
 #endif
 
 // From a light: the light whose map is drawn.
-uniform vec2 vtkiMapLight; // 1 if positional, texel size in tangents or scene units
+uniform vec3 vtkiMapLight; // 1 if positional, texel size in tangents or scene units, 1 if the prop sends
 
 #ifdef VTKI_SHADOWS
 // The depth buffer holds floats just below one; interpolation loses about four of their steps.

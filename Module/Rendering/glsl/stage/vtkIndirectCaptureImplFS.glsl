@@ -26,6 +26,11 @@
       // In place of alpha where that says nothing: no texture of its own then.
       gl_FragData[2] = vec4(vtkiPackAlbedo(vtkiAlbedo), 0.0f, 0.0f, 1.0f);
       gl_FragData[0].a = vtkiSolid != 0 ? gl_FragData[2].r : gl_FragData[0].a;
+#ifdef VTKI_SOFT
+      // Where more than half shines through, what lies behind stays the surface.
+      gl_FragData[1].a = gl_FragData[0].a < 0.5f ? 0.0f : 1.0f;
+      gl_FragData[2].a = gl_FragData[1].a;
+#endif
 #ifdef VTKI_SPECULAR
       gl_FragData[3] = max(VTKI_SPECULAR, vec4(0.0f));
 #endif

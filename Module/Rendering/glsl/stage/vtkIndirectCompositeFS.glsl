@@ -31,7 +31,8 @@ void main()
   vec3 albedo = vtkiUnpackAlbedo(lit.a);
   lit.a = 1.0f;
 #else
-  bool drawn = lit.a > 0.0f;
+  // What emits light without covering anything has no alpha.
+  bool drawn = any(greaterThan(lit, vec4(0.0f)));
   vec3 albedo = vtkiUnpackAlbedo(textureLod(vtkiAlbedo, pixel, 0.0f).r);
 #endif
 #ifndef VTKI_DEPTH_COPIED

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Members of a renderer for as long as a stage draws, without the events and modification times of
+// their setters.
+#ifndef vtkIndirectRendererAccess_h
+#define vtkIndirectRendererAccess_h
+
+#include "vtkRenderer.h"
+
+class vtkIndirectRendererAccess : public vtkRenderer
+{
+public:
+  /** SetActiveCamera also frees a camera that only the renderer holds. */
+  static vtkCamera*& Camera(vtkRenderer* renderer)
+  {
+    return renderer->*(&vtkIndirectRendererAccess::ActiveCamera);
+  }
+  /** Whether passes with a camera clear what they draw to. */
+  static vtkTypeBool& Clearing(vtkRenderer* renderer)
+  {
+    return renderer->*(&vtkIndirectRendererAccess::Erase);
+  }
+};
+
+#endif
