@@ -454,13 +454,14 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
     program->SetUniformi("vtkiShadowMaps", in.ShadowUnit);
   }
   in.Lights.SetUniforms(program);
+  // Whatever has switched blending since the stage began must not mix bits.
   if (in.Stage == 0)
   {
-    // Whatever has switched blending since the stage began must not mix bits.
-    vtkGeometryBufferPass::DisableBlending(in.Channels);
+    vtkGeometryBufferPass::DisableBlending(in.Window->GetState(), in.Channels);
   }
   if (in.Stage == 1)
   {
+    in.Window->GetState()->vtkglDisable(GL_BLEND);
     program->SetUniform2f("vtkiMapLight", glm::value_ptr(in.MapLight));
   }
 

@@ -22,7 +22,7 @@ contract_topic(Composition
   TranslucentBlend TranslucentPeeling Volumes Overlay Backgrounds AntialiasingFXAA
   AntialiasingFXAAPass AntialiasingSSAAPass)
 contract_topic(Interaction
-  SelectionSame PickingSame DepthSame DepthOfBackground StateUntouched)
+  SelectionSame PickingSame DepthSame DepthOfBackground StateUntouched BlendingRemembered)
 contract_topic(Kinds
   KindsDelegate KindsComposite KindsFull AlbedoValues SurfaceBuffers)
 contract_topic(Buffers BuffersOfLastFrame)
