@@ -202,6 +202,10 @@ void vtkGeometryBufferPass::ActivateAlbedo(vtkShaderProgram* program) const
 //------------------------------------------------------------------------------
 void vtkGeometryBufferPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   this->Target->Release(window);
   this->ClearKernel->Release();
 }

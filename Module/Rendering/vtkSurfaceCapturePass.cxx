@@ -281,6 +281,10 @@ bool vtkSurfaceCapturePass::HasEncoded() const
 //------------------------------------------------------------------------------
 void vtkSurfaceCapturePass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   if (this->DelegatePass)
   {
     this->DelegatePass->ReleaseGraphicsResources(window);

@@ -29,6 +29,7 @@ contract_topic(Buffers BuffersOfLastFrame)
 contract_topic(Lifetime
   Toggle ToggleHints ToggleMultiresolution ToggleNewPass Release ReleaseMultiresolution Finalize
   FinalizeUnused FinalizeWithout DestructionOrder TwoWindows)
+contract_topic(Release ReleaseWithoutWindow)
 contract_topic(Lights
   LightShadowAttenuation LightColors LightSettings LightHeadlight LightOfCamera LightKit ShadowFollows
   ShadowFromOutside ShadowSeams ParallelEye)
