@@ -16,6 +16,11 @@
 #include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
+#include "vtkVersionMacros.h"
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+#include "vtkMemoryResourceStream.h"
+#endif
 
 #include <cmath>
 #include <cstdint>
@@ -147,6 +152,19 @@ inline bool IsEmpty(vtkImageData* image)
   int dimensions[3];
   image->GetDimensions(dimensions);
   return image->GetPointData()->GetNumberOfArrays() == 0 && dimensions[0] * dimensions[1] == 0;
+}
+
+// Has the reader read bytes, which must outlive it: from VTK's stream where there is one.
+inline void SetBytes(vtkOpenEXRReader* reader, const std::vector<char>& bytes, std::size_t length)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  vtkNew<vtkMemoryResourceStream> stream;
+  stream->SetBuffer(bytes.data(), length);
+  reader->SetStream(stream);
+#else
+  reader->SetMemoryBuffer(bytes.data());
+  reader->SetMemoryBufferLength(static_cast<vtkIdType>(length));
+#endif
 }
 
 // Updates the reader, which must fail with exactly one error of that code.

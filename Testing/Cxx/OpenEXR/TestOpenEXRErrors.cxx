@@ -260,8 +260,7 @@ void Truncated(const std::string& folder)
       vtkNew<vtkOpenEXRReader> reader;
       vtkNew<Messages> messages;
       messages->Watch(reader);
-      reader->SetMemoryBuffer(bytes.data());
-      reader->SetMemoryBufferLength(static_cast<vtkIdType>(length));
+      SetBytes(reader, bytes, length);
       reader->Update();
       EXR_CHECK(messages->Errors == 1);
       EXR_CHECK(messages->IsOneLine());
