@@ -55,7 +55,7 @@ CONTRACT_TEST(ReleaseWithoutWindow)
       name << ": the maps were drawn again");
     CONTRACT_CHECK(pass->GetNumberOfEstimates() == estimates, name << ": estimated again");
   }
-  // Stages alone.
+  // Stages alone. They leave the renderer's lights to VTK.
   vtkNew<vtkGeometryBufferPass> geometry;
   vtkNew<vtkReflectiveShadowMapPass> maps;
   vtkNew<vtkSurfaceCapturePass> capture;
@@ -63,6 +63,7 @@ CONTRACT_TEST(ReleaseWithoutWindow)
   composite->ReleaseGraphicsResources(nullptr);
   View view(80, 60);
   AddRoom(view.Renderer);
+  view.Window->Render();
   for (vtkRenderPass* stage : std::initializer_list<vtkRenderPass*>{ geometry, maps, capture })
   {
     stage->ReleaseGraphicsResources(nullptr);
