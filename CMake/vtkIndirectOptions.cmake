@@ -31,8 +31,12 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}"
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 
-# An installed tree can be moved: libraries and programs look for each other relative to themselves.
-if (NOT DEFINED CMAKE_INSTALL_RPATH)
+# An installed tree can be moved: libraries and programs look for each other relative to themselves,
+# unless CMAKE_INSTALL_RPATH says otherwise.
+set(vtk_indirect_relative_rpath TRUE)
+if (DEFINED CMAKE_INSTALL_RPATH)
+  set(vtk_indirect_relative_rpath FALSE)
+else ()
   file(RELATIVE_PATH _bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
   set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/${_bin_to_lib}")
 endif ()

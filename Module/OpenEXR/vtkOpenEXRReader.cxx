@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// From VTK 9.6 on the superclass calls its MemoryBuffer deprecated, which is supported all the
+// same.
+#define VTK_DEPRECATION_LEVEL 0
+
 #include "vtkOpenEXRReader.h"
 
 #include "vtkErrorCode.h"
@@ -10,18 +14,23 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenEXRDecoder.h"
 #include "vtkOpenEXRFailure.h"
+#include "vtkOpenEXRFileNames.h"
 #include "vtkOpenEXRHeader.h"
 #include "vtkOpenEXRInputStream.h"
 #include "vtkOpenEXRMaps.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
+#include "vtkVersionMacros.h"
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+#include "vtkResourceStream.h"
+#endif
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <utility>
 
 //------------------------------------------------------------------------------
@@ -34,14 +43,39 @@ public:
   // Whether the last request for information worked.
   bool Ready = false;
 
-  // The current file of the reader, or its memory.
-  static vtkOpenEXRDecoder Open(vtkOpenEXRReader* self)
+  // Whether there are no files: the bytes come from memory or from VTK's stream.
+  static bool HasBytes(vtkOpenEXRReader* self)
   {
-    return vtkOpenEXRDecoder(self->InternalFileName ? self->InternalFileName : "",
-      self->MemoryBuffer, static_cast<std::uint64_t>(self->MemoryBufferLength));
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+    if (self->GetStream())
+    {
+      return true;
+    }
+#endif
+    return self->MemoryBuffer != nullptr;
   }
 
-  static double GetMaximumBytes(vtkOpenEXRReader* self) { return self->MaximumSize * 1048576.0; }
+  // The current file of the reader, or its bytes.
+  static std::unique_ptr<vtkOpenEXRInputStream> Open(vtkOpenEXRReader* self)
+  {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+    if (self->GetStream())
+    {
+      return std::make_unique<vtkOpenEXRInputStream>(self->GetStream()->ToStreambuf());
+    }
+#endif
+    if (self->MemoryBuffer)
+    {
+      return std::make_unique<vtkOpenEXRInputStream>(
+        self->MemoryBuffer, static_cast<std::uint64_t>(self->MemoryBufferLength));
+    }
+    return std::make_unique<vtkOpenEXRInputStream>(self->InternalFileName);
+  }
+
+  static double GetMaximumBytes(vtkOpenEXRReader* self)
+  {
+    return self->MaximumSize * 1048576.0;
+  }
 };
 
 vtkStandardNewMacro(vtkOpenEXRReader);
@@ -83,6 +117,30 @@ int vtkOpenEXRReader::CanReadFile(const char* fname)
 }
 
 //------------------------------------------------------------------------------
+// The superclass knows one syntax of patterns or both, by VTK's version, and fits no types.
+void vtkOpenEXRReader::ComputeInternalFileName(int slice)
+{
+  if (this->FileNames || this->FileName || !this->FilePattern)
+  {
+    this->Superclass::ComputeInternalFileName(slice);
+    return;
+  }
+  delete[] this->InternalFileName;
+  this->InternalFileName = nullptr;
+  try
+  {
+    const int number = slice * this->FileNameSliceSpacing + this->FileNameSliceOffset;
+    const std::string name = vtkOpenEXRFileNames::Make(this->FilePrefix, this->FilePattern, number);
+    this->InternalFileName = new char[name.size() + 1]();
+    name.copy(this->InternalFileName, name.size());
+  }
+  catch (const vtkOpenEXRFailure& failure)
+  {
+    this->Fail(failure.Code, failure.Message);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkOpenEXRReader::ReadFirstHeader()
 {
   this->Internals->Header = vtkOpenEXRHeader();
@@ -93,11 +151,12 @@ bool vtkOpenEXRReader::ReadFirstHeader()
     this->DataWindow[i] = this->DisplayWindow[i] = -(i % 2);
   }
 
-  if (!this->MemoryBuffer)
+  if (!vtkInternals::HasBytes(this))
   {
     // The superclass has a pattern from the start, which means nothing without a prefix.
     const bool series = this->FilePrefix ||
-      (this->FilePattern && *this->FilePattern && std::strcmp(this->FilePattern, "%s.%d") != 0);
+      (this->FilePattern && *this->FilePattern &&
+        !vtkOpenEXRFileNames::IsDefault(this->FilePattern));
     const bool names = this->FileNames && this->FileNames->GetNumberOfValues() > 0;
     if (!names && (this->FileNames || (!(this->FileName && *this->FileName) && !series)))
     {
@@ -110,15 +169,19 @@ bool vtkOpenEXRReader::ReadFirstHeader()
       this->DataExtent[5] = static_cast<int>(this->FileNames->GetNumberOfValues()) - 1;
     }
     this->ComputeInternalFileName(names || this->FileName ? 0 : this->DataExtent[4]);
+    if (!this->InternalFileName)
+    {
+      return false;
+    }
   }
-  if (this->MemoryBuffer || this->FileName)
+  if (vtkInternals::HasBytes(this) || this->FileName)
   {
     this->DataExtent[4] = this->DataExtent[5] = 0;
   }
 
   vtkOpenEXRFailure failure;
   vtkOpenEXRHeader header;
-  vtkOpenEXRDecoder file = vtkInternals::Open(this);
+  vtkOpenEXRDecoder file(vtkInternals::Open(this));
   if (!file.Guard(failure,
         [&]() { header = file.ReadHeader(this->Part, vtkInternals::GetMaximumBytes(this)); }))
   {
@@ -288,12 +351,16 @@ void vtkOpenEXRReader::ExecuteDataWithInformation(vtkDataObject* output, vtkInfo
 
   for (int slice = 0; slice < slices; ++slice)
   {
-    if (!this->MemoryBuffer)
+    if (!vtkInternals::HasBytes(this))
     {
       this->ComputeInternalFileName(extent[4] + slice);
+      if (!this->InternalFileName)
+      {
+        return;
+      }
     }
     vtkOpenEXRFailure failure;
-    vtkOpenEXRDecoder file = vtkInternals::Open(this);
+    vtkOpenEXRDecoder file(vtkInternals::Open(this));
     const bool success = file.Guard(failure,
       [&]()
       {

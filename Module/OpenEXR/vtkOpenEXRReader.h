@@ -27,11 +27,13 @@
  * GetErrorCode then returns one of vtkErrorCode: NoFileNameError, FileNotFoundError,
  * CannotOpenFileError (a directory, no permission), UnrecognizedFileTypeError (not OpenEXR),
  * PrematureEndOfFileError (truncated), FileFormatError (damaged, too large, not supported),
- * UserError (no such layer or part), UnknownError (no memory). The request itself does not fail, so
- * that the pipeline adds no message of its own.
+ * UserError (no such layer or part, a pattern that does not fit), UnknownError (no memory). The
+ * request itself does not fail, so that the pipeline adds no message of its own.
  *
  * Series of files (FileNames, or FilePrefix and FilePattern) make one slice each; all must have the
- * data window and the channels of the first. SetMemoryBuffer is supported.
+ * data window and the channels of the first. FilePattern has the syntax of printf ("%s_%03d.exr")
+ * or of std::format ("{:s}_{:03d}.exr") with any version of VTK. SetMemoryBuffer is supported, and
+ * SetStream where VTK has it (from 9.6 on).
  *
  * @sa vtkOpenEXRWriter
  */
@@ -159,6 +161,12 @@ public:
    * Returns 3 if the file begins with the magic number of OpenEXR, else 0. Tells no error.
    */
   int CanReadFile(VTK_FILEPATH const char* fname) override;
+
+  /**
+   * Finds the name of the file of a slice. A pattern that does not fit is an error (UserError), and
+   * InternalFileName is then null.
+   */
+  void ComputeInternalFileName(int slice) override;
 
   /**
    * ".exr"

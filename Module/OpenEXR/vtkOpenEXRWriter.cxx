@@ -9,16 +9,14 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenEXREncoder.h"
 #include "vtkOpenEXRFailure.h"
+#include "vtkOpenEXRFileNames.h"
 #include "vtkOpenEXRImageSet.h"
 #include "vtkOpenEXRMaps.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstring>
 #include <iterator>
 #include <map>
-#include <vector>
 
 namespace
 {
@@ -30,22 +28,6 @@ bool IsReserved(const std::string& name)
     "displayWindow", "lineOrder", "maxSamplesPerPixel", "multiView", "name", "pixelAspectRatio",
     "preview", "screenWindowCenter", "screenWindowWidth", "tiles", "type", "version" };
   return std::find(std::begin(reserved), std::end(reserved), name) != std::end(reserved);
-}
-
-//------------------------------------------------------------------------------
-// The pattern has at most one %s and one %d, as for all image writers.
-std::string MakeFileName(const char* prefix, const char* pattern, int number)
-{
-  std::vector<char> buffer(std::strlen(pattern) + (prefix ? std::strlen(prefix) : 0) + 256);
-  if (prefix)
-  {
-    std::snprintf(buffer.data(), buffer.size(), pattern, prefix, number);
-  }
-  else
-  {
-    std::snprintf(buffer.data(), buffer.size(), pattern, number);
-  }
-  return buffer.data();
 }
 }
 
@@ -205,7 +187,7 @@ void vtkOpenEXRWriter::WriteImages(vtkImageData* input)
 {
   const bool hasName = this->FileName && *this->FileName;
   const bool hasPattern = this->FilePattern && *this->FilePattern &&
-    (this->FilePrefix || std::strcmp(this->FilePattern, "%s.%d") != 0);
+    (this->FilePrefix || !vtkOpenEXRFileNames::IsDefault(this->FilePattern));
   if (!hasName && !hasPattern)
   {
     this->Fail(vtkErrorCode::NoFileNameError, "Write: no file name was set.");
@@ -235,16 +217,18 @@ void vtkOpenEXRWriter::WriteImages(vtkImageData* input)
   for (int slice = 0; slice < slices; ++slice)
   {
     this->FileNumber = this->MaximumFileNumber = first + slice;
-    const std::string fileName = hasName
-      ? this->FileName
-      : MakeFileName(this->FilePrefix, this->FilePattern, this->FileNumber);
+    std::string cannot = "Write: ";
     try
     {
+      const std::string fileName = hasName
+        ? this->FileName
+        : vtkOpenEXRFileNames::Make(this->FilePrefix, this->FilePattern, this->FileNumber);
+      cannot = "Cannot write \"" + fileName + "\": ";
       encoder.Write(fileName, slice);
     }
     catch (const vtkOpenEXRFailure& failure)
     {
-      this->Fail(failure.Code, "Cannot write \"" + fileName + "\": " + failure.Message);
+      this->Fail(failure.Code, cannot + failure.Message);
       break;
     }
     this->UpdateProgress((slice + 1.0) / slices);

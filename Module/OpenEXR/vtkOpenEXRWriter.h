@@ -24,14 +24,15 @@
  * was. (The new file is a new one with default permissions. A symbolic link stays, and its target
  * is replaced.)
  *
- * A volume is written as one file for each slice and needs FilePrefix and FilePattern; those slices
- * that were written before a failure stay.
+ * A volume is written as one file for each slice and needs FilePrefix and FilePattern, in the
+ * syntax of printf ("%s_%03d.exr") or of std::format ("{:s}_{:03d}.exr") with any version of VTK;
+ * those slices that were written before a failure stay.
  *
  * Errors. Each failure is told by exactly one vtkErrorMacro. GetErrorCode then returns one of
  * vtkErrorCode: NoFileNameError, CannotOpenFileError (the file cannot be created or renamed, or the
  * name is that of something that is not a regular file), OutOfDiskSpaceError (writing failed),
- * UserError (no input, no scalars, layers that do not fit), UnknownError (anything else; also where
- * the input could not be updated, which the pipeline has told).
+ * UserError (no input, no scalars, layers or a pattern that do not fit), UnknownError (anything
+ * else; also where the input could not be updated, which the pipeline has told).
  *
  * @sa vtkOpenEXRReader
  */

@@ -97,9 +97,15 @@ void vtkGeometryBufferPass::Render(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeometryBufferPass::DisableBlending(int channels)
+void vtkGeometryBufferPass::DisableBlending(vtkOpenGLState* state, int channels)
 {
-  for (int i = IsAlbedoInLit(channels) ? Lit : Surface; i < channels; ++i)
+  if (IsAlbedoInLit(channels))
+  {
+    state->vtkglDisable(GL_BLEND);
+    return;
+  }
+  // VTK's state knows one switch for all draw buffers, and compares it with the first.
+  for (int i = Surface; i < channels; ++i)
   {
     glDisablei(GL_BLEND, static_cast<unsigned int>(i));
   }
@@ -146,7 +152,7 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
   // VTK draws opaque props blended too: textures and point sprites have soft edges. Only colour is
   // mixed: the other channels' alphas hold bits and powers.
   state->vtkglEnable(GL_BLEND);
-  DisableBlending(this->NumberOfChannels);
+  DisableBlending(state, this->NumberOfChannels);
 
   vtkRenderState s2(s->GetRenderer());
   std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
@@ -170,7 +176,9 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
     shadows->Deactivate();
   }
   this->NumberOfRenderedProps = capture->GetNumberOfRenderedProps();
-  for (int i = 0; i < this->NumberOfChannels; ++i)
+  // All draw buffers as VTK's state has them.
+  state->vtkglEnable(GL_BLEND);
+  for (int i = Surface; i < this->NumberOfChannels; ++i)
   {
     glEnablei(GL_BLEND, static_cast<unsigned int>(i));
   }
@@ -230,6 +238,10 @@ void vtkGeometryBufferPass::ActivateAlbedo(vtkShaderProgram* program) const
 //------------------------------------------------------------------------------
 void vtkGeometryBufferPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   this->Target->Release(window);
   this->ClearKernel->Release();
 }

@@ -30,6 +30,7 @@ struct vtkIndirectFrame;
 class vtkIndirectKernelProgram;
 class vtkIndirectTarget;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 class vtkReflectiveShadowMapPass;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
@@ -74,7 +75,7 @@ public:
    * Keeps the channels that hold bits or powers from being blended: all but the lit image, and that
    * too where it holds the albedo. VTK may have switched blending for all of them since.
    */
-  static void DisableBlending(int channels);
+  static void DisableBlending(vtkOpenGLState* state, int channels);
 
   const vtkIndirectTarget& GetTarget() const
   {

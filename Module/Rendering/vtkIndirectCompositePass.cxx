@@ -372,6 +372,10 @@ bool vtkIndirectCompositePass::ShowImage(const Input& input)
 //------------------------------------------------------------------------------
 void vtkIndirectCompositePass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   Internals& in = *this->Internal;
   in.Image.Release(window);
   for (vtkIndirectKernelProgram& composite : in.Composite)

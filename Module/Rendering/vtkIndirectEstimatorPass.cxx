@@ -213,6 +213,10 @@ void vtkIndirectEstimatorPass::AddSpecularToReport(vtkIndirectReport& report) co
 //------------------------------------------------------------------------------
 void vtkIndirectEstimatorPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   this->Irradiance->Release(window);
   this->Glossy->Release(window);
   this->HasGlossy = false;

@@ -612,6 +612,10 @@ std::string vtkIndirectIlluminationPass::GetReport()
 //------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   Internals& in = *this->Internal;
   this->Superclass::ReleaseGraphicsResources(window);
   this->SurfaceCapture->ReleaseGraphicsResources(window);

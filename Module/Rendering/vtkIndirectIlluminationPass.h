@@ -52,6 +52,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void Render(const vtkRenderState* s) override;
+
+  /** Gives back what the pass holds in the window's context; without a window nothing happens. */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{

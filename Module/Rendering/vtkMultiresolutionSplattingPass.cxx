@@ -323,6 +323,10 @@ int vtkMultiresolutionSplattingPass::DrawChannel(
 //------------------------------------------------------------------------------
 void vtkMultiresolutionSplattingPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   this->Superclass::ReleaseGraphicsResources(window);
   Internals& in = *this->Internal;
   in.Lights.Release();

@@ -268,6 +268,10 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
 //------------------------------------------------------------------------------
 void vtkRSMGatherPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   this->Superclass::ReleaseGraphicsResources(window);
   Internals& in = *this->Internal;
   in.Coarse.Release(window);

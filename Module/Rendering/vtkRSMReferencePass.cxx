@@ -333,6 +333,10 @@ bool vtkRSMReferencePass::Estimate(const Input& input, vtkIndirectStageTimer& ti
 //------------------------------------------------------------------------------
 void vtkRSMReferencePass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   this->Superclass::ReleaseGraphicsResources(window);
   this->Internal->AllTexels->ReleaseGraphicsResources(window);
 }

@@ -553,6 +553,10 @@ std::vector<vtkRadianceHintsPass::Hint> vtkRadianceHintsPass::ReadHints()
 //------------------------------------------------------------------------------
 void vtkRadianceHintsPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   this->Superclass::ReleaseGraphicsResources(window);
   Internals& in = *this->Internal;
   in.Grid.Release(window);

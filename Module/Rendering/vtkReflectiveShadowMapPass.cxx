@@ -344,6 +344,10 @@ void vtkReflectiveShadowMapPass::Deactivate()
 //------------------------------------------------------------------------------
 void vtkReflectiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   Internals& in = *this->Internal;
   in.Target.Release(window);
   in.Rows.Release(window);

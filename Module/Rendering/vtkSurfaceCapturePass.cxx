@@ -343,6 +343,7 @@ void vtkSurfaceCapturePass::DrawChannel(UnattachedChannel channel)
   }
   vtkOpenGLState* state = in.Window->GetState();
   in.Blending = std::make_unique<vtkOpenGLState::ScopedglBlendFuncSeparate>(state);
+  state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_ZERO, GL_ZERO);
   in.UseChannels(vtkGeometryBufferPass::Surface, 1);
 }
@@ -408,6 +409,10 @@ bool vtkSurfaceCapturePass::IsRedirected() const
 //------------------------------------------------------------------------------
 void vtkSurfaceCapturePass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   if (this->DelegatePass)
   {
     this->DelegatePass->ReleaseGraphicsResources(window);
@@ -587,12 +592,14 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
     program->SetUniformi("vtkiShadowMaps", in.ShadowUnit);
   }
   in.Lights.SetUniforms(program);
+  // Whatever has switched blending since the stage began must not mix bits.
   if (in.Stage == 0)
   {
     this->UseEyeChannels(prop);
   }
   else
   {
+    in.Window->GetState()->vtkglDisable(GL_BLEND);
     in.MapLight.z = SendsLight(prop) ? 1.0f : 0.0f;
     program->SetUniform3f("vtkiMapLight", glm::value_ptr(in.MapLight));
     const bool triangles = MapperPrimitive::IsTriangles(mapper, prop);
@@ -629,8 +636,7 @@ void vtkSurfaceCapturePass::UseEyeChannels(vtkProp* prop)
     in.Window->GetState()->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
     return;
   }
-  // Whatever has switched blending since the stage began must not mix bits.
-  vtkGeometryBufferPass::DisableBlending(in.Channels);
+  vtkGeometryBufferPass::DisableBlending(in.Window->GetState(), in.Channels);
   if (!splats)
   {
     in.UseChannels(vtkGeometryBufferPass::Lit, in.Channels);

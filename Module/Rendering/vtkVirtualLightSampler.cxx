@@ -233,6 +233,10 @@ bool vtkVirtualLightSampler::Update(
 //------------------------------------------------------------------------------
 void vtkVirtualLightSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    return;
+  }
   Internals& in = *this->Internal;
   in.Target.Release(window);
   in.FromMaps.Release();

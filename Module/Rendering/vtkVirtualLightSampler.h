@@ -38,6 +38,7 @@ public:
   /** Number of virtual lights in the last frame. */
   int GetActualNumberOfLights() const;
 
+  /** Gives back what it holds in the window's context; without a window nothing happens. */
   virtual void ReleaseGraphicsResources(vtkWindow* window);
 
 #ifndef __VTK_WRAP__

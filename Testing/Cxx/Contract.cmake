@@ -22,13 +22,14 @@ contract_topic(Composition
   TranslucentBlend TranslucentPeeling Volumes Overlay Backgrounds AntialiasingFXAA
   AntialiasingFXAAPass AntialiasingSSAAPass)
 contract_topic(Interaction
-  SelectionSame PickingSame DepthSame DepthOfBackground StateUntouched)
+  SelectionSame PickingSame DepthSame DepthOfBackground StateUntouched BlendingRemembered)
 contract_topic(Kinds
   KindsDelegate KindsComposite KindsFull AlbedoValues SurfaceBuffers)
 contract_topic(Buffers BuffersOfLastFrame)
 contract_topic(Lifetime
   Toggle ToggleHints ToggleMultiresolution ToggleNewPass Release ReleaseMultiresolution Finalize
   FinalizeUnused FinalizeWithout DestructionOrder TwoWindows)
+contract_topic(Release ReleaseWithoutWindow)
 contract_topic(Lights
   LightShadowAttenuation LightColors LightSettings LightHeadlight LightOfCamera LightKit ShadowFollows
   ShadowFromOutside ShadowSeams ParallelEye)

@@ -2,6 +2,12 @@
 // Selection, picking and depth: what programs ask a window after it is drawn.
 #include "vtkIndirectContractUtilities.h"
 
+#if __has_include("vtk_glad.h")
+#include "vtk_glad.h"
+#else
+#include "vtk_glew.h"
+#endif
+
 #include "vtkCallbackCommand.h"
 #include "vtkCellPicker.h"
 #include "vtkDataSetAttributes.h"
@@ -9,7 +15,9 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkLightCollection.h"
+#include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLState.h"
 #include "vtkPropCollection.h"
 #include "vtkPropPicker.h"
 #include "vtkRenderWindow.h"
@@ -378,6 +386,96 @@ CONTRACT_TEST(StateUntouched)
       CONTRACT_CHECK(growth[0][i] == growth[1][i],
         "object " << i << " is modified " << growth[1][i] << " times a frame, without the pass "
                   << growth[0][i]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+// Compares OpenGL's blending with what VTK's state says of it whenever a mapper draws.
+struct BlendingWatch
+{
+  vtkOpenGLState* State = nullptr;
+  const char* Switched = ""; // what each prop does to blending before it draws: "on", "off"
+  int Draws = 0;
+  int Differing = 0; // draws whose first buffer is not as VTK thinks
+  int Mixing = 0;    // draws that blend bits
+  vtkNew<vtkCallbackCommand> Command;
+
+  explicit BlendingWatch(View& view)
+  {
+    this->State = view.Window->GetState();
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long event, void* watch, void*)
+      { static_cast<BlendingWatch*>(watch)->Execute(event); });
+    vtkPropCollection* props = view.Renderer->GetViewProps();
+    for (int i = 0; i < props->GetNumberOfItems(); ++i)
+    {
+      if (auto* actor = vtkActor::SafeDownCast(props->GetItemAsObject(i)))
+      {
+        actor->GetMapper()->AddObserver(vtkCommand::StartEvent, this->Command);
+        // Between the uniforms, which passes set, and the draw.
+        actor->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, this->Command);
+      }
+    }
+  }
+
+  bool Agrees(GLuint buffer) const
+  {
+    return (glIsEnabledi(GL_BLEND, buffer) == GL_TRUE) == this->State->GetEnumState(GL_BLEND);
+  }
+
+  void Execute(unsigned long event)
+  {
+    if (event == vtkCommand::StartEvent)
+    {
+      if (*this->Switched)
+      {
+        this->State->SetEnumState(GL_BLEND, this->Switched == std::string("on"));
+      }
+      return;
+    }
+    ++this->Draws;
+    this->Differing += this->Agrees(0) ? 0 : 1;
+    // The geometry buffer and the lights' maps have the surface's bits in their second one.
+    GLint second = GL_NONE;
+    glGetIntegerv(GL_DRAW_BUFFER1, &second);
+    this->Mixing += second != GL_NONE && glIsEnabledi(GL_BLEND, 1) ? 1 : 0;
+  }
+};
+}
+
+// VTK switches blending for all draw buffers at once and remembers one value. OpenGL has it so in
+// the first buffer whenever something is drawn, and in all of them after the frame.
+CONTRACT_TEST(BlendingRemembered)
+{
+  for (const std::string kind : { "plain", "texture", "specular" })
+  {
+    for (const char* switched : { "", "on", "off" })
+    {
+      const std::string what = kind + (*switched ? ", switched " : "") + switched;
+      View view(80, 60);
+      AddRoom(view.Renderer);
+      AddKinds(view.Renderer, nullptr, kind);
+      vtkNew<vtkIndirectIlluminationPass> pass;
+      view.Renderer->SetPass(pass);
+      BlendingWatch watch(view);
+      watch.Switched = switched;
+      view.Window->Render();
+      CONTRACT_CHECK(watch.Draws > 10, what << ": only " << watch.Draws << " draws");
+      CONTRACT_CHECK(watch.Differing == 0,
+        what << ": not as remembered in " << watch.Differing << " of " << watch.Draws << " draws");
+      CONTRACT_CHECK(watch.Mixing == 0,
+        what << ": bits blended in " << watch.Mixing << " of " << watch.Draws << " draws");
+      view.Window->MakeCurrent();
+      GLint buffers = 0;
+      glGetIntegerv(GL_MAX_DRAW_BUFFERS, &buffers);
+      for (GLint i = 0; i < buffers; ++i)
+      {
+        CONTRACT_CHECK(watch.Agrees(static_cast<GLuint>(i)),
+          what << ": after the frame, draw buffer " << i << " is not as remembered");
+      }
     }
   }
 }

@@ -43,6 +43,9 @@ bool Register(const char* name, void (*function)());
     }                                                                                              \
   } while (false)
 
+/** Lets warnings pass that hold this text: those of a driver about shaders that are VTK's alone. */
+void AllowWarning(const std::string& text);
+
 /** Defines a test that the executable runs by its name. */
 #define CONTRACT_TEST(name)                                                                        \
   static void Test##name();                                                                        \

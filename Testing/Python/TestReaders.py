@@ -175,6 +175,9 @@ def write_all(directory: Path) -> dict[str, int]:
     return expected
 
 
+ATOM = "ATOM      1  N   ALA A   1      11.104   6.134  -6.504  1.00  0.00           N\n"
+
+
 class Readers(support.DirectoryTest):
     def assert_refused(self, path: Path, expected: str = "") -> None:
         with self.assertRaises(UsageError) as caught:
@@ -210,6 +213,34 @@ class Readers(support.DirectoryTest):
         whole = bytearray(gzip.compress(b"\0" * 5000))
         whole[20:30] = b"0123456789"
         self.assert_refused(self.write("bad.nii.gz", bytes(whole)), "damaged")
+
+    def test_molecules_as_programs_write_them(self) -> None:
+        for name, text in {
+            "plain": ATOM * 2,
+            "no end of line": ATOM + ATOM.rstrip(),
+            "carriage returns": (ATOM * 2).replace("\n", "\r\n"),
+            "blank lines": f"\n{ATOM}   \n{ATOM}\n\n",
+            "not ASCII": f"REMARK \N{LATIN SMALL LETTER A WITH DIAERESIS}\n" + ATOM * 2,
+            "no number": ATOM + ATOM.replace("A   1", "A****"),
+            "structures": ATOM + "HELIX    1   A SER A    4\nSHEET\n" + ATOM,
+        }.items():
+            with self.subTest(name=name):
+                read = data.read(self.write("a.pdb", text.encode()))
+                self.assertEqual(read.GetNumberOfPoints(), 2)
+                self.assertAlmostEqual(read.GetPoint(1)[1], 6.134, places=5)
+        latin = self.write("a.pdb", (ATOM + "REMARK \xe4\n" + ATOM).encode("latin-1"))
+        self.assertEqual(data.read(latin).GetNumberOfPoints(), 2)
+
+    def test_atoms_without_position(self) -> None:
+        for damaged in (
+            ATOM.replace(" 6.134", " x.134"),
+            ATOM.replace("  -6.504", "        "),
+            ATOM.replace(" 6.134", "1.1e99"),
+            ATOM[:50] + "\n",
+        ):
+            with self.subTest(damaged=damaged):
+                path = self.write("a.pdb", (ATOM + damaged + ATOM).encode())
+                self.assert_refused(path, "line 2 is an atom without position")
 
     def test_paths(self) -> None:
         self.assert_refused(self.directory / "none.vtp", "no such file")

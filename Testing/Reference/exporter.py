@@ -119,7 +119,10 @@ def _earcuts(data: vtkPolyData, cells: vtkCellArray) -> tuple[np.ndarray, np.nda
         cells.GetCellAtId(cell, corners)
         polygon = vtkPolygon()
         polygon.Initialize(corners.GetNumberOfIds(), corners_of(corners), data.GetPoints())
-        polygon.Triangulate(cut)
+        if hasattr(polygon, "TriangulateLocalIds"):  # the name in newer VTKs
+            polygon.TriangulateLocalIds(0, cut)
+        else:
+            polygon.Triangulate(cut)
         for i in range(0, cut.GetNumberOfIds() - 2, 3):
             faces.append([corners.GetId(cut.GetId(i + k)) for k in range(3)])
             which.append(cell)

@@ -13,15 +13,14 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace exr = OPENEXR_IMF_NAMESPACE;
 
 //------------------------------------------------------------------------------
-vtkOpenEXRDecoder::vtkOpenEXRDecoder(
-  const char* fileName, const void* memory, std::uint64_t memorySize)
-  : Stream(memory ? std::make_unique<vtkOpenEXRInputStream>(memory, memorySize)
-                  : std::make_unique<vtkOpenEXRInputStream>(fileName))
+vtkOpenEXRDecoder::vtkOpenEXRDecoder(std::unique_ptr<vtkOpenEXRInputStream> stream)
+  : Stream(std::move(stream))
 {
 }
 

@@ -17,8 +17,7 @@ struct vtkOpenEXRFailure;
 class vtkOpenEXRDecoder
 {
 public:
-  /** Opens the memory, or the file if there is none. */
-  vtkOpenEXRDecoder(const char* fileName, const void* memory, std::uint64_t memorySize);
+  explicit vtkOpenEXRDecoder(std::unique_ptr<vtkOpenEXRInputStream> stream);
   ~vtkOpenEXRDecoder();
 
   ///@{

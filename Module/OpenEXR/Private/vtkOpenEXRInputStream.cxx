@@ -7,7 +7,10 @@
 
 #include <cstring>
 #include <filesystem>
+#include <istream>
+#include <streambuf>
 #include <system_error>
+#include <utility>
 
 namespace fs = std::filesystem;
 namespace exr = OPENEXR_IMF_NAMESPACE;
@@ -29,7 +32,20 @@ vtkOpenEXRInputStream::vtkOpenEXRInputStream(const char* fileName)
     this->Status = Unreadable;
     return;
   }
-  auto file = std::make_unique<vtksys::ifstream>(fileName, std::ios::in | std::ios::binary);
+  this->TakeFile(std::make_unique<vtksys::ifstream>(fileName, std::ios::in | std::ios::binary));
+}
+
+//------------------------------------------------------------------------------
+vtkOpenEXRInputStream::vtkOpenEXRInputStream(std::unique_ptr<std::streambuf> buffer)
+  : exr::IStream("(stream)")
+  , Buffer(std::move(buffer))
+{
+  this->TakeFile(std::make_unique<std::istream>(this->Buffer.get()));
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenEXRInputStream::TakeFile(std::unique_ptr<std::istream> file)
+{
   file->seekg(0, std::ios::end);
   const std::streamoff size = file->fail() ? -1 : static_cast<std::streamoff>(file->tellg());
   file->seekg(0, std::ios::beg);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file or memory for the OpenEXR library to read, never past the end.
+// A file, memory or a stream for the OpenEXR library to read, never past the end.
 #ifndef vtkOpenEXRInputStream_h
 #define vtkOpenEXRInputStream_h
 
@@ -11,7 +11,8 @@
 #include <string>  // for messages
 
 /**
- * Reads from a file or from memory. A read beyond the end throws Iex::InputExc and is remembered.
+ * Reads from a file, from memory or from a stream that can seek. A read beyond the end throws
+ * Iex::InputExc and is remembered.
  */
 class vtkOpenEXRInputStream : public OPENEXR_IMF_NAMESPACE::IStream
 {
@@ -25,6 +26,7 @@ public:
 
   vtkOpenEXRInputStream(const char* fileName);
   vtkOpenEXRInputStream(const void* memory, std::uint64_t size);
+  explicit vtkOpenEXRInputStream(std::unique_ptr<std::streambuf> buffer);
   ~vtkOpenEXRInputStream() override;
 
   OpenStatus GetStatus() const { return this->Status; }
@@ -48,6 +50,9 @@ public:
   void clear() override {}
 
 private:
+  void TakeFile(std::unique_ptr<std::istream> file);
+
+  std::unique_ptr<std::streambuf> Buffer;
   std::unique_ptr<std::istream> File;
   const char* Memory = nullptr;
   OpenStatus Status = Opened;

@@ -125,24 +125,30 @@ void ReaderErrors(const std::string& folder)
 void HugeSizes(const std::string& folder)
 {
   const std::vector<char> good = ReadBytes(WriteSmall(folder + "good.exr"));
-  auto expect = [&](const std::vector<char>& bytes, unsigned long code)
+  auto expectOneOf = [&](const std::vector<char>& bytes, const std::vector<unsigned long>& codes)
   {
     WriteBytes(folder + "huge.exr", bytes);
     vtkNew<vtkOpenEXRReader> reader;
     reader->SetFileName((folder + "huge.exr").c_str());
-    ExpectReadError(reader, code);
+    ExpectReadError(reader, codes);
+  };
+  auto expect = [&](const std::vector<char>& bytes, unsigned long code)
+  { expectOneOf(bytes, { code }); };
+  // Too large, and without room for the table of chunks. Newer libraries look for that later.
+  auto expectTooLarge = [&](const std::vector<char>& bytes) {
+    expectOneOf(bytes, { vtkErrorCode::PrematureEndOfFileError, vtkErrorCode::FileFormatError });
   };
   const std::int32_t billion = 999999999;
   std::vector<char> bytes = good;
   Patch(bytes, "dataWindow", "box2i", { 0, 0, billion, billion });
-  expect(bytes, vtkErrorCode::PrematureEndOfFileError); // no room for the table of chunks
+  expectTooLarge(bytes);
   bytes = good;
   Patch(bytes, "dataWindow", "box2i", { 0, 0, billion, 15 });
   expect(bytes, vtkErrorCode::FileFormatError);
   bytes = good;
   Patch(bytes, "dataWindow", "box2i", { -billion, -billion, billion, billion });
   Patch(bytes, "displayWindow", "box2i", { -billion, -billion, billion, billion });
-  expect(bytes, vtkErrorCode::PrematureEndOfFileError);
+  expectTooLarge(bytes);
   bytes = good;
   Patch(bytes, "dataWindow", "box2i", { 0, 0, -1, -1 });
   expect(bytes, vtkErrorCode::FileFormatError);
@@ -174,7 +180,7 @@ void HugeSizes(const std::string& folder)
   bytes = tiled;
   Patch(bytes, "tiles", "tiledesc", { 1, 1 });
   Patch(bytes, "dataWindow", "box2i", { 0, 0, 30000, 30000 });
-  expect(bytes, vtkErrorCode::PrematureEndOfFileError);
+  expectTooLarge(bytes);
 
   // An attribute that claims two gigabytes.
   bytes = good;
@@ -260,8 +266,7 @@ void Truncated(const std::string& folder)
       vtkNew<vtkOpenEXRReader> reader;
       vtkNew<Messages> messages;
       messages->Watch(reader);
-      reader->SetMemoryBuffer(bytes.data());
-      reader->SetMemoryBufferLength(static_cast<vtkIdType>(length));
+      SetBytes(reader, bytes, length);
       reader->Update();
       EXR_CHECK(messages->Errors == 1);
       EXR_CHECK(messages->IsOneLine());

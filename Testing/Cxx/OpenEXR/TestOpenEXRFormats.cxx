@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reader with files that the OpenEXR library writes.
 
+// One test sets the MemoryBuffer that VTK 9.6 calls deprecated.
+#define VTK_DEPRECATION_LEVEL 0
+
 #include "OpenEXRLibraryFiles.h"
 
 #include "vtkStringArray.h"
@@ -194,6 +197,16 @@ void Memory(const std::string& folder)
   ExpectReadError(reader, vtkErrorCode::PrematureEndOfFileError);
   reader->SetMemoryBufferLength(0);
   ExpectReadError(reader, vtkErrorCode::UnrecognizedFileTypeError);
+
+  vtkNew<vtkOpenEXRReader> bytesReader;
+  SetBytes(bytesReader, bytes, bytes.size());
+  bytesReader->Update();
+  EXR_CHECK(bytesReader->GetErrorCode() == vtkErrorCode::NoError);
+  EXR_CHECK(Holds(bytesReader->GetOutput(), window, { &planes[0] }));
+  SetBytes(bytesReader, bytes, bytes.size() - 1);
+  ExpectReadError(bytesReader, vtkErrorCode::PrematureEndOfFileError);
+  SetBytes(bytesReader, bytes, 0);
+  ExpectReadError(bytesReader, vtkErrorCode::UnrecognizedFileTypeError);
 
   vtkNew<vtkStringArray> names;
   names->InsertNextValue(folder + "a.exr");

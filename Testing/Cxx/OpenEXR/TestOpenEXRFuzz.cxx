@@ -158,8 +158,7 @@ void Fuzz(const std::string& folder)
       }
       else
       {
-        reader->SetMemoryBuffer(bytes.data());
-        reader->SetMemoryBufferLength(static_cast<vtkIdType>(bytes.size()));
+        SetBytes(reader, bytes, bytes.size());
       }
       reader->SetUseDisplayWindow(i % 3 == 0);
       reader->SetMaximumSize(64);

@@ -208,6 +208,109 @@ void SubExtent(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
+// The name that the writer gives the file of slice 7, and that the reader then finds. A prefix of
+// "" is none.
+std::string NameOfSeven(
+  const std::string& folder, const std::string& prefix, const std::string& pattern)
+{
+  auto slice = MakeImage({ 0, 7, 0, 5, 7, 7 }, 3);
+  const std::string place = folder + "patterns/";
+  std::filesystem::remove_all(place);
+  std::filesystem::create_directory(place);
+  vtkNew<vtkOpenEXRWriter> writer;
+  vtkNew<vtkOpenEXRReader> reader;
+  const std::string fullPattern = prefix.empty() ? place + pattern : pattern;
+  if (!prefix.empty())
+  {
+    writer->SetFilePrefix((place + prefix).c_str());
+    reader->SetFilePrefix((place + prefix).c_str());
+  }
+  // VTK's own default is not set.
+  if (!pattern.empty())
+  {
+    writer->SetFilePattern(fullPattern.c_str());
+    reader->SetFilePattern(fullPattern.c_str());
+  }
+  writer->SetInputData(slice);
+  writer->SetPixelTypeToFloat();
+  writer->Write();
+  EXR_CHECK(writer->GetErrorCode() == vtkErrorCode::NoError);
+  reader->SetDataExtent(0, 0, 0, 0, 7, 7);
+  reader->Update();
+  EXR_CHECK(reader->GetErrorCode() == vtkErrorCode::NoError);
+  EXR_CHECK(SameBits(slice, reader->GetOutput()));
+  std::string name;
+  for (const auto& file : std::filesystem::directory_iterator(place))
+  {
+    name += file.path().filename().string();
+  }
+  return name;
+}
+
+//------------------------------------------------------------------------------
+// Names of series, in both syntaxes with any version of VTK. What is expected is what printf and
+// std::format make of the pattern.
+void Patterns(const std::string& folder)
+{
+  const struct
+  {
+    const char* Prefix;
+    const char* Pattern;
+    const char* Name;
+  } cases[] = {
+    { "a", "", "a.7" },
+    { "a", "%s.%d", "a.7" },
+    { "a", "{:s}.{:d}", "a.7" },
+    { "a", "%s_%03d.exr", "a_007.exr" },
+    { "a", "{:s}_{:03d}.exr", "a_007.exr" },
+    { "a", "{}_{}.exr", "a_7.exr" },
+    { "a", "{0:s}_{1:d}.exr", "a_7.exr" },
+    { "a", "%s_%-3dx", "a_7  x" },
+    { "a", "{:s}_{:<3d}x", "a_7  x" },
+    { "a", "%s_%3i", "a_  7" },
+    { "a", "{:s}_{:>3}", "a_  7" },
+    { "a", "%s_%+.2d", "a_+07" },
+    { "a", "{:s}_{:+d}", "a_+7" },
+    { "a", "{:s}_{:-d}", "a_7" },
+    { "a", "%s%%{x}_%d", "a%{x}_7" },
+    { "a", "{:s}{{%}}_{:d}", "a{%}_7" },
+    { "a", "{:s}_{:#04x}", "a_0x07" },
+    { "a", "{:s}", "a" },
+    { "", "b%02d.exr", "b07.exr" },
+    { "", "b{:02d}.exr", "b07.exr" },
+    { "", "b{}.exr", "b7.exr" },
+    { "", "b.exr", "b.exr" },
+  };
+  for (const auto& expected : cases)
+  {
+    const std::string name = NameOfSeven(folder, expected.Prefix, expected.Pattern);
+    std::cout << "\"" << expected.Pattern << "\": " << name << "\n";
+    EXR_CHECK(name == expected.Name);
+  }
+
+  // What does not fit makes no file, and is not handed to printf.
+  for (const char* pattern :
+    { "%d_%s", "%s_%s", "%s_%d_%d", "%s_%n", "%s_%f", "%s_%d%", "%s_%9999d", "{:d}_{:s}",
+      "{:s}_{:d}_{:d}", "{:s}_{:f}", "{:s}_{:d", "{:s}_{2}", "{:s}_{:*>3d}", "{x}" })
+  {
+    vtkNew<vtkOpenEXRWriter> writer;
+    writer->SetInputData(MakeImage({ 0, 3, 0, 3, 0, 0 }, 1));
+    writer->SetFilePrefix((folder + "wrong").c_str());
+    writer->SetFilePattern(pattern);
+    ExpectWriteError(writer, vtkErrorCode::UserError);
+    vtkNew<vtkOpenEXRReader> reader;
+    reader->SetFilePrefix((folder + "wrong").c_str());
+    reader->SetFilePattern(pattern);
+    ExpectReadError(reader, vtkErrorCode::UserError);
+  }
+  vtkNew<vtkOpenEXRWriter> noPrefix;
+  noPrefix->SetInputData(MakeImage({ 0, 3, 0, 3, 0, 0 }, 1));
+  noPrefix->SetFilePattern("%s_%d.exr");
+  ExpectWriteError(noPrefix, vtkErrorCode::UserError);
+  EXR_CHECK(CountFiles(folder) == 1); // the folder of names
+}
+
+//------------------------------------------------------------------------------
 // A volume is a series of files.
 void Series(const std::string& folder)
 {
@@ -242,5 +345,5 @@ int main(int argc, char* argv[])
 {
   return Main(argc, argv,
     { { "Layers", Layers }, { "Attributes", Attributes }, { "Windows", Windows },
-      { "SubExtent", SubExtent }, { "Series", Series } });
+      { "SubExtent", SubExtent }, { "Patterns", Patterns }, { "Series", Series } });
 }

@@ -3,13 +3,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import gzip
 import math
 import os
 import re
 import struct
+import tempfile
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -199,16 +201,51 @@ def _complete_obj(path: Path) -> None:
 
 
 def _complete_pdb(path: Path) -> None:
-    """An entry of the Protein Data Bank begins with HEADER and ends with END."""
-    with path.open("rb") as file:
-        first = file.read(6)
-        file.seek(max(0, path.stat().st_size - 400))
-        lines = [line for line in file.read().splitlines() if line.strip()]
-    last = lines[-1] if lines else b""
-    if first == b"HEADER" and last.split()[:1] not in ([b"END"], [b"ENDMDL"]):
+    """An entry of the Protein Data Bank begins with HEADER and ends with END; atoms have places."""
+    content = path.read_bytes()
+    if b"\0" in content:
+        raise _Truncated("it is not text")
+    lines = content.splitlines()
+    for number, line in enumerate(lines, 1):
+        if line.split()[:1] in _ATOMS and not _have_numbers(line, _POSITION, _DECIMAL):
+            raise _Truncated(f"line {number} is an atom without position")
+    last = next((line for line in reversed(lines) if line.strip()), b"")
+    if content[:6] == b"HEADER" and last.split()[:1] not in ([b"END"], [b"ENDMDL"]):
         raise _Truncated("its last line is not END")
-    if last[:6] in (b"ATOM  ", b"HETATM") and len(last.rstrip()) < 54:
-        raise _Truncated("its last atom has no position")
+
+
+def _tidied_pdb(path: Path) -> bytes:
+    """Return the text without what VTK's reader may stop the whole program for, by its version.
+
+    That is blank lines, carriage returns, what is not ASCII, and residues without a number.
+    """
+    tidied = []
+    for line in path.read_text("utf-8", "replace").encode("ascii", "replace").splitlines():
+        record = line.split()[:1]
+        if record in _ATOMS and not _have_numbers(line, _RESIDUE, _INTEGER):
+            line = line[:22] + b"   0" + line[26:]
+        whole = _have_numbers(line, _STRUCTURES.get(b"".join(record), ()), _INTEGER)
+        if record and whole:
+            tidied.append(line.rstrip())
+    return b"\n".join(tidied) + b"\n"
+
+
+# The columns of numbers in the lines of a PDB file, from 0 on.
+_ATOMS = ([b"ATOM"], [b"HETATM"])
+_POSITION = (slice(30, 38), slice(38, 46), slice(46, 54))
+_RESIDUE = (slice(22, 26),)
+_STRUCTURES = {
+    b"HELIX": (slice(21, 25), slice(33, 37)),
+    b"SHEET": (slice(22, 26), slice(33, 37)),
+}
+_DECIMAL = re.compile(rb" *[-+]?(\d+\.?\d*|\.\d+) *")
+_INTEGER = re.compile(rb" *[-+]?\d+ *")
+
+
+def _have_numbers(line: bytes, columns: tuple[slice, ...], number: re.Pattern[bytes]) -> bool:
+    return all(
+        len(line) >= column.stop and number.fullmatch(line[column]) for column in columns
+    )
 
 
 def _amount(held: vtkDataSet) -> tuple[int, int]:
@@ -258,7 +295,8 @@ class Reader:
     """A kind of file: its endings, the class that reads it, and checks that it is complete.
 
     `check` is done before reading and `check_after` with what was read. A reader that only warns
-    about a file that ends early has the words of that warning.
+    about a file that ends early has the words of that warning. One that must not see a file as it
+    is gets what `tidied` returns.
     """
 
     endings: tuple[str, ...]
@@ -266,6 +304,7 @@ class Reader:
     check: Callable[[Path], None] = _unchecked
     check_after: Callable[[Path, vtkDataSet], None] = _unchecked
     fatal_warnings: tuple[str, ...] = ()
+    tidied: Callable[[Path], bytes] | None = None
 
 
 READERS = (
@@ -285,7 +324,7 @@ READERS = (
     Reader((".stl",), vtkSTLReader, _complete_stl),
     Reader((".obj",), vtkOBJReader, _complete_obj),
     Reader((".glb", ".gltf"), vtkGLTFReader, _complete_gltf),
-    Reader((".pdb",), vtkPDBReader, _complete_pdb),
+    Reader((".pdb",), vtkPDBReader, _complete_pdb, tidied=_tidied_pdb),
     Reader((".nii", ".nii.gz"), vtkNIFTIImageReader, _complete_nifti),
     Reader((".mha", ".mhd"), vtkMetaImageReader, _complete_meta_image),
 )
@@ -352,6 +391,18 @@ def _set_file_name(reader: vtkAlgorithm, path: Path) -> None:
         reader.ReadAllFieldsOn()
 
 
+@contextlib.contextmanager
+def _for_reader(row: Reader, path: Path) -> Iterator[Path]:
+    """Give the file that a row's reader may read: the file itself, or a tidied copy."""
+    if row.tidied is None:
+        yield path
+        return
+    with tempfile.TemporaryDirectory() as directory:
+        copy = Path(directory) / path.name
+        copy.write_bytes(row.tidied(path))
+        yield copy
+
+
 def read(path: str | os.PathLike[str]) -> vtkDataSet:
     """Return what is in a data file; every way in which that fails is a `UsageError`.
 
@@ -371,9 +422,9 @@ def read(path: str | os.PathLike[str]) -> vtkDataSet:
         raise UsageError(f"{path}: the file is damaged or cut off: {error}") from None
     except (ValueError, OSError) as error:
         raise UsageError(f"{path}: the file is damaged: {error}") from None
-    with messages.capture() as said:
+    with messages.capture() as said, _for_reader(row, path) as source:
         reader = row.make()
-        _set_file_name(reader, path)
+        _set_file_name(reader, source)
         reader.Update()
         said.promote(row.fatal_warnings)
         failed = bool(said.errors) or bool(reader.GetErrorCode())
