@@ -287,7 +287,9 @@ void vtkSurfaceCapturePass::BeginEye(const vtkIndirectFrame& frame,
   in.Framebuffer = framebuffer;
   in.Redirected = false;
   in.Window = frame.Window;
-  in.UseChannels(vtkGeometryBufferPass::Lit, 1);
+  // Where all is solid there is nothing that writes colour alone.
+  in.UseChannels(
+    vtkGeometryBufferPass::Lit, vtkGeometryBufferPass::IsAlbedoInLit(channels) ? channels : 1);
   in.Encoded = false;
   in.SceneScale = static_cast<float>(frame.SceneScale);
   in.StageIsParallel = frame.Parallel ? 1 : 0;
@@ -621,6 +623,11 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
 void vtkSurfaceCapturePass::UseEyeChannels(vtkProp* prop)
 {
   Internals& in = *this->Internal;
+  if (vtkGeometryBufferPass::IsAlbedoInLit(in.Channels))
+  {
+    vtkGeometryBufferPass::DisableBlending(in.Window->GetState(), in.Channels);
+    return; // all else is as the stage began
+  }
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   if (!in.Framebuffer || static_cast<unsigned int>(bound) != in.Framebuffer->GetFBOIndex())

@@ -172,7 +172,11 @@ void CollectParts(vtkProp* prop, std::vector<vtkProp*>& parts)
       CollectParts(vtkProp::SafeDownCast(part), parts);
     }
   };
-  if (auto* assembly = vtkAssembly::SafeDownCast(prop))
+  if (vtkActor::SafeDownCast(prop))
+  {
+    parts.push_back(prop);
+  }
+  else if (auto* assembly = vtkAssembly::SafeDownCast(prop))
   {
     addAll(assembly->GetParts());
   }
