@@ -16,7 +16,7 @@
  * - ColorLayout LUMA_CHROMA: colour costs one number each beyond the luma
  * - Occupancy: voxels of the scene's surfaces hide senders from hints and hints from pixels
  * - BounceSampling SURFACES: bounces from the surfaces that rays meet, not from other hints
- * - SkipEmptyCells: hints far from all surfaces are not computed
+ * - SkipEmptyCells: hints far from all surfaces are not computed, where polygons are all there is
  *
  * Approximations: order 2 or 3 of spherical harmonics blurs light over directions, the grid over
  * places; surfaces thinner than a voxel of the occupancy volume are a voxel thick.
@@ -189,7 +189,11 @@ public:
   ///@}
 
   ///@{
-  /** Whether hints far from every surface are left out. Default on. */
+  /**
+   * Whether hints far from every surface are left out, in frames that show nothing but polygons:
+   * where glyphs, impostors, lines, points or shaders of the user's own draw, only they know.
+   * Default on.
+   */
   vtkSetMacro(SkipEmptyCells, bool);
   vtkGetMacro(SkipEmptyCells, bool);
   vtkBooleanMacro(SkipEmptyCells, bool);

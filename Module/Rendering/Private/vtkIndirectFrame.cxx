@@ -219,6 +219,8 @@ void vtkIndirectFrame::CollectProps()
     this->Solid = this->Solid && IsSolid(prop);
     this->NumberOfTriangles += CountTriangles(prop);
     this->Specular = this->Specular || IsSpecular(prop);
+    // Annotation, which lies in the image's plane, has no bounds.
+    this->NumberOfReceivers += prop->GetBounds() != nullptr;
     if (!prop->GetUseBounds())
     {
       continue;

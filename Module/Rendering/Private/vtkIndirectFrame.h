@@ -59,6 +59,7 @@ struct vtkIndirectFrame
   bool Specular = false;       // whether a lit opaque prop reflects specularly, by Phong's model
   bool Solid = false;          // whether whatever an opaque prop draws hides all that is behind it
   double NumberOfTriangles = 0.0; // about, of opaque props; 1e9 of one that does not tell
+  int NumberOfReceivers = 0;      // opaque props that are in the scene's space
   std::vector<vtkIndirectCaster> Casters;
   std::vector<vtkIndirectLight> Lights;
   /** Props and lights that take no part, and why. */

@@ -127,7 +127,8 @@ void vtkIndirectHintGrid::Place(int grid)
         const glm::ivec3 at = Unfold(static_cast<int>(i), region.Size);
         glm::dvec3 position = region.Lower + (glm::dvec3(at) + 0.5) * cell;
         bool active = true;
-        if (volume && this->Current.SkipEmpty)
+        // Only where the voxels tell of all that can be seen: what else is drawn lies anywhere.
+        if (volume && this->Current.SkipEmpty && volume->HoldsAll())
         {
           const glm::dvec3 reach = (this->Current.Reach + 1.0) * cell;
           active = volume->IsAnyOccupied(glm::ivec3(glm::floor(volume->ToVoxels(position - reach))),
