@@ -106,6 +106,7 @@ public:
     bool Caching = true;         // off: nothing may be kept from earlier frames
     double ErrorTolerance = 0.0; // relative; 0: the estimator's own parameters
     std::shared_ptr<vtkIndirectOccupancyVolume> Voxels; // as some frame left them
+    bool Still = false; // nothing has changed since this estimator's last frame
   };
 
   /**
@@ -124,6 +125,14 @@ public:
 
   /** Makes the frame's irradiance. Returns false, after an error, when it cannot. */
   virtual bool Estimate(const Input& input, vtkIndirectStageTimer& timer) = 0;
+  /**
+   * Whether a further Estimate would leave the irradiance as it is while nothing changes. The pass
+   * asks for one in every frame until then.
+   */
+  virtual bool IsConverged() const
+  {
+    return true;
+  }
 
   ///@{
   /**

@@ -372,7 +372,8 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
 {
   Internals& in = *this->Internal;
   const std::vector<double> key = this->MakeEstimateKey();
-  if (this->Caching && key == in.EstimateKey)
+  const bool still = key == in.EstimateKey;
+  if (this->Caching && still && in.Estimator->IsConverged())
   {
     return true;
   }
@@ -386,7 +387,7 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
 
   const vtkIndirectEstimatorPass::Input input = { in.Frame, *in.Geometry,
     *this->ReflectiveShadowMaps, in.Sampler, in.EyeIsMap, this->NumberOfBounces, this->Caching,
-    this->ErrorTolerance, in.Voxels };
+    this->ErrorTolerance, in.Voxels, still };
   in.Estimator->HoldContext(in.Frame.Window);
   if (!sampled || !in.Estimator->Estimate(input, in.Timer))
   {

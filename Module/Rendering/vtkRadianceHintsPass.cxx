@@ -52,6 +52,8 @@ struct vtkRadianceHintsPass::Internals
     vtkIndirectTarget(CoarseChannels, false) };
   int CoarseNow = 0;
   bool CoarseValid = false;
+  int StillFrames = 0;   // since something changed
+  bool Converged = true; // the last look-up kept nothing of those before it
   int Step = 1; // of the last look-up: its buffers stay readable when InterpolationStep changes
   vtkIndirectKernelProgram LookUpKernel{ "vtkIndirectHintFS.glsl" };
   vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintMixedFS.glsl" };
@@ -215,6 +217,12 @@ bool vtkRadianceHintsPass::Estimate(const Input& input, vtkIndirectStageTimer& t
 }
 
 //------------------------------------------------------------------------------
+bool vtkRadianceHintsPass::IsConverged() const
+{
+  return this->Internal->Converged;
+}
+
+//------------------------------------------------------------------------------
 void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
 {
   Internals& in = *this->Internal;
@@ -375,7 +383,13 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   const bool kept = in.CoarseValid && in.Coarse[in.CoarseNow].GetWidth() == width &&
     in.Coarse[in.CoarseNow].GetHeight() == height;
   const int next = smooth ? 1 - in.CoarseNow : 0;
-  const bool mix = smooth && kept;
+  in.StillFrames = input.Still ? in.StillFrames + 1 : 0;
+  // What is left of a difference, after as many frames and the one that brought it, is less than
+  // can be seen: then look-ups come to rest.
+  constexpr double least = 1.0 / 4096.0;
+  const bool mix = smooth && kept &&
+    (in.StillFrames == 0 || std::pow(this->TemporalSmoothing, in.StillFrames) > least);
+  in.Converged = !mix;
   const std::string definitions = in.GetLookupDefinitions(step);
   vtkShaderProgram* program =
     in.LookUpKernel.Use(frame.Window, definitions + (mix ? "#define VTKI_KEEP\n" : ""));

@@ -314,7 +314,9 @@ public:
   ///@{
   /**
    * Share of the last frame's irradiance that a pixel keeps, against flicker of moving lights; 0.5
-   * in the paper. Default 0, right for still images; range 0 to 0.95.
+   * in the paper. Default 0, right for still images; range 0 to 0.95. While nothing changes the
+   * irradiance goes on to its value without smoothing, and has it, bit for bit, when all but
+   * 2^-12 of a difference would be gone: after 12 equal frames for 0.5, 38 for 0.8, 163 for 0.95.
    */
   vtkSetClampMacro(TemporalSmoothing, double, 0.0, 0.95);
   vtkGetMacro(TemporalSmoothing, double);
@@ -335,6 +337,7 @@ public:
   }
   vtkVirtualLightSampler* ChooseHeadlightSampler(vtkVirtualLightSampler*) override;
   bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
+  bool IsConverged() const override;
   const char* GetIrradianceShader() const override;
   void ActivateIrradiance(vtkShaderProgram* program) override;
   void DeactivateIrradiance() override;
