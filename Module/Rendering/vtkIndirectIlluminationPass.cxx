@@ -70,6 +70,8 @@ struct vtkIndirectIlluminationPass::Internals
 
   // What the irradiance was computed from; empty when there is none.
   std::vector<double> EstimateKey;
+  // What the estimator could not work with, and has said so: not asked again before it changes.
+  std::vector<double> FailedKey;
 
   std::string ReportedError;
 
@@ -378,6 +380,11 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
     return true;
   }
   in.EstimateKey.clear();
+  if (key == in.FailedKey)
+  {
+    return false;
+  }
+  in.FailedKey.clear();
 
   in.Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool sampled = !in.Sampler ||
@@ -391,6 +398,7 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
   in.Estimator->HoldContext(in.Frame.Window);
   if (!sampled || !in.Estimator->Estimate(input, in.Timer))
   {
+    in.FailedKey = key;
     return false;
   }
   ++this->NumberOfEstimates;
@@ -571,6 +579,7 @@ void vtkIndirectIlluminationPass::ReleaseGraphicsResources(vtkWindow* window)
   release(this->DelegatePass);
   in.View.Release(window);
   in.EstimateKey.clear();
+  in.FailedKey.clear();
   in.HasBuffers = in.HasIrradiance = false;
   in.WhyDelegate = "its resources have been released";
 }

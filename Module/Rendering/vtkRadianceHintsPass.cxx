@@ -28,6 +28,8 @@ vtkStandardNewMacro(vtkRadianceHintsPass);
 
 namespace
 {
+constexpr int MaximumResolution = 64; // of GridResolution
+
 const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
 const vtkIndirectChannel IrradianceChannels[] = {
   { "irradiance", "vtkiIrradiance", "indirect irradiance where a cell of pixels is mixed",
@@ -155,6 +157,21 @@ void vtkRadianceHintsPass::SetToPaper()
 }
 
 //------------------------------------------------------------------------------
+void vtkRadianceHintsPass::SetGridResolution(int x, int y, int z)
+{
+  const int wanted[3] = { x, y, z };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int hints = std::clamp(wanted[axis], 0, MaximumResolution);
+    if (hints != this->GridResolution[axis])
+    {
+      this->GridResolution[axis] = hints;
+      this->Modified();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRadianceHintsPass::SetNumberOfLookups(int lookups)
 {
   lookups = lookups < 3 ? 1 : 4;
@@ -211,9 +228,9 @@ bool vtkRadianceHintsPass::Estimate(const Input& input, vtkIndirectStageTimer& t
 
   timer.Begin(vtkIndirectStageTimer::Visibility);
   const int hints = in.Grid.GetNumberOfHints();
-  this->UpdateGeometry(input);
+  const bool placed = this->UpdateGeometry(input);
   timer.End(vtkIndirectStageTimer::Visibility);
-  return this->UpdateLight(input, timer, hints == 0) && this->LookUp(input, timer);
+  return placed && this->UpdateLight(input, timer, hints == 0) && this->LookUp(input, timer);
 }
 
 //------------------------------------------------------------------------------
@@ -223,7 +240,7 @@ bool vtkRadianceHintsPass::IsConverged() const
 }
 
 //------------------------------------------------------------------------------
-void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
+bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
 {
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
@@ -270,8 +287,8 @@ void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
     {
       const double share = longest > 0.0 ? extent[axis] / longest : 1.0;
       size[axis] = this->GridResolution[axis] > 0
-        ? std::min(this->GridResolution[axis], 64)
-        : std::clamp(static_cast<int>(std::ceil(along * share - 1e-6)), 2, 64);
+        ? this->GridResolution[axis]
+        : std::clamp(static_cast<int>(std::ceil(along * share - 1e-6)), 2, MaximumResolution);
     }
     return size;
   };
@@ -314,13 +331,28 @@ void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   }
   changed = (voxelsNeeded && this->UpdateVoxels(input)) || changed;
   in.Blocked = this->IsBlocked();
-  if (changed)
+  if (!changed)
   {
-    in.Grid.Release(frame.Window);
+    return true;
+  }
+  in.Grid.Release(frame.Window);
+  in.Grid.Clear();
+  in.LightKey.clear();
+  const int longestEdge = vtkTextureObject::GetMaximumTextureSize(frame.Window);
+  std::string why = vtkIndirectHintGrid::FindObstacle(settings, longestEdge);
+  if (why.empty())
+  {
     in.GridSettings = settings;
     in.Grid.Build(settings, voxelsNeeded ? this->Voxels.get() : nullptr);
-    in.LightKey.clear();
+    why = in.Grid.FindObstacle(longestEdge);
   }
+  if (!why.empty())
+  {
+    in.Grid.Clear();
+    vtkErrorMacro(<< why << " Lower NumberOfRays, GridResolution or NumberOfGrids.");
+    return false;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -515,8 +547,14 @@ void vtkRadianceHintsPass::DeactivateIrradiance()
 void vtkRadianceHintsPass::AddToReport(vtkIndirectReport& report) const
 {
   const Internals& in = *this->Internal;
-  const std::string grid = std::to_string(this->GetNumberOfActiveHints()) + " of " +
+  std::string grid = std::to_string(this->GetNumberOfActiveHints()) + " of " +
     std::to_string(this->GetNumberOfHints()) + " hints of order " + std::to_string(this->Order);
+  for (const auto& region : in.GridSettings.Regions)
+  {
+    grid += (&region == &in.GridSettings.Regions[0] ? ", " : " and ") +
+      std::to_string(region.Size.x) + " x " + std::to_string(region.Size.y) + " x " +
+      std::to_string(region.Size.z);
+  }
   report.Modelled.emplace_back(std::to_string(in.Settings.Bounces) +
       (in.Settings.Bounces == 1 ? " diffuse bounce" : " diffuse bounces"),
     grid);

@@ -88,9 +88,15 @@ public:
 
   ///@{
   /**
-   * Hints along x, y and z. Default 0 0 0: from ErrorTolerance. Range of each 0 to 64.
+   * Hints along x, y and z, clamped to 0 to 64. Default 0 0 0: from ErrorTolerance. Hints of all
+   * grids times NumberOfRays may be 2^28, a table of 1 GiB: a frame with more has an error and no
+   * indirect light.
    */
-  vtkSetVector3Macro(GridResolution, int);
+  virtual void SetGridResolution(int x, int y, int z);
+  void SetGridResolution(const int resolution[3])
+  {
+    this->SetGridResolution(resolution[0], resolution[1], resolution[2]);
+  }
   vtkGetVector3Macro(GridResolution, int);
   ///@}
 
@@ -229,7 +235,7 @@ public:
   ///@{
   /**
    * Rays from a hint that tell what it sees, for Occupancy and for bounces from SURFACES: at least
-   * so many, an even square number. Default 400, range 4 to 4096.
+   * so many, an even square number. Default 400, range 4 to 4096; see GridResolution.
    */
   vtkSetClampMacro(NumberOfRays, int, 4, 4096);
   vtkGetMacro(NumberOfRays, int);
@@ -395,7 +401,7 @@ private:
   void operator=(const vtkRadianceHintsPass&) = delete;
 
   int GetLayout() const;
-  void UpdateGeometry(const Input& input);
+  bool UpdateGeometry(const Input& input);
   bool UpdateLight(const Input& input, vtkIndirectStageTimer& timer, bool anew);
   bool LookUp(const Input& input, vtkIndirectStageTimer& timer);
   bool FillMixedCells(const Input& input);

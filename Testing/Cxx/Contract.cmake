@@ -35,12 +35,15 @@ contract_topic(Lights
 contract_topic(Speed
   WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds FlatUniforms CaptureTime)
 contract_topic(Errors
-  DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany NothingToDo BadActors
-  PrintSelf)
+  DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany NothingToDo
+  BadActors PrintSelf)
+contract_topic(Report
+  ReportReader ReportGrid)
 
 vtk_module_test_executable(TestPassContract
   vtkIndirectContractKinds.cxx
   vtkIndirectContractMain.cxx
+  vtkIndirectContractReport.cxx
   vtkIndirectContractScenes.cxx
   vtkIndirectContractUtilities.cxx
   ${contract_sources})

@@ -199,3 +199,42 @@ VTK_INDIRECT_TEST(HintsReceivers)
     }
   }
 }
+
+// A table of rays that is too long for a texture with the usual rows: 262144 hints of 400 rays make
+// 25600 rows of 1024 texels, those of 256 rays 16384. What stands before a wall hides as much of
+// the lit floor by the one as by the other, for hints at the far end of the table.
+VTK_INDIRECT_TEST(HintsManyRays)
+{
+  double hidden[2];
+  double open = 0.0;
+  for (const bool blocked : { false, true })
+  {
+    Scene scene(48, 48);
+    vtkNew<vtkRadianceHintsPass> hints;
+    scene.Pass->SetEstimator(hints);
+    hints->SetGridResolution(64, 64, 64);
+    scene.Pass->SetReflectiveShadowMapResolution(128);
+    // Where the last axis is large; the rest of the space is empty.
+    const double z = 7.2;
+    scene.AddQuad({ 0, 0, 0 }, { 0.01, 0, 0 }, { 0, 0.01, 0 }, glm::dvec3(0.8));
+    scene.AddQuad({ 6, 6.5, z }, { 7, 6.5, z }, { 6, 7.5, z }, glm::dvec3(0.8));
+    scene.AddQuad({ 7.7, 6.8, z }, { 7.7, 7.2, z }, { 7.7, 6.8, z + 0.3 }, glm::dvec3(0.8));
+    scene.AddQuad({ 7.9, 7.9, 8 }, { 8, 7.9, 8 }, { 7.9, 8, 8 }, glm::dvec3(0.8));
+    if (blocked)
+    {
+      scene.AddQuad({ 7.1, 6.3, z - 0.2 }, { 7.1, 7.7, z - 0.2 }, { 7.1, 6.3, 8 }, glm::dvec3(0.0));
+    }
+    scene.AddSpot({ 6.4, 7, z + 0.6 }, { 6.4, 7, z }, 25.0, 0.0, { 1.0, 0.0, 0.0 });
+    scene.SetEye({ 7.2, 7, z + 0.15 }, { 7.7, 7, z + 0.15 }, { 0, 0, 1 }, 30.0, 0.05, 3.0);
+    for (const int rays : { 256, 400 })
+    {
+      hints->SetNumberOfRays(rays);
+      scene.Render();
+      (blocked ? hidden[rays == 400] : open) = scene.Copy("irradiance").Mean();
+    }
+    scene.Pass->SetEstimator(nullptr);
+  }
+  CheckAtLeast("light that nothing hides", open, 1e-3, "the wall sees the lit floor");
+  CheckAtMost("share of it behind a wall, 256 rays", hidden[0] / open, 0.02, "the requirement");
+  CheckAtMost("share of it behind a wall, 400 rays", hidden[1] / open, 0.02, "the requirement");
+}
