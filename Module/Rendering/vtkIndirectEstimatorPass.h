@@ -162,7 +162,19 @@ public:
   {
     return this->IrradianceUnit;
   }
+  /** Of textures and buffers. */
   virtual size_t GetBytes() const;
+  /** Of voxels, triangles and tables in main memory. */
+  virtual size_t GetMainMemoryBytes() const;
+
+  /**
+   * The error that the estimator's parameters are chosen by when the pass asks for so much, 0 for
+   * nothing; 0 when none of them are. Default: none.
+   */
+  virtual double FindErrorTolerance(double) const
+  {
+    return 0.0;
+  }
 
   /** Says what the last frame modelled and left out. Default: one bounce without visibility. */
   virtual void AddToReport(vtkIndirectReport& report) const;

@@ -480,11 +480,13 @@ std::string vtkIndirectIlluminationPass::GetReport()
   vtkIndirectReport report;
   auto flag = [](bool on) { return on ? "true" : "false"; };
   std::copy(in.Frame.Size, in.Frame.Size + 2, report.Size);
+  const double tolerance =
+    this->GetFrameEstimator()->FindErrorTolerance(this->ErrorTolerance); // in force
   report.Settings = { { "Shadows", flag(this->Shadows) },
     { "ReflectiveShadowMapResolution", std::to_string(this->GetReflectiveShadowMapResolution()) },
     { "NumberOfBounces", std::to_string(this->NumberOfBounces) },
-    { "IndirectScale", std::to_string(this->IndirectScale) },
-    { "ErrorTolerance", std::to_string(this->ErrorTolerance) },
+    { "IndirectScale", vtkIndirectReport::Number(this->IndirectScale) },
+    { "ErrorTolerance", vtkIndirectReport::Number(tolerance) },
     { "Caching", flag(this->Caching) } };
   report.LeftOut = in.Frame.LeftOut;
   if (!in.HasBuffers)
@@ -518,8 +520,17 @@ std::string vtkIndirectIlluminationPass::GetReport()
     report.Method = estimator->GetMethodName();
     report.VirtualLights = sampler ? sampler->GetActualNumberOfLights() : 0;
     report.Bytes += estimator->GetBytes() + (sampler ? sampler->GetBytes() : 0);
+    report.MainMemoryBytes = estimator->GetMainMemoryBytes();
     estimator->AddToReport(report);
     estimator->AddSpecularToReport(report);
+    if (this->ErrorTolerance > 0.0 && tolerance != this->ErrorTolerance)
+    {
+      report.LeftOut.emplace_back(
+        "ErrorTolerance " + vtkIndirectReport::Number(this->ErrorTolerance),
+        estimator->GetClassName() +
+          (tolerance > 0.0 ? " aims at " + vtkIndirectReport::Number(tolerance)
+                           : std::string(" has no parameters that are chosen by it")));
+    }
     if (this->NumberOfBounces > estimator->GetMaximumNumberOfBounces())
     {
       report.LeftOut.emplace_back(

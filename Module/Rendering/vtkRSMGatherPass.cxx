@@ -104,8 +104,7 @@ void vtkRSMGatherPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 size_t vtkRSMGatherPass::GetBytes() const
 {
-  return this->Superclass::GetBytes() + this->Internal->Coarse.GetBytes() +
-    this->Internal->AllTexels->GetBytes();
+  return this->Superclass::GetBytes() + this->Internal->Coarse.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -128,6 +127,11 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
   const bool neighborhood = input.Sampler == nullptr;
+  // The frame's sampler counts its own bytes; this one is no other's.
+  if (input.Sampler != in.AllTexels.Get())
+  {
+    in.AllTexels->ReleaseGraphicsResources(frame.Window);
+  }
   if (neighborhood && input.EyeIsMap)
   {
     vtkErrorMacro("Mode NEIGHBORHOOD needs a light with a map of its own; a single headlight has "

@@ -30,6 +30,11 @@ namespace
 {
 constexpr int MaximumResolution = 64; // of GridResolution
 
+double ClampTolerance(double tolerance)
+{
+  return std::clamp(tolerance, 0.002, 1.0);
+}
+
 const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
 const vtkIndirectChannel IrradianceChannels[] = {
   { "irradiance", "vtkiIrradiance", "indirect irradiance where a cell of pixels is mixed",
@@ -172,6 +177,30 @@ void vtkRadianceHintsPass::SetGridResolution(int x, int y, int z)
 }
 
 //------------------------------------------------------------------------------
+void vtkRadianceHintsPass::SetErrorTolerance(double tolerance)
+{
+  tolerance = tolerance > 0.0 ? ClampTolerance(tolerance) : 0.0;
+  if (tolerance != this->ErrorTolerance)
+  {
+    this->ErrorTolerance = tolerance;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRadianceHintsPass::FindErrorTolerance(double asked) const
+{
+  const int* hints = this->GridResolution;
+  if (hints[0] > 0 && hints[1] > 0 && hints[2] > 0)
+  {
+    return 0.0;
+  }
+  return this->ErrorTolerance > 0.0 ? this->ErrorTolerance
+    : asked > 0.0                   ? ClampTolerance(asked)
+                                    : 0.05;
+}
+
+//------------------------------------------------------------------------------
 void vtkRadianceHintsPass::SetNumberOfLookups(int lookups)
 {
   lookups = lookups < 3 ? 1 : 4;
@@ -207,6 +236,12 @@ size_t vtkRadianceHintsPass::GetBytes() const
   const size_t bytes = this->Superclass::GetBytes() + in.Grid.GetBytes() + in.Fields.GetBytes() +
     in.Coarse[0].GetBytes() + in.Coarse[1].GetBytes();
   return bytes;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkRadianceHintsPass::GetMainMemoryBytes() const
+{
+  return this->Superclass::GetMainMemoryBytes() + this->Internal->Grid.GetMainMemoryBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -278,9 +313,12 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
       upper = most;
     }
   }
-  auto fit = [this](const glm::dvec3& extent)
+  const double tolerance = this->FindErrorTolerance(input.ErrorTolerance);
+  auto fit = [this, tolerance](const glm::dvec3& extent)
   {
-    const int along = static_cast<int>(std::ceil(std::sqrt(12.0 / this->ErrorTolerance)));
+    // 0: all axes have a number of their own.
+    const int along =
+      tolerance > 0.0 ? static_cast<int>(std::ceil(std::sqrt(12.0 / tolerance))) : 0;
     const double longest = std::max({ extent.x, extent.y, extent.z });
     glm::ivec3 size;
     for (int axis = 0; axis < 3; ++axis)

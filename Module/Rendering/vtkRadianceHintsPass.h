@@ -102,12 +102,12 @@ public:
 
   ///@{
   /**
-   * Relative error of interpolating between hints that the automatic resolution aims at. Default
-   * 0.05, range 0.002 to 1. Light from a distance of a quarter of the scene is interpolated over a
-   * cell c of an extent D with an error of about 12 (c/D)^2: 16 hints along the longest axis for
-   * 0.05.
+   * Relative error of interpolating between hints that the automatic resolution aims at. Default 0:
+   * vtkIndirectIlluminationPass::ErrorTolerance, and 0.05 where that is 0 too. Range, beside 0,
+   * 0.002 to 1. Light from a distance of a quarter of the scene is interpolated over a cell c of an
+   * extent D with an error of about 12 (c/D)^2: 16 hints along the longest axis for 0.05.
    */
-  vtkSetClampMacro(ErrorTolerance, double, 0.002, 1.0);
+  virtual void SetErrorTolerance(double tolerance);
   vtkGetMacro(ErrorTolerance, double);
   ///@}
 
@@ -348,6 +348,8 @@ public:
   void ActivateIrradiance(vtkShaderProgram* program) override;
   void DeactivateIrradiance() override;
   size_t GetBytes() const override;
+  size_t GetMainMemoryBytes() const override;
+  double FindErrorTolerance(double asked) const override;
   void AddToReport(vtkIndirectReport& report) const override;
 
   /** Place of a hint in scene units and its field: `Order` squared numbers each for three colours,
@@ -369,7 +371,7 @@ protected:
   int ColorLayout = LUMA_CHROMA;
   int Extent = SCENE;
   int GridResolution[3] = { 0, 0, 0 };
-  double ErrorTolerance = 0.05;
+  double ErrorTolerance = 0.0;
   int NumberOfGrids = 1;
   double FineGridExtent = 0.4;
   int Sampling = DENSE;

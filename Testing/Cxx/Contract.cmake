@@ -38,7 +38,8 @@ contract_topic(Errors
   DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany NothingToDo
   BadActors PrintSelf)
 contract_topic(Report
-  ReportReader ReportGrid)
+  ReportReader ReportGrid ReportTolerance ToleranceKeepsThresholds ReportMemory
+  ReportLocaleOfStreams ReportLocaleOfC ReportStrings)
 
 vtk_module_test_executable(TestPassContract
   vtkIndirectContractKinds.cxx

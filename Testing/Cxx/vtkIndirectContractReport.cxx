@@ -224,8 +224,19 @@ bool Report::ReadEscape(std::string& out)
     return false;
   }
   this->At += 4;
-  // Control characters are all that is written so.
-  out += static_cast<char>(std::stoi(digits, nullptr, 16));
+  const int code = std::stoi(digits, nullptr, 16);
+  if (code < 0x80)
+  {
+    out += static_cast<char>(code);
+    return true;
+  }
+  // Pairs of surrogates are not written here.
+  out += static_cast<char>(code < 0x800 ? 0xc0 | code >> 6 : 0xe0 | code >> 12);
+  if (code >= 0x800)
+  {
+    out += static_cast<char>(0x80 | (code >> 6 & 0x3f));
+  }
+  out += static_cast<char>(0x80 | (code & 0x3f));
   return true;
 }
 

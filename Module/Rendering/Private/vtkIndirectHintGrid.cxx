@@ -464,6 +464,13 @@ int vtkIndirectHintGrid::GetHit(int hint, int ray) const
 }
 
 //------------------------------------------------------------------------------
+size_t vtkIndirectHintGrid::GetMainMemoryBytes() const
+{
+  return (this->Hints.size() + this->Directions.size() + this->Albedo.size()) * sizeof(glm::vec4) +
+    this->Masks.size() + this->Hits.size() * sizeof(float) + this->Surfels.size() * sizeof(Surfel);
+}
+
+//------------------------------------------------------------------------------
 int vtkIndirectHintGrid::GetNumberOfSurfelRows() const
 {
   return std::max(1, (static_cast<int>(this->Surfels.size()) + RowLength - 1) / RowLength);

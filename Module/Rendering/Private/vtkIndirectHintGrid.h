@@ -111,6 +111,7 @@ public:
   int GetNumberOfGrids() const { return static_cast<int>(this->Current.Regions.size()); }
 
   size_t GetBytes() const { return this->Textures.GetBytes(); }
+  size_t GetMainMemoryBytes() const;
   void Release(vtkWindow* window) { this->Textures.Release(window); }
 
 private:

@@ -539,6 +539,13 @@ size_t vtkIndirectOccupancyVolume::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
+size_t vtkIndirectOccupancyVolume::GetMainMemoryBytes() const
+{
+  return this->Columns.size() * sizeof(glm::uvec4) + this->Triangles.GetBytes() +
+    (this->Clearance ? this->Clearance->GetMainMemoryBytes() : 0);
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectOccupancyVolume::Release(vtkWindow* window)
 {
   if (this->Texture)

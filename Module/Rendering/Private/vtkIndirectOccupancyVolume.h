@@ -96,6 +96,8 @@ public:
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
   void Deactivate();
   size_t GetBytes() const;
+  /** Of voxels, their distances, and triangles. */
+  size_t GetMainMemoryBytes() const;
   void Release(vtkWindow* window);
 
 private:
