@@ -33,7 +33,7 @@ contract_topic(Lights
   LightShadowAttenuation LightColors LightSettings LightHeadlight LightOfCamera LightKit ShadowFollows
   ShadowFromOutside ShadowSeams ParallelEye)
 contract_topic(Speed
-  WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds FlatUniforms CaptureTime)
+  WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds FlatUniforms)
 contract_topic(Errors
   DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany NothingToDo
   BadActors PrintSelf)
@@ -68,9 +68,6 @@ foreach (test IN LISTS contract_tests)
 endforeach ()
 add_test(NAME Contract.List COMMAND TestPassContract --check-list ${contract_tests})
 set_tests_properties(Contract.List PROPERTIES LABELS contract)
-set_tests_properties(Contract.CaptureTime PROPERTIES
-  LABELS "contract;timing"
-  RUN_SERIAL ON)
 
 # Pictures against baselines in Testing/Data/Baseline: composition as a whole. What the light is
 # worth in numbers is for the other tests.
