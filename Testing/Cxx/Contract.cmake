@@ -36,7 +36,9 @@ contract_topic(Speed
   WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds FlatUniforms)
 contract_topic(Errors
   DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany NothingToDo
-  BadActors PrintSelf)
+  BadActors)
+contract_topic(Print
+  PrintSettings PrintCounters ReportStages)
 contract_topic(Report
   ReportReader ReportGrid ReportTolerance ToleranceKeepsThresholds ReportMemory
   ReportLocaleOfStreams ReportLocaleOfC ReportStrings)

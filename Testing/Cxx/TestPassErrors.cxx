@@ -25,13 +25,10 @@
 #include "vtkRenderWindow.h"
 #include "vtkSequencePass.h"
 #include "vtkSurfaceCapturePass.h"
-#include "vtkUniformLightSampler.h"
 
 #include <algorithm>
-#include <cstring>
 #include <functional>
 #include <limits>
-#include <set>
 
 using namespace contract;
 
@@ -400,42 +397,4 @@ CONTRACT_TEST(BadActors)
     Read(pass, name);
   }
   CheckReport(pass);
-}
-
-//------------------------------------------------------------------------------
-CONTRACT_TEST(PrintSelf)
-{
-  View view(80, 60);
-  AddRoom(view.Renderer);
-  vtkNew<vtkIndirectIlluminationPass> pass;
-  vtkNew<vtkRSMGatherPass> gather;
-  vtkNew<vtkUniformLightSampler> sampler;
-  vtkNew<vtkIndirectCompositePass> composite;
-  vtkNew<vtkGeometryBufferPass> geometry;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (vtkObject* object : std::initializer_list<vtkObject*>{ pass, gather, sampler, composite,
-           geometry, pass->GetReflectiveShadowMaps(), pass->GetSurfaceCapture(),
-           pass->GetActiveEstimator(), pass->GetActiveSampler() })
-    {
-      std::ostringstream os;
-      object->Print(os);
-      CONTRACT_CHECK(os.str().size() > 100, object->GetClassName() << ": " << os.str());
-    }
-    pass->SetEstimator(gather);
-    pass->SetSampler(sampler);
-    view.Renderer->SetPass(pass);
-    view.Grab();
-    CheckReport(pass);
-    pass->TimingOn();
-    view.Grab();
-    const std::string report = CheckReport(pass);
-    for (const char* stage : { "rsm", "geometry", "lights", "estimate", "composite" })
-    {
-      CONTRACT_CHECK(i > 0 ||
-          report.find("\"" + std::string(stage) + "\": {\"median_ms\"") != std::string::npos ||
-          std::string(stage) != "geometry",
-        "no time of " << stage << " in " << report);
-    }
-  }
 }
