@@ -8,7 +8,10 @@
 #include "vtkIndirectClearance.h"
 #include "vtkIndirectGlossyGather.h"
 #include "vtkIndirectKernelProgram.h"
+#include "vtkIndirectKernels.h"
+#include "vtkIndirectLightMap.h"
 #include "vtkIndirectOccupancyVolume.h"
+#include "vtkIndirectReport.h"
 #include "vtkIndirectStageTimer.h"
 #include "vtkIndirectTarget.h"
 #include "vtkIndirectUniforms.h"
@@ -19,6 +22,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <string>
 
 vtkStandardNewMacro(vtkRSMGatherPass);
 
@@ -47,6 +51,7 @@ struct vtkRSMGatherPass::Internals
     { "vtkIndirectUpsampleFS.glsl", NeighborhoodFile } };
   vtkIndirectGlossyGather Glossy;
   vtkNew<vtkIndirectAllTexelsSampler> AllTexels;
+  std::string WhatDiskLeaves; // of the last frame; empty where a disk leaves nothing
 
   void SetUniforms(
     vtkShaderProgram* program, const Input& input, const vtkRSMGatherPass* self, bool neighborhood);
@@ -108,6 +113,17 @@ size_t vtkRSMGatherPass::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
+void vtkRSMGatherPass::AddToReport(vtkIndirectReport& report) const
+{
+  this->Superclass::AddToReport(report);
+  if (!this->Internal->WhatDiskLeaves.empty())
+  {
+    report.LeftOut.emplace_back(
+      "senders outside the disk about a receiver's place in a map", this->Internal->WhatDiskLeaves);
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkVirtualLightSampler* vtkRSMGatherPass::ChooseSampler(vtkVirtualLightSampler* users)
 {
   switch (this->Mode)
@@ -138,6 +154,15 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
                   "none. Use VIRTUAL_LIGHTS.");
     return false;
   }
+  bool cubes = false;
+  for (int i = 0; neighborhood && i < input.Maps.GetNumberOfMaps(); ++i)
+  {
+    cubes = cubes || input.Maps.GetMap(i).Projection == vtkIndirectKernels::VTKI_MAP_FACES;
+  }
+  in.WhatDiskLeaves = neighborhood && (cubes || this->NeighborhoodRadius < 1.5)
+    ? "NeighborhoodRadius is " + vtkIndirectReport::Number(this->NeighborhoodRadius) +
+      "; the result is too dark"
+    : "";
   this->UpdateSight(input, timer);
   const bool blocked = this->IsBlocked();
   const int rows = neighborhood
