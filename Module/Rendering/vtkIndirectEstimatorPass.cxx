@@ -131,6 +131,12 @@ size_t vtkIndirectEstimatorPass::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
+size_t vtkIndirectEstimatorPass::GetMainMemoryBytes() const
+{
+  return this->Voxels ? this->Voxels->GetMainMemoryBytes() : 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectEstimatorPass::AddToReport(vtkIndirectReport& report) const
 {
   report.Modelled.emplace_back("one diffuse bounce", this->GetClassName());

@@ -106,6 +106,7 @@ public:
     bool Caching = true;         // off: nothing may be kept from earlier frames
     double ErrorTolerance = 0.0; // relative; 0: the estimator's own parameters
     std::shared_ptr<vtkIndirectOccupancyVolume> Voxels; // as some frame left them
+    bool Still = false; // nothing has changed since this estimator's last frame
   };
 
   /**
@@ -124,6 +125,14 @@ public:
 
   /** Makes the frame's irradiance. Returns false, after an error, when it cannot. */
   virtual bool Estimate(const Input& input, vtkIndirectStageTimer& timer) = 0;
+  /**
+   * Whether a further Estimate would leave the irradiance as it is while nothing changes. The pass
+   * asks for one in every frame until then.
+   */
+  virtual bool IsConverged() const
+  {
+    return true;
+  }
 
   ///@{
   /**
@@ -153,7 +162,19 @@ public:
   {
     return this->IrradianceUnit;
   }
+  /** Of textures and buffers. */
   virtual size_t GetBytes() const;
+  /** Of voxels, triangles and tables in main memory. */
+  virtual size_t GetMainMemoryBytes() const;
+
+  /**
+   * The error that the estimator's parameters are chosen by when the pass asks for so much, 0 for
+   * nothing; 0 when none of them are. Default: none.
+   */
+  virtual double FindErrorTolerance(double) const
+  {
+    return 0.0;
+  }
 
   /** Says what the last frame modelled and left out. Default: one bounce without visibility. */
   virtual void AddToReport(vtkIndirectReport& report) const;

@@ -72,6 +72,8 @@ struct vtkIndirectIlluminationPass::Internals
 
   // What the irradiance was computed from; empty when there is none.
   std::vector<double> EstimateKey;
+  // What the estimator could not work with, and has said so: not asked again before it changes.
+  std::vector<double> FailedKey;
 
   std::string ReportedError;
 
@@ -430,11 +432,17 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
 {
   Internals& in = *this->Internal;
   const std::vector<double> key = this->MakeEstimateKey();
-  if (this->Caching && key == in.EstimateKey)
+  const bool still = key == in.EstimateKey;
+  if (this->Caching && still && in.Estimator->IsConverged())
   {
     return true;
   }
   in.EstimateKey.clear();
+  if (key == in.FailedKey)
+  {
+    return false;
+  }
+  in.FailedKey.clear();
 
   in.Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool sampled = !in.Sampler ||
@@ -444,10 +452,11 @@ bool vtkIndirectIlluminationPass::UpdateIrradiance()
 
   const vtkIndirectEstimatorPass::Input input = { in.Frame, *in.Geometry,
     *this->ReflectiveShadowMaps, in.Sampler, in.EyeIsMap, this->NumberOfBounces, this->Caching,
-    this->ErrorTolerance, in.Voxels };
+    this->ErrorTolerance, in.Voxels, still };
   in.Estimator->HoldContext(in.Frame.Window);
   if (!sampled || !in.Estimator->Estimate(input, in.Timer))
   {
+    in.FailedKey = key;
     return false;
   }
   ++this->NumberOfEstimates;
@@ -534,11 +543,13 @@ std::string vtkIndirectIlluminationPass::GetReport()
   vtkIndirectReport report;
   auto flag = [](bool on) { return on ? "true" : "false"; };
   std::copy(in.Frame.Size, in.Frame.Size + 2, report.Size);
+  const double tolerance =
+    this->GetFrameEstimator()->FindErrorTolerance(this->ErrorTolerance); // in force
   report.Settings = { { "Shadows", flag(this->Shadows) },
     { "ReflectiveShadowMapResolution", std::to_string(this->GetReflectiveShadowMapResolution()) },
     { "NumberOfBounces", std::to_string(this->NumberOfBounces) },
-    { "IndirectScale", std::to_string(this->IndirectScale) },
-    { "ErrorTolerance", std::to_string(this->ErrorTolerance) },
+    { "IndirectScale", vtkIndirectReport::Number(this->IndirectScale) },
+    { "ErrorTolerance", vtkIndirectReport::Number(tolerance) },
     { "Caching", flag(this->Caching) } };
   for (const vtkIndirectFrame::LeftOutEntry& entry : in.Frame.LeftOut)
   {
@@ -577,8 +588,17 @@ std::string vtkIndirectIlluminationPass::GetReport()
     report.Method = estimator->GetMethodName();
     report.VirtualLights = sampler ? sampler->GetActualNumberOfLights() : 0;
     report.Bytes += estimator->GetBytes() + (sampler ? sampler->GetBytes() : 0);
+    report.MainMemoryBytes = estimator->GetMainMemoryBytes();
     estimator->AddToReport(report);
     estimator->AddSpecularToReport(report);
+    if (this->ErrorTolerance > 0.0 && tolerance != this->ErrorTolerance)
+    {
+      report.LeftOut.emplace_back(
+        "ErrorTolerance " + vtkIndirectReport::Number(this->ErrorTolerance),
+        estimator->GetClassName() +
+          (tolerance > 0.0 ? " aims at " + vtkIndirectReport::Number(tolerance)
+                           : std::string(" has no parameters that are chosen by it")));
+    }
     if (this->NumberOfBounces > estimator->GetMaximumNumberOfBounces())
     {
       report.LeftOut.emplace_back(
@@ -642,6 +662,7 @@ void vtkIndirectIlluminationPass::ReleaseGraphicsResources(vtkWindow* window)
   release(this->DelegatePass);
   in.View.Release(window);
   in.EstimateKey.clear();
+  in.FailedKey.clear();
   in.HasBuffers = in.HasIrradiance = false;
   in.WhyDelegate = "its resources have been released";
 }

@@ -130,9 +130,11 @@ public:
 
   ///@{
   /**
-   * Error of the irradiance that is aimed at, RMS over its mean, for the estimators that can choose
-   * their parameters by it; the report then says what error is estimated. Default 0: the
-   * estimators' own parameters hold. Range 0 to 1.
+   * Error of the irradiance that is aimed at, RMS over its mean: radiance hints choose their grid
+   * by it, multiresolution splatting its thresholds, and says what error it estimates. What the
+   * user has set on an estimator stays as it is. The report has the value in force under settings,
+   * and under left_out where that is another. Default 0: the estimators' own parameters hold. Range
+   * 0 to 1.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
   vtkGetMacro(ErrorTolerance, double);
@@ -179,7 +181,9 @@ public:
 
   /**
    * The last frame as JSON (schema vtkindirect.report/1): settings, what was modelled and left out
-   * and why, bytes of textures, virtual lights, and with Timing on median and 95th percentile of
+   * and why, virtual lights; bytes: of the frame's textures and buffers; main_memory_bytes: of what
+   * is kept beside them that grows with the scene and the estimator's settings: voxels, triangles,
+   * hints and their rays; and with Timing on median and 95th percentile of
    * each stage's milliseconds over the frames since.
    */
   std::string GetReport();

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 vtkStandardNewMacro(vtkMultiresolutionSplattingPass);
 
@@ -66,6 +65,12 @@ double MakeUnit(const vtkIndirectFrame& frame)
   // A power of two: storing loses nothing but the bits that half floats lack.
   return unit > 0.0 && std::isfinite(unit) ? std::exp2(std::ceil(std::log2(unit))) : 1.0;
 }
+
+// A threshold that the user has not set goes with the tolerance.
+void Scale(double& threshold, double standard, double share, double most)
+{
+  threshold = threshold == standard ? std::min(standard * share, most) : threshold;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -109,6 +114,35 @@ size_t vtkMultiresolutionSplattingPass::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> vtkMultiresolutionSplattingPass::FindOwnThresholds() const
+{
+  std::vector<std::string> names;
+  if (this->Refinement == DEPTH_RANGE && this->DepthThreshold != StandardDepthThreshold)
+  {
+    names.emplace_back("DepthThreshold");
+  }
+  if (this->Refinement != DEPTH_RANGE && this->PlaneThreshold != StandardPlaneThreshold)
+  {
+    names.emplace_back("PlaneThreshold");
+  }
+  if (this->NormalThreshold != StandardNormalThreshold)
+  {
+    names.emplace_back("NormalThreshold");
+  }
+  if (this->LightingThreshold != StandardLightingThreshold)
+  {
+    names.emplace_back("LightingThreshold");
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+double vtkMultiresolutionSplattingPass::FindErrorTolerance(double asked) const
+{
+  return this->FindOwnThresholds().size() < NumberOfThresholds ? asked : 0.0;
+}
+
+//------------------------------------------------------------------------------
 bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectStageTimer& timer)
 {
   Internals& in = *this->Internal;
@@ -139,15 +173,15 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
   settings.DepthThreshold = this->DepthThreshold;
   settings.NormalThreshold = this->NormalThreshold;
   settings.LightingThreshold = this->LightingThreshold;
-  const double tolerance = input.ErrorTolerance;
+  const double tolerance = this->FindErrorTolerance(input.ErrorTolerance);
   if (tolerance > 0.0)
   {
     // The defaults give an error of 0.02 on a hard scene, and the error goes with the thresholds.
     const double share = tolerance / 0.02;
-    settings.PlaneThreshold = std::min(StandardPlaneThreshold * share, 100.0);
-    settings.DepthThreshold = std::min(StandardDepthThreshold * share, 1.0);
-    settings.NormalThreshold = std::min(StandardNormalThreshold * share, 2.0);
-    settings.LightingThreshold = std::min(StandardLightingThreshold * share, 1.0);
+    Scale(settings.PlaneThreshold, StandardPlaneThreshold, share, 100.0);
+    Scale(settings.DepthThreshold, StandardDepthThreshold, share, 1.0);
+    Scale(settings.NormalThreshold, StandardNormalThreshold, share, 2.0);
+    Scale(settings.LightingThreshold, StandardLightingThreshold, share, 1.0);
   }
   settings.Balance = this->Balance;
   settings.NormalCorrection = this->NormalCorrection;
@@ -225,7 +259,11 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
 {
   Internals& in = *this->Internal;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
-  const double share = input.ErrorTolerance > 0.0 ? input.ErrorTolerance / 0.02 : 1.0;
+  double threshold = this->GlossyThreshold;
+  if (input.ErrorTolerance > 0.0)
+  {
+    Scale(threshold, StandardGlossyThreshold, input.ErrorTolerance / 0.02, 1.0);
+  }
   in.WhyGlossyIsGathered.clear();
   if (this->HasGlossy)
   {
@@ -260,8 +298,8 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
         this->IsBlocked() ? input.Voxels.get() : nullptr, {});
   }
   return in.Glossy.Resize(window, in.Pyramid, settings.HalfFloats) &&
-    in.Glossy.Fill(input, settings, this->GlossyThreshold * share, in.Pyramid, in.Lights,
-      *this->Irradiance, *this->Glossy);
+    in.Glossy.Fill(
+      input, settings, threshold, in.Pyramid, in.Lights, *this->Irradiance, *this->Glossy);
 }
 
 //------------------------------------------------------------------------------
@@ -275,12 +313,12 @@ void vtkMultiresolutionSplattingPass::AddToReport(vtkIndirectReport& report) con
   {
     const double pairs =
       static_cast<double>(report.Size[0]) * report.Size[1] * static_cast<double>(in.NumberOfLights);
-    char share[32] = "";
-    std::snprintf(share, sizeof(share), "%.3g",
-      in.GlossyIsListed ? in.Glossy.CountEvaluations() / std::max(pairs, 1.0) : 1.0);
+    const double share =
+      in.GlossyIsListed ? in.Glossy.CountEvaluations() / std::max(pairs, 1.0) : 1.0;
     report.Modelled.emplace_back("lists of specular subsplats",
       in.GlossyIsListed
-        ? std::string("a set of lights for each; evaluations over pixels times lights: ") + share
+        ? std::string("a set of lights for each; evaluations over pixels times lights: ") +
+          vtkIndirectReport::Number(share, 3)
         : "every specular pixel sums all lights, because " + in.WhyGlossyIsGathered);
   }
   if (in.Tolerance <= 0.0)
@@ -288,18 +326,24 @@ void vtkMultiresolutionSplattingPass::AddToReport(vtkIndirectReport& report) con
     return;
   }
   report.EstimatedError = in.SamplingError;
-  report.Modelled.emplace_back("ErrorTolerance " + std::to_string(in.Tolerance),
+  const std::string name = "ErrorTolerance " + vtkIndirectReport::Number(in.Tolerance);
+  report.Modelled.emplace_back(name,
     "thresholds of the subsplats chosen for it; " +
       (in.Evaluations > 0 ? "at most " + std::to_string(in.Evaluations) + " of them summed "
                           : std::string("they summed ")) +
       std::to_string(in.NumberOfLights) + " virtual lights each");
+  for (const std::string& threshold : this->FindOwnThresholds())
+  {
+    report.LeftOut.emplace_back(name, threshold + " is the user's and stays as it is");
+  }
   if (in.SamplingError > in.Tolerance)
   {
     // The error of low-discrepancy lights falls at least as one over the root of their number.
     const double ratio = in.SamplingError / in.Tolerance;
-    report.LeftOut.emplace_back("ErrorTolerance " + std::to_string(in.Tolerance),
-      "two halves of the virtual lights differ by more, " + std::to_string(in.SamplingError) +
-        "; about " + std::to_string(static_cast<int>(in.NumberOfLights * ratio * ratio) + 1) +
+    report.LeftOut.emplace_back(name,
+      "two halves of the virtual lights differ by more, " +
+        vtkIndirectReport::Number(in.SamplingError, 3) + "; about " +
+        std::to_string(static_cast<int>(in.NumberOfLights * ratio * ratio) + 1) +
         " lights would meet it");
   }
 }

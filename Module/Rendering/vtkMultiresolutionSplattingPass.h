@@ -31,7 +31,8 @@
  * of the paper); see GlossyThreshold.
  *
  * With vtkIndirectIlluminationPass::ErrorTolerance the thresholds are chosen by the pass: in
- * proportion, the defaults for 0.02.
+ * proportion, the defaults for 0.02. One that differs from its default is the user's, and stays;
+ * the report then says which.
  *
  * Memory: with the default storage, at most 24 bytes a pixel.
  */
@@ -212,6 +213,7 @@ public:
 #ifndef __VTK_WRAP__
   bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
   size_t GetBytes() const override;
+  double FindErrorTolerance(double asked) const override;
   void AddToReport(vtkIndirectReport& report) const override;
   std::vector<std::string> GetChannelNames() const override;
   int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
@@ -231,6 +233,7 @@ protected:
   static constexpr double StandardDepthThreshold = 0.02;
   static constexpr double StandardNormalThreshold = 0.2;
   static constexpr double StandardLightingThreshold = 0.0015;
+  static constexpr double StandardGlossyThreshold = 0.02;
 #endif
   double PlaneThreshold = StandardPlaneThreshold;
   double DepthThreshold = StandardDepthThreshold;
@@ -238,7 +241,7 @@ protected:
   double LightingThreshold = StandardLightingThreshold;
   bool Balance = true;
   bool NormalCorrection = true;
-  double GlossyThreshold = 0.02;
+  double GlossyThreshold = StandardGlossyThreshold;
   double SurfaceDetail = 0.0;
   int Renderer = AUTOMATIC;
   int Storage = HALF_FLOAT;
@@ -249,6 +252,9 @@ private:
 
 #ifndef __VTK_WRAP__
   bool FillGlossy(const Input& input, const vtkIndirectSubsplatSettings& settings);
+  /** Names of the thresholds that the irradiance's subsplats obey and that the user has set. */
+  std::vector<std::string> FindOwnThresholds() const;
+  static constexpr int NumberOfThresholds = 3; // that they obey
 #endif
 
   struct Internals;

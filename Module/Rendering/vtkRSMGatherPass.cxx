@@ -8,7 +8,10 @@
 #include "vtkIndirectClearance.h"
 #include "vtkIndirectGlossyGather.h"
 #include "vtkIndirectKernelProgram.h"
+#include "vtkIndirectKernels.h"
+#include "vtkIndirectLightMap.h"
 #include "vtkIndirectOccupancyVolume.h"
+#include "vtkIndirectReport.h"
 #include "vtkIndirectStageTimer.h"
 #include "vtkIndirectTarget.h"
 #include "vtkIndirectUniforms.h"
@@ -19,6 +22,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <string>
 
 vtkStandardNewMacro(vtkRSMGatherPass);
 
@@ -47,6 +51,7 @@ struct vtkRSMGatherPass::Internals
     { "vtkIndirectUpsampleFS.glsl", NeighborhoodFile } };
   vtkIndirectGlossyGather Glossy;
   vtkNew<vtkIndirectAllTexelsSampler> AllTexels;
+  std::string WhatDiskLeaves; // of the last frame; empty where a disk leaves nothing
 
   void SetUniforms(
     vtkShaderProgram* program, const Input& input, const vtkRSMGatherPass* self, bool neighborhood);
@@ -104,8 +109,18 @@ void vtkRSMGatherPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 size_t vtkRSMGatherPass::GetBytes() const
 {
-  return this->Superclass::GetBytes() + this->Internal->Coarse.GetBytes() +
-    this->Internal->AllTexels->GetBytes();
+  return this->Superclass::GetBytes() + this->Internal->Coarse.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkRSMGatherPass::AddToReport(vtkIndirectReport& report) const
+{
+  this->Superclass::AddToReport(report);
+  if (!this->Internal->WhatDiskLeaves.empty())
+  {
+    report.LeftOut.emplace_back(
+      "senders outside the disk about a receiver's place in a map", this->Internal->WhatDiskLeaves);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -128,12 +143,26 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
   const bool neighborhood = input.Sampler == nullptr;
+  // The frame's sampler counts its own bytes; this one is no other's.
+  if (input.Sampler != in.AllTexels.Get())
+  {
+    in.AllTexels->ReleaseGraphicsResources(frame.Window);
+  }
   if (neighborhood && input.EyeIsMap)
   {
     vtkErrorMacro("Mode NEIGHBORHOOD needs a light with a map of its own; a single headlight has "
                   "none. Use VIRTUAL_LIGHTS.");
     return false;
   }
+  bool cubes = false;
+  for (int i = 0; neighborhood && i < input.Maps.GetNumberOfMaps(); ++i)
+  {
+    cubes = cubes || input.Maps.GetMap(i).Projection == vtkIndirectKernels::VTKI_MAP_FACES;
+  }
+  in.WhatDiskLeaves = neighborhood && (cubes || this->NeighborhoodRadius < 1.5)
+    ? "NeighborhoodRadius is " + vtkIndirectReport::Number(this->NeighborhoodRadius) +
+      "; the result is too dark"
+    : "";
   this->UpdateSight(input, timer);
   const bool blocked = this->IsBlocked();
   const int rows = neighborhood

@@ -13,7 +13,8 @@
  * grows with pixels times texels.
  * - VIRTUAL_LIGHTS: the lights that the sampler chose, the same for all pixels.
  * - NEIGHBORHOOD: the paper's own: per pixel, texels in a disk around the pixel's place in each
- * map. Its expectation is the sum restricted to that disk.
+ * map. Its expectation is the sum restricted to that disk; what lies outside is lost (bias <= 0),
+ * and the report says so.
  *
  * Receivers with a specular coefficient also reflect the same senders in their lobes, summed at
  * each of their pixels with and without interpolation; see SpecularTransport.
@@ -69,7 +70,9 @@ public:
   ///@{
   /**
    * NEIGHBORHOOD: radius of the disk as a fraction of the map's width. Default 0.3, range 0.001 to
-   * 1.5; from 1.5 on the disk covers the map from everywhere in it.
+   * 1.5; with 1.5 the disk covers a map of one face from everywhere in it. On the cube of a point
+   * or wide spot light it lies about the receiver's direction, across faces, up to an angle of
+   * atan(2 radius): 31 degrees for 0.3, 72 for 1.5.
    */
   vtkSetClampMacro(NeighborhoodRadius, double, 0.001, 1.5);
   vtkGetMacro(NeighborhoodRadius, double);
@@ -107,6 +110,7 @@ public:
   vtkVirtualLightSampler* ChooseSampler(vtkVirtualLightSampler* users) override;
   bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
   size_t GetBytes() const override;
+  void AddToReport(vtkIndirectReport& report) const override;
 #endif
 
 protected:

@@ -28,6 +28,13 @@ vtkStandardNewMacro(vtkRadianceHintsPass);
 
 namespace
 {
+constexpr int MaximumResolution = 64; // of GridResolution
+
+double ClampTolerance(double tolerance)
+{
+  return std::clamp(tolerance, 0.002, 1.0);
+}
+
 const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
 const vtkIndirectChannel IrradianceChannels[] = {
   { "irradiance", "vtkiIrradiance", "indirect irradiance where a cell of pixels is mixed",
@@ -52,6 +59,8 @@ struct vtkRadianceHintsPass::Internals
     vtkIndirectTarget(CoarseChannels, false) };
   int CoarseNow = 0;
   bool CoarseValid = false;
+  int StillFrames = 0;   // since something changed
+  bool Converged = true; // the last look-up kept nothing of those before it
   int Step = 1; // of the last look-up: its buffers stay readable when InterpolationStep changes
   vtkIndirectKernelProgram LookUpKernel{ "vtkIndirectHintFS.glsl" };
   vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintMixedFS.glsl" };
@@ -153,6 +162,45 @@ void vtkRadianceHintsPass::SetToPaper()
 }
 
 //------------------------------------------------------------------------------
+void vtkRadianceHintsPass::SetGridResolution(int x, int y, int z)
+{
+  const int wanted[3] = { x, y, z };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int hints = std::clamp(wanted[axis], 0, MaximumResolution);
+    if (hints != this->GridResolution[axis])
+    {
+      this->GridResolution[axis] = hints;
+      this->Modified();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceHintsPass::SetErrorTolerance(double tolerance)
+{
+  tolerance = tolerance > 0.0 ? ClampTolerance(tolerance) : 0.0;
+  if (tolerance != this->ErrorTolerance)
+  {
+    this->ErrorTolerance = tolerance;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRadianceHintsPass::FindErrorTolerance(double asked) const
+{
+  const int* hints = this->GridResolution;
+  if (hints[0] > 0 && hints[1] > 0 && hints[2] > 0)
+  {
+    return 0.0;
+  }
+  return this->ErrorTolerance > 0.0 ? this->ErrorTolerance
+    : asked > 0.0                   ? ClampTolerance(asked)
+                                    : 0.05;
+}
+
+//------------------------------------------------------------------------------
 void vtkRadianceHintsPass::SetNumberOfLookups(int lookups)
 {
   lookups = lookups < 3 ? 1 : 4;
@@ -191,6 +239,12 @@ size_t vtkRadianceHintsPass::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
+size_t vtkRadianceHintsPass::GetMainMemoryBytes() const
+{
+  return this->Superclass::GetMainMemoryBytes() + this->Internal->Grid.GetMainMemoryBytes();
+}
+
+//------------------------------------------------------------------------------
 vtkVirtualLightSampler* vtkRadianceHintsPass::ChooseHeadlightSampler(vtkVirtualLightSampler*)
 {
   return this->Internal->HeadlightSampler;
@@ -209,13 +263,19 @@ bool vtkRadianceHintsPass::Estimate(const Input& input, vtkIndirectStageTimer& t
 
   timer.Begin(vtkIndirectStageTimer::Visibility);
   const int hints = in.Grid.GetNumberOfHints();
-  this->UpdateGeometry(input);
+  const bool placed = this->UpdateGeometry(input);
   timer.End(vtkIndirectStageTimer::Visibility);
-  return this->UpdateLight(input, timer, hints == 0) && this->LookUp(input, timer);
+  return placed && this->UpdateLight(input, timer, hints == 0) && this->LookUp(input, timer);
 }
 
 //------------------------------------------------------------------------------
-void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
+bool vtkRadianceHintsPass::IsConverged() const
+{
+  return this->Internal->Converged;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
 {
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
@@ -253,17 +313,20 @@ void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
       upper = most;
     }
   }
-  auto fit = [this](const glm::dvec3& extent)
+  const double tolerance = this->FindErrorTolerance(input.ErrorTolerance);
+  auto fit = [this, tolerance](const glm::dvec3& extent)
   {
-    const int along = static_cast<int>(std::ceil(std::sqrt(12.0 / this->ErrorTolerance)));
+    // 0: all axes have a number of their own.
+    const int along =
+      tolerance > 0.0 ? static_cast<int>(std::ceil(std::sqrt(12.0 / tolerance))) : 0;
     const double longest = std::max({ extent.x, extent.y, extent.z });
     glm::ivec3 size;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double share = longest > 0.0 ? extent[axis] / longest : 1.0;
       size[axis] = this->GridResolution[axis] > 0
-        ? std::min(this->GridResolution[axis], 64)
-        : std::clamp(static_cast<int>(std::ceil(along * share - 1e-6)), 2, 64);
+        ? this->GridResolution[axis]
+        : std::clamp(static_cast<int>(std::ceil(along * share - 1e-6)), 2, MaximumResolution);
     }
     return size;
   };
@@ -306,13 +369,28 @@ void vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   }
   changed = (voxelsNeeded && this->UpdateVoxels(input)) || changed;
   in.Blocked = this->IsBlocked();
-  if (changed)
+  if (!changed)
   {
-    in.Grid.Release(frame.Window);
+    return true;
+  }
+  in.Grid.Release(frame.Window);
+  in.Grid.Clear();
+  in.LightKey.clear();
+  const int longestEdge = vtkTextureObject::GetMaximumTextureSize(frame.Window);
+  std::string why = vtkIndirectHintGrid::FindObstacle(settings, longestEdge);
+  if (why.empty())
+  {
     in.GridSettings = settings;
     in.Grid.Build(settings, voxelsNeeded ? this->Voxels.get() : nullptr);
-    in.LightKey.clear();
+    why = in.Grid.FindObstacle(longestEdge);
   }
+  if (!why.empty())
+  {
+    in.Grid.Clear();
+    vtkErrorMacro(<< why << " Lower NumberOfRays, GridResolution or NumberOfGrids.");
+    return false;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -375,7 +453,13 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
   const bool kept = in.CoarseValid && in.Coarse[in.CoarseNow].GetWidth() == width &&
     in.Coarse[in.CoarseNow].GetHeight() == height;
   const int next = smooth ? 1 - in.CoarseNow : 0;
-  const bool mix = smooth && kept;
+  in.StillFrames = input.Still ? in.StillFrames + 1 : 0;
+  // What is left of a difference, after as many frames and the one that brought it, is less than
+  // can be seen: then look-ups come to rest.
+  constexpr double least = 1.0 / 4096.0;
+  const bool mix = smooth && kept &&
+    (in.StillFrames == 0 || std::pow(this->TemporalSmoothing, in.StillFrames) > least);
+  in.Converged = !mix;
   const std::string definitions = in.GetLookupDefinitions(step);
   vtkShaderProgram* program =
     in.LookUpKernel.Use(frame.Window, definitions + (mix ? "#define VTKI_KEEP\n" : ""));
@@ -501,8 +585,14 @@ void vtkRadianceHintsPass::DeactivateIrradiance()
 void vtkRadianceHintsPass::AddToReport(vtkIndirectReport& report) const
 {
   const Internals& in = *this->Internal;
-  const std::string grid = std::to_string(this->GetNumberOfActiveHints()) + " of " +
+  std::string grid = std::to_string(this->GetNumberOfActiveHints()) + " of " +
     std::to_string(this->GetNumberOfHints()) + " hints of order " + std::to_string(this->Order);
+  for (const auto& region : in.GridSettings.Regions)
+  {
+    grid += (&region == &in.GridSettings.Regions[0] ? ", " : " and ") +
+      std::to_string(region.Size.x) + " x " + std::to_string(region.Size.y) + " x " +
+      std::to_string(region.Size.z);
+  }
   report.Modelled.emplace_back(std::to_string(in.Settings.Bounces) +
       (in.Settings.Bounces == 1 ? " diffuse bounce" : " diffuse bounces"),
     grid);

@@ -16,7 +16,7 @@
  * - ColorLayout LUMA_CHROMA: colour costs one number each beyond the luma
  * - Occupancy: voxels of the scene's surfaces hide senders from hints and hints from pixels
  * - BounceSampling SURFACES: bounces from the surfaces that rays meet, not from other hints
- * - SkipEmptyCells: hints far from all surfaces are not computed
+ * - SkipEmptyCells: hints far from all surfaces are not computed, where polygons are all there is
  *
  * Approximations: order 2 or 3 of spherical harmonics blurs light over directions, the grid over
  * places; surfaces thinner than a voxel of the occupancy volume are a voxel thick.
@@ -88,20 +88,26 @@ public:
 
   ///@{
   /**
-   * Hints along x, y and z. Default 0 0 0: from ErrorTolerance. Range of each 0 to 64.
+   * Hints along x, y and z, clamped to 0 to 64. Default 0 0 0: from ErrorTolerance. Hints of all
+   * grids times NumberOfRays may be 2^28, a table of 1 GiB: a frame with more has an error and no
+   * indirect light.
    */
-  vtkSetVector3Macro(GridResolution, int);
+  virtual void SetGridResolution(int x, int y, int z);
+  void SetGridResolution(const int resolution[3])
+  {
+    this->SetGridResolution(resolution[0], resolution[1], resolution[2]);
+  }
   vtkGetVector3Macro(GridResolution, int);
   ///@}
 
   ///@{
   /**
-   * Relative error of interpolating between hints that the automatic resolution aims at. Default
-   * 0.05, range 0.002 to 1. Light from a distance of a quarter of the scene is interpolated over a
-   * cell c of an extent D with an error of about 12 (c/D)^2: 16 hints along the longest axis for
-   * 0.05.
+   * Relative error of interpolating between hints that the automatic resolution aims at. Default 0:
+   * vtkIndirectIlluminationPass::ErrorTolerance, and 0.05 where that is 0 too. Range, beside 0,
+   * 0.002 to 1. Light from a distance of a quarter of the scene is interpolated over a cell c of an
+   * extent D with an error of about 12 (c/D)^2: 16 hints along the longest axis for 0.05.
    */
-  vtkSetClampMacro(ErrorTolerance, double, 0.002, 1.0);
+  virtual void SetErrorTolerance(double tolerance);
   vtkGetMacro(ErrorTolerance, double);
   ///@}
 
@@ -189,7 +195,11 @@ public:
   ///@}
 
   ///@{
-  /** Whether hints far from every surface are left out. Default on. */
+  /**
+   * Whether hints far from every surface are left out, in frames that show nothing but polygons:
+   * where glyphs, impostors, lines, points or shaders of the user's own draw, only they know.
+   * Default on.
+   */
   vtkSetMacro(SkipEmptyCells, bool);
   vtkGetMacro(SkipEmptyCells, bool);
   vtkBooleanMacro(SkipEmptyCells, bool);
@@ -225,7 +235,7 @@ public:
   ///@{
   /**
    * Rays from a hint that tell what it sees, for Occupancy and for bounces from SURFACES: at least
-   * so many, an even square number. Default 400, range 4 to 4096.
+   * so many, an even square number. Default 400, range 4 to 4096; see GridResolution.
    */
   vtkSetClampMacro(NumberOfRays, int, 4, 4096);
   vtkGetMacro(NumberOfRays, int);
@@ -310,7 +320,9 @@ public:
   ///@{
   /**
    * Share of the last frame's irradiance that a pixel keeps, against flicker of moving lights; 0.5
-   * in the paper. Default 0, right for still images; range 0 to 0.95.
+   * in the paper. Default 0, right for still images; range 0 to 0.95. While nothing changes the
+   * irradiance goes on to its value without smoothing, and has it, bit for bit, when all but
+   * 2^-12 of a difference would be gone: after 12 equal frames for 0.5, 38 for 0.8, 163 for 0.95.
    */
   vtkSetClampMacro(TemporalSmoothing, double, 0.0, 0.95);
   vtkGetMacro(TemporalSmoothing, double);
@@ -331,10 +343,13 @@ public:
   }
   vtkVirtualLightSampler* ChooseHeadlightSampler(vtkVirtualLightSampler*) override;
   bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
+  bool IsConverged() const override;
   const char* GetIrradianceShader() const override;
   void ActivateIrradiance(vtkShaderProgram* program) override;
   void DeactivateIrradiance() override;
   size_t GetBytes() const override;
+  size_t GetMainMemoryBytes() const override;
+  double FindErrorTolerance(double asked) const override;
   void AddToReport(vtkIndirectReport& report) const override;
 
   /** Place of a hint in scene units and its field: `Order` squared numbers each for three colours,
@@ -356,7 +371,7 @@ protected:
   int ColorLayout = LUMA_CHROMA;
   int Extent = SCENE;
   int GridResolution[3] = { 0, 0, 0 };
-  double ErrorTolerance = 0.05;
+  double ErrorTolerance = 0.0;
   int NumberOfGrids = 1;
   double FineGridExtent = 0.4;
   int Sampling = DENSE;
@@ -388,7 +403,7 @@ private:
   void operator=(const vtkRadianceHintsPass&) = delete;
 
   int GetLayout() const;
-  void UpdateGeometry(const Input& input);
+  bool UpdateGeometry(const Input& input);
   bool UpdateLight(const Input& input, vtkIndirectStageTimer& timer, bool anew);
   bool LookUp(const Input& input, vtkIndirectStageTimer& timer);
   bool FillMixedCells(const Input& input);

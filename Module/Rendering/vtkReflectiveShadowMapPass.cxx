@@ -281,7 +281,7 @@ void vtkReflectiveShadowMapPass::UpdateTable(const vtkIndirectFrame& frame)
       row[8] =
         glm::vec4(light.Attenuation.x, light.Attenuation.y / s, light.Attenuation.z / (s * s),
           cone ? std::pow(std::tan(glm::radians(light.ConeAngle)), 2.0) : -1.0);
-      row[9] = glm::vec4(glm::vec3(map.FaceAxis[face]), 0.0f);
+      row[9] = glm::vec4(glm::vec3(map.FaceAxis[face]), face);
       std::copy(&row[0][0], &row[0][0] + 4 * TableWidth, table.begin() + 4 * TableWidth * layer);
     }
   }

@@ -34,18 +34,24 @@ contract_topic(Lights
   LightShadowAttenuation LightColors LightSettings LightHeadlight LightOfCamera LightKit ShadowFollows
   ShadowFromOutside ShadowSeams ParallelEye)
 contract_topic(Speed
-  WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds FlatUniforms CaptureTime)
+  WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds FlatUniforms)
 contract_topic(Props
   PropsSky PropsColorOnly PropsBillboard PropsTubes PropsEdges PropsAnnotation PropsKeys PropsSplats
   PropsLeftOut)
 contract_topic(Delegates DelegateRedirects DelegateItself DelegateSteps)
 contract_topic(Errors
-  DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany NothingToDo BadActors
-  PrintSelf)
+  DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany NothingToDo
+  BadActors)
+contract_topic(Print
+  PrintSettings PrintCounters ReportStages)
+contract_topic(Report
+  ReportReader ReportGrid ReportTolerance ToleranceKeepsThresholds ReportMemory
+  ReportLocaleOfStreams ReportLocaleOfC ReportStrings)
 
 vtk_module_test_executable(TestPassContract
   vtkIndirectContractKinds.cxx
   vtkIndirectContractMain.cxx
+  vtkIndirectContractReport.cxx
   vtkIndirectContractScenes.cxx
   vtkIndirectContractUtilities.cxx
   ${contract_sources})
@@ -69,9 +75,6 @@ foreach (test IN LISTS contract_tests)
 endforeach ()
 add_test(NAME Contract.List COMMAND TestPassContract --check-list ${contract_tests})
 set_tests_properties(Contract.List PROPERTIES LABELS contract)
-set_tests_properties(Contract.CaptureTime PROPERTIES
-  LABELS "contract;timing"
-  RUN_SERIAL ON)
 
 # Pictures against baselines in Testing/Data/Baseline: composition as a whole. What the light is
 # worth in numbers is for the other tests.

@@ -12,6 +12,7 @@
 #include "vtkMath.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
+#include "vtkRenderWindow.h"
 #include "vtkSphereSource.h"
 #include "vtkUniformLightSampler.h"
 
@@ -499,15 +500,55 @@ VTK_INDIRECT_TEST(HintsPaper)
 
 VTK_INDIRECT_TEST(HintsTemporal)
 {
-  TwoRooms scene(true);
-  scene.Hints->SetTemporalSmoothing(0.5);
-  scene.Render();
-  const double first = scene.Copy("irradiance").Mean();
-  auto* light = vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0));
-  light->SetIntensity(3.0);
-  scene.Render();
-  CheckRelative("half of the way in one frame", scene.Copy("irradiance").Mean(), 2.0 * first, 1e-3,
-    "0.5 of 1 and 0.5 of 3; interpolation leaves some pixels out");
+  for (const double keep : { 0.5, 0.8 })
+  {
+    TwoRooms scene(true);
+    auto set = [&](double intensity)
+    {
+      vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0))
+        ->SetIntensity(intensity);
+    };
+    set(3.0);
+    scene.Render();
+    const Image wanted = scene.Copy("irradiance");
+    set(1.0);
+    scene.Hints->SetTemporalSmoothing(keep);
+    // A look-up that is nobody's successor is whole at once.
+    scene.Pass->ReleaseGraphicsResources(scene.Window);
+    scene.Render();
+    const double first = scene.Copy("irradiance").Mean();
+    set(3.0);
+    scene.Render();
+    const std::string what = "keep " + std::to_string(keep).substr(0, 3) + ": ";
+    CheckRelative(what + "a share of the way in one frame", scene.Copy("irradiance").Mean(),
+      (3.0 - 2.0 * keep) * first, 1e-3, "of 1 and 3; interpolation leaves some pixels out");
+    // Equal frames go the rest of the way, and then no further.
+    const int frames = static_cast<int>(std::ceil(std::log(1.0 / 4096.0) / std::log(keep)));
+    double before = 0.0;
+    for (int i = 1; i < frames; ++i)
+    {
+      scene.Render();
+      const double mean = scene.Copy("irradiance").Mean();
+      Check(
+        what + "frame " + std::to_string(i) + " is brighter than the one before it", mean > before);
+      before = mean;
+    }
+    CheckRelative(what + "last frame but one", before, wanted.Mean(), 1.0 / 4096.0,
+      "2/3 of the way is left over after the first, times what " + std::to_string(frames) +
+        " frames keep");
+    scene.Render();
+    CheckEqual(what + "values that differ from those without smoothing",
+      static_cast<double>(wanted.Values.size()) - CountSame(wanted, scene.Copy("irradiance")), 0);
+    const vtkIdType estimates = scene.Pass->GetNumberOfEstimates();
+    scene.Render();
+    scene.Render();
+    CheckEqual(what + "look-ups at rest", scene.Pass->GetNumberOfEstimates() - estimates, 0);
+    // From there the next change is smoothed again.
+    set(1.0);
+    scene.Render();
+    CheckRelative(what + "a share of the way back", scene.Copy("irradiance").Mean(),
+      (1.0 + 2.0 * keep) * first, 1e-3, "as above");
+  }
 }
 
 VTK_INDIRECT_TEST(HintsHeadlight)

@@ -3,9 +3,6 @@
 // drawing of the scene for the eye and one for each face of a map that is out of date.
 #include "vtkIndirectContractUtilities.h"
 
-#include "vtkCameraPass.h"
-#include "vtkGeometryBufferPass.h"
-#include "vtkLightsPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -14,9 +11,7 @@
 #include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
 #include "vtkReflectiveShadowMapPass.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkRenderWindow.h"
-#include "vtkSequencePass.h"
 #include "vtkSphereSource.h"
 #include "vtkSurfaceCapturePass.h"
 #include "vtkUniformLightSampler.h"
@@ -24,7 +19,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 
 using namespace contract;
@@ -390,66 +384,4 @@ CONTRACT_TEST(FlatUniforms)
       "many triangles, then few: " << builds[2] << ", " << builds[3] << ", " << builds[5]
                                    << " builds");
   }
-}
-
-//------------------------------------------------------------------------------
-// The geometry buffer and one map of 512 texels, against VTK's own frame: at most 1.6 times.
-CONTRACT_TEST(CaptureTime)
-{
-  // Measured 1.7 to 2.0, of which the geometry buffer is 1.1 to 1.3; the map costs more here than
-  // its share of texels because all triangles are a few texels large. The aim is 1.6; this keeps
-  // what there is.
-  constexpr double allowed = 2.2;
-  constexpr int frames = 12;
-  View view(1024, 1024);
-  vtkNew<vtkSphereSource> source;
-  source->SetThetaResolution(285);
-  source->SetPhiResolution(143);
-  view.Renderer->AddActor(MakeActor(source));
-  source->Update();
-  const vtkIdType triangles = source->GetOutput()->GetNumberOfCells();
-  view.Renderer->AddLight(MakeLight(LightKind::Spot, { 1, 1, 2 }, { 0, 0, 0 }, 30.0));
-  view.Renderer->ResetCamera();
-
-  // The capture alone: one map face, then the eye.
-  vtkNew<vtkRenderPassCollection> stages;
-  vtkNew<vtkLightsPass> lights;
-  vtkNew<vtkReflectiveShadowMapPass> maps;
-  maps->CachingOff();
-  vtkNew<vtkGeometryBufferPass> geometry;
-  stages->AddItem(lights);
-  stages->AddItem(maps);
-  stages->AddItem(geometry);
-  vtkNew<vtkSequencePass> capture;
-  capture->SetPasses(stages);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(capture);
-
-  // Processor time of all threads: what else the machine does is not in it.
-  auto least = [&](vtkRenderPass* pass)
-  {
-    view.Renderer->SetPass(pass);
-    view.Window->Render();
-    double best = 1e30;
-    for (int i = 0; i < frames; ++i)
-    {
-      view.Window->WaitForCompletion();
-      const std::clock_t start = std::clock();
-      view.Window->Render();
-      view.Window->WaitForCompletion();
-      best = std::min(best, 1e3 * double(std::clock() - start) / CLOCKS_PER_SEC);
-    }
-    return best;
-  };
-  const double plain = least(nullptr);
-  const double captured = least(camera);
-  maps->CachingOn();
-  const double eye = least(camera);
-  const double ratio = captured / plain;
-  std::cout << triangles << " triangles at 1024 x 1024, processor time: VTK " << plain
-            << " ms, map and geometry buffer " << captured << " ms (without the map " << eye
-            << "), ratio " << ratio << "\n";
-  CONTRACT_CHECK(ratio <= allowed, "ratio " << ratio);
-  view.Renderer->SetPass(nullptr);
-  camera->ReleaseGraphicsResources(view.Window);
 }

@@ -2,10 +2,10 @@
 // The program around the contract tests: runs one of them by its name, and fails it for every error
 // or warning of VTK that it did not expect.
 #include "vtkIndirectContractUtilities.h"
+#include "vtkIndirectTestList.h"
 
 #include "vtkLogger.h"
 
-#include <algorithm>
 #include <cstring>
 #include <map>
 
@@ -112,24 +112,9 @@ int main(int argc, char* argv[])
   vtkLogger::Init();
   vtkLogger::AddCallback("contract", CountMessage, nullptr, vtkLogger::VERBOSITY_WARNING);
   const auto& tests = GetTests();
-  if (argc > 2 && std::string(argv[1]) == "--check-list")
+  if (vtkIndirectTest::WantsListCheck(argc, argv))
   {
-    // CMake's list against the tests that are here: neither may know more than the other.
-    std::vector<std::string> listed(argv + 2, argv + argc);
-    std::sort(listed.begin(), listed.end());
-    std::vector<std::string> present;
-    for (const auto& test : tests)
-    {
-      present.push_back(test.first);
-    }
-    for (const auto& name : present)
-    {
-      if (!std::binary_search(listed.begin(), listed.end(), name))
-      {
-        std::cerr << name << " is not run\n";
-      }
-    }
-    return listed == present ? EXIT_SUCCESS : EXIT_FAILURE;
+    return vtkIndirectTest::CheckList(tests, argc, argv);
   }
   const auto found = argc > 1 ? tests.find(argv[1]) : tests.end();
   if (found == tests.end())

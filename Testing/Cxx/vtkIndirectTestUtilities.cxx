@@ -9,6 +9,7 @@
 #include "vtkCubeSource.h"
 #include "vtkImageData.h"
 #include "vtkIndirectFrame.h"
+#include "vtkIndirectTestList.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
@@ -75,6 +76,10 @@ Registration::Registration(const char* name, void (*function)())
 
 int Main(int argc, char* argv[])
 {
+  if (WantsListCheck(argc, argv))
+  {
+    return CheckList(Table(), argc, argv);
+  }
   const std::string name = argc > 1 ? argv[1] : "";
   const auto test = Table().find(name);
   if (test == Table().end())

@@ -15,6 +15,17 @@ WHY_NOT = support.why_no_rendering()
 STAGES = {"delegate", "geometry", "rsm", "lights", "estimate", "upsample", "composite"}
 
 
+class Times(unittest.TestCase):
+    def test_percentile_is_the_one_of_the_passes(self) -> None:
+        """By its definition, as Unit.Percentile tests that of the passes' own report."""
+        generator = np.random.Generator(np.random.PCG64(7))
+        for count in range(1, 201):
+            times = [float(time) for time in generator.integers(0, 300, count)]
+            enough = [t for t in times if 100 * sum(u <= t for u in times) >= 95 * count]
+            self.assertEqual(frames.percentile_95(times), min(enough), times)
+        self.assertEqual(frames.percentile_95([1.0] * 19 + [9.0]), 1.0)
+
+
 @unittest.skipIf(WHY_NOT, WHY_NOT or "")
 class Render(unittest.TestCase):
     def render(self, name: str, **job) -> tuple:

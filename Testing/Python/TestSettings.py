@@ -6,7 +6,18 @@ import unittest
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty
 
-from vtkindirect import UsageError, settings
+from vtkindirect import UsageError, settings, wrapped
+
+CLASSES = (
+    "vtkIndirectIlluminationPass",
+    "vtkMultiresolutionSplattingPass",
+    "vtkRadianceHintsPass",
+    "vtkReflectiveShadowMapPass",
+    "vtkRSMGatherPass",
+    "vtkRSMReferencePass",
+    "vtkSurfaceCapturePass",
+    "vtkUniformLightSampler",
+)
 
 
 class Settings(unittest.TestCase):
@@ -87,6 +98,22 @@ class Settings(unittest.TestCase):
             self.assertEqual(settings.snake(name), snake)
         self.assertEqual(settings.camel("number_of_lights"), "NumberOfLights")
         self.assertEqual(settings.camel("NumberOfLights"), "NumberOfLights")
+
+    def test_every_property_of_the_passes_is_printed(self):
+        for name in CLASSES:
+            target = wrapped.get(name)()
+            words = {line.split(":")[0].strip() for line in str(target).splitlines()}
+            self.assertGreaterEqual(len(settings.properties(target)), 2, name)
+            for known in settings.properties(target):
+                self.assertIn(known, words, name)
+
+    def test_vector_out_of_range(self):
+        hints = wrapped.get("vtkRadianceHintsPass")()
+        for wrong in ("5000,5000,5000", "-3,1,1"):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(UsageError, "GridResolution"):
+                settings.apply([hints], {"GridResolution": wrong})
+        settings.apply([hints], {"GridResolution": "64,0,3"})
+        self.assertEqual(tuple(hints.GetGridResolution()), (64, 0, 3))
 
     def test_parse(self):
         self.assertEqual(settings.parse(["A=1", "B = x,y", "A=2"]), {"A": "2", "B": "x,y"})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEGLUtilities.h"
 
+#include <locale>
 #include <sstream>
 
 //------------------------------------------------------------------------------
@@ -31,6 +32,7 @@ std::string vtkEGLUtilities::GetErrorName(EGLint error)
     default:
     {
       std::ostringstream name;
+      name.imbue(std::locale::classic());
       name << "EGL error 0x" << std::hex << error;
       return name.str();
     }

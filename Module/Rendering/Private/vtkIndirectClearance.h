@@ -56,6 +56,7 @@ public:
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
   void Deactivate();
   size_t GetBytes() const { return this->Uploaded ? this->Voxels.size() : 0; }
+  size_t GetMainMemoryBytes() const { return this->Voxels.size(); }
   void Release(vtkWindow* window);
 
 private:

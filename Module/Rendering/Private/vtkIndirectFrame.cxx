@@ -170,6 +170,7 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
   this->NumberOfTriangles += kind.NumberOfTriangles;
   this->Specular = this->Specular || (kind.Captured && kind.Specular);
   (kind.Captured ? this->Captured : this->ColorOnly).push_back(prop);
+  this->NumberOfReceivers += kind.Captured && prop->GetBounds() ? 1 : 0;
   if (!prop->GetUseBounds())
   {
     return;

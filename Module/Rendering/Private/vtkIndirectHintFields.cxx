@@ -162,6 +162,12 @@ bool vtkIndirectHintFields::MakeSenders(const Input& input, const Settings& sett
   const int count =
     input.Maps.GetNumberOfLayers() * settings.BlocksPerEdge * settings.BlocksPerEdge;
   const int rows = (count + SenderRowLength - 1) / SenderRowLength;
+  if (rows > vtkTextureObject::GetMaximumTextureSize(input.Frame.Window))
+  {
+    vtkErrorWithObjectMacro(input.Frame.Window,
+      "Hints cannot read " << count << " blocks of the lights' maps; lower BlocksPerEdge.");
+    return false;
+  }
   vtkShaderProgram* program = this->SendersKernel.Use(input.Frame.Window, "");
   if (!program || !this->Senders.Resize(input.Frame.Window, SenderRowLength, rows))
   {

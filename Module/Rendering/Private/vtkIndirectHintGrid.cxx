@@ -7,14 +7,16 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
-// Texels in a row of the table of rays: a row less than OpenGL's least limit on textures.
-constexpr int RayRowLength = 1024;
+// Texels in a row of the table of rays: OpenGL's least limit on textures. Longer where rows would
+// be too many.
+constexpr int LeastRayRowLength = 1024;
 // Hints whose rays are followed before what they meet is gathered.
 constexpr int RayBatch = 256;
 
@@ -67,22 +69,63 @@ glm::dvec4 vtkIndirectHintGrid::GetDirection(int ray, int edge)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Build(const Settings& settings, const vtkIndirectOccupancyVolume* volume)
+int vtkIndirectHintGrid::FindRayEdge(int rays)
 {
-  this->Current = settings;
-  this->Volume = volume && !volume->IsEmpty() ? volume : nullptr;
-  // Rays through the bins of an octahedral map, an even number along its edge.
-  this->RayEdge = static_cast<int>(std::ceil(0.5 * std::sqrt(settings.NumberOfRays) - 1e-9)) * 2;
-  this->Current.NumberOfRays = this->Volume ? this->RayEdge * this->RayEdge : 0;
+  return static_cast<int>(std::ceil(0.5 * std::sqrt(rays) - 1e-9)) * 2;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectHintGrid::FindObstacle(const Settings& settings, int longestEdge)
+{
+  double hints = 0.0;
+  for (const Region& region : settings.Regions)
+  {
+    hints += static_cast<double>(region.Size.x) * region.Size.y * region.Size.z;
+  }
+  const double edge = FindRayEdge(settings.NumberOfRays);
+  const double rays = edge * edge;
+  const double most =
+    std::min(MaximumNumberOfHits, 4.0 * static_cast<double>(longestEdge) * longestEdge);
+  if (hints > static_cast<double>(RowLength) * longestEdge || hints * rays > most)
+  {
+    return std::to_string(static_cast<int>(hints)) + " hints of " +
+      std::to_string(static_cast<int>(rays)) + " rays need a larger table than the " +
+      std::to_string(static_cast<int>(most)) + " entries that there may be.";
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectHintGrid::FindObstacle(int longestEdge) const
+{
+  return this->GetNumberOfSurfelRows() <= longestEdge ? std::string()
+                                                      : "The hints' rays meet " +
+      std::to_string(this->Surfels.size()) + " surfaces, more than a texture can hold.";
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Clear()
+{
   this->Hints.clear();
   this->First.clear();
   this->Masks.clear();
-  this->Hits.clear();
+  std::vector<float>().swap(this->Hits); // the largest: not kept for what comes
   this->Surfels.clear();
   this->Directions.clear();
   this->Albedo.clear();
   this->MaskSize = glm::ivec3(0);
+  this->NumberOfActive = 0;
   this->Textures.Clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Build(const Settings& settings, const vtkIndirectOccupancyVolume* volume)
+{
+  this->Clear();
+  this->Current = settings;
+  this->Volume = volume && !volume->IsEmpty() ? volume : nullptr;
+  this->RayEdge = FindRayEdge(settings.NumberOfRays);
+  this->Current.NumberOfRays = this->Volume ? this->RayEdge * this->RayEdge : 0;
   const int grids = static_cast<int>(settings.Regions.size());
   for (int grid = 0; grid < grids; ++grid)
   {
@@ -127,7 +170,8 @@ void vtkIndirectHintGrid::Place(int grid)
         const glm::ivec3 at = Unfold(static_cast<int>(i), region.Size);
         glm::dvec3 position = region.Lower + (glm::dvec3(at) + 0.5) * cell;
         bool active = true;
-        if (volume && this->Current.SkipEmpty)
+        // Only where the voxels tell of all that can be seen: what else is drawn lies anywhere.
+        if (volume && this->Current.SkipEmpty && volume->HoldsAll())
         {
           const glm::dvec3 reach = (this->Current.Reach + 1.0) * cell;
           active = volume->IsAnyOccupied(glm::ivec3(glm::floor(volume->ToVoxels(position - reach))),
@@ -420,6 +464,13 @@ int vtkIndirectHintGrid::GetHit(int hint, int ray) const
 }
 
 //------------------------------------------------------------------------------
+size_t vtkIndirectHintGrid::GetMainMemoryBytes() const
+{
+  return (this->Hints.size() + this->Directions.size() + this->Albedo.size()) * sizeof(glm::vec4) +
+    this->Masks.size() + this->Hits.size() * sizeof(float) + this->Surfels.size() * sizeof(Surfel);
+}
+
+//------------------------------------------------------------------------------
 int vtkIndirectHintGrid::GetNumberOfSurfelRows() const
 {
   return std::max(1, (static_cast<int>(this->Surfels.size()) + RowLength - 1) / RowLength);
@@ -450,7 +501,13 @@ void vtkIndirectHintGrid::Make(Table table, vtkOpenGLRenderWindow* window)
       texels = this->Hints;
       break;
     case Tables::Rays:
-      width = RayRowLength;
+      this->RayRowLength = LeastRayRowLength;
+      while (this->Hits.size() / 4 >
+        static_cast<size_t>(this->RayRowLength) * vtkTextureObject::GetMaximumTextureSize(window))
+      {
+        this->RayRowLength *= 2;
+      }
+      width = this->RayRowLength;
       texels.resize(this->Hits.size() / 4);
       std::copy(this->Hits.begin(), this->Hits.end(), texels.empty() ? nullptr : &texels[0].x);
       break;
@@ -509,7 +566,7 @@ void vtkIndirectHintGrid::ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderP
   this->Bind(Tables::Rays, window, program, "vtkiRays");
   this->Bind(Tables::Directions, window, program, "vtkiDirections");
   program->SetUniformi("vtkiRayEdge", this->RayEdge);
-  program->SetUniformi("vtkiRayRowLength", RayRowLength);
+  program->SetUniformi("vtkiRayRowLength", this->RayRowLength);
 }
 
 //------------------------------------------------------------------------------

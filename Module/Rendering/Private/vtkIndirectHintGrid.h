@@ -14,7 +14,7 @@
 #include "vtkIndirectHintTables.h" // for members
 
 #include <glm/glm.hpp> // for vectors
-#include <string>      // for uniform names
+#include <string>      // for reasons
 #include <vector>      // for tables
 
 class vtkIndirectOccupancyVolume;
@@ -27,6 +27,8 @@ class vtkIndirectHintGrid
 public:
   static constexpr int RowLength = 256;
   static constexpr int MaximumNumberOfGrids = 2;
+  /** Rays of all hints: 1 GiB in main memory, and as much in the texture. */
+  static constexpr double MaximumNumberOfHits = 268435456.0;
 
   /** Box (scene units) and hints along each axis. */
   struct Region
@@ -67,6 +69,17 @@ public:
   vtkIndirectHintGrid();
   ~vtkIndirectHintGrid();
 
+  ///@{
+  /**
+   * Why textures of an edge of so many texels at most cannot hold the tables, in a sentence; empty
+   * when they can. Before Build from the settings, after it from what was found.
+   */
+  static std::string FindObstacle(const Settings& settings, int longestEdge);
+  std::string FindObstacle(int longestEdge) const;
+  ///@}
+
+  /** Forgets all hints. */
+  void Clear();
   /** Makes the tables anew; volume may be null, then nothing is known of the scene. */
   void Build(const Settings& settings, const vtkIndirectOccupancyVolume* volume);
 
@@ -98,6 +111,7 @@ public:
   int GetNumberOfGrids() const { return static_cast<int>(this->Current.Regions.size()); }
 
   size_t GetBytes() const { return this->Textures.GetBytes(); }
+  size_t GetMainMemoryBytes() const;
   void Release(vtkWindow* window) { this->Textures.Release(window); }
 
 private:
@@ -112,6 +126,8 @@ private:
   void Bind(
     Table table, vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* uniform);
   void Make(Table table, vtkOpenGLRenderWindow* window);
+  // Along the edge of the octahedral map of at least so many rays, an even number.
+  static int FindRayEdge(int rays);
 
   Settings Current;
   const vtkIndirectOccupancyVolume* Volume = nullptr;
@@ -126,6 +142,7 @@ private:
   std::vector<glm::vec4> Albedo; // of what a hint sees around it
   int NumberOfActive = 0;
   int RayEdge = 0;
+  int RayRowLength = 0; // texels in a row of the table of rays
   Tables Textures;
 };
 

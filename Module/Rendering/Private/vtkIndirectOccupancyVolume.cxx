@@ -22,12 +22,15 @@
 #include "vtkProperty.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <iterator>
 
 namespace
 {
@@ -53,6 +56,20 @@ bool EdgesOverlap(const glm::dvec3 v[3], double half)
     }
   }
   return true;
+}
+
+// Whether what an actor draws is no more than its data's polygons and strips. Of derived classes
+// nothing is known; lines and vertices lie where no triangle does.
+bool DrawsPolygonsAlone(vtkActor* actor, vtkMapper* mapper)
+{
+  static const char* const mappers[] = { "vtkOpenGLPolyDataMapper", "vtkCompositePolyDataMapper",
+    "vtkCompositePolyDataMapper2" };
+  const std::string name = mapper->GetClassName();
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
+    std::find(std::begin(mappers), std::end(mappers), name) != std::end(mappers) &&
+    shaders->GetNumberOfShaderReplacements() == 0 && !shaders->HasVertexShaderCode() &&
+    !shaders->HasGeometryShaderCode();
 }
 }
 
@@ -201,6 +218,7 @@ bool vtkIndirectOccupancyVolume::Update(const vtkIndirectFrame& frame, int resol
 {
   std::vector<double> key(frame.SceneBounds, frame.SceneBounds + 6);
   key.push_back(resolution);
+  key.push_back(frame.NumberOfReceivers);
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
     key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(caster.Prop)));
@@ -219,6 +237,7 @@ bool vtkIndirectOccupancyVolume::Update(const vtkIndirectFrame& frame, int resol
     upper[axis] = (frame.SceneBounds[2 * axis + 1] - frame.SceneCenter[axis]) * frame.SceneScale;
   }
   this->Clear(lower, upper, resolution);
+  this->AllIsHeld = frame.NumberOfReceivers == static_cast<int>(frame.Casters.size());
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
     this->AddProp(frame, caster.Prop);
@@ -252,8 +271,13 @@ void vtkIndirectOccupancyVolume::AddProp(const vtkIndirectFrame& frame, vtkProp*
   {
     vtkAssemblyNode* node = path->GetLastNode();
     vtkActor* actor = vtkActor::SafeDownCast(node->GetViewProp());
-    if (!actor || !actor->GetVisibility() || !actor->GetMapper())
+    if (actor && !actor->GetVisibility())
     {
+      continue;
+    }
+    if (!actor || !actor->GetMapper())
+    {
+      this->AllIsHeld = false;
       continue;
     }
     vtkMapper* mapper = actor->GetMapper();
@@ -264,8 +288,10 @@ void vtkIndirectOccupancyVolume::AddProp(const vtkIndirectFrame& frame, vtkProp*
     if (!mapper || mapper->GetNumberOfInputPorts() < 1 ||
       mapper->GetNumberOfInputConnections(0) < 1)
     {
+      this->AllIsHeld = false;
       continue;
     }
+    this->AllIsHeld = this->AllIsHeld && DrawsPolygonsAlone(actor, mapper);
     vtkProperty* property = actor->GetProperty();
     Source source;
     source.Mapper = mapper;
@@ -318,6 +344,8 @@ void vtkIndirectOccupancyVolume::AddPolyData(const Source& source, vtkPolyData* 
   {
     return;
   }
+  this->AllIsHeld =
+    this->AllIsHeld && data->GetNumberOfVerts() == 0 && data->GetNumberOfLines() == 0;
   std::vector<glm::dvec3> positions(points->GetNumberOfPoints());
   std::vector<char> shown(positions.size(), 1);
   vtkPlaneCollection* planes = source.Mapper->GetClippingPlanes();
@@ -508,6 +536,13 @@ size_t vtkIndirectOccupancyVolume::GetBytes() const
 {
   return (this->Uploaded ? this->Columns.size() * sizeof(glm::uvec4) : 0) +
     (this->Clearance ? this->Clearance->GetBytes() : 0);
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectOccupancyVolume::GetMainMemoryBytes() const
+{
+  return this->Columns.size() * sizeof(glm::uvec4) + this->Triangles.GetBytes() +
+    (this->Clearance ? this->Clearance->GetMainMemoryBytes() : 0);
 }
 
 //------------------------------------------------------------------------------

@@ -57,6 +57,11 @@ public:
   void Finish();
 
   bool IsEmpty() const { return this->NumberOfTriangles == 0; }
+  /**
+   * Whether all that the last Update's frame can draw lies in occupied voxels. Not so with glyphs,
+   * impostors, lines, points, levels of detail, or shaders of the user's own.
+   */
+  bool HoldsAll() const { return this->AllIsHeld; }
   const glm::ivec3& GetSize() const { return this->Size; }
   double GetVoxelSize() const { return this->VoxelSize; } // scene units
   glm::dvec3 ToVoxels(const glm::dvec3& position) const
@@ -91,6 +96,8 @@ public:
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
   void Deactivate();
   size_t GetBytes() const;
+  /** Of voxels, their distances, and triangles. */
+  size_t GetMainMemoryBytes() const;
   void Release(vtkWindow* window);
 
 private:
@@ -103,6 +110,7 @@ private:
   double VoxelSize = 1.0;
   glm::ivec3 Size{ 0 };
   size_t NumberOfTriangles = 0;
+  bool AllIsHeld = true;
   std::vector<glm::uvec4> Columns; // by x + Size.x y
   bool TrianglesAreKept = false;
   vtkIndirectTriangleGrid Triangles;

@@ -6,6 +6,8 @@
 #include "vtkIndirectVersion.h"
 #include "vtkVersion.h"
 
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <locale>
 #include <sstream>
@@ -23,14 +25,44 @@ std::string List(const vtkIndirectReport::Entries& entries)
   }
   return out + "]";
 }
+
+// Bytes of the character of UTF-8 (RFC 3629) that begins at a place; 0 when none does.
+size_t MeasureCharacter(const std::string& text, size_t at)
+{
+  auto byte = [&](size_t i)
+  { return i < text.size() ? static_cast<unsigned char>(text[i]) : static_cast<unsigned char>(0); };
+  const unsigned char first = byte(at);
+  if (first < 0x80)
+  {
+    return 1;
+  }
+  const size_t length = first >= 0xf0 ? 4 : (first >= 0xe0 ? 3 : 2);
+  // The second byte's range leaves out longer forms, surrogates, and what is beyond U+10FFFF.
+  const unsigned char lower = first == 0xe0 ? 0xa0 : (first == 0xf0 ? 0x90 : 0x80);
+  const unsigned char upper = first == 0xed ? 0x9f : (first == 0xf4 ? 0x8f : 0xbf);
+  bool good = first >= 0xc2 && first <= 0xf4 && byte(at + 1) >= lower && byte(at + 1) <= upper;
+  for (size_t i = 2; i < length; ++i)
+  {
+    good = good && (byte(at + i) & 0xc0) == 0x80;
+  }
+  return good ? length : 0;
+}
 }
 
 //------------------------------------------------------------------------------
 std::string vtkIndirectReport::Quote(const std::string& text)
 {
   std::string out = "\"";
-  for (char c : text)
+  for (size_t i = 0; i < text.size();)
   {
+    const size_t length = MeasureCharacter(text, i);
+    if (length != 1)
+    {
+      out += length > 0 ? text.substr(i, length) : "\\ufffd";
+      i += length > 0 ? length : 1;
+      continue;
+    }
+    const char c = text[i++];
     if (c == '"' || c == '\\')
     {
       out += '\\';
@@ -48,6 +80,16 @@ std::string vtkIndirectReport::Quote(const std::string& text)
     }
   }
   return out + "\"";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectReport::Number(double value, int digits)
+{
+  char text[40];
+  const std::to_chars_result result = digits > 0
+    ? std::to_chars(text, text + sizeof(text), value, std::chars_format::general, digits)
+    : std::to_chars(text, text + sizeof(text), value);
+  return std::isfinite(value) ? std::string(text, result.ptr) : "null";
 }
 
 //------------------------------------------------------------------------------
@@ -72,8 +114,8 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
     if (statistics.Count > 0 && statistics.Percentile95Milliseconds > 0.0)
     {
       os << separator << "\n    " << Quote(vtkIndirectStageTimer::GetName(stage))
-         << ": {\"median_ms\": " << statistics.MedianMilliseconds
-         << ", \"p95_ms\": " << statistics.Percentile95Milliseconds << "}";
+         << ": {\"median_ms\": " << Number(statistics.MedianMilliseconds)
+         << ", \"p95_ms\": " << Number(statistics.Percentile95Milliseconds) << "}";
       separator = ",";
     }
   }
@@ -84,24 +126,17 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
   os << "\n  },\n";
   if (timer.GetNumberOfFrames() > 0)
   {
-    os << "  \"indirect_ms\": " << timer.GetSum(indirect).MedianMilliseconds
-       << ",\n  \"frame_ms\": " << timer.Get(vtkIndirectStageTimer::Frame).MedianMilliseconds
-       << ",\n";
+    os << "  \"indirect_ms\": " << Number(timer.GetSum(indirect).MedianMilliseconds)
+       << ",\n  \"frame_ms\": "
+       << Number(timer.Get(vtkIndirectStageTimer::Frame).MedianMilliseconds) << ",\n";
   }
   else
   {
     os << "  \"indirect_ms\": null,\n  \"frame_ms\": null,\n";
   }
   os << "  \"virtual_lights\": " << this->VirtualLights << ",\n  \"bytes\": " << this->Bytes
-     << ",\n  \"estimated_error\": ";
-  if (this->EstimatedError >= 0.0)
-  {
-    os << this->EstimatedError;
-  }
-  else
-  {
-    os << "null";
-  }
+     << ",\n  \"main_memory_bytes\": " << this->MainMemoryBytes << ",\n  \"estimated_error\": ";
+  os << (this->EstimatedError >= 0.0 ? Number(this->EstimatedError) : "null");
   os << ",\n  \"modelled\": " << List(this->Modelled)
      << ",\n  \"left_out\": " << List(this->LeftOut)
      << ",\n  \"gl\": {\"renderer\": " << Quote(this->GLRenderer)

@@ -21,7 +21,8 @@ struct vtkIndirectReport
   Entries Modelled;
   Entries LeftOut;
   int VirtualLights = 0;
-  size_t Bytes = 0;
+  size_t Bytes = 0;           // of textures and buffers
+  size_t MainMemoryBytes = 0; // of what is kept beside them; see vtkIndirectIlluminationPass
   /** Relative; negative: not estimated. */
   double EstimatedError = -1.0;
   std::string GLRenderer;
@@ -29,7 +30,14 @@ struct vtkIndirectReport
 
   /** Schema vtkindirect.report/1. */
   std::string ToJSON(const vtkIndirectStageTimer& timer) const;
+  ///@{
+  /**
+   * As JSON, in any locale. A string's bytes that are not UTF-8 become U+FFFD. A number has as many
+   * digits as tell it from all others, or as are given; null stands for one that is not finite.
+   */
   static std::string Quote(const std::string& text);
+  static std::string Number(double value, int digits = 0);
+  ///@}
 };
 
 #endif

@@ -4,7 +4,7 @@
 #include "vtkIndirectStageTimer.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace
 {
@@ -87,6 +87,12 @@ vtkIndirectStageTimer::Statistics vtkIndirectStageTimer::GetSum(unsigned int sta
     }
     times.push_back(sum);
   }
+  return Summarize(std::move(times));
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectStageTimer::Statistics vtkIndirectStageTimer::Summarize(std::vector<double> times)
+{
   Statistics result;
   result.Count = static_cast<int>(times.size());
   if (!times.empty())
@@ -94,8 +100,7 @@ vtkIndirectStageTimer::Statistics vtkIndirectStageTimer::GetSum(unsigned int sta
     std::sort(times.begin(), times.end());
     const size_t n = times.size();
     result.MedianMilliseconds = 0.5 * (times[(n - 1) / 2] + times[n / 2]);
-    result.Percentile95Milliseconds =
-      times[static_cast<size_t>(std::ceil(0.95 * static_cast<double>(n))) - 1];
+    result.Percentile95Milliseconds = times[(95 * n + 99) / 100 - 1];
   }
   return result;
 }

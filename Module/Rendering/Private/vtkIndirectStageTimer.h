@@ -37,6 +37,7 @@ public:
   void End(Stage stage);
   void Reset();
 
+  /** Percentile95Milliseconds: the least of the times that at least 95 % of them do not exceed. */
   struct Statistics
   {
     int Count = 0;
@@ -46,6 +47,7 @@ public:
   Statistics Get(int stage) const;
   /** Statistics over frames of the sum of some stages; bit i stands for stage i. */
   Statistics GetSum(unsigned int stages) const;
+  static Statistics Summarize(std::vector<double> times);
   int GetNumberOfFrames() const { return static_cast<int>(this->Frames.size()); }
 
 private:

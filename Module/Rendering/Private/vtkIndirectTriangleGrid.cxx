@@ -48,6 +48,8 @@ void vtkIndirectTriangleGrid::Finish()
   }
   this->Touches.clear();
   this->Touches.shrink_to_fit();
+  this->Triangles.shrink_to_fit();
+  this->Lists.shrink_to_fit();
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,12 @@ public:
   bool FindPlane(const glm::ivec3& voxel, glm::dvec3& normal, double& height) const;
 
   size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
+  /** Of triangles and lists, which Finish has brought to their size. */
+  size_t GetBytes() const
+  {
+    return this->Triangles.size() * sizeof(Triangle) +
+      (this->First.size() + this->Lists.size()) * sizeof(uint32_t);
+  }
   const glm::ivec3& GetSize() const { return this->Size; }
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests of vtkEGLHeadlessRenderWindow and vtkIndirectHeadlessFactory: runs the one that is named.
+#include "../vtkIndirectTestList.h"
 #include "HeadlessTestTools.h"
 
 #include <cstdlib>
@@ -13,6 +14,10 @@ int main(int argc, char* argv[])
   tests.merge(GetProgramTests());
   tests.merge(GetDriverTests());
 
+  if (vtkIndirectTest::WantsListCheck(argc, argv))
+  {
+    return vtkIndirectTest::CheckList(tests, argc, argv);
+  }
   const std::string name = argc > 1 ? argv[1] : "";
   const auto test = tests.find(name);
   if (test == tests.end())

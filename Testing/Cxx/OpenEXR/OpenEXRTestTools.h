@@ -4,6 +4,8 @@
 #ifndef OpenEXRTestTools_h
 #define OpenEXRTestTools_h
 
+#include "../vtkIndirectTestList.h"
+
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
@@ -285,6 +287,10 @@ inline int CountFiles(const std::string& directory)
 inline int Main(int argc, char* argv[],
   const std::map<std::string, std::function<void(const std::string&)>>& tests)
 {
+  if (vtkIndirectTest::WantsListCheck(argc, argv))
+  {
+    return vtkIndirectTest::CheckList(tests, argc, argv);
+  }
   const auto test = argc == 3 ? tests.find(argv[1]) : tests.end();
   if (test == tests.end())
   {

@@ -34,9 +34,12 @@ class Job:
         return self.frames + 1 if self.frames > 1 else 1
 
 
-def _percentile(values: list[float], fraction: float) -> float:
-    ordered = sorted(values)
-    return ordered[min(len(ordered) - 1, int(fraction * len(ordered)))]
+def percentile_95(values: list[float]) -> float:
+    """Return the least of the values that at least 95 % of them do not exceed.
+
+    That is what the reports of the passes mean by ``p95_ms``, too.
+    """
+    return sorted(values)[(95 * len(values) + 99) // 100 - 1]
 
 
 def _gl_name(window: vtkRenderWindow) -> dict[str, str]:
@@ -86,7 +89,7 @@ def render(
                 times.append(elapsed)
             if said.errors:
                 raise RenderError(f"rendering failed: {said.first_error()}")
-    median, p95 = statistics.median(times), _percentile(times, 0.95)
+    median, p95 = statistics.median(times), percentile_95(times)
     if indirect is not None:
         result = methods.report(indirect)
         described = settings.describe(methods.parts(indirect))

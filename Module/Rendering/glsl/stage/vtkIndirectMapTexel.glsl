@@ -1,7 +1,8 @@
 // A map's texel as a virtual light. The table has one row a layer:
 //   0-2 face view coordinates to scene, 3 (projection, half width, texels, cone exponent),
 //   4 (colour times intensity, light index), 5-7 scene to face view coordinates,
-//   8 (attenuation for scene units, squared tangent of the cone or -1), 9 (direction of the light, 0).
+//   8 (attenuation for scene units, squared tangent of the cone or -1), 9 (direction of the light,
+//   face of the cube).
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 
