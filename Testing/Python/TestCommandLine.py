@@ -154,6 +154,17 @@ class Rendering(support.DirectoryTest):
         self.assertEqual(content["settings"]["FinestLevel"], "half_resolution")
         self.assertEqual(content["settings"]["NumberOfLights"], 50)
 
+    def test_settings_of_the_automatic_method(self) -> None:
+        report = self.directory / "r.json"
+        self.run_line(
+            *("--set", "NumberOfLights=50", "--set", "Occupancy=on", "--report", report),
+        )
+        content = json.loads(report.read_text())
+        self.assertEqual(content["settings"]["NumberOfLights"], 50)
+        self.assertTrue(content["settings"]["Occupancy"])
+        self.assertLessEqual(content["virtual_lights"], 50)
+        self.assertGreater(content["virtual_lights"], 0)
+
     def test_report_alone(self) -> None:
         self.run_line("--method", "off", "--report", self.directory / "r.json")
         self.assertEqual(self.names(), ["r.json", "scene.json"])

@@ -8,7 +8,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
 import vtkindirect
-from vtkindirect import UsageError, methods, wrapped
+from vtkindirect import UsageError, methods, settings, wrapped
 
 
 class Methods(unittest.TestCase):
@@ -138,6 +138,56 @@ class Enable(unittest.TestCase):
             self.assertIsNone(self.renderer.GetPass())
         with self.assertRaisesRegex(UsageError, "property 'Mode' belongs to method 'gather', not"):
             vtkindirect.enable(self.renderer, "auto", Mode="all_texels")
+
+    def test_settings_of_the_automatic_method(self) -> None:
+        indirect = vtkindirect.enable(self.renderer, number_of_lights=512, Occupancy=True)
+        self.assertIsNone(indirect.GetEstimator())
+        self.assertIsNone(indirect.GetSampler())
+        self.assertEqual(indirect.GetActiveSampler().GetNumberOfLights(), 512)
+        self.assertTrue(indirect.GetActiveEstimator().GetOccupancy())
+        vtkindirect.enable(self.renderer, OccupancyResolution=64)
+        self.assertEqual(indirect.GetActiveSampler().GetNumberOfLights(), 512)
+        self.assertTrue(indirect.GetActiveEstimator().GetOccupancy())
+        self.assertEqual(indirect.GetActiveEstimator().GetOccupancyResolution(), 64)
+        described = settings.describe(methods.parts(indirect))
+        self.assertEqual(described["NumberOfLights"], 512)
+
+    def test_settings_are_kept_where_they_apply(self) -> None:
+        indirect = vtkindirect.enable(self.renderer, number_of_lights=512, Occupancy="on")
+        vtkindirect.enable(self.renderer, "gather", Mode="virtual_lights", Shadows=False)
+        self.assertEqual(indirect.GetSampler().GetNumberOfLights(), 512)
+        self.assertTrue(indirect.GetEstimator().GetOccupancy())
+        vtkindirect.enable(self.renderer, "hints", Occupancy=False)
+        self.assertFalse(indirect.GetEstimator().GetOccupancy())
+        vtkindirect.enable(self.renderer, "gather", sampler="uniform")
+        self.assertEqual(indirect.GetSampler().GetNumberOfLights(), 512)
+        self.assertFalse(indirect.GetEstimator().GetOccupancy())
+        vtkindirect.enable(self.renderer)
+        self.assertEqual(indirect.GetActiveSampler().GetNumberOfLights(), 512)
+        self.assertFalse(indirect.GetActiveEstimator().GetOccupancy())
+        self.assertFalse(indirect.GetShadows())
+
+    def test_what_was_set_by_hand_since_stays(self) -> None:
+        indirect = vtkindirect.enable(self.renderer, "gather", Shadows=False)
+        indirect.ShadowsOn()
+        vtkindirect.enable(self.renderer, "multiresolution")
+        self.assertTrue(indirect.GetShadows())
+
+    def test_an_error_changes_nothing(self) -> None:
+        indirect = vtkindirect.enable(self.renderer, "gather", NumberOfLights=100)
+        before = indirect.GetEstimator(), indirect.GetSampler()
+        for method, wrong in (
+            ("gather", {"NumberOfLights": 50, "Mode": "texels"}),
+            ("gather", {"NumberOfLights": 50, "NumberOfLihgts": 60}),
+            ("hints", {"Occupancy": True, "NumberOfBounces": -5}),
+            ("multiresolution", {"NumberOfLights": 50, "Mode": "all_texels"}),
+        ):
+            with self.subTest(wrong=wrong), self.assertRaises(UsageError):
+                vtkindirect.enable(self.renderer, method, **wrong)
+            self.assertIs(indirect.GetEstimator(), before[0])
+            self.assertIs(indirect.GetSampler(), before[1])
+            self.assertEqual(indirect.GetSampler().GetNumberOfLights(), 100)
+            self.assertEqual(indirect.GetNumberOfBounces(), 1)
 
     def test_windows_plotters_and_others(self) -> None:
         window = vtkRenderWindow() if vtkindirect.has_display() else None
