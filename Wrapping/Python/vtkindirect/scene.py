@@ -244,7 +244,10 @@ def _from_data(path: Path, progress: Callable[[int, str], None]) -> Scene:
     actor = _actor_of_file(scene)
     surface = actor.GetMapper().GetInput()
     if surface.GetNumberOfCells() == 0:
-        raise SceneError("holds points but no cells; a scene file can show them as spheres")
+        raise SceneError(
+            "the file has nothing to show, it holds points but no cells; "
+            "a scene file can show them as spheres"
+        )
     actors.check_finite(surface, "")
     scene.add_actor(scene.name, actor)
     _check_extent(scene)
