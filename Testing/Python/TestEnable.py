@@ -222,6 +222,31 @@ class Enable(unittest.TestCase):
         gc.collect()
         self.assertEqual(len(methods._records), before)
 
+    def test_wrong_types_are_one_line(self) -> None:
+        on = vtkRenderer()
+        vtkindirect.enable(on)
+        for value in (None, 5, 2.5, True, b"gather", ["gather"], {}, object(), vtkRenderer):
+            for call, expected in (
+                (lambda: vtkindirect.enable(self.renderer, value), "method must be text, not "),
+                (lambda: vtkindirect.copy_buffer(on, value), "buffer must be text, not "),
+                (lambda: vtkindirect.copy_buffer(value, "final"), "a renderer, a render window"),
+                (lambda: vtkindirect.enable(value), "a renderer, a render window or a plotter"),
+                (lambda: vtkindirect.disable(value), "a renderer, a render window or a plotter"),
+                (lambda: vtkindirect.pass_of(value), "a renderer, a render window or a plotter"),
+                (lambda: vtkindirect.report(value), "a renderer, a render window or a plotter"),
+                (lambda: vtkindirect.load_scene(value), "path must be text, not "),
+                (lambda: vtkindirect.render_window(value), "size must be a width and a height"),
+            ):
+                with self.subTest(value=value, expected=expected):
+                    with self.assertRaises(UsageError) as caught:
+                        call()
+                    self.assertIn(expected, str(caught.exception))
+                    self.assertEqual(len(str(caught.exception).splitlines()), 1)
+            if value is not None:
+                with self.assertRaisesRegex(UsageError, "sampler must be text, not "):
+                    vtkindirect.enable(self.renderer, "gather", sampler=value)
+        self.assertIsNone(self.renderer.GetPass())
+
     def test_report_and_buffers_need_a_pass(self) -> None:
         with self.assertRaisesRegex(UsageError, "indirect light is off"):
             vtkindirect.report(self.renderer)

@@ -19,7 +19,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from vtkindirect import chain, wrapped
 from vtkindirect import settings as properties
-from vtkindirect.errors import UsageError, unknown
+from vtkindirect.errors import UsageError, check_text, unknown
 
 
 @dataclass(frozen=True)
@@ -70,6 +70,7 @@ def _class_or_error(class_name: str, kind: str, name: str) -> Any:
 
 def check_method(name: str) -> Method:
     """Return the row of a method that can be used now."""
+    check_text("method", name)
     if name not in METHODS:
         raise UsageError(unknown("method", name, METHODS))
     method = METHODS[name]
@@ -80,6 +81,7 @@ def check_method(name: str) -> Method:
 
 def check_sampler(name: str) -> str:
     """Return the class name of a sampler that can be used now."""
+    check_text("sampler", name)
     if name not in SAMPLERS:
         raise UsageError(unknown("sampler", name, SAMPLERS))
     _class_or_error(SAMPLERS[name], "sampler", name)

@@ -23,7 +23,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from vtkindirect import actors, arrays, data, document, labels, lights, pipeline, windows
-from vtkindirect.errors import SceneError, UsageError
+from vtkindirect.errors import SceneError, UsageError, check_text
 from vtkindirect.fields import (
     Field,
     array,
@@ -264,6 +264,8 @@ def load_scene(
     `progress` is called before each actor with their number and the actor's name. Raises
     `UsageError`, whose text is one line that names the file and the place in it.
     """
+    if not isinstance(path, (str, os.PathLike)):
+        check_text("path", path)
     path = Path(path)
     data.readable(path)
     progress = progress or (lambda _total, _name: None)
