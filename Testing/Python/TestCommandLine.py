@@ -154,6 +154,36 @@ class Rendering(support.DirectoryTest):
         self.assertEqual(content["settings"]["FinestLevel"], "half_resolution")
         self.assertEqual(content["settings"]["NumberOfLights"], 50)
 
+    def test_settings_of_the_automatic_method(self) -> None:
+        report = self.directory / "r.json"
+        self.run_line(
+            *("--set", "NumberOfLights=50", "--set", "Occupancy=on", "--report", report),
+        )
+        content = json.loads(report.read_text())
+        self.assertEqual(content["settings"]["NumberOfLights"], 50)
+        self.assertTrue(content["settings"]["Occupancy"])
+        self.assertLessEqual(content["virtual_lights"], 50)
+        self.assertGreater(content["virtual_lights"], 0)
+
+    def test_a_note_says_why_there_is_no_indirect_light(self) -> None:
+        out = self.directory / "a.png"
+        for words, reason in (
+            (("--set", "IndirectScale=0", "--set", "Shadows=off"), "IndirectScale is 0"),
+            (("--method", "off"), None),
+            ((), None),
+        ):
+            said = self.run_line(*words, "-o", out).stderr.splitlines()
+            self.assertEqual(len(said), 0 if reason is None else 1, said)
+            if reason is not None:
+                self.assertTrue(said[0].startswith("vtk-indirect: note: no indirect light, "), said)
+                self.assertIn(reason, said[0])
+        glass = support.small_scene()
+        for actor in glass["actors"]:
+            actor["opacity"] = 0.5
+        self.write("scene.json", glass)
+        (line,) = self.run_line("-o", out).stderr.splitlines()
+        self.assertIn("the delegate alone drew the picture: nothing opaque", line)
+
     def test_report_alone(self) -> None:
         self.run_line("--method", "off", "--report", self.directory / "r.json")
         self.assertEqual(self.names(), ["r.json", "scene.json"])

@@ -7,12 +7,15 @@ import csv
 import io
 import json
 import re
+import shutil
 import unittest
 from typing import Any
 from unittest import mock
 
 import numpy as np
 from support import DirectoryTest, command_line, small_scene, why_no_rendering
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from vtkindirect import (
     RenderError,
@@ -28,6 +31,7 @@ from vtkindirect import (
     reference_environment,
     references,
     sweep,
+    wrapped,
 )
 from vtkindirect.compare import difference_image
 
@@ -318,6 +322,27 @@ class Command(DirectoryTest):
             self.assertIn(f"Left out: {name}, because it was asked", page)
         self.assertIn("left out: R2, because there is no stored reference", self.said)
 
+    @unittest.skipUnless(wrapped.has("vtkOpenEXRWriter"), "the module vtkIndirectOpenEXR was not built")
+    def test_reference_is_a_file_or_its_directory(self) -> None:
+        image = vtkImageData()
+        image.SetDimensions(32, 24, 1)
+        ones = numpy_to_vtk(np.ones((32 * 24, 3), np.float32), deep=True)
+        image.GetPointData().SetScalars(ones)
+        errors = []
+        for place in (self.directory / "small.exr", self.directory / "mine.exr"):
+            writer = wrapped.get("vtkOpenEXRWriter")()
+            writer.SetInputData(image)
+            writer.AddLayer("R2", image)
+            writer.SetFileName(str(place))
+            writer.Write()
+            named = place.parent if place.stem == "small" else place
+            row = self.compare("--methods", "gather", "--size", "96x72", "--reference", named)[-1]
+            errors.append(row["nrmse_r2"])
+            self.assertGreater(float(row["nrmse_r2"]), 0.0)
+            self.assertIn("left out: R3, because", self.said)
+            shutil.rmtree(self.directory / "report")
+        self.assertEqual(*errors)
+
     def test_flicker_is_measured_when_asked(self) -> None:
         self.assertNotIn("flicker", self.compare("--methods", "gather")[-1])
         row = self.compare("--methods", "gather", "--flicker")[-1]
@@ -331,6 +356,7 @@ class Command(DirectoryTest):
                 {"method": "a method to come"},
                 {"label": "wrong", "method": "gather", "settings": {"Colour": "blue"}},
                 {"method": "gather", "settings": {"Pattern": "grid"}},
+                {"method": "auto", "settings": {"NumberOfLights": 16, "Occupancy": True}},
             ),
         )
         rows = {row["label"]: row for row in self.compare("--sweep", path)}
@@ -338,6 +364,8 @@ class Command(DirectoryTest):
         self.assertIn("Colour", rows["wrong"]["error"])
         self.assertIn("failed: small, wrong: ", self.said)
         self.assertEqual(rows["gather"]["error"], "")
+        self.assertEqual(rows["auto"]["error"], "")
+        self.assertLessEqual(int(rows["auto"]["virtual_lights"]), 16)
 
     def test_an_image_that_cannot_be_judged_is_a_failed_row(self) -> None:
         path = self.write("small.json", small_scene())
@@ -382,11 +410,15 @@ class Command(DirectoryTest):
 
     def test_wrong_words_are_one_line(self) -> None:
         scene = self.write("small.json", small_scene())
+        exr = self.write("bad.exr", "no picture")
         for words, expected in (
             ((scene, "--methods", "gathr"), "gather"),
             ((scene, "--sweep", self.directory / "none.json"), "none.json"),
             ((self.directory / "a.vtp",), "a.vtp"),
-            ((scene, "--reference", self.directory / "none"), "none"),
+            ((scene, "--reference", self.directory / "none"), "none: no such file or directory"),
+            ((scene, "--reference", scene), "is neither an .exr file nor a directory of them"),
+            ((scene, scene, "--reference", exr), "one file is for one scene, not 2"),
+            ((scene, "--reference", exr), "bad.exr: "),
             ((scene, "--reference-python", self.directory / "py"), "--reference-python"),
             ((scene, "-o", self.directory / "no" / "report"), "no"),
         ):

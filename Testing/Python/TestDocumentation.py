@@ -49,14 +49,6 @@ class SceneFiles(unittest.TestCase):
         for name in (*colormaps.NAMES, *data.ENDINGS):
             self.assertIn(f"`{name}`", self.text)
 
-    def test_examples_are_right(self) -> None:
-        from vtkindirect import document
-
-        blocks = re.findall(r"```json\n(.*?)```", self.text, re.DOTALL)
-        self.assertTrue(blocks)
-        for block in blocks:
-            scenes.check(document.parse(block))
-
 
 class CommandLinePage(unittest.TestCase):
     def test_every_option_and_name(self) -> None:
@@ -78,9 +70,6 @@ class PythonPage(unittest.TestCase):
                 self.assertIn(name, text)
 
     def test_examples_compile(self) -> None:
-        for name in ("python.md", "command-line.md", "scene-files.md"):
-            for block in re.findall(r"```python\n(.*?)```", page(name), re.DOTALL):
-                compile(block, name, "exec")
         for path in sorted((support.SOURCE / "Examples" / "Python").glob("*.py")):
             compile(path.read_text(encoding="utf-8"), str(path), "exec")
 

@@ -8,7 +8,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
 import vtkindirect
-from vtkindirect import UsageError, methods, wrapped
+from vtkindirect import UsageError, methods, settings, wrapped
 
 
 class Methods(unittest.TestCase):
@@ -139,6 +139,56 @@ class Enable(unittest.TestCase):
         with self.assertRaisesRegex(UsageError, "property 'Mode' belongs to method 'gather', not"):
             vtkindirect.enable(self.renderer, "auto", Mode="all_texels")
 
+    def test_settings_of_the_automatic_method(self) -> None:
+        indirect = vtkindirect.enable(self.renderer, number_of_lights=512, Occupancy=True)
+        self.assertIsNone(indirect.GetEstimator())
+        self.assertIsNone(indirect.GetSampler())
+        self.assertEqual(indirect.GetActiveSampler().GetNumberOfLights(), 512)
+        self.assertTrue(indirect.GetActiveEstimator().GetOccupancy())
+        vtkindirect.enable(self.renderer, OccupancyResolution=64)
+        self.assertEqual(indirect.GetActiveSampler().GetNumberOfLights(), 512)
+        self.assertTrue(indirect.GetActiveEstimator().GetOccupancy())
+        self.assertEqual(indirect.GetActiveEstimator().GetOccupancyResolution(), 64)
+        described = settings.describe(methods.parts(indirect))
+        self.assertEqual(described["NumberOfLights"], 512)
+
+    def test_settings_are_kept_where_they_apply(self) -> None:
+        indirect = vtkindirect.enable(self.renderer, number_of_lights=512, Occupancy="on")
+        vtkindirect.enable(self.renderer, "gather", Mode="virtual_lights", Shadows=False)
+        self.assertEqual(indirect.GetSampler().GetNumberOfLights(), 512)
+        self.assertTrue(indirect.GetEstimator().GetOccupancy())
+        vtkindirect.enable(self.renderer, "hints", Occupancy=False)
+        self.assertFalse(indirect.GetEstimator().GetOccupancy())
+        vtkindirect.enable(self.renderer, "gather", sampler="uniform")
+        self.assertEqual(indirect.GetSampler().GetNumberOfLights(), 512)
+        self.assertFalse(indirect.GetEstimator().GetOccupancy())
+        vtkindirect.enable(self.renderer)
+        self.assertEqual(indirect.GetActiveSampler().GetNumberOfLights(), 512)
+        self.assertFalse(indirect.GetActiveEstimator().GetOccupancy())
+        self.assertFalse(indirect.GetShadows())
+
+    def test_what_was_set_by_hand_since_stays(self) -> None:
+        indirect = vtkindirect.enable(self.renderer, "gather", Shadows=False)
+        indirect.ShadowsOn()
+        vtkindirect.enable(self.renderer, "multiresolution")
+        self.assertTrue(indirect.GetShadows())
+
+    def test_an_error_changes_nothing(self) -> None:
+        indirect = vtkindirect.enable(self.renderer, "gather", NumberOfLights=100)
+        before = indirect.GetEstimator(), indirect.GetSampler()
+        for method, wrong in (
+            ("gather", {"NumberOfLights": 50, "Mode": "texels"}),
+            ("gather", {"NumberOfLights": 50, "NumberOfLihgts": 60}),
+            ("hints", {"Occupancy": True, "NumberOfBounces": -5}),
+            ("multiresolution", {"NumberOfLights": 50, "Mode": "all_texels"}),
+        ):
+            with self.subTest(wrong=wrong), self.assertRaises(UsageError):
+                vtkindirect.enable(self.renderer, method, **wrong)
+            self.assertIs(indirect.GetEstimator(), before[0])
+            self.assertIs(indirect.GetSampler(), before[1])
+            self.assertEqual(indirect.GetSampler().GetNumberOfLights(), 100)
+            self.assertEqual(indirect.GetNumberOfBounces(), 1)
+
     def test_windows_plotters_and_others(self) -> None:
         window = vtkRenderWindow() if vtkindirect.has_display() else None
         if window is None and wrapped.has("vtkEGLHeadlessRenderWindow"):
@@ -171,6 +221,31 @@ class Enable(unittest.TestCase):
             del renderer
         gc.collect()
         self.assertEqual(len(methods._records), before)
+
+    def test_wrong_types_are_one_line(self) -> None:
+        on = vtkRenderer()
+        vtkindirect.enable(on)
+        for value in (None, 5, 2.5, True, b"gather", ["gather"], {}, object(), vtkRenderer):
+            for call, expected in (
+                (lambda: vtkindirect.enable(self.renderer, value), "method must be text, not "),
+                (lambda: vtkindirect.copy_buffer(on, value), "buffer must be text, not "),
+                (lambda: vtkindirect.copy_buffer(value, "final"), "a renderer, a render window"),
+                (lambda: vtkindirect.enable(value), "a renderer, a render window or a plotter"),
+                (lambda: vtkindirect.disable(value), "a renderer, a render window or a plotter"),
+                (lambda: vtkindirect.pass_of(value), "a renderer, a render window or a plotter"),
+                (lambda: vtkindirect.report(value), "a renderer, a render window or a plotter"),
+                (lambda: vtkindirect.load_scene(value), "path must be text, not "),
+                (lambda: vtkindirect.render_window(value), "size must be a width and a height"),
+            ):
+                with self.subTest(value=value, expected=expected):
+                    with self.assertRaises(UsageError) as caught:
+                        call()
+                    self.assertIn(expected, str(caught.exception))
+                    self.assertEqual(len(str(caught.exception).splitlines()), 1)
+            if value is not None:
+                with self.assertRaisesRegex(UsageError, "sampler must be text, not "):
+                    vtkindirect.enable(self.renderer, "gather", sampler=value)
+        self.assertIsNone(self.renderer.GetPass())
 
     def test_report_and_buffers_need_a_pass(self) -> None:
         with self.assertRaisesRegex(UsageError, "indirect light is off"):

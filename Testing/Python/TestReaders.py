@@ -10,9 +10,12 @@ from pathlib import Path
 
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
+    vtkImageData,
     vtkMultiBlockDataSet,
+    vtkPolyData,
     vtkRectilinearGrid,
     vtkStructuredGrid,
+    vtkUnstructuredGrid,
 )
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -254,6 +257,61 @@ class Readers(support.DirectoryTest):
         self.assertEqual(data.stem(Path("Room.1.VTP")), "Room.1")
 
 
+class Empty(support.DirectoryTest):
+    """A file as it should be, with nothing in it, is not called damaged."""
+
+    def assert_nothing(self, path: Path, what: str) -> None:
+        with self.assertRaises(UsageError) as caught:
+            load_scene(path)
+        text = str(caught.exception)
+        self.assertIn(f"{path.name}: the file has nothing to show, it holds {what}", text)
+        self.assertNotIn("damaged", text)
+
+    def written(self, writer, held, name: str) -> Path:
+        path = self.directory / name
+        writer.SetInputData(held)
+        writer.SetFileName(str(path))
+        writer.Write()
+        return path
+
+    def test_no_points(self) -> None:
+        for writer, held, ending in (
+            (vtkXMLPolyDataWriter(), vtkPolyData(), "vtp"),
+            (vtkXMLUnstructuredGridWriter(), vtkUnstructuredGrid(), "vtu"),
+            (vtkXMLImageDataWriter(), vtkImageData(), "vti"),
+            (vtkXMLStructuredGridWriter(), vtkStructuredGrid(), "vts"),
+            (vtkXMLRectilinearGridWriter(), vtkRectilinearGrid(), "vtr"),
+            (vtkPolyDataWriter(), vtkPolyData(), "vtk"),
+        ):
+            with self.subTest(ending=ending):
+                self.assert_nothing(self.written(writer, held, f"none.{ending}"), "no points")
+
+    def test_no_cells(self) -> None:
+        points = vtkPoints()
+        for corner in ((0, 0, 0), (1, 0, 0), (0, 1, 0)):
+            points.InsertNextPoint(corner)
+        for writer, held, ending, what in (
+            (vtkXMLPolyDataWriter(), vtkPolyData(), "vtp", "points but no cells"),
+            (vtkXMLUnstructuredGridWriter(), vtkUnstructuredGrid(), "vtu", "no cells"),
+            (vtkPLYWriter(), vtkPolyData(), "ply", "points but no cells"),
+        ):
+            held.SetPoints(points)
+            with self.subTest(ending=ending):
+                self.assert_nothing(self.written(writer, held, f"points.{ending}"), what)
+
+    def test_no_triangles(self) -> None:
+        header = b"a solid without triangles".ljust(80) + bytes(4)
+        self.assert_nothing(self.write("none.stl", header), "no triangles")
+        with self.assertRaisesRegex(UsageError, "damaged or cut off: .* no triangles"):
+            load_scene(self.write("some.stl", header + bytes(50)))
+
+    def test_missing_points_are_damage(self) -> None:
+        path = self.written(vtkXMLPolyDataWriter(), vtkPolyData(), "lost.vtp")
+        text = path.read_text().replace('NumberOfPoints="0"', 'NumberOfPoints="3"')
+        with self.assertRaisesRegex(UsageError, "damaged"):
+            load_scene(self.write("lost.vtp", text))
+
+
 class DataAsScene(support.DirectoryTest):
     """A data file alone is a scene."""
 
@@ -277,7 +335,7 @@ class DataAsScene(support.DirectoryTest):
     def test_nothing_to_show(self) -> None:
         head = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n"
         points = self.write("points.vtk", head + "0 0 0 1 0 0\n")
-        with self.assertRaisesRegex(UsageError, r"points\.vtk: holds points but no cells"):
+        with self.assertRaisesRegex(UsageError, r"points\.vtk: .* holds points but no cells"):
             load_scene(points)
         flat = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\n"
         flat += "DIMENSIONS 2 2 2\nORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 8\nSCALARS a float\n"

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import copy
+import importlib
 import json
 import os
 import subprocess
@@ -103,4 +104,13 @@ def why_no_rendering() -> str | None:
         window.Finalize()
     except RenderError as error:
         return str(error)
+    return None
+
+
+def why_no_pyvista() -> str | None:
+    """Return why there is no PyVista to test with, or None."""
+    try:
+        importlib.import_module("pyvista")
+    except Exception as error:  # one that is older or newer than VTK fails in any way
+        return f"PyVista cannot be imported ({error}); ./bootstrap test fetches it for the tests"
     return None

@@ -21,12 +21,16 @@ import importlib
 import sys
 from typing import Any
 
-from vtkindirect import wrapped as _wrapped
-from vtkindirect.errors import IndirectError, RenderError, SceneError, UsageError
-from vtkindirect.images import copy_buffer
-from vtkindirect.methods import METHODS, SAMPLERS, disable, enable, pass_of, report
-from vtkindirect.scene import Scene, load_scene
-from vtkindirect.windows import has_display, render_window, use_headless
+from vtkindirect import compatibility as _compatibility
+
+_compatibility.check()  # before anything below loads the libraries
+
+from vtkindirect import wrapped as _wrapped  # noqa: E402
+from vtkindirect.errors import IndirectError, RenderError, SceneError, UsageError  # noqa: E402
+from vtkindirect.images import copy_buffer  # noqa: E402
+from vtkindirect.methods import METHODS, SAMPLERS, disable, enable, pass_of, report  # noqa: E402
+from vtkindirect.scene import Scene, load_scene  # noqa: E402
+from vtkindirect.windows import has_display, render_window, use_headless  # noqa: E402
 
 try:
     from vtkindirect._configuration import VERSION as __version__

@@ -199,6 +199,12 @@ def color_by(actor: vtkActor, found: arrays.Found) -> None:
     _show_direct(actor.GetMapper(), found)
 
 
+def color_by_category(actor: vtkActor, name: str) -> None:
+    """Colour an actor by an array of a few values, a colour for each."""
+    mapper = actor.GetMapper()
+    _show_scalars(mapper, mapper.GetInput(), {"array": name, "range": None, "map": "tab10"}, "")
+
+
 def build(values: Values, path: str, directory: Path, read: Read) -> vtkActor:
     """Make a checked actor. Files are relative to `directory`."""
     surface = _geometry(values, path, directory, read)

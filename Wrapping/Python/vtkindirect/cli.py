@@ -196,8 +196,12 @@ def _load(path: str) -> Scene:
         for bar in bars:
             bar.clear()
     for note in scene.notes:
-        print(f"{PROGRAM}: note: {note}", file=sys.stderr)
+        _note(note)
     return scene
+
+
+def _note(text: str) -> None:
+    print(f"{PROGRAM}: note: {text}", file=sys.stderr)
 
 
 def _job(arguments: argparse.Namespace, count: int = 1) -> Job:
@@ -244,6 +248,10 @@ def _render(arguments: argparse.Namespace) -> None:
     window = frames.open_window(scene, arguments.size)
     with Progress(f"rendering {scene.name}", job.all_frames) as bar:
         report = frames.render(scene, window, job, bar.step)
+    if job.method != "off":
+        for entry in report["modelled"]:
+            if entry["what"] == frames.DELEGATE_ALONE:
+                _note(f"no indirect light, {entry['what']} drew the picture: {entry['why']}")
     pictures = [
         _picture(scene, arguments.buffer, job, path.suffix.lower() == ".exr") for path in outputs
     ]

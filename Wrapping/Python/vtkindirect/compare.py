@@ -64,7 +64,7 @@ class Comparison:
     directory: Path
     frames: int = FRAMES
     stored: Path | None = None
-    """Directory of stored references (R2, R3), or None."""
+    """Stored references (R2, R3): a directory of one file a scene, a scene's file, or None."""
     size: tuple[int, int] | None = None
     python: Path | None = None
     """Python of the reference environment, or None."""
@@ -159,7 +159,9 @@ class Run:
         self.comparison = comparison
         self.scene = scene
         stored = comparison.stored
-        self.stored = stored / f"{scene.name}.exr" if stored else None
+        if stored is not None and stored.is_dir():
+            stored = stored / f"{scene.name}.exr"
+        self.stored = stored
         self.size = comparison.size or references.natural_size(self.stored) or scene.size
         self.missing = {
             **references.stored_images(self.stored, self.size)[1],

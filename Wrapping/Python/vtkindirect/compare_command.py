@@ -17,6 +17,7 @@ from vtkindirect import (
     locations,
     methods,
     reference_environment,
+    references,
     sweep,
 )
 from vtkindirect.compare import Comparison, Run
@@ -39,8 +40,9 @@ def add_arguments(
     what.add_argument("--sweep", metavar="FILE", help="a sweep file: methods and settings to run")
     parser.add_argument(
         "--reference",
-        metavar="DIRECTORY",
-        help="where SCENE.exr with the layers R2 and R3 is (default: beside the scenes, if there)",
+        metavar="PATH",
+        help="an .exr file with the layers R2 and R3, or the directory of SCENE.exr "
+        "(default: beside the scenes, if there)",
     )
     parser.add_argument(
         "-o", "--output", default="report", metavar="DIRECTORY", help="(default: report)"
@@ -89,12 +91,25 @@ def _directory(name: str) -> Path:
     return directory
 
 
+def _given(stored: Path, scenes: int) -> Path:
+    """Return the path that --reference names, a directory or a file of references."""
+    if not stored.exists():
+        raise UsageError(f"{stored}: no such file or directory")
+    if stored.is_dir():
+        return stored
+    if stored.suffix.lower() != ".exr":
+        raise UsageError(f"{stored}: is neither an .exr file nor a directory of them")
+    if scenes > 1:
+        raise UsageError(f"{stored}: one file is for one scene, not {scenes}; name a directory")
+    if not any(references.read_layer(stored, name) is not None for name in references.STORED):
+        names = " or ".join(f"'{name}'" for name in references.STORED)
+        raise UsageError(f"{stored}: has no layer {names}")
+    return stored
+
+
 def _stored(arguments: argparse.Namespace) -> Path | None:
     if arguments.reference:
-        stored = Path(arguments.reference)
-        if not stored.is_dir():
-            raise UsageError(f"{stored}: is no directory of references")
-        return stored
+        return _given(Path(arguments.reference), len(arguments.scenes))
     try:
         beside = locations.scene_directory().parent / "Reference" / "data"
     except UsageError:

@@ -48,6 +48,10 @@ class _Truncated(Exception):
     """The file ends before its own header says it should."""
 
 
+class _Empty(Exception):
+    """The file is as it should be, with nothing in it."""
+
+
 # Readers that take a file that ends early without a word get a check of their own. ----------------
 
 
@@ -66,7 +70,9 @@ def _complete_stl(path: Path) -> None:
         raise _Truncated("it is shorter than a header")
     (triangles,) = struct.unpack("<I", header[80:84])
     if triangles == 0:
-        raise _Truncated("its header says that it has no triangles")
+        if size == 84:
+            raise _Empty("it holds no triangles")
+        raise _Truncated("its header says that it has no triangles, and there are more bytes")
     if size < 84 + 50 * triangles:
         raise _Truncated(f"it has room for {(size - 84) // 50} of {triangles} triangles")
 
@@ -191,6 +197,12 @@ def _complete_xml(path: Path) -> None:
         file.seek(max(0, size - 256))
         if b"</VTKFile>" not in file.read():
             raise _Truncated("it does not end in </VTKFile>")
+
+
+def _has_xml_points(path: Path) -> bool:
+    """Whether a piece of a VTK XML file says that it has points; readers fail without any."""
+    numbers = re.findall(rb"<Piece\b[^>]*\bNumberOfPoints\s*=\s*[\"'](\d+)", path.read_bytes())
+    return not numbers or any(int(number) for number in numbers)
 
 
 def _complete_obj(path: Path) -> None:
@@ -403,6 +415,10 @@ def _for_reader(row: Reader, path: Path) -> Iterator[Path]:
         yield copy
 
 
+def _nothing_to_show(path: Path, reason: str) -> UsageError:
+    return UsageError(f"{path}: the file has nothing to show, {reason}")
+
+
 def read(path: str | os.PathLike[str]) -> vtkDataSet:
     """Return what is in a data file; every way in which that fails is a `UsageError`.
 
@@ -418,6 +434,8 @@ def read(path: str | os.PathLike[str]) -> vtkDataSet:
         )
     try:
         row.check(path)
+    except _Empty as reason:
+        raise _nothing_to_show(path, str(reason)) from None
     except _Truncated as error:
         raise UsageError(f"{path}: the file is damaged or cut off: {error}") from None
     except (ValueError, OSError) as error:
@@ -430,6 +448,8 @@ def read(path: str | os.PathLike[str]) -> vtkDataSet:
         failed = bool(said.errors) or bool(reader.GetErrorCode())
         data = None if failed else _merged(reader.GetOutputDataObject(0), path)
     if failed or said.errors:
+        if row.check is _complete_xml and not _has_xml_points(path):
+            raise _nothing_to_show(path, "it holds no points")
         reason = said.first_error() or "its reader gave no reason"
         raise UsageError(f"{path}: cannot be read, the file is damaged or cut off: {reason}")
     try:
@@ -437,7 +457,7 @@ def read(path: str | os.PathLike[str]) -> vtkDataSet:
     except _Truncated as error:
         raise UsageError(f"{path}: the file is damaged or cut off: {error}") from None
     if data.GetNumberOfPoints() == 0:
-        raise UsageError(f"{path}: holds no points")
+        raise _nothing_to_show(path, "it holds no points")
     if not isinstance(data, (vtkImageData, vtkPolyData)) and data.GetNumberOfCells() == 0:
-        raise UsageError(f"{path}: holds no cells")
+        raise _nothing_to_show(path, "it holds no cells")
     return data

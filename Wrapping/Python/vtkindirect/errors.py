@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import difflib
+import reprlib
 from collections.abc import Iterable
 
 
@@ -34,3 +35,9 @@ def unknown(kind: str, name: str, known: Iterable[str]) -> str:
     """Return the message for a name that is not among the known ones; lists them all."""
     known = list(known)
     return f"unknown {kind} '{name}'{suggestion(name, known)}; known: {', '.join(known)}"
+
+
+def check_text(kind: str, value: object) -> None:
+    """Raise unless a name is text; the message is one line whatever the value is."""
+    if not isinstance(value, str):
+        raise UsageError(f"{kind} must be text, not {reprlib.repr(value)}")

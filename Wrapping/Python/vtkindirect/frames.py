@@ -17,6 +17,8 @@ from vtkindirect.errors import RenderError
 from vtkindirect.scene import Scene
 
 REPORT_SCHEMA = "vtkindirect.report/1"
+DELEGATE_ALONE = "the delegate alone"
+"""What a report says to be modelled when the pass left the picture to VTK."""
 
 
 @dataclass

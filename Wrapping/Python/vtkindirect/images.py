@@ -22,7 +22,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from vtkindirect import messages, methods, wrapped
-from vtkindirect.errors import RenderError, UsageError, unknown
+from vtkindirect.errors import RenderError, UsageError, check_text, unknown
 
 FINAL = "final"
 BUFFERS = (
@@ -55,6 +55,7 @@ _SUBSPLAT = re.compile(
 
 def check_buffer(name: str) -> str:
     """Return the name of a buffer that a pass may have."""
+    check_text("buffer", name)
     if name in BUFFERS or _MAP.fullmatch(name) or _SUBSPLAT.fullmatch(name):
         return name
     known = (*BUFFERS, *(f"rsm0.{kind}" for kind in MAP_BUFFERS), *SUBSPLAT_BUFFERS)

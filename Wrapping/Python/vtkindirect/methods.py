@@ -8,15 +8,18 @@ refused with a clear message; nothing else needs to change when the class is the
 from __future__ import annotations
 
 import json
+import sys
+import warnings
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
+from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
+from vtkindirect import chain, wrapped
 from vtkindirect import settings as properties
-from vtkindirect import wrapped
-from vtkindirect.errors import UsageError, unknown
+from vtkindirect.errors import UsageError, check_text, unknown
 
 
 @dataclass(frozen=True)
@@ -67,6 +70,7 @@ def _class_or_error(class_name: str, kind: str, name: str) -> Any:
 
 def check_method(name: str) -> Method:
     """Return the row of a method that can be used now."""
+    check_text("method", name)
     if name not in METHODS:
         raise UsageError(unknown("method", name, METHODS))
     method = METHODS[name]
@@ -77,6 +81,7 @@ def check_method(name: str) -> Method:
 
 def check_sampler(name: str) -> str:
     """Return the class name of a sampler that can be used now."""
+    check_text("sampler", name)
     if name not in SAMPLERS:
         raise UsageError(unknown("sampler", name, SAMPLERS))
     _class_or_error(SAMPLERS[name], "sampler", name)
@@ -88,28 +93,92 @@ def check_sampler(name: str) -> str:
 
 @dataclass
 class _Record:
-    """What `enable` did to a renderer."""
+    """What `enable` did to a renderer, and the settings that were asked for since."""
 
     indirect: Any
-    previous: Any
     method: str | None = None
+    settings: dict[str, Any] = field(default_factory=dict)
+    configured: tuple[Any, ...] = ()
+    woven: chain.Woven | None = None
+    renderer: vtkWeakReference = field(default_factory=vtkWeakReference)
+    observers: list[int] = field(default_factory=list)
 
 
 # By the address of the C++ renderer: a Python object for it may come and go.
 _records: dict[str, _Record] = {}
 
 
-def _record_of(renderer: vtkRenderer) -> _Record | None:
-    """Return what `enable` did, unless somebody has set another pass since."""
+def _settled(renderer: vtkRenderer) -> Any:
+    """Return the pass that is on in a renderer, or None, after a look at its chain of passes.
+
+    PyVista puts its chain together anew for every effect that is switched on or off, without the
+    pass that `enable` has put in; then it is put in again. Any other pass that is set stays.
+    """
+    link = chain.find(renderer.GetPass())
+    if link is not None:
+        return link[0]
     record = _records.get(renderer.__this__)
-    return record if record is not None and renderer.GetPass() is record.indirect else None
+    if record is None or record.woven is None:
+        return None
+    if renderer.GetPass() is not None:
+        pyvistas = chain.has_pyvistas_effects(renderer)
+    else:  # as PyVista leaves it when the last effect is switched off
+        pyvistas = chain.is_pyvistas(renderer) and record.woven.before is not None
+    if not pyvistas:
+        return None
+    _weave(renderer, record)
+    return record.indirect
+
+
+def _weave(renderer: vtkRenderer, record: _Record) -> None:
+    """Put the pass into the renderer's chain; one warning names what has no effect any more."""
+    known = record.woven.left_out if record.woven is not None else []
+    record.woven = chain.weave(renderer.GetPass(), record.indirect)
+    renderer.SetPass(record.woven.top)
+    new = [name for name in record.woven.left_out if name not in known]
+    if new:
+        reasons = "; ".join(f"{name}: {chain.why_left_out(name)}" for name in new)
+        warnings.warn(
+            f"without effect until vtkindirect.disable, while indirect light is on: {reasons}",
+            stacklevel=_users_level(),
+        )
+
+
+def _users_level() -> int:
+    """Return the stack level, as `_weave` counts, of the caller outside of this and PyVista."""
+    frame, level = sys._getframe(2), 2
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").split(".")[0] in (
+        "vtkindirect",
+        "pyvista",
+    ):
+        frame, level = frame.f_back, level + 1
+    return level
 
 
 def _keep(renderer: vtkRenderer, record: _Record) -> None:
+    """Remember a record while its renderer lives, and look after its pass from now on."""
     key = renderer.__this__
-    if key not in _records:
-        renderer.AddObserver("DeleteEvent", lambda *_: _records.pop(key, None))
+    # PyVista removes all observers of a renderer that it closes, so some are found here.
+    for gone in [old for old, kept in _records.items() if kept.renderer.Get() is None]:
+        del _records[gone]
+    if _records.get(key) is record:
+        return
+    _forget(renderer)
     _records[key] = record
+    record.renderer.Set(renderer)
+    record.observers = [
+        renderer.AddObserver("DeleteEvent", lambda *_: _records.pop(key, None)),
+        # The first when a pass is set; the second when the begin of the chain stays the same.
+        renderer.AddObserver("ModifiedEvent", lambda caller, _event: _settled(caller)),
+        renderer.AddObserver("StartEvent", lambda caller, _event: _settled(caller)),
+    ]
+
+
+def _forget(renderer: vtkRenderer) -> _Record | None:
+    record = _records.pop(renderer.__this__, None)
+    for observer in record.observers if record is not None else []:
+        renderer.RemoveObserver(observer)
+    return record
 
 
 def renderers_of(target: Any) -> Iterator[vtkRenderer]:
@@ -133,28 +202,46 @@ def renderers_of(target: Any) -> Iterator[vtkRenderer]:
 
 
 def parts(indirect: Any) -> list[Any]:
-    """Return where properties are looked up: the estimator, the sampler, the pass itself."""
-    found = [indirect.GetEstimator(), indirect.GetSampler(), indirect]
+    """Return where properties are looked up: the estimator, the sampler, the pass itself.
+
+    Where the pass chooses for itself, these are what it has chosen.
+    """
+    automatic = indirect.GetEstimator() is None
+    sampler = indirect.GetActiveSampler() if automatic else indirect.GetSampler()
+    found = [indirect.GetActiveEstimator(), sampler, indirect]
     return [part for part in found if part is not None]
 
 
 def _configure(
     record: _Record, method: Method, sampler: str | None, settings: dict[str, Any]
 ) -> None:
-    """Bring the pass to a method and set properties; keeps what a call does not mention."""
+    """Bring the pass to a method and set properties; keeps what a call does not mention.
+
+    What was asked for earlier holds for another estimator or sampler, too, where it has it. After
+    an error everything is as it was.
+    """
     indirect = record.indirect
-    if record.method != method.name:
-        estimator = wrapped.get(method.estimator)() if method.estimator else None
-        indirect.SetEstimator(estimator)
-        indirect.SetSampler(wrapped.get(method.sampler)() if method.sampler else None)
-        record.method = method.name
-    if sampler is not None:
-        indirect.SetSampler(wrapped.get(check_sampler(sampler))())
-    targets = parts(indirect)
-    for name in settings:
-        if properties.find(targets, name) is None:
-            _explain_owner(name, method)
-    properties.apply(targets, settings)
+    before = indirect.GetEstimator(), indirect.GetSampler()
+    changed = record.method != method.name
+    try:
+        if changed:
+            indirect.SetEstimator(wrapped.get(method.estimator)() if method.estimator else None)
+            indirect.SetSampler(wrapped.get(method.sampler)() if method.sampler else None)
+        if sampler is not None:
+            indirect.SetSampler(wrapped.get(check_sampler(sampler))())
+        targets = parts(indirect)
+        for name in settings:
+            if properties.find(targets, name) is None:
+                _explain_owner(name, method)
+        new = [target for target in targets if target not in record.configured]
+        properties.apply_where_possible(new, record.settings)
+        asked = properties.apply(targets, settings)
+    except UsageError:
+        indirect.SetEstimator(before[0])
+        indirect.SetSampler(before[1])
+        raise
+    record.method, record.configured = method.name, tuple(targets)
+    record.settings.update(asked)
 
 
 def _explain_owner(name: str, method: Method) -> None:
@@ -180,8 +267,15 @@ def enable(target: Any, method: str = "auto", sampler: str | None = None, **sett
     VTK name or in lower case: ``NumberOfLights=256`` or ``number_of_lights=256``. Enumerated values
     are names: ``mode="all_texels"``. A value that is out of range is an error.
 
-    The pass that the renderer had before is kept and comes back with `disable`. Calling again
-    changes the method and the settings that are given and keeps the others.
+    With the method "auto" these are the estimator and sampler that the pass has chosen.
+
+    Calling again changes the method and the settings that are given and keeps the others, where the
+    method has them. After an error everything is as it was.
+
+    A pass that the renderer has already comes back with `disable`. If it works on a picture, as
+    vtkSSAAPass, PyVista's depth of field, blur and eye-dome lighting do, it stays in effect and
+    works on the picture with indirect light. Others, such as vtkSSAOPass and VTK's shadows, have no
+    effect meanwhile, which a warning says. With PyVista it is the same when they come later.
     """
     row = check_method(method)
     if row.name == "off":
@@ -191,13 +285,14 @@ def enable(target: Any, method: str = "auto", sampler: str | None = None, **sett
         return None
     passes = []
     for renderer in renderers_of(target):
-        record = _record_of(renderer)
-        if record is None:
-            indirect = wrapped.get("vtkIndirectIlluminationPass")()
-            record = _Record(indirect, renderer.GetPass())
+        there = _settled(renderer)
+        record = _records.get(renderer.__this__)
+        if record is None or record.indirect is not there:
+            record = _Record(there or wrapped.get("vtkIndirectIlluminationPass")())
         _configure(record, row, sampler, settings)
-        renderer.SetPass(record.indirect)
         _keep(renderer, record)
+        if there is None:
+            _weave(renderer, record)
         passes.append(record.indirect)
     if not passes:
         raise UsageError("the window has no renderer")
@@ -205,28 +300,39 @@ def enable(target: Any, method: str = "auto", sampler: str | None = None, **sett
 
 
 def disable(target: Any) -> None:
-    """Switch indirect light off again and restore the pass that was there before.
+    """Switch indirect light off again and restore the passes that were there before.
 
-    A renderer whose pass was set by somebody else since is left alone. Graphics memory is freed.
+    In a chain that has been changed since, VTK's usual steps take the place of indirect light, and
+    a renderer whose pass was set by somebody else since is left alone. Graphics memory is freed.
     """
     for renderer in renderers_of(target):
-        record = _record_of(renderer)
-        _records.pop(renderer.__this__, None)
-        if record is not None:
-            renderer.SetPass(record.previous)
-            window = renderer.GetRenderWindow()
-            if window is not None:
-                record.indirect.ReleaseGraphicsResources(window)
+        record = _forget(renderer)
+        link = chain.find(renderer.GetPass())
+        if link is None:
+            continue
+        woven = record.woven if record is not None and record.indirect is link[0] else None
+        if woven is not None and woven.intact(renderer):
+            chain.unweave(woven, renderer)
+        else:
+            chain.take_out(renderer, woven.replaced if woven is not None else None)
+        window = renderer.GetRenderWindow()
+        if window is not None:
+            window.MakeCurrent()
+            link[0].ReleaseGraphicsResources(window)
 
 
 def pass_of(target: Any) -> Any:
-    """Return the pass that `enable` set, or None. `target` as for `enable`, or a pass."""
+    """Return the pass that is on, or None. `target` as for `enable`, or a pass.
+
+    It is found wherever it is in the renderer's chain of passes, such as in a vtkSSAAPass, and
+    whoever has set it.
+    """
     if hasattr(target, "CopyBuffer"):
         return target
     for renderer in renderers_of(target):
-        record = _record_of(renderer)
-        if record is not None:
-            return record.indirect
+        indirect = _settled(renderer)
+        if indirect is not None:
+            return indirect
     return None
 
 

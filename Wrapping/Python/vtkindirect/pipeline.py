@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkDataSet,
@@ -110,6 +110,28 @@ def _with_normals(data: vtkPolyData, had_normals: bool) -> vtkPolyData:
     return _run(normals, data)
 
 
+def _mend_normals(surface: vtkPolyData) -> vtkPolyData:
+    """Give the points of an image's contour the normals that its gradient does not have.
+
+    Between voxels with opposite gradients, as in sheets one voxel thin, vtkFlyingEdges3D makes zero
+    of them, and NaN where the spacing is not one. The triangles have a normal there; where they
+    have no area either, nothing shows which one is taken.
+    """
+    normals = vtk_to_numpy(surface.GetPointData().GetNormals())
+    good = np.linalg.norm(normals, axis=1) > 0.5  # not so for NaN
+    if good.all():
+        return surface
+    normals[~good] = (0.0, 0.0, 1.0)
+    computed = vtkPolyDataNormals()
+    computed.SplittingOff()
+    computed.ConsistencyOff()
+    other = vtk_to_numpy(_run(computed, surface).GetPointData().GetNormals())
+    agreement = np.einsum("ij,ij->", normals[good], other[good])
+    usable = ~good & (np.linalg.norm(other, axis=1) > 0.5)
+    normals[usable] = other[usable] if agreement >= 0.0 else -other[usable]
+    return surface
+
+
 def _has_normals(data: vtkPolyData) -> bool:
     return data.GetPointData().GetNormals() is not None
 
@@ -147,7 +169,8 @@ def _contour(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
     contour.ComputeScalarsOn()
     for index, value in enumerate(values["value"]):
         contour.SetValue(index, value)
-    return _run(contour, data)
+    result = _run(contour, data)
+    return _mend_normals(result) if isinstance(data, vtkImageData) else result
 
 
 def _discrete(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:

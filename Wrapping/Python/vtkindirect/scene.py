@@ -22,8 +22,8 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow,
 )
 
-from vtkindirect import actors, arrays, data, document, lights, pipeline, windows
-from vtkindirect.errors import SceneError, UsageError
+from vtkindirect import actors, arrays, data, document, labels, lights, pipeline, windows
+from vtkindirect.errors import SceneError, UsageError, check_text
 from vtkindirect.fields import (
     Field,
     array,
@@ -194,42 +194,61 @@ def _from_document(path: Path, progress: Callable[[int, str], None]) -> Scene:
     return scene
 
 
-def _surface_of_file(scene: Scene) -> vtkPolyData:
-    """Return what a data file shows when nobody said how to show it."""
+def _actor_of_image(scene: Scene, held: vtkImageData) -> vtkActor:
+    """Show the surfaces of an image's labels, or where its values are half of their range."""
+    found = arrays.find(held, None, "", on_cells=False)
+    known = labels.find(held, found)
+    if known is not None:
+        count = len(known.values)
+        scene.notes.append(
+            f"'{found.name}' holds labels: {count} surfaces, none of {known.background:g}, a "
+            "little smoothed, in colours by their order; a scene file can say others"
+        )
+        actor = actors.show_surface(labels.surface(held, found, known))
+        actors.color_by_category(actor, labels.NAME)
+        return actor
+    low, high = found.span
+    if not low < high:
+        raise SceneError(f"array '{found.name}' is constant, there is no iso-surface")
+    value = 0.5 * (low + high)
+    scene.notes.append(
+        f"contour of '{found.name}' at {value:g}, half of its range {low:g} to {high:g}; "
+        "a scene file can say another value"
+    )
+    step = pipeline.check([{"contour": {"array": found.name, "value": value}}], "")[0]
+    return actors.show_surface(pipeline.run(held, step))
+
+
+def _actor_of_file(scene: Scene) -> vtkActor:
+    """Show a data file when nobody said how."""
     held = data.read(scene.path)
     if isinstance(held, vtkImageData):
-        found = arrays.find(held, None, "", on_cells=False)
-        low, high = found.span
-        if not low < high:
-            raise SceneError(f"array '{found.name}' is constant, there is no iso-surface")
-        value = 0.5 * (low + high)
-        scene.notes.append(
-            f"contour of '{found.name}' at {value:g}, half of its range {low:g} to {high:g}; "
-            "a scene file can say another value"
-        )
-        step = pipeline.check([{"contour": {"array": found.name, "value": value}}], "")[0]
-        return pipeline.run(held, step)
+        return _actor_of_image(scene, held)
     surface = pipeline.surface_of(held, "")
     if data.is_molecule(scene.path):
         spheres = {"radius": 1.0, "scale_by": "radius", "resolution": 12}
         scene.notes.append("atoms are shown as spheres of their van der Waals radius")
-        return pipeline.run(surface, pipeline.check([{"glyph_spheres": spheres}], "")[0])
-    return surface
-
-
-def _from_data(path: Path, progress: Callable[[int, str], None]) -> Scene:
-    progress(1, path.name)
-    scene = Scene(data.stem(path), path, (512, 512))
-    surface = _surface_of_file(scene)
-    if surface.GetNumberOfCells() == 0:
-        raise SceneError("holds points but no cells; a scene file can show them as spheres")
-    actors.check_finite(surface, "")
+        surface = pipeline.run(surface, pipeline.check([{"glyph_spheres": spheres}], "")[0])
     actor = actors.show_surface(surface)
     for name in (actors.DIRECT_COLORS, "rgb_colors"):
         found = actors.direct_colors(surface, name)
         if found is not None:
             actors.color_by(actor, found)
             break
+    return actor
+
+
+def _from_data(path: Path, progress: Callable[[int, str], None]) -> Scene:
+    progress(1, path.name)
+    scene = Scene(data.stem(path), path, (512, 512))
+    actor = _actor_of_file(scene)
+    surface = actor.GetMapper().GetInput()
+    if surface.GetNumberOfCells() == 0:
+        raise SceneError(
+            "the file has nothing to show, it holds points but no cells; "
+            "a scene file can show them as spheres"
+        )
+    actors.check_finite(surface, "")
     scene.add_actor(scene.name, actor)
     _check_extent(scene)
     lights.add_light_kit(scene.renderer)
@@ -245,6 +264,8 @@ def load_scene(
     `progress` is called before each actor with their number and the actor's name. Raises
     `UsageError`, whose text is one line that names the file and the place in it.
     """
+    if not isinstance(path, (str, os.PathLike)):
+        check_text("path", path)
     path = Path(path)
     data.readable(path)
     progress = progress or (lambda _total, _name: None)

@@ -8,6 +8,7 @@ silence, and here a value that did not take is an error.
 
 from __future__ import annotations
 
+import contextlib
 import math
 import re
 from collections.abc import Iterable, Sequence
@@ -191,14 +192,34 @@ def find(targets: Iterable[vtkObjectBase], name: str) -> tuple[vtkObjectBase, st
     return None
 
 
-def apply(targets: Sequence[vtkObjectBase], values: dict[str, Any]) -> None:
-    """Set properties, each on the first of the objects that has it."""
-    for name, value in values.items():
+def apply(targets: Sequence[vtkObjectBase], values: dict[str, Any]) -> dict[str, Any]:
+    """Set properties, each on the first of the objects that has it; all of them or none.
+
+    Returns the values by the properties' proper names.
+    """
+    places = []
+    for name in values:
         found = find(targets, name)
         if found is None:
             known = sorted({p for target in targets for p in properties(target)})
             raise UsageError(unknown("property", name, known))
-        _set(*found, value)
+        places.append(found)
+    before = [getattr(target, f"Get{name}")() for target, name in places]
+    try:
+        for place, value in zip(places, values.values()):
+            _set(*place, value)
+    except UsageError:
+        for (target, name), value in zip(places, before):
+            getattr(target, f"Set{name}")(value)
+        raise
+    return {name: value for (_, name), value in zip(places, values.values())}
+
+
+def apply_where_possible(targets: Sequence[vtkObjectBase], values: dict[str, Any]) -> None:
+    """Set those of the properties that an object has, and that take the value."""
+    for name, value in values.items():
+        with contextlib.suppress(UsageError):
+            apply(targets, {name: value})
 
 
 def parse(assignments: Iterable[str]) -> dict[str, str]:

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import ctypes
 import ctypes.util
+import operator
 import os
+import reprlib
 import sys
 
 import vtkmodules.vtkRenderingOpenGL2 as opengl
@@ -56,7 +58,12 @@ def render_window(
     default) shows the window when there is a display and needs none otherwise; True never shows it;
     False raises when there is no display. Raises `RenderError` when no window can be had at all.
     """
-    width, height = size
+    try:
+        width, height = (operator.index(length) for length in size)
+    except (TypeError, ValueError):
+        raise UsageError(
+            f"size must be a width and a height in pixels, not {reprlib.repr(size)}"
+        ) from None
     if not (1 <= width <= LARGEST and 1 <= height <= LARGEST):
         raise UsageError(f"size {width}x{height}: must be from 1x1 to {LARGEST}x{LARGEST}")
     display = False if offscreen is True else has_display()

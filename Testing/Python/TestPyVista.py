@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""With a real PyVista: its effects and indirect light, whichever order they come in."""
+
+import gc
+import unittest
+import warnings
+
+import numpy as np
+
+import support
+import vtkindirect
+from vtkindirect import chain, methods, windows
+
+WHY_NOT = support.why_no_rendering() or support.why_no_pyvista()
+if not WHY_NOT:
+    if not windows.has_display():
+        vtkindirect.use_headless()
+    import pyvista
+
+# Effects that work on the picture with indirect light: how each is switched on and off, its pass.
+TOGETHER = {
+    "vtkSSAAPass": (
+        lambda plotter: plotter.enable_anti_aliasing("ssaa"),
+        lambda plotter: plotter.disable_anti_aliasing(),
+    ),
+    "vtkEDLShading": (
+        lambda plotter: plotter.enable_eye_dome_lighting(),
+        lambda plotter: plotter.disable_eye_dome_lighting(),
+    ),
+    "vtkDepthOfFieldPass": (
+        lambda plotter: plotter.enable_depth_of_field(),
+        lambda plotter: plotter.disable_depth_of_field(),
+    ),
+    "vtkGaussianBlurPass": (
+        lambda plotter: plotter.add_blurring(),
+        lambda plotter: plotter.remove_blurring(),
+    ),
+}
+
+# Effects that indirect light takes the place of.
+APART = {
+    "vtkSSAOPass": (
+        lambda plotter: plotter.enable_ssao(),
+        lambda plotter: plotter.disable_ssao(),
+    ),
+    "vtkShadowMapPass": (
+        lambda plotter: plotter.enable_shadows(),
+        lambda plotter: plotter.disable_shadows(),
+    ),
+}
+
+
+@unittest.skipIf(WHY_NOT, WHY_NOT or "")
+class Effects(unittest.TestCase):
+    def setUp(self) -> None:
+        caught = warnings.catch_warnings(record=True)
+        self.said = caught.__enter__()
+        self.addCleanup(caught.__exit__, None, None, None)
+        warnings.simplefilter("always")
+
+    def plotter(self) -> "pyvista.Plotter":
+        """Return a plotter of a red sphere on a white floor under a spot light."""
+        plotter = pyvista.Plotter(off_screen=True, window_size=(96, 80), lighting="none")
+        self.addCleanup(plotter.close)
+        plotter.add_mesh(pyvista.Plane(i_size=4, j_size=4), color="white")
+        plotter.add_mesh(pyvista.Sphere(center=(0, 0, 0.5)), color="red")
+        light = pyvista.Light(position=(2, 2, 3), focal_point=(0, 0, 0), cone_angle=40)
+        light.positional = True
+        plotter.add_light(light)
+        plotter.camera_position = [(3, -4, 3), (0, 0, 0), (0, 0, 1)]
+        return plotter
+
+    def switch_off(self, plotter: "pyvista.Plotter", off) -> None:
+        """Switch an effect off; early versions of PyVista leave its graphics memory behind."""
+        plotter.render_window.MakeCurrent()
+        for found, _, _ in chain.links(plotter.renderer.GetPass()):
+            found.ReleaseGraphicsResources(plotter.render_window)
+        off(plotter)
+
+    def picture(self, plotter: "pyvista.Plotter") -> np.ndarray:
+        for _ in range(2):  # the first frame that VTK's depth of field draws is black
+            plotter.render()
+            plotter.render_window.Render()
+        return plotter.screenshot(return_img=True).astype(int)
+
+    def names(self, plotter: "pyvista.Plotter") -> list[str]:
+        """Return the class names of all passes below the renderer."""
+        return [found.GetClassName() for found, _, _ in chain.links(plotter.renderer.GetPass())]
+
+    def warned(self) -> list[str]:
+        """Return the warnings of this package since the last call."""
+        found = [str(said.message) for said in self.said if "indirect light" in str(said.message)]
+        self.said.clear()
+        return found
+
+    def test_effects_on_the_picture_in_any_order(self) -> None:
+        plain = self.plotter()
+        vtkindirect.enable(plain)
+        alone = self.picture(plain)
+        for name, (on, off) in TOGETHER.items():
+            vtk = self.plotter()
+            on(vtk)
+            without = self.picture(vtk)
+            first, last = self.plotter(), self.plotter()
+            on(first)
+            vtkindirect.enable(first)
+            indirect = vtkindirect.enable(last)
+            on(last)
+            self.assertIs(vtkindirect.pass_of(last), indirect)
+            pictures = []
+            for plotter in (first, last):
+                with self.subTest(name=name, effect_first=plotter is first):
+                    pictures.append(self.picture(plotter))
+                    self.assertEqual(self.names(plotter), [name, chain.PASS])
+                    self.assertEqual(vtkindirect.report(plotter)["method"], "multiresolution")
+                    self.assertGreater(vtkindirect.copy_buffer(plotter, "indirect").max(), 0)
+                    self.assertTrue((pictures[-1] != alone).any(), "the effect is lost")
+                    self.assertTrue((pictures[-1] != without).any(), "indirect light is lost")
+            self.assertTrue(np.array_equal(*pictures))
+            with self.subTest(name=name, then="the effect is switched off"):
+                self.switch_off(first, off)
+                self.assertTrue(np.array_equal(self.picture(first), alone))
+                self.assertEqual(self.names(first), [chain.PASS])
+            with self.subTest(name=name, then="indirect light is switched off"):
+                vtkindirect.disable(last)
+                self.assertTrue(np.array_equal(self.picture(last), without))
+                self.assertIsNone(vtkindirect.pass_of(last))
+                self.assertIn(name, self.names(last))
+                self.switch_off(last, off)
+                self.assertIsNone(last.renderer.GetPass())
+        self.assertEqual(self.warned(), [])
+
+    def test_effects_that_cannot_be_combined(self) -> None:
+        plain = self.plotter()
+        vtkindirect.enable(plain)
+        alone = self.picture(plain)
+        for name, (on, off) in APART.items():
+            for effect_first in (True, False):
+                with self.subTest(name=name, effect_first=effect_first):
+                    plotter = self.plotter()
+                    if effect_first:
+                        on(plotter)
+                        self.warned()
+                        vtkindirect.enable(plotter)
+                    else:
+                        vtkindirect.enable(plotter)
+                        on(plotter)
+                    (text,) = self.warned()
+                    self.assertIn(name, text)
+                    self.assertIn("vtkindirect.disable", text)
+                    self.assertTrue(np.array_equal(self.picture(plotter), alone))
+                    vtkindirect.disable(plotter)
+                    self.assertIn(name, self.names(plotter))
+                    vtkindirect.enable(plotter)
+                    self.assertEqual(len(self.warned()), 1)
+                    self.switch_off(plotter, off)
+                    self.assertIsNotNone(vtkindirect.pass_of(plotter))
+                    self.assertTrue(np.array_equal(self.picture(plotter), alone))
+                    self.assertEqual(self.warned(), [])
+
+    def test_the_warning_names_the_callers_line(self) -> None:
+        plotter = self.plotter()
+        vtkindirect.enable(plotter)
+        plotter.enable_ssao()
+        said = [said for said in self.said if "vtkSSAOPass" in str(said.message)]
+        self.assertEqual([each.filename for each in said], [__file__])
+
+    def test_an_effect_below_another(self) -> None:
+        # The begin of PyVista's chain stays the same then, and only the next frame can tell.
+        plotter = self.plotter()
+        plotter.enable_anti_aliasing("ssaa")
+        indirect = vtkindirect.enable(plotter)
+        plotter.add_blurring()
+        self.picture(plotter)
+        self.assertEqual(self.names(plotter), ["vtkSSAAPass", "vtkGaussianBlurPass", chain.PASS])
+        self.switch_off(plotter, lambda each: each.remove_blurring())
+        self.assertIs(vtkindirect.pass_of(plotter), indirect)
+        self.assertEqual(self.names(plotter), ["vtkSSAAPass", chain.PASS])
+        self.switch_off(plotter, lambda each: each.disable_anti_aliasing())
+        self.assertEqual(self.names(plotter), [chain.PASS])
+
+    def test_somebodys_own_pass_stays(self) -> None:
+        from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
+
+        plotter = self.plotter()
+        vtkindirect.enable(plotter)
+        for mine in (vtkRenderStepsPass(), None):
+            plotter.renderer.SetPass(mine)
+            self.picture(plotter)
+            self.assertIs(plotter.renderer.GetPass(), mine)
+            self.assertIsNone(vtkindirect.pass_of(plotter))
+
+    def test_subplots(self) -> None:
+        plotter = pyvista.Plotter(shape=(1, 2), off_screen=True, window_size=(96, 48))
+        self.addCleanup(plotter.close)
+        for column in (0, 1):
+            plotter.subplot(0, column)
+            plotter.add_mesh(pyvista.Sphere())
+        indirect = vtkindirect.enable(plotter)
+        self.assertIs(plotter.renderers[1].GetPass(), indirect)
+        self.assertIsNone(plotter.renderers[0].GetPass())
+        plotter.render()
+        self.assertIs(plotter.renderers[1].GetPass(), indirect)
+
+    def test_closing(self) -> None:
+        for _ in range(3):
+            plotter = self.plotter()
+            plotter.enable_anti_aliasing("ssaa")
+            vtkindirect.enable(plotter)
+            self.picture(plotter)
+            plotter.close()
+            self.assertEqual(self.warned(), [])
+            del plotter
+        gc.collect()
+        another = self.plotter()
+        vtkindirect.enable(another)
+        alive = [record for record in methods._records.values() if record.renderer.Get()]
+        self.assertEqual(len(methods._records), len(alive))
+
+
+if __name__ == "__main__":
+    unittest.main()
