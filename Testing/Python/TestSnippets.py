@@ -44,6 +44,7 @@ NOT_RUN = {
     ("CONTRIBUTING.md", "cmake --preset dev"): "it builds the project a second time",
     ("Documentation/architecture.md", "light i"): "a drawing",
     ("Documentation/guide.md", "vtkNew<vtkMultiresolutionSplattingPass>"): CXX,
+    ("Documentation/guide.md", "vtkNew<vtkInformation> keys;"): CXX,
     ("Documentation/headless.md", "vtkNew<vtkEGLHeadlessRenderWindow>"): CXX,
     ("Documentation/headless.md", "vtkIndirectHeadlessFactory::Enable();"): CXX,
     ("Documentation/headless.md", "window->Initialize();"): CXX,
@@ -247,7 +248,12 @@ class Run(support.DirectoryTest):
         scene = vtkindirect.load_scene("scene.json")
         window = scene.make_window()
         self.addCleanup(window.Finalize)
-        return {"renderer": scene.renderer, "window": window, "vtkindirect": vtkindirect}
+        return {
+            "renderer": scene.renderer,
+            "actor": scene.renderer.GetActors().GetLastActor(),
+            "window": window,
+            "vtkindirect": vtkindirect,
+        }
 
     def plotter(self) -> Any:
         """Return a plotter with something to show, and the component that early PyVistas lack."""
