@@ -7,6 +7,7 @@
 #include "vtkImageData.h"
 #include "vtkIndirectCompositePass.h"
 #include "vtkIndirectContextGuard.h"
+#include "vtkIndirectDelegateGuard.h"
 #include "vtkIndirectFrame.h"
 #include "vtkIndirectLightMap.h"
 #include "vtkIndirectOccupancyVolume.h"
@@ -77,10 +78,7 @@ struct vtkIndirectIlluminationPass::Internals
 
   std::string ReportedError;
 
-  // A delegate of whose picture no surfaces can be had, as it was then.
-  vtkWeakPointer<vtkRenderPass> RefusedDelegate;
-  vtkMTimeType RefusedTime = 0;
-  bool Rendering = false;
+  vtkIndirectDelegateGuard Delegate;
 
   // What the composite reads of the last frame.
   vtkIndirectCompositePass::Input MakeCompositeInput(vtkIndirectIlluminationPass* self) const
@@ -227,12 +225,9 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
     vtkErrorMacro("vtkIndirectIlluminationPass needs an OpenGL render window.");
     return;
   }
-  if (in.Rendering)
+  if (in.Delegate.IsDrawing())
   {
-    if (!this->IsDelegateRefused())
-    {
-      this->RefuseDelegate("contains this very pass");
-    }
+    this->RefuseDelegate("contains this very pass");
     return;
   }
   in.Guard->SetContext(window);
@@ -268,12 +263,12 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   {
     in.Frame.Build(s, why);
   }
-  in.Rendering = true;
+  in.Delegate.Begin();
   if (!why.empty() || !this->RenderIndirect(s, why))
   {
     this->RenderDelegate(s, why);
   }
-  in.Rendering = false;
+  in.Delegate.End();
   if (this->RemainingGeometry)
   {
     this->NumberOfRenderedProps += in.View.RenderRemaining(s);
@@ -299,19 +294,11 @@ void vtkIndirectIlluminationPass::RenderDelegate(const vtkRenderState* s, const 
 //------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::RefuseDelegate(const std::string& reason)
 {
-  Internals& in = *this->Internal;
-  in.RefusedDelegate = this->DelegatePass;
-  in.RefusedTime = this->DelegatePass->GetMTime();
-  vtkErrorMacro("The delegate " << this->DelegatePass->GetClassName() << ' ' << reason
-                                << ": its picture is shown without indirect light.");
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectIlluminationPass::IsDelegateRefused() const
-{
-  const Internals& in = *this->Internal;
-  return this->DelegatePass && in.RefusedDelegate == this->DelegatePass &&
-    in.RefusedTime == this->DelegatePass->GetMTime();
+  if (this->Internal->Delegate.Refuse(this->DelegatePass))
+  {
+    vtkErrorMacro("The delegate " << this->DelegatePass->GetClassName() << ' ' << reason
+                                  << ": its picture is shown without indirect light.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -319,7 +306,7 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s, std::s
 {
   Internals& in = *this->Internal;
   vtkIndirectFrame& frame = in.Frame;
-  if (this->IsDelegateRefused())
+  if (in.Delegate.IsRefused(this->DelegatePass))
   {
     why = "the surfaces of what its delegate draws are not to be had";
     return false;
@@ -361,7 +348,7 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s, std::s
   {
     this->RefuseDelegate("draws into a framebuffer of its own, where surfaces cannot be captured");
   }
-  if (!drawn || this->IsDelegateRefused())
+  if (!drawn || in.Delegate.IsRefused(this->DelegatePass))
   {
     why = drawn ? "the surfaces of what its delegate draws are not to be had" : why;
     return false;
@@ -409,21 +396,7 @@ std::vector<double> vtkIndirectIlluminationPass::MakeEstimateKey()
     static_cast<double>(this->NumberOfBounces), static_cast<double>(in.EyeIsMap),
     this->ErrorTolerance,
     static_cast<double>(in.EyeIsMap ? 0 : this->ReflectiveShadowMaps->GetContentTime()) };
-  auto append = [&key](const double* values, int count)
-  { key.insert(key.end(), values, values + count); };
-  append(&frame.WorldToView[0][0], 16);
-  append(&frame.Projection[0][0], 16);
-  append(frame.SceneBounds, 6);
-  for (const vtkIndirectLight& light : frame.Lights)
-  {
-    append(&light.Color[0], 3);
-    append(&light.DirectionWC[0], 3);
-  }
-  for (vtkProp* prop : frame.Props)
-  {
-    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(prop)));
-    key.push_back(static_cast<double>(prop->GetRedrawMTime()));
-  }
+  frame.AppendTo(key);
   return key;
 }
 
@@ -551,12 +524,7 @@ std::string vtkIndirectIlluminationPass::GetReport()
     { "IndirectScale", vtkIndirectReport::Number(this->IndirectScale) },
     { "ErrorTolerance", vtkIndirectReport::Number(tolerance) },
     { "Caching", flag(this->Caching) } };
-  for (const vtkIndirectFrame::LeftOutEntry& entry : in.Frame.LeftOut)
-  {
-    report.LeftOut.emplace_back(
-      entry.Count > 1 ? entry.What + ", " + std::to_string(entry.Count) + " props" : entry.What,
-      entry.Why);
-  }
+  in.Frame.AddToReport(report);
   if (!in.HasBuffers)
   {
     report.Modelled.emplace_back("the delegate alone", in.WhyDelegate);
@@ -618,13 +586,7 @@ std::string vtkIndirectIlluminationPass::GetReport()
   if (in.Renderer && in.Frame.Window && in.Renderer->GetRenderWindow() == in.Frame.Window)
   {
     in.Frame.Window->MakeCurrent();
-    auto text = [](GLenum name)
-    {
-      const auto* value = reinterpret_cast<const char*>(glGetString(name));
-      return std::string(value ? value : "");
-    };
-    report.GLRenderer = text(GL_RENDERER);
-    report.GLVersion = text(GL_VERSION);
+    report.ReadGL();
   }
   return report.ToJSON(in.Timer);
 }

@@ -253,7 +253,6 @@ private:
   vtkIndirectEstimatorPass* GetFrameEstimator(); // of the last frame, without one of the next
   void RenderDelegate(const vtkRenderState* s, const std::string& why);
   void RefuseDelegate(const std::string& reason);
-  bool IsDelegateRefused() const;
   std::string GetChannelNames();
   std::vector<double> MakeEstimateKey();
 

@@ -5,6 +5,7 @@
 #include "vtkCamera.h"
 #include "vtkIndirectIlluminationPass.h"
 #include "vtkIndirectPropKind.h"
+#include "vtkIndirectReport.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
@@ -297,4 +298,35 @@ glm::dmat4 vtkIndirectFrame::ToScene(const glm::dmat4& frameToWorld) const
   glm::dmat4 result = frameToWorld;
   result[3] = glm::dvec4((glm::dvec3(frameToWorld[3]) - this->SceneCenter) * this->SceneScale, 1.0);
   return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::AppendTo(std::vector<double>& key) const
+{
+  auto append = [&key](const double* values, int count)
+  { key.insert(key.end(), values, values + count); };
+  append(&this->WorldToView[0][0], 16);
+  append(&this->Projection[0][0], 16);
+  append(this->SceneBounds, 6);
+  for (const vtkIndirectLight& light : this->Lights)
+  {
+    append(&light.Color[0], 3);
+    append(&light.DirectionWC[0], 3);
+  }
+  for (vtkProp* prop : this->Props)
+  {
+    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(prop)));
+    key.push_back(static_cast<double>(prop->GetRedrawMTime()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::AddToReport(vtkIndirectReport& report) const
+{
+  for (const LeftOutEntry& entry : this->LeftOut)
+  {
+    report.LeftOut.emplace_back(
+      entry.Count > 1 ? entry.What + ", " + std::to_string(entry.Count) + " props" : entry.What,
+      entry.Why);
+  }
 }

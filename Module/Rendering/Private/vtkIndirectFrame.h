@@ -20,6 +20,7 @@ class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
 class vtkRenderState;
+struct vtkIndirectReport;
 
 /** A light that is on, as VTK's shaders will use it. */
 struct vtkIndirectLight
@@ -93,6 +94,11 @@ struct vtkIndirectFrame
 
   /** Transform from an affine frame given in world coordinates to scene units. */
   glm::dmat4 ToScene(const glm::dmat4& frameToWorld) const;
+
+  /** Adds what an estimate depends on besides the lights' maps: the eye, the lights, the props. */
+  void AppendTo(std::vector<double>& key) const;
+  /** Says what takes no part, once a kind. */
+  void AddToReport(vtkIndirectReport& report) const;
 
   static glm::dmat4 ToGLM(vtkMatrix4x4* matrix);
 

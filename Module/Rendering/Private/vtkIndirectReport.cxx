@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
 #include "vtkIndirectReport.h"
 
 #include "vtkIndirectShaderLibrary.h"
@@ -90,6 +92,18 @@ std::string vtkIndirectReport::Number(double value, int digits)
     ? std::to_chars(text, text + sizeof(text), value, std::chars_format::general, digits)
     : std::to_chars(text, text + sizeof(text), value);
   return std::isfinite(value) ? std::string(text, result.ptr) : "null";
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectReport::ReadGL()
+{
+  auto text = [](GLenum name)
+  {
+    const auto* value = reinterpret_cast<const char*>(glGetString(name));
+    return std::string(value ? value : "");
+  };
+  this->GLRenderer = text(GL_RENDERER);
+  this->GLVersion = text(GL_VERSION);
 }
 
 //------------------------------------------------------------------------------

@@ -28,6 +28,9 @@ struct vtkIndirectReport
   std::string GLRenderer;
   std::string GLVersion;
 
+  /** Asks the current context what OpenGL it is. */
+  void ReadGL();
+
   /** Schema vtkindirect.report/1. */
   std::string ToJSON(const vtkIndirectStageTimer& timer) const;
   ///@{

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Remembers the delegate of whose picture no surfaces can be had, until it changes, and whether a
+// delegate is drawing.
+#ifndef vtkIndirectDelegateGuard_h
+#define vtkIndirectDelegateGuard_h
+
+#include "vtkRenderPass.h"
+#include "vtkWeakPointer.h"
+
+class vtkIndirectDelegateGuard
+{
+public:
+  void Begin() { this->Drawing = true; }
+  void End() { this->Drawing = false; }
+  bool IsDrawing() const { return this->Drawing; }
+
+  /** Returns whether this is new. */
+  bool Refuse(vtkRenderPass* delegate)
+  {
+    const bool known = this->IsRefused(delegate);
+    this->Refused = delegate;
+    this->Time = delegate ? delegate->GetMTime() : 0;
+    return delegate && !known;
+  }
+  /** A null delegate, the default one, is never refused. */
+  bool IsRefused(vtkRenderPass* delegate) const
+  {
+    return delegate && this->Refused == delegate && this->Time == delegate->GetMTime();
+  }
+
+private:
+  vtkWeakPointer<vtkRenderPass> Refused;
+  vtkMTimeType Time = 0;
+  bool Drawing = false;
+};
+
+#endif
