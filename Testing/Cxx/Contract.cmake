@@ -35,8 +35,8 @@ contract_topic(Lights
 contract_topic(Speed
   WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds FlatUniforms)
 contract_topic(Errors
-  DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany NothingToDo
-  BadActors)
+  DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany
+  HintsTooManyBlocks NothingToDo BadActors)
 contract_topic(Print
   PrintSettings PrintCounters ReportStages)
 contract_topic(Report
