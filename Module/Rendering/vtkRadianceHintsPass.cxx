@@ -3,10 +3,10 @@
 
 #include "vtkRadianceHintsPass.h"
 
-#include "vtkCamera.h"
 #include "vtkGeometryBufferPass.h"
 #include "vtkIndirectHintFields.h"
 #include "vtkIndirectHintGrid.h"
+#include "vtkIndirectHintRegions.h"
 #include "vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectPointProgram.h"
 #include "vtkIndirectReport.h"
@@ -17,7 +17,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkReflectiveShadowMapPass.h"
-#include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 #include "vtkUniformLightSampler.h"
 
@@ -28,8 +27,6 @@ vtkStandardNewMacro(vtkRadianceHintsPass);
 
 namespace
 {
-constexpr int MaximumResolution = 64; // of GridResolution
-
 double ClampTolerance(double tolerance)
 {
   return std::clamp(tolerance, 0.002, 1.0);
@@ -167,7 +164,7 @@ void vtkRadianceHintsPass::SetGridResolution(int x, int y, int z)
   const int wanted[3] = { x, y, z };
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int hints = std::clamp(wanted[axis], 0, MaximumResolution);
+    const int hints = std::clamp(wanted[axis], 0, vtkIndirectHintRegions::MaximumResolution);
     if (hints != this->GridResolution[axis])
     {
       this->GridResolution[axis] = hints;
@@ -284,78 +281,13 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   const bool voxelsNeeded = this->Occupancy || this->SkipEmptyCells || input.NumberOfBounces > 1;
 
   vtkIndirectHintGrid::Settings settings;
-  glm::dvec3 lower;
-  glm::dvec3 upper;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    lower[axis] = (frame.SceneBounds[2 * axis] - frame.SceneCenter[axis]) * frame.SceneScale;
-    upper[axis] = (frame.SceneBounds[2 * axis + 1] - frame.SceneCenter[axis]) * frame.SceneScale;
-  }
-  const glm::dmat4 viewToScene = frame.ViewToScene;
-  if (this->Extent == VIEW)
-  {
-    glm::dvec3 least(INFINITY);
-    glm::dvec3 most(-INFINITY);
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      const glm::dvec3 ndc(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, 1.0);
-      const double depth = corner & 4 ? frame.Far : frame.Near;
-      const glm::dvec3 view = frame.RayOrigin * ndc + depth * (frame.RayDirection * ndc);
-      const glm::dvec3 place(viewToScene * glm::dvec4(view, 1.0));
-      least = glm::min(least, place);
-      most = glm::max(most, place);
-    }
-    least = glm::max(least, lower);
-    most = glm::min(most, upper);
-    if (glm::all(glm::lessThan(least, most)))
-    {
-      lower = least;
-      upper = most;
-    }
-  }
-  const double tolerance = this->FindErrorTolerance(input.ErrorTolerance);
-  auto fit = [this, tolerance](const glm::dvec3& extent)
-  {
-    // 0: all axes have a number of their own.
-    const int along =
-      tolerance > 0.0 ? static_cast<int>(std::ceil(std::sqrt(12.0 / tolerance))) : 0;
-    const double longest = std::max({ extent.x, extent.y, extent.z });
-    glm::ivec3 size;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double share = longest > 0.0 ? extent[axis] / longest : 1.0;
-      size[axis] = this->GridResolution[axis] > 0
-        ? this->GridResolution[axis]
-        : std::clamp(static_cast<int>(std::ceil(along * share - 1e-6)), 2, MaximumResolution);
-    }
-    return size;
-  };
-  // A flat scene still has room in front of it.
-  const double longest = glm::length(upper - lower);
-  const glm::dvec3 room = glm::max(glm::dvec3(0.0), 0.02 * longest - 0.5 * (upper - lower));
-  vtkIndirectHintGrid::Region region;
-  region.Lower = lower - room;
-  region.Upper = upper + room;
-  region.Size = fit(region.Upper - region.Lower);
-  settings.Regions.push_back(region);
-  if (this->NumberOfGrids > 1)
-  {
-    // Whole cells only, so that small movements of the camera leave the hints where they are.
-    vtkIndirectHintGrid::Region fine;
-    const glm::dvec3 edge = this->FineGridExtent * (region.Upper - region.Lower);
-    fine.Size = region.Size;
-    const glm::dvec3 cell = edge / glm::dvec3(fine.Size);
-    double focal[3];
-    frame.Renderer->GetActiveCamera()->GetFocalPoint(focal);
-    const glm::dvec3 center =
-      (glm::dvec3(focal[0], focal[1], focal[2]) - frame.SceneCenter) * frame.SceneScale;
-    const glm::dvec3 corner =
-      glm::clamp(center - 0.5 * edge, region.Lower, region.Upper - edge) - region.Lower;
-    // Eight cells at a time: a step of one would make new hints for every small movement.
-    fine.Lower = region.Lower + glm::floor(corner / (4.0 * cell) + 0.5) * (4.0 * cell);
-    fine.Upper = fine.Lower + edge;
-    settings.Regions.push_back(fine);
-  }
+  vtkIndirectHintRegions regions;
+  regions.OfView = this->Extent == VIEW;
+  std::copy(this->GridResolution, this->GridResolution + 3, &regions.Resolution.x);
+  regions.Tolerance = this->FindErrorTolerance(input.ErrorTolerance);
+  regions.HasFine = this->NumberOfGrids > 1;
+  regions.FineExtent = this->FineGridExtent;
+  settings.Regions = regions.Find(frame);
   settings.Masks = this->Occupancy;
   settings.SkipEmpty = this->SkipEmptyCells;
   settings.Reach = this->NumberOfLookups > 1 ? 1.5 * std::sqrt(3.0) : 1.0;

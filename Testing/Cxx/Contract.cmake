@@ -40,8 +40,8 @@ contract_topic(Props
   PropsLeftOut)
 contract_topic(Delegates DelegateRedirects DelegateItself DelegateSteps)
 contract_topic(Errors
-  DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany NothingToDo
-  BadActors)
+  DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany
+  HintsTooManyBlocks NothingToDo BadActors)
 contract_topic(Print
   PrintSettings PrintCounters ReportStages)
 contract_topic(Report

@@ -278,6 +278,43 @@ CONTRACT_TEST(HintsTooMany)
 }
 
 //------------------------------------------------------------------------------
+// The same of blocks of maps: 44 lights of six faces make 264 times 128 squared.
+CONTRACT_TEST(HintsTooManyBlocks)
+{
+  View view(80, 60);
+  AddRoomSurfaces(view.Renderer);
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  vtkNew<vtkRadianceHintsPass> hints;
+  pass->SetEstimator(hints);
+  pass->SetReflectiveShadowMapResolution(1);
+  // In place of VTK's opaque props, whose shaders would have all lights in them.
+  vtkNew<vtkSequencePass> nothing;
+  vtkNew<vtkRenderPassCollection> none;
+  nothing->SetPasses(none);
+  pass->SetDelegatePass(nothing);
+  for (int i = 0; i < 44; ++i)
+  {
+    view.Renderer->AddLight(MakeLight(LightKind::Point, { 0.5, 0.5, 0.5 + 1e-3 * i }, { 0, 0, 0 }));
+  }
+  view.Renderer->SetPass(pass);
+  view.Grab();
+  int longest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longest);
+  if (longest >= 264 * 128 * 128 / 256)
+  {
+    Skip("this OpenGL holds textures of " + std::to_string(longest) + " rows");
+  }
+  hints->SetBlocksPerEdge(128);
+  ExpectedErrors errors;
+  for (int i = 0; i < 3; ++i)
+  {
+    view.Grab();
+  }
+  CONTRACT_CHECK(errors.GetCount() == 1, errors.GetCount() << " errors: " << errors.GetText());
+  CONTRACT_CHECK(errors.GetText().find("BlocksPerEdge") != std::string::npos, errors.GetText());
+}
+
+//------------------------------------------------------------------------------
 // Scenes in which nothing can reflect light.
 CONTRACT_TEST(NothingToDo)
 {
