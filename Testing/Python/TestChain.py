@@ -101,7 +101,11 @@ class Chain(unittest.TestCase):
         self.assertEqual(self.names(), ["vtkSSAAPass", chain.PASS])
         self.assertEqual(len(self.said), 1, self.said)
         text = str(self.said[0].message)
-        for words in ("without effect until vtkindirect.disable", "vtkSSAOPass", "vtkShadowMapPass"):
+        for words in (
+            "without effect until vtkindirect.disable",
+            "vtkSSAOPass",
+            "vtkShadowMapPass",
+        ):
             self.assertIn(words, text)
         self.assertNotIn("Baker", text)
         self.assertEqual(self.said[0].filename, __file__)

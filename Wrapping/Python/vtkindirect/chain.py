@@ -180,9 +180,7 @@ def has_pyvistas_effects(renderer: vtkRenderer) -> bool:
     if not is_pyvistas(renderer) or sequence is None or not sequence.IsA("vtkSequencePass"):
         return False
     passes = sequence.GetPasses()
-    return passes is not None and isinstance(
-        passes.GetItemAsObject(0), opengl.vtkRenderStepsPass
-    )
+    return passes is not None and isinstance(passes.GetItemAsObject(0), opengl.vtkRenderStepsPass)
 
 
 def is_pyvistas(renderer: vtkRenderer) -> bool:
