@@ -38,7 +38,6 @@ _PARTS = frozenset(("vtkShadowMapBakerPass",))
 
 _WHY_LEFT_OUT = {
     "vtkSSAOPass": "it darkens corners by a guess at the light that indirect light computes",
-    "vtkPanoramicProjectionPass": "indirect light is computed for a flat picture",
     "vtkShadowMapPass": "indirect light comes with shadows, see the setting Shadows",
 }
 
