@@ -322,7 +322,7 @@ class Command(DirectoryTest):
             self.assertIn(f"Left out: {name}, because it was asked", page)
         self.assertIn("left out: R2, because there is no stored reference", self.said)
 
-    @unittest.skipUnless(wrapped.has("vtkOpenEXRWriter"), "the module vtkIndirectOpenEXR was not built")
+    @unittest.skipUnless(wrapped.has("vtkOpenEXRWriter"), "vtkIndirectOpenEXR was not built")
     def test_reference_is_a_file_or_its_directory(self) -> None:
         image = vtkImageData()
         image.SetDimensions(32, 24, 1)

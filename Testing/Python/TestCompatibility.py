@@ -73,7 +73,9 @@ class Problem(unittest.TestCase):
             self.assertIn("libvtkCommonCore", configuration.VTK_LIBRARY)
 
 
-@unittest.skipUnless(sys.platform == "linux", "what a process has loaded is looked up on Linux only")
+@unittest.skipUnless(
+    sys.platform == "linux", "what a process has loaded is looked up on Linux only"
+)
 class Import(support.DirectoryTest):
     """The package in a process of its own, with another VTK before the right one on the path."""
 

@@ -8,7 +8,8 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
 import vtkindirect
-from vtkindirect import UsageError, methods, settings, wrapped
+from vtkindirect import UsageError, methods, wrapped
+from vtkindirect import settings as properties
 
 
 class Methods(unittest.TestCase):
@@ -149,7 +150,7 @@ class Enable(unittest.TestCase):
         self.assertEqual(indirect.GetActiveSampler().GetNumberOfLights(), 512)
         self.assertTrue(indirect.GetActiveEstimator().GetOccupancy())
         self.assertEqual(indirect.GetActiveEstimator().GetOccupancyResolution(), 64)
-        described = settings.describe(methods.parts(indirect))
+        described = properties.describe(methods.parts(indirect))
         self.assertEqual(described["NumberOfLights"], 512)
 
     def test_settings_are_kept_where_they_apply(self) -> None:

@@ -186,7 +186,9 @@ class Run(support.DirectoryTest):
         super().setUp()
         self.write("scene.json", {**support.small_scene(), "size": [320, 240]})
         (self.directory / "Testing").symlink_to(support.TESTING)
-        shutil.copy(support.DATA / "brain_mri_colin27_ch2bet.nii.gz", self.directory / "brain.nii.gz")
+        shutil.copy(
+            support.DATA / "brain_mri_colin27_ch2bet.nii.gz", self.directory / "brain.nii.gz"
+        )
         source = vtkSphereSource()
         writer = vtkXMLPolyDataWriter()
         writer.SetInputConnection(source.GetOutputPort())

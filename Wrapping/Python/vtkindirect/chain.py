@@ -38,7 +38,6 @@ _PARTS = frozenset(("vtkShadowMapBakerPass",))
 
 _WHY_LEFT_OUT = {
     "vtkSSAOPass": "it darkens corners by a guess at the light that indirect light computes",
-    "vtkPanoramicProjectionPass": "indirect light is computed for a flat picture",
     "vtkShadowMapPass": "indirect light comes with shadows, see the setting Shadows",
 }
 
@@ -180,9 +179,7 @@ def has_pyvistas_effects(renderer: vtkRenderer) -> bool:
     if not is_pyvistas(renderer) or sequence is None or not sequence.IsA("vtkSequencePass"):
         return False
     passes = sequence.GetPasses()
-    return passes is not None and isinstance(
-        passes.GetItemAsObject(0), opengl.vtkRenderStepsPass
-    )
+    return passes is not None and isinstance(passes.GetItemAsObject(0), opengl.vtkRenderStepsPass)
 
 
 def is_pyvistas(renderer: vtkRenderer) -> bool:

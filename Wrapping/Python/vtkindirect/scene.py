@@ -13,7 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkDataSet, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkDataSet, vtkImageData
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkCamera,
