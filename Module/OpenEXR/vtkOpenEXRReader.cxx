@@ -120,13 +120,18 @@ int vtkOpenEXRReader::CanReadFile(const char* fname)
 // The superclass knows one syntax of patterns or both, by VTK's version, and fits no types.
 void vtkOpenEXRReader::ComputeInternalFileName(int slice)
 {
-  if (this->FileNames || this->FileName || !this->FilePattern)
+  if (this->FileNames || this->FileName)
   {
     this->Superclass::ComputeInternalFileName(slice);
     return;
   }
   delete[] this->InternalFileName;
   this->InternalFileName = nullptr;
+  if (!this->FilePattern)
+  {
+    this->Fail(vtkErrorCode::NoFileNameError, "There is a FilePrefix, but no FilePattern.");
+    return;
+  }
   try
   {
     const int number = slice * this->FileNameSliceSpacing + this->FileNameSliceOffset;

@@ -308,6 +308,10 @@ void Patterns(const std::string& folder)
   noPrefix->SetFilePattern("%s_%d.exr");
   ExpectWriteError(noPrefix, vtkErrorCode::UserError);
   EXR_CHECK(CountFiles(folder) == 1); // the folder of names
+  vtkNew<vtkOpenEXRReader> noPattern;
+  noPattern->SetFilePrefix((folder + "wrong").c_str());
+  noPattern->SetFilePattern(nullptr);
+  ExpectReadError(noPattern, vtkErrorCode::NoFileNameError);
 }
 
 //------------------------------------------------------------------------------

@@ -255,9 +255,8 @@ _INTEGER = re.compile(rb" *[-+]?\d+ *")
 
 
 def _have_numbers(line: bytes, columns: tuple[slice, ...], number: re.Pattern[bytes]) -> bool:
-    return all(
-        len(line) >= column.stop and number.fullmatch(line[column]) for column in columns
-    )
+    """Whether all these columns of a line are there and hold numbers."""
+    return all(len(line) >= column.stop and number.fullmatch(line[column]) for column in columns)
 
 
 def _amount(held: vtkDataSet) -> tuple[int, int]:
