@@ -37,7 +37,7 @@ contract_topic(Speed
   WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds FlatUniforms)
 contract_topic(Props
   PropsSky PropsColorOnly PropsBillboard PropsTubes PropsEdges PropsAnnotation PropsKeys PropsSplats
-  PropsLeftOut)
+  PropsLeftOut PropsHints)
 contract_topic(Delegates DelegateRedirects DelegateItself DelegateSteps)
 contract_topic(Errors
   DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany

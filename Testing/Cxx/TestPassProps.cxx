@@ -19,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRSMGatherPass.h"
+#include "vtkRadianceHintsPass.h"
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkSkybox.h"
@@ -569,4 +570,32 @@ CONTRACT_TEST(PropsLeftOut)
   }
   room.Grab(true);
   CheckReported(room.Pass, "\"vtkOpenGLActor, 3 props\", \"why\": \"translucent geometry");
+}
+
+//------------------------------------------------------------------------------
+// Unlit lines receive no light: they cost radiance hints nothing. Tubes are lit, and no polygons
+// tell where.
+CONTRACT_TEST(PropsHints)
+{
+  vtkIdType active[3];
+  for (int kind : { 0, 1, 2 })
+  {
+    Room room;
+    vtkNew<vtkRadianceHintsPass> hints;
+    room.Pass->SetEstimator(hints);
+    vtkNew<vtkOutlineSource> source;
+    source->SetBounds(0.2, 0.8, 0.05, 0.45, 0.2, 0.6);
+    auto outline = MakeActor(source, { 1, 1, 0 });
+    outline->GetProperty()->SetLineWidth(4);
+    outline->GetProperty()->SetRenderLinesAsTubes(kind == 2);
+    outline->SetVisibility(kind > 0);
+    room.GetRenderer()->AddActor(outline);
+    room.Grab(true);
+    active[kind] = hints->GetNumberOfActiveHints();
+  }
+  std::cout << "active hints: " << active[0] << ", with an outline " << active[1] << ", with tubes "
+            << active[2] << "\n";
+  CONTRACT_CHECK(active[0] > 0, "no hints");
+  CONTRACT_CHECK(active[1] == active[0], "an outline has hints");
+  CONTRACT_CHECK(active[2] > active[0], "tubes have no hints");
 }

@@ -218,5 +218,36 @@ class Effects(unittest.TestCase):
         self.assertEqual(len(methods._records), len(alive))
 
 
+@unittest.skipIf(WHY_NOT, WHY_NOT or "")
+class Widgets(unittest.TestCase):
+    def test_handles_cast_no_shadows(self) -> None:
+        """Widgets that come before or after leave the lights' maps as they are."""
+        plotter = pyvista.Plotter(off_screen=True, window_size=(96, 80), lighting="none")
+        self.addCleanup(plotter.close)
+        plotter.add_mesh(pyvista.Plane(i_size=6, j_size=6), color="white")
+        plotter.add_mesh(pyvista.Sphere(center=(0, 0, 0.5)), color="red")
+        light = pyvista.Light(position=(2, 2, 6), focal_point=(0, 0, 0), cone_angle=40)
+        light.positional = True
+        plotter.add_light(light)
+        vtkindirect.enable(plotter)
+        plotter.show(auto_close=False)
+        alone = vtkindirect.copy_buffer(plotter, "rsm0.depth")
+        count = plotter.renderer.GetActors().GetNumberOfItems()
+        plotter.add_sphere_widget(lambda *_: None, center=(1, 1, 0.5), radius=0.3)
+        plotter.add_plane_widget(lambda *_: None, bounds=(-1, 1, -1, 1, 0, 1))
+        plotter.add_box_widget(lambda *_: None, bounds=(-1, 1, -1, 1, 0, 1))
+        plotter.render()
+        self.assertGreater(plotter.renderer.GetActors().GetNumberOfItems(), count + 10)
+        # Handles are lit: they belong to the scene's space, by which lengths are scaled. Rounding.
+        with_widgets = vtkindirect.copy_buffer(plotter, "rsm0.depth")
+        np.testing.assert_allclose(alone, with_widgets, rtol=1e-5)
+
+        vtkindirect.disable(plotter)
+        vtkindirect.enable(plotter)
+        plotter.render()
+        again = vtkindirect.copy_buffer(plotter, "rsm0.depth")
+        np.testing.assert_allclose(alone, again, rtol=1e-5)
+
+
 if __name__ == "__main__":
     unittest.main()

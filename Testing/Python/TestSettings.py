@@ -3,6 +3,7 @@
 
 import unittest
 
+import numpy as np
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty
 
@@ -45,6 +46,18 @@ class Settings(unittest.TestCase):
         self.assertEqual(self.sphere.GetRadius(), 3.0)
         self.assertFalse(self.sphere.GetLatLongTessellation())
         self.assertEqual(self.sphere.GetCenter(), (4.0, 5.0, 6.0))
+
+    def test_numbers_of_numpy(self):
+        self.apply(
+            ThetaResolution=np.int64(14),
+            Radius=np.float32(0.5),
+            LatLongTessellation=np.bool_(True),
+            Center=np.array([1, 2, 3]),
+        )
+        self.assertEqual(self.sphere.GetThetaResolution(), 14)
+        self.assertEqual(self.sphere.GetRadius(), 0.5)
+        self.assertTrue(self.sphere.GetLatLongTessellation())
+        self.assertEqual(self.sphere.GetCenter(), (1.0, 2.0, 3.0))
 
     def test_first_object_wins(self):
         other = vtkSphereSource()

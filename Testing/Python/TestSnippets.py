@@ -42,6 +42,7 @@ NOT_RUN = {
     ("README.md", "vtkNew<vtkIndirectIlluminationPass> pass;"): CXX,
     ("CONTRIBUTING.md", "./bootstrap test"): "it runs these tests",
     ("CONTRIBUTING.md", "cmake --preset dev"): "it builds the project a second time",
+    ("CONTRIBUTING.md", "sudo Testing/Compatibility/run"): "it installs another Debian",
     ("Documentation/architecture.md", "light i"): "a drawing",
     ("Documentation/guide.md", "vtkNew<vtkMultiresolutionSplattingPass>"): CXX,
     ("Documentation/guide.md", "vtkNew<vtkInformation> keys;"): CXX,

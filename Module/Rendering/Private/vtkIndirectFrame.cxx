@@ -171,9 +171,9 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
   this->NumberOfTriangles += kind.NumberOfTriangles;
   this->Specular = this->Specular || (kind.Captured && kind.Specular);
   (kind.Captured ? this->Captured : this->ColorOnly).push_back(prop);
-  this->NumberOfReceivers += kind.Captured && prop->GetBounds() ? 1 : 0;
   if (!prop->GetUseBounds())
   {
+    this->NumberOfOtherReceivers += kind.Captured && kind.Lit ? 1 : 0;
     return;
   }
   const double* bounds = prop->GetBounds();
@@ -201,9 +201,10 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     kind.NoCaster ? kind.NoCaster
                   : "its property key CASTS_SHADOWS is 0: it sends no light either");
   this->AllSendLight = this->AllSendLight && kind.NoCaster != nullptr;
-  if (kind.Captured && finite)
+  if (kind.Captured && kind.Lit && finite)
   {
-    box.AddBounds(bounds); // it receives light
+    ++this->NumberOfOtherReceivers;
+    box.AddBounds(bounds);
   }
 }
 

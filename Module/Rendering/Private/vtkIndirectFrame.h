@@ -63,7 +63,7 @@ struct vtkIndirectFrame
   bool Specular = false; // whether a lit opaque prop reflects specularly, by Phong's model
   bool Solid = false;    // whether whatever an opaque prop draws hides all that is behind it
   double NumberOfTriangles = 0.0; // about, of opaque props; 1e9 of one that does not tell
-  int NumberOfReceivers = 0;      // captured props that are in the scene's space
+  int NumberOfOtherReceivers = 0; // captured lit props that are no casters
   std::vector<vtkIndirectCaster> Casters;
   bool AllSendLight = true; // whether all surfaces may send light
   std::vector<vtkIndirectLight> Lights;

@@ -218,7 +218,7 @@ bool vtkIndirectOccupancyVolume::Update(const vtkIndirectFrame& frame, int resol
 {
   std::vector<double> key(frame.SceneBounds, frame.SceneBounds + 6);
   key.push_back(resolution);
-  key.push_back(frame.NumberOfReceivers);
+  key.push_back(frame.NumberOfOtherReceivers);
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
     key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(caster.Prop)));
@@ -237,7 +237,7 @@ bool vtkIndirectOccupancyVolume::Update(const vtkIndirectFrame& frame, int resol
     upper[axis] = (frame.SceneBounds[2 * axis + 1] - frame.SceneCenter[axis]) * frame.SceneScale;
   }
   this->Clear(lower, upper, resolution);
-  this->AllIsHeld = frame.NumberOfReceivers == static_cast<int>(frame.Casters.size());
+  this->AllIsHeld = frame.NumberOfOtherReceivers == 0;
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
     this->AddProp(frame, caster.Prop);

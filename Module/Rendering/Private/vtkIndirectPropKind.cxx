@@ -12,6 +12,7 @@
 #include "vtkLODProp3D.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderPass.h"
+#include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -160,6 +161,16 @@ const char* FindNoSurface(vtkActor* actor)
   return none ? LinesOrPoints : nullptr;
 }
 
+// VTK lights lines and points only with normals, or as tubes and spheres.
+bool IsUnlit(vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  return !property->GetLighting() ||
+    (IsPlain(actor) && data && IsLinesOrPoints(data) && !data->GetPointData()->GetNormals() &&
+      !property->GetRenderLinesAsTubes() && !property->GetRenderPointsAsSpheres());
+}
+
 // The props that are drawn in place of one that has parts, all levels of detail among them.
 void CollectParts(vtkProp* prop, std::vector<vtkProp*>& parts)
 {
@@ -228,6 +239,7 @@ vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
     }
     kind.Specular =
       kind.Specular || IsSpecular(actor->GetProperty()) || IsSpecular(actor->GetBackfaceProperty());
+    kind.Lit = kind.Lit || !IsUnlit(actor);
     const char* why = FindNoSurface(actor);
     if (why && !kind.Surface)
     {

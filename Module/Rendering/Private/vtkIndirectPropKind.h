@@ -21,6 +21,8 @@ struct vtkIndirectPropKind
   const char* NoCaster = nullptr;
   /** Whether what it draws are surfaces, of whatever extent in world units. */
   bool Surface = false;
+  /** Whether VTK lights any of it, so that it may receive indirect light. */
+  bool Lit = false;
   /** Whether a lit part reflects specularly, by Phong's model. */
   bool Specular = false;
   /** Whether it is drawn with alpha one wherever it draws, so that nothing shines through. */

@@ -17,7 +17,7 @@ from typing import Any
 from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from vtkindirect import chain, wrapped
+from vtkindirect import chain, widgets, wrapped
 from vtkindirect import settings as properties
 from vtkindirect.errors import UsageError, check_text, unknown
 
@@ -170,8 +170,14 @@ def _keep(renderer: vtkRenderer, record: _Record) -> None:
         renderer.AddObserver("DeleteEvent", lambda *_: _records.pop(key, None)),
         # The first when a pass is set; the second when the begin of the chain stays the same.
         renderer.AddObserver("ModifiedEvent", lambda caller, _event: _settled(caller)),
-        renderer.AddObserver("StartEvent", lambda caller, _event: _settled(caller)),
+        renderer.AddObserver("StartEvent", lambda caller, _event: _start(caller)),
     ]
+
+
+def _start(renderer: vtkRenderer) -> None:
+    """Before a frame: see to what PyVista has changed since the last one."""
+    _settled(renderer)
+    widgets.leave_out_of_maps(renderer)
 
 
 def _forget(renderer: vtkRenderer) -> _Record | None:

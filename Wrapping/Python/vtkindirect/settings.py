@@ -197,6 +197,11 @@ def apply(targets: Sequence[vtkObjectBase], values: dict[str, Any]) -> dict[str,
 
     Returns the values by the properties' proper names.
     """
+    # NumPy's numbers and arrays become Python's.
+    values = {
+        name: value.tolist() if hasattr(value, "tolist") else value
+        for name, value in values.items()
+    }
     places = []
     for name in values:
         found = find(targets, name)
