@@ -14,9 +14,9 @@
  *
  * Visibility enters VTK's shading by a local variable that shadows the uniform lightColorN, and
  * what the frame's lights and materials make needless (cones, powers and lobes that none of them
- * has) leaves it the same way: by constants that a compiler folds. Of light code only the cosine of
- * a cone's angle is matched as text, and where that is not found nothing changes, so every material
- * of VTK keeps working.
+ * has) leaves it the same way: by constants that a compiler folds. Of VTK's own code only the cosine
+ * of a cone's angle and the width of faces' edges are matched as text, and where these are not found
+ * nothing changes, so every material of VTK keeps working.
  *
  * Approximations: PBR's diffuse part is taken as albedo (1 - metallic) / pi, without VTK's (1 - F):
  * high by the Fresnel reflectance, about 4 %. Specular reflection sends no light.
