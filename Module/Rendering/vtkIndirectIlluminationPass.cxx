@@ -574,14 +574,13 @@ std::string vtkIndirectIlluminationPass::GetReport()
         std::string(estimator->GetClassName()) + " computes no more; the result is too dark");
     }
   }
-  else if (this->IndirectScale > 0.0)
-  {
-    report.LeftOut.emplace_back(
-      "indirect light", "no light emits anything, or the estimator failed");
-  }
   else
   {
-    report.LeftOut.emplace_back("indirect light", "IndirectScale is 0");
+    const bool lit = in.EyeIsMap || this->ReflectiveShadowMaps->GetNumberOfMaps() > 0;
+    report.LeftOut.emplace_back("indirect light",
+      this->IndirectScale == 0.0 ? "IndirectScale is 0"
+        : lit                    ? "its estimator had an error"
+                                 : "no light emits anything");
   }
   if (in.Renderer && in.Frame.Window && in.Renderer->GetRenderWindow() == in.Frame.Window)
   {

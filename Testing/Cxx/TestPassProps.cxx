@@ -15,6 +15,7 @@
 #include "vtkLightKit.h"
 #include "vtkLineSource.h"
 #include "vtkOutlineSource.h"
+#include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -23,9 +24,11 @@
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkSkybox.h"
+#include "vtkSmartVolumeMapper.h"
 #include "vtkTextProperty.h"
 #include "vtkTexture.h"
 #include "vtkVectorText.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <functional>
@@ -568,7 +571,18 @@ CONTRACT_TEST(PropsLeftOut)
     glass->GetProperty()->SetOpacity(0.5);
     room.GetRenderer()->AddActor(glass);
   }
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 4, 4);
+  image->SetSpacing(0.1, 0.1, 0.1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  image->GetPointData()->GetScalars()->Fill(100);
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  mapper->SetInputData(image);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  room.GetRenderer()->AddVolume(volume);
   room.Grab(true);
+  CheckReported(room.Pass, "volumes neither send nor receive");
   CheckReported(room.Pass, "\"vtkOpenGLActor, 3 props\", \"why\": \"translucent geometry");
 }
 

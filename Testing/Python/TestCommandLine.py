@@ -177,6 +177,12 @@ class Rendering(support.DirectoryTest):
             if reason is not None:
                 self.assertTrue(said[0].startswith("vtk-indirect: note: no indirect light, "), said)
                 self.assertIn(reason, said[0])
+        dark = support.small_scene()
+        for light in dark["lights"]:
+            light["intensity"] = 0
+        self.write("scene.json", dark)
+        (line,) = self.run_line("-o", out).stderr.splitlines()
+        self.assertEqual(line, "vtk-indirect: note: no indirect light: no light emits anything")
         glass = support.small_scene()
         for actor in glass["actors"]:
             actor["opacity"] = 0.5

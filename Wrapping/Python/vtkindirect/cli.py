@@ -252,6 +252,9 @@ def _render(arguments: argparse.Namespace) -> None:
         for entry in report["modelled"]:
             if entry["what"] == frames.DELEGATE_ALONE:
                 _note(f"no indirect light, {entry['what']} drew the picture: {entry['why']}")
+        for entry in report["left_out"]:
+            if entry["what"] == frames.NO_INDIRECT_LIGHT:
+                _note(f"no indirect light: {entry['why']}")
     pictures = [
         _picture(scene, arguments.buffer, job, path.suffix.lower() == ".exr") for path in outputs
     ]

@@ -19,6 +19,8 @@ from vtkindirect.scene import Scene
 REPORT_SCHEMA = "vtkindirect.report/1"
 DELEGATE_ALONE = "the delegate alone"
 """What a report says to be modelled when the pass left the picture to VTK."""
+NO_INDIRECT_LIGHT = "indirect light"
+"""What a report says to be left out when there is only direct light."""
 
 
 @dataclass
