@@ -36,8 +36,8 @@ contract_topic(Lights
 contract_topic(Speed
   WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds FlatUniforms)
 contract_topic(Props
-  PropsSky PropsColorOnly PropsBillboard PropsTubes PropsEdges PropsAnnotation PropsKeys PropsSplats
-  PropsLeftOut PropsHints)
+  PropsSky PropsColorOnly PropsBillboard PropsTubes PropsBehindCasters PropsEdges
+  PropsAnnotation PropsKeys PropsSplats PropsLeftOut PropsHints)
 contract_topic(Delegates DelegateRedirects DelegateItself DelegateSteps)
 contract_topic(Errors
   DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany

@@ -262,6 +262,47 @@ CONTRACT_TEST(PropsTubes)
 }
 
 //------------------------------------------------------------------------------
+// Behind all that casts shadows: a tube below the gap between two tables is lit, and in shadow
+// below the tables.
+CONTRACT_TEST(PropsBehindCasters)
+{
+  for (LightKind kind : { LightKind::Directional, LightKind::Spot, LightKind::Point })
+  {
+    View view(160, 120);
+    view.Renderer->AddActor(MakeQuad({ -1, 0, -0.5 }, { -1, 0, 0.5 }, { -0.3, 0, -0.5 }));
+    view.Renderer->AddActor(MakeQuad({ 0.3, 0, -0.5 }, { 0.3, 0, 0.5 }, { 1, 0, -0.5 }));
+    vtkNew<vtkLineSource> line;
+    line->SetPoint1(-0.9, -1, 0);
+    line->SetPoint2(0.9, -1, 0);
+    auto tube = MakeActor(line);
+    tube->GetProperty()->SetLineWidth(12);
+    tube->GetProperty()->RenderLinesAsTubesOn();
+    view.Renderer->AddActor(tube);
+    view.Renderer->AddLight(MakeLight(kind, { 0, 4, 0 }, { 0, 0, 0 }));
+    vtkCamera* camera = view.Renderer->GetActiveCamera();
+    camera->SetPosition(0, -0.5, 5);
+    camera->SetFocalPoint(0, -0.5, 0);
+    camera->SetViewAngle(30);
+    view.Renderer->ResetCameraClippingRange();
+    const Pixels plain = view.Grab();
+    vtkNew<vtkIndirectIlluminationPass> pass;
+    pass->SetIndirectScale(0.0);
+    view.Renderer->SetPass(pass);
+    const Pixels image = view.Grab();
+    // The tube's upper side: what is lit there.
+    const int row = 60 - static_cast<int>(0.5 * 120 / (2 * 5 * std::tan(0.2618))) + 3;
+    const auto red = [row](const Pixels& of, double x)
+    { return of.Get(80 + static_cast<int>(x * 120 / (2 * 5 * std::tan(0.2618))), row, 0); };
+    std::cout << GetName(kind) << ": middle " << int(red(plain, 0)) << " and " << int(red(image, 0))
+              << ", below a table " << int(red(plain, 0.7)) << " and " << int(red(image, 0.7))
+              << "\n";
+    CONTRACT_CHECK(red(plain, 0) > 60 && red(plain, 0.7) > 60, "the tube is not lit");
+    CONTRACT_CHECK(std::abs(red(plain, 0) - red(image, 0)) <= 1, "shadow of nothing");
+    CONTRACT_CHECK(red(image, 0.7) < 10, "no shadow of the table");
+  }
+}
+
+//------------------------------------------------------------------------------
 // Edges of faces: a map has the faces without them, and they put no shadows onto the faces.
 CONTRACT_TEST(PropsEdges)
 {

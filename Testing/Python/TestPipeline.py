@@ -161,6 +161,28 @@ class Steps(unittest.TestCase):
         self.assertTrue(np.allclose(first, -second, atol=1e-5))
         self.assert_refused(BALL, {"normals": {}}, "needs a surface, not image data")
 
+    def test_normals_are_computed_anew(self):
+        """Wrong normals of points and cells are not kept, whatever VTK's filter would keep."""
+        source = vtkSphereSource()
+        source.Update()
+        ball = source.GetOutput()
+        for attributes, count in (
+            (ball.GetPointData(), ball.GetNumberOfPoints()),
+            (ball.GetCellData(), ball.GetNumberOfCells()),
+        ):
+            wrong = numpy_to_vtk(np.tile(np.float32([0, 0, 1]), (count, 1)), deep=True)
+            wrong.SetName("Normals")
+            attributes.SetNormals(wrong)
+        for step in ({"normals": {"splitting": False}}, {"smooth": {"iterations": 1}}):
+            with self.subTest(step=step):
+                out = run(ball, step)
+                normals = vtk_to_numpy(out.GetPointData().GetNormals())
+                outward = vtk_to_numpy(out.GetPoints().GetData())
+                outward = outward / np.linalg.norm(outward, axis=1)[:, None]
+                self.assertGreater((normals * outward).sum(axis=1).min(), 0.9)
+        kept = vtk_to_numpy(ball.GetPointData().GetNormals())
+        np.testing.assert_array_equal(kept[:, 2], 1.0)  # the data itself stays as it was
+
     def test_glyph_spheres(self):
         points = vtkPolyData()
         points.SetPoints(vtkPoints())

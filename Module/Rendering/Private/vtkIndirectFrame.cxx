@@ -137,17 +137,22 @@ void vtkIndirectFrame::CollectProps()
       prop->SetPropertyKeys(keys);
     }
     this->Props.push_back(prop);
-    const bool opaque = prop->HasOpaqueGeometry() != 0;
+    // Neither draws anything opaque, though both say that they may.
     if (prop->IsA("vtkVolume"))
     {
       this->LeaveOut(prop->GetClassName(), "volumes neither send nor receive indirect light");
+      continue;
     }
-    else if (prop->HasTranslucentPolygonalGeometry())
+    if (prop->IsA("vtkActor2D") && !prop->IsA("vtkCaptionActor2D")) // that has a line in space
+    {
+      continue;
+    }
+    if (prop->HasTranslucentPolygonalGeometry())
     {
       this->LeaveOut(prop->GetClassName(),
         "translucent geometry casts no shadows, and neither sends nor receives indirect light");
     }
-    if (!opaque)
+    if (!prop->HasOpaqueGeometry())
     {
       continue;
     }

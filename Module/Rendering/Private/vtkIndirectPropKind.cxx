@@ -37,12 +37,30 @@ const char* const LinesOrPoints =
   "lines and points are sized in pixels, so they neither cast shadows nor send light";
 const char* const Splats = "splats have no surface: they neither cast shadows nor send light";
 
-// Whether an actor and its mapper are VTK's own for polygons, not classes derived from them.
+// Whether a mapper is VTK's own for polygons or for data sets, which it turns into polygons for one
+// of the former; not classes derived from them.
+bool IsPlain(vtkMapper* mapper)
+{
+  return mapper &&
+    (std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 ||
+      std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0);
+}
+
 bool IsPlain(vtkActor* actor)
 {
-  vtkMapper* mapper = actor->GetMapper();
-  return mapper && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
-    std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
+  return std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 && IsPlain(actor->GetMapper());
+}
+
+// What a plain mapper draws; null where it will be extracted when it is first drawn.
+vtkPolyData* FindDrawn(vtkMapper* mapper)
+{
+  if (auto* data = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)))
+  {
+    return data;
+  }
+  auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
+  vtkPolyDataMapper* inner = dataSetMapper ? dataSetMapper->GetPolyDataMapper() : nullptr;
+  return inner ? inner->GetInput() : nullptr;
 }
 
 // Whether a prop is drawn by VTK's own polygons with alpha 1 wherever it draws: no texture, which
@@ -62,10 +80,13 @@ bool IsSolid(vtkActor* actor)
 double CountTriangles(vtkActor* actor)
 {
   actor->GetBounds(); // brings the mapper's data up to date
-  auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
+  vtkMapper* mapper = actor->GetMapper();
+  vtkPolyData* data = FindDrawn(mapper);
   if (!data)
   {
-    return 0.0;
+    // At the most about two a cell of a grid.
+    return mapper->GetInput() ? 2.0 * static_cast<double>(mapper->GetInput()->GetNumberOfCells())
+                              : 0.0;
   }
   double triangles = 0.0;
   for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
@@ -143,21 +164,19 @@ const char* FindNoSurface(vtkActor* actor)
   }
   actor->GetBounds(); // brings the mapper's data up to date
   bool none = false;
-  if (auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper))
+  if (IsPlain(mapper))
   {
-    vtkPolyDataMapper* inner = dataSetMapper->GetPolyDataMapper();
-    none = inner && IsLinesOrPoints(inner->GetInput());
+    none = IsLinesOrPoints(FindDrawn(mapper));
   }
   else if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {
     none = IsLinesOrPoints(glyphs);
   }
-  else if (std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 ||
-    mapper->IsA("vtkCompositePolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper2"))
+  else if (mapper->IsA("vtkCompositePolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper2"))
   {
-    // Other mappers for polygons draw something else at the points, such as spheres.
     none = IsLinesOrPoints(mapper->GetInputDataObject(0, 0));
   }
+  // Other mappers for polygons draw something else at the points, such as spheres.
   return none ? LinesOrPoints : nullptr;
 }
 
@@ -165,9 +184,9 @@ const char* FindNoSurface(vtkActor* actor)
 bool IsUnlit(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
-  auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  vtkPolyData* data = IsPlain(actor) ? FindDrawn(actor->GetMapper()) : nullptr;
   return !property->GetLighting() ||
-    (IsPlain(actor) && data && IsLinesOrPoints(data) && !data->GetPointData()->GetNormals() &&
+    (data && IsLinesOrPoints(data) && !data->GetPointData()->GetNormals() &&
       !property->GetRenderLinesAsTubes() && !property->GetRenderPointsAsSpheres());
 }
 

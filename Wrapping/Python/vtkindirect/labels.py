@@ -9,14 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import (
-    vtkAppendPolyData,
-    vtkPolyDataNormals,
-    vtkWindowedSincPolyDataFilter,
-)
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkWindowedSincPolyDataFilter
 from vtkmodules.vtkFiltersGeneral import vtkDiscreteFlyingEdges3D
 
-from vtkindirect import arrays
+from vtkindirect import arrays, normals
 
 NAME = "label"
 
@@ -122,12 +118,8 @@ def _surface_of_one(mask: vtkImageData, value: float) -> vtkPolyData:
     smooth.NormalizeCoordinatesOn()
     smooth.NonManifoldSmoothingOn()
     smooth.FeatureEdgeSmoothingOff()
-    normals = vtkPolyDataNormals()
-    normals.SetInputConnection(smooth.GetOutputPort())
-    normals.SplittingOff()
-    normals.ConsistencyOff()
-    normals.Update()
-    surface = normals.GetOutput()
+    smooth.Update()
+    surface = normals.smooth(smooth.GetOutput())
     label = numpy_to_vtk(np.full(surface.GetNumberOfPoints(), value, np.float32), deep=True)
     label.SetName(NAME)
     surface.GetPointData().AddArray(label)

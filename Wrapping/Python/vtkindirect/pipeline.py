@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkDataSet,
@@ -48,7 +48,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
 
-from vtkindirect import arrays
+from vtkindirect import arrays, normals
 from vtkindirect.fields import (
     Field,
     Table,
@@ -100,42 +100,6 @@ def _point_set(data: vtkDataSet, path: str) -> vtkPointSet:
     return data
 
 
-def _with_normals(data: vtkPolyData, had_normals: bool) -> vtkPolyData:
-    """Compute smooth normals anew where a filter moved or dropped points that had them."""
-    if not had_normals:
-        return data
-    normals = vtkPolyDataNormals()
-    normals.SplittingOff()
-    normals.ConsistencyOff()
-    return _run(normals, data)
-
-
-def _mend_normals(surface: vtkPolyData) -> vtkPolyData:
-    """Give the points of an image's contour the normals that its gradient does not have.
-
-    Between voxels with opposite gradients, as in sheets one voxel thin, vtkFlyingEdges3D makes zero
-    of them, and NaN where the spacing is not one. The triangles have a normal there; where they
-    have no area either, nothing shows which one is taken.
-    """
-    normals = vtk_to_numpy(surface.GetPointData().GetNormals())
-    good = np.linalg.norm(normals, axis=1) > 0.5  # not so for NaN
-    if good.all():
-        return surface
-    normals[~good] = (0.0, 0.0, 1.0)
-    computed = vtkPolyDataNormals()
-    computed.SplittingOff()
-    computed.ConsistencyOff()
-    other = vtk_to_numpy(_run(computed, surface).GetPointData().GetNormals())
-    agreement = np.einsum("ij,ij->", normals[good], other[good])
-    usable = ~good & (np.linalg.norm(other, axis=1) > 0.5)
-    normals[usable] = other[usable] if agreement >= 0.0 else -other[usable]
-    return surface
-
-
-def _has_normals(data: vtkPolyData) -> bool:
-    return data.GetPointData().GetNormals() is not None
-
-
 def _check_in_range(found: arrays.Found, values: list[float], path: str) -> None:
     low, high = found.span
     for value in values:
@@ -170,7 +134,7 @@ def _contour(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
     for index, value in enumerate(values["value"]):
         contour.SetValue(index, value)
     result = _run(contour, data)
-    return _mend_normals(result) if isinstance(data, vtkImageData) else result
+    return normals.mend(result) if isinstance(data, vtkImageData) else result
 
 
 def _discrete(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
@@ -260,13 +224,13 @@ def _surface(data: vtkDataSet, _values: Values, _path: str) -> vtkPolyData:
 
 
 def _normals(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
-    normals = vtkPolyDataNormals()
-    normals.SetFeatureAngle(values["feature_angle"])
-    normals.SetSplitting(values["splitting"])
-    normals.SetConsistency(values["consistency"])
-    normals.SetFlipNormals(values["flip"])
-    normals.SetAutoOrientNormals(values["orient"])
-    return _run(normals, surface_of(data, path))
+    step = vtkPolyDataNormals()
+    step.SetFeatureAngle(values["feature_angle"])
+    step.SetSplitting(values["splitting"])
+    step.SetConsistency(values["consistency"])
+    step.SetFlipNormals(values["flip"])
+    step.SetAutoOrientNormals(values["orient"])
+    return _run(step, normals.without(surface_of(data, path)))
 
 
 def _numeric_points(data: vtkDataSet) -> vtkPolyData:
@@ -366,7 +330,7 @@ def _warp_scalar(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
     if values["normal"] is not None:
         warp.UseNormalOn()
         warp.SetNormal(values["normal"])
-    return _with_normals(_run(warp, surface), _has_normals(surface))
+    return normals.anew(_run(warp, surface), normals.has(surface))
 
 
 def _smooth(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
@@ -377,7 +341,7 @@ def _smooth(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
     smooth.NormalizeCoordinatesOn()
     smooth.FeatureEdgeSmoothingOff()
     smooth.BoundarySmoothingOff()
-    return _with_normals(_run(smooth, surface), _has_normals(surface))
+    return normals.anew(_run(smooth, surface), normals.has(surface))
 
 
 def _decimate(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
@@ -385,7 +349,7 @@ def _decimate(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
     decimate = vtkQuadricDecimation()
     decimate.SetTargetReduction(values["reduction"])
     result = _run(decimate, _run(vtkTriangleFilter(), surface))
-    return _with_normals(result, _has_normals(surface))
+    return normals.anew(result, normals.has(surface))
 
 
 def _connectivity(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:

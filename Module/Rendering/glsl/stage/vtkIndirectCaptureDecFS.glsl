@@ -108,7 +108,9 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
     vec3 stored =
       textureLod(vtkiShadowMaps, vec3((vec2(center.x, row) + 0.5f) / map.w, layer), 0.0f).rgb;
     vec3 plane = min(gradient.x * columns + gradient.y * (row - (at.y + 0.5f)), vec3(0.0f));
-    vec3 lit = vec3(greaterThanEqual(stored, compared + plane));
+    // The map ends with what casts shadows: a receiver behind that is compared with its end, where
+    // nothing is.
+    vec3 lit = vec3(greaterThanEqual(stored, min(compared + plane, vec3(1.0f))));
     rows[j] = vtkiTent(lit.x, lit.y, lit.z, fraction.x);
   }
   float lit = vtkiTent(rows[0], rows[1], rows[2], fraction.y);
