@@ -242,7 +242,7 @@ void vtkReflectiveShadowMapPass::DrawFace(
   capture->BeginMap(frame, map, face, this->Resolution);
   for (const CasterKey& caster : in.Faces[map.FirstLayer + face].Casters)
   {
-    capture->BeginCaster();
+    capture->BeginCaster(caster.SendsLight);
     caster.Prop->RenderOpaqueGeometry(frame.Renderer);
   }
   capture->EndStage();

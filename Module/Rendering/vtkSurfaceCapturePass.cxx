@@ -11,13 +11,11 @@
 #include "vtkIndirectCaptureText.h"
 #include "vtkIndirectFlatUniforms.h"
 #include "vtkIndirectFrame.h"
-#include "vtkIndirectIlluminationPass.h"
 #include "vtkIndirectKernels.h"
 #include "vtkIndirectLightConstants.h"
 #include "vtkIndirectLightMap.h"
 #include "vtkIndirectShadowMaps.h"
 #include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -133,13 +131,6 @@ public:
       (drawn->PrimitiveType == PrimitiveTris || drawn->PrimitiveType == PrimitiveTriStrips);
   }
 };
-
-bool SendsLight(vtkProp* prop)
-{
-  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
-  auto* key = vtkIndirectIlluminationPass::SENDS_LIGHT();
-  return !keys || !keys->Has(key) || keys->Get(key) != 0;
-}
 
 vtkPointGaussianMapper* FindSplats(vtkProp* prop)
 {
@@ -314,8 +305,9 @@ void vtkSurfaceCapturePass::DrawChannel(UnattachedChannel channel)
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceCapturePass::BeginCaster()
+void vtkSurfaceCapturePass::BeginCaster(bool sendsLight)
 {
+  this->Internal->MapLight.z = sendsLight ? 1.0f : 0.0f;
   // Depth is the same whoever draws; colours are undefined where the capture's outputs are not
   // written.
   this->Internal->UseMap(false, true);
@@ -453,7 +445,6 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   else
   {
     in.Window->GetState()->vtkglDisable(GL_BLEND);
-    in.MapLight.z = SendsLight(prop) ? 1.0f : 0.0f;
     program->SetUniform3f("vtkiMapLight", glm::value_ptr(in.MapLight));
     const bool triangles = MapperPrimitive::IsTriangles(mapper, prop);
     in.UseMap(triangles, triangles);

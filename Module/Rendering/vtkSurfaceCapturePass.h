@@ -119,8 +119,8 @@ public:
     NoSurface // zero to the surface
   };
   void DrawChannel(UnattachedChannel channel);
-  /** Before each prop that is drawn into a map. */
-  void BeginCaster();
+  /** Before each prop that is drawn into a map; whether it sends light too. */
+  void BeginCaster(bool sendsLight);
   /** Next stage: one face of a light's map. */
   void BeginMap(
     const vtkIndirectFrame& frame, const vtkIndirectLightMap& map, int face, int texels);
