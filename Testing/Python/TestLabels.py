@@ -136,7 +136,11 @@ class Surface(unittest.TestCase):
         np.testing.assert_allclose(voxels.mean(axis=0), 0.0, atol=0.1)
         gradient = (turn @ (voxels / spacing).T).T
         gradient /= np.linalg.norm(gradient, axis=1)[:, None]
-        self.assertGreater((normals * gradient).sum(axis=1).min(), 0.7)
+        # Versions of VTK smooth differently: the least cosine is 0.93 or 0.63, the mean 0.998 or
+        # 0.994. Without smoothing they are 0.42 and 0.965.
+        cosines = (normals * gradient).sum(axis=1)
+        self.assertGreater(cosines.min(), 0.55)
+        self.assertGreater(cosines.mean(), 0.985)
         values = vtk_to_numpy(surface.GetPointData().GetArray(labels.NAME))
         self.assertEqual(set(values.tolist()), {5.0})
 
