@@ -37,13 +37,10 @@ const char* const LinesOrPoints =
   "lines and points are sized in pixels, so they neither cast shadows nor send light";
 const char* const Splats = "splats have no surface: they neither cast shadows nor send light";
 
-// Whether a mapper is VTK's own for polygons or for data sets, which it turns into polygons for one
-// of the former; not classes derived from them.
+// Whether a mapper is VTK's own for polygons, not a class derived from it.
 bool IsPlain(vtkMapper* mapper)
 {
-  return mapper &&
-    (std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 ||
-      std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0);
+  return mapper && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
 }
 
 bool IsPlain(vtkActor* actor)
@@ -51,14 +48,19 @@ bool IsPlain(vtkActor* actor)
   return std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 && IsPlain(actor->GetMapper());
 }
 
-// What a plain mapper draws; null where it will be extracted when it is first drawn.
+// The polygons, lines and points that an actor draws as they are; null where they are not known, as
+// before a mapper of data sets has extracted them.
 vtkPolyData* FindDrawn(vtkMapper* mapper)
 {
+  auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
+  if (!dataSetMapper && !IsPlain(mapper))
+  {
+    return nullptr;
+  }
   if (auto* data = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)))
   {
     return data;
   }
-  auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
   vtkPolyDataMapper* inner = dataSetMapper ? dataSetMapper->GetPolyDataMapper() : nullptr;
   return inner ? inner->GetInput() : nullptr;
 }
@@ -80,13 +82,10 @@ bool IsSolid(vtkActor* actor)
 double CountTriangles(vtkActor* actor)
 {
   actor->GetBounds(); // brings the mapper's data up to date
-  vtkMapper* mapper = actor->GetMapper();
-  vtkPolyData* data = FindDrawn(mapper);
+  vtkPolyData* data = FindDrawn(actor->GetMapper());
   if (!data)
   {
-    // At the most about two a cell of a grid.
-    return mapper->GetInput() ? 2.0 * static_cast<double>(mapper->GetInput()->GetNumberOfCells())
-                              : 0.0;
+    return 0.0;
   }
   double triangles = 0.0;
   for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
@@ -163,12 +162,9 @@ const char* FindNoSurface(vtkActor* actor)
     return LinesOrPoints;
   }
   actor->GetBounds(); // brings the mapper's data up to date
-  bool none = false;
-  if (IsPlain(mapper))
-  {
-    none = IsLinesOrPoints(FindDrawn(mapper));
-  }
-  else if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
+  // Other mappers for polygons draw something else at the points, such as spheres.
+  bool none = IsLinesOrPoints(FindDrawn(mapper));
+  if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {
     none = IsLinesOrPoints(glyphs);
   }
@@ -176,7 +172,6 @@ const char* FindNoSurface(vtkActor* actor)
   {
     none = IsLinesOrPoints(mapper->GetInputDataObject(0, 0));
   }
-  // Other mappers for polygons draw something else at the points, such as spheres.
   return none ? LinesOrPoints : nullptr;
 }
 
@@ -184,7 +179,7 @@ const char* FindNoSurface(vtkActor* actor)
 bool IsUnlit(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
-  vtkPolyData* data = IsPlain(actor) ? FindDrawn(actor->GetMapper()) : nullptr;
+  vtkPolyData* data = FindDrawn(actor->GetMapper());
   return !property->GetLighting() ||
     (data && IsLinesOrPoints(data) && !data->GetPointData()->GetNormals() &&
       !property->GetRenderLinesAsTubes() && !property->GetRenderPointsAsSpheres());
