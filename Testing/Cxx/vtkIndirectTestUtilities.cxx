@@ -128,7 +128,7 @@ bool Check(const std::string& what, bool condition, const std::string& origin)
 bool CheckEqual(const std::string& what, double measured, double expected)
 {
   return Report(measured == expected,
-    Format("%s: %.9g, expected exactly %.9g%.0s", what, measured, expected, 0.0), "");
+    Format("%s: %.9g, expected exactly %.9g", what, measured, expected, 0.0), "");
 }
 
 bool CheckAbsolute(const std::string& what, double measured, double expected, double tolerance,
