@@ -100,7 +100,8 @@ struct vtkSurfaceCapturePass::Internals
   // Whether uniforms come as flat varyings, for which there must be enough pixels a triangle.
   bool FlatUniforms = false;
 
-  // Returns whether that has changed, which rebuilds all shaders: there is some play.
+  // Returns whether that has changed, which rebuilds all shaders: with hysteresis, so that it is
+  // rare.
   bool UpdateFlatUniforms(const vtkIndirectFrame& frame)
   {
     const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
