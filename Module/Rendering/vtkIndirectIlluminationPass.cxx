@@ -308,7 +308,7 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s, std::s
   vtkIndirectFrame& frame = in.Frame;
   if (in.Delegate.IsRefused(this->DelegatePass))
   {
-    why = "the surfaces of what its delegate draws are not to be had";
+    why = vtkIndirectDelegateGuard::Why;
     return false;
   }
   why = "OpenGL could not hold the frame's textures";
@@ -350,7 +350,7 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s, std::s
   }
   if (!drawn || in.Delegate.IsRefused(this->DelegatePass))
   {
-    why = drawn ? "the surfaces of what its delegate draws are not to be had" : why;
+    why = drawn ? vtkIndirectDelegateGuard::Why : why;
     return false;
   }
   this->NumberOfRenderedProps += in.Geometry->GetNumberOfRenderedProps();

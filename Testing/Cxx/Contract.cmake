@@ -36,8 +36,9 @@ contract_topic(Lights
 contract_topic(Speed
   WorkNothingChanged WorkChanges WorkCameraLight WorkDraws ShaderBuilds FlatUniforms)
 contract_topic(Props
-  PropsSky PropsColorOnly PropsBillboard PropsTubes PropsBehindCasters PropsEdges
-  PropsAnnotation PropsKeys PropsSplats PropsLeftOut PropsHints)
+  PropsSky PropsColorOnly PropsBillboard PropsSplats PropsLeftOut PropsHints)
+contract_topic(Casters
+  PropsTubes PropsBehindCasters PropsEdges PropsAnnotation PropsKeys)
 contract_topic(Delegates DelegateRedirects DelegateItself DelegateSteps)
 contract_topic(Errors
   DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany

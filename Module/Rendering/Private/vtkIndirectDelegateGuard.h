@@ -10,6 +10,9 @@
 class vtkIndirectDelegateGuard
 {
 public:
+  /** Why frames of a refused delegate are its picture alone. */
+  static constexpr const char* Why = "the surfaces of what its delegate draws are not to be had";
+
   void Begin() { this->Drawing = true; }
   void End() { this->Drawing = false; }
   bool IsDrawing() const { return this->Drawing; }

@@ -182,15 +182,14 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     return;
   }
   const double* bounds = prop->GetBounds();
-  if (kind.Captured && bounds && !IsFinite(bounds))
+  if (kind.Captured && !(bounds && IsFinite(bounds)))
   {
     this->LeaveOut(prop->GetClassName(), "its bounds are empty or not finite");
     return;
   }
   const bool casts =
     ReadKey(prop, vtkIndirectIlluminationPass::CASTS_SHADOWS(), kind.NoCaster == nullptr);
-  const bool finite = bounds && IsFinite(bounds);
-  if (casts && kind.Captured && kind.Surface && finite)
+  if (casts && kind.Captured && kind.Surface)
   {
     vtkIndirectCaster caster;
     caster.Prop = prop;
@@ -206,7 +205,7 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     kind.NoCaster ? kind.NoCaster
                   : "its property key CASTS_SHADOWS is 0: it sends no light either");
   this->AllSendLight = this->AllSendLight && kind.NoCaster != nullptr;
-  if (kind.Captured && kind.Lit && finite)
+  if (kind.Captured && kind.Lit)
   {
     ++this->NumberOfOtherReceivers;
     box.AddBounds(bounds);

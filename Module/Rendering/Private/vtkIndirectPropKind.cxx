@@ -79,10 +79,8 @@ bool IsSolid(vtkActor* actor)
 }
 
 // A polygon or strip of n points is n - 2 triangles; lines and points are as many of their own.
-double CountTriangles(vtkActor* actor)
+double CountTriangles(vtkPolyData* data)
 {
-  actor->GetBounds(); // brings the mapper's data up to date
-  vtkPolyData* data = FindDrawn(actor->GetMapper());
   if (!data)
   {
     return 0.0;
@@ -149,8 +147,8 @@ bool IsLinesOrPoints(vtkGlyph3DMapper* mapper)
   return count > 0;
 }
 
-// Why an actor draws no surfaces; null when it does.
-const char* FindNoSurface(vtkActor* actor)
+// Why an actor draws no surfaces; null when it does. drawn: see FindDrawn.
+const char* FindNoSurface(vtkActor* actor, vtkPolyData* drawn)
 {
   vtkMapper* mapper = actor->GetMapper();
   if (vtkPointGaussianMapper::SafeDownCast(mapper))
@@ -161,9 +159,8 @@ const char* FindNoSurface(vtkActor* actor)
   {
     return LinesOrPoints;
   }
-  actor->GetBounds(); // brings the mapper's data up to date
   // Other mappers for polygons draw something else at the points, such as spheres.
-  bool none = IsLinesOrPoints(FindDrawn(mapper));
+  bool none = IsLinesOrPoints(drawn);
   if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {
     none = IsLinesOrPoints(glyphs);
@@ -175,13 +172,11 @@ const char* FindNoSurface(vtkActor* actor)
   return none ? LinesOrPoints : nullptr;
 }
 
-// VTK lights lines and points only with normals, or as tubes and spheres.
-bool IsUnlit(vtkActor* actor)
+// VTK lights lines and points only with normals, or as tubes and spheres. drawn: see FindDrawn.
+bool IsUnlit(vtkProperty* property, vtkPolyData* drawn)
 {
-  vtkProperty* property = actor->GetProperty();
-  vtkPolyData* data = FindDrawn(actor->GetMapper());
   return !property->GetLighting() ||
-    (data && IsLinesOrPoints(data) && !data->GetPointData()->GetNormals() &&
+    (IsLinesOrPoints(drawn) && !drawn->GetPointData()->GetNormals() &&
       !property->GetRenderLinesAsTubes() && !property->GetRenderPointsAsSpheres());
 }
 
@@ -197,11 +192,11 @@ void CollectParts(vtkProp* prop, std::vector<vtkProp*>& parts)
       CollectParts(vtkProp::SafeDownCast(part), parts);
     }
   };
-  if (vtkActor::SafeDownCast(prop))
+  if (!prop)
   {
-    parts.push_back(prop);
+    return;
   }
-  else if (auto* assembly = vtkAssembly::SafeDownCast(prop))
+  if (auto* assembly = vtkAssembly::SafeDownCast(prop))
   {
     addAll(assembly->GetParts());
   }
@@ -215,7 +210,7 @@ void CollectParts(vtkProp* prop, std::vector<vtkProp*>& parts)
     prop->GetActors(levels);
     addAll(levels.Get());
   }
-  else if (prop)
+  else
   {
     parts.push_back(prop);
   }
@@ -238,11 +233,13 @@ bool IsCaptured(vtkProp* part)
 vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
 {
   vtkIndirectPropKind kind;
+  auto* whole = vtkActor::SafeDownCast(prop);
   auto* follower = vtkProp3DFollower::SafeDownCast(prop);
   std::vector<vtkProp*> parts;
   CollectParts(follower ? follower->GetProp3D() : prop, parts);
   kind.Captured = std::all_of(parts.begin(), parts.end(), IsCaptured);
-  kind.NoCaster = ColorAlone;
+  kind.NumberOfTriangles = 1e9;
+  const char* noSurface = ColorAlone;
   for (vtkProp* part : parts)
   {
     auto* actor = vtkActor::SafeDownCast(part);
@@ -251,32 +248,21 @@ vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
       kind.Surface = kind.Surface || (!actor && IsCaptured(part)); // an image
       continue;
     }
+    actor->GetBounds(); // brings the mapper's data up to date
+    vtkPolyData* drawn = FindDrawn(actor->GetMapper());
     kind.Specular =
       kind.Specular || IsSpecular(actor->GetProperty()) || IsSpecular(actor->GetBackfaceProperty());
-    kind.Lit = kind.Lit || !IsUnlit(actor);
-    const char* why = FindNoSurface(actor);
-    if (why && !kind.Surface)
-    {
-      kind.NoCaster = why;
-    }
+    kind.Lit = kind.Lit || !IsUnlit(actor->GetProperty(), drawn);
+    const char* why = FindNoSurface(actor, drawn);
     kind.Surface = kind.Surface || !why;
+    noSurface = why ? why : noSurface;
+    if (actor == whole && IsPlain(actor))
+    {
+      kind.Solid = IsSolid(actor);
+      kind.NumberOfTriangles = CountTriangles(drawn);
+    }
   }
   const bool turns = follower || prop->IsA("vtkFollower");
-  if (kind.Captured && kind.Surface && !turns)
-  {
-    kind.NoCaster = nullptr;
-  }
-  else if (!kind.Captured)
-  {
-    kind.NoCaster = ColorAlone;
-  }
-  else if (kind.Surface)
-  {
-    kind.NoCaster = Turns;
-  }
-  auto* actor = vtkActor::SafeDownCast(prop);
-  const bool plain = actor && IsPlain(actor);
-  kind.Solid = plain && IsSolid(actor);
-  kind.NumberOfTriangles = plain ? CountTriangles(actor) : 1e9;
+  kind.NoCaster = !kind.Captured ? ColorAlone : !kind.Surface ? noSurface : turns ? Turns : nullptr;
   return kind;
 }
