@@ -5,7 +5,6 @@
 #include "vtkBoxRepresentation.h"
 #include "vtkCellArray.h"
 #include "vtkCubeAxesActor.h"
-#include "vtkFollower.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLightKit.h"
@@ -14,7 +13,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkReflectiveShadowMapPass.h"
-#include "vtkVectorText.h"
 
 #include <algorithm>
 #include <functional>
@@ -189,14 +187,7 @@ CONTRACT_TEST(PropsAnnotation)
     { "follower",
       [](vtkRenderer* renderer)
       {
-        vtkNew<vtkVectorText> text;
-        text->SetText("F");
-        vtkNew<vtkPolyDataMapper> mapper;
-        mapper->SetInputConnection(text->GetOutputPort());
-        auto follower = vtkSmartPointer<vtkFollower>::New();
-        follower->SetMapper(mapper);
-        follower->SetCamera(renderer->GetActiveCamera());
-        follower->SetScale(0.3);
+        vtkSmartPointer<vtkProp3D> follower = MakeFollower(renderer, 0.3);
         follower->SetPosition(0.4, 0.4, 0.6);
         return vtkSmartPointer<vtkProp>(follower);
       } },

@@ -245,8 +245,10 @@ vtkSmartPointer<vtkProp> Text()
   actor->SetScale(0.25);
   return actor;
 }
+}
 
-vtkSmartPointer<vtkProp> Follower(vtkRenderer* renderer)
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkProp3D> contract::MakeFollower(vtkRenderer* renderer, double scale)
 {
   vtkNew<vtkVectorText> text;
   text->SetText("F");
@@ -255,9 +257,8 @@ vtkSmartPointer<vtkProp> Follower(vtkRenderer* renderer)
   auto follower = vtkSmartPointer<vtkFollower>::New();
   follower->SetMapper(mapper);
   follower->SetCamera(renderer->GetActiveCamera());
-  follower->SetScale(0.5);
+  follower->SetScale(scale);
   return follower;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -334,7 +335,7 @@ void contract::AddKinds(
     { "levels of detail", LevelsOfDetail },
     { "image slice", Slice },
     { "text", Text },
-    { "follower", [renderer] { return Follower(renderer); } },
+    { "follower", [renderer] { return contract::MakeFollower(renderer, 0.5); } },
   };
 
   const int columns = 5;

@@ -23,6 +23,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkProp3D;
 
 namespace contract
 {
@@ -181,6 +182,9 @@ vtkSmartPointer<vtkLight> MakeLight(
 void AddRoom(vtkRenderer* renderer);
 /** The same without the light. */
 void AddRoomSurfaces(vtkRenderer* renderer);
+
+/** A letter that turns to the renderer's camera. */
+vtkSmartPointer<vtkProp3D> MakeFollower(vtkRenderer* renderer, double scale);
 
 /** One actor or prop of each kind that VTK draws as opaque, in a grid; names tells which. */
 void AddKinds(vtkRenderer* renderer, std::vector<std::string>* names = nullptr,

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import cache
 from typing import Any
 
 from vtkmodules.vtkCommonCore import vtkInformation
@@ -30,12 +31,17 @@ def _widgets(renderer: vtkRenderer) -> list[Any]:
     ]
 
 
+@cache
+def _getters(kind: type) -> tuple[str, ...]:
+    """Return the methods of a class of widgets by which it tells its properties."""
+    return tuple(name for name in dir(kind) if re.fullmatch(r"Get\w*Property", name))
+
+
 def _properties(widget: Any) -> Iterator[vtkProperty]:
-    for name in dir(widget):
-        if re.fullmatch(r"Get\w*Property", name):
-            found = getattr(widget, name)()
-            if isinstance(found, vtkProperty):
-                yield found
+    for name in _getters(type(widget)):
+        found = getattr(widget, name)()
+        if isinstance(found, vtkProperty):
+            yield found
 
 
 def leave_out_of_maps(renderer: vtkRenderer) -> None:
