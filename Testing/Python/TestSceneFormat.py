@@ -321,6 +321,15 @@ class Built(support.DirectoryTest):
             scene = self.load(document)
             self.assertAlmostEqual((scene.bounds[1] - scene.bounds[0]) / scale, 1.0, delta=0.1)
 
+    def test_one_window_after_another(self) -> None:
+        scene = self.load(support.small_scene())
+        first = scene.make_window((24, 16))
+        first.Render()
+        second = scene.make_window((32, 16))
+        self.assertFalse(first.HasRenderer(scene.renderer))
+        second.Render()
+        self.assertEqual(scene.renderer.GetSize(), (32, 16))
+
     def test_all_scenes_of_the_project(self) -> None:
         for path in sorted(support.SCENES.glob("*.json")):
             if path.stem not in ("frog", "brain", "protein", "room_fire", "apartment_living"):

@@ -126,6 +126,5 @@ def open_window(scene: Scene, size: tuple[int, int] | None) -> vtkRenderWindow:
     windows.start(window)
     windows.check_size(window, size)
     window.SetSize(size)
-    window.AddRenderer(scene.renderer)
-    scene.render_window = window
+    scene.move_to(window)
     return window

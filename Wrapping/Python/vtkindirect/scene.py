@@ -139,13 +139,22 @@ class Scene:
         """Return a new window that shows the scene; see `vtkindirect.render_window`.
 
         `size` in pixels; default: that of the scene. `offscreen` is by default True: no window is
-        shown even when there is a display.
+        shown even when there is a display. The scene leaves the window that it was in.
         """
         window = windows.render_window(size or self.size, offscreen=offscreen)
-        window.AddRenderer(self.renderer)
         window.SetWindowName(self.name)
-        self.render_window = window
+        self.move_to(window)
         return window
+
+    def move_to(self, window: vtkRenderWindow) -> None:
+        """Show the scene in a window, and no longer in the one before.
+
+        A renderer's OpenGL objects belong to one window: VTK crashes when it is in two.
+        """
+        if self.render_window is not None:
+            self.render_window.RemoveRenderer(self.renderer)
+        window.AddRenderer(self.renderer)
+        self.render_window = window
 
 
 def _check_extent(scene: Scene) -> None:
