@@ -9,8 +9,6 @@ int main(int argc, char* argv[])
 {
   TestMap tests = GetDiagnosisTests();
   tests.merge(GetMachineTests());
-#ifdef FAKE_EGL_VENDOR
   tests.merge(GetDeviceTests());
-#endif
   return RunNamedTest(tests, argc, argv);
 }
