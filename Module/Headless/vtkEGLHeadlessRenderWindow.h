@@ -103,11 +103,11 @@ public:
   int GetNumberOfDevices() override;
 
   /**
-   * What EGL tells of the device with that index, in one line that begins with "EGL device <index>:
-   * hardware" or "EGL device <index>: software". As far as the driver knows them there follow: the
-   * card, the vendor of the driver, the driver, the files of the card and of its render node, its
-   * number in CUDA, and the index of another device that is the same card, as when the drivers of
-   * two vendors both list it. Empty for an index that does not exist.
+   * What is known of the EGL device with that index, in one line that begins with "EGL device
+   * <index>: hardware" or "EGL device <index>: software". As far as EGL tells them there follow:
+   * the card, the vendor of the driver, the driver (else that of the kernel), the files of the card
+   * and of its render node, its number in CUDA, and the index of another device that is the same
+   * card, as when the drivers of two vendors both list it. Empty for an index that does not exist.
    */
   static std::string GetDeviceDescription(int index);
 

@@ -37,7 +37,7 @@ std::string ExplainMissingCard(std::vector<vtkEGLMachine::Attempt> attempts)
       attempt.RenderNode = device->RenderNode;
     }
   }
-  vtkEGLMachine machine = vtkEGLMachine::Gather(vtkEGLContext::MachineRoot);
+  vtkEGLMachine machine = vtkEGLMachine::Gather();
   machine.Attempts = attempts;
   return vtkEGLDiagnosis::Explain(machine);
 }
@@ -86,7 +86,7 @@ std::string vtkEGLContext::Create(int deviceIndex)
   {
     const bool isListed = deviceIndex < static_cast<int>(devices.size());
     const std::string why = vtkEGLDiagnosis::ExplainRenderNode(
-      vtkEGLMachine::Gather(MachineRoot), isListed ? devices[deviceIndex].RenderNode : "");
+      vtkEGLMachine::Gather(), isListed ? devices[deviceIndex].RenderNode : "");
     return "No OpenGL 3.2 core context can be made on EGL device " + std::to_string(deviceIndex) +
       ": " + attempts.front().Reason + (why.empty() ? "" : "; " + why.substr(0, why.size() - 1)) +
       ". " + vtkEGLDevice::DescribeAll(devices);

@@ -24,9 +24,6 @@ struct vtkEGLContext : vtkEGLBinding
    * or the reasons why none works; nothing is left behind then. What is current stays so. */
   std::string Create(int deviceIndex);
 
-  /** The root of the files by which cards are looked for. Tests put another tree in its place. */
-  static inline std::string MachineRoot = "/";
-
   void Destroy();
 
 private:

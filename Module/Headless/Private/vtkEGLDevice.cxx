@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEGLDevice.h"
 
+#include "vtkEGLMachine.h"
 #include "vtkEGLPlatform.h"
 #include "vtkEGLUtilities.h"
 
@@ -57,6 +58,15 @@ vtkEGLDevice Ask(const vtkEGLPlatform& platform, int index)
   device.Driver = ask("EGL_EXT_device_persistent_id", EGL_DRIVER_NAME_EXT);
   device.CardFile = ask("EGL_EXT_device_drm", EGL_DRM_DEVICE_FILE_EXT);
   device.RenderNode = ask("EGL_EXT_device_drm_render_node", EGL_DRM_RENDER_NODE_FILE_EXT);
+  // Not every version of the driver that has this extension, NVIDIA's own, tells its vendor.
+  if (device.Vendor.empty() && HasExtension(extensions, "EGL_NV_device_cuda"))
+  {
+    device.Vendor = "NVIDIA";
+  }
+  if (device.Driver.empty() && !device.IsSoftware && !device.RenderNode.empty())
+  {
+    device.Driver = vtkEGLMachine::GetKernelDriver(device.RenderNode);
+  }
   EGLAttrib cuda = -1;
   if (queryAttribute && HasExtension(extensions, "EGL_NV_device_cuda") &&
     queryAttribute(handle, EGL_CUDA_DEVICE_NV, &cuda))
@@ -73,8 +83,7 @@ vtkEGLDevice Ask(const vtkEGLPlatform& platform, int index)
 bool vtkEGLDevice::IsNvidia() const
 {
   // Mesa may list a card of NVIDIA's too, and has other needs.
-  return this->CudaDevice >= 0 || this->Vendor.find("NVIDIA") != std::string::npos ||
-    this->Driver == "nvidia";
+  return this->Vendor.find("NVIDIA") != std::string::npos;
 }
 
 //------------------------------------------------------------------------------

@@ -9,7 +9,8 @@
 struct vtkEGLDevice
 {
   int Index = -1;
-  /** Of the card, such as "NVIDIA A40"; of who made the driver; of the driver. */
+  /** Of the card, such as "NVIDIA A40"; of who made the driver; of the driver, which the kernel
+   * tells where EGL does not. */
   std::string Renderer;
   std::string Vendor;
   std::string Driver;

@@ -337,9 +337,15 @@ bool vtkEGLMachine::EnvironmentWantsSoftware()
 }
 
 //------------------------------------------------------------------------------
-vtkEGLMachine vtkEGLMachine::Gather(const std::string& root)
+std::string vtkEGLMachine::GetKernelDriver(const std::string& renderNode)
 {
-  const Tree tree(root);
+  return GetRenderingDriver(Tree(Root), renderNode.substr(renderNode.rfind('/') + 1));
+}
+
+//------------------------------------------------------------------------------
+vtkEGLMachine vtkEGLMachine::Gather()
+{
+  const Tree tree(Root);
   vtkEGLMachine machine;
   machine.VendorFilenames = GetEnvironment("__EGL_VENDOR_LIBRARY_FILENAMES");
   machine.DriverCapabilities = GetEnvironment("NVIDIA_DRIVER_CAPABILITIES");

@@ -59,8 +59,15 @@ struct vtkEGLMachine
 
   std::vector<Attempt> Attempts;
 
-  /** All but the attempts. root: "/", or a folder that stands for it. */
-  static vtkEGLMachine Gather(const std::string& root);
+  /** The root of all files. Tests put another tree in its place. */
+  static inline std::string Root = "/";
+
+  /** All but the attempts. */
+  static vtkEGLMachine Gather();
+
+  /** The kernel's driver of the card with that file, such as "/dev/dri/renderD128"; empty where it
+   * is not known or cannot render. */
+  static std::string GetKernelDriver(const std::string& renderNode);
 
   /** Whether the environment tells Mesa to render in software. */
   static bool EnvironmentWantsSoftware();

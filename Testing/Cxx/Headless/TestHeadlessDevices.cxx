@@ -4,7 +4,7 @@
 #include "CardTestTools.h"
 #include "HeadlessTestTools.h"
 
-#include "vtkEGLContext.h"
+#include "vtkEGLMachine.h"
 
 #include <dlfcn.h>
 
@@ -46,7 +46,7 @@ struct FakeMachine
     settings["FAKE_EGL_DEVICES"] = devices;
     settings["__EGL_VENDOR_LIBRARY_FILENAMES"] = files;
     SetEnvironment(settings);
-    vtkEGLContext::MachineRoot = this->Tree.GetRoot();
+    vtkEGLMachine::Root = this->Tree.GetRoot();
   }
 };
 
@@ -136,21 +136,24 @@ void ChosenDevice()
 //------------------------------------------------------------------------------
 void Descriptions()
 {
-  const FakeMachine machine("works|/dev/dri/renderD128|Card A|NVIDIA|0;broken|/dev/dri/renderD128;"
-                            "mute|||NVIDIA;works||Two\nlines|Vendor B|12;software");
+  FakeMachine machine("works|/dev/dri/renderD128|Card A|NVIDIA Corporation|0;"
+                      "broken|/dev/dri/renderD128;mute|||NVIDIA;works||Two\nlines|Vendor B|12;"
+                      "works|/dev/dri/renderD129;works||||3;software|/dev/dri/renderD129");
+  machine.Tree.KernelNode("renderD128", "nvidia").KernelNode("renderD129", "amdgpu");
   const auto describe = [](int index)
   { return vtkEGLHeadlessRenderWindow::GetDeviceDescription(index); };
-  const std::vector<std::string> expected = {
-    "EGL device 0: hardware, Card A, NVIDIA, /dev/dri/renderD128, CUDA device 0",
-    "EGL device 1: hardware, /dev/dri/renderD128, the card of EGL device 0",
+  const std::vector<std::string> expected = { "EGL device 0: hardware, Card A, NVIDIA Corporation, "
+                                              "nvidia, /dev/dri/renderD128, CUDA device 0",
+    "EGL device 1: hardware, nvidia, /dev/dri/renderD128, the card of EGL device 0",
     "EGL device 2: hardware", "EGL device 3: hardware, Two lines, Vendor B, CUDA device 12",
-    "EGL device 4: software"
-  };
+    "EGL device 4: hardware, amdgpu, /dev/dri/renderD129",
+    "EGL device 5: hardware, NVIDIA, CUDA device 3",
+    "EGL device 6: software, /dev/dri/renderD129, the card of EGL device 4" };
   for (size_t i = 0; i < expected.size(); ++i)
   {
     CHECK(describe(static_cast<int>(i)) == expected[i], describe(static_cast<int>(i)));
   }
-  CHECK(describe(-1).empty() && describe(5).empty() && describe(1 << 30).empty(), "");
+  CHECK(describe(-1).empty() && describe(7).empty() && describe(1 << 30).empty(), "");
 }
 
 //------------------------------------------------------------------------------

@@ -14,9 +14,16 @@ using namespace headlesstest;
 namespace
 {
 //------------------------------------------------------------------------------
+vtkEGLMachine Gather(const std::string& root)
+{
+  vtkEGLMachine::Root = root;
+  return vtkEGLMachine::Gather();
+}
+
+//------------------------------------------------------------------------------
 bool Says(const FakeTree& tree, const std::string& words)
 {
-  const std::string line = vtkEGLDiagnosis::Explain(vtkEGLMachine::Gather(tree.GetRoot()));
+  const std::string line = vtkEGLDiagnosis::Explain(Gather(tree.GetRoot()));
   std::cout << (line.empty() ? "(nothing)" : line) << "\n";
   return words.empty() ? line.empty() : line.find(words) != std::string::npos;
 }
@@ -27,9 +34,9 @@ void MachineEmpty()
   FakeTree tree;
   SetEnvironment({});
   CHECK(Says(tree, ""), "");
-  CHECK(vtkEGLDiagnosis::Explain(vtkEGLMachine::Gather("/no/such/folder")).empty(), "");
+  CHECK(vtkEGLDiagnosis::Explain(Gather("/no/such/folder")).empty(), "");
   // The root without what stands for it.
-  const vtkEGLMachine machine = vtkEGLMachine::Gather("/");
+  const vtkEGLMachine machine = Gather("/");
   CHECK(!machine.WantsSoftware, "");
   CHECK(machine.NvidiaFiles.empty() != std::filesystem::exists("/dev/nvidia0"), "");
 }
@@ -41,7 +48,7 @@ void MachineNodes()
   FakeTree tree;
   tree.Node("renderD128", "amdgpu").KernelNode("renderD129", "i915").File("/dev/dri/card0");
   tree.File("/dev/dri/renderDx").Folder("/dev/dri/by-path");
-  const vtkEGLMachine machine = vtkEGLMachine::Gather(tree.GetRoot());
+  const vtkEGLMachine machine = Gather(tree.GetRoot());
   CHECK(machine.RenderNodes.size() == 1, machine.RenderNodes.size());
   CHECK(machine.RenderNodes.at(0).Path == "/dev/dri/renderD128", machine.RenderNodes.at(0).Path);
   CHECK(machine.RenderNodes.at(0).Driver == "amdgpu", machine.RenderNodes.at(0).Driver);
@@ -55,7 +62,7 @@ void MachineNodes()
   // What cannot be opened says why. A folder serves root as well, who may open all else.
   FakeTree closed;
   closed.KernelNode("renderD128", "xe").Folder("/dev/dri/renderD128");
-  const vtkEGLMachine refused = vtkEGLMachine::Gather(closed.GetRoot());
+  const vtkEGLMachine refused = Gather(closed.GetRoot());
   CHECK(refused.RenderNodes.at(0).OpenError == EISDIR, refused.RenderNodes.at(0).OpenError);
   CHECK(Says(closed, "/dev/dri/renderD128 of a graphics card cannot be opened"), "");
 }
@@ -73,7 +80,7 @@ void MachineContainer()
   nvidia.File("/proc/driver/nvidia/version",
     "NVRM version: NVIDIA UNIX x86_64 Kernel Module  535.161.07  Sat Feb 17 22:55:48 UTC 2024\n"
     "GCC version:  gcc version 12.2.0 (Debian 12.2.0-14)\n");
-  CHECK(vtkEGLMachine::Gather(nvidia.GetRoot()).NvidiaVersion == "535.161.07", "");
+  CHECK(Gather(nvidia.GetRoot()).NvidiaVersion == "535.161.07", "");
   CHECK(Says(nvidia, "--gpus all"), "");
   nvidia.Folder("/proc/driver/nvidia/gpus/0000:01:00.0");
   CHECK(Says(nvidia, "--gpus all"), "");
@@ -133,7 +140,7 @@ void MachineSandbox()
   SetEnvironment({});
   FakeTree tree;
   tree.File("/dev/nvidia0").File("/dev/nvidiactl").File("/dev/nvidia-uvm").Folder("/sys");
-  const vtkEGLMachine machine = vtkEGLMachine::Gather(tree.GetRoot());
+  const vtkEGLMachine machine = Gather(tree.GetRoot());
   CHECK(machine.NvidiaFiles.size() == 1, machine.NvidiaFiles.size());
   CHECK(machine.NvidiaVersion.empty() && !machine.HasNvidiaKernel, "");
   CHECK(Says(tree, "libEGL_nvidia.so.0"), "");
@@ -155,7 +162,7 @@ void MachineNvidiaDriver()
   tree.File("/usr/lib/x86_64-linux-gnu/" + library);
   CHECK(Says(tree, "10_nvidia.json is missing"), "");
   WriteVendorFile(tree, standard, library);
-  vtkEGLMachine machine = vtkEGLMachine::Gather(tree.GetRoot());
+  vtkEGLMachine machine = Gather(tree.GetRoot());
   CHECK(machine.NvidiaVendorFile == standard && machine.NvidiaVendorFileIsFound, "");
   CHECK(machine.NvidiaLibrary == "/usr/lib/x86_64-linux-gnu/" + library, machine.NvidiaLibrary);
   CHECK(machine.NvidiaLibraryIsFound, "");
