@@ -80,6 +80,16 @@ std::string ExplainNvidia(const vtkEGLMachine& machine, const File& file)
       "): the driver's libraries must have the version of its kernel module" + version +
       "; nvidia-smi tells whether they fit.";
   }
+  if (machine.NvidiaLibrary.empty() && !machine.NvidiaVendorFile.empty())
+  {
+    return "the driver of the " + card + " is named to EGL by " + machine.NvidiaVendorFile +
+      ", but its library libEGL_nvidia.so.0 is in none of the usual folders: add its folder to "
+      "LD_LIBRARY_PATH" +
+      (machine.NvidiaVendorFileIsFound
+          ? ""
+          : " and set __EGL_VENDOR_LIBRARY_FILENAMES=" + machine.NvidiaVendorFile) +
+      "; in a container set NVIDIA_DRIVER_CAPABILITIES=all when it is started.";
+  }
   if (machine.NvidiaLibrary.empty())
   {
     return "the driver of the " + card +

@@ -291,18 +291,44 @@ std::vector<std::string> ListFiles(const Tree& tree, const std::vector<std::stri
 }
 
 //------------------------------------------------------------------------------
-void GatherNvidiaDriver(const Tree& tree, vtkEGLMachine& machine)
+std::string GetNamedLibrary(const Tree& tree, const std::string& vendorFile)
+{
+  const std::string text = vendorFile.empty() ? "" : tree.Read(vendorFile);
+  const size_t name = text.find("libEGL_nvidia");
+  const size_t begin = name == std::string::npos ? name : text.rfind('"', name);
+  const size_t end = text.find('"', name);
+  if (begin == std::string::npos || end == std::string::npos)
+  {
+    return "";
+  }
+  const std::string path = text.substr(begin + 1, end - begin - 1);
+  return path.front() == '/' && tree.Has(path) ? path : "";
+}
+
+//------------------------------------------------------------------------------
+// Where the dynamic linker looks.
+std::vector<std::string> ListLibraryFolders(const Tree& tree)
 {
   std::vector<std::string> folders = SplitPath(GetEnvironment("LD_LIBRARY_PATH"));
-  folders.insert(folders.end(), std::begin(LibraryFolders), std::end(LibraryFolders));
-  machine.NvidiaLibrary = FindLibrary(tree, folders);
-  machine.NvidiaLibraryIsFound = !machine.NvidiaLibrary.empty();
-  if (!machine.NvidiaLibraryIsFound)
+  for (const std::string& file : tree.List("/etc/ld.so.conf.d", ""))
   {
-    machine.NvidiaLibrary =
-      FindLibrary(tree, { std::begin(OtherLibraryFolders), std::end(OtherLibraryFolders) });
+    std::istringstream words(tree.Read(file));
+    std::string word;
+    while (words >> word)
+    {
+      if (word.front() == '/')
+      {
+        folders.push_back(word);
+      }
+    }
   }
+  folders.insert(folders.end(), std::begin(LibraryFolders), std::end(LibraryFolders));
+  return folders;
+}
 
+//------------------------------------------------------------------------------
+void GatherNvidiaDriver(const Tree& tree, vtkEGLMachine& machine)
+{
   // What the environment names takes the place of what EGL looks through on its own.
   const std::vector<std::string> standard(std::begin(VendorFolders), std::end(VendorFolders));
   std::vector<std::string> files = SplitPath(machine.VendorFilenames);
@@ -318,6 +344,17 @@ void GatherNvidiaDriver(const Tree& tree, vtkEGLMachine& machine)
     std::vector<std::string> all = standard;
     all.insert(all.end(), std::begin(OtherVendorFolders), std::end(OtherVendorFolders));
     machine.NvidiaVendorFile = FindVendorFile(tree, ListFiles(tree, all));
+  }
+
+  // A vendor's file may have the whole path of its library.
+  const std::string named = GetNamedLibrary(tree, machine.NvidiaVendorFile);
+  const std::vector<std::string> folders = ListLibraryFolders(tree);
+  machine.NvidiaLibrary = named.empty() ? FindLibrary(tree, folders) : named;
+  machine.NvidiaLibraryIsFound = !machine.NvidiaLibrary.empty();
+  if (!machine.NvidiaLibraryIsFound)
+  {
+    machine.NvidiaLibrary =
+      FindLibrary(tree, { std::begin(OtherLibraryFolders), std::end(OtherLibraryFolders) });
   }
 }
 }

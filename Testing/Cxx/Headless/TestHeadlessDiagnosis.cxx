@@ -89,6 +89,14 @@ void DiagnosisNvidia()
   machine.DriverCapabilities = "compute,utility";
   CHECK_LINE(machine, { "NVIDIA_DRIVER_CAPABILITIES=all", "it is compute,utility" });
 
+  machine.NvidiaVendorFile = "/usr/share/glvnd/egl_vendor.d/10_nvidia.json";
+  CHECK_LINE(machine, { "FILENAMES=" + machine.NvidiaVendorFile, "LD_LIBRARY_PATH" });
+  machine.NvidiaVendorFileIsFound = true;
+  CHECK_LINE(machine, { machine.NvidiaVendorFile, "LD_LIBRARY_PATH", "CAPABILITIES=all" });
+  CHECK(!Has(vtkEGLDiagnosis::Explain(machine), "FILENAMES"), "");
+  machine.NvidiaVendorFile = "";
+  machine.NvidiaVendorFileIsFound = false;
+
   machine.NvidiaLibrary = "/usr/lib64/libEGL_nvidia.so.0";
   machine.NvidiaLibraryIsFound = true;
   CHECK_LINE(machine,

@@ -177,6 +177,25 @@ void MachineNvidiaDriver()
   SetEnvironment({ { "__EGL_VENDOR_LIBRARY_DIRS", "/etc/glvnd/egl_vendor.d" } });
   CHECK(Says(tree, "__EGL_VENDOR_LIBRARY_FILENAMES=" + standard), "");
 
+  // A file that has the whole path, as NixOS writes it, and one whose library is nowhere.
+  SetEnvironment({});
+  const std::string stored = "/nix/store/a-nvidia-x11/lib/" + library;
+  FakeTree whole;
+  whole.File("/dev/nvidia0");
+  WriteVendorFile(whole, "/run/opengl-driver/share/glvnd/egl_vendor.d/10_nvidia.json", stored);
+  CHECK(Says(whole, "in none of the usual folders"), "");
+  whole.File(stored);
+  machine = Gather(whole.GetRoot());
+  CHECK(machine.NvidiaLibrary == stored && machine.NvidiaLibraryIsFound, machine.NvidiaLibrary);
+  CHECK(Says(whole, "egl_vendor.d/10_nvidia.json."), "");
+  // A folder that the linker is told of.
+  FakeTree told;
+  told.File("/dev/nvidia0").File("/opt/nvidia/lib/" + library);
+  WriteVendorFile(told, standard, library);
+  CHECK(Says(told, "in none of the usual folders"), "");
+  told.File("/etc/ld.so.conf.d/nvidia.conf", "# NVIDIA\n/opt/nvidia/lib\n");
+  CHECK(Gather(told.GetRoot()).NvidiaLibraryIsFound, "");
+
   // Drivers that were put into a folder of their own.
   struct Place
   {
