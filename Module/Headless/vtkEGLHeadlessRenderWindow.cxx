@@ -2,6 +2,7 @@
 #include "vtkEGLHeadlessRenderWindow.h"
 
 #include "vtkEGLContext.h"
+#include "vtkEGLDevice.h"
 #include "vtkEGLLoader.h"
 #include "vtkEGLPlatform.h"
 #include "vtkEGLUtilities.h"
@@ -15,6 +16,7 @@
 #include <EGL/egl.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <vector>
@@ -26,6 +28,7 @@ public:
   vtkEGLContext Context;
   std::vector<vtkEGLBinding> Stack;
   std::string ErrorMessage;
+  std::string WarningMessage;
   // The device for which making a context has failed, so that it fails only once.
   bool Failed = false;
   int FailedDeviceIndex = -1;
@@ -73,6 +76,7 @@ void vtkEGLHeadlessRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GLVersion: " << this->GetGLVersion() << "\n";
   os << indent << "GLRenderer: " << this->GetGLRenderer() << "\n";
   os << indent << "LastErrorMessage: " << this->GetLastErrorMessage() << "\n";
+  os << indent << "LastWarningMessage: " << this->GetLastWarningMessage() << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -92,6 +96,12 @@ bool vtkEGLHeadlessRenderWindow::IsSupported()
 std::string vtkEGLHeadlessRenderWindow::GetLastErrorMessage()
 {
   return this->Internals->ErrorMessage;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkEGLHeadlessRenderWindow::GetLastWarningMessage()
+{
+  return this->Internals->WarningMessage;
 }
 
 //------------------------------------------------------------------------------
@@ -116,6 +126,13 @@ std::string vtkEGLHeadlessRenderWindow::GetPlatformName()
 int vtkEGLHeadlessRenderWindow::GetNumberOfDevices()
 {
   return static_cast<int>(vtkEGLPlatform::ListDevices().size());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkEGLHeadlessRenderWindow::GetDeviceDescription(int index)
+{
+  const std::vector<vtkEGLDevice> devices = vtkEGLDevice::List();
+  return index >= 0 && index < static_cast<int>(devices.size()) ? devices[index].Describe() : "";
 }
 
 //------------------------------------------------------------------------------
@@ -163,6 +180,12 @@ bool vtkEGLHeadlessRenderWindow::EnsureContext()
   internals.ErrorMessage.clear();
   internals.Failed = false;
   this->ReadyForRendering = true;
+  internals.WarningMessage = internals.Context.Warning;
+  static std::atomic<bool> hasWarned(false);
+  if (!internals.WarningMessage.empty() && !hasWarned.exchange(true))
+  {
+    vtkWarningMacro(<< internals.WarningMessage);
+  }
   return true;
 }
 

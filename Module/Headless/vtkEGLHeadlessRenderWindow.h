@@ -15,14 +15,20 @@
  * -# an EGL device that renders in software,
  * -# EGL's default display.
  *
- * SetDeviceIndex() asks for one EGL device instead. The newest OpenGL version that the driver
- * offers is taken, from 4.6 down to 3.2. Every window has a context of its own; windows on the same
- * device share one EGL display, which is closed with the last of them. Finalize() releases the
- * context; rendering again makes a new one.
+ * SetDeviceIndex() asks for one EGL device instead; GetDeviceDescription() tells what it is. An EGL
+ * device that is a GPU and renders in software all the same is refused. The newest OpenGL version
+ * that the driver offers is taken, from 4.6 down to 3.2. Every window has a context of its own;
+ * windows on the same device share one EGL display, which is closed with the last of them.
+ * Finalize() releases the context; rendering again makes a new one.
  *
  * When no context can be made, the first Render() or Initialize() reports one error, which says
  * what was tried and what to install; see GetLastErrorMessage(). The window then stays empty:
  * Render() does nothing, and reading pixels back returns VTK_ERROR and zeros (depth 1).
+ *
+ * Where the machine has a graphics card, but the context renders in software, the first window of
+ * the process reports one warning: what keeps the card from rendering, and what to do. There is
+ * none where software was asked for, by DeviceIndex or by LIBGL_ALWAYS_SOFTWARE, and none for cards
+ * that cannot render, such as those of most virtual machines. See GetLastWarningMessage().
  *
  * @par Interactors:
  * An interactor must not need a display either. MakeRenderWindowInteractor() creates a
@@ -66,6 +72,13 @@ public:
    */
   std::string GetLastErrorMessage();
 
+  /**
+   * Why the last context renders in software although the machine has a graphics card, and what to
+   * do, in one line. Empty where that is not so, where software was asked for, and where no context
+   * was made yet. Every window has it; only the first of a process reports it as a warning.
+   */
+  std::string GetLastWarningMessage();
+
   ///@{
   /**
    * OpenGL's own description of the context, for instance "4.5 (Core Profile) Mesa 22.3.6" and
@@ -88,6 +101,15 @@ public:
    * other is tried and the window reports an error.
    */
   int GetNumberOfDevices() override;
+
+  /**
+   * What is known of the EGL device with that index, in one line that begins with "EGL device
+   * <index>: hardware" or "EGL device <index>: software". As far as EGL tells them there follow:
+   * the card, the vendor of the driver, the driver (else that of the kernel), the files of the card
+   * and of its render node, its number in CUDA, and the index of another device that is the same
+   * card, as when the drivers of two vendors both list it. Empty for an index that does not exist.
+   */
+  static std::string GetDeviceDescription(int index);
 
   ///@{
   /**

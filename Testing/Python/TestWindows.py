@@ -1,17 +1,43 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Windows: with and without a display, of any size that is allowed."""
 
+import contextlib
+import io
 import os
 import unittest
+import warnings
 from unittest import mock
 
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 import vtkindirect
-from vtkindirect import RenderError, UsageError, windows, wrapped
+from vtkindirect import RenderError, UsageError, cli, windows, wrapped
 
 HAVE_HEADLESS = wrapped.has("vtkEGLHeadlessRenderWindow")
 NO_HEADLESS = "the module vtkIndirectHeadless was not built"
+
+
+class IdleCard:
+    """A window that renders in software beside a card, and reports it as VTK's windows do."""
+
+    text = "OpenGL renders in software although there is a graphics card: no driver."
+    reports = True
+
+    def Initialize(self) -> None:
+        if self.reports:
+            vtkOutputWindow.GetInstance().DisplayWarningText(
+                f"Warning: In a.cxx, line 1\nvtkWindow (0x1): {self.text}\n\n"
+            )
+
+    def SupportsOpenGL(self) -> int:
+        return 1
+
+    def GetSize(self) -> tuple[int, int]:
+        return (4, 3)
+
+    def GetLastWarningMessage(self) -> str:
+        return self.text
 
 
 class Windows(unittest.TestCase):
@@ -55,6 +81,33 @@ class Windows(unittest.TestCase):
         window.SetDeviceIndex(10**6)
         with self.assertRaisesRegex(RenderError, "OpenGL does not work here: "):
             windows.start(window)
+
+    @unittest.skipUnless(HAVE_HEADLESS, NO_HEADLESS)
+    def test_devices(self) -> None:
+        window = vtkindirect.vtkEGLHeadlessRenderWindow
+        count = window().GetNumberOfDevices()
+        for index in range(count):
+            self.assertRegex(
+                window.GetDeviceDescription(index), f"^EGL device {index}: (hard|soft)ware"
+            )
+        for index in (-1, count, 10**6):
+            self.assertEqual(window.GetDeviceDescription(index), "")
+
+    def test_idle_card(self) -> None:
+        window = IdleCard()
+        with self.assertWarnsRegex(RuntimeWarning, f"^{window.text}$"):
+            windows.start(window)
+        # As the second window of a process.
+        window.reports = False
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            windows.start(window)
+
+    def test_idle_card_on_the_command_line(self) -> None:
+        with mock.patch.object(cli, "_dispatch", lambda _: windows.start(IdleCard())):
+            with contextlib.redirect_stderr(io.StringIO()) as said:
+                self.assertEqual(cli.main([]), 0)
+        self.assertEqual(said.getvalue(), f"vtk-indirect: note: {IdleCard.text}\n")
 
 
 if __name__ == "__main__":

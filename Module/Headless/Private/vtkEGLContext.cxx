@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEGLContext.h"
 
+#include "vtkEGLDevice.h"
+#include "vtkEGLDiagnosis.h"
 #include "vtkEGLDisplayUsers.h"
 #include "vtkEGLLoader.h"
+#include "vtkEGLMachine.h"
 #include "vtkEGLPlatform.h"
 #include "vtkEGLUtilities.h"
 
 #include <EGL/eglext.h>
 
-#include <sstream>
+#include <algorithm>
 #include <vector>
 
 using vtkEGLUtilities::GetErrorName;
@@ -19,31 +22,80 @@ namespace
 const char* const BlockedReason =
   "Another OpenGL context, such as that of an X window, is current in "
   "this thread. Call ReleaseCurrent() on its window first.";
+
+//------------------------------------------------------------------------------
+std::string ExplainMissingCard(std::vector<vtkEGLMachine::Attempt> attempts)
+{
+  const std::vector<vtkEGLDevice> devices = vtkEGLDevice::List();
+  for (vtkEGLMachine::Attempt& attempt : attempts)
+  {
+    const auto device = std::find_if(devices.begin(), devices.end(),
+      [&](const vtkEGLDevice& listed) { return listed.Index == attempt.DeviceIndex; });
+    if (device != devices.end())
+    {
+      attempt.IsNvidia = device->IsNvidia();
+      attempt.RenderNode = device->RenderNode;
+    }
+  }
+  vtkEGLMachine machine = vtkEGLMachine::Gather();
+  machine.Attempts = attempts;
+  return vtkEGLDiagnosis::Explain(machine);
+}
 }
 
 //------------------------------------------------------------------------------
 std::string vtkEGLContext::Create(int deviceIndex)
 {
-  std::ostringstream tried;
+  std::string tried;
+  std::vector<vtkEGLMachine::Attempt> attempts;
   const std::vector<vtkEGLPlatform> platforms = vtkEGLPlatform::ListCandidates(deviceIndex);
   for (const vtkEGLPlatform& platform : platforms)
   {
     const std::string reason = this->CreateOn(platform);
-    if (reason.empty() || reason == BlockedReason)
+    if (reason == BlockedReason)
     {
       return reason;
     }
-    tried << (tried.str().empty() ? "" : "; ") << platform.Name << " (" << reason << ")";
+    if (reason.empty())
+    {
+      // A software device by its number is what was asked for.
+      if (deviceIndex < 0 && vtkEGLUtilities::IsSoftwareRenderer(this->Renderer))
+      {
+        const std::string why = ExplainMissingCard(attempts);
+        this->Warning = why.empty() ? ""
+                                    : "OpenGL renders in software (" + this->Renderer +
+            ") although there is a graphics card: " + why;
+      }
+      return "";
+    }
+    vtkEGLMachine::Attempt attempt;
+    attempt.Name = platform.Name;
+    attempt.Reason = reason;
+    attempt.IsHardware = platform.DeviceIndex >= 0 && !platform.IsSoftware;
+    attempt.DeviceIndex = platform.DeviceIndex;
+    attempts.push_back(attempt);
+    tried += (tried.empty() ? "" : "; ") + platform.Name + " (" + reason + ")";
   }
+  const std::vector<vtkEGLDevice> devices = vtkEGLDevice::List();
   if (platforms.empty())
   {
-    return "There is no EGL device " + std::to_string(deviceIndex) +
-      ": the number of EGL devices, counted from 0, is " +
-      std::to_string(vtkEGLPlatform::ListDevices().size()) + ".";
+    return "There is no EGL device " + std::to_string(deviceIndex) + ". " +
+      vtkEGLDevice::DescribeAll(devices);
   }
-  return "No OpenGL 3.2 core context can be made without a display. Tried: " + tried.str() +
-    ". Install an EGL driver: that of the GPU's vendor, or Mesa for rendering in software "
-    "(Debian: libegl1 libgl1-mesa-dri).";
+  if (deviceIndex >= 0)
+  {
+    const bool isListed = deviceIndex < static_cast<int>(devices.size());
+    const std::string why = vtkEGLDiagnosis::ExplainRenderNode(
+      vtkEGLMachine::Gather(), isListed ? devices[deviceIndex].RenderNode : "");
+    return "No OpenGL 3.2 core context can be made on EGL device " + std::to_string(deviceIndex) +
+      ": " + attempts.front().Reason + (why.empty() ? "" : "; " + why.substr(0, why.size() - 1)) +
+      ". " + vtkEGLDevice::DescribeAll(devices);
+  }
+  const std::string why = ExplainMissingCard(attempts);
+  return "No OpenGL 3.2 core context can be made without a display. Tried: " + tried + ". " +
+    (why.empty() ? "Install an EGL driver: that of the GPU's vendor, or Mesa for rendering in "
+                   "software (Debian: libegl1 libgl1-mesa-dri)."
+                 : "There is a graphics card: " + why);
 }
 
 //------------------------------------------------------------------------------
@@ -159,9 +211,7 @@ std::string vtkEGLContext::Examine(const vtkEGLPlatform& platform)
   }
   // A driver for a device that cannot render may fall back to software. The surfaceless platform
   // comes to the same, and is next.
-  const bool inSoftware = this->Renderer.find("llvmpipe") != std::string::npos ||
-    this->Renderer.find("softpipe") != std::string::npos;
-  if (inSoftware && platform.MustBeHardware)
+  if (platform.MustBeHardware && vtkEGLUtilities::IsSoftwareRenderer(this->Renderer))
   {
     return "it renders in software (" + this->Renderer + ")";
   }

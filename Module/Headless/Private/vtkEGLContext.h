@@ -17,6 +17,9 @@ struct vtkEGLContext : vtkEGLBinding
   std::string Renderer;
   int MaximumSize = 0;
 
+  /** Why the context renders in software on a machine with a card, in one line; else empty. */
+  std::string Warning;
+
   /** Makes a context on the first platform that works, or on one device. Returns an empty string,
    * or the reasons why none works; nothing is left behind then. What is current stays so. */
   std::string Create(int deviceIndex);

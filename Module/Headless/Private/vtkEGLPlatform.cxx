@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEGLPlatform.h"
 
+#include "vtkEGLMachine.h"
 #include "vtkEGLUtilities.h"
 
 #include <EGL/eglext.h>
@@ -61,8 +62,10 @@ std::vector<vtkEGLPlatform> vtkEGLPlatform::ListDevices()
     platform.Name = "EGL device " + std::to_string(i);
     platform.Type = EGL_PLATFORM_DEVICE_EXT;
     platform.Handle = devices[i];
+    platform.DeviceIndex = i;
     platform.IsSoftware = queryDeviceString &&
       HasExtension(queryDeviceString(devices[i], EGL_EXTENSIONS), "EGL_MESA_device_software");
+    platform.MustBeHardware = !platform.IsSoftware && !vtkEGLMachine::EnvironmentWantsSoftware();
     platforms.push_back(platform);
   }
   return platforms;
@@ -81,14 +84,8 @@ std::vector<vtkEGLPlatform> vtkEGLPlatform::ListCandidates(int deviceIndex)
     }
     return platforms;
   }
-  for (vtkEGLPlatform device : devices)
-  {
-    if (!device.IsSoftware)
-    {
-      device.MustBeHardware = true;
-      platforms.push_back(device);
-    }
-  }
+  std::copy_if(devices.begin(), devices.end(), std::back_inserter(platforms),
+    [](const vtkEGLPlatform& device) { return !device.IsSoftware; });
   if (HasExtension(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_MESA_platform_surfaceless"))
   {
     vtkEGLPlatform surfaceless;

@@ -14,6 +14,8 @@ struct vtkEGLPlatform
   EGLenum Type = EGL_NONE;
   /** An EGLDeviceEXT where there is one. */
   void* Handle = nullptr;
+  /** Its number where it is a device, else -1. */
+  int DeviceIndex = -1;
   bool IsSoftware = false;
   /** Whether a driver that falls back to software is of no use here. */
   bool MustBeHardware = false;
@@ -23,7 +25,8 @@ struct vtkEGLPlatform
 
   static std::vector<vtkEGLPlatform> ListDevices();
 
-  /** All platforms in the order in which they are tried, or, for an index from 0, that device. */
+  /** All platforms in the order in which they are tried, or, for an index from 0, that device. A
+   * device that is not one of software must be hardware, unless the environment wants software. */
   static std::vector<vtkEGLPlatform> ListCandidates(int deviceIndex);
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEGLUtilities.h"
 
+#include <algorithm>
 #include <locale>
 #include <sstream>
 
@@ -52,4 +53,23 @@ bool vtkEGLUtilities::HasExtension(const char* extensions, const std::string& na
     }
   }
   return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkEGLUtilities::IsSoftwareRenderer(const std::string& renderer)
+{
+  std::string lower(renderer);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  // "LLVM" alone says nothing: drivers of GPUs compile their shaders with it.
+  for (const char* name : { "llvmpipe", "lavapipe", "softpipe", "swrast", "software rasterizer",
+         "swiftshader", "microsoft basic render" })
+  {
+    if (lower.find(name) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  // Mesa's OpenSWR, "SWR (LLVM 9.0, 256 bits)". The three letters may be part of another word.
+  return lower.compare(0, 5, "swr (") == 0 || lower.find("(swr (") != std::string::npos;
 }

@@ -1,12 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeadlessTestTools.h"
 
+#include "../vtkIndirectTestList.h"
+
 #include "vtkCamera.h"
 #include "vtkProperty.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cstdlib>
+
 namespace headlesstest
 {
+//------------------------------------------------------------------------------
+int RunNamedTest(const TestMap& tests, int argc, char* argv[],
+  const std::function<void(const std::string&)>& prepare)
+{
+  if (vtkIndirectTest::WantsListCheck(argc, argv))
+  {
+    return vtkIndirectTest::CheckList(tests, argc, argv);
+  }
+  const std::string name = argc > 1 ? argv[1] : "";
+  const auto test = tests.find(name);
+  if (test == tests.end())
+  {
+    std::cerr << "No test is called \"" << name << "\".\n";
+    return EXIT_FAILURE;
+  }
+  if (prepare)
+  {
+    prepare(name);
+  }
+  test->second();
+  if (Failures == 0)
+  {
+    std::cout << name << ": passed\n";
+  }
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
 //------------------------------------------------------------------------------
 std::ostream& Fail(const Place& place)
 {

@@ -37,6 +37,14 @@ TestMap GetImageTests();
 TestMap GetContextTests();
 TestMap GetProgramTests();
 TestMap GetDriverTests();
+TestMap GetDiagnosisTests();
+TestMap GetMachineTests();
+TestMap GetDeviceTests();
+
+// Runs the test that the first argument names, or compares the list of all with the arguments. The
+// preparation comes before a test and may end the program. Returns the program's exit code.
+int RunNamedTest(const TestMap& tests, int argc, char* argv[],
+  const std::function<void(const std::string&)>& prepare = {});
 
 // Where a check stands.
 struct Place
@@ -58,6 +66,12 @@ std::ostream& Fail(const Place& place);
       headlesstest::Fail(HERE) << #condition " " << __VA_ARGS__ << "\n";                           \
     }                                                                                              \
   } while (false)
+
+// Whether a text has these words.
+inline bool Has(const std::string& text, const std::string& words)
+{
+  return text.find(words) != std::string::npos;
+}
 
 using Color = std::array<int, 3>;
 constexpr Color Red = { 255, 0, 0 };

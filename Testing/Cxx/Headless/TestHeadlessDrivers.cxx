@@ -19,6 +19,8 @@ void Devices()
 {
   vtkNew<vtkEGLHeadlessRenderWindow> any;
   CHECK(any->GetDeviceIndex() == -1, any->GetDeviceIndex());
+  // Where a card is there and does not render, the first window says so.
+  any->Initialize();
   const int count = any->GetNumberOfDevices();
   std::cout << count << " EGL devices\n";
   int working = 0;
@@ -36,7 +38,8 @@ void Devices()
     }
     ++working;
     CHECK(scene.Window->GetPlatformName() == "EGL device " + std::to_string(i), "");
-    std::cout << i << ": " << scene.Window->GetGLRenderer() << "\n";
+    std::cout << vtkEGLHeadlessRenderWindow::GetDeviceDescription(i) << ": "
+              << scene.Window->GetGLRenderer() << "\n";
     CHECK_IMAGE(scene.Window, Red);
   }
   std::cout << working << " of them work\n";
@@ -83,7 +86,9 @@ void CheckUnsupported(const std::string& reason)
   CHECK(errors.Count == 1, errors.Count);
   CHECK(errors.Text.find(reason) != std::string::npos, errors.Text);
   CHECK(errors.Text.find("Tried: ") != std::string::npos, errors.Text);
-  CHECK(errors.Text.find("libgl1-mesa-dri") != std::string::npos, errors.Text);
+  // What to do depends on the machine.
+  CHECK(Has(errors.Text, "Install an EGL driver") || Has(errors.Text, "There is a graphics card: "),
+    errors.Text);
   CHECK(!scene.Window->GetLastErrorMessage().empty(), "");
   CHECK(scene.Window->SupportsOpenGL() == 0, "");
   CHECK(!scene.Window->GetOpenGLSupportMessage().empty(), "");

@@ -12,6 +12,7 @@ import json
 import os
 import re
 import sys
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NoReturn
@@ -204,6 +205,11 @@ def _note(text: str) -> None:
     print(f"{PROGRAM}: note: {text}", file=sys.stderr)
 
 
+def _note_warning(message: Warning | str, *_: object) -> None:
+    """Take the place of `warnings.showwarning`, which would add a line of source code."""
+    _note(" ".join(str(message).split()))
+
+
 def _job(arguments: argparse.Namespace, count: int = 1) -> Job:
     """Return what to render; unknown names are errors before anything is loaded."""
     methods.check_method(arguments.method)
@@ -316,7 +322,9 @@ def main(words: Sequence[str] | None = None) -> int:
     """Run the command line; returns the exit code."""
     os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # what EGL tries is told in our own error
     try:
-        _dispatch(sys.argv[1:] if words is None else words)
+        with warnings.catch_warnings():
+            warnings.showwarning = _note_warning  # type: ignore[assignment]
+            _dispatch(sys.argv[1:] if words is None else words)
     except UsageError as error:
         code, text = 2, str(error)
     except (RenderError, ImportError) as error:

@@ -9,6 +9,7 @@ import operator
 import os
 import reprlib
 import sys
+import warnings
 
 import vtkmodules.vtkRenderingOpenGL2 as opengl
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
@@ -99,7 +100,10 @@ def use_headless(on: bool = True) -> None:
 
 
 def start(window: vtkRenderWindow) -> None:
-    """Make the window's OpenGL context; raises `RenderError` when that fails."""
+    """Make the window's OpenGL context; raises `RenderError` when that fails.
+
+    A RuntimeWarning tells, once in a process, of a graphics card that is there and does not render.
+    """
     size = window.GetSize()
     with messages.capture() as said:
         if hasattr(window, "Initialize"):
@@ -110,6 +114,10 @@ def start(window: vtkRenderWindow) -> None:
         if hasattr(window, "GetLastErrorMessage"):
             reason = window.GetLastErrorMessage() or reason
         raise RenderError(f"OpenGL does not work here: {reason or 'no context could be made'}")
+    if said.warnings and hasattr(window, "GetLastWarningMessage"):
+        text = window.GetLastWarningMessage()
+        if text:
+            warnings.warn(text, RuntimeWarning, stacklevel=2)
     if tuple(window.GetSize()) != tuple(size):
         window.SetSize(size)
 
