@@ -248,7 +248,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
 
-  in.Timer.BeginFrame();
+  in.Timer.BeginFrame(window);
   in.DepthCleared = in.View.Begin(s);
 
   in.Frame = vtkIndirectFrame();
@@ -622,6 +622,7 @@ void vtkIndirectIlluminationPass::ReleaseGraphicsResources(vtkWindow* window)
   release(this->Sampler);
   release(this->DelegatePass);
   in.View.Release(window);
+  in.Timer.Release();
   in.EstimateKey.clear();
   in.FailedKey.clear();
   in.HasBuffers = in.HasIrradiance = false;

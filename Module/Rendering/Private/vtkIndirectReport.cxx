@@ -129,7 +129,14 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
     {
       os << separator << "\n    " << Quote(vtkIndirectStageTimer::GetName(stage))
          << ": {\"median_ms\": " << Number(statistics.MedianMilliseconds)
-         << ", \"p95_ms\": " << Number(statistics.Percentile95Milliseconds) << "}";
+         << ", \"p95_ms\": " << Number(statistics.Percentile95Milliseconds);
+      const auto ofGPU = timer.Get(stage, vtkIndirectStageTimer::GPU);
+      if (ofGPU.Count > 0)
+      {
+        os << ", \"gpu_median_ms\": " << Number(ofGPU.MedianMilliseconds)
+           << ", \"gpu_p95_ms\": " << Number(ofGPU.Percentile95Milliseconds);
+      }
+      os << "}";
       separator = ",";
     }
   }
@@ -143,6 +150,13 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
     os << "  \"indirect_ms\": " << Number(timer.GetSum(indirect).MedianMilliseconds)
        << ",\n  \"frame_ms\": "
        << Number(timer.Get(vtkIndirectStageTimer::Frame).MedianMilliseconds) << ",\n";
+    const auto ofGPU = timer.Get(vtkIndirectStageTimer::Frame, vtkIndirectStageTimer::GPU);
+    if (ofGPU.Count > 0)
+    {
+      os << "  \"gpu_indirect_ms\": "
+         << Number(timer.GetSum(indirect, vtkIndirectStageTimer::GPU).MedianMilliseconds)
+         << ",\n  \"gpu_frame_ms\": " << Number(ofGPU.MedianMilliseconds) << ",\n";
+    }
   }
   else
   {
