@@ -40,6 +40,7 @@ contract_topic(Props
   PropsSky PropsColorOnly PropsBillboard PropsSplats PropsLeftOut PropsHints)
 contract_topic(Casters
   PropsTubes PropsBehindCasters PropsEdges PropsAnnotation PropsKeys)
+contract_topic(Paths PathsSame PathsTake PathsErrors PathsOpenGL32)
 contract_topic(Delegates DelegateRedirects DelegateItself DelegateSteps)
 contract_topic(Errors
   DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany
@@ -77,7 +78,7 @@ foreach (test IN LISTS contract_tests)
     ENVIRONMENT "DISPLAY=;WAYLAND_DISPLAY=")
 endforeach ()
 # Mesa passes for an older OpenGL.
-set_property(TEST Contract.ReportClocksOpenGL32 Contract.ReportClocksNone
+set_property(TEST Contract.PathsOpenGL32 Contract.ReportClocksOpenGL32 Contract.ReportClocksNone
   APPEND PROPERTY ENVIRONMENT "MESA_GL_VERSION_OVERRIDE=3.2")
 set_property(TEST Contract.ReportClocksNone
   APPEND PROPERTY ENVIRONMENT "MESA_EXTENSION_OVERRIDE=-GL_ARB_timer_query")

@@ -10,8 +10,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkWeakPointer.h"
 
-#include <algorithm>
-#include <cstring>
 #include <vector>
 
 //------------------------------------------------------------------------------
@@ -108,13 +106,6 @@ bool vtkIndirectComputeProgram::IsSupported()
 #else
   return false;
 #endif
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectComputeProgram::RunsOnProcessor()
-{
-  const char* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
 }
 
 //------------------------------------------------------------------------------

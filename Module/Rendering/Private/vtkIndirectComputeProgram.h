@@ -21,9 +21,6 @@ public:
   /** Whether the current context has compute shaders and storage buffers: OpenGL 4.3. */
   static bool IsSupported();
 
-  /** Whether the current context is one of Mesa's that render in software. */
-  static bool RunsOnProcessor();
-
   /** Lines that the text begins with, such as macros; new ones build the program anew. */
   void SetDefinitions(const std::string& definitions);
 

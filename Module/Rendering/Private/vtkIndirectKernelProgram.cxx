@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIndirectGL.h"
+
 #include "vtkIndirectKernelProgram.h"
 
 #include "vtkIndirectFlatUniforms.h"
+#include "vtkIndirectPaths.h"
 #include "vtkIndirectShaderLibrary.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
+
+#include <algorithm>
 
 vtkIndirectKernelProgram::vtkIndirectKernelProgram(const char* stage, const char* gather)
   : Stage(stage)
@@ -57,11 +62,12 @@ vtkShaderProgram* vtkIndirectKernelProgram::Use(vtkOpenGLRenderWindow* window)
     std::string fragment =
       vtkIndirectShaderLibrary::GetShader(this->Stage, this->Definitions, this->Gather);
     std::string vertex = VertexShader;
-    if (vtkIndirectFlatUniforms::Pay())
+    if (vtkIndirectPaths::Get(vtkIndirectPaths::Uniforms) == vtkIndirectPaths::UniformsFlat)
     {
       // What OpenGL on the processor has; the compiler drops those that no result depends on.
-      constexpr int maximum = 128;
-      vtkIndirectFlatUniforms::Move(vertex, fragment, maximum);
+      GLint maximum = 128;
+      glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &maximum);
+      vtkIndirectFlatUniforms::Move(vertex, fragment, std::min(maximum, 128));
     }
     // Four arguments up to VTK 9.1; the fifth of later versions has a default.
     this->Quad =

@@ -166,7 +166,7 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
      << ",\n  \"main_memory_bytes\": " << this->MainMemoryBytes << ",\n  \"estimated_error\": ";
   os << (this->EstimatedError >= 0.0 ? Number(this->EstimatedError) : "null");
   os << ",\n  \"modelled\": " << List(this->Modelled)
-     << ",\n  \"left_out\": " << List(this->LeftOut)
+     << ",\n  \"left_out\": " << List(this->LeftOut) << ",\n  \"paths\": " << this->Paths
      << ",\n  \"gl\": {\"renderer\": " << Quote(this->GLRenderer)
      << ", \"version\": " << Quote(this->GLVersion)
      << "},\n  \"vtk\": " << Quote(vtkVersion::GetVTKVersion())
