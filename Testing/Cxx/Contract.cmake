@@ -27,8 +27,7 @@ contract_topic(Kinds
   KindsDelegate KindsComposite KindsFull AlbedoValues SurfaceBuffers)
 contract_topic(Buffers BuffersOfLastFrame)
 contract_topic(Lifetime
-  Toggle ToggleHints ToggleMultiresolution ToggleNewPass Release ReleaseMultiresolution ReleaseQueries
-  Finalize
+  Toggle ToggleHints ToggleMultiresolution ToggleNewPass Release ReleaseMultiresolution Finalize
   FinalizeUnused FinalizeWithout DestructionOrder TwoWindows)
 contract_topic(Release ReleaseWithoutWindow)
 contract_topic(Lights
@@ -40,14 +39,14 @@ contract_topic(Props
   PropsSky PropsColorOnly PropsBillboard PropsSplats PropsLeftOut PropsHints)
 contract_topic(Casters
   PropsTubes PropsBehindCasters PropsEdges PropsAnnotation PropsKeys)
-contract_topic(Paths PathsSame PathsTake PathsErrors PathsOpenGL32)
+contract_topic(Paths PathsSame PathsTake PathsKernels PathsErrors PathsOpenGL32)
 contract_topic(Delegates DelegateRedirects DelegateItself DelegateSteps)
 contract_topic(Errors
   DebugViewUnknown CopyBufferWrong StagesAlone ResolutionLimits MapsTooMany HintsTooMany
   HintsTooManyBlocks NothingToDo BadActors)
 contract_topic(Print
   PrintSettings PrintCounters ReportStages)
-contract_topic(Clocks ReportClocks ReportClocksOpenGL32 ReportClocksNone)
+contract_topic(Clocks ReportClocks ReportClocksOpenGL32 ReportClocksNone ReleaseQueries)
 contract_topic(Report
   ReportReader ReportGrid ReportTolerance ToleranceKeepsThresholds ReportMemory
   ReportLocaleOfStreams ReportLocaleOfC ReportStrings)

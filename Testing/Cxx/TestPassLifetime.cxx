@@ -76,19 +76,6 @@ Names CountNames(vtkRenderWindow* window)
   return names;
 }
 
-// VTK's mappers and its FXAA time themselves, too: compare what is known to differ in the pass
-// alone.
-int CountQueries(vtkRenderWindow* window)
-{
-  window->MakeCurrent();
-  int count = 0;
-  for (GLuint i = 1; i < 4000; ++i)
-  {
-    count += glIsQuery(i) ? 1 : 0;
-  }
-  return count;
-}
-
 double GetResidentMegabytes()
 {
   std::ifstream statm("/proc/self/statm");
@@ -362,60 +349,6 @@ CONTRACT_TEST(Release)
   other.Renderer->SetPass(fresh);
   const Difference difference = Compare(again, other.Grab());
   CONTRACT_CHECK(difference.Max == 0.0, "after release: " << difference);
-}
-
-//------------------------------------------------------------------------------
-// Timer queries, two for each stage and the frame, are made once and given back, when the pass is
-// released or destroyed and when its context ends.
-CONTRACT_TEST(ReleaseQueries)
-{
-  auto hasQueries = [](vtkIndirectIlluminationPass* pass)
-  { return pass->GetReport().find("gpu_frame_ms") != std::string::npos; };
-  View view(80, 60);
-  AddRoom(view.Renderer);
-  vtkNew<vtkIndirectIlluminationPass> pass;
-  pass->TimingOn();
-  pass->CachingOff();
-  view.Renderer->SetPass(pass);
-  view.Grab();
-  if (!hasQueries(pass))
-  {
-    Skip("this OpenGL has no timer queries");
-  }
-  const int during = CountQueries(view.Window);
-  view.Grab();
-  CONTRACT_CHECK(CountQueries(view.Window) == during, "another frame makes other queries");
-  pass->ReleaseGraphicsResources(view.Window);
-  const int after = CountQueries(view.Window);
-  std::cout << during << " queries in a frame, " << after << " after it\n";
-  CONTRACT_CHECK(during == after + 14, "six stages and the frame");
-
-  // Not of another context.
-  view.Grab();
-  view.Window->Finalize();
-  CONTRACT_CHECK(hasQueries(pass), "times are forgotten with the context");
-  view.Grab();
-  CONTRACT_CHECK(CountQueries(view.Window) == during, "in the next context");
-
-  // In another window, while this one has none of them left.
-  View other(80, 60);
-  AddRoom(other.Renderer);
-  view.Renderer->SetPass(nullptr);
-  other.Renderer->SetPass(pass);
-  other.Grab();
-  CONTRACT_CHECK(CountQueries(other.Window) == during, "in the other window");
-  CONTRACT_CHECK(CountQueries(view.Window) == after, "left behind in the first window");
-
-  // A pass that is destroyed.
-  {
-    vtkNew<vtkIndirectIlluminationPass> shorter;
-    shorter->TimingOn();
-    view.Renderer->SetPass(shorter);
-    view.Grab();
-    CONTRACT_CHECK(CountQueries(view.Window) > after, "no queries");
-    view.Renderer->SetPass(nullptr);
-  }
-  CONTRACT_CHECK(CountQueries(view.Window) == after, "left behind by a pass that is destroyed");
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
+#include "vtkUniformLightSampler.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -40,11 +41,16 @@ Estimators MakeEstimators()
 }
 
 // A room with three lights and a ball, of Phong's model where it is not solid.
+enum class Lighting
+{
+  Three,
+  Headlight // which has no map
+};
 struct PathsView : View
 {
   vtkNew<vtkIndirectIlluminationPass> Pass;
 
-  PathsView(vtkIndirectEstimatorPass* estimator, bool specular)
+  PathsView(vtkIndirectEstimatorPass* estimator, bool specular, Lighting lighting)
     : View(120, 90)
   {
     AddRoomSurfaces(this->Renderer);
@@ -52,10 +58,13 @@ struct PathsView : View
     ball->GetProperty()->SetSpecular(specular ? 0.5 : 0.0);
     ball->GetProperty()->SetSpecularPower(20.0);
     this->Renderer->AddActor(ball);
-    this->Renderer->AddLight(MakeLight(LightKind::Spot, { 0.5, 0.9, 0.8 }, { 0.5, 0.0, 0.4 }));
-    this->Renderer->AddLight(MakeLight(LightKind::Point, { 0.2, 0.8, 0.8 }, { 0.5, 0.0, 0.4 }));
-    this->Renderer->AddLight(
-      MakeLight(LightKind::Directional, { 0.6, 0.9, 2.0 }, { 0.4, 0.1, 0.0 }));
+    if (lighting == Lighting::Three)
+    {
+      this->Renderer->AddLight(MakeLight(LightKind::Spot, { 0.5, 0.9, 0.8 }, { 0.5, 0.0, 0.4 }));
+      this->Renderer->AddLight(MakeLight(LightKind::Point, { 0.2, 0.8, 0.8 }, { 0.5, 0.0, 0.4 }));
+      this->Renderer->AddLight(
+        MakeLight(LightKind::Directional, { 0.6, 0.9, 2.0 }, { 0.4, 0.1, 0.0 }));
+    }
     this->Pass->SetReflectiveShadowMapResolution(64);
     this->Pass->SetNumberOfBounces(2);
     this->Pass->SetEstimator(estimator);
@@ -72,9 +81,15 @@ struct Frame
 };
 
 Frame Render(vtkIndirectEstimatorPass* estimator, bool specular, Report* report = nullptr,
-  const std::function<void(vtkRenderWindow*)>& look = {})
+  const std::function<void(vtkRenderWindow*)>& look = {}, Lighting lighting = Lighting::Three,
+  vtkVirtualLightSampler* sampler = nullptr)
 {
-  PathsView view(estimator, specular);
+  PathsView view(estimator, specular, lighting);
+  view.Pass->SetSampler(sampler);
+  // The second frame may keep something of the first.
+  view.Grab();
+  view.Renderer->GetActiveCamera()->Azimuth(1.0);
+  view.Renderer->ResetCameraClippingRange();
   Frame frame;
   frame.Image = view.Grab();
   frame.Depth = GrabDepth(view.Window);
@@ -94,14 +109,14 @@ Frame Render(vtkIndirectEstimatorPass* estimator, bool specular, Report* report 
   return frame;
 }
 
-// Buffers of two frames. Sums of as many as 256 terms in another order, or with other operations
-// fused, differ by 256 roundings of 32-bit floats at most; multiresolution splatting rounds to the
-// 11 bits of half floats behind them. At a threshold (interpolated or summed, split or not) that
-// makes a pixel what its neighbour is: few of them, and not far off.
+// Buffers of two frames. Sums of 256 terms in rows, and of 128 rows, in another order, or with
+// other operations fused, differ by 512 roundings of 32-bit floats at most; multiresolution
+// splatting rounds to the 11 bits of half floats behind them. At a threshold (interpolated or
+// summed, split or not) that makes a pixel what its neighbour is: few of them, and not far off.
 void CheckSame(const Frame& frame, const Frame& usual, const std::string& where)
 {
   const double rounding = where.find("multiresolution") != std::string::npos ? std::ldexp(1.0, -10)
-                                                                             : std::ldexp(1.0, -16);
+                                                                             : std::ldexp(1.0, -15);
   std::cout << where << ":";
   for (const auto& named : usual.Buffers)
   {
@@ -291,6 +306,147 @@ CONTRACT_TEST(PathsTake)
 }
 
 //------------------------------------------------------------------------------
+// Kernels are the same as compute shaders: those that write into one image or eight, of floats or
+// halves, or add to what is there, in every mode of the estimators.
+CONTRACT_TEST(PathsKernels)
+{
+  struct Case
+  {
+    const char* Name;
+    std::function<vtkSmartPointer<vtkIndirectEstimatorPass>()> Make;
+    bool Specular = false;
+    Lighting Light = Lighting::Three;
+    int NumberOfLights = 256;
+  };
+  auto gather = [](const std::function<void(vtkRSMGatherPass*)>& set)
+  {
+    return [set]
+    {
+      vtkNew<vtkRSMGatherPass> made;
+      set(made);
+      return vtkSmartPointer<vtkIndirectEstimatorPass>(made);
+    };
+  };
+  auto splatting = [](const std::function<void(vtkMultiresolutionSplattingPass*)>& set)
+  {
+    return [set]
+    {
+      vtkNew<vtkMultiresolutionSplattingPass> made;
+      set(made);
+      return vtkSmartPointer<vtkIndirectEstimatorPass>(made);
+    };
+  };
+  auto hints = [](const std::function<void(vtkRadianceHintsPass*)>& set)
+  {
+    return [set]
+    {
+      vtkNew<vtkRadianceHintsPass> made;
+      made->SetGridResolution(6, 5, 6);
+      made->SetNumberOfRays(32);
+      set(made);
+      return vtkSmartPointer<vtkIndirectEstimatorPass>(made);
+    };
+  };
+  const std::vector<Case> cases = {
+    { "gather, every pixel", gather([](vtkRSMGatherPass* g) { g->InterpolationOff(); }), true },
+    { "gather, headlight", gather([](vtkRSMGatherPass*) {}), true, Lighting::Headlight },
+    { "gather, 5000 lights are added", gather([](vtkRSMGatherPass*) {}), true, Lighting::Three,
+      5000 },
+    { "gather, all texels", gather([](vtkRSMGatherPass* g) { g->SetModeToAllTexels(); }) },
+    { "gather, neighborhood",
+      gather(
+        [](vtkRSMGatherPass* g)
+        {
+          g->SetModeToNeighborhood();
+          g->SetNumberOfSamples(32);
+        }),
+      true },
+    { "gather, occupancy", gather([](vtkRSMGatherPass* g) { g->OccupancyOn(); }), true,
+      Lighting::Three, 1500 },
+    { "multiresolution, occupancy, depth range",
+      splatting(
+        [](vtkMultiresolutionSplattingPass* s)
+        {
+          s->SetRefinementToDepthRange();
+          s->OccupancyOn();
+        }) },
+    { "multiresolution, half resolution, floats",
+      splatting(
+        [](vtkMultiresolutionSplattingPass* s)
+        {
+          s->SetFinestLevelToHalfResolution();
+          s->SetStorageToFloat();
+          s->BalanceOff();
+        }),
+      true },
+    { "multiresolution, points",
+      splatting([](vtkMultiresolutionSplattingPass* s)
+        { s->SetRenderer(vtkMultiresolutionSplattingPass::POINT_SPLATS); }) },
+    { "multiresolution, fragments",
+      splatting([](vtkMultiresolutionSplattingPass* s)
+        { s->SetRenderer(vtkMultiresolutionSplattingPass::LEAF_FRAGMENTS); }) },
+    { "hints, order 3",
+      hints(
+        [](vtkRadianceHintsPass* h)
+        {
+          h->SetOrder(3);
+          h->SetTemporalSmoothing(0.8);
+        }) },
+    { "hints of hints",
+      hints(
+        [](vtkRadianceHintsPass* h)
+        {
+          h->SetBounceSamplingToHints();
+          h->SetSamplingToSampled();
+          h->AlbedoVolumeOn();
+          h->OccupancyOn();
+        }) },
+    { "hints, headlight", hints([](vtkRadianceHintsPass*) {}), false, Lighting::Headlight },
+  };
+  bool supported = true;
+  {
+    Force("");
+    View view(8, 8);
+    view.Grab();
+    GLint version[2] = { 0, 0 };
+    glGetIntegerv(GL_MAJOR_VERSION, &version[0]);
+    glGetIntegerv(GL_MINOR_VERSION, &version[1]);
+    supported = 10 * version[0] + version[1] >= 43;
+  }
+  if (!supported)
+  {
+    Skip("compute shaders need OpenGL 4.3");
+  }
+  for (const Case& one : cases)
+  {
+    int programs[2] = { 0, 0 };
+    Frame frames[2];
+    for (const int compute : { 0, 1 })
+    {
+      Force(compute ? "kernels=compute" : "kernels=fragment");
+      const vtkSmartPointer<vtkIndirectEstimatorPass> estimator = one.Make();
+      vtkNew<vtkUniformLightSampler> sampler;
+      sampler->SetNumberOfLights(one.NumberOfLights);
+      frames[compute] = Render(
+        estimator, one.Specular, nullptr,
+        [&](vtkRenderWindow* window)
+        {
+          programs[compute] = CountComputePrograms(0);
+          estimator->ReleaseGraphicsResources(window);
+          sampler->ReleaseGraphicsResources(window);
+          CONTRACT_CHECK(CountComputePrograms(0) == 0, one.Name << ": programs are left behind");
+        },
+        one.Light, sampler);
+    }
+    CONTRACT_CHECK(
+      programs[1] >= programs[0] + 2, one.Name << ": " << programs[1] << " compute programs");
+    std::cout << programs[1] - programs[0] << " kernels as compute shaders in ";
+    CheckSame(frames[1], frames[0], one.Name);
+  }
+  Force("");
+}
+
+//------------------------------------------------------------------------------
 // What is not known is one error, lists what there is, and loses nothing.
 CONTRACT_TEST(PathsErrors)
 {
@@ -340,13 +496,14 @@ CONTRACT_TEST(PathsOpenGL32)
     Skip("the driver does not heed MESA_GL_VERSION_OVERRIDE");
   }
   CONTRACT_CHECK(report.Has("paths.clear") && !report.Has("paths.grouping"), report.GetText());
+  CONTRACT_CHECK(report.Get("paths.kernels") == "fragment", report.GetText());
   for (const char* forced : { "clear=gl", "uniforms=flat", "uniforms=plain", "depth=draw" })
   {
     Force(forced);
     const Difference difference = Compare(usual.Image, Render(splatting, false).Image);
     CONTRACT_CHECK(difference.Max <= 1.0, forced << ": " << difference);
   }
-  for (const char* forced : { "grouping=two", "uniforms=plain,grouping=four" })
+  for (const char* forced : { "grouping=two", "uniforms=plain,grouping=four", "kernels=compute" })
   {
     ExpectedErrors errors;
     Force(forced);

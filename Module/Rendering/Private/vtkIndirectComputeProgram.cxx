@@ -119,11 +119,22 @@ void vtkIndirectComputeProgram::SetDefinitions(const std::string& definitions)
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectComputeProgram::SetText(const std::string& text)
+{
+  if (text != this->Text)
+  {
+    this->Text = text;
+    this->Release(nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
 {
   if (!this->Built)
   {
-    std::string text = vtkIndirectShaderLibrary::GetText(this->Stage);
+    std::string text =
+      this->Stage.empty() ? this->Text : vtkIndirectShaderLibrary::GetText(this->Stage);
     // The first line is where VTK puts the version of the other stages.
     text.replace(0, text.find('\n') + 1, "#version 430\n" + this->Definitions);
     auto built = vtkSmartPointer<Program>::New();

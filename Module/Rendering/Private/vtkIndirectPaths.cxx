@@ -46,6 +46,12 @@ const std::array<Entry, NumberOfPaths> Entries{ {
   { "grouping", { "two", "four" },
     "split texels that one invocation of multiresolution splatting sums lights for", GroupingOfFour,
     GroupingOfTwo, { true, true } },
+  // Nothing to choose between on the processor. Not measured on a GPU, where fragment shaders may
+  // run
+  // on fewer of its multiprocessors than compute shaders do.
+  { "kernels", { "fragment", "compute" },
+    "full-screen kernels that write all of a target are fragment or compute shaders",
+    KernelsFragment, KernelsFragment, { false, true } },
   // See vtkIndirectFlatUniforms.h: a GPU reads a uniform once for all pixels.
   { "uniforms", { "plain", "flat" },
     "fragment shaders read uniforms or get them as flat varyings, mappers' where there are pixels "

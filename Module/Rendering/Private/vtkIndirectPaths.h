@@ -16,6 +16,7 @@ enum Path
   Clear,    // how the geometry buffer's colours are emptied
   Depth,    // how depth gets to the framebuffer that the frame goes to
   Grouping, // split texels that an invocation of multiresolution splatting works for
+  Kernels,  // what full-screen kernels run as, where they write all of a target without tests
   Uniforms, // how fragment shaders get their uniforms
   NumberOfPaths
 };
@@ -35,6 +36,11 @@ enum GroupingValue
 {
   GroupingOfTwo,
   GroupingOfFour
+};
+enum KernelsValue
+{
+  KernelsFragment,
+  KernelsCompute
 };
 enum UniformsValue
 {
