@@ -181,11 +181,11 @@ public:
 
   /**
    * The last frame as JSON (schema vtkindirect.report/1): settings, what was modelled and left out
-   * and why, virtual lights; bytes: of the frame's textures and buffers; main_memory_bytes: of what
-   * is kept beside them that grows with the scene and the estimator's settings: voxels, triangles,
-   * hints and their rays; and with Timing on median and 95th percentile of
-   * each stage's milliseconds over the frames since, by wall clock and, where OpenGL has timer
-   * queries, by the GPU's clock.
+   * and why, which of two ways were in force where OpenGL decides (paths), virtual lights; bytes:
+   * of the frame's textures and buffers; main_memory_bytes: of what is kept beside them that grows
+   * with the scene and the estimator's settings: voxels, triangles, hints and their rays; and with
+   * Timing on median and 95th percentile of each stage's milliseconds over the frames since, by
+   * wall clock and, where OpenGL has timer queries, by the GPU's clock.
    */
   std::string GetReport();
 

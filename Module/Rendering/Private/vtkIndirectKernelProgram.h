@@ -34,7 +34,8 @@ public:
   /**
    * The same for Draws that write all pixels and channels of a target, whose size is known, with no
    * test and no blending, or added to what is there: they may run as compute shaders. The target
-   * stays until the last of them; it begins and ends as for other Draws.
+   * stays until the last of them, begins and ends as for other Draws, and who adds blends for those
+   * that are none.
    */
   vtkShaderProgram* Use(
     vtkOpenGLRenderWindow* window, const vtkIndirectTarget& target, bool adds = false);

@@ -6,7 +6,6 @@
 #include "vtkIndirectComputeProgram.h"
 #include "vtkObject.h" // for the error macro
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <cstring>
@@ -35,7 +34,7 @@ const std::array<Entry, NumberOfPaths> Entries{ {
   // was drawn.
   { "clear", { "draw", "gl" }, "the geometry buffer is emptied by a drawn quad or by glClear",
     ClearByDraw, ClearByDraw, { false, false } },
-  // A test and a write at each pixel cost more on the processor. Not measured on a GPU.
+  // A copy is fewer operations a pixel than a test and a write. Not measured on a GPU.
   { "depth", { "copy", "draw" },
     "depth is copied to the frame where formats allow it or drawn by the composite", DepthByCopy,
     DepthByCopy, { false, false } },

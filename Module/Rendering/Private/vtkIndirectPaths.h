@@ -7,7 +7,7 @@
 #ifndef vtkIndirectPaths_h
 #define vtkIndirectPaths_h
 
-#include <string>
+#include <string> // for JSON
 
 namespace vtkIndirectPaths
 {
