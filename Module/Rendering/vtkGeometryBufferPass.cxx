@@ -6,6 +6,7 @@
 #include "vtkIndirectColorOnlyProp.h"
 #include "vtkIndirectFrame.h"
 #include "vtkIndirectKernelProgram.h"
+#include "vtkIndirectPaths.h"
 #include "vtkIndirectRendererAccess.h"
 #include "vtkIndirectShadowMaps.h"
 #include "vtkIndirectTarget.h"
@@ -139,10 +140,12 @@ bool vtkGeometryBufferPass::Update(const vtkRenderState* s, const vtkIndirectFra
     }
   }
   this->Target->Begin();
-  this->Target->ClearDepth();
   // Where nothing is blended, pixels that something is drawn to need not be cleared before.
-  const bool clearAfter = this->IsSolid() && this->DepthTellsBackground(frame);
-  if (!clearAfter && !this->Clear(frame.Window, false))
+  const bool byGL = vtkIndirectPaths::Get(vtkIndirectPaths::Clear) == vtkIndirectPaths::ClearByGL;
+  const bool clearAfter = !byGL && this->IsSolid() && this->DepthTellsBackground(frame);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  byGL ? this->Target->Clear() : this->Target->ClearDepth();
+  if (!byGL && !clearAfter && !this->Clear(frame.Window, false))
   {
     this->Target->End();
     return false;

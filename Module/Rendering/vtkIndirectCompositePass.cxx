@@ -8,6 +8,7 @@
 #include "vtkIndirectEstimatorPass.h"
 #include "vtkIndirectKernelProgram.h"
 #include "vtkIndirectLightMap.h"
+#include "vtkIndirectPaths.h"
 #include "vtkIndirectTarget.h"
 #include "vtkIndirectUniforms.h"
 #include "vtkObjectFactory.h"
@@ -208,7 +209,9 @@ bool vtkIndirectCompositePass::Composite(const Input& input)
   vtkIndirectKernelProgram& kernel = in.Composite[encoded];
   // Where nothing has been drawn before, copying depth is cheaper than testing and writing each
   // pixel's.
-  const bool copied = input.DepthCleared && input.Geometry.GetTarget().CopyDepth(frame.Origin);
+  const bool copied = input.DepthCleared &&
+    vtkIndirectPaths::Get(vtkIndirectPaths::Depth) == vtkIndirectPaths::DepthByCopy &&
+    input.Geometry.GetTarget().CopyDepth(frame.Origin);
   vtkShaderProgram* program = Internals::Use(kernel, input,
     std::string(encoded ? "#define VTKI_ENCODED\n" : "") +
       (copied ? "#define VTKI_DEPTH_COPIED\n" : ""));

@@ -11,6 +11,7 @@
 #include "vtkIndirectFrame.h"
 #include "vtkIndirectLightMap.h"
 #include "vtkIndirectOccupancyVolume.h"
+#include "vtkIndirectPaths.h"
 #include "vtkIndirectReport.h"
 #include "vtkIndirectStageTimer.h"
 #include "vtkIndirectTarget.h"
@@ -68,6 +69,7 @@ struct vtkIndirectIlluminationPass::Internals
   vtkSmartPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkVirtualLightSampler> Sampler;
   bool DepthCleared = false; // of what the frame is drawn into
+  std::string Paths;         // in force
   std::string WhyDelegate = "no frame has been rendered yet";
   vtkIndirectStageTimer Timer;
 
@@ -248,7 +250,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
 
-  in.Timer.BeginFrame();
+  in.Timer.BeginFrame(window);
   in.DepthCleared = in.View.Begin(s);
 
   in.Frame = vtkIndirectFrame();
@@ -312,6 +314,7 @@ bool vtkIndirectIlluminationPass::RenderIndirect(const vtkRenderState* s, std::s
     return false;
   }
   why = "OpenGL could not hold the frame's textures";
+  in.Paths = vtkIndirectPaths::ToJSON();
   const vtkIndirectLight& first = frame.Lights.front();
   // The eye sees all that it lights and sends, unless a prop is not to send.
   in.EyeIsMap = frame.Lights.size() == 1 && first.Light->LightTypeIsHeadlight() &&
@@ -532,6 +535,7 @@ std::string vtkIndirectIlluminationPass::GetReport()
   }
 
   vtkIndirectEstimatorPass* estimator = in.Estimator;
+  report.Paths = in.Paths;
   report.Bytes = in.Geometry->GetTarget().GetBytes();
   if (in.EyeIsMap)
   {
@@ -622,6 +626,7 @@ void vtkIndirectIlluminationPass::ReleaseGraphicsResources(vtkWindow* window)
   release(this->Sampler);
   release(this->DelegatePass);
   in.View.Release(window);
+  in.Timer.Release();
   in.EstimateKey.clear();
   in.FailedKey.clear();
   in.HasBuffers = in.HasIrradiance = false;

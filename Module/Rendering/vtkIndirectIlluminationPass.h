@@ -171,8 +171,8 @@ public:
 
   ///@{
   /**
-   * Whether stages are timed, by wall clock between glFinish calls, which costs a little of the
-   * overlap between them. Default off. Switching it forgets earlier times.
+   * Whether stages are timed, by wall clock and timer queries between glFinish calls, which costs a
+   * little of the overlap between them. Default off. Switching it forgets earlier times.
    */
   void SetTiming(bool timing);
   bool GetTiming();
@@ -181,10 +181,11 @@ public:
 
   /**
    * The last frame as JSON (schema vtkindirect.report/1): settings, what was modelled and left out
-   * and why, virtual lights; bytes: of the frame's textures and buffers; main_memory_bytes: of what
-   * is kept beside them that grows with the scene and the estimator's settings: voxels, triangles,
-   * hints and their rays; and with Timing on median and 95th percentile of
-   * each stage's milliseconds over the frames since.
+   * and why, which of two ways were in force where OpenGL decides (paths), virtual lights; bytes:
+   * of the frame's textures and buffers; main_memory_bytes: of what is kept beside them that grows
+   * with the scene and the estimator's settings: voxels, triangles, hints and their rays; and with
+   * Timing on median and 95th percentile of each stage's milliseconds over the frames since, by
+   * wall clock and, where OpenGL has timer queries, by the GPU's clock.
    */
   std::string GetReport();
 

@@ -226,7 +226,7 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   // The sum at coarse samples, or at every pixel.
   timer.Begin(vtkIndirectStageTimer::Estimate);
   vtkIndirectTarget& sums = interpolate ? in.Coarse : *this->Irradiance;
-  vtkShaderProgram* program = in.Gather[neighborhood].Use(frame.Window);
+  vtkShaderProgram* program = in.Gather[neighborhood].Use(frame.Window, sums, rows > rowsPerDraw);
   if (!program)
   {
     return false;
@@ -269,7 +269,7 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   }
 
   timer.Begin(vtkIndirectStageTimer::Upsample);
-  program = in.Upsample[neighborhood].Use(frame.Window);
+  program = in.Upsample[neighborhood].Use(frame.Window, *this->Irradiance);
   if (!program)
   {
     return false;

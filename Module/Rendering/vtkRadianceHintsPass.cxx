@@ -393,9 +393,13 @@ bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& tim
     (in.StillFrames == 0 || std::pow(this->TemporalSmoothing, in.StillFrames) > least);
   in.Converged = !mix;
   const std::string definitions = in.GetLookupDefinitions(step);
-  vtkShaderProgram* program =
-    in.LookUpKernel.Use(frame.Window, definitions + (mix ? "#define VTKI_KEEP\n" : ""));
-  if (!program || !in.Coarse[next].Resize(frame.Window, width, height))
+  in.LookUpKernel.SetDefinitions(definitions + (mix ? "#define VTKI_KEEP\n" : ""));
+  if (!in.Coarse[next].Resize(frame.Window, width, height))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = in.LookUpKernel.Use(frame.Window, in.Coarse[next]);
+  if (!program)
   {
     return false;
   }

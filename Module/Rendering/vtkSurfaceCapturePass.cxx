@@ -9,11 +9,11 @@
 #include "vtkGeometryBufferPass.h"
 #include "vtkIndirectCaptureLights.h"
 #include "vtkIndirectCaptureText.h"
-#include "vtkIndirectFlatUniforms.h"
 #include "vtkIndirectFrame.h"
 #include "vtkIndirectKernels.h"
 #include "vtkIndirectLightConstants.h"
 #include "vtkIndirectLightMap.h"
+#include "vtkIndirectPaths.h"
 #include "vtkIndirectShadowMaps.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
@@ -105,7 +105,8 @@ struct vtkSurfaceCapturePass::Internals
   bool UpdateFlatUniforms(const vtkIndirectFrame& frame)
   {
     const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
-    const bool flat = vtkIndirectFlatUniforms::Pay() &&
+    const bool flat =
+      vtkIndirectPaths::Get(vtkIndirectPaths::Uniforms) == vtkIndirectPaths::UniformsFlat &&
       pixels > (this->FlatUniforms ? 4.0 : 8.0) * frame.NumberOfTriangles;
     const bool changed = flat != this->FlatUniforms;
     this->FlatUniforms = flat;

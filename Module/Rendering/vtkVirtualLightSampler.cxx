@@ -195,7 +195,7 @@ bool vtkVirtualLightSampler::Update(
   {
     in.FromEye.SetDefinitions(eye->GetAlbedoDefinitions());
   }
-  vtkShaderProgram* program = (eye ? in.FromEye : in.FromMaps).Use(frame.Window);
+  vtkShaderProgram* program = (eye ? in.FromEye : in.FromMaps).Use(frame.Window, in.Target);
   if (!program)
   {
     return false;

@@ -358,6 +358,7 @@ CONTRACT_TEST(Finalize)
   View view(160, 120);
   AddRoom(view.Renderer);
   vtkNew<vtkIndirectIlluminationPass> pass;
+  pass->TimingOn();
   view.Renderer->SetPass(pass);
   const Pixels before = view.Grab();
   for (int i = 0; i < 3; ++i)

@@ -332,7 +332,7 @@ CONTRACT_TEST(FlatUniforms)
   const bool onProcessor = renderer.find("llvmpipe") != std::string::npos;
   auto render = [](bool keep, int estimator)
   {
-    keep ? setenv("VTK_INDIRECT_KEEP_UNIFORMS", "1", 1) : unsetenv("VTK_INDIRECT_KEEP_UNIFORMS");
+    keep ? setenv("VTK_INDIRECT_PATHS", "uniforms=plain", 1) : unsetenv("VTK_INDIRECT_PATHS");
     View view(240, 180);
     AddRoomSurfaces(view.Renderer);
     vtkNew<vtkSphereSource> ball;

@@ -10,8 +10,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkWeakPointer.h"
 
-#include <algorithm>
-#include <cstring>
 #include <vector>
 
 //------------------------------------------------------------------------------
@@ -111,13 +109,6 @@ bool vtkIndirectComputeProgram::IsSupported()
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectComputeProgram::RunsOnProcessor()
-{
-  const char* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectComputeProgram::SetDefinitions(const std::string& definitions)
 {
   if (definitions != this->Definitions)
@@ -128,11 +119,22 @@ void vtkIndirectComputeProgram::SetDefinitions(const std::string& definitions)
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectComputeProgram::SetText(const std::string& text)
+{
+  if (text != this->Text)
+  {
+    this->Text = text;
+    this->Release(nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
 {
   if (!this->Built)
   {
-    std::string text = vtkIndirectShaderLibrary::GetText(this->Stage);
+    std::string text =
+      this->Stage.empty() ? this->Text : vtkIndirectShaderLibrary::GetText(this->Stage);
     // The first line is where VTK puts the version of the other stages.
     text.replace(0, text.find('\n') + 1, "#version 430\n" + this->Definitions);
     auto built = vtkSmartPointer<Program>::New();

@@ -15,17 +15,18 @@ class vtkWindow;
 class vtkIndirectComputeProgram
 {
 public:
+  /** stage: file in glsl/stage, or empty where SetText gives another text. */
   explicit vtkIndirectComputeProgram(const char* stage);
   ~vtkIndirectComputeProgram();
 
   /** Whether the current context has compute shaders and storage buffers: OpenGL 4.3. */
   static bool IsSupported();
 
-  /** Whether the current context is one of Mesa's that render in software. */
-  static bool RunsOnProcessor();
-
   /** Lines that the text begins with, such as macros; new ones build the program anew. */
   void SetDefinitions(const std::string& definitions);
+
+  /** A text in place of the stage's, whose first line is not used; another one builds anew. */
+  void SetText(const std::string& text);
 
   /** Makes the program current. Returns nullptr, after an error, when it does not compile. */
   vtkShaderProgram* Use(vtkOpenGLRenderWindow* window);
@@ -35,6 +36,7 @@ public:
 private:
   class Program;
   std::string Stage;
+  std::string Text;
   std::string Definitions;
   vtkSmartPointer<Program> Built;
 };

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIndirectFlatUniforms.h"
 
-#include "vtkIndirectComputeProgram.h"
-
 #include <cctype>
-#include <cstdlib>
 #include <set>
 #include <sstream>
 
@@ -43,12 +40,6 @@ bool IsUsed(const std::string& text, const std::string& name, size_t at)
   }
   return false;
 }
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectFlatUniforms::Pay()
-{
-  return !std::getenv("VTK_INDIRECT_KEEP_UNIFORMS") && vtkIndirectComputeProgram::RunsOnProcessor();
 }
 
 //------------------------------------------------------------------------------

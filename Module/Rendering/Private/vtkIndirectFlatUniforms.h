@@ -11,12 +11,6 @@
 namespace vtkIndirectFlatUniforms
 {
 /**
- * Whether they are cheaper on the current OpenGL. Never with VTK_INDIRECT_KEEP_UNIFORMS in the
- * environment, by which shaders can be compared with those of a GPU.
- */
-bool Pay();
-
-/**
  * Lets a vertex shader hand on what a fragment shader declares, a line each, as `uniform T name;`
  * with T int, float, or vectors or matrices of float or int; both go on calling it by that name.
  * Arrays, samplers and what would be more than `maximum` components stay as they are. Nothing may

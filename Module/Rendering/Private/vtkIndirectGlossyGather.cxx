@@ -27,7 +27,13 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimatorPass::Input& input,
   const vtkIndirectFrame& frame = input.Frame;
   vtkIndirectKernelProgram& kernel = input.Sampler ? this->Lights : this->Around;
   kernel.SetDefinitions(voxels ? "#define VTKI_OCCUPANCY\n" : "");
-  vtkShaderProgram* program = kernel.Use(frame.Window);
+  const int rowsPerDraw = voxels
+    ? vtkIndirectEstimatorPass::MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength
+    : RowsPerDraw;
+  const int count = input.Sampler ? input.Sampler->GetActualNumberOfLights() : 1;
+  const int rows =
+    (count + vtkVirtualLightSampler::RowLength - 1) / vtkVirtualLightSampler::RowLength;
+  vtkShaderProgram* program = kernel.Use(frame.Window, glossy, rows > rowsPerDraw);
   if (!program)
   {
     return false;
@@ -45,14 +51,8 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimatorPass::Input& input,
   {
     voxels->GetClearance().Activate(frame.Window, program);
   }
-  const int rowsPerDraw = voxels
-    ? vtkIndirectEstimatorPass::MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength
-    : RowsPerDraw;
-  int rows = 1;
   if (input.Sampler)
   {
-    const int count = input.Sampler->GetActualNumberOfLights();
-    rows = (count + vtkVirtualLightSampler::RowLength - 1) / vtkVirtualLightSampler::RowLength;
     for (int i = 0; i < 3; ++i)
     {
       input.Sampler->GetTarget().Activate(i, program);

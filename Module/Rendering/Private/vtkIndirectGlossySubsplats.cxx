@@ -126,12 +126,12 @@ bool vtkIndirectGlossySubsplats::FillLobes(const Work& work)
   {
     const bool pixels = number == 1;
     vtkIndirectKernelProgram& kernel = pixels ? this->LobeOfPixels : this->Lobe;
-    vtkShaderProgram* program = kernel.Use(frame.Window);
+    vtkIndirectTarget& target = *this->Lobes[number - 1];
+    vtkShaderProgram* program = kernel.Use(frame.Window, target);
     if (!program)
     {
       return false;
     }
-    vtkIndirectTarget& target = *this->Lobes[number - 1];
     const vtkIndirectTarget& finer = pixels ? geometry : *this->Lobes[number - 2];
     const int size[2] = { finer.GetWidth(), finer.GetHeight() };
     target.Begin();
@@ -253,7 +253,7 @@ bool vtkIndirectGlossySubsplats::Interpolate(
 {
   this->UpsamplePixels.SetDefinitions("#define VTKI_PIXELS\n");
   vtkIndirectKernelProgram& kernel = number == 0 ? this->UpsamplePixels : this->Upsample;
-  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window);
+  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window, target);
   if (!program)
   {
     return false;

@@ -168,8 +168,12 @@ bool vtkIndirectHintFields::MakeSenders(const Input& input, const Settings& sett
       "Hints cannot read " << count << " blocks of the lights' maps; lower BlocksPerEdge.");
     return false;
   }
-  vtkShaderProgram* program = this->SendersKernel.Use(input.Frame.Window, "");
-  if (!program || !this->Senders.Resize(input.Frame.Window, SenderRowLength, rows))
+  if (!this->Senders.Resize(input.Frame.Window, SenderRowLength, rows))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = this->SendersKernel.Use(input.Frame.Window, this->Senders);
+  if (!program)
   {
     return false;
   }
@@ -192,8 +196,8 @@ bool vtkIndirectHintFields::Inject(
   const vtkIndirectFrame& frame = input.Frame;
   const bool list = input.EyeIsMap || !settings.Sampled;
   vtkIndirectKernelProgram& kernel = list ? this->DenseKernel : this->SampledKernel;
-  vtkShaderProgram* program = kernel.Use(
-    frame.Window, GetDefinitions(this->Layout, settings.Blocked, grid.GetNumberOfGrids()));
+  kernel.SetDefinitions(GetDefinitions(this->Layout, settings.Blocked, grid.GetNumberOfGrids()));
+  vtkShaderProgram* program = kernel.Use(frame.Window, *this->Fields[0]);
   if (!program)
   {
     return false;
@@ -261,10 +265,13 @@ bool vtkIndirectHintFields::Reflect(const Input& input, const Settings& settings
   vtkIndirectHintGrid& grid, vtkIndirectOccupancyVolume& volume, const float albedo[4])
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
-  vtkShaderProgram* program =
-    this->RadiosityKernel.Use(window, GetLookupDefinitions(settings, grid.GetNumberOfGrids()));
-  if (!program ||
-    !this->Radiosity.Resize(window, vtkIndirectHintGrid::RowLength, grid.GetNumberOfSurfelRows()))
+  this->RadiosityKernel.SetDefinitions(GetLookupDefinitions(settings, grid.GetNumberOfGrids()));
+  if (!this->Radiosity.Resize(window, vtkIndirectHintGrid::RowLength, grid.GetNumberOfSurfelRows()))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = this->RadiosityKernel.Use(window, this->Radiosity);
+  if (!program)
   {
     return false;
   }
@@ -293,8 +300,8 @@ bool vtkIndirectHintFields::Bounce(const Input& input, const Settings& settings,
 
   // L^k = L^1 + T L^(k-1)
   const int next = settings.FromHints && this->Current == 1 ? 2 : 1;
-  vtkShaderProgram* program =
-    this->CopyKernel.Use(window, GetDefinitions(this->Layout, false, grid.GetNumberOfGrids()));
+  this->CopyKernel.SetDefinitions(GetDefinitions(this->Layout, false, grid.GetNumberOfGrids()));
+  vtkShaderProgram* program = this->CopyKernel.Use(window, *this->Fields[next]);
   if (!program)
   {
     return false;
@@ -306,8 +313,9 @@ bool vtkIndirectHintFields::Bounce(const Input& input, const Settings& settings,
 
   vtkIndirectKernelProgram& kernel =
     settings.FromHints ? this->ExchangeKernel : this->SurfacesKernel;
-  program = kernel.Use(window,
+  kernel.SetDefinitions(
     GetDefinitions(this->Layout, settings.FromHints && settings.Blocked, grid.GetNumberOfGrids()));
+  program = kernel.Use(window, *this->Fields[next], true);
   if (!program)
   {
     this->Fields[next]->End();

@@ -129,7 +129,14 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
     {
       os << separator << "\n    " << Quote(vtkIndirectStageTimer::GetName(stage))
          << ": {\"median_ms\": " << Number(statistics.MedianMilliseconds)
-         << ", \"p95_ms\": " << Number(statistics.Percentile95Milliseconds) << "}";
+         << ", \"p95_ms\": " << Number(statistics.Percentile95Milliseconds);
+      const auto ofGPU = timer.Get(stage, vtkIndirectStageTimer::GPU);
+      if (ofGPU.Count > 0)
+      {
+        os << ", \"gpu_median_ms\": " << Number(ofGPU.MedianMilliseconds)
+           << ", \"gpu_p95_ms\": " << Number(ofGPU.Percentile95Milliseconds);
+      }
+      os << "}";
       separator = ",";
     }
   }
@@ -143,6 +150,13 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
     os << "  \"indirect_ms\": " << Number(timer.GetSum(indirect).MedianMilliseconds)
        << ",\n  \"frame_ms\": "
        << Number(timer.Get(vtkIndirectStageTimer::Frame).MedianMilliseconds) << ",\n";
+    const auto ofGPU = timer.Get(vtkIndirectStageTimer::Frame, vtkIndirectStageTimer::GPU);
+    if (ofGPU.Count > 0)
+    {
+      os << "  \"gpu_indirect_ms\": "
+         << Number(timer.GetSum(indirect, vtkIndirectStageTimer::GPU).MedianMilliseconds)
+         << ",\n  \"gpu_frame_ms\": " << Number(ofGPU.MedianMilliseconds) << ",\n";
+    }
   }
   else
   {
@@ -152,7 +166,7 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
      << ",\n  \"main_memory_bytes\": " << this->MainMemoryBytes << ",\n  \"estimated_error\": ";
   os << (this->EstimatedError >= 0.0 ? Number(this->EstimatedError) : "null");
   os << ",\n  \"modelled\": " << List(this->Modelled)
-     << ",\n  \"left_out\": " << List(this->LeftOut)
+     << ",\n  \"left_out\": " << List(this->LeftOut) << ",\n  \"paths\": " << this->Paths
      << ",\n  \"gl\": {\"renderer\": " << Quote(this->GLRenderer)
      << ", \"version\": " << Quote(this->GLVersion)
      << "},\n  \"vtk\": " << Quote(vtkVersion::GetVTKVersion())

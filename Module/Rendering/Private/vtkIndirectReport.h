@@ -27,6 +27,8 @@ struct vtkIndirectReport
   double EstimatedError = -1.0;
   std::string GLRenderer;
   std::string GLVersion;
+  /** Ways that were in force, as JSON; see vtkIndirectPaths. */
+  std::string Paths = "{}";
 
   /** Asks the current context what OpenGL it is. */
   void ReadGL();

@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wall-clock time of a frame's stages. Timer queries are not used: on software OpenGL they read a
-// few per cent of the time that passes.
+// Times of a frame's stages: by wall clock, and by the GPU's own clock where OpenGL has timer
+// queries. Mesa's llvmpipe starts that clock with a stage's first pixel: vertices are left out.
 #ifndef vtkIndirectStageTimer_h
 #define vtkIndirectStageTimer_h
 
-#include <array>  // for stages
-#include <chrono> // for time points
-#include <vector> // for samples
+#include "vtkOpenGLRenderWindow.h" // for the weak pointer
+#include "vtkWeakPointer.h"        // for members
+
+#include <array>   // for stages
+#include <chrono>  // for time points
+#include <cstdint> // for the GPU's time points
+#include <vector>  // for samples
 
 class vtkIndirectStageTimer
 {
 public:
+  vtkIndirectStageTimer() = default;
+  ~vtkIndirectStageTimer();
+  vtkIndirectStageTimer(const vtkIndirectStageTimer&) = delete;
+  void operator=(const vtkIndirectStageTimer&) = delete;
+
   enum Stage
   {
     Delegate,
@@ -31,11 +40,15 @@ public:
   /** While on, glFinish brackets each stage, which costs what overlap there would have been. */
   bool Enabled = false;
 
-  void BeginFrame();
+  /** window: whose context is current until the frame ends. */
+  void BeginFrame(vtkOpenGLRenderWindow* window);
   void EndFrame();
+  /** A stage may begin several times in a frame, and within another; not within itself. */
   void Begin(Stage stage);
   void End(Stage stage);
   void Reset();
+  /** Lets go of the queries; times stay. */
+  void Release();
 
   /** Percentile95Milliseconds: the least of the times that at least 95 % of them do not exceed. */
   struct Statistics
@@ -44,18 +57,47 @@ public:
     double MedianMilliseconds = 0.0;
     double Percentile95Milliseconds = 0.0;
   };
-  Statistics Get(int stage) const;
+  enum Clock
+  {
+    Wall,
+    GPU // over the frames whose OpenGL had queries
+  };
+  Statistics Get(int stage, Clock clock = Wall) const;
   /** Statistics over frames of the sum of some stages; bit i stands for stage i. */
-  Statistics GetSum(unsigned int stages) const;
+  Statistics GetSum(unsigned int stages, Clock clock = Wall) const;
   static Statistics Summarize(std::vector<double> times);
   int GetNumberOfFrames() const { return static_cast<int>(this->Frames.size()); }
 
 private:
-  using Clock = std::chrono::steady_clock;
-  using FrameTimes = std::array<double, NumberOfStages>;
-  std::array<Clock::time_point, NumberOfStages> Started;
-  FrameTimes Current{};
-  std::vector<FrameTimes> Frames; // milliseconds
+  using SteadyClock = std::chrono::steady_clock;
+  using Times = std::array<double, NumberOfStages>; // milliseconds
+  struct FrameTimes
+  {
+    Times OfWall{};
+    Times OfGPU{};
+    bool HasGPU = false;
+  };
+  // Points of the GPU's clock in a frame, by their queries.
+  struct Interval
+  {
+    int Stage;
+    size_t Begin;
+    size_t End; // 0: still open
+  };
+
+  size_t Query();
+  double Measure(const Interval& interval) const;
+  void ReadQueries();
+
+  std::array<SteadyClock::time_point, NumberOfStages> Started;
+  FrameTimes Current;
+  std::vector<FrameTimes> Frames;
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the queries
+  int CounterBits = 0;                          // of the GPU's clock; 0: it has none
+  std::vector<unsigned int> Queries;            // used again in each frame
+  size_t NumberOfUsedQueries = 0;
+  std::vector<Interval> Intervals;
 };
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "vtkGeometryBufferPass.h"
 #include "vtkIndirectLightBlock.h"
+#include "vtkIndirectPaths.h"
 #include "vtkIndirectUniforms.h"
 #include "vtkTextureObject.h"
 #include "vtkVirtualLightSampler.h"
@@ -29,11 +30,10 @@ const vtkIndirectChannel FloatChannels[] = {
 };
 
 // Split texels of one invocation, which fetches a light once for all below them, and invocations of
-// a group of 64. On a processor a fetch costs more than registers that spill: with four the sums
-// take 0.8 of the time with two. Eight would save another tenth and take a second more to compile.
+// a group of 64.
 std::string GetGrouping()
 {
-  return vtkIndirectComputeProgram::RunsOnProcessor()
+  return vtkIndirectPaths::Get(vtkIndirectPaths::Grouping) == vtkIndirectPaths::GroupingOfFour
     ? "#define VTKI_BLOCKS 4\n#define VTKI_INVOCATIONS 16\n"
     : "#define VTKI_BLOCKS 2\n#define VTKI_INVOCATIONS 32\n";
 }

@@ -112,7 +112,7 @@ bool vtkIndirectSubsplatPyramid::ProbeLighting(
   {
     vtkIndirectKernelProgram& kernel = probe ? this->ProbeLights : this->Vary;
     vtkIndirectTarget& target = probe ? *this->Probe : *this->Variation;
-    vtkShaderProgram* program = kernel.Use(frame.Window);
+    vtkShaderProgram* program = kernel.Use(frame.Window, target);
     if (!program)
     {
       return false;
@@ -151,14 +151,14 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
   const vtkIndirectFrame& frame = input.Frame;
   const bool first = number == 1;
   vtkIndirectKernelProgram& kernel = first ? this->First : this->Next;
-  vtkShaderProgram* program = kernel.Use(frame.Window);
+  vtkIndirectTarget& level = *this->Levels[number - 1];
+  vtkShaderProgram* program = kernel.Use(frame.Window, level);
   if (!program)
   {
     return false;
   }
   const bool last = number == this->Levels.size();
   const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
-  vtkIndirectTarget& level = *this->Levels[number - 1];
   level.Begin();
   vtkIndirectSetEyeUniforms(program, frame);
   program->SetUniform2i("vtkiSize", frame.Size);

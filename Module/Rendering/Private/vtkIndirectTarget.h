@@ -61,6 +61,13 @@ public:
   void ClearDepth();
 
   vtkOpenGLFramebufferObject* GetFramebuffer() const { return this->Framebuffer; }
+  /** After Resize. */
+  int GetNumberOfChannels() const { return static_cast<int>(this->Textures.size()); }
+  /** Of OpenGL. */
+  unsigned int GetInternalFormat(int channel) const
+  {
+    return this->Channels[channel].InternalFormat;
+  }
   vtkTextureObject* GetTexture(int channel) const { return this->Textures[channel]; }
   vtkTextureObject* GetDepthTexture() const { return this->Depth; }
 
