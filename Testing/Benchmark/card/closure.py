@@ -14,8 +14,8 @@ FOLDER, which must exist, gets:
     lib/needs.txt           what the launcher has to find: "system" or "either", a library's name,
                             and the versions that are asked of it
 
-Left out are glibc and all that belongs to drivers. Libraries of GLX are replaced by one that is made
-here (libGL.c). Nothing in FOLDER needs a glibc newer than VERSION, 2.34 unless told: for what
+Left out are glibc and all that belongs to drivers. Libraries of GLX are replaced by one that is
+made here (libGL.c). Nothing in FOLDER needs a glibc newer than VERSION, 2.34 unless told: for what
 libraries of newer systems ask beyond, there is glibc.c. Needs readelf, strip, patchelf, ldd, and
 the compilers with which BUILD was configured.
 """
@@ -36,7 +36,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 
 GLIBC = re.compile(
-    r"(libc|libm|libmvec|libdl|libpthread|librt|libresolv|libutil|libanl|libnsl|ld-linux-x86-64)\.so"
+    r"(libc|libm|libmvec|libdl|libpthread|librt|libresolv|libutil|libanl|libnsl"
+    r"|ld-linux-x86-64)\.so"
 )
 """Libraries of glibc. They fit their loader and their kernel, so the system's are taken."""
 
@@ -50,11 +51,11 @@ DRIVER = re.compile(r"lib(EGL|GLdispatch|GLES\w*|gbm|drm\w*|glapi|EGL_\w+|GLX_\w
 
 EITHER = re.compile(
     r"lib(stdc\+\+|gcc_s|z|zstd|lzma|bz2|expat|xml2|ffi|elf|edit|tinfo|bsd|md|udev|cap|systemd"
-    r"|X11|X11-xcb|Xau|Xdmcp|Xext|Xfixes|xcb(-\w+)?|xshmfence|wayland-\w+|LLVM\S*|sensors|pciaccess)"
-    r"\.so"
+    r"|X11|X11-xcb|Xau|Xdmcp|Xext|Xfixes|xcb(-\w+)?|xshmfence|wayland-\w+|LLVM\S*|sensors"
+    r"|pciaccess)\.so"
 )
-"""Libraries that drivers load, too, Mesa's or others. The newer of two must be taken, as a process has
-one only, and that is the system's where it is new enough."""
+"""Libraries that drivers load, too, Mesa's or others. The newer of two must be taken, as a process
+has one only, and that is the system's where it is new enough."""
 
 OPENED = {"libtbb.so.12": ("libtbbmalloc.so.2",)}
 """What libraries load by dlopen. TBB takes its own allocator if it finds it, and does without the
@@ -101,7 +102,7 @@ def release(version: str) -> tuple[int, ...] | None:
 
 
 def versions(path: Path) -> list[tuple[str, str, int]]:
-    """Versions for which a file asks: the library, the version, and where in the file that stands."""
+    """Versions for which a file asks: the library, the version, and its place in the file."""
     found = []
     inside, start, library = False, 0, ""
     for line in run("readelf", "-VW", path).splitlines():
@@ -109,7 +110,7 @@ def versions(path: Path) -> list[tuple[str, str, int]]:
             inside = line.startswith("Version needs section")
         elif inside and (match := re.search(r"Offset: (0x[0-9a-f]+)", line)):
             start = int(match[1], 16)
-        elif inside and (match := re.match(r"\s+(?:0x)?[0-9a-f]+: Version: \d+\s+File: (\S+)", line)):
+        elif inside and (match := re.match(r"\s+\w+: Version: \d+\s+File: (\S+)", line)):
             library = match[1]
         elif inside and (match := re.match(r"\s+(?:0x)?([0-9a-f]+):\s+Name: (\S+)", line)):
             found.append((library, match[2], start + int(match[1], 16)))
@@ -146,6 +147,8 @@ class Pack:
         self.build = build
         self.floor = floor
         self.files: list[Path] = []
+        self.glibc: set[Path] = set()
+        self.oldest: set[str] | None = None
         self.cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
 
     def compiler(self, language: str) -> str:
@@ -183,6 +186,7 @@ class Pack:
             sources.update(resolve(path))
             self.copy(path, self.folder / "bin" / program)
             waiting.append(path)
+        self.glibc = {path for name, path in sources.items() if GLIBC.match(name)}
         taken: dict[str, Path] = {}
         while waiting:
             path = waiting.pop()
@@ -209,8 +213,8 @@ class Pack:
         self.copy_dispatcher(sources)
 
     def make_shims(self, names: list[str]) -> None:
-        """Makes libGL.so.1, with all functions for which the files ask, and libraries of other names
-        that are nothing but it. With it comes the library that has what an older glibc lacks."""
+        """Makes libGL.so.1, with all functions for which the files ask, and libraries of other
+        names that are nothing but it. With it comes what an older glibc lacks."""
         functions = sorted(
             {
                 name
@@ -261,7 +265,7 @@ class Pack:
                 self.files.append(other)
 
     def copy_dispatcher(self, sources: dict[str, Path]) -> None:
-        """Copies libglvnd's libEGL, if that is what this system has: it is no driver, but finds one."""
+        """Copies libglvnd's libEGL, if this system has it: it is no driver, but finds one."""
         library = sources.get(EGL)
         if not library or "libGLdispatch.so.0" not in needed(library):
             print(f"no {EGL} of libglvnd's here: the pack will need the system's")
@@ -275,7 +279,7 @@ class Pack:
         )
 
     def lower(self) -> None:
-        """Lets the files ask for functions of newer glibcs under the version that glibc.c has."""
+        """Lets the files ask for functions of newer glibcs under the oldest version."""
         for path in self.files:
             entries = versions(path)
             newer = {
@@ -286,7 +290,7 @@ class Pack:
             if not newer:
                 continue
             for name, version in asked(path):
-                if any(version == other for _, other in newer) and name not in REPLACED:
+                if any(version == other for _, other in newer) and not self.is_older(name):
                     raise PackError(
                         f"{path.name} needs {name} of {version}, and the pack may need glibc"
                         f" {self.floor} only (--glibc)"
@@ -299,7 +303,7 @@ class Pack:
             if not old:
                 raise PackError(f"{path.name} asks for nothing of {OLDEST}")
             data = bytearray(path.read_bytes())
-            # An Elf64_Vernaux: hash of the version's name, flags, index, the name, the next's place.
+            # An Elf64_Vernaux: hash of the version's name, flags, index, the name, the next's.
             form = "<IHHII"
             hashed, _, _, name, _ = struct.unpack_from(form, data, old[0])
             for offset in newer.values():
@@ -307,13 +311,23 @@ class Pack:
                 struct.pack_into(form, data, offset, hashed, flags, index, name, following)
             path.write_bytes(data)
 
+    def is_older(self, name: str) -> bool:
+        """Whether a function of a newer glibc is there under the oldest version, too: from glibc.c,
+        or from glibc itself, which keeps what it makes anew, such as hypot."""
+        if self.oldest is None:
+            self.oldest = set(REPLACED)
+            for library in self.glibc:
+                text = run("readelf", "--dyn-syms", "-W", library)
+                self.oldest.update(re.findall(rf" (\w+)@@?{re.escape(OLDEST)}\b", text))
+        return name in self.oldest
+
     def is_newer(self, version: str) -> bool:
         """Whether a version is of a glibc newer than what the pack may need, or of none known."""
         numbers = release(version)
         return numbers is None or numbers > release(f"GLIBC_{self.floor}")
 
     def check(self) -> None:
-        """That every library for which a file asks is here or the system's, and no glibc too new."""
+        """That each library for which a file asks is here or the system's, and no glibc too new."""
         here = {path.name for path in self.files}
         for path in self.files:
             for name in needed(path):

@@ -190,7 +190,6 @@ struct Library
     };
 
     Elf64_Addr texts = 0, definitions = 0;
-    Elf64_Xword count = 0;
     std::vector<Elf64_Xword> needed;
     Elf64_Dyn entry;
     for (Elf64_Xword at = 0;
@@ -205,9 +204,6 @@ struct Library
         case DT_VERDEF:
           definitions = entry.d_un.d_ptr;
           break;
-        case DT_VERDEFNUM:
-          count = entry.d_un.d_val;
-          break;
         case DT_NEEDED:
           needed.push_back(entry.d_un.d_val);
           break;
@@ -220,18 +216,17 @@ struct Library
     {
       this->Needed.insert(file.Text(texts + name));
     }
-    if (count > 0)
-    {
-      definitions = offsetOf(definitions);
-    }
+    bool more = definitions != 0;
+    definitions = offsetOf(definitions);
     Elf64_Verdef definition;
-    for (Elf64_Xword i = 0; i < count && file.Read(definitions, definition); ++i)
+    while (more && file.Read(definitions, definition))
     {
       Elf64_Verdaux name;
       if (file.Read(definitions + definition.vd_aux, name))
       {
         this->Versions.insert(file.Text(texts + name.vda_name));
       }
+      more = definition.vd_next != 0;
       definitions += definition.vd_next;
     }
     this->Valid = true;
