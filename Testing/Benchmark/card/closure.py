@@ -50,7 +50,7 @@ DRIVER = re.compile(r"lib(EGL|GLdispatch|GLES\w*|gbm|drm\w*|glapi|EGL_\w+|GLX_\w
 """Libraries of drivers, or such as fit a driver only."""
 
 EITHER = re.compile(
-    r"lib(stdc\+\+|gcc_s|z|zstd|lzma|bz2|expat|xml2|ffi|elf|edit|tinfo|bsd|md|udev|cap|systemd"
+    r"lib(stdc\+\+|gcc_s|z|zstd|lz4|lzma|bz2|expat|xml2|ffi|elf|edit|tinfo|bsd|md|udev|cap|systemd"
     r"|X11|X11-xcb|Xau|Xdmcp|Xext|Xfixes|xcb(-\w+)?|xshmfence|wayland-\w+|LLVM\S*|sensors"
     r"|pciaccess)\.so"
 )

@@ -22,7 +22,9 @@ from packing import must, run  # noqa: E402
 LIBRARIES = "usr/lib/x86_64-linux-gnu"
 VENDORS = "usr/share/glvnd/egl_vendor.d"
 NVIDIA = "usr/local/nvidia"
-CHANGE_ROOT = ("chroot",) if os.geteuid() == 0 else ("unshare", "--map-root-user", "chroot")
+TOOLS = f"{os.environ['PATH']}:/usr/sbin:/sbin"
+UNSHARE = () if os.geteuid() == 0 else (shutil.which("unshare"), "--map-root-user")
+CHANGE_ROOT = (*UNSHARE, shutil.which("chroot", path=TOOLS))
 
 NEEDS = """\
 # A comment.
@@ -51,8 +53,8 @@ int main(int count, char** words)
 
 def why_no_roots() -> str | None:
     """Why no folder can become the root here, or None."""
-    if not shutil.which(CHANGE_ROOT[0]):
-        return f"{CHANGE_ROOT[0]} is missing"
+    if None in CHANGE_ROOT:
+        return "chroot or unshare is missing"
     done = run(*CHANGE_ROOT, "/", "true")
     return None if done.returncode == 0 else f"no other root can be entered: {done.stderr.strip()}"
 
@@ -113,8 +115,7 @@ class Systems(unittest.TestCase):
 
     def start(self, *words: object, **variables: str) -> subprocess.CompletedProcess[str]:
         """Run in the system; its environment has what is given only."""
-        command = [shutil.which(CHANGE_ROOT[0]), *CHANGE_ROOT[1:], self.root]
-        return run(*command, *(words or ("/pack/gpu", "run")), env=variables)
+        return run(*CHANGE_ROOT, self.root, *(words or ("/pack/gpu", "run")), env=variables)
 
     def started(self, done: subprocess.CompletedProcess[str], said: str = "") -> dict[str, str]:
         """The variables that the program got, and its words."""
@@ -240,7 +241,7 @@ class Systems(unittest.TestCase):
         self.assertEqual(found["LD_LIBRARY_PATH"], path)
 
     def test_files_of_ldconfig(self) -> None:
-        tool = shutil.which("ldconfig", path=f"{os.environ['PATH']}:/sbin:/usr/sbin")
+        tool = shutil.which("ldconfig", path=TOOLS)
         if not tool:
             self.skipTest("ldconfig is missing")
         far = self.root / "opt" / "far"
@@ -319,7 +320,7 @@ class Alone(unittest.TestCase):
         for name in ("libGL.so*", "libGLX.so*", "libOpenGL.so*", "libvtk*", "libtbb*"):
             self.assertEqual(list(root.rglob(name)), [])
         packing.closure(root / "pack", "IndirectShaderTests", "TestPassContract")
-        start = [shutil.which(CHANGE_ROOT[0]), *CHANGE_ROOT[1:], root, "/pack/gpu", "exec"]
+        start = [*CHANGE_ROOT, root, "/pack/gpu", "exec"]
         done = run(*start, "IndirectShaderTests", "KernelParity", env={})
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout[-2000:])
         self.assertIn("KernelParity: 0 of ", done.stdout)
