@@ -100,6 +100,8 @@ class Folder(unittest.TestCase):
         for path in self.binaries:
             missing = needed(path) - set(self.libraries) - GLIBC - {"libEGL.so.1"}
             self.assertEqual(missing, set(), path.name)
+        # Nobody's NEEDED: TBB opens it, and a stranger's would be of another version.
+        self.assertEqual("libtbb.so.12" in self.libraries, "libtbbmalloc.so.2" in self.libraries)
 
     def test_no_glibc_too_new(self) -> None:
         for path in self.binaries:
