@@ -474,18 +474,20 @@ class Errors(unittest.TestCase):
         self.refused(done, "may need glibc 2.14 only")
 
     def test_a_pack_that_is_too_large(self) -> None:
-        """52 MB that cannot be compressed, in a program."""
+        """2 MB that cannot be compressed, in a program."""
         packing.require("patchelf", "objcopy")
         (self.place / "build" / "bin").mkdir(parents=True)
         shutil.copy(packing.BUILD / "CMakeCache.txt", self.place / "build")
         noise, program = self.place / "noise", self.place / "build" / "bin" / "Large"
-        noise.write_bytes(os.urandom(52_000_000))
+        noise.write_bytes(os.urandom(2_000_000))
         packing.compile_c(self.place / "small", "int main(void) { return 0; }")
         must("objcopy", f"--add-section=.noise={noise}", self.place / "small", program)
         output = self.place / "output"
-        done = pack("--build", program.parents[1], "--output", output, "--program", "Large")
-        self.refused(done, "MB compressed, and may have 50 MB")
+        words = ("--build", program.parents[1], "--output", output, "--program", "Large")
+        self.refused(pack(*words, "--most", 2), "MB compressed, and may have 2 MB")
         self.assertEqual(list(output.iterdir()), [])
+        self.refused(pack(*words, "--most", "2.5"), "--most wants a number of megabytes, not 2.5")
+        self.assertEqual(pack(*words).returncode, 0)
 
 
 if __name__ == "__main__":
