@@ -15,7 +15,8 @@
  * -# an EGL device that renders in software,
  * -# EGL's default display.
  *
- * SetDeviceIndex() asks for one EGL device instead; GetDeviceDescription() tells what it is. An EGL
+ * SetDeviceIndex() asks for one EGL device instead, and so does VTK_INDIRECT_EGL_DEVICE in the
+ * environment where that was not called; GetDeviceDescription() tells what it is. An EGL
  * device that is a GPU and renders in software all the same is refused. The newest OpenGL version
  * that the driver offers is taken, from 4.6 down to 3.2. Every window has a context of its own;
  * windows on the same device share one EGL display, which is closed with the last of them.

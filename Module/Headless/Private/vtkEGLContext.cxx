@@ -12,12 +12,17 @@
 #include <EGL/eglext.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <limits>
 #include <vector>
 
 using vtkEGLUtilities::GetErrorName;
 
 namespace
 {
+// Chooses for windows that leave it open, in programs that cannot be changed.
+const char* const DeviceVariable = "VTK_INDIRECT_EGL_DEVICE";
+
 // No platform is any better then.
 const char* const BlockedReason =
   "Another OpenGL context, such as that of an X window, is current in "
@@ -46,6 +51,18 @@ std::string ExplainMissingCard(std::vector<vtkEGLMachine::Attempt> attempts)
 //------------------------------------------------------------------------------
 std::string vtkEGLContext::Create(int deviceIndex)
 {
+  const char* wanted = std::getenv(DeviceVariable);
+  if (deviceIndex < 0 && wanted && *wanted)
+  {
+    char* end = nullptr;
+    const long index = std::strtol(wanted, &end, 10);
+    if (*end != '\0' || index < 0 || index > std::numeric_limits<int>::max())
+    {
+      return std::string(DeviceVariable) + " is \"" + wanted + "\", which is no device's number. " +
+        vtkEGLDevice::DescribeAll(vtkEGLDevice::List());
+    }
+    deviceIndex = static_cast<int>(index);
+  }
   std::string tried;
   std::vector<vtkEGLMachine::Attempt> attempts;
   const std::vector<vtkEGLPlatform> platforms = vtkEGLPlatform::ListCandidates(deviceIndex);

@@ -150,6 +150,39 @@ void CheckVersion(const std::string& expected)
   CHECK_IMAGE(scene.Window, Red);
 }
 
+void DeviceOfEnvironment()
+{
+  SceneWindow scene(Red);
+  ErrorCounter errors(scene.Window);
+  scene.Window->Render();
+  if (scene.Window->GetNumberOfDevices() == 0)
+  {
+    std::cout << "SKIPPED: EGL lists no device here\n";
+    std::exit(SkipReturnCode);
+  }
+  CHECK(errors.Count == 0, errors.Text);
+  CHECK(scene.Window->GetPlatformName() == "EGL device 0", scene.Window->GetPlatformName());
+  CHECK_IMAGE(scene.Window, Red);
+}
+
+void WrongDeviceOfEnvironment()
+{
+  CHECK(!vtkEGLHeadlessRenderWindow::IsSupported(), "");
+  SceneWindow scene(Red);
+  ErrorCounter errors(scene.Window);
+  scene.Window->Render();
+  CHECK(errors.Count == 1, errors.Count);
+  CHECK(errors.Text.find("VTK_INDIRECT_EGL_DEVICE is \"first\", which is no device's number") !=
+      std::string::npos,
+    errors.Text);
+  const std::string message = scene.Window->GetLastErrorMessage();
+  CHECK(message.find('\n') == std::string::npos, message);
+  // What the program asks for comes first.
+  scene.Window->SetDeviceIndex(0);
+  scene.Window->Render();
+  CHECK(errors.Text.find("first", errors.Text.find("first") + 1) == std::string::npos, errors.Text);
+}
+
 void OpenGL32()
 {
   CheckVersion("3.2");
@@ -165,5 +198,7 @@ void OpenGL41()
 TestMap headlesstest::GetDriverTests()
 {
   return { { "Devices", Devices }, { "TooLarge", TooLarge }, { "NoEGL", NoEGL },
-    { "OldOpenGL", OldOpenGL }, { "OpenGL32", OpenGL32 }, { "OpenGL41", OpenGL41 } };
+    { "OldOpenGL", OldOpenGL }, { "DeviceOfEnvironment", DeviceOfEnvironment },
+    { "WrongDeviceOfEnvironment", WrongDeviceOfEnvironment }, { "OpenGL32", OpenGL32 },
+    { "OpenGL41", OpenGL41 } };
 }
