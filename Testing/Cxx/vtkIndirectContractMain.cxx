@@ -116,9 +116,9 @@ int main(int argc, char* argv[])
   vtkLogger::Init();
   vtkLogger::AddCallback("contract", CountMessage, nullptr, vtkLogger::VERBOSITY_WARNING);
   const auto& tests = GetTests();
-  if (vtkIndirectTest::WantsListCheck(argc, argv))
+  if (vtkIndirectTest::WantsList(argc, argv))
   {
-    return vtkIndirectTest::CheckList(tests, argc, argv);
+    return vtkIndirectTest::List(tests, argc, argv);
   }
   const auto found = argc > 1 ? tests.find(argv[1]) : tests.end();
   if (found == tests.end())

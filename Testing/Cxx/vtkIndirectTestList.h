@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CMake's list of tests against those that an executable has: a test that no list names would never
-// run, and nobody would miss it.
+// The tests that an executable has: printed, or against CMake's list of them, because a test that no
+// list names would never run, and nobody would miss it.
 #ifndef vtkIndirectTestList_h
 #define vtkIndirectTestList_h
 
@@ -12,16 +12,28 @@
 
 namespace vtkIndirectTest
 {
-/** Whether the program is to compare lists: `--check-list NAME...`. */
-inline bool WantsListCheck(int argc, char* argv[])
+/** Whether the program is asked for its list: `--list`, or `--check-list NAME...`. */
+inline bool WantsList(int argc, char* argv[])
 {
-  return argc > 1 && std::string(argv[1]) == "--check-list";
+  const std::string word = argc > 1 ? argv[1] : "";
+  return word == "--list" || word == "--check-list";
 }
 
-/** tests: a map by name. Neither list may have a name that the other lacks. */
+/**
+ * tests: a map by name. Prints the names, one a line, or compares them: neither list may have a name
+ * that the other lacks.
+ */
 template <typename Tests>
-int CheckList(const Tests& tests, int argc, char* argv[])
+int List(const Tests& tests, int argc, char* argv[])
 {
+  if (std::string(argv[1]) == "--list")
+  {
+    for (const auto& test : tests)
+    {
+      std::cout << test.first << "\n";
+    }
+    return EXIT_SUCCESS;
+  }
   const std::vector<std::string> listed(argv + 2, argv + argc);
   int missing = 0;
   for (const auto& test : tests)

@@ -76,9 +76,9 @@ Registration::Registration(const char* name, void (*function)())
 
 int Main(int argc, char* argv[])
 {
-  if (WantsListCheck(argc, argv))
+  if (WantsList(argc, argv))
   {
-    return CheckList(Table(), argc, argv);
+    return List(Table(), argc, argv);
   }
   const std::string name = argc > 1 ? argv[1] : "";
   const auto test = Table().find(name);

@@ -170,3 +170,15 @@ std::string vtkIndirectPaths::ToJSON()
   }
   return "{" + json + "}";
 }
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<std::string, std::vector<std::string>>> vtkIndirectPaths::List()
+{
+  std::vector<std::pair<std::string, std::vector<std::string>>> list;
+  for (const Entry& entry : Entries)
+  {
+    list.emplace_back(
+      entry.Name, std::vector<std::string>(entry.Values.begin(), entry.Values.end()));
+  }
+  return list;
+}

@@ -7,7 +7,9 @@
 #ifndef vtkIndirectPaths_h
 #define vtkIndirectPaths_h
 
-#include <string> // for JSON
+#include <string>  // for names
+#include <utility> // for pairs
+#include <vector>  // for lists
 
 namespace vtkIndirectPaths
 {
@@ -57,6 +59,9 @@ int Get(Path path);
 
 /** All that this OpenGL can do, as JSON: name and value in force. */
 std::string ToJSON();
+
+/** Each name with its values, whatever this OpenGL can do. */
+std::vector<std::pair<std::string, std::vector<std::string>>> List();
 }
 
 #endif

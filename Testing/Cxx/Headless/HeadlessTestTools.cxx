@@ -15,9 +15,9 @@ namespace headlesstest
 int RunNamedTest(const TestMap& tests, int argc, char* argv[],
   const std::function<void(const std::string&)>& prepare)
 {
-  if (vtkIndirectTest::WantsListCheck(argc, argv))
+  if (vtkIndirectTest::WantsList(argc, argv))
   {
-    return vtkIndirectTest::CheckList(tests, argc, argv);
+    return vtkIndirectTest::List(tests, argc, argv);
   }
   const std::string name = argc > 1 ? argv[1] : "";
   const auto test = tests.find(name);

@@ -287,9 +287,9 @@ inline int CountFiles(const std::string& directory)
 inline int Main(int argc, char* argv[],
   const std::map<std::string, std::function<void(const std::string&)>>& tests)
 {
-  if (vtkIndirectTest::WantsListCheck(argc, argv))
+  if (vtkIndirectTest::WantsList(argc, argv))
   {
-    return vtkIndirectTest::CheckList(tests, argc, argv);
+    return vtkIndirectTest::List(tests, argc, argv);
   }
   const auto test = argc == 3 ? tests.find(argv[1]) : tests.end();
   if (test == tests.end())

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What buffers should hold: values of the same frame that were computed by the processor when the
+// pack was made.
+#ifndef CardExpected_h
+#define CardExpected_h
+
+#include "CardImages.h" // for Image
+
+#include <nlohmann/json.hpp>
+
+#include <string> // for names
+
+class vtkIndirectIlluminationPass;
+
+namespace card
+{
+struct Method;
+
+/**
+ * The buffers that a method's frame is checked by. Those that do not depend on the method are
+ * checked with "automatic"; `window` is the picture, of eight bits a channel.
+ */
+std::vector<std::string> GetBufferNames(const Method& method);
+
+/** Reads the values of a scene at a size, or begins with none where there is no file of them. */
+class Expected
+{
+public:
+  Expected(const std::string& folder, int width, int height);
+
+  bool IsEmpty() const { return this->Values.empty(); }
+
+  /** Keeps what a buffer holds, to be written. */
+  void Record(const std::string& method, const std::string& buffer, const Image& image);
+  void Write() const;
+
+  /**
+   * Compares a buffer with what was recorded. Returns {buffer, passed, worst, share, mean,
+   * tolerance, allowed_share, why}; `bad` gets the places that differ.
+   */
+  nlohmann::json Check(const Method& method, const std::string& buffer, const Image& image,
+    std::vector<std::array<int, 2>>& bad) const;
+
+private:
+  std::string Path;
+  nlohmann::json Values;
+};
+}
+
+#endif

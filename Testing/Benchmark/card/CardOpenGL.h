@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What machine and which OpenGL the results are of.
+#ifndef CardOpenGL_h
+#define CardOpenGL_h
+
+#include "CardParts.h" // for Part
+
+namespace card
+{
+/** One unit, which fails where no context can be made: renderer, version, limits, devices. */
+Part MakeOpenGLPart(const Options& options);
+}
+
+#endif
