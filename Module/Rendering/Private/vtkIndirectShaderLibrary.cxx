@@ -74,7 +74,14 @@ std::string vtkIndirectShaderLibrary::GetShader(
   const std::string& fileName, const std::string& definitions, const std::string& gather)
 {
   std::string text = GetText(fileName, gather);
-  return text.insert(std::min(text.find('\n') + 1, text.size()), Extensions + definitions);
+  const size_t begin = std::min(text.find('\n') + 1, text.size());
+  if (definitions.compare(0, 8, "#version") != 0)
+  {
+    return text.insert(begin, Extensions + definitions);
+  }
+  const size_t line = definitions.find('\n') + 1;
+  return text.replace(
+    0, begin, definitions.substr(0, line) + Extensions + definitions.substr(line));
 }
 
 //------------------------------------------------------------------------------

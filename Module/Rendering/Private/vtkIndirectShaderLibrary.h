@@ -20,7 +20,7 @@ extern const char* const Extensions;
 
 /**
  * Text of a shader: GetText with the extensions and then `definitions` behind its first line, in
- * place of which VTK puts the version.
+ * place of which VTK puts version 1.50; definitions that begin with a #version line bring their own.
  */
 std::string GetShader(const std::string& fileName, const std::string& definitions,
   const std::string& gather = std::string());

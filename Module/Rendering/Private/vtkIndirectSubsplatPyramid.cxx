@@ -217,8 +217,8 @@ bool vtkIndirectSubsplatPyramid::Build(
   std::string definitions;
   if (settings.HasCompute)
   {
-    definitions += "#extension GL_ARB_shader_storage_buffer_object : require\n"
-                   "#define VTKI_LIST_SPLIT\n";
+    // As an extension of older versions some compilers lack its atomic functions.
+    definitions += "#version 430\n#define VTKI_LIST_SPLIT\n";
     std::vector<size_t> texels;
     for (const auto& level : this->Levels)
     {
