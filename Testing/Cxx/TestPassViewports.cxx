@@ -150,9 +150,11 @@ CONTRACT_TEST(ViewportOrigin)
   const Pixels single = GrabRoom(96, 80);
   View view(137, 131);
   AddRoom(view.Renderer);
+  view.Renderer->SetViewport(17.0 / 137, 29.0 / 131, 113.0 / 137, 109.0 / 131);
+  // VTK clears nothing outside of viewports: there is whatever was in the card's memory.
+  const Pixels before = view.Grab();
   vtkNew<vtkIndirectIlluminationPass> pass;
   view.Renderer->SetPass(pass);
-  view.Renderer->SetViewport(17.0 / 137, 29.0 / 131, 113.0 / 137, 109.0 / 131);
   const Pixels image = view.Grab();
   int size[2];
   int origin[2];
@@ -165,7 +167,8 @@ CONTRACT_TEST(ViewportOrigin)
     {
       const bool inside =
         x >= origin[0] && x < origin[0] + size[0] && y >= origin[1] && y < origin[1] + size[1];
-      CONTRACT_CHECK(inside || image.Get(x, y, 0) == 0, "margin at " << x << ", " << y);
+      CONTRACT_CHECK(
+        inside || image.Get(x, y, 0) == before.Get(x, y, 0), "margin at " << x << ", " << y);
     }
   }
 }
