@@ -33,6 +33,7 @@ CXX = "a fragment of C++; the tests build and run Examples/Cxx"
 FORMULA = "a formula"
 ERROR = "what an error looks like; Python.CommandLine makes such ones"
 
+PACK = "it packs for minutes; Benchmark.pack and Benchmark.card do that in small"
 BENCHMARKS = "hours of benchmarks that make the page itself"
 
 # (page, how the block begins) -> why it is not run.
@@ -43,7 +44,12 @@ NOT_RUN = {
     ("CONTRIBUTING.md", "./bootstrap test"): "it runs these tests",
     ("CONTRIBUTING.md", "cmake --preset dev"): "it builds the project a second time",
     ("CONTRIBUTING.md", "sudo Testing/Compatibility/run"): "it installs another Debian",
+    ("CONTRIBUTING.md", "Testing/Benchmark/gpu pack"): PACK,
+    ("CONTRIBUTING.md", "LD_PRELOAD="): "it runs tests; Drivers.garbage runs some of them so",
     ("Documentation/architecture.md", "light i"): "a drawing",
+    ("Documentation/architecture.md", "VTK_INDIRECT_PATHS="): "Contract.PathsTake sets each of them",
+    ("Documentation/gpu.md", "Testing/Benchmark/gpu pack"): PACK,
+    ("Documentation/gpu.md", "./gpu list"): "Benchmark.card runs such lines",
     ("Documentation/guide.md", "vtkNew<vtkMultiresolutionSplattingPass>"): CXX,
     ("Documentation/guide.md", "vtkNew<vtkInformation> keys;"): CXX,
     ("Documentation/headless.md", "vtkNew<vtkEGLHeadlessRenderWindow>"): CXX,
