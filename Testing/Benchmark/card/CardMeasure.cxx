@@ -161,6 +161,8 @@ void AddStages(card::Scene& scene, vtkIndirectIlluminationPass* pass, Json& resu
   result["bytes"] = report.at("bytes");
   result["virtual_lights"] = report.at("virtual_lights");
   result["indirect_ms"] = report.at("indirect_ms");
+  result["gpu_indirect_ms"] =
+    report.contains("gpu_indirect_ms") ? report.at("gpu_indirect_ms") : Json();
   result["report"] = report;
 }
 }

@@ -16,6 +16,21 @@
 
 extern char** environ;
 
+namespace
+{
+// The group of processes that ends with this one.
+volatile sig_atomic_t Group = 0;
+
+void EndGroup(int signal)
+{
+  if (Group > 0)
+  {
+    kill(-Group, SIGKILL);
+  }
+  _exit(128 + signal);
+}
+}
+
 //------------------------------------------------------------------------------
 card::ProcessResult card::RunProcess(const std::vector<std::string>& arguments,
   const std::string& log, const std::function<std::string()>& watch)
@@ -34,9 +49,21 @@ card::ProcessResult card::RunProcess(const std::vector<std::string>& arguments,
       &actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
   }
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  const bool leads = log.empty();
+  if (leads)
+  {
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    signal(SIGINT, EndGroup);
+    signal(SIGTERM, EndGroup);
+  }
   pid_t child = 0;
-  const int error = posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ);
+  const int error = posix_spawn(&child, argv[0], &actions, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
+  Group = leads && error == 0 ? child : 0;
   ProcessResult result;
   if (error != 0)
   {
@@ -66,7 +93,7 @@ card::ProcessResult card::RunProcess(const std::vector<std::string>& arguments,
       result.End = watch();
       if (!result.End.empty())
       {
-        kill(child, SIGKILL);
+        kill(leads ? -child : child, SIGKILL);
       }
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -19,7 +19,8 @@ struct ProcessResult
 /**
  * Runs a program until it ends. `watch` is called every few milliseconds; a text that is not empty
  * says why the program is to be killed, and becomes the End. With a log, the program's output goes
- * there, else where this one's goes.
+ * there, else where this one's goes. A program without a log is one that runs others: these end
+ * with it, and all of them when this one is interrupted.
  */
 ProcessResult RunProcess(const std::vector<std::string>& arguments, const std::string& log,
   const std::function<std::string()>& watch);

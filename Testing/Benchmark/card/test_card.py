@@ -15,6 +15,7 @@ import stat
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 from typing import Any
@@ -203,6 +204,31 @@ class Card(unittest.TestCase):
         self.assertEqual(self.unit(results, "contract", "Two")["status"], "passed")
         # What was done is not done again.
         self.assertEqual((marks / "One").read_text().count("\n"), 1)
+
+    def test_nothing_stays_behind(self) -> None:
+        marks = self.results()
+        self.stand_in("TestPassContract", f'echo $$ >"{marks}/$1"\nexec sleep 60')
+        results = self.results()
+        for stop in ("time", "signal"):
+            words = ["run", "contract:One", "--output", str(results), "--pack", str(self.pack)]
+            with subprocess.Popen(
+                [PROGRAM, *words, "--seconds", "9" if stop == "time" else "60"],
+                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+            ) as program:
+                while not (marks / "One").exists() or not (marks / "One").read_text().strip():
+                    time.sleep(0.05)
+                    self.assertIsNone(program.poll())
+                if stop == "signal":
+                    program.terminate()
+                program.wait(timeout=30)
+            process = int((marks / "One").read_text())
+            (marks / "One").unlink()
+            with self.subTest(stop=stop):
+                time.sleep(0.2)  # until the kernel has ended it
+                status = Path(f"/proc/{process}/stat")
+                # Where nobody asks how it ended, a process that has ended is still listed.
+                state = status.read_text().rpartition(")")[2].split()[0] if status.exists() else "X"
+                self.assertIn(state, ("X", "Z"))
 
     def test_no_opengl(self) -> None:
         results = self.results()
