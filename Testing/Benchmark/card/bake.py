@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -135,11 +136,14 @@ def bake(name: str, folder: Path) -> None:
 
 def name_pack() -> str:
     """Return the version, and the commit where there is one: what results can be told apart by."""
-    git = subprocess.run(
-        ["git", "-C", ROOT, "describe", "--always", "--dirty", "--abbrev=12"],
-        capture_output=True, text=True, check=False,
-    )
-    commit = f", commit {git.stdout.strip()}" if git.returncode == 0 else ""
+    git = shutil.which("git")
+    commit = ""
+    if git is not None:
+        said = subprocess.run(
+            [git, "-C", ROOT, "describe", "--always", "--dirty", "--abbrev=12"],
+            capture_output=True, text=True, check=False,
+        )
+        commit = f", commit {said.stdout.strip()}" if said.returncode == 0 else ""
     return f"{vtkindirect.__version__}{commit}"
 
 

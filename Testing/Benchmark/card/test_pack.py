@@ -37,7 +37,7 @@ def environment(**more: str) -> dict[str, str]:
 
 def pack(*words: object, **more: str) -> subprocess.CompletedProcess[str]:
     """Run the command; nothing here is about how small an archive gets."""
-    return run(GPU, "pack", *words, "--scene", "none", env=environment(XZ_OPT="-0", **more))
+    return run(GPU, "pack", "--scene", "none", *words, env=environment(XZ_OPT="-0", **more))
 
 
 def references(path: Path) -> dict[str, set[str]]:
