@@ -163,7 +163,7 @@ std::string vtkIndirectKernelProgram::GetComputeText(
   const std::array<int, 2> group = FindGroup(target);
   std::string declarations = "layout(local_size_x = " + std::to_string(group[0]) +
     ", local_size_y = " + std::to_string(group[1]) +
-    ") in;\nuniform ivec2 vtkiTargetSize;\nvec4 vtkiPlace;\nvec4 vtkiOutput[8];\n";
+    ") in;\nuniform ivec2 vtkiTargetSize;\nvec4 vtkiPlace = vec4(0.0f);\nvec4 vtkiOutput[8];\n";
   std::string stores;
   for (int i = 0; i < target.GetNumberOfChannels(); ++i)
   {
@@ -175,7 +175,8 @@ std::string vtkIndirectKernelProgram::GetComputeText(
     stores += "  imageStore(" + image + ", place, vtkiOutput[" + number + "]" +
       (adds ? " + imageLoad(" + image + ", place)" : "") + ");\n";
   }
-  // Extensions come before all else.
+  // Extensions come before all else. The place has a value because compilers warn where a function
+  // uses what main sets later.
   const size_t at = stage.rfind("#extension");
   stage.insert(stage.find('\n', at) + 1, declarations);
   return stage +

@@ -8,8 +8,9 @@
 uniform sampler2D vtkiSpecular;
 uniform float vtkiStorageScale;
 
-vec3 vtkiReceiverMirror;
-float vtkiReceiverPower;
+// Set by main; compilers warn of values that functions before it use.
+vec3 vtkiReceiverMirror = vec3(0.0f);
+float vtkiReceiverPower = 0.0f;
 float vtkiWeightInLobe(vec3 toSender, vec3 normalS, vec3 normalR, float area)
 {
   return vtkiGlossyWeight(
