@@ -6,11 +6,10 @@
 #include "vtkCamera.h"
 #include "vtkEGLHeadlessRenderWindow.h"
 #include "vtkIndirectIlluminationPass.h"
+#include "vtkIndirectStageTimer.h"
 #include "vtkOpenGLRenderTimer.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -34,19 +33,6 @@ bool IsEnough(int frames, Clock::time_point since)
 {
   return frames >= MinimumNumberOfFrames &&
     (frames >= MaximumNumberOfFrames || GetMilliseconds(since) > 1000.0 * LongEnough);
-}
-
-double GetMedian(std::vector<double> times)
-{
-  std::sort(times.begin(), times.end());
-  const size_t n = times.size();
-  return 0.5 * (times[(n - 1) / 2] + times[n / 2]);
-}
-
-double GetPercentile95(std::vector<double> times)
-{
-  std::sort(times.begin(), times.end());
-  return times[(95 * times.size() + 99) / 100 - 1];
 }
 
 // Time on the card between two points of the stream of commands; null where it cannot be asked.
@@ -77,13 +63,16 @@ private:
 
 Json MakeRow(const char* stage, const std::vector<double>& wall, const std::vector<double>& gpu)
 {
-  Json row = { { "stage", stage }, { "frames", wall.size() }, { "gpu_ms", nullptr },
-    { "gpu_p95_ms", nullptr }, { "wall_ms", GetMedian(wall) },
-    { "wall_p95_ms", GetPercentile95(wall) } };
+  // As the stages of a report are summarized.
+  const auto byWall = vtkIndirectStageTimer::Summarize(wall);
+  Json row = { { "stage", stage }, { "frames", byWall.Count }, { "gpu_ms", nullptr },
+    { "gpu_p95_ms", nullptr }, { "wall_ms", byWall.MedianMilliseconds },
+    { "wall_p95_ms", byWall.Percentile95Milliseconds } };
   if (gpu.size() == wall.size())
   {
-    row["gpu_ms"] = GetMedian(gpu);
-    row["gpu_p95_ms"] = GetPercentile95(gpu);
+    const auto byGPU = vtkIndirectStageTimer::Summarize(gpu);
+    row["gpu_ms"] = byGPU.MedianMilliseconds;
+    row["gpu_p95_ms"] = byGPU.Percentile95Milliseconds;
   }
   return row;
 }

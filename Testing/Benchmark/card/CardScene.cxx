@@ -163,12 +163,16 @@ double card::Scene::GetDiagonal()
 }
 
 //------------------------------------------------------------------------------
-card::Image card::Scene::ReadReference(const std::string& layer) const
+card::Image card::Scene::GetReference(const std::string& layer)
 {
-  vtkNew<vtkXMLImageDataReader> reader;
-  reader->SetFileName((this->Folder + "/reference.vti").c_str());
-  reader->Update();
-  vtkImageData* data = reader->GetOutput();
+  if (!this->References)
+  {
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName((this->Folder + "/reference.vti").c_str());
+    reader->Update();
+    this->References = reader->GetOutput();
+  }
+  vtkImageData* data = this->References;
   vtkDataArray* array = data->GetPointData()->GetArray(layer.c_str());
   if (!array)
   {

@@ -3,31 +3,20 @@
 #ifndef CardScene_h
 #define CardScene_h
 
-#include "vtkNew.h"          // for the renderer
-#include "vtkRenderer.h"     // for the renderer
-#include "vtkSmartPointer.h" // for the window
+#include "vtkIndirectTestUtilities.h" // for images
+#include "vtkNew.h"                   // for the renderer
+#include "vtkRenderer.h"              // for the renderer
+#include "vtkSmartPointer.h"          // for the window
 
 #include <string> // for names
-#include <vector> // for layers
 
 class vtkEGLHeadlessRenderWindow;
+class vtkImageData;
 
 namespace card
 {
 /** Floats of an image, bottom row first. */
-struct Image
-{
-  int Width = 0;
-  int Height = 0;
-  int Components = 0;
-  std::vector<float> Values;
-
-  const float* At(int x, int y) const
-  {
-    const size_t pixel = static_cast<size_t>(y) * this->Width + x;
-    return &this->Values[this->Components * pixel];
-  }
-};
+using Image = vtkIndirectTest::Image;
 
 class Scene
 {
@@ -47,7 +36,10 @@ public:
   double GetDiagonal();
 
   /** R1, R2, R3 or mask, at the pixels of the reference. */
-  Image ReadReference(const std::string& layer) const;
+  Image GetReference(const std::string& layer);
+
+private:
+  vtkSmartPointer<vtkImageData> References; // all layers, once one was asked for
 };
 }
 

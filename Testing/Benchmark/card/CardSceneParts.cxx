@@ -144,10 +144,10 @@ Json Stage::Check(const card::Method& method, const std::string& label,
     checks.push_back(check);
     if (buffer == "irradiance")
     {
-      const card::Image mask = this->Scene->ReadReference("mask");
+      const card::Image mask = this->Scene->GetReference("mask");
       for (const char* layer : { "R1", "R2", "R3" })
       {
-        const card::Errors errors = card::Compare(image, this->Scene->ReadReference(layer), mask);
+        const card::Errors errors = card::Compare(image, this->Scene->GetReference(layer), mask);
         result["errors"][layer] = { { "nrmse", errors.RootMeanSquare },
           { "relmse", errors.Relative }, { "bias", errors.Bias },
           { "receivers", errors.Receivers } };
