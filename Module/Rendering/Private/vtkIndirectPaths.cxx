@@ -39,15 +39,13 @@ const std::array<Entry, NumberOfPaths> Entries{ {
     "depth is copied to the frame where formats allow it or drawn by the composite", DepthByCopy,
     DepthByCopy, { false, false } },
   // A light is fetched once for all texels of an invocation. On a processor a fetch costs more than
-  // registers that spill: with four the sums take 0.8 of the time with two. Eight would save
-  // another
-  // tenth and take a second more to compile.
+  // registers that spill: with four the sums take 0.8 of the time with two. Eight would save a
+  // tenth more, and take a second more to compile.
   { "grouping", { "two", "four" },
     "split texels that one invocation of multiresolution splatting sums lights for", GroupingOfFour,
     GroupingOfTwo, { true, true } },
   // Nothing to choose between on the processor. Not measured on a GPU, where fragment shaders may
-  // run
-  // on fewer of its multiprocessors than compute shaders do.
+  // run on fewer of its multiprocessors than compute shaders do.
   { "kernels", { "fragment", "compute" },
     "full-screen kernels that write all of a target are fragment or compute shaders",
     KernelsFragment, KernelsFragment, { false, true } },
