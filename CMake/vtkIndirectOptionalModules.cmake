@@ -15,6 +15,7 @@ function (vtk_indirect_optional_module module option package found)
 endfunction ()
 
 find_package(glm REQUIRED)
+find_package(nlohmann_json 3.7 REQUIRED)
 find_package(OpenGL QUIET COMPONENTS EGL)
 if (OpenGL_EGL_FOUND)
   set(_egl_found TRUE)

@@ -35,7 +35,7 @@ function (vtk_indirect_embed_shaders sources_var)
   string(MD5 hash "${texts}")
   file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/vtkIndirectShaderTable.cxx" CONTENT
 "// Generated from the shader files; do not edit.
-#include \"vtkIndirectShaderTable.h\"
+#include \"OpenGL/vtkIndirectShaderTable.h\"
 
 ${includes}
 const vtkIndirectShaderTableEntry vtkIndirectShaderTable[] = {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIndirectGL.h"
+#include "OpenGL/vtkIndirectGL.h"
 
 #include "vtkIndirectEstimatorPass.h"
 
-#include "vtkGeometryBufferPass.h"
-#include "vtkIndirectContextGuard.h"
-#include "vtkIndirectFrame.h"
-#include "vtkIndirectOccupancyVolume.h"
-#include "vtkIndirectReport.h"
-#include "vtkIndirectStageTimer.h"
-#include "vtkIndirectTarget.h"
+#include "Frame/vtkIndirectEstimate.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectReport.h"
+#include "OpenGL/vtkIndirectContextGuard.h"
+#include "OpenGL/vtkIndirectTarget.h"
+#include "vtkIndirectIlluminationPass.h"
 #include "vtkOpenGLRenderWindow.h"
 
 namespace
@@ -44,7 +44,13 @@ vtkIndirectEstimatorPass::vtkIndirectEstimatorPass()
   this->Guard->Release = [this](vtkWindow* window) { this->ReleaseGraphicsResources(window); };
 }
 
-vtkIndirectEstimatorPass::~vtkIndirectEstimatorPass() = default;
+vtkIndirectEstimatorPass::~vtkIndirectEstimatorPass()
+{
+  if (this->Whole)
+  {
+    this->Whole->BorrowEstimator(nullptr);
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkIndirectEstimatorPass::HoldContext(vtkOpenGLRenderWindow* window)
@@ -62,15 +68,66 @@ void vtkIndirectEstimatorPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfBounces: " << this->GetMaximumNumberOfBounces() << "\n";
   os << indent << "Occupancy: " << (this->Occupancy ? "On" : "Off") << "\n";
   os << indent << "OccupancyResolution: " << this->OccupancyResolution << "\n";
-  os << indent << "NumberOfVoxelUpdates: " << this->NumberOfVoxelUpdates << "\n";
   this->Irradiance->Print(os, indent);
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectEstimatorPass::Render(const vtkRenderState*)
+void vtkIndirectEstimatorPass::Render(const vtkRenderState* s)
 {
-  vtkErrorMacro("An estimator draws nothing by itself; give it to "
-                "vtkIndirectIlluminationPass::SetEstimator.");
+  vtkIndirectIlluminationPass* pass = this->GetIlluminationPass();
+  pass->Render(s);
+  this->NumberOfRenderedProps = pass->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectIlluminationPass* vtkIndirectEstimatorPass::GetIlluminationPass()
+{
+  if (!this->Whole)
+  {
+    this->Whole = vtkSmartPointer<vtkIndirectIlluminationPass>::New();
+    this->Whole->BorrowEstimator(this);
+  }
+  return this->Whole;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectAbilities vtkIndirectEstimatorPass::GetAbilities(double tolerance) const
+{
+  vtkIndirectAbilities abilities;
+  abilities.Name = this->GetClassName();
+  abilities.MaximumNumberOfBounces = this->GetMaximumNumberOfBounces();
+  abilities.ComputesGlossy = this->ComputesGlossy();
+  abilities.SpecularTransport = this->SpecularTransport;
+  abilities.ErrorTolerance = this->FindErrorTolerance(tolerance);
+  return abilities;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectVisibilityNeeds vtkIndirectEstimatorPass::GetVisibilityNeeds(
+  const vtkIndirectPlan&) const
+{
+  vtkIndirectVisibilityNeeds needs;
+  needs.Senders = needs.Segments = this->Occupancy;
+  needs.Resolution = this->OccupancyResolution;
+  return needs;
+}
+
+//------------------------------------------------------------------------------
+vtkVirtualLightSampler* vtkIndirectEstimatorPass::ChooseSampler(
+  vtkVirtualLightSampler* users, const vtkIndirectPlan&)
+{
+  return users;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectEstimate vtkIndirectEstimatorPass::MakeResult() const
+{
+  vtkIndirectEstimate result;
+  result.State = vtkIndirectEstimate::CONVERGED;
+  result.Irradiance = this->Irradiance.get();
+  result.Glossy = this->HasGlossy ? this->Glossy.get() : nullptr;
+  result.Unit = this->IrradianceUnit;
+  return result;
 }
 
 //------------------------------------------------------------------------------
@@ -92,16 +149,10 @@ void vtkIndirectEstimatorPass::SetIrradianceStorage(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectEstimatorPass::WantsGlossy(const vtkIndirectFrame& frame) const
-{
-  return this->SpecularTransport && this->ComputesGlossy() && frame.Specular;
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectEstimatorPass::ResizeGlossy(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  this->HasGlossy = input.Geometry.HasSpecular() && this->WantsGlossy(frame);
+  this->HasGlossy = input.Plan.Specular;
   if (!this->HasGlossy)
   {
     this->Glossy->Release(frame.Window);
@@ -112,108 +163,15 @@ bool vtkIndirectEstimatorPass::ResizeGlossy(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectEstimatorPass::ActivateIrradiance(vtkShaderProgram* program)
-{
-  this->Irradiance->Activate(0, program);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectEstimatorPass::DeactivateIrradiance()
-{
-  this->Irradiance->Deactivate();
-}
-
-//------------------------------------------------------------------------------
 size_t vtkIndirectEstimatorPass::GetBytes() const
 {
-  return this->Irradiance->GetBytes() + this->Glossy->GetBytes() +
-    (this->Voxels ? this->Voxels->GetBytes() : 0);
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectEstimatorPass::GetMainMemoryBytes() const
-{
-  return this->Voxels ? this->Voxels->GetMainMemoryBytes() : 0;
+  return this->Irradiance->GetBytes() + this->Glossy->GetBytes();
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectEstimatorPass::AddToReport(vtkIndirectReport& report) const
 {
   report.Modelled.emplace_back("one diffuse bounce", this->GetClassName());
-  this->AddVisibilityToReport(report);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectEstimatorPass::AddVisibilityToReport(vtkIndirectReport& report) const
-{
-  const char* const name = "visibility between sender and receiver";
-  if (!this->IsBlocked())
-  {
-    report.LeftOut.emplace_back(
-      name, "Occupancy is off or nothing has polygons; the result is too bright");
-    return;
-  }
-  report.Modelled.emplace_back(name,
-    std::to_string(this->Voxels->GetNumberOfOccupiedVoxels()) + " occupied voxels of " +
-      std::to_string(this->OccupancyResolution) + " along the longest edge");
-  for (const auto& entry : this->Voxels->GetLeftOut())
-  {
-    report.LeftOut.push_back(entry);
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectEstimatorPass::UpdateVoxels(const Input& input)
-{
-  if (!input.Caching)
-  {
-    input.Voxels->Forget();
-  }
-  this->NumberOfVoxelUpdates += input.Voxels->Update(input.Frame, this->OccupancyResolution);
-  // Another estimator may have brought them up to date before.
-  const bool changed =
-    this->Voxels != input.Voxels || this->VoxelsSeen != input.Voxels->GetNumberOfUpdates();
-  this->Voxels = input.Voxels;
-  this->VoxelsSeen = input.Voxels->GetNumberOfUpdates();
-  return changed;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectEstimatorPass::UpdateSight(const Input& input, vtkIndirectStageTimer& timer)
-{
-  if (this->Occupancy)
-  {
-    timer.Begin(vtkIndirectStageTimer::Visibility);
-    this->UpdateVoxels(input);
-    if (this->IsBlocked())
-    {
-      this->Voxels->GetClearance();
-    }
-    timer.End(vtkIndirectStageTimer::Visibility);
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectEstimatorPass::IsBlocked() const
-{
-  return this->Occupancy && this->Voxels && !this->Voxels->IsEmpty();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectEstimatorPass::AddSpecularToReport(vtkIndirectReport& report) const
-{
-  if (this->HasGlossy)
-  {
-    report.Modelled.emplace_back(
-      "specular indirect light", "receivers reflect it by the lobes of Phong's model");
-    report.LeftOut.emplace_back("specular reflection of senders", "senders are taken as diffuse");
-    return;
-  }
-  report.LeftOut.emplace_back("specular indirect light",
-    !this->ComputesGlossy() ? std::string("senders are taken as diffuse, and ") +
-        this->GetClassName() + " takes receivers as diffuse"
-      : this->SpecularTransport ? "senders are taken as diffuse; no receiver is specular"
-                                : "SpecularTransport is off");
 }
 
 //------------------------------------------------------------------------------
@@ -226,4 +184,11 @@ void vtkIndirectEstimatorPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Irradiance->Release(window);
   this->Glossy->Release(window);
   this->HasGlossy = false;
+  // That pass in its turn releases its estimator, which is this one.
+  if (this->Whole && !this->IsReleasing)
+  {
+    this->IsReleasing = true;
+    this->Whole->ReleaseGraphicsResources(window);
+    this->IsReleasing = false;
+  }
 }

@@ -18,21 +18,23 @@
 #include "vtkRenderingIndirectModule.h" // For export macro
 #include "vtkSmartPointer.h"            // For the guard
 
-#include <memory> // for the target and the voxels
+#include <memory> // for the targets
 #include <string> // for names
 #include <vector> // for names
 
-class vtkGeometryBufferPass;
+class vtkIndirectGeometryBuffer;
 class vtkIndirectContextGuard;
-class vtkIndirectOccupancyVolume;
-class vtkIndirectStageTimer;
+class vtkIndirectIlluminationPass;
 class vtkIndirectTarget;
 class vtkOpenGLRenderWindow;
-class vtkReflectiveShadowMapPass;
-class vtkShaderProgram;
 class vtkVirtualLightSampler;
+struct vtkIndirectAbilities;
+struct vtkIndirectEstimate;
+struct vtkIndirectEstimateInput;
 struct vtkIndirectFrame;
+struct vtkIndirectPlan;
 struct vtkIndirectReport;
+struct vtkIndirectVisibilityNeeds;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkIndirectEstimatorPass : public vtkOpenGLRenderPass
 {
@@ -40,8 +42,13 @@ public:
   vtkTypeMacro(vtkIndirectEstimatorPass, vtkOpenGLRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** An estimator has no picture of its own: this is an error. See Estimate. */
+  /**
+   * Draws the whole frame with this estimator, as a vtkIndirectIlluminationPass does that it is set
+   * on: renderer->SetPass(estimator). What belongs to a frame is set on GetIlluminationPass.
+   */
   void Render(const vtkRenderState* s) override;
+  /** The pass by which this one draws frames when it is set on a renderer by itself. */
+  vtkIndirectIlluminationPass* GetIlluminationPass();
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /** Short name for reports, e.g. "gather". */
@@ -77,16 +84,8 @@ public:
   vtkGetMacro(OccupancyResolution, int);
   ///@}
 
-  /** How often frames of this estimator have made the scene's voxels anew. */
-  vtkGetMacro(NumberOfVoxelUpdates, vtkIdType);
-
 #ifndef __VTK_WRAP__
-  /**
-   * Senders that a shader may look for from one place. Mesa's llvmpipe ends all loops of an
-   * invocation after 65535 rounds together, and a round is a sender or four steps on the way to it:
-   * this leaves 124 steps a sender, four times what rooms need.
-   */
-  static constexpr int MaximumNumberOfSegments = 2048;
+  using Input = vtkIndirectEstimateInput;
 
   /**
    * Lets go of all graphics resources when the window's context ends, also while the pass uses
@@ -94,78 +93,33 @@ public:
    */
   void HoldContext(vtkOpenGLRenderWindow* window);
 
-  /** What a frame's estimate reads; eye stands in for the maps where a headlight needs none. */
-  struct Input
-  {
-    const vtkIndirectFrame& Frame;
-    const vtkGeometryBufferPass& Geometry;
-    vtkReflectiveShadowMapPass& Maps;
-    vtkVirtualLightSampler* Sampler; // null when the estimator asked for none
-    bool EyeIsMap;
-    int NumberOfBounces = 1;     // as asked for
-    bool Caching = true;         // off: nothing may be kept from earlier frames
-    double ErrorTolerance = 0.0; // relative; 0: the estimator's own parameters
-    std::shared_ptr<vtkIndirectOccupancyVolume> Voxels; // as some frame left them
-    bool Still = false; // nothing has changed since this estimator's last frame
-  };
-
+  /** What the plan has to know of it, where the pass asks for an error tolerance. */
+  vtkIndirectAbilities GetAbilities(double tolerance) const;
+  /** What it needs of the visibility stage. Default: Occupancy hides senders from receivers. */
+  virtual vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const;
   /**
    * The sampler whose lights this estimator reads: the user's, one of its own, or null when it
    * reads the maps themselves.
    */
-  virtual vtkVirtualLightSampler* ChooseSampler(vtkVirtualLightSampler* users)
-  {
-    return users;
-  }
-  /** The same for a frame whose only light is a headlight, which has no map. */
-  virtual vtkVirtualLightSampler* ChooseHeadlightSampler(vtkVirtualLightSampler* users)
-  {
-    return this->ChooseSampler(users);
-  }
+  virtual vtkVirtualLightSampler* ChooseSampler(
+    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan);
 
-  /** Makes the frame's irradiance. Returns false, after an error, when it cannot. */
-  virtual bool Estimate(const Input& input, vtkIndirectStageTimer& timer) = 0;
-  /**
-   * Whether a further Estimate would leave the irradiance as it is while nothing changes. The pass
-   * asks for one in every frame until then.
-   */
-  virtual bool IsConverged() const
-  {
-    return true;
-  }
+  /** Makes the frame's irradiance; FAILED after an error. */
+  virtual vtkIndirectEstimate Estimate(const Input& input) = 0;
 
-  ///@{
-  /**
-   * How the composite reads the last frame's irradiance: a file in glsl/stage with a function
-   * `vec3 vtkiFetchIrradiance(vec2 position)`, and what it needs to be bound. Default: a value for
-   * every pixel, in the irradiance texture.
-   */
-  virtual const char* GetIrradianceShader() const
-  {
-    return "vtkIndirectIrradianceTexture.glsl";
-  }
-  virtual void ActivateIrradiance(vtkShaderProgram* program);
-  virtual void DeactivateIrradiance();
-  ///@}
-  /**
-   * What lobes of a specular coefficient of one reflect, in the unit of the irradiance; null where
-   * the last frame has none.
-   */
-  const vtkIndirectTarget* GetGlossy() const
-  {
-    return this->HasGlossy ? this->Glossy.get() : nullptr;
-  }
-  /** Whether a frame's receivers are to reflect specularly. */
-  bool WantsGlossy(const vtkIndirectFrame& frame) const;
-  /** Irradiance that a stored value of one stands for. */
+  /** VTK irradiance that a stored value of one stands for. */
   double GetIrradianceUnit() const
   {
     return this->IrradianceUnit;
   }
+
   /** Of textures and buffers. */
   virtual size_t GetBytes() const;
-  /** Of voxels, triangles and tables in main memory. */
-  virtual size_t GetMainMemoryBytes() const;
+  /** Of tables in main memory. */
+  virtual size_t GetMainMemoryBytes() const
+  {
+    return 0;
+  }
 
   /**
    * The error that the estimator's parameters are chosen by when the pass asks for so much, 0 for
@@ -176,10 +130,8 @@ public:
     return 0.0;
   }
 
-  /** Says what the last frame modelled and left out. Default: one bounce without visibility. */
+  /** Says what the last frame modelled and left out. Default: one diffuse bounce. */
   virtual void AddToReport(vtkIndirectReport& report) const;
-  /** Says whether receivers reflected specularly in the last frame, and if not why. */
-  void AddSpecularToReport(vtkIndirectReport& report) const;
 
   /** Names of buffers of the estimator's own that can be looked at. */
   virtual std::vector<std::string> GetChannelNames() const
@@ -190,7 +142,8 @@ public:
    * Draws one of them, of the last frame, into the bound target of the frame's size, which is
    * clear. Returns the number of its components, 1 or 3, or 0 when it cannot.
    */
-  virtual int DrawChannel(const std::string&, const vtkIndirectFrame&, const vtkGeometryBufferPass&)
+  virtual int DrawChannel(
+    const std::string&, const vtkIndirectFrame&, const vtkIndirectGeometryBuffer&)
   {
     return 0;
   }
@@ -213,18 +166,8 @@ protected:
    * SetIrradianceStorage. Returns false, after an error, when OpenGL refuses.
    */
   bool ResizeGlossy(const Input& input);
-  /**
-   * Brings the frame's voxels up to date, which all estimators share, and keeps hold of them.
-   * Returns whether they differ from those of this estimator's last frame.
-   */
-  bool UpdateVoxels(const Input& input);
-  /** For Occupancy, before anything is summed: voxels, and distances between them. */
-  void UpdateSight(const Input& input, vtkIndirectStageTimer& timer);
-  /** Whether senders can be hidden: Occupancy is on, and voxels are occupied. */
-  bool IsBlocked() const;
-  void AddVisibilityToReport(vtkIndirectReport& report) const;
-
-  std::shared_ptr<vtkIndirectOccupancyVolume> Voxels;
+  /** The last frame's result, with the images as they are now. */
+  vtkIndirectEstimate MakeResult() const;
 #endif
 
   bool SpecularTransport = true;
@@ -234,13 +177,15 @@ protected:
   std::unique_ptr<vtkIndirectTarget> Glossy;
   bool Occupancy = false;
   int OccupancyResolution = 128;
-  vtkIdType NumberOfVoxelUpdates = 0;
 
 private:
-  size_t VoxelsSeen = 0; // their number of updates
   double IrradianceUnit = 1.0;
   bool IrradianceIsHalf = false;
   bool IrradianceHasDepth = false;
+  // Draws frames where this is a renderer's pass; it does not hold this one.
+  vtkSmartPointer<vtkIndirectIlluminationPass> Whole;
+  bool IsReleasing = false;
+
   vtkIndirectEstimatorPass(const vtkIndirectEstimatorPass&) = delete;
   void operator=(const vtkIndirectEstimatorPass&) = delete;
 };

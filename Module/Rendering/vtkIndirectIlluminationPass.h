@@ -33,15 +33,11 @@
 
 #include <memory> // for the internals
 #include <string> // for names and reports
-#include <vector> // for keys
 
 class vtkImageData;
 class vtkInformationIntegerKey;
-class vtkIndirectCompositePass;
 class vtkIndirectEstimatorPass;
-class vtkGeometryBufferPass;
 class vtkReflectiveShadowMapPass;
-class vtkSurfaceCapturePass;
 class vtkVirtualLightSampler;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkIndirectIlluminationPass : public vtkOpenGLRenderPass
@@ -183,7 +179,8 @@ public:
    * The last frame as JSON (schema vtkindirect.report/1): settings, what was modelled and left out
    * and why, which of two ways were in force where OpenGL decides (paths), virtual lights; bytes:
    * of the frame's textures and buffers; main_memory_bytes: of what is kept beside them that grows
-   * with the scene and the estimator's settings: voxels, triangles, hints and their rays; and with
+   * with the scene and the estimator's settings: voxels, triangles, hints and their rays; counters
+   * since construction: shader_builds, how often VTK asked for a mapper's shader source; and with
    * Timing on median and 95th percentile of each stage's milliseconds over the frames since, by
    * wall clock and, where OpenGL has timer queries, by the GPU's clock.
    */
@@ -202,8 +199,7 @@ public:
   bool CopyBuffer(const std::string& name, vtkImageData* image);
 
   ///@{
-  /** The stages, for inspection and tests. */
-  vtkGetObjectMacro(SurfaceCapture, vtkSurfaceCapturePass);
+  /** The lights' maps, for inspection and tests. */
   vtkGetObjectMacro(ReflectiveShadowMaps, vtkReflectiveShadowMapPass);
   ///@}
 
@@ -224,6 +220,20 @@ public:
   static vtkInformationIntegerKey* SENDS_LIGHT();
   ///@}
 
+#ifndef __VTK_WRAP__
+  ///@{
+  /**
+   * Further samplers, whose virtual lights are summed besides those of the frame's sampler: a frame
+   * with one needs no vtkLight. For passes that bring light of their own.
+   */
+  void AddSampler(vtkVirtualLightSampler* sampler);
+  void RemoveSampler(vtkVirtualLightSampler* sampler);
+  ///@}
+
+  /** The estimator where none is set, and not held: one that draws its frames through this pass. */
+  void BorrowEstimator(vtkIndirectEstimatorPass* estimator);
+#endif
+
   /** How many frames computed the irradiance anew since construction. */
   vtkGetMacro(NumberOfEstimates, vtkIdType);
 
@@ -234,8 +244,7 @@ protected:
   vtkIndirectEstimatorPass* Estimator = nullptr;
   vtkVirtualLightSampler* Sampler = nullptr;
   vtkRenderPass* DelegatePass = nullptr;
-  vtkSurfaceCapturePass* SurfaceCapture;
-  vtkReflectiveShadowMapPass* ReflectiveShadowMaps;
+  vtkReflectiveShadowMapPass* ReflectiveShadowMaps; // of the pipeline
   bool Shadows = true;
   int NumberOfBounces = 1;
   double IndirectScale = 1.0;
@@ -249,13 +258,11 @@ private:
   vtkIndirectIlluminationPass(const vtkIndirectIlluminationPass&) = delete;
   void operator=(const vtkIndirectIlluminationPass&) = delete;
 
-  bool RenderIndirect(const vtkRenderState* s, std::string& why);
-  bool UpdateIrradiance();
+  void ShowDebugView();
   vtkIndirectEstimatorPass* GetFrameEstimator(); // of the last frame, without one of the next
   void RenderDelegate(const vtkRenderState* s, const std::string& why);
   void RefuseDelegate(const std::string& reason);
   std::string GetChannelNames();
-  std::vector<double> MakeEstimateKey();
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIndirectGL.h"
+#include "OpenGL/vtkIndirectGL.h"
 
 #include "vtkMultiresolutionSplattingPass.h"
 
-#include "vtkIndirectClearance.h"
-#include "vtkIndirectGlossyGather.h"
-#include "vtkIndirectGlossySubsplats.h"
-#include "vtkIndirectLightBlock.h"
-#include "vtkIndirectOccupancyVolume.h"
-#include "vtkIndirectReport.h"
-#include "vtkIndirectStageTimer.h"
-#include "vtkIndirectSubsplatIllumination.h"
-#include "vtkIndirectSubsplatView.h"
-#include "vtkIndirectUniforms.h"
+#include "Frame/vtkIndirectEstimate.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectStageTimer.h"
+#include "Gather/vtkIndirectGlossyGather.h"
+#include "Multiresolution/vtkIndirectGlossySubsplats.h"
+#include "Multiresolution/vtkIndirectSubsplatIllumination.h"
+#include "Multiresolution/vtkIndirectSubsplatView.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "VirtualLights/vtkIndirectLightBlock.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Visibility/vtkIndirectVisibility.h"
 #include "vtkObjectFactory.h"
 #include "vtkVirtualLightSampler.h"
 
@@ -20,6 +23,20 @@
 #include <cmath>
 
 vtkStandardNewMacro(vtkMultiresolutionSplattingPass);
+
+namespace
+{
+const vtkIndirectChannel BatchChannels[] = {
+  { "subsplat.batch", "vtkiBatch", "irradiance from some of the lights", GL_RGBA32F, "-",
+    "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel HalfBatchChannels[] = {
+  { "subsplat.batch", "vtkiBatch", "irradiance from some of the lights", GL_RGBA16F, "-",
+    "VTK irradiance over the frame's unit" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+}
 
 //------------------------------------------------------------------------------
 struct vtkMultiresolutionSplattingPass::Internals
@@ -30,6 +47,10 @@ struct vtkMultiresolutionSplattingPass::Internals
   vtkIndirectSubsplatView View;
   vtkIndirectGlossySubsplats Glossy;
   vtkIndirectGlossyGather GlossyGather;
+  // The image of a batch of lights, where there are several.
+  std::unique_ptr<vtkIndirectTarget> Batch;
+  bool BatchIsHalf = false;
+  vtkIndirectFullScreenProgram AddBatch{ "vtkIndirectSubsplatAddFS.glsl" };
 
   // The last frame, for the report.
   double Tolerance = 0.0;
@@ -43,33 +64,11 @@ struct vtkMultiresolutionSplattingPass::Internals
 
 namespace
 {
-// Irradiance that a half float's one stands for: what the strongest light gives a surface that
-// faces it in the middle of the scene, so that 1e-7 to 65504 times that can be stored.
-double MakeUnit(const vtkIndirectFrame& frame)
-{
-  double unit = 0.0;
-  for (const vtkIndirectLight& light : frame.Lights)
-  {
-    const double color = std::max({ light.Color.x, light.Color.y, light.Color.z });
-    double attenuation = 1.0;
-    if (light.Positional)
-    {
-      const double d =
-        std::max(glm::length(light.PositionWC - frame.SceneCenter), 0.1 / frame.SceneScale);
-      const double denominator =
-        light.Attenuation.x + d * (light.Attenuation.y + d * light.Attenuation.z);
-      attenuation = denominator > 0.0 ? 1.0 / denominator : 1.0;
-    }
-    unit = std::max(unit, color * attenuation);
-  }
-  // A power of two: storing loses nothing but the bits that half floats lack.
-  return unit > 0.0 && std::isfinite(unit) ? std::exp2(std::ceil(std::log2(unit))) : 1.0;
-}
-
 // A threshold that the user has not set goes with the tolerance.
-void Scale(double& threshold, double standard, double share, double most)
+void Scale(double& threshold, double standard, double tolerance, double most)
 {
-  threshold = threshold == standard ? std::min(standard * share, most) : threshold;
+  threshold =
+    threshold == standard ? vtkIndirectPlan::ScaleThreshold(standard, tolerance, most) : threshold;
 }
 }
 
@@ -110,7 +109,7 @@ size_t vtkMultiresolutionSplattingPass::GetBytes() const
 {
   const Internals& in = *this->Internal;
   return this->Superclass::GetBytes() + in.Lights.GetBytes() + in.Pyramid.GetBytes() +
-    in.Illumination.GetBytes() + in.Glossy.GetBytes();
+    in.Illumination.GetBytes() + in.Glossy.GetBytes() + (in.Batch ? in.Batch->GetBytes() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -143,29 +142,18 @@ double vtkMultiresolutionSplattingPass::FindErrorTolerance(double asked) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectStageTimer& timer)
+bool vtkMultiresolutionSplattingPass::MakeSettings(
+  const Input& input, vtkIndirectSubsplatSettings& settings, int& renderer)
 {
-  Internals& in = *this->Internal;
-  const vtkIndirectFrame& frame = input.Frame;
-  vtkOpenGLRenderWindow* window = frame.Window;
   const bool hasCompute = vtkIndirectComputeProgram::IsSupported();
   if (this->Renderer == LEAF_COMPUTE && !hasCompute)
   {
     vtkErrorMacro("Renderer LEAF_COMPUTE needs OpenGL 4.3; this context is older. Use AUTOMATIC.");
     return false;
   }
-  vtkIndirectSubsplatIllumination::Renderer renderer = vtkIndirectSubsplatIllumination::Fragments;
-  if (this->Renderer == POINT_SPLATS)
-  {
-    renderer = vtkIndirectSubsplatIllumination::Points;
-  }
-  else if (hasCompute && this->Renderer != LEAF_FRAGMENTS)
-  {
-    renderer = vtkIndirectSubsplatIllumination::Compute;
-  }
-
-  const double unit = this->Storage == HALF_FLOAT ? MakeUnit(frame) : 1.0;
-  vtkIndirectSubsplatSettings settings;
+  renderer = this->Renderer == POINT_SPLATS          ? vtkIndirectSubsplatIllumination::Points
+    : hasCompute && this->Renderer != LEAF_FRAGMENTS ? vtkIndirectSubsplatIllumination::Compute
+                                                     : vtkIndirectSubsplatIllumination::Fragments;
   settings.CoarsestResolution = this->CoarsestResolution;
   settings.HalfResolution = this->FinestLevel == HALF_RESOLUTION;
   settings.DepthRange = this->Refinement == DEPTH_RANGE;
@@ -173,30 +161,42 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
   settings.DepthThreshold = this->DepthThreshold;
   settings.NormalThreshold = this->NormalThreshold;
   settings.LightingThreshold = this->LightingThreshold;
-  const double tolerance = this->FindErrorTolerance(input.ErrorTolerance);
+  const double tolerance = this->FindErrorTolerance(input.Plan.ErrorTolerance);
   if (tolerance > 0.0)
   {
-    // The defaults give an error of 0.02 on a hard scene, and the error goes with the thresholds.
-    const double share = tolerance / 0.02;
-    Scale(settings.PlaneThreshold, StandardPlaneThreshold, share, 100.0);
-    Scale(settings.DepthThreshold, StandardDepthThreshold, share, 1.0);
-    Scale(settings.NormalThreshold, StandardNormalThreshold, share, 2.0);
-    Scale(settings.LightingThreshold, StandardLightingThreshold, share, 1.0);
+    Scale(settings.PlaneThreshold, StandardPlaneThreshold, tolerance, 100.0);
+    Scale(settings.DepthThreshold, StandardDepthThreshold, tolerance, 1.0);
+    Scale(settings.NormalThreshold, StandardNormalThreshold, tolerance, 2.0);
+    Scale(settings.LightingThreshold, StandardLightingThreshold, tolerance, 1.0);
   }
   settings.Balance = this->Balance;
   settings.NormalCorrection = this->NormalCorrection;
   settings.SurfaceDetail = this->SurfaceDetail;
   settings.HalfFloats = this->Storage == HALF_FLOAT;
-  settings.StorageScale = 1.0 / unit;
+  settings.StorageScale = settings.HalfFloats ? 1.0 / input.Plan.IrradianceUnit : 1.0;
   settings.HasCompute = hasCompute && renderer != vtkIndirectSubsplatIllumination::Fragments;
   settings.ReportsError = tolerance > 0.0;
+  return true;
+}
 
-  this->SetIrradianceStorage(window, settings.HalfFloats, unit, true);
+//------------------------------------------------------------------------------
+vtkIndirectEstimate vtkMultiresolutionSplattingPass::Estimate(const Input& input)
+{
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkOpenGLRenderWindow* window = frame.Window;
+  vtkIndirectSubsplatSettings settings;
+  int renderer = 0;
+  if (!this->MakeSettings(input, settings, renderer))
+  {
+    return {};
+  }
+  this->SetIrradianceStorage(window, settings.HalfFloats, 1.0 / settings.StorageScale, true);
   if (!this->Irradiance->Resize(window, frame.Size[0], frame.Size[1]) ||
     !this->ResizeGlossy(input) || !in.Pyramid.Resize(window, frame.Size, settings) ||
     !in.Illumination.Resize(window, in.Pyramid, *this->Irradiance, settings.HalfFloats))
   {
-    return false;
+    return {};
   }
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
@@ -205,43 +205,42 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
   vtkOpenGLState::ScopedglDepthMask depthMask(state);
   vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-  vtkIndirectKernelState kernelState(window);
+  vtkIndirectFullScreenState fullScreenState(window);
 
-  this->UpdateSight(input, timer);
-  if (this->IsBlocked() && input.Sampler->GetActualNumberOfLights() > MaximumNumberOfSegments)
+  in.NumberOfLights = input.Lights->GetNumberOfLights();
+  const bool batches = input.Visibility.HidesSenders() &&
+    in.NumberOfLights > vtkIndirectVisibility::MaximumNumberOfSegments;
+  bool done = false;
+  if (batches)
   {
-    vtkErrorMacro("Occupancy takes at most " << MaximumNumberOfSegments
-                                             << " virtual lights here; use fewer, or the gather.");
-    return false;
+    done = this->FillInBatches(input, settings, renderer);
   }
-  in.Lights.SetVoxels(this->IsBlocked() ? input.Voxels.get() : nullptr);
-  timer.Begin(vtkIndirectStageTimer::Estimate);
-  in.Lights.Update(window, *input.Sampler);
-  bool done = in.Pyramid.Build(input, settings, in.Lights);
-  if (done && renderer == vtkIndirectSubsplatIllumination::Points && !settings.HasCompute)
+  else
   {
-    in.Pyramid.FillLists(window);
+    in.Batch.reset();
+    in.Lights.Update(window, *input.Lights);
+    done = this->Fill(input, settings, renderer, *this->Irradiance);
   }
-  done = done && in.Illumination.FillLevels(input, settings, renderer, in.Pyramid, in.Lights);
-  timer.End(vtkIndirectStageTimer::Estimate);
-  timer.Begin(vtkIndirectStageTimer::Upsample);
-  done = done &&
-    in.Illumination.FillPixels(input, settings, renderer, in.Pyramid, in.Lights, *this->Irradiance);
+  if (this->HasGlossy)
+  {
+    input.Timer.Begin(vtkIndirectStageTimer::Upsample);
+  }
   done = done && this->FillGlossy(input, settings);
-  timer.End(vtkIndirectStageTimer::Upsample);
-  if (this->IsBlocked())
+  if (this->HasGlossy)
   {
-    input.Voxels->GetClearance().Deactivate();
+    input.Timer.End(vtkIndirectStageTimer::Upsample);
   }
-  in.Lights.SetVoxels(nullptr);
 
   static const char* const renderers[] = { "points", "fragments", "compute" };
   in.Renderer = renderers[renderer];
-  in.NumberOfLights = input.Sampler->GetActualNumberOfLights();
-  in.Tolerance = tolerance;
+  in.Tolerance = settings.ReportsError ? this->FindErrorTolerance(input.Plan.ErrorTolerance) : 0.0;
   in.SamplingError = -1.0;
   in.Evaluations = -1;
-  if (done && tolerance > 0.0)
+  if (!done)
+  {
+    return {};
+  }
+  if (settings.ReportsError && !batches)
   {
     in.SamplingError = in.Pyramid.EstimateSamplingError();
     in.Evaluations = 0;
@@ -250,7 +249,81 @@ bool vtkMultiresolutionSplattingPass::Estimate(const Input& input, vtkIndirectSt
       in.Evaluations += 4 * in.Pyramid.GetLists().Count(i);
     }
   }
+  vtkIndirectEstimate result = this->MakeResult();
+  result.Error = in.SamplingError;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMultiresolutionSplattingPass::Fill(const Input& input,
+  const vtkIndirectSubsplatSettings& settings, int renderer, vtkIndirectTarget& pixels)
+{
+  Internals& in = *this->Internal;
+  const auto way = static_cast<vtkIndirectSubsplatIllumination::Renderer>(renderer);
+  input.Timer.Begin(vtkIndirectStageTimer::Estimate);
+  bool done = in.Pyramid.Build(input, settings, in.Lights);
+  if (done && way == vtkIndirectSubsplatIllumination::Points && !settings.HasCompute)
+  {
+    in.Pyramid.FillLists(input.Frame.Window);
+  }
+  done = done && in.Illumination.FillLevels(input, settings, way, in.Pyramid, in.Lights);
+  input.Timer.End(vtkIndirectStageTimer::Estimate);
+  input.Timer.Begin(vtkIndirectStageTimer::Upsample);
+  done = done && in.Illumination.FillPixels(input, settings, way, in.Pyramid, in.Lights, pixels);
+  input.Timer.End(vtkIndirectStageTimer::Upsample);
   return done;
+}
+
+//------------------------------------------------------------------------------
+// Some drivers end a shader's loops before it has looked for so many lights from one place. Light
+// adds up: each batch of them has subsplats of its own, and their images are summed.
+bool vtkMultiresolutionSplattingPass::FillInBatches(
+  const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer)
+{
+  Internals& in = *this->Internal;
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  vtkOpenGLState* state = window->GetState();
+  const int batch = in.Lights.GetCapacity(window);
+  if (!in.Batch || in.BatchIsHalf != settings.HalfFloats)
+  {
+    in.BatchIsHalf = settings.HalfFloats;
+    in.Batch = std::make_unique<vtkIndirectTarget>(
+      settings.HalfFloats ? HalfBatchChannels : BatchChannels, false);
+    in.Batch->ShareDepth(*this->Irradiance);
+  }
+  if (!in.Batch->Resize(window, input.Frame.Size[0], input.Frame.Size[1]))
+  {
+    return false;
+  }
+  for (int first = 0; first < in.NumberOfLights; first += batch)
+  {
+    in.Lights.Update(window, *input.Lights, first, std::min(batch, in.NumberOfLights - first));
+    const bool only = first == 0;
+    if (!this->Fill(input, settings, renderer, only ? *this->Irradiance : *in.Batch))
+    {
+      return false;
+    }
+    if (only)
+    {
+      continue;
+    }
+    vtkShaderProgram* program = in.AddBatch.Use(window);
+    if (!program)
+    {
+      return false;
+    }
+    this->Irradiance->Begin();
+    in.Batch->Activate(0, program);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+    in.AddBatch.Draw();
+    state->vtkglDisable(GL_BLEND);
+    in.Batch->Deactivate();
+    this->Irradiance->End();
+  }
+  // Those for specular receivers are found from all lights.
+  in.Lights.Update(window, *input.Lights);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -260,9 +333,9 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
   Internals& in = *this->Internal;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   double threshold = this->GlossyThreshold;
-  if (input.ErrorTolerance > 0.0)
+  if (input.Plan.ErrorTolerance > 0.0)
   {
-    Scale(threshold, StandardGlossyThreshold, input.ErrorTolerance / 0.02, 1.0);
+    Scale(threshold, StandardGlossyThreshold, input.Plan.ErrorTolerance, 1.0);
   }
   in.WhyGlossyIsGathered.clear();
   if (this->HasGlossy)
@@ -279,12 +352,15 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
     {
       in.WhyGlossyIsGathered = "GlossyThreshold is 0";
     }
-    else if (this->IsBlocked())
+    else if (input.Visibility.HidesSenders())
     {
       in.WhyGlossyIsGathered = "Occupancy is on, and lists do not look what stands between";
     }
-    else if (!vtkIndirectGlossySubsplats::Fits(
-               in.Pyramid, input.Sampler->GetActualNumberOfLights()))
+    else if (input.Lights->HasDirections())
+    {
+      in.WhyGlossyIsGathered = "light comes from directions, which lists do not hold";
+    }
+    else if (!vtkIndirectGlossySubsplats::Fits(in.Pyramid, in.NumberOfLights))
     {
       in.WhyGlossyIsGathered = "lists for so many pixels and lights are too long";
     }
@@ -294,8 +370,7 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
   {
     in.Glossy.Release(window);
     return !this->HasGlossy ||
-      in.GlossyGather.Sum(input, *this->Glossy, this->GetIrradianceUnit(),
-        this->IsBlocked() ? input.Voxels.get() : nullptr, {});
+      in.GlossyGather.Sum(input, *this->Glossy, 1.0 / settings.StorageScale, {});
   }
   return in.Glossy.Resize(window, in.Pyramid, settings.HalfFloats) &&
     in.Glossy.Fill(
@@ -325,7 +400,6 @@ void vtkMultiresolutionSplattingPass::AddToReport(vtkIndirectReport& report) con
   {
     return;
   }
-  report.EstimatedError = in.SamplingError;
   const std::string name = "ErrorTolerance " + vtkIndirectReport::Number(in.Tolerance);
   report.Modelled.emplace_back(name,
     "thresholds of the subsplats chosen for it; " +
@@ -357,7 +431,7 @@ std::vector<std::string> vtkMultiresolutionSplattingPass::GetChannelNames() cons
 
 //------------------------------------------------------------------------------
 int vtkMultiresolutionSplattingPass::DrawChannel(
-  const std::string& name, const vtkIndirectFrame& frame, const vtkGeometryBufferPass& geometry)
+  const std::string& name, const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
 {
   Internals& in = *this->Internal;
   return in.View.Draw(name, frame, geometry, in.Pyramid, in.Illumination, *this->Irradiance,
@@ -379,4 +453,9 @@ void vtkMultiresolutionSplattingPass::ReleaseGraphicsResources(vtkWindow* window
   in.View.Release();
   in.Glossy.Release(window);
   in.GlossyGather.Release();
+  if (in.Batch)
+  {
+    in.Batch->Release(window);
+  }
+  in.AddBatch.Release();
 }

@@ -211,13 +211,13 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
+  vtkIndirectEstimate Estimate(const Input& input) override;
   size_t GetBytes() const override;
   double FindErrorTolerance(double asked) const override;
   void AddToReport(vtkIndirectReport& report) const override;
   std::vector<std::string> GetChannelNames() const override;
   int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
-    const vtkGeometryBufferPass& geometry) override;
+    const vtkIndirectGeometryBuffer& geometry) override;
 #endif
 
 protected:
@@ -251,6 +251,10 @@ private:
   void operator=(const vtkMultiresolutionSplattingPass&) = delete;
 
 #ifndef __VTK_WRAP__
+  bool MakeSettings(const Input& input, vtkIndirectSubsplatSettings& settings, int& renderer);
+  bool Fill(const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer,
+    vtkIndirectTarget& pixels);
+  bool FillInBatches(const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer);
   bool FillGlossy(const Input& input, const vtkIndirectSubsplatSettings& settings);
   /** Names of the thresholds that the irradiance's subsplats obey and that the user has set. */
   std::vector<std::string> FindOwnThresholds() const;

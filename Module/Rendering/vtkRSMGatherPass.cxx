@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIndirectGL.h"
+#include "OpenGL/vtkIndirectGL.h"
 
 #include "vtkRSMGatherPass.h"
 
-#include "vtkGeometryBufferPass.h"
-#include "vtkIndirectAllTexelsSampler.h"
-#include "vtkIndirectClearance.h"
-#include "vtkIndirectGlossyGather.h"
-#include "vtkIndirectKernelProgram.h"
-#include "vtkIndirectKernels.h"
-#include "vtkIndirectLightMap.h"
-#include "vtkIndirectOccupancyVolume.h"
-#include "vtkIndirectReport.h"
-#include "vtkIndirectStageTimer.h"
-#include "vtkIndirectTarget.h"
-#include "vtkIndirectUniforms.h"
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEstimate.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectStageTimer.h"
+#include "Gather/vtkIndirectGlossyGather.h"
+#include "LightMaps/vtkIndirectLightMap.h"
+#include "OpenGL/vtkIndirectFullScreenProgram.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectTarget.h"
+#include "VirtualLights/vtkIndirectAllTexelsSampler.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Visibility/vtkIndirectVisibility.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -39,15 +41,16 @@ const char* const NeighborhoodFile = "vtkIndirectGatherNeighborhood.glsl";
 
 // Rows of 256 lights in one draw: long draws stall a desktop, and some drivers end them.
 constexpr int RowsPerDraw = 16;
+constexpr int MaximumNumberOfSegments = vtkIndirectVisibility::MaximumNumberOfSegments;
 }
 
 //------------------------------------------------------------------------------
 struct vtkRSMGatherPass::Internals
 {
   vtkIndirectTarget Coarse{ CoarseChannels, false };
-  vtkIndirectKernelProgram Gather[2] = { { "vtkIndirectGatherFS.glsl", LightsFile },
+  vtkIndirectFullScreenProgram Gather[2] = { { "vtkIndirectGatherFS.glsl", LightsFile },
     { "vtkIndirectGatherFS.glsl", NeighborhoodFile } };
-  vtkIndirectKernelProgram Upsample[2] = { { "vtkIndirectUpsampleFS.glsl", LightsFile },
+  vtkIndirectFullScreenProgram Upsample[2] = { { "vtkIndirectUpsampleFS.glsl", LightsFile },
     { "vtkIndirectUpsampleFS.glsl", NeighborhoodFile } };
   vtkIndirectGlossyGather Glossy;
   vtkNew<vtkIndirectAllTexelsSampler> AllTexels;
@@ -63,11 +66,8 @@ void vtkRSMGatherPass::Internals::SetUniforms(
 {
   vtkIndirectSetEyeUniforms(program, input.Frame);
   program->SetUniform2i("vtkiSize", input.Frame.Size);
-  input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
-  if (self->IsBlocked())
-  {
-    input.Voxels->GetClearance().Activate(input.Frame.Window, program);
-  }
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  input.Visibility.Activate(input.Frame.Window, program);
   if (neighborhood)
   {
     input.Maps.Activate(program);
@@ -76,12 +76,7 @@ void vtkRSMGatherPass::Internals::SetUniforms(
     program->SetUniformi("vtkiLayerCount", input.Maps.GetNumberOfLayers());
     return;
   }
-  for (int i = 0; i < 3; ++i)
-  {
-    input.Sampler->GetTarget().Activate(i, program);
-  }
-  program->SetUniformi("vtkiRowLength", vtkVirtualLightSampler::RowLength);
-  program->SetUniformi("vtkiLightCount", input.Sampler->GetActualNumberOfLights());
+  input.Lights->Activate(program);
 }
 
 //------------------------------------------------------------------------------
@@ -124,7 +119,8 @@ void vtkRSMGatherPass::AddToReport(vtkIndirectReport& report) const
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkRSMGatherPass::ChooseSampler(vtkVirtualLightSampler* users)
+vtkVirtualLightSampler* vtkRSMGatherPass::ChooseSampler(
+  vtkVirtualLightSampler* users, const vtkIndirectPlan&)
 {
   switch (this->Mode)
   {
@@ -138,17 +134,24 @@ vtkVirtualLightSampler* vtkRSMGatherPass::ChooseSampler(vtkVirtualLightSampler* 
 }
 
 //------------------------------------------------------------------------------
-bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer)
+vtkIndirectEstimate vtkRSMGatherPass::Estimate(const Input& input)
+{
+  return this->Sum(input) ? this->MakeResult() : vtkIndirectEstimate();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRSMGatherPass::Sum(const Input& input)
 {
   Internals& in = *this->Internal;
+  vtkIndirectStageTimer& timer = input.Timer;
   const vtkIndirectFrame& frame = input.Frame;
-  const bool neighborhood = input.Sampler == nullptr;
+  const bool neighborhood = input.Lights == nullptr;
   // The frame's sampler counts its own bytes; this one is no other's.
-  if (input.Sampler != in.AllTexels.Get())
+  if (this->Mode != ALL_TEXELS)
   {
     in.AllTexels->ReleaseGraphicsResources(frame.Window);
   }
-  if (neighborhood && input.EyeIsMap)
+  if (neighborhood && input.Plan.Senders == vtkIndirectPlan::EYE)
   {
     vtkErrorMacro("Mode NEIGHBORHOOD needs a light with a map of its own; a single headlight has "
                   "none. Use VIRTUAL_LIGHTS.");
@@ -163,15 +166,11 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
     ? "NeighborhoodRadius is " + vtkIndirectReport::Number(this->NeighborhoodRadius) +
       "; the result is too dark"
     : "";
-  this->UpdateSight(input, timer);
-  const bool blocked = this->IsBlocked();
-  const int rows = neighborhood
-    ? 1
-    : (input.Sampler->GetActualNumberOfLights() + vtkVirtualLightSampler::RowLength - 1) /
-      vtkVirtualLightSampler::RowLength;
-  const int rowsOfSight = MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength;
-  const int rowsPerDraw = blocked ? rowsOfSight : RowsPerDraw;
-  if (blocked && neighborhood &&
+  const bool hides = input.Visibility.HidesSenders();
+  const int rows = neighborhood ? 1 : input.Lights->GetNumberOfRows();
+  const int rowsOfSegments = MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength;
+  const int rowsPerDraw = hides ? rowsOfSegments : RowsPerDraw;
+  if (hides && neighborhood &&
     this->NumberOfSamples * input.Maps.GetNumberOfLayers() > MaximumNumberOfSegments)
   {
     vtkErrorMacro("Mode NEIGHBORHOOD with Occupancy takes at most "
@@ -180,7 +179,7 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   }
   // Pixels that interpolation leaves are summed in one go, so more rows are taken everywhere.
   const bool interpolate =
-    this->Interpolation && this->Mode != ALL_TEXELS && !(blocked && rows > rowsOfSight);
+    this->Interpolation && this->Mode != ALL_TEXELS && !(hides && rows > rowsOfSegments);
   const int step = interpolate ? this->InterpolationStep : 1;
   const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
     (frame.Size[1] + 2 * step - 2) / step };
@@ -200,26 +199,24 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-  vtkIndirectKernelState kernelState(frame.Window);
+  vtkIndirectFullScreenState kernelState(frame.Window);
 
   auto releaseTextures = [&]()
   {
     input.Geometry.GetTarget().Deactivate();
-    if (blocked)
-    {
-      input.Voxels->GetClearance().Deactivate();
-    }
+    input.Visibility.Deactivate();
     if (neighborhood)
     {
       input.Maps.Deactivate();
     }
     else
     {
-      input.Sampler->GetTarget().Deactivate();
+      input.Lights->Deactivate();
     }
   };
 
-  const char* const definitions = blocked ? "#define VTKI_OCCUPANCY\n" : "";
+  const std::string definitions = std::string(input.Visibility.GetDefinitions()) +
+    (neighborhood ? "" : input.Lights->GetDefinitions());
   in.Gather[neighborhood].SetDefinitions(definitions);
   in.Upsample[neighborhood].SetDefinitions(definitions);
 
@@ -257,8 +254,7 @@ bool vtkRSMGatherPass::Estimate(const Input& input, vtkIndirectStageTimer& timer
   sums.End();
   releaseTextures();
   if (this->HasGlossy &&
-    !in.Glossy.Sum(input, *this->Glossy, 1.0, blocked ? input.Voxels.get() : nullptr,
-      { this->NumberOfSamples, this->NeighborhoodRadius }))
+    !in.Glossy.Sum(input, *this->Glossy, 1.0, { this->NumberOfSamples, this->NeighborhoodRadius }))
   {
     return false;
   }

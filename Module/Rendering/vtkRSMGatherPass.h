@@ -107,8 +107,9 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  vtkVirtualLightSampler* ChooseSampler(vtkVirtualLightSampler* users) override;
-  bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
+  vtkVirtualLightSampler* ChooseSampler(
+    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
+  vtkIndirectEstimate Estimate(const Input& input) override;
   size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
 #endif
@@ -126,6 +127,8 @@ protected:
   double InterpolationPlaneTolerance = 0.5;
 
 private:
+  bool Sum(const Input& input);
+
   vtkRSMGatherPass(const vtkRSMGatherPass&) = delete;
   void operator=(const vtkRSMGatherPass&) = delete;
 

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIndirectGL.h"
+#include "OpenGL/vtkIndirectGL.h"
 
 #include "vtkRSMReferencePass.h"
 
-#include "vtkGeometryBufferPass.h"
-#include "vtkIndirectAllTexelsSampler.h"
-#include "vtkIndirectClearance.h"
-#include "vtkIndirectFrame.h"
-#include "vtkIndirectKernels.h"
-#include "vtkIndirectOccupancyVolume.h"
-#include "vtkIndirectStageTimer.h"
-#include "vtkIndirectTarget.h"
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEstimate.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectStageTimer.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectTarget.h"
+#include "VirtualLights/vtkIndirectAllTexelsSampler.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Visibility/vtkIndirectDistanceField.h"
+#include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "Visibility/vtkIndirectVisibility.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
@@ -123,9 +127,9 @@ void SumLobe(
 }
 
 // The senders as ends of segments, block by block.
-using SenderEnds = std::vector<std::array<vtkIndirectClearance::End, Lanes>>;
+using SenderEnds = std::vector<std::array<vtkIndirectDistanceField::End, Lanes>>;
 
-SenderEnds FindEnds(const std::vector<SenderBlock>& blocks, const vtkIndirectClearance& clearance)
+SenderEnds FindEnds(const std::vector<SenderBlock>& blocks, const vtkIndirectDistanceField& field)
 {
   SenderEnds ends(blocks.size());
   for (size_t b = 0; b < blocks.size(); ++b)
@@ -133,9 +137,9 @@ SenderEnds FindEnds(const std::vector<SenderBlock>& blocks, const vtkIndirectCle
     const SenderBlock& s = blocks[b];
     for (size_t i = 0; i < Lanes; ++i)
     {
-      ends[b][i] = clearance.FindEnd(
-        glm::vec3(glm::dvec3(s.Position[0][i], s.Position[1][i], s.Position[2][i])),
-        glm::vec3(glm::dvec3(s.Normal[0][i], s.Normal[1][i], s.Normal[2][i])));
+      ends[b][i] =
+        field.FindEnd(glm::vec3(glm::dvec3(s.Position[0][i], s.Position[1][i], s.Position[2][i])),
+          glm::vec3(glm::dvec3(s.Normal[0][i], s.Normal[1][i], s.Normal[2][i])));
     }
   }
   return ends;
@@ -143,11 +147,11 @@ SenderEnds FindEnds(const std::vector<SenderBlock>& blocks, const vtkIndirectCle
 
 // The senders without those that the receiver does not see.
 void FindVisible(const std::vector<SenderBlock>& blocks, const SenderEnds& ends,
-  const vtkIndirectClearance& clearance, const Receiver& receiver,
+  const vtkIndirectDistanceField& field, const Receiver& receiver,
   std::vector<SenderBlock>& visibleBlocks)
 {
   visibleBlocks = blocks;
-  const vtkIndirectClearance::End end = clearance.FindEnd(
+  const vtkIndirectDistanceField::End end = field.FindEnd(
     glm::vec3(glm::dvec3(receiver.Position[0], receiver.Position[1], receiver.Position[2])),
     glm::vec3(glm::dvec3(receiver.Normal[0], receiver.Normal[1], receiver.Normal[2])));
   for (size_t b = 0; b < blocks.size(); ++b)
@@ -162,7 +166,7 @@ void FindVisible(const std::vector<SenderBlock>& blocks, const SenderEnds& ends,
         facing[0] -= visible.Normal[c][i] * toSender;
         facing[1] += receiver.Normal[c] * toSender;
       }
-      if (facing[0] > 0.0 && facing[1] > 0.0 && !clearance.IsVisible(end, ends[b][i]))
+      if (facing[0] > 0.0 && facing[1] > 0.0 && !field.IsVisible(end, ends[b][i]))
       {
         visible.DensityArea[0][i] = visible.DensityArea[1][i] = visible.DensityArea[2][i] = 0.0;
       }
@@ -170,13 +174,59 @@ void FindVisible(const std::vector<SenderBlock>& blocks, const SenderEnds& ends,
   }
 }
 
-std::vector<SenderBlock> ReadSenders(vtkVirtualLightSampler* sampler)
+// Light from a direction.
+struct DirectionLight
 {
-  const size_t count = static_cast<size_t>(sampler->GetActualNumberOfLights());
-  vtkIndirectTarget& target = sampler->GetTarget();
-  const std::vector<float> position = target.ReadBack(vtkVirtualLightSampler::PositionArea);
-  const std::vector<float> normal = target.ReadBack(vtkVirtualLightSampler::NormalExponent);
-  const std::vector<float> density = target.ReadBack(vtkVirtualLightSampler::DensityArea);
+  glm::dvec3 ToLight;
+  glm::dvec3 Light; // radiance times solid angle
+};
+
+// Adds what comes from directions to the irradiance, and to what a lobe of that power reflects;
+// power < 0: there is none.
+void SumDirections(const std::vector<DirectionLight>& directions,
+  const vtkIndirectDistanceField* field, const Receiver& receiver, double power, double* total,
+  double* reflected)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const glm::dvec3 position(receiver.Position[0], receiver.Position[1], receiver.Position[2]);
+  const glm::dvec3 normal(receiver.Normal[0], receiver.Normal[1], receiver.Normal[2]);
+  const glm::dvec3 toEye(receiver.ToEye[0], receiver.ToEye[1], receiver.ToEye[2]);
+  const glm::dvec3 mirror = 2.0 * glm::dot(normal, toEye) * normal - toEye;
+  vtkIndirectDistanceField::End end{};
+  if (field)
+  {
+    end = field->FindEnd(glm::vec3(position), glm::vec3(normal));
+  }
+  for (const DirectionLight& light : directions)
+  {
+    const double cosine = glm::dot(normal, light.ToLight);
+    // Twice the diagonal of the scene away nothing stands any more.
+    if (!(cosine > 0.0) ||
+      (field &&
+        !field->IsVisible(end,
+          field->FindEnd(glm::vec3(position + 2.0 * light.ToLight), glm::vec3(-light.ToLight)))))
+    {
+      continue;
+    }
+    const double mirrored = glm::dot(mirror, light.ToLight);
+    const double lobe =
+      power >= 0.0 && mirrored > 0.0 ? std::pow(std::min(mirrored, 1.0), power) : 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      total[c] += light.Light[c] * cosine / pi;
+      reflected[c] += light.Light[c] * lobe / pi;
+    }
+  }
+}
+
+std::vector<SenderBlock> ReadSenders(
+  const vtkIndirectVirtualLights& lights, std::vector<DirectionLight>& directions)
+{
+  const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
+  const vtkIndirectTarget& table = lights.GetTable();
+  const std::vector<float> position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
+  const std::vector<float> normal = table.ReadBack(vtkVirtualLightSampler::NormalExponent);
+  const std::vector<float> density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
   std::vector<SenderBlock> blocks;
   size_t kept = 0;
   for (size_t i = 0; i < count; ++i)
@@ -184,6 +234,12 @@ std::vector<SenderBlock> ReadSenders(vtkVirtualLightSampler* sampler)
     const float* d = &density[4 * i];
     if (d[0] == 0.0f && d[1] == 0.0f && d[2] == 0.0f)
     {
+      continue;
+    }
+    if (position[4 * i + 3] < 0.0f)
+    {
+      const float* p = &position[4 * i];
+      directions.push_back({ { p[0], p[1], p[2] }, { d[0], d[1], d[2] } });
       continue;
     }
     if (kept % Lanes == 0)
@@ -261,31 +317,33 @@ size_t vtkRSMReferencePass::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkRSMReferencePass::ChooseSampler(vtkVirtualLightSampler* users)
+vtkVirtualLightSampler* vtkRSMReferencePass::ChooseSampler(
+  vtkVirtualLightSampler* users, const vtkIndirectPlan&)
 {
   return this->Mode == ALL_TEXELS ? this->Internal->AllTexels.Get() : users;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRSMReferencePass::Estimate(const Input& input, vtkIndirectStageTimer& timer)
+vtkIndirectEstimate vtkRSMReferencePass::Estimate(const Input& input)
 {
+  vtkIndirectStageTimer& timer = input.Timer;
   const vtkIndirectFrame& frame = input.Frame;
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
     !this->ResizeGlossy(input))
   {
-    return false;
+    return {};
   }
-  this->UpdateSight(input, timer);
   timer.Begin(vtkIndirectStageTimer::Estimate);
-  const std::vector<SenderBlock> senders = ReadSenders(input.Sampler);
-  const vtkIndirectClearance* const clearance =
-    this->IsBlocked() ? &this->Voxels->GetClearance() : nullptr;
-  const SenderEnds ends = clearance ? FindEnds(senders, *clearance) : SenderEnds();
+  std::vector<DirectionLight> directions;
+  const std::vector<SenderBlock> senders = ReadSenders(*input.Lights, directions);
+  const vtkIndirectDistanceField* const field =
+    input.Visibility.HidesSenders() ? &input.Visibility.GetVolume().GetDistanceField() : nullptr;
+  const SenderEnds ends = field ? FindEnds(senders, *field) : SenderEnds();
   const std::vector<float> surfaces =
-    input.Geometry.GetTarget().ReadBack(vtkGeometryBufferPass::Surface);
+    input.Geometry.GetTarget().ReadBack(vtkIndirectGeometryBuffer::Surface);
   const size_t pixels = surfaces.size() / 4;
   const std::vector<float> specular = this->HasGlossy
-    ? input.Geometry.GetTarget().ReadBack(vtkGeometryBufferPass::Specular)
+    ? input.Geometry.GetTarget().ReadBack(vtkIndirectGeometryBuffer::Specular)
     : std::vector<float>();
   std::vector<float> irradiance(surfaces.size(), 0.0f);
   std::vector<float> glossy(specular.size(), 0.0f);
@@ -300,16 +358,18 @@ bool vtkRSMReferencePass::Estimate(const Input& input, vtkIndirectStageTimer& ti
         if (MakeReceiver(frame, &surfaces[4 * p], static_cast<int>(p % frame.Size[0]),
               static_cast<int>(p / frame.Size[0]), receiver))
         {
-          if (clearance)
+          if (field)
           {
-            FindVisible(senders, ends, *clearance, receiver, visible);
+            FindVisible(senders, ends, *field, receiver, visible);
           }
-          const SenderBlock* blocks = clearance ? visible.data() : senders.data();
+          const SenderBlock* blocks = field ? visible.data() : senders.data();
           Sum(blocks, senders.size(), receiver, total);
           const float* lobe = this->HasGlossy ? &specular[4 * p] : nullptr;
-          if (lobe && std::max({ lobe[0], lobe[1], lobe[2] }) > 0.0f)
+          const bool mirrors = lobe && std::max({ lobe[0], lobe[1], lobe[2] }) > 0.0f;
+          double reflected[3] = { 0.0, 0.0, 0.0 };
+          SumDirections(directions, field, receiver, mirrors ? lobe[3] : -1.0, total, reflected);
+          if (mirrors)
           {
-            double reflected[3] = { 0.0, 0.0, 0.0 };
             SumLobe(blocks, senders.size(), receiver, lobe[3], reflected);
             std::copy(reflected, reflected + 3, &glossy[4 * p]);
           }
@@ -327,7 +387,7 @@ bool vtkRSMReferencePass::Estimate(const Input& input, vtkIndirectStageTimer& ti
     this->Glossy->Write(0, glossy);
   }
   timer.End(vtkIndirectStageTimer::Estimate);
-  return true;
+  return this->MakeResult();
 }
 
 //------------------------------------------------------------------------------

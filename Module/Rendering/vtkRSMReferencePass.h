@@ -54,8 +54,9 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  vtkVirtualLightSampler* ChooseSampler(vtkVirtualLightSampler* users) override;
-  bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
+  vtkVirtualLightSampler* ChooseSampler(
+    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
+  vtkIndirectEstimate Estimate(const Input& input) override;
   size_t GetBytes() const override;
 #endif
 

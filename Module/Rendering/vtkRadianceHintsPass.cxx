@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIndirectGL.h"
+#include "OpenGL/vtkIndirectGL.h"
 
 #include "vtkRadianceHintsPass.h"
 
-#include "vtkGeometryBufferPass.h"
-#include "vtkIndirectHintFields.h"
-#include "vtkIndirectHintGrid.h"
-#include "vtkIndirectHintRegions.h"
-#include "vtkIndirectOccupancyVolume.h"
-#include "vtkIndirectPointProgram.h"
-#include "vtkIndirectReport.h"
-#include "vtkIndirectStageTimer.h"
-#include "vtkIndirectTarget.h"
-#include "vtkIndirectUniforms.h"
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectStageTimer.h"
+#include "OpenGL/vtkIndirectPointProgram.h"
+#include "OpenGL/vtkIndirectTarget.h"
+#include "RadianceHints/vtkIndirectHintFields.h"
+#include "RadianceHints/vtkIndirectHintGrid.h"
+#include "RadianceHints/vtkIndirectHintRegions.h"
+#include "RadianceHints/vtkIndirectHintSenders.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "Visibility/vtkIndirectVisibility.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkTextureObject.h"
-#include "vtkUniformLightSampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,14 +62,13 @@ struct vtkRadianceHintsPass::Internals
   int StillFrames = 0;   // since something changed
   bool Converged = true; // the last look-up kept nothing of those before it
   int Step = 1; // of the last look-up: its buffers stay readable when InterpolationStep changes
-  vtkIndirectKernelProgram LookUpKernel{ "vtkIndirectHintFS.glsl" };
+  vtkIndirectFullScreenProgram LookUpKernel{ "vtkIndirectHintFS.glsl" };
   vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintMixedFS.glsl" };
   vtkIndirectPointProgram Pixels{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintPixelFS.glsl" };
-  vtkNew<vtkUniformLightSampler> HeadlightSampler;
+  vtkNew<vtkIndirectHintSenders> Senders;
   std::vector<double> LightKey;
-  bool Blocked = false;
-
-  Internals() { this->HeadlightSampler->SetNumberOfLights(1024); }
+  bool NothingReflects = false; // bounces after the first have no surface
+  size_t VoxelUpdates = 0;      // that the grid was made from
 
   // step: between samples
   std::string GetLookupDefinitions(int step) const
@@ -77,17 +79,17 @@ struct vtkRadianceHintsPass::Internals
   }
 
   // Binds receivers and hints.
-  void ActivateLookup(vtkShaderProgram* program, const vtkIndirectEstimatorPass::Input& input)
+  void ActivateLookup(vtkShaderProgram* program, const vtkIndirectEstimateInput& input)
   {
     vtkIndirectSetEyeUniforms(program, input.Frame);
     program->SetUniform2i("vtkiSize", input.Frame.Size);
-    input.Geometry.GetTarget().Activate(vtkGeometryBufferPass::Surface, program);
-    this->Fields.ActivateLookup(input, this->Settings, this->Grid, *input.Voxels, program);
+    input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+    this->Fields.ActivateLookup(input, this->Settings, this->Grid, program);
   }
-  void DeactivateLookup(const vtkIndirectEstimatorPass::Input& input)
+  void DeactivateLookup(const vtkIndirectEstimateInput& input)
   {
     input.Geometry.GetTarget().Deactivate();
-    this->Fields.Deactivate(this->Grid, *input.Voxels);
+    this->Fields.Deactivate(input, this->Grid);
   }
 };
 
@@ -95,7 +97,7 @@ vtkRadianceHintsPass::vtkRadianceHintsPass()
   : Internal(new Internals)
 {
   this->Occupancy = true;
-  // With depth, which tells the pixels that interpolation has left.
+  // With depth, which marks the pixels that interpolation has left.
   this->Irradiance = std::make_unique<vtkIndirectTarget>(IrradianceChannels, true, 16);
 }
 
@@ -242,33 +244,59 @@ size_t vtkRadianceHintsPass::GetMainMemoryBytes() const
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkRadianceHintsPass::ChooseHeadlightSampler(vtkVirtualLightSampler*)
+vtkVirtualLightSampler* vtkRadianceHintsPass::ChooseSampler(
+  vtkVirtualLightSampler*, const vtkIndirectPlan& plan)
 {
-  return this->Internal->HeadlightSampler;
+  Internals& in = *this->Internal;
+  in.Senders->SetBlocksPerEdge(this->BlocksPerEdge);
+  return this->Sampling == SAMPLED && plan.Senders == vtkIndirectPlan::MAPS ? nullptr
+                                                                            : in.Senders.Get();
 }
 
 //------------------------------------------------------------------------------
-bool vtkRadianceHintsPass::Estimate(const Input& input, vtkIndirectStageTimer& timer)
+vtkIndirectVisibilityNeeds vtkRadianceHintsPass::GetVisibilityNeeds(
+  const vtkIndirectPlan& plan) const
+{
+  vtkIndirectVisibilityNeeds needs;
+  needs.Senders = this->Occupancy;
+  needs.Volume = this->SkipEmptyCells || plan.NumberOfBounces > 1;
+  needs.Triangles = this->Occupancy ||
+    (plan.NumberOfBounces > 1 && (this->BounceSampling == SURFACES || this->AlbedoVolume));
+  needs.Resolution = this->OccupancyResolution;
+  return needs;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectEstimate vtkRadianceHintsPass::Estimate(const Input& input)
 {
   Internals& in = *this->Internal;
-  vtkOpenGLState* state = input.Frame.Window->GetState();
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-  vtkIndirectKernelState kernelState(input.Frame.Window);
+  vtkIndirectFullScreenState fullScreenState(window);
 
-  timer.Begin(vtkIndirectStageTimer::Visibility);
+  if (!input.Lights)
+  {
+    in.Senders->ReleaseGraphicsResources(window);
+  }
+  input.Timer.Begin(vtkIndirectStageTimer::Visibility);
   const int hints = in.Grid.GetNumberOfHints();
   const bool placed = this->UpdateGeometry(input);
-  timer.End(vtkIndirectStageTimer::Visibility);
-  return placed && this->UpdateLight(input, timer, hints == 0) && this->LookUp(input, timer);
-}
-
-//------------------------------------------------------------------------------
-bool vtkRadianceHintsPass::IsConverged() const
-{
-  return this->Internal->Converged;
+  input.Timer.End(vtkIndirectStageTimer::Visibility);
+  if (!placed || !this->UpdateLight(input, hints == 0) || !this->LookUp(input))
+  {
+    return {};
+  }
+  vtkIndirectEstimate result = this->MakeResult();
+  result.State = in.Converged ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::REFINING;
+  const vtkIndirectTarget& coarse = in.Coarse[in.CoarseNow];
+  result.Irradiance = in.Step > 1 ? result.Irradiance : &coarse;
+  result.Coarse = in.Step > 1 ? &coarse : nullptr;
+  result.Step = in.Step;
+  return result;
 }
 
 //------------------------------------------------------------------------------
@@ -276,32 +304,23 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
 {
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
-  const bool raysNeeded = this->Occupancy ||
-    (input.NumberOfBounces > 1 && (this->BounceSampling == SURFACES || this->AlbedoVolume));
-  const bool voxelsNeeded = this->Occupancy || this->SkipEmptyCells || input.NumberOfBounces > 1;
+  const vtkIndirectVisibilityNeeds needs = this->GetVisibilityNeeds(input.Plan);
 
   vtkIndirectHintGrid::Settings settings;
   vtkIndirectHintRegions regions;
   regions.OfView = this->Extent == VIEW;
   std::copy(this->GridResolution, this->GridResolution + 3, &regions.Resolution.x);
-  regions.Tolerance = this->FindErrorTolerance(input.ErrorTolerance);
+  regions.Tolerance = this->FindErrorTolerance(input.Plan.ErrorTolerance);
   regions.HasFine = this->NumberOfGrids > 1;
   regions.FineExtent = this->FineGridExtent;
   settings.Regions = regions.Find(frame);
   settings.Masks = this->Occupancy;
   settings.SkipEmpty = this->SkipEmptyCells;
   settings.Reach = this->NumberOfLookups > 1 ? 1.5 * std::sqrt(3.0) : 1.0;
-  settings.NumberOfRays = raysNeeded ? this->NumberOfRays : 0;
+  settings.NumberOfRays = needs.Triangles ? this->NumberOfRays : 0;
 
-  bool changed =
-    !input.Caching || !(settings == in.GridSettings) || in.Grid.GetNumberOfHints() == 0;
-  if (raysNeeded)
-  {
-    input.Voxels->KeepTriangles();
-  }
-  changed = (voxelsNeeded && this->UpdateVoxels(input)) || changed;
-  in.Blocked = this->IsBlocked();
-  if (!changed)
+  if (input.Plan.Caching && settings == in.GridSettings && in.Grid.GetNumberOfHints() > 0 &&
+    in.VoxelUpdates == input.Visibility.GetNumberOfUpdates())
   {
     return true;
   }
@@ -313,7 +332,9 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   if (why.empty())
   {
     in.GridSettings = settings;
-    in.Grid.Build(settings, voxelsNeeded ? this->Voxels.get() : nullptr);
+    in.VoxelUpdates = input.Visibility.GetNumberOfUpdates();
+    in.Grid.Build(
+      settings, needs.Senders || needs.Volume ? &input.Visibility.GetVolume() : nullptr);
     why = in.Grid.FindObstacle(longestEdge);
   }
   if (!why.empty())
@@ -326,20 +347,18 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRadianceHintsPass::UpdateLight(const Input& input, vtkIndirectStageTimer& timer, bool anew)
+bool vtkRadianceHintsPass::UpdateLight(const Input& input, bool anew)
 {
   Internals& in = *this->Internal;
   vtkIndirectHintFields::Settings& settings = in.Settings;
   settings.Layout = this->GetLayout();
-  settings.Bounces = std::min(input.NumberOfBounces, this->GetMaximumNumberOfBounces());
-  settings.Sampled = this->Sampling == SAMPLED;
+  settings.Bounces = input.Plan.NumberOfBounces;
   settings.NumberOfSamples = this->NumberOfSamples;
   settings.Coverage = this->Coverage;
-  settings.BlocksPerEdge = this->BlocksPerEdge;
   settings.Softening = this->Softening;
   settings.Deringing = this->Deringing;
   settings.FacingWeights = this->FacingWeights;
-  settings.Blocked = in.Blocked;
+  settings.Visibility = input.Visibility.HidesSenders();
   settings.AlbedoVolume = this->AlbedoVolume;
   settings.FromHints = this->BounceSampling == HINTS;
   settings.NumberOfBounceSamples = this->NumberOfBounceSamples;
@@ -350,32 +369,34 @@ bool vtkRadianceHintsPass::UpdateLight(const Input& input, vtkIndirectStageTimer
   settings.DepthAttenuation = this->DepthAttenuation;
 
   std::vector<double> key = { static_cast<double>(this->GetMTime()),
-    static_cast<double>(settings.Bounces), static_cast<double>(input.EyeIsMap),
+    static_cast<double>(settings.Bounces), static_cast<double>(input.Plan.Senders),
     static_cast<double>(
-      input.EyeIsMap ? input.Sampler->GetContentTime() : input.Maps.GetContentTime()) };
+      input.Lights ? input.Lights->GetContentTime() : input.Maps.GetContentTime()) };
   if (this->DepthOcclusion)
   {
     const vtkIndirectFrame& frame = input.Frame;
     key.insert(key.end(), &frame.WorldToView[0][0], &frame.WorldToView[0][0] + 16);
     key.insert(key.end(), &frame.Projection[0][0], &frame.Projection[0][0] + 16);
   }
-  if (!anew && input.Caching && key == in.LightKey)
+  if (!anew && input.Plan.Caching && key == in.LightKey)
   {
     return true;
   }
   in.LightKey.clear();
-  if (!in.Fields.Fill(input, settings, in.Grid, *input.Voxels, timer))
+  if (!in.Fields.Fill(input, settings, in.Grid))
   {
     return false;
   }
+  in.NothingReflects = settings.Bounces > 1 && input.Visibility.GetVolume().IsEmpty();
   ++this->NumberOfHintUpdates;
   in.LightKey = key;
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRadianceHintsPass::LookUp(const Input& input, vtkIndirectStageTimer& timer)
+bool vtkRadianceHintsPass::LookUp(const Input& input)
 {
+  vtkIndirectStageTimer& timer = input.Timer;
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
   const int step = this->InterpolationStep;
@@ -487,37 +508,6 @@ void vtkRadianceHintsPass::SetInterpolationUniforms(vtkShaderProgram* program) c
 }
 
 //------------------------------------------------------------------------------
-const char* vtkRadianceHintsPass::GetIrradianceShader() const
-{
-  return this->Internal->Step > 1 ? "vtkIndirectHintIrradiance.glsl"
-                                  : this->Superclass::GetIrradianceShader();
-}
-
-//------------------------------------------------------------------------------
-void vtkRadianceHintsPass::ActivateIrradiance(vtkShaderProgram* program)
-{
-  Internals& in = *this->Internal;
-  vtkIndirectTarget& coarse = in.Coarse[in.CoarseNow];
-  if (in.Step == 1)
-  {
-    coarse.Activate(0, program, "vtkiIrradiance");
-    return;
-  }
-  this->Superclass::ActivateIrradiance(program);
-  coarse.Activate(0, program);
-  const int size[2] = { coarse.GetWidth(), coarse.GetHeight() };
-  program->SetUniform2i("vtkiCoarseSize", size);
-  program->SetUniformi("vtkiStep", in.Step);
-}
-
-//------------------------------------------------------------------------------
-void vtkRadianceHintsPass::DeactivateIrradiance()
-{
-  this->Superclass::DeactivateIrradiance();
-  this->Internal->Coarse[this->Internal->CoarseNow].Deactivate();
-}
-
-//------------------------------------------------------------------------------
 void vtkRadianceHintsPass::AddToReport(vtkIndirectReport& report) const
 {
   const Internals& in = *this->Internal;
@@ -532,8 +522,7 @@ void vtkRadianceHintsPass::AddToReport(vtkIndirectReport& report) const
   report.Modelled.emplace_back(std::to_string(in.Settings.Bounces) +
       (in.Settings.Bounces == 1 ? " diffuse bounce" : " diffuse bounces"),
     grid);
-  this->AddVisibilityToReport(report);
-  if (in.Settings.Bounces > 1 && (!this->Voxels || this->Voxels->IsEmpty()))
+  if (in.NothingReflects)
   {
     report.LeftOut.emplace_back(
       "bounces after the first", "nothing in the scene has polygons that reflect them");
@@ -591,7 +580,7 @@ void vtkRadianceHintsPass::ReleaseGraphicsResources(vtkWindow* window)
   in.Coarse[0].Release(window);
   in.Coarse[1].Release(window);
   in.CoarseValid = false;
-  in.HeadlightSampler->ReleaseGraphicsResources(window);
+  in.Senders->ReleaseGraphicsResources(window);
   in.LookUpKernel.Release();
   in.MixedCells.Release();
   in.Pixels.Release();

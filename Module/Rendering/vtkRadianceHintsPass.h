@@ -337,16 +337,10 @@ public:
   int GetNumberOfActiveHints() const;
 
 #ifndef __VTK_WRAP__
-  vtkVirtualLightSampler* ChooseSampler(vtkVirtualLightSampler*) override
-  {
-    return nullptr;
-  }
-  vtkVirtualLightSampler* ChooseHeadlightSampler(vtkVirtualLightSampler*) override;
-  bool Estimate(const Input& input, vtkIndirectStageTimer& timer) override;
-  bool IsConverged() const override;
-  const char* GetIrradianceShader() const override;
-  void ActivateIrradiance(vtkShaderProgram* program) override;
-  void DeactivateIrradiance() override;
+  vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
+  vtkVirtualLightSampler* ChooseSampler(
+    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
+  vtkIndirectEstimate Estimate(const Input& input) override;
   size_t GetBytes() const override;
   size_t GetMainMemoryBytes() const override;
   double FindErrorTolerance(double asked) const override;
@@ -404,8 +398,8 @@ private:
 
   int GetLayout() const;
   bool UpdateGeometry(const Input& input);
-  bool UpdateLight(const Input& input, vtkIndirectStageTimer& timer, bool anew);
-  bool LookUp(const Input& input, vtkIndirectStageTimer& timer);
+  bool UpdateLight(const Input& input, bool anew);
+  bool LookUp(const Input& input);
   bool FillMixedCells(const Input& input);
   void SetInterpolationUniforms(vtkShaderProgram* program) const;
 

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkIndirectGL.h"
+#include "OpenGL/vtkIndirectGL.h"
 
 #include "vtkReflectiveShadowMapPass.h"
 
-#include "vtkIndirectFrame.h"
-#include "vtkIndirectKernels.h"
-#include "vtkIndirectLayeredTarget.h"
-#include "vtkIndirectLightMap.h"
-#include "vtkIndirectRendererAccess.h"
-#include "vtkIndirectReport.h"
-#include "vtkIndirectShadowMaps.h"
-#include "vtkIndirectShadowRows.h"
+#include "Capture/vtkIndirectShadowMaps.h"
+#include "Capture/vtkSurfaceCapturePass.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectRendererAccess.h"
+#include "Frame/vtkIndirectReport.h"
+#include "LightMaps/vtkIndirectLightMap.h"
+#include "LightMaps/vtkIndirectShadowRows.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectLayeredTarget.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
@@ -19,7 +21,6 @@
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkSurfaceCapturePass.h"
 #include "vtkTextureObject.h"
 
 #include <cmath>
@@ -37,9 +38,6 @@ const vtkIndirectChannel Channels[] = {
     "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-
-// Texels of a row of the table that vtkIndirectMapTexel.glsl reads.
-constexpr int TableWidth = 10;
 
 struct CasterKey
 {
@@ -134,8 +132,9 @@ void vtkReflectiveShadowMapPass::AddToReport(vtkIndirectReport& report) const
 void vtkReflectiveShadowMapPass::Render(const vtkRenderState* s)
 {
   vtkIndirectFrame frame;
-  std::string why;
-  if (!frame.Build(s, why))
+  frame.Build(s);
+  const vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, {}, {}, {});
+  if (!plan.WhyDelegate.empty())
   {
     this->Internal->NumberOfMaps = 0;
     return;
@@ -143,23 +142,20 @@ void vtkReflectiveShadowMapPass::Render(const vtkRenderState* s)
   vtkNew<vtkSurfaceCapturePass> capture;
   capture->ShadowsOff();
   capture->Attach(frame);
-  this->Update(frame, capture);
+  this->Update(frame, plan, capture);
   capture->Detach();
 }
 
 //------------------------------------------------------------------------------
 bool vtkReflectiveShadowMapPass::Update(
-  const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture)
+  const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture)
 {
   Internals& in = *this->Internal;
   in.NumberOfMaps = 0;
   in.NumberOfLayers = 0;
-  for (const vtkIndirectLight& light : frame.Lights)
+  for (const int index : plan.MapLights)
   {
-    if (light.Color == glm::dvec3(0.0))
-    {
-      continue;
-    }
+    const vtkIndirectLight& light = frame.Lights[index];
     if (in.NumberOfMaps == static_cast<int>(in.Maps.size()))
     {
       in.Maps.emplace_back(new vtkIndirectLightMap);
@@ -204,7 +200,7 @@ bool vtkReflectiveShadowMapPass::Update(
       key.Map = mapKey;
       for (const vtkIndirectCaster& caster : frame.Casters)
       {
-        if (map.Sees(face, caster.Bounds))
+        if (map.CanSee(face, caster.Bounds))
         {
           key.Casters.push_back({ caster.Prop, caster.RedrawMTime, caster.SendsLight });
         }
@@ -239,7 +235,7 @@ void vtkReflectiveShadowMapPass::DrawFace(
   vtkCamera*& active = vtkIndirectRendererAccess::Camera(frame.Renderer);
   vtkCamera* const eye = active;
   active = map.GetCamera(face, frame.Parallel);
-  capture->BeginMap(frame, map, face, this->Resolution);
+  capture->BeginMap(frame, map.GetView(this->Resolution));
   for (const CasterKey& caster : in.Faces[map.FirstLayer + face].Casters)
   {
     capture->BeginCaster(caster.SendsLight);
@@ -253,36 +249,39 @@ void vtkReflectiveShadowMapPass::DrawFace(
 //------------------------------------------------------------------------------
 void vtkReflectiveShadowMapPass::UpdateTable(const vtkIndirectFrame& frame)
 {
+  using namespace vtkIndirectKernels;
   Internals& in = *this->Internal;
-  std::vector<float> table(static_cast<size_t>(in.NumberOfLayers) * TableWidth * 4);
+  std::vector<float> table(static_cast<size_t>(in.NumberOfLayers) * VTKI_MAP_TABLE_WIDTH * 4);
   for (int i = 0; i < in.NumberOfMaps; ++i)
   {
     const vtkIndirectLightMap& map = *in.Maps[i];
     for (int face = 0; face < map.NumberOfFaces; ++face)
     {
       const int layer = map.FirstLayer + face;
-      glm::vec4 row[TableWidth];
+      glm::vec4 row[VTKI_MAP_TABLE_WIDTH];
       const glm::dmat4 toScene = map.FaceToScene[face];
       const glm::dmat4 fromScene = glm::inverse(toScene);
       for (int r = 0; r < 3; ++r)
       {
         for (int c = 0; c < 4; ++c)
         {
-          row[r][c] = static_cast<float>(toScene[c][r]);
-          row[5 + r][c] = static_cast<float>(fromScene[c][r]);
+          row[VTKI_MAP_TO_SCENE + r][c] = static_cast<float>(toScene[c][r]);
+          row[VTKI_MAP_FROM_SCENE + r][c] = static_cast<float>(fromScene[c][r]);
         }
       }
       const vtkIndirectLight& light = map.Light;
       const double s = frame.SceneScale;
       const bool cone = light.Positional && light.ConeAngle < 90.0;
-      row[3] = glm::vec4(map.Projection, map.HalfWidth, this->Resolution, light.Exponent);
-      row[4] = glm::vec4(glm::vec3(light.Color), light.Index);
+      row[VTKI_MAP_SHAPE] =
+        glm::vec4(map.Projection, map.HalfWidth, this->Resolution, light.Exponent);
+      row[VTKI_MAP_LIGHT] = glm::vec4(glm::vec3(light.Color), light.Index);
       // Distances reach the shader in scene units: c + l (d'/s) + q (d'/s)^2.
-      row[8] =
+      row[VTKI_MAP_FALLOFF] =
         glm::vec4(light.Attenuation.x, light.Attenuation.y / s, light.Attenuation.z / (s * s),
           cone ? std::pow(std::tan(glm::radians(light.ConeAngle)), 2.0) : -1.0);
-      row[9] = glm::vec4(glm::vec3(map.FaceAxis[face]), face);
-      std::copy(&row[0][0], &row[0][0] + 4 * TableWidth, table.begin() + 4 * TableWidth * layer);
+      row[VTKI_MAP_AXIS] = glm::vec4(glm::vec3(map.FaceAxis[face]), face);
+      std::copy(&row[0][0], &row[0][0] + 4 * VTKI_MAP_TABLE_WIDTH,
+        table.begin() + 4 * VTKI_MAP_TABLE_WIDTH * layer);
     }
   }
   if (in.TableTexture && table == in.Table)
@@ -298,11 +297,12 @@ void vtkReflectiveShadowMapPass::UpdateTable(const vtkIndirectFrame& frame)
   in.TableTexture->SetContext(frame.Window);
   in.TableTexture->SetMinificationFilter(vtkTextureObject::Nearest);
   in.TableTexture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  in.TableTexture->Create2DFromRaw(TableWidth, in.NumberOfLayers, 4, VTK_FLOAT, in.Table.data());
+  in.TableTexture->Create2DFromRaw(
+    VTKI_MAP_TABLE_WIDTH, in.NumberOfLayers, 4, VTK_FLOAT, in.Table.data());
 }
 
 //------------------------------------------------------------------------------
-void vtkReflectiveShadowMapPass::Activate(vtkShaderProgram* program)
+void vtkReflectiveShadowMapPass::Activate(vtkShaderProgram* program) const
 {
   Internals& in = *this->Internal;
   for (int i = 0; Channels[i].InternalFormat; ++i)
@@ -320,7 +320,7 @@ vtkIndirectShadowMaps vtkReflectiveShadowMapPass::ActivateShadows(vtkOpenGLRende
   vtkIndirectShadowMaps shadows;
   for (int i = 0; i < in.NumberOfMaps; ++i)
   {
-    shadows.Maps.push_back(in.Maps[i].get());
+    shadows.Maps.push_back(in.Maps[i]->GetShadowMap());
   }
   shadows.Texels = this->Resolution;
   const bool updated =
@@ -331,7 +331,7 @@ vtkIndirectShadowMaps vtkReflectiveShadowMapPass::ActivateShadows(vtkOpenGLRende
 }
 
 //------------------------------------------------------------------------------
-void vtkReflectiveShadowMapPass::Deactivate()
+void vtkReflectiveShadowMapPass::Deactivate() const
 {
   this->Internal->Target.Deactivate();
   this->Internal->Rows.Deactivate();

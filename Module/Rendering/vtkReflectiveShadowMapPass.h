@@ -35,6 +35,7 @@ class vtkIndirectLightMap;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
+struct vtkIndirectPlan;
 struct vtkIndirectReport;
 struct vtkIndirectShadowMaps;
 
@@ -73,12 +74,18 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Brings the maps of all lights that emit anything up to date. Returns false, after an error,
-   * when OpenGL cannot hold them.
+   * Brings the maps of the plan's lights up to date. Returns false, after an error, when OpenGL
+   * cannot hold them.
    */
-  bool Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture);
+  bool Update(
+    const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture);
 
   const vtkIndirectLightMap& GetMap(int i) const;
+  /** Texels along an edge: Resolution. */
+  int GetTexels() const
+  {
+    return this->Resolution;
+  }
   int GetNumberOfLayers() const;
   /** Grows whenever the content of a map, or the table below, has changed. */
   vtkMTimeType GetContentTime() const
@@ -87,10 +94,10 @@ public:
   }
 
   /** Binds the maps and their table for vtkIndirectMapTexel.glsl; pair with Deactivate. */
-  void Activate(vtkShaderProgram* program);
+  void Activate(vtkShaderProgram* program) const;
   /** Binds the depth array for shadow look-ups; pair with Deactivate. */
   vtkIndirectShadowMaps ActivateShadows(vtkOpenGLRenderWindow* window);
-  void Deactivate();
+  void Deactivate() const;
 
   size_t GetBytes() const;
   /** What the maps are and the memory that they take. */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkUniformLightSampler.h"
 
-#include "vtkIndirectKernels.h"
-#include "vtkIndirectSamplePattern.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "VirtualLights/vtkIndirectSamplePattern.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 

@@ -10,14 +10,14 @@
 #ifndef vtkUniformLightSampler_h
 #define vtkUniformLightSampler_h
 
+#include "vtkMapLightSampler.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
-#include "vtkVirtualLightSampler.h"
 
-class VTKRENDERINGINDIRECT_EXPORT vtkUniformLightSampler : public vtkVirtualLightSampler
+class VTKRENDERINGINDIRECT_EXPORT vtkUniformLightSampler : public vtkMapLightSampler
 {
 public:
   static vtkUniformLightSampler* New();
-  vtkTypeMacro(vtkUniformLightSampler, vtkVirtualLightSampler);
+  vtkTypeMacro(vtkUniformLightSampler, vtkMapLightSampler);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum PatternType
@@ -45,13 +45,13 @@ public:
   vtkGetMacro(NumberOfLights, int);
   ///@}
 
-protected:
-  vtkUniformLightSampler() = default;
-  ~vtkUniformLightSampler() override = default;
-
 #ifndef __VTK_WRAP__
   void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override;
 #endif
+
+protected:
+  vtkUniformLightSampler() = default;
+  ~vtkUniformLightSampler() override = default;
 
   int Pattern = LOW_DISCREPANCY;
   int NumberOfLights = 256;

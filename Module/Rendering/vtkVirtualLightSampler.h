@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkVirtualLightSampler
- * @brief Chooses virtual lights among the texels of the lights' maps
+ * @brief Abstract: where virtual lights come from
  *
- * A virtual light stands for some texels of a map: position, normal, the area A of the surface that
- * those texels cover, and their reflected radiance times that area, B A (Keller 1997, "Instant
- * radiosity"; Dachsbacher and Stamminger 2005). A light drawn from M texels with probability
- * density p counts 1/p texels, in B A and in A alike, so the sums over all lights do not depend on
- * how many there are.
+ * A virtual light is a place that sends light: position, normal, the area A of the surface that it
+ * stands for, and that surface's reflected radiance times the area, B A (Keller 1997, "Instant
+ * radiosity"; Dachsbacher and Stamminger 2005). Or it is a direction that light comes from, with
+ * the solid angle that it stands for and the radiance times that.
  *
- * Subclasses make a pattern of map coordinates; this class turns it into lights on the GPU.
+ * A sampler owns the table of its lights and the time at which they last changed. Subclasses say
+ * where the lights come from: vtkMapLightSampler from the lights' maps, others from elsewhere.
  */
 
 #ifndef vtkVirtualLightSampler_h
@@ -18,14 +18,14 @@
 #include "vtkObject.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
 
-#include <memory> // for the internals
-#include <vector> // for patterns
+#include <memory> // for the table
 
-class vtkGeometryBufferPass;
 class vtkImageData;
+class vtkIndirectGeometryBuffer;
 class vtkIndirectTarget;
+class vtkMapLightSampler;
+class vtkOpenGLRenderWindow;
 class vtkReflectiveShadowMapPass;
-class vtkShaderProgram;
 class vtkWindow;
 struct vtkIndirectFrame;
 
@@ -42,61 +42,52 @@ public:
   virtual void ReleaseGraphicsResources(vtkWindow* window);
 
 #ifndef __VTK_WRAP__
-  /** A rectangle of texels that lights are drawn from: a face of a map, or the geometry buffer. */
-  struct Source
+  /** What lights may be made from. */
+  struct Input
   {
-    int Layer = 0;
-    int Light = 0; // sources of one light share its lights
-    int Size[2] = { 1, 1 };
-    bool Disk = false; // only the inscribed disk is lit
-    // Faces of a cube: cosine of the cone of light about its axis, -1 for all directions; 2: no
-    // cube.
-    double CosCone = 2.0;
-
-    bool operator==(const Source& other) const
-    {
-      return this->Layer == other.Layer && this->Light == other.Light &&
-        this->Size[0] == other.Size[0] && this->Size[1] == other.Size[1] &&
-        this->Disk == other.Disk && this->CosCone == other.CosCone;
-    }
+    const vtkIndirectFrame& Frame;
+    const vtkReflectiveShadowMapPass& Maps;    // without maps where the frame has none
+    const vtkIndirectGeometryBuffer& Geometry; // what the eye sees
   };
 
-  /** A choice: map coordinates in [0,1), layer, texels that it stands for. */
-  struct Sample
-  {
-    float U;
-    float V;
-    float Layer;
-    float Texels;
-  };
-
+  /** Channels of the table, a texel a light; empty places have no density. */
   enum Channel
   {
-    PositionArea,
-    NormalExponent,
-    DensityArea
+    PositionArea,   // scene units; or unit direction to the light, minus its solid angle
+    NormalExponent, // of the sender, unit; 0
+    DensityArea     // reflected radiance times area, or radiance times solid angle; source
   };
-  /** Lights in a row of the textures. */
+  /** Lights in a row of the table. */
   static constexpr int RowLength = 256;
 
-  /**
-   * Brings the lights up to date with the maps. eye: the geometry buffer when it serves as a
-   * headlight's map, else null. Returns false, after an error, when OpenGL refuses.
-   */
-  bool Update(const vtkIndirectFrame& frame, vtkReflectiveShadowMapPass* maps,
-    const vtkGeometryBufferPass* eye);
+  /** Brings the lights up to date. Returns false, after an error, when it cannot. */
+  virtual bool Update(const Input& input) = 0;
 
-  const vtkIndirectTarget& GetTarget() const;
-  vtkIndirectTarget& GetTarget();
+  /** Whether lights may be directions, which takes estimators a little more work. */
+  virtual bool HasDirections() const
+  {
+    return false;
+  }
+
+  /**
+   * The pattern by which lights are taken from what the eye sees where a headlight is the only
+   * light; null: the pass's own.
+   */
+  virtual vtkMapLightSampler* GetViewPattern()
+  {
+    return nullptr;
+  }
+
+  const vtkIndirectTarget& GetTable() const
+  {
+    return *this->Table;
+  }
   /** Grows whenever the lights have changed. */
   vtkMTimeType GetContentTime() const
   {
     return this->ContentTime.GetMTime();
   }
-  size_t GetBytes() const;
-
-  /** Copies the lights of the last frame: a row each of three texels, in world units. */
-  void CopyLights(const vtkIndirectFrame& frame, vtkImageData* image);
+  virtual size_t GetBytes() const;
 #endif
 
 protected:
@@ -104,20 +95,19 @@ protected:
   ~vtkVirtualLightSampler() override;
 
 #ifndef __VTK_WRAP__
-  /** Fills a pattern for these sources; its samples of a source sum to that source's texels. */
-  virtual void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) = 0;
+  /** Makes room in the table. Returns false, after an error, when OpenGL refuses. */
+  bool Resize(vtkOpenGLRenderWindow* window, int numberOfLights);
+  /** The table, to be filled; then the lights have changed. */
+  vtkIndirectTarget& BeginChange();
 #endif
-
-  vtkTimeStamp ContentTime;
 
 private:
   vtkVirtualLightSampler(const vtkVirtualLightSampler&) = delete;
   void operator=(const vtkVirtualLightSampler&) = delete;
 
-  void UpdatePattern(const vtkIndirectFrame& frame, const std::vector<Source>& sources);
-
-  struct Internals;
-  std::unique_ptr<Internals> Internal;
+  std::unique_ptr<vtkIndirectTarget> Table;
+  vtkTimeStamp ContentTime;
+  int NumberOfLights = 0;
 };
 
 #endif

@@ -16,7 +16,6 @@ CLASSES = (
     "vtkReflectiveShadowMapPass",
     "vtkRSMGatherPass",
     "vtkRSMReferencePass",
-    "vtkSurfaceCapturePass",
     "vtkUniformLightSampler",
 )
 

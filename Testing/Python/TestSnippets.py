@@ -46,7 +46,7 @@ NOT_RUN = {
     ("CONTRIBUTING.md", "sudo Testing/Compatibility/run"): "it installs another Debian",
     ("CONTRIBUTING.md", "Testing/Benchmark/gpu pack"): PACK,
     ("CONTRIBUTING.md", "LD_PRELOAD="): "it runs tests; Drivers.garbage runs some of them so",
-    ("Documentation/architecture.md", "light i"): "a drawing",
+    ("Documentation/architecture.md", "scene ─▶ Plan"): "a drawing",
     ("Documentation/architecture.md", "VTK_INDIRECT_PATHS="): "Contract.PathsTake sets each of them",
     ("Documentation/gpu.md", "Testing/Benchmark/gpu pack"): PACK,
     ("Documentation/gpu.md", "./gpu list"): "Benchmark.card runs such lines",

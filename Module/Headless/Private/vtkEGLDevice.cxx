@@ -58,7 +58,7 @@ vtkEGLDevice Ask(const vtkEGLPlatform& platform, int index)
   device.Driver = ask("EGL_EXT_device_persistent_id", EGL_DRIVER_NAME_EXT);
   device.CardFile = ask("EGL_EXT_device_drm", EGL_DRM_DEVICE_FILE_EXT);
   device.RenderNode = ask("EGL_EXT_device_drm_render_node", EGL_DRM_RENDER_NODE_FILE_EXT);
-  // Not every version of the driver that has this extension, NVIDIA's own, tells its vendor.
+  // Not every version of the driver that has this extension, NVIDIA's own, reports its vendor.
   if (device.Vendor.empty() && HasExtension(extensions, "EGL_NV_device_cuda"))
   {
     device.Vendor = "NVIDIA";

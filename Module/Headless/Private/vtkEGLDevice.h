@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What EGL tells of one of its devices. Each driver tells something else, and some nothing.
+// What EGL reports of one of its devices. Drivers report different things, and some nothing.
 #ifndef vtkEGLDevice_h
 #define vtkEGLDevice_h
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What keeps a graphics card from rendering, as far as plain facts tell.
+// What keeps a graphics card from rendering, as far as plain facts show.
 #ifndef vtkEGLDiagnosis_h
 #define vtkEGLDiagnosis_h
 

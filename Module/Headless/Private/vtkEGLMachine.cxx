@@ -163,7 +163,7 @@ std::string GetRenderingDriver(const Tree& tree, const std::string& name)
     }
   }
   // vgem has no card, and by the kernel's version no driver or one that says so. A card of VMware
-  // has a render node whether or not its host renders; there is no way to tell.
+  // has a render node whether or not its host renders; that cannot be found out.
   if (driver == "faux_driver" || driver == "vgem" || driver == "vmwgfx")
   {
     return "";

@@ -3,10 +3,10 @@
 
 #include "CardScene.h"
 
+#include "Frame/vtkIndirectStageTimer.h"
 #include "vtkCamera.h"
 #include "vtkEGLHeadlessRenderWindow.h"
 #include "vtkIndirectIlluminationPass.h"
-#include "vtkIndirectStageTimer.h"
 #include "vtkOpenGLRenderTimer.h"
 
 #include <chrono>

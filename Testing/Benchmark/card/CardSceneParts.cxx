@@ -7,9 +7,9 @@
 #include "CardMethods.h"
 #include "CardScene.h"
 
+#include "OpenGL/vtkIndirectPaths.h"
 #include "vtkEGLHeadlessRenderWindow.h"
 #include "vtkIndirectIlluminationPass.h"
-#include "vtkIndirectPaths.h"
 #include "vtkMultiresolutionSplattingPass.h"
 
 #include <algorithm>

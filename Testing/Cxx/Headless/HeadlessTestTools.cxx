@@ -1,47 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeadlessTestTools.h"
 
-#include "../vtkIndirectTestList.h"
-
 #include "vtkCamera.h"
 #include "vtkProperty.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <cstdlib>
-
 namespace headlesstest
 {
 //------------------------------------------------------------------------------
-int RunNamedTest(const TestMap& tests, int argc, char* argv[],
-  const std::function<void(const std::string&)>& prepare)
-{
-  if (vtkIndirectTest::WantsList(argc, argv))
-  {
-    return vtkIndirectTest::List(tests, argc, argv);
-  }
-  const std::string name = argc > 1 ? argv[1] : "";
-  const auto test = tests.find(name);
-  if (test == tests.end())
-  {
-    std::cerr << "No test is called \"" << name << "\".\n";
-    return EXIT_FAILURE;
-  }
-  if (prepare)
-  {
-    prepare(name);
-  }
-  test->second();
-  if (Failures == 0)
-  {
-    std::cout << name << ": passed\n";
-  }
-  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-}
-
-//------------------------------------------------------------------------------
 std::ostream& Fail(const Place& place)
 {
-  ++Failures;
+  vtkIndirectTest::AddFailure();
   return std::cerr << "FAILED " << place.File << ":" << place.Line << ": ";
 }
 
@@ -81,6 +50,7 @@ SceneWindow::SceneWindow(const Color& color, int width, int height)
 //------------------------------------------------------------------------------
 void CheckNoGLError(const Place& place)
 {
+  vtkIndirectTest::AddCheck();
   const GLenum error = glGetError();
   if (error != GL_NO_ERROR)
   {
@@ -91,6 +61,7 @@ void CheckNoGLError(const Place& place)
 //------------------------------------------------------------------------------
 void CheckImage(vtkRenderWindow* window, const Color& color, const Place& place)
 {
+  vtkIndirectTest::AddCheck();
   const int width = window->GetSize()[0];
   const int height = window->GetSize()[1];
   for (int front = 0; front < 2; ++front)

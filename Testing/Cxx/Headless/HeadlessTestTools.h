@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of VTK::IndirectHeadless share: the scene, the checks, and the tables of tests.
+// What the tests of VTK::IndirectHeadless share: the scene and the checks.
 
 #ifndef HeadlessTestTools_h
 #define HeadlessTestTools_h
@@ -11,6 +11,8 @@
 #include "vtk_glew.h"
 #endif
 
+#include "vtkIndirectHarness.h"
+
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
 #include "vtkEGLHeadlessRenderWindow.h"
@@ -21,31 +23,11 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
-#include <functional>
 #include <iostream>
-#include <map>
 #include <string>
 
 namespace headlesstest
 {
-constexpr int SkipReturnCode = 125;
-inline int Failures = 0;
-
-// The tests of each file, by their names.
-using TestMap = std::map<std::string, std::function<void()>>;
-TestMap GetImageTests();
-TestMap GetContextTests();
-TestMap GetProgramTests();
-TestMap GetDriverTests();
-TestMap GetDiagnosisTests();
-TestMap GetMachineTests();
-TestMap GetDeviceTests();
-
-// Runs the test that the first argument names, or compares the list of all with the arguments. The
-// preparation comes before a test and may end the program. Returns the program's exit code.
-int RunNamedTest(const TestMap& tests, int argc, char* argv[],
-  const std::function<void(const std::string&)>& prepare = {});
-
 // Where a check stands.
 struct Place
 {
@@ -61,6 +43,7 @@ std::ostream& Fail(const Place& place);
 #define CHECK(condition, ...)                                                                      \
   do                                                                                               \
   {                                                                                                \
+    vtkIndirectTest::AddCheck();                                                                   \
     if (!(condition))                                                                              \
     {                                                                                              \
       headlesstest::Fail(HERE) << #condition " " << __VA_ARGS__ << "\n";                           \

@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of vtkEGLHeadlessRenderWindow and vtkIndirectHeadlessFactory: runs the one that is named.
+// Tests of vtkEGLHeadlessRenderWindow and vtkIndirectHeadlessFactory.
 #include "HeadlessTestTools.h"
-
-#include <cstdlib>
-
-using namespace headlesstest;
 
 int main(int argc, char* argv[])
 {
-  TestMap tests = GetImageTests();
-  tests.merge(GetContextTests());
-  tests.merge(GetProgramTests());
-  tests.merge(GetDriverTests());
-
-  return RunNamedTest(tests, argc, argv,
+  return vtkIndirectTest::Main(argc, argv,
     [](const std::string& name)
     {
-      if (name != "NoEGL" && name != "OldOpenGL" && name != "WrongDeviceOfEnvironment" && !vtkEGLHeadlessRenderWindow::IsSupported())
+      // These expect that there is no support.
+      if (name == "NoEGL" || name == "OldOpenGL" || name == "WrongDeviceOfEnvironment")
       {
-        vtkNew<vtkEGLHeadlessRenderWindow> window;
-        window->SupportsOpenGL();
-        std::cout << "SKIPPED: " << window->GetOpenGLSupportMessage() << "\n";
-        std::exit(SkipReturnCode);
+        return;
+      }
+      vtkNew<vtkEGLHeadlessRenderWindow> window;
+      if (!window->SupportsOpenGL())
+      {
+        vtkIndirectTest::Skip(window->GetOpenGLSupportMessage());
       }
     });
 }

@@ -16,7 +16,7 @@ using namespace headlesstest;
 namespace
 {
 //------------------------------------------------------------------------------
-void TwoWindows()
+VTK_INDIRECT_TEST(TwoWindows)
 {
   SceneWindow first(Red, 64, 48);
   SceneWindow second(Green, 31, 77);
@@ -56,7 +56,7 @@ void TwoWindows()
 
 //------------------------------------------------------------------------------
 // A framebuffer of one window keeps its content while the other one is drawn.
-void Framebuffers()
+VTK_INDIRECT_TEST(Framebuffers)
 {
   SceneWindow first(Red);
   SceneWindow second(Green);
@@ -132,7 +132,7 @@ long GetResidentKilobytes()
   return resident * 4;
 }
 
-void Recreate()
+VTK_INDIRECT_TEST(Recreate)
 {
   SceneWindow scene(Red);
   int files = 0;
@@ -174,7 +174,7 @@ void Recreate()
 }
 
 //------------------------------------------------------------------------------
-void DestructionOrder()
+VTK_INDIRECT_TEST(DestructionOrder)
 {
   // The window before its renderer, which goes on in another window.
   {
@@ -239,7 +239,7 @@ void DestructionOrder()
 }
 
 //------------------------------------------------------------------------------
-void Threads()
+VTK_INDIRECT_TEST(Threads)
 {
   SceneWindow scene(Red);
   scene.Window->Render();
@@ -282,11 +282,4 @@ void Threads()
   }
   CHECK(drawn[0] && drawn[1] && drawn[2] && drawn[3], "");
 }
-}
-
-//------------------------------------------------------------------------------
-TestMap headlesstest::GetContextTests()
-{
-  return { { "TwoWindows", TwoWindows }, { "Framebuffers", Framebuffers }, { "Recreate", Recreate },
-    { "DestructionOrder", DestructionOrder }, { "Threads", Threads } };
 }

@@ -29,13 +29,11 @@ struct FakeMachine
   {
     if (!*FAKE_EGL_VENDOR)
     {
-      std::cout << "SKIPPED: glvnd/libeglabi.h was not there for the build\n";
-      std::exit(SkipReturnCode);
+      vtkIndirectTest::Skip("glvnd/libeglabi.h was not there for the build");
     }
     if (!dlopen("libEGL_mesa.so.0", RTLD_LAZY))
     {
-      std::cout << "SKIPPED: there is no Mesa behind the devices: " << dlerror() << "\n";
-      std::exit(SkipReturnCode);
+      vtkIndirectTest::Skip(std::string("there is no Mesa behind the devices: ") + dlerror());
     }
     std::string files = WriteVendorFile(this->Tree, "/fake/10_fake.json", FAKE_EGL_VENDOR);
     if (withMesa)
@@ -88,8 +86,8 @@ const char* const Several =
   "broken|/dev/dri/renderD128|Card A|Vendor A|0;mute;contextless;fallback|/dev/dri/renderD129;"
   "works|/dev/dri/renderD130|Card B|Vendor B|1;works|/dev/dri/renderD131;software";
 
-// None of those before is told of: a card renders.
-void FirstThatWorks()
+// None of those before is reported: a card renders.
+VTK_INDIRECT_TEST(FirstThatWorks)
 {
   const FakeMachine machine(Several);
   const Outcome outcome = Render(-1);
@@ -101,7 +99,7 @@ void FirstThatWorks()
 }
 
 //------------------------------------------------------------------------------
-void ChosenDevice()
+VTK_INDIRECT_TEST(ChosenDevice)
 {
   const FakeMachine machine(Several);
   vtkNew<vtkEGLHeadlessRenderWindow> window;
@@ -134,7 +132,7 @@ void ChosenDevice()
 }
 
 //------------------------------------------------------------------------------
-void Descriptions()
+VTK_INDIRECT_TEST(Descriptions)
 {
   FakeMachine machine("works|/dev/dri/renderD128|Card A|NVIDIA Corporation|0;"
                       "broken|/dev/dri/renderD128;mute|||NVIDIA;works||Two\nlines|Vendor B|12;"
@@ -158,7 +156,7 @@ void Descriptions()
 
 //------------------------------------------------------------------------------
 // One card that two drivers list, of which the first cannot render on it.
-void TwoDriversFirstFails()
+VTK_INDIRECT_TEST(TwoDriversFirstFails)
 {
   const FakeMachine machine("broken|/dev/dri/renderD128;works|/dev/dri/renderD128|A40|NVIDIA|0");
   const Outcome outcome = Render(-1);
@@ -169,7 +167,7 @@ void TwoDriversFirstFails()
 
 //------------------------------------------------------------------------------
 // Two libraries of vendors, the second of which is Mesa's own.
-void TwoVendors()
+VTK_INDIRECT_TEST(TwoVendors)
 {
   const FakeMachine machine("works|/dev/dri/renderD128|A40|NVIDIA|0;broken", {}, true);
   vtkNew<vtkEGLHeadlessRenderWindow> window;
@@ -204,13 +202,13 @@ void CheckNoDevices()
   CHECK(any.Messages == 0, any.Text);
 }
 
-void DevicesMissing()
+VTK_INDIRECT_TEST(DevicesMissing)
 {
   const FakeMachine machine("works;works", { { "FAKE_EGL_ENUMERATION", "missing" } });
   CheckNoDevices();
 }
 
-void DevicesFail()
+VTK_INDIRECT_TEST(DevicesFail)
 {
   const FakeMachine machine("works;works", { { "FAKE_EGL_ENUMERATION", "failing" } });
   CheckNoDevices();
@@ -218,7 +216,7 @@ void DevicesFail()
 
 //------------------------------------------------------------------------------
 // A device by its number, whose file is refused.
-void ChosenDeviceRefused()
+VTK_INDIRECT_TEST(ChosenDeviceRefused)
 {
   FakeMachine machine("broken|/dev/dri/renderD128;works");
   machine.Tree.KernelNode("renderD128", "amdgpu").Folder("/dev/dri/renderD128");
@@ -231,7 +229,7 @@ void ChosenDeviceRefused()
 
 //------------------------------------------------------------------------------
 // One warning in a process, that every window knows.
-void CardWithoutEGL()
+VTK_INDIRECT_TEST(CardWithoutEGL)
 {
   FakeMachine machine("broken|/dev/dri/renderD128;software");
   machine.Tree.Node("renderD128", "amdgpu");
@@ -254,7 +252,7 @@ void CardWithoutEGL()
 }
 
 //------------------------------------------------------------------------------
-void FallbackToSoftware()
+VTK_INDIRECT_TEST(FallbackToSoftware)
 {
   FakeMachine machine("fallback|/dev/dri/renderD128|||");
   machine.Tree.Node("renderD128", "i915");
@@ -264,7 +262,7 @@ void FallbackToSoftware()
 }
 
 //------------------------------------------------------------------------------
-void NvidiaWithoutEGL()
+VTK_INDIRECT_TEST(NvidiaWithoutEGL)
 {
   FakeMachine machine("software", { { "NVIDIA_DRIVER_CAPABILITIES", "compute,utility" } });
   machine.Tree.File("/dev/nvidia0");
@@ -274,8 +272,8 @@ void NvidiaWithoutEGL()
 }
 
 //------------------------------------------------------------------------------
-// NVIDIA's device is told from another vendor's.
-void NvidiaFails()
+// NVIDIA's device is distinguished from another vendor's.
+VTK_INDIRECT_TEST(NvidiaFails)
 {
   FakeMachine machine("broken|/dev/dri/renderD128;broken|/dev/dri/renderD128|A40|NVIDIA|0");
   machine.Tree.Node("renderD128", "nvidia").File("/dev/nvidia0");
@@ -285,7 +283,7 @@ void NvidiaFails()
 }
 
 //------------------------------------------------------------------------------
-void ContainerWithoutDevices()
+VTK_INDIRECT_TEST(ContainerWithoutDevices)
 {
   FakeMachine machine("");
   machine.Tree.KernelNode("renderD128", "amdgpu");
@@ -295,7 +293,7 @@ void ContainerWithoutDevices()
 }
 
 //------------------------------------------------------------------------------
-void NoCard()
+VTK_INDIRECT_TEST(NoCard)
 {
   FakeMachine machine("software");
   machine.Tree.Folder("/sys/class/drm/card0").File("/dev/dri/card0");
@@ -306,7 +304,7 @@ void NoCard()
 
 //------------------------------------------------------------------------------
 // A device that the environment turns to software may be chosen.
-void SoftwareWanted()
+VTK_INDIRECT_TEST(SoftwareWanted)
 {
   FakeMachine machine("fallback|/dev/dri/renderD128", { { "LIBGL_ALWAYS_SOFTWARE", "1" } });
   machine.Tree.Node("renderD128", "amdgpu");
@@ -320,7 +318,7 @@ void SoftwareWanted()
 
 //------------------------------------------------------------------------------
 // One error, which takes the place of the warning.
-void NothingWorks()
+VTK_INDIRECT_TEST(NothingWorks)
 {
   FakeMachine machine("broken|/dev/dri/renderD128", { { "FAKE_EGL_PLATFORMS", "none" } });
   machine.Tree.Node("renderD128", "amdgpu");
@@ -330,17 +328,4 @@ void NothingWorks()
   CHECK(Has(outcome.Error, "There is a graphics card: EGL device 0"), outcome.Error);
   CHECK(outcome.Warning.empty(), outcome.Warning);
 }
-}
-
-//------------------------------------------------------------------------------
-TestMap headlesstest::GetDeviceTests()
-{
-  return { { "FirstThatWorks", FirstThatWorks }, { "ChosenDevice", ChosenDevice },
-    { "ChosenDeviceRefused", ChosenDeviceRefused }, { "Descriptions", Descriptions },
-    { "TwoDriversFirstFails", TwoDriversFirstFails }, { "TwoVendors", TwoVendors },
-    { "DevicesMissing", DevicesMissing }, { "DevicesFail", DevicesFail },
-    { "CardWithoutEGL", CardWithoutEGL }, { "FallbackToSoftware", FallbackToSoftware },
-    { "NvidiaWithoutEGL", NvidiaWithoutEGL }, { "NvidiaFails", NvidiaFails },
-    { "ContainerWithoutDevices", ContainerWithoutDevices }, { "NoCard", NoCard },
-    { "SoftwareWanted", SoftwareWanted }, { "NothingWorks", NothingWorks } };
 }

@@ -16,6 +16,7 @@ namespace
 // One line that has each of the words and begins as the end of a sentence; or nothing.
 void CheckLine(const vtkEGLMachine& machine, const std::vector<std::string>& words, Place place)
 {
+  vtkIndirectTest::AddCheck();
   const std::string line = vtkEGLDiagnosis::Explain(machine);
   std::cout << (line.empty() ? "(nothing)" : line) << "\n";
   if (words.empty() != line.empty() || line.find('\n') != std::string::npos ||
@@ -55,7 +56,7 @@ vtkEGLMachine::File MakeFile(const std::string& path, const std::string& driver,
 }
 
 //------------------------------------------------------------------------------
-void DiagnosisNoCard()
+VTK_INDIRECT_TEST(DiagnosisNoCard)
 {
   vtkEGLMachine machine;
   CHECK_LINE(machine, {});
@@ -68,7 +69,7 @@ void DiagnosisNoCard()
 }
 
 //------------------------------------------------------------------------------
-void DiagnosisSoftwareWanted()
+VTK_INDIRECT_TEST(DiagnosisSoftwareWanted)
 {
   vtkEGLMachine machine;
   machine.NvidiaFiles = { MakeFile("/dev/nvidia0", "nvidia") };
@@ -80,7 +81,7 @@ void DiagnosisSoftwareWanted()
 }
 
 //------------------------------------------------------------------------------
-void DiagnosisNvidia()
+VTK_INDIRECT_TEST(DiagnosisNvidia)
 {
   vtkEGLMachine machine;
   machine.NvidiaFiles = { MakeFile("/dev/nvidia1", "nvidia") };
@@ -133,7 +134,7 @@ void DiagnosisNvidia()
 }
 
 //------------------------------------------------------------------------------
-void DiagnosisMesa()
+VTK_INDIRECT_TEST(DiagnosisMesa)
 {
   vtkEGLMachine machine;
   machine.RenderNodes = { MakeFile("/dev/dri/renderD129", "amdgpu") };
@@ -161,7 +162,7 @@ void DiagnosisMesa()
 }
 
 //------------------------------------------------------------------------------
-void DiagnosisPermission()
+VTK_INDIRECT_TEST(DiagnosisPermission)
 {
   vtkEGLMachine machine;
   machine.RenderNodes = { MakeFile("/dev/dri/renderD128", "i915", EACCES) };
@@ -186,7 +187,7 @@ void DiagnosisPermission()
 }
 
 //------------------------------------------------------------------------------
-void DiagnosisContainer()
+VTK_INDIRECT_TEST(DiagnosisContainer)
 {
   vtkEGLMachine machine;
   machine.KernelNodes = { MakeFile("/dev/dri/renderD128", "xe") };
@@ -205,7 +206,7 @@ void DiagnosisContainer()
 }
 
 //------------------------------------------------------------------------------
-void SoftwareNames()
+VTK_INDIRECT_TEST(SoftwareNames)
 {
   for (const char* name : { "llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Software Rasterizer",
          "Mesa DRI swrast", "SWR (LLVM 9.0, 256 bits)",
@@ -225,13 +226,4 @@ void SoftwareNames()
     CHECK(!vtkEGLUtilities::IsSoftwareRenderer(name), name);
   }
 }
-}
-
-//------------------------------------------------------------------------------
-TestMap headlesstest::GetDiagnosisTests()
-{
-  return { { "DiagnosisNoCard", DiagnosisNoCard },
-    { "DiagnosisSoftwareWanted", DiagnosisSoftwareWanted }, { "DiagnosisNvidia", DiagnosisNvidia },
-    { "DiagnosisMesa", DiagnosisMesa }, { "DiagnosisPermission", DiagnosisPermission },
-    { "DiagnosisContainer", DiagnosisContainer }, { "SoftwareNames", SoftwareNames } };
 }

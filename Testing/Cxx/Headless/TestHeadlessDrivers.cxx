@@ -15,7 +15,7 @@ using namespace headlesstest;
 namespace
 {
 //------------------------------------------------------------------------------
-void Devices()
+VTK_INDIRECT_TEST(Devices)
 {
   vtkNew<vtkEGLHeadlessRenderWindow> any;
   CHECK(any->GetDeviceIndex() == -1, any->GetDeviceIndex());
@@ -60,7 +60,7 @@ void Devices()
 }
 
 //------------------------------------------------------------------------------
-void TooLarge()
+VTK_INDIRECT_TEST(TooLarge)
 {
   SceneWindow scene(Red);
   scene.Window->Initialize();
@@ -121,17 +121,16 @@ void CheckUnsupported(const std::string& reason)
   scene.Window->Finalize();
 }
 
-void NoEGL()
+VTK_INDIRECT_TEST(NoEGL)
 {
   CheckUnsupported("EGL default display (no EGL display)");
 }
 
-void OldOpenGL()
+VTK_INDIRECT_TEST(OldOpenGL)
 {
   if (vtkEGLHeadlessRenderWindow::IsSupported())
   {
-    std::cout << "SKIPPED: the driver does not heed MESA_GL_VERSION_OVERRIDE\n";
-    std::exit(SkipReturnCode);
+    vtkIndirectTest::Skip("the driver does not heed MESA_GL_VERSION_OVERRIDE");
   }
   CheckUnsupported("no core profile of OpenGL 3.2 or later");
 }
@@ -143,29 +142,27 @@ void CheckVersion(const std::string& expected)
   const std::string version = scene.Window->GetGLVersion();
   if (version.find("Mesa") == std::string::npos)
   {
-    std::cout << "SKIPPED: the driver, " << version << ", does not heed MESA_GL_VERSION_OVERRIDE\n";
-    std::exit(SkipReturnCode);
+    vtkIndirectTest::Skip("the driver, " + version + ", does not heed MESA_GL_VERSION_OVERRIDE");
   }
   CHECK(version.compare(0, 3, expected) == 0, version);
   CHECK_IMAGE(scene.Window, Red);
 }
 
-void DeviceOfEnvironment()
+VTK_INDIRECT_TEST(DeviceOfEnvironment)
 {
   SceneWindow scene(Red);
   ErrorCounter errors(scene.Window);
   scene.Window->Render();
   if (scene.Window->GetNumberOfDevices() == 0)
   {
-    std::cout << "SKIPPED: EGL lists no device here\n";
-    std::exit(SkipReturnCode);
+    vtkIndirectTest::Skip("EGL lists no device here");
   }
   CHECK(errors.Count == 0, errors.Text);
   CHECK(scene.Window->GetPlatformName() == "EGL device 0", scene.Window->GetPlatformName());
   CHECK_IMAGE(scene.Window, Red);
 }
 
-void WrongDeviceOfEnvironment()
+VTK_INDIRECT_TEST(WrongDeviceOfEnvironment)
 {
   CHECK(!vtkEGLHeadlessRenderWindow::IsSupported(), "");
   SceneWindow scene(Red);
@@ -183,22 +180,13 @@ void WrongDeviceOfEnvironment()
   CHECK(errors.Text.find("first", errors.Text.find("first") + 1) == std::string::npos, errors.Text);
 }
 
-void OpenGL32()
+VTK_INDIRECT_TEST(OpenGL32)
 {
   CheckVersion("3.2");
 }
 
-void OpenGL41()
+VTK_INDIRECT_TEST(OpenGL41)
 {
   CheckVersion("4.1");
 }
-}
-
-//------------------------------------------------------------------------------
-TestMap headlesstest::GetDriverTests()
-{
-  return { { "Devices", Devices }, { "TooLarge", TooLarge }, { "NoEGL", NoEGL },
-    { "OldOpenGL", OldOpenGL }, { "DeviceOfEnvironment", DeviceOfEnvironment },
-    { "WrongDeviceOfEnvironment", WrongDeviceOfEnvironment }, { "OpenGL32", OpenGL32 },
-    { "OpenGL41", OpenGL41 } };
 }

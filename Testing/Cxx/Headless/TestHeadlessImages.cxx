@@ -19,7 +19,7 @@ using namespace headlesstest;
 namespace
 {
 //------------------------------------------------------------------------------
-void Render()
+VTK_INDIRECT_TEST(Render)
 {
   SceneWindow scene(Red);
   vtkEGLHeadlessRenderWindow* window = scene.Window;
@@ -82,7 +82,7 @@ void Render()
 }
 
 //------------------------------------------------------------------------------
-void Depth()
+VTK_INDIRECT_TEST(Depth)
 {
   SceneWindow scene(Red, 10, 8);
   scene.Window->Render();
@@ -107,7 +107,7 @@ void Depth()
 }
 
 //------------------------------------------------------------------------------
-void Resize()
+VTK_INDIRECT_TEST(Resize)
 {
   SceneWindow scene(Red);
   int events = 0;
@@ -136,7 +136,7 @@ void Resize()
 }
 
 //------------------------------------------------------------------------------
-void Shapes()
+VTK_INDIRECT_TEST(Shapes)
 {
   const int sizes[][2] = { { 1, 1 }, { 1, 2000 }, { 2000, 1 }, { 7, 3 }, { 2, 2 } };
   for (const auto& size : sizes)
@@ -159,7 +159,7 @@ void Shapes()
 }
 
 //------------------------------------------------------------------------------
-void Tiles()
+VTK_INDIRECT_TEST(Tiles)
 {
   SceneWindow scene(Red, 40, 30);
   scene.Window->Render();
@@ -185,7 +185,7 @@ void Tiles()
 }
 
 //------------------------------------------------------------------------------
-void MultiSamples()
+VTK_INDIRECT_TEST(MultiSamples)
 {
   SceneWindow scene(Red, 65, 49);
   scene.Window->SetMultiSamples(4);
@@ -211,7 +211,7 @@ void MultiSamples()
 }
 
 //------------------------------------------------------------------------------
-void Stencil()
+VTK_INDIRECT_TEST(Stencil)
 {
   SceneWindow scene(Red);
   scene.Window->StencilCapableOn();
@@ -229,11 +229,4 @@ void Stencil()
   CHECK(size == 8, size);
   CHECK_NO_GL_ERROR();
 }
-}
-
-//------------------------------------------------------------------------------
-TestMap headlesstest::GetImageTests()
-{
-  return { { "Render", Render }, { "Depth", Depth }, { "Resize", Resize }, { "Shapes", Shapes },
-    { "Tiles", Tiles }, { "MultiSamples", MultiSamples }, { "Stencil", Stencil } };
 }

@@ -29,7 +29,7 @@ bool Says(const FakeTree& tree, const std::string& words)
 }
 
 //------------------------------------------------------------------------------
-void MachineEmpty()
+VTK_INDIRECT_TEST(MachineEmpty)
 {
   FakeTree tree;
   SetEnvironment({});
@@ -42,7 +42,7 @@ void MachineEmpty()
 }
 
 //------------------------------------------------------------------------------
-void MachineNodes()
+VTK_INDIRECT_TEST(MachineNodes)
 {
   SetEnvironment({});
   FakeTree tree;
@@ -68,7 +68,7 @@ void MachineNodes()
 }
 
 //------------------------------------------------------------------------------
-void MachineContainer()
+VTK_INDIRECT_TEST(MachineContainer)
 {
   SetEnvironment({});
   // The host's /sys, none of its devices.
@@ -104,7 +104,7 @@ void MachineContainer()
 
 //------------------------------------------------------------------------------
 // Cards that show pictures, and drivers that have no card.
-void MachineFramebuffers()
+VTK_INDIRECT_TEST(MachineFramebuffers)
 {
   SetEnvironment({});
   for (const char* driver :
@@ -135,7 +135,7 @@ void MachineFramebuffers()
 
 //------------------------------------------------------------------------------
 // A sandbox with the card's files and nothing of the kernel.
-void MachineSandbox()
+VTK_INDIRECT_TEST(MachineSandbox)
 {
   SetEnvironment({});
   FakeTree tree;
@@ -150,7 +150,7 @@ void MachineSandbox()
 }
 
 //------------------------------------------------------------------------------
-void MachineNvidiaDriver()
+VTK_INDIRECT_TEST(MachineNvidiaDriver)
 {
   const std::string library = "libEGL_nvidia.so.0";
   const std::string standard = "/usr/share/glvnd/egl_vendor.d/10_nvidia.json";
@@ -188,13 +188,13 @@ void MachineNvidiaDriver()
   machine = Gather(whole.GetRoot());
   CHECK(machine.NvidiaLibrary == stored && machine.NvidiaLibraryIsFound, machine.NvidiaLibrary);
   CHECK(Says(whole, "egl_vendor.d/10_nvidia.json."), "");
-  // A folder that the linker is told of.
-  FakeTree told;
-  told.File("/dev/nvidia0").File("/opt/nvidia/lib/" + library);
-  WriteVendorFile(told, standard, library);
-  CHECK(Says(told, "in none of the usual folders"), "");
-  told.File("/etc/ld.so.conf.d/nvidia.conf", "# NVIDIA\n/opt/nvidia/lib\n");
-  CHECK(Gather(told.GetRoot()).NvidiaLibraryIsFound, "");
+  // A folder in the linker's configuration.
+  FakeTree listed;
+  listed.File("/dev/nvidia0").File("/opt/nvidia/lib/" + library);
+  WriteVendorFile(listed, standard, library);
+  CHECK(Says(listed, "in none of the usual folders"), "");
+  listed.File("/etc/ld.so.conf.d/nvidia.conf", "# NVIDIA\n/opt/nvidia/lib\n");
+  CHECK(Gather(listed.GetRoot()).NvidiaLibraryIsFound, "");
 
   // Drivers that were put into a folder of their own.
   struct Place
@@ -225,7 +225,7 @@ void MachineNvidiaDriver()
 }
 
 //------------------------------------------------------------------------------
-void MachineSoftwareWanted()
+VTK_INDIRECT_TEST(MachineSoftwareWanted)
 {
   const std::string always = "LIBGL_ALWAYS_SOFTWARE";
   FakeTree tree;
@@ -244,13 +244,4 @@ void MachineSoftwareWanted()
     CHECK(!Says(tree, ""), settings.begin()->first << " " << settings.begin()->second);
   }
 }
-}
-
-//------------------------------------------------------------------------------
-TestMap headlesstest::GetMachineTests()
-{
-  return { { "MachineEmpty", MachineEmpty }, { "MachineNodes", MachineNodes },
-    { "MachineContainer", MachineContainer }, { "MachineFramebuffers", MachineFramebuffers },
-    { "MachineSandbox", MachineSandbox }, { "MachineNvidiaDriver", MachineNvidiaDriver },
-    { "MachineSoftwareWanted", MachineSoftwareWanted } };
 }

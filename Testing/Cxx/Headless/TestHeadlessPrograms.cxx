@@ -13,7 +13,7 @@ using namespace headlesstest;
 namespace
 {
 //------------------------------------------------------------------------------
-void Interactor()
+VTK_INDIRECT_TEST(Interactor)
 {
   SceneWindow scene(Red);
   auto interactor =
@@ -48,7 +48,7 @@ void Interactor()
 }
 
 //------------------------------------------------------------------------------
-void Factory()
+VTK_INDIRECT_TEST(Factory)
 {
   const auto windowClass = []()
   { return std::string(vtkSmartPointer<vtkRenderWindow>::New()->GetClassName()); };
@@ -113,10 +113,4 @@ void Factory()
   }
   vtkIndirectHeadlessFactory::Disable();
 }
-}
-
-//------------------------------------------------------------------------------
-TestMap headlesstest::GetProgramTests()
-{
-  return { { "Interactor", Interactor }, { "Factory", Factory } };
 }

@@ -4,7 +4,7 @@
 #ifndef OpenEXRTestTools_h
 #define OpenEXRTestTools_h
 
-#include "../vtkIndirectTestList.h"
+#include "vtkIndirectHarness.h"
 
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
@@ -15,7 +15,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenEXRReader.h"
 #include "vtkOpenEXRWriter.h"
-#include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkVersionMacros.h"
@@ -30,24 +29,21 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <string>
 #include <vector>
 
 namespace exrtest
 {
-inline int Failures = 0;
-
 #define EXR_CHECK(condition)                                                                       \
   do                                                                                               \
   {                                                                                                \
+    vtkIndirectTest::AddCheck();                                                                   \
     if (!(condition))                                                                              \
     {                                                                                              \
-      std::cerr << __FILE__ << ":" << __LINE__ << ": failed: " #condition << "\n";                 \
-      ++exrtest::Failures;                                                                         \
+      std::cerr << "FAILED " << __FILE__ << ":" << __LINE__ << ": " #condition << "\n";            \
+      vtkIndirectTest::AddFailure();                                                               \
     }                                                                                              \
   } while (false)
 
@@ -81,35 +77,6 @@ public:
 private:
   std::uint64_t State;
 };
-
-// Counts all messages that no observer took, such as those of the pipeline.
-class Window : public vtkOutputWindow
-{
-public:
-  static Window* New();
-  vtkTypeMacro(Window, vtkOutputWindow);
-  int Errors = 0;
-  int Warnings = 0;
-
-  void DisplayErrorText(const char* text) override
-  {
-    ++this->Errors;
-    std::cerr << text << "\n";
-  }
-  void DisplayWarningText(const char* text) override
-  {
-    ++this->Warnings;
-    std::cerr << text << "\n";
-  }
-  void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
-  void DisplayText(const char* text) override { std::cerr << text << "\n"; }
-};
-vtkStandardNewMacro(Window);
-
-inline Window* TheWindow()
-{
-  return static_cast<Window*>(vtkOutputWindow::GetInstance());
-}
 
 // Counts the errors and warnings of one object; all others go to the window.
 class Messages : public vtkCommand
@@ -175,13 +142,11 @@ inline void ExpectReadError(vtkOpenEXRReader* reader, const std::vector<unsigned
 {
   vtkNew<Messages> messages;
   messages->Watch(reader);
-  const int before = TheWindow()->Errors;
   reader->Update();
   std::cout << messages->Text;
   EXR_CHECK(messages->Errors == 1);
   EXR_CHECK(messages->Warnings == 0);
   EXR_CHECK(messages->IsOneLine());
-  EXR_CHECK(TheWindow()->Errors == before);
   EXR_CHECK(std::count(codes.begin(), codes.end(), reader->GetErrorCode()) == 1);
   EXR_CHECK(IsEmpty(reader->GetOutput()));
   reader->RemoveObserver(messages);
@@ -197,13 +162,11 @@ inline void ExpectWriteError(vtkOpenEXRWriter* writer, unsigned long code)
 {
   vtkNew<Messages> messages;
   messages->Watch(writer);
-  const int before = TheWindow()->Errors;
   writer->Write();
   std::cout << messages->Text;
   EXR_CHECK(messages->Errors == 1);
   EXR_CHECK(messages->Warnings == 0);
   EXR_CHECK(messages->IsOneLine());
-  EXR_CHECK(TheWindow()->Errors == before);
   EXR_CHECK(writer->GetErrorCode() == code);
   writer->RemoveObserver(messages);
 }
@@ -283,34 +246,10 @@ inline int CountFiles(const std::string& directory)
     std::filesystem::directory_iterator(directory), std::filesystem::directory_iterator()));
 }
 
-// Runs the test named by the first argument with an empty folder, the second argument.
-inline int Main(int argc, char* argv[],
-  const std::map<std::string, std::function<void(const std::string&)>>& tests)
+// Where the running test writes, with a slash behind it; empty at first.
+inline std::string GetFolder()
 {
-  if (vtkIndirectTest::WantsList(argc, argv))
-  {
-    return vtkIndirectTest::List(tests, argc, argv);
-  }
-  const auto test = argc == 3 ? tests.find(argv[1]) : tests.end();
-  if (test == tests.end())
-  {
-    std::cerr << "Usage: " << argv[0] << " test folder\n";
-    return 2;
-  }
-  vtkNew<Window> window;
-  vtkOutputWindow::SetInstance(window);
-  std::filesystem::remove_all(argv[2]);
-  std::filesystem::create_directories(argv[2]);
-  test->second(std::string(argv[2]) + "/");
-  EXR_CHECK(window->Errors == 0);
-  EXR_CHECK(window->Warnings == 0);
-  vtkOutputWindow::SetInstance(nullptr);
-  if (Failures == 0)
-  {
-    std::filesystem::remove_all(argv[2]);
-  }
-  std::cout << argv[1] << ": " << (Failures ? "failed" : "passed") << "\n";
-  return Failures ? 1 : 0;
+  return vtkIndirectTest::GetArguments().at(0) + "/";
 }
 }
 

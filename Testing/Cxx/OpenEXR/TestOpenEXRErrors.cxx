@@ -43,8 +43,9 @@ void Patch(std::vector<char>& bytes, const std::string& name, const std::string&
 }
 
 //------------------------------------------------------------------------------
-void ReaderErrors(const std::string& folder)
+VTK_INDIRECT_TEST(ReaderErrors)
 {
+  const std::string folder = GetFolder();
   const std::string good = WriteSmall(folder + "good.exr");
   {
     vtkNew<vtkOpenEXRReader> reader;
@@ -122,8 +123,9 @@ void ReaderErrors(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void HugeSizes(const std::string& folder)
+VTK_INDIRECT_TEST(HugeSizes)
 {
+  const std::string folder = GetFolder();
   const std::vector<char> good = ReadBytes(WriteSmall(folder + "good.exr"));
   auto expectOneOf = [&](const std::vector<char>& bytes, const std::vector<unsigned long>& codes)
   {
@@ -215,8 +217,9 @@ void HugeSizes(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void Subsampled(const std::string& folder)
+VTK_INDIRECT_TEST(Subsampled)
 {
+  const std::string folder = GetFolder();
   const imath::Box2i window = MakeWindow(0, 31, 0, 31);
   std::vector<Plane> planes;
   planes.emplace_back("Y", exr::HALF, window, 1);
@@ -234,8 +237,9 @@ void Subsampled(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void Deep(const std::string& folder)
+VTK_INDIRECT_TEST(Deep)
 {
+  const std::string folder = GetFolder();
   WriteDeep(folder + "deep.exr");
   vtkNew<vtkOpenEXRReader> reader;
   reader->SetFileName((folder + "deep.exr").c_str());
@@ -244,8 +248,9 @@ void Deep(const std::string& folder)
 
 //------------------------------------------------------------------------------
 // Every length of a small file.
-void Truncated(const std::string& folder)
+VTK_INDIRECT_TEST(Truncated)
 {
+  const std::string folder = GetFolder();
   const imath::Box2i window = MakeWindow(0, 7, 0, 39);
   std::vector<std::vector<char>> files;
   {
@@ -279,8 +284,9 @@ void Truncated(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void WriterErrors(const std::string& folder)
+VTK_INDIRECT_TEST(WriterErrors)
 {
+  const std::string folder = GetFolder();
   const std::string path = folder + "out.exr";
   vtkNew<vtkOpenEXRWriter> writer;
   vtkNew<vtkOpenEXRWriter> noInput;
@@ -355,8 +361,9 @@ void WriterErrors(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void UnwritablePath(const std::string& folder)
+VTK_INDIRECT_TEST(UnwritablePath)
 {
+  const std::string folder = GetFolder();
   vtkNew<vtkOpenEXRWriter> writer;
   writer->SetInputData(MakeImage({ 0, 3, 0, 3, 0, 0 }, 3));
   writer->SetFileName((folder + "missing/out.exr").c_str());
@@ -393,8 +400,9 @@ void UnwritablePath(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void ExistingFile(const std::string& folder)
+VTK_INDIRECT_TEST(ExistingFile)
 {
+  const std::string folder = GetFolder();
   const std::string path = WriteSmall(folder + "file.exr");
   const std::vector<char> before = ReadBytes(path);
   vtkNew<vtkOpenEXRWriter> writer;
@@ -415,8 +423,9 @@ void ExistingFile(const std::string& folder)
 //------------------------------------------------------------------------------
 // A limit on the size of files stands in for a full disk, with room for the header or the pixels or
 // all but the last byte.
-void DiskFull(const std::string& folder)
+VTK_INDIRECT_TEST(DiskFull)
 {
+  const std::string folder = GetFolder();
 #ifdef _WIN32
   (void)folder;
   std::exit(125);
@@ -455,13 +464,4 @@ void DiskFull(const std::string& folder)
   }
 #endif
 }
-}
-
-int main(int argc, char* argv[])
-{
-  return Main(argc, argv,
-    { { "ReaderErrors", ReaderErrors }, { "HugeSizes", HugeSizes }, { "Subsampled", Subsampled },
-      { "Deep", Deep }, { "Truncated", Truncated }, { "WriterErrors", WriterErrors },
-      { "UnwritablePath", UnwritablePath }, { "ExistingFile", ExistingFile },
-      { "DiskFull", DiskFull } });
 }

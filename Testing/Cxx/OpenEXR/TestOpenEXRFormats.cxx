@@ -16,8 +16,9 @@ namespace
 {
 //------------------------------------------------------------------------------
 // Every compression, against what the library reads: some of them lose.
-void Compressions(const std::string& folder)
+VTK_INDIRECT_TEST(Compressions)
 {
+  const std::string folder = GetFolder();
   const imath::Box2i window = MakeWindow(-5, 94, 3, 302);
   const std::string path = folder + "compressed.exr";
   for (int compression = 0; compression < exr::NUM_COMPRESSION_METHODS; ++compression)
@@ -61,8 +62,9 @@ void Compressions(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void Tiled(const std::string& folder)
+VTK_INDIRECT_TEST(Tiled)
 {
+  const std::string folder = GetFolder();
   const std::string path = folder + "tiled.exr";
   for (const imath::Box2i& window :
     { MakeWindow(0, 99, 0, 69), MakeWindow(-33, 12, -100, -51), MakeWindow(7, 7, 9, 9) })
@@ -100,8 +102,9 @@ void Tiled(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void MultiPart(const std::string& folder)
+VTK_INDIRECT_TEST(MultiPart)
 {
+  const std::string folder = GetFolder();
   const imath::Box2i window = MakeWindow(0, 30, 0, 40);
   const std::string path = folder + "parts.exr";
   std::vector<std::vector<Plane>> parts(3);
@@ -132,8 +135,9 @@ void MultiPart(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void PixelTypes(const std::string& folder)
+VTK_INDIRECT_TEST(PixelTypes)
 {
+  const std::string folder = GetFolder();
   const imath::Box2i window = MakeWindow(0, 63, 0, 63);
   std::vector<Plane> planes;
   planes.emplace_back("R", exr::HALF, window, 1);
@@ -146,8 +150,9 @@ void PixelTypes(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void ChannelOrder(const std::string& folder)
+VTK_INDIRECT_TEST(ChannelOrder)
 {
+  const std::string folder = GetFolder();
   const imath::Box2i window = MakeWindow(0, 4, 0, 4);
   const std::string path = folder + "order.exr";
   const std::vector<std::vector<std::string>> orders = { { "R", "G", "B", "A" }, { "R", "G", "B" },
@@ -180,8 +185,9 @@ void ChannelOrder(const std::string& folder)
 
 //------------------------------------------------------------------------------
 // Reading from memory, and a list of files.
-void Memory(const std::string& folder)
+VTK_INDIRECT_TEST(Memory)
 {
+  const std::string folder = GetFolder();
   const imath::Box2i window = MakeWindow(0, 30, 0, 40);
   std::vector<Plane> planes;
   planes.emplace_back("Y", exr::FLOAT, window, 1);
@@ -223,8 +229,9 @@ void Memory(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void CanReadFile(const std::string& folder)
+VTK_INDIRECT_TEST(CanReadFile)
 {
+  const std::string folder = GetFolder();
   const imath::Box2i window = MakeWindow(0, 3, 0, 3);
   std::vector<Plane> planes;
   planes.emplace_back("Y", exr::FLOAT, window, 1);
@@ -243,8 +250,9 @@ void CanReadFile(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void Print(const std::string& folder)
+VTK_INDIRECT_TEST(Print)
 {
+  const std::string folder = GetFolder();
   vtkNew<vtkOpenEXRWriter> writer;
   writer->SetInputData(MakeImage({ 0, 3, 0, 3, 0, 0 }, 3));
   writer->SetAttribute("owner", "somebody");
@@ -264,12 +272,4 @@ void Print(const std::string& folder)
     EXR_CHECK(text.str().find(word) != std::string::npos);
   }
 }
-}
-
-int main(int argc, char* argv[])
-{
-  return Main(argc, argv,
-    { { "Compressions", Compressions }, { "Tiled", Tiled }, { "MultiPart", MultiPart },
-      { "PixelTypes", PixelTypes }, { "ChannelOrder", ChannelOrder }, { "Memory", Memory },
-      { "CanReadFile", CanReadFile }, { "Print", Print } });
 }

@@ -134,8 +134,9 @@ std::vector<char> Mutate(const std::vector<char>& seed, Random& random)
 }
 
 //------------------------------------------------------------------------------
-void Fuzz(const std::string& folder)
+VTK_INDIRECT_TEST(Fuzz)
 {
+  const std::string folder = GetFolder();
   const std::vector<std::vector<char>> seeds = MakeSeeds(folder);
   const char* wanted = std::getenv("VTK_INDIRECT_FUZZ_MUTATIONS");
   const int mutationsPerSeed = wanted ? std::max(1, std::atoi(wanted)) : MutationsPerSeed;
@@ -185,9 +186,4 @@ void Fuzz(const std::string& folder)
             << " of them readable, slowest " << slowest << " s\n";
   EXR_CHECK(readable > 0 && readable < mutations);
 }
-}
-
-int main(int argc, char* argv[])
-{
-  return Main(argc, argv, { { "Fuzz", Fuzz } });
 }

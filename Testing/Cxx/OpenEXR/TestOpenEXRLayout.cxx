@@ -9,8 +9,9 @@ using namespace exrtest;
 namespace
 {
 //------------------------------------------------------------------------------
-void Layers(const std::string& folder)
+VTK_INDIRECT_TEST(Layers)
 {
+  const std::string folder = GetFolder();
   auto beauty = MakeImage({ 0, 19, 0, 14, 0, 0 }, 4, VTK_FLOAT, 1);
   auto albedo = MakeImage({ 0, 19, 0, 14, 0, 0 }, 3, VTK_FLOAT, 2);
   auto depth = MakeImage({ 5, 24, -3, 11, 2, 2 }, 1, VTK_FLOAT, 3); // same dimensions, elsewhere
@@ -68,8 +69,9 @@ void Layers(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void Attributes(const std::string& folder)
+VTK_INDIRECT_TEST(Attributes)
 {
+  const std::string folder = GetFolder();
   const std::string binary = std::string("a\0b\n\xff", 5);
   const std::string longName(255, 'n');
   vtkNew<vtkOpenEXRWriter> writer;
@@ -106,8 +108,9 @@ void Attributes(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void Windows(const std::string& folder)
+VTK_INDIRECT_TEST(Windows)
 {
+  const std::string folder = GetFolder();
   // The extent becomes the data window, also with negative numbers.
   for (const std::vector<int>& extent :
     { std::vector<int>{ -7, 4, -20, -3, 0, 0 }, std::vector<int>{ 100, 130, -5, 40, 0, 0 } })
@@ -178,8 +181,9 @@ void Windows(const std::string& folder)
 
 //------------------------------------------------------------------------------
 // The pipeline may ask for a piece of the image.
-void SubExtent(const std::string& folder)
+VTK_INDIRECT_TEST(SubExtent)
 {
+  const std::string folder = GetFolder();
   auto image = MakeImage({ -10, 89, 5, 204, 0, 0 }, 3);
   for (int compression = 0; compression < 3; ++compression)
   {
@@ -250,8 +254,9 @@ std::string NameOfSeven(
 //------------------------------------------------------------------------------
 // Names of series, in both syntaxes with any version of VTK. What is expected is what printf and
 // std::format make of the pattern.
-void Patterns(const std::string& folder)
+VTK_INDIRECT_TEST(Patterns)
 {
+  const std::string folder = GetFolder();
   const struct
   {
     const char* Prefix;
@@ -316,8 +321,9 @@ void Patterns(const std::string& folder)
 
 //------------------------------------------------------------------------------
 // A volume is a series of files.
-void Series(const std::string& folder)
+VTK_INDIRECT_TEST(Series)
 {
+  const std::string folder = GetFolder();
   auto volume = MakeImage({ 0, 7, 0, 5, 3, 6 }, 3);
   vtkNew<vtkOpenEXRWriter> writer;
   writer->SetInputData(volume);
@@ -343,11 +349,4 @@ void Series(const std::string& folder)
   reader->Modified();
   ExpectReadError(reader, vtkErrorCode::FileFormatError);
 }
-}
-
-int main(int argc, char* argv[])
-{
-  return Main(argc, argv,
-    { { "Layers", Layers }, { "Attributes", Attributes }, { "Windows", Windows },
-      { "SubExtent", SubExtent }, { "Patterns", Patterns }, { "Series", Series } });
 }

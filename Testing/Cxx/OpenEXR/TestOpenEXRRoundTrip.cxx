@@ -31,8 +31,9 @@ std::uint32_t ToBits(float value)
 
 //------------------------------------------------------------------------------
 // Any bit pattern survives as float, with every compression and number of components.
-void RoundTrip(const std::string& folder)
+VTK_INDIRECT_TEST(RoundTrip)
 {
+  const std::string folder = GetFolder();
   Random random(7);
   for (int compression = 0; compression < 3; ++compression)
   {
@@ -120,8 +121,9 @@ void RoundTrip(const std::string& folder)
 
 //------------------------------------------------------------------------------
 // All 65536 values of half.
-void HalfValues(const std::string& folder)
+VTK_INDIRECT_TEST(HalfValues)
 {
+  const std::string folder = GetFolder();
   for (int compression = 0; compression < 3; ++compression)
   {
     auto image = MakeImage({ 0, 255, 0, 255, 0, 0 }, 1);
@@ -161,8 +163,9 @@ void HalfValues(const std::string& folder)
 
 //------------------------------------------------------------------------------
 // Rounding to the nearest half, ties to even, from float and from double, against a search.
-void HalfRounding(const std::string& folder)
+VTK_INDIRECT_TEST(HalfRounding)
 {
+  const std::string folder = GetFolder();
   std::vector<double> values; // the finite halves that are not negative, by their bits
   for (int i = 0; i < 0x7c00; ++i)
   {
@@ -221,8 +224,9 @@ void HalfRounding(const std::string& folder)
 
 //------------------------------------------------------------------------------
 // Values beyond the range are clamped, and told once.
-void Range(const std::string& folder)
+VTK_INDIRECT_TEST(Range)
 {
+  const std::string folder = GetFolder();
   const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double input[8] = { 65504.0, 65505.0, -70000.0, 1e30, -1e300, infinity, -infinity, nan };
@@ -269,8 +273,9 @@ void Range(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void Shapes(const std::string& folder)
+VTK_INDIRECT_TEST(Shapes)
 {
+  const std::string folder = GetFolder();
   for (int compression = 0; compression < 3; ++compression)
   {
     for (int pixels = 0; pixels < 2; ++pixels)
@@ -299,11 +304,4 @@ void Shapes(const std::string& folder)
     }
   }
 }
-}
-
-int main(int argc, char* argv[])
-{
-  return Main(argc, argv,
-    { { "RoundTrip", RoundTrip }, { "HalfValues", HalfValues }, { "HalfRounding", HalfRounding },
-      { "Range", Range }, { "Shapes", Shapes } });
 }

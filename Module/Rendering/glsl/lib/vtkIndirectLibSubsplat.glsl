@@ -24,7 +24,7 @@ bool vtkiSubsplatIsSample(float state)
   return state != VTKI_SUBSPLAT_EMPTY && state != VTKI_SUBSPLAT_SPLIT;
 }
 
-// Illumination at a texel, in its alpha; a bilinear filter tells by it whether the own texel, of weight
+// Illumination at a texel, in its alpha; by it a bilinear filter shows whether the own texel, of weight
 // 9/16, is smooth, and whether all four are. The alpha of the vector irradiance is 1 where it is split.
 const float VTKI_ILLUMINATION_NONE = 0.0f;
 const float VTKI_ILLUMINATION_HERE = 0.0625f;

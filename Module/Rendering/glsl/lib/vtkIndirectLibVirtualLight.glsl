@@ -29,4 +29,11 @@ float vtkiVirtualLightStrength(vec3 toSender, vec3 normalS, float area)
   float denominator = r2 * (VTKI_PI * r2 + area);
   return denominator > 0.0f ? projectedS / denominator : 0.0f;
 }
+
+/* Weight w such that light from a direction, of radiance times solid angle LO, adds LO * w to a
+ * receiver's irradiance (VTK units: physical over pi). toLight, normalR: unit. */
+float vtkiDirectionWeight(vec3 toLight, vec3 normalR)
+{
+  return max(dot(normalR, toLight), 0.0f) / VTKI_PI;
+}
 #endif

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Capture/vtkIndirectCaptureText.h"
+
+#include "Capture/vtkIndirectCaptureLights.h"
+#include "Capture/vtkIndirectLightConstants.h"
+#include "OpenGL/vtkIndirectFlatUniforms.h"
+#include "OpenGL/vtkIndirectShaderLibrary.h"
+#include "vtkShaderProgram.h"
+
+namespace
+{
+const std::string PreLightMarker = "//VTKI::PreLight";
+
+void ReplaceAll(std::string& text, const std::string& from, const std::string& to)
+{
+  for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+  {
+    text.replace(at, from.size(), to);
+  }
+}
+
+bool Contains(const std::string& text, const char* what)
+{
+  return text.find(what) != std::string::npos;
+}
+
+// Edges of faces have a width in pixels: none in a map. VTK draws them within the faces, which it
+// widens for it.
+void LeaveEdgesOutOfMaps(std::string& geometryShader, std::string& fragmentShader)
+{
+  if (!Contains(geometryShader, "edgeEqn") || !Contains(fragmentShader, "edgeEqn"))
+  {
+    return;
+  }
+  const std::string declaration = "uniform float vtkiLineWidth;";
+  auto replace = [&declaration](std::string& text, const std::string& stage, const char* width)
+  {
+    ReplaceAll(text, "lineWidth", "vtkiLineWidth");
+    vtkShaderProgram::Substitute(text, declaration,
+      "uniform float lineWidth;\n" + stage +
+        "#define vtkiLineWidth (vtkiStage == 0 ? lineWidth : " + width + ")\n",
+      false);
+  };
+  replace(geometryShader, "uniform int vtkiStage;\n", "0.0");
+  // So thin that no pixel is near enough to have a share of it.
+  replace(fragmentShader, "", "-1.0e6");
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCaptureText::Prepare(std::string& fragmentShader)
+{
+  if (!Contains(fragmentShader, PreLightMarker.c_str()))
+  {
+    vtkShaderProgram::Substitute(
+      fragmentShader, "//VTK::Light::Impl", PreLightMarker + "\n  //VTK::Light::Impl", false);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectCaptureText::IsAdded(const std::string& fragmentShader)
+{
+  return Contains(fragmentShader, "vtkiStage");
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCaptureText::Add(
+  std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader) const
+{
+  // A map's projection may differ from the eye's; see vtkIndirectLightMap::GetCamera.
+  for (std::string* text : { &vertexShader, &geometryShader, &fragmentShader })
+  {
+    ReplaceAll(*text, "cameraParallel", "vtkiParallel");
+  }
+
+  const bool positioned = Contains(fragmentShader, "vertexVC");
+  const bool lit = positioned && Contains(fragmentShader, "normalVCVSOutput");
+  const bool pbr = Contains(fragmentShader, "vec3 albedo =");
+  const bool textured = !pbr && Contains(fragmentShader, "vec4 tcolor =");
+
+  // Visibility, light by light, as a factor on VTK's own light colour.
+  std::string visibility;
+  int lights = 0;
+  for (;; ++lights)
+  {
+    const std::string n = std::to_string(lights);
+    if (!Contains(fragmentShader, ("uniform vec3 lightColor" + n + ";").c_str()))
+    {
+      break;
+    }
+    // The only piece of light code that is matched as text: a cosine of a uniform at every pixel.
+    ReplaceAll(fragmentShader, "cos(radians(lightConeAngle" + n + "))",
+      vtkIndirectCaptureLights::GetConeCosine(lights));
+    if (lit && this->Shadows)
+    {
+      visibility += "  vec3 lightColor" + n + " = lightColor" + n + " * vtkiVisibility(" +
+        vtkIndirectCaptureLights::GetArguments(lights) + ", " +
+        std::to_string(this->LightConstants.GetProjection(lights)) +
+        ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC);\n";
+    }
+  }
+  if (lit)
+  {
+    // Derivatives belong in front of anything that may discard.
+    visibility = std::string("  vec2 vtkiSlope = vtkiDepthSlope(-vertexVC.z * vtkiSceneScale);\n") +
+      (this->Shadows ? "  vec3 vtkiPosition = vertexVC.xyz * vtkiSceneScale;\n"
+                       "  vec3 vtkiFacetNormalVC = vtkiFacetNormal(vtkiPosition,\n"
+                       "    cross(dFdx(vtkiPosition), dFdy(vtkiPosition)), normalVCVSOutput);\n"
+                     : "") +
+      this->LightConstants.GetDeclarations(fragmentShader) + visibility;
+  }
+  ReplaceAll(fragmentShader, PreLightMarker, visibility);
+
+  std::string declarations = (this->Shadows ? "#define VTKI_SHADOWS\n" : "") +
+    vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureDecFS.glsl");
+  for (int light = 0; light < lights; ++light)
+  {
+    declarations += vtkIndirectCaptureLights::GetDeclarations(light, this->Shadows);
+  }
+  if (!Contains(fragmentShader, "uniform int vtkiParallel"))
+  {
+    declarations += "uniform int vtkiParallel;\n";
+  }
+  std::string albedo = "diffuseColor";
+  if (pbr)
+  {
+    albedo = "(albedo * (1.0 - metallic))";
+  }
+  else if (textured)
+  {
+    albedo = "(diffuseColor * vtkiTextureColor)";
+  }
+  const char* const kind =
+    !lit ? "VTKI_SURFACE_UNLIT" : (pbr ? "VTKI_SURFACE_ENCODED" : "VTKI_SURFACE_LINEAR");
+  if (pbr)
+  {
+    // One; by it SetShaderParameters knows the programs whose colours are encoded.
+    declarations += "uniform float vtkiEncoded;\n";
+  }
+  declarations += "#define VTKI_ALBEDO " + albedo + "\n";
+  declarations += std::string("#define VTKI_NORMAL ") + (lit ? "normalVCVSOutput" : "vec3(0.0)") +
+    "\n#define VTKI_SLOPE " + (lit ? "vtkiSlope" : "vec2(0.0)") + "\n#define VTKI_KIND " + kind +
+    "\n#define VTKI_DEPTH " +
+    (positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()") +
+    // VTK's PBR divides diffuse reflection by pi, its Phong does not.
+    "\n#define VTKI_SENDER_SCALE " +
+    (pbr ? "(vtkiMapLight.z * vtkiEncoded / VTKI_PI)" : "vtkiMapLight.z") + "\n";
+  if (this->Soft)
+  {
+    declarations += "#define VTKI_SOFT\n";
+  }
+  LeaveEdgesOutOfMaps(geometryShader, fragmentShader);
+  // Extensions stand before all but what the preprocessor reads; see vtkIndirectLibAlbedo.glsl.
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
+    std::string("//VTK::System::Dec\n") + vtkIndirectShaderLibrary::Extensions, false);
+  vtkShaderProgram::Substitute(fragmentShader, "void main()", declarations + "void main()", false);
+
+  std::string outputs;
+  if (textured)
+  {
+    outputs += Contains(fragmentShader, "showTexturesOnBackface")
+      ? "  vec3 vtkiTextureColor = gl_FrontFacing || showTexturesOnBackface ? tcolor.rgb : "
+        "vec3(1.0);\n"
+      : "  vec3 vtkiTextureColor = tcolor.rgb;\n";
+  }
+  if (this->Specular)
+  {
+    // VTK declares these where a surface is lit; its PBR has them too and does not use them.
+    const bool phong = lit && !pbr && Contains(fragmentShader, "vec3 specularColor =") &&
+      Contains(fragmentShader, "float specularPower =");
+    outputs += std::string("#define VTKI_SPECULAR ") +
+      (phong ? "vec4(specularColor, specularPower)\n" : "vec4(0.0)\n");
+  }
+  outputs += vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureImplFS.glsl");
+  vtkShaderProgram::Substitute(
+    fragmentShader, "//VTK::DepthPeeling::Impl", outputs + "  //VTK::DepthPeeling::Impl", false);
+  if (this->FlatUniforms && geometryShader.empty())
+  {
+    // Those of two lights with shadows. Beyond, triangles cost more than pixels save.
+    constexpr int maximum = 72;
+    vtkIndirectFlatUniforms::Move(vertexShader, fragmentShader, maximum);
+  }
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Capture/vtkIndirectColorOnlyProp.h"
+
+#include "Capture/vtkSurfaceCapturePass.h"
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkIndirectColorOnlyProp);
+
+vtkIndirectColorOnlyProp::vtkIndirectColorOnlyProp() = default;
+vtkIndirectColorOnlyProp::~vtkIndirectColorOnlyProp() = default;
+
+//------------------------------------------------------------------------------
+void vtkIndirectColorOnlyProp::Set(vtkProp* prop, vtkSurfaceCapturePass* capture)
+{
+  this->Prop = prop;
+  this->Capture = capture;
+  this->SetUseBounds(prop && prop->GetUseBounds());
+  if (prop)
+  {
+    // Passes choose props by their keys.
+    this->SetPropertyKeys(prop->GetPropertyKeys());
+  }
+}
+
+//------------------------------------------------------------------------------
+double* vtkIndirectColorOnlyProp::GetBounds()
+{
+  return this->Prop ? this->Prop->GetBounds() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkIndirectColorOnlyProp::GetRedrawMTime()
+{
+  return this->Prop ? this->Prop->GetRedrawMTime() : this->GetMTime();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkIndirectColorOnlyProp::HasTranslucentPolygonalGeometry()
+{
+  return this->Prop && this->Prop->HasTranslucentPolygonalGeometry();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkIndirectColorOnlyProp::HasOpaqueGeometry()
+{
+  return this->Prop && this->Prop->HasOpaqueGeometry();
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectColorOnlyProp::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  this->Capture->DrawChannel(vtkSurfaceCapturePass::Color);
+  if (!this->Prop)
+  {
+    return 0;
+  }
+  const int drawn = this->Prop->RenderOpaqueGeometry(viewport);
+  if (drawn > 0)
+  {
+    this->Capture->DrawChannel(vtkSurfaceCapturePass::NoSurface);
+    this->Prop->RenderOpaqueGeometry(viewport);
+    this->Capture->DrawChannel(vtkSurfaceCapturePass::Color);
+  }
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectColorOnlyProp::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
+{
+  return this->Prop ? this->Prop->RenderTranslucentPolygonalGeometry(viewport) : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectColorOnlyProp::RenderVolumetricGeometry(vtkViewport* viewport)
+{
+  return this->Prop ? this->Prop->RenderVolumetricGeometry(viewport) : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectColorOnlyProp::RenderOverlay(vtkViewport* viewport)
+{
+  return this->Prop ? this->Prop->RenderOverlay(viewport) : 0;
+}

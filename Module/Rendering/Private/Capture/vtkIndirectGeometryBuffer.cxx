@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+
+#include "Capture/vtkIndirectColorOnlyProp.h"
+#include "Capture/vtkIndirectShadowMaps.h"
+#include "Capture/vtkSurfaceCapturePass.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectRendererAccess.h"
+#include "OpenGL/vtkIndirectFullScreenProgram.h"
+#include "OpenGL/vtkIndirectPaths.h"
+#include "OpenGL/vtkIndirectTarget.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+
+#include <unordered_set>
+
+namespace
+{
+const vtkIndirectChannel Channels[] = {
+  { "geometry.lit", "vtkiLit", "VTK's shading with shadows, premultiplied alpha", GL_RGBA32F,
+    "view", "VTK radiance" },
+  { "geometry.surface", "vtkiSurface", "linear depth, octahedral normal and kind", GL_RG32F, "view",
+    "scene units, 1" },
+  // Only where not all is solid, or something is specular.
+  { "geometry.albedo", "vtkiAlbedo", "albedo", GL_R32F, "-", "1" },
+  // Only where a material of the scene is specular.
+  { "geometry.specular", "vtkiSpecular", "specular reflectance, power of the lobe", GL_RGBA16F, "-",
+    "1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+// What stands for props that draw colour alone, and one behind all props.
+using StandIns = std::vector<vtkSmartPointer<vtkIndirectColorOnlyProp>>;
+
+StandIns ReplaceColorOnly(
+  const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture, std::vector<vtkProp*>& props)
+{
+  StandIns standIns;
+  auto replace = [&](vtkProp* prop)
+  {
+    standIns.push_back(vtkSmartPointer<vtkIndirectColorOnlyProp>::New());
+    standIns.back()->Set(prop, capture);
+    return standIns.back().Get();
+  };
+  const std::unordered_set<vtkProp*> colorOnly(frame.ColorOnly.begin(), frame.ColorOnly.end());
+  for (vtkProp*& prop : props)
+  {
+    prop = colorOnly.count(prop) ? replace(prop) : prop;
+  }
+  props.push_back(replace(nullptr));
+  return standIns;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectGeometryBuffer::vtkIndirectGeometryBuffer()
+  : Target(new vtkIndirectTarget(Channels, true))
+  , ClearKernel(new vtkIndirectFullScreenProgram("vtkIndirectClearFS.glsl"))
+{
+  this->Target->SetNumberOfChannels(this->NumberOfChannels);
+}
+
+vtkIndirectGeometryBuffer::~vtkIndirectGeometryBuffer() = default;
+
+//------------------------------------------------------------------------------
+void vtkIndirectGeometryBuffer::DisableBlending(vtkOpenGLState* state, int channels)
+{
+  if (IsAlbedoInLit(channels))
+  {
+    state->vtkglDisable(GL_BLEND);
+    return;
+  }
+  // VTK's state knows one switch for all draw buffers, and compares it with the first.
+  for (int i = Surface; i < channels; ++i)
+  {
+    glDisablei(GL_BLEND, static_cast<unsigned int>(i));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirectFrame& frame,
+  const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture, const vtkIndirectShadowMaps* shadows)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+
+  this->NumberOfChannels = plan.Specular ? Specular + 1 : plan.AlbedoInAlpha ? Albedo : Albedo + 1;
+  this->Target->SetNumberOfChannels(this->NumberOfChannels);
+  this->Target->MatchDepth();
+  if (!this->Target->Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  {
+    return false;
+  }
+  this->Target->Begin();
+  // Where nothing is blended, pixels that something is drawn to need not be cleared before.
+  const bool byGL = vtkIndirectPaths::Get(vtkIndirectPaths::Clear) == vtkIndirectPaths::ClearByGL;
+  const bool clearAfter = !byGL && this->HasAlbedoInLit() && this->DepthTellsBackground(frame);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  byGL ? this->Target->Clear() : this->Target->ClearDepth();
+  if (!byGL && !clearAfter && !this->Clear(frame.Window, false))
+  {
+    this->Target->End();
+    return false;
+  }
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  // VTK draws opaque props blended too: textures and point sprites have soft edges. Only colour is
+  // mixed: the other channels' alphas hold bits and powers.
+  state->vtkglEnable(GL_BLEND);
+  DisableBlending(state, this->NumberOfChannels);
+
+  vtkRenderState s2(s->GetRenderer());
+  std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  // Where all is solid there are none.
+  const StandIns standIns =
+    this->HasAlbedoInLit() ? StandIns() : ReplaceColorOnly(frame, capture, props);
+  s2.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  s2.SetFrameBuffer(this->Target->GetFramebuffer());
+  s2.SetRequiredKeys(s->GetRequiredKeys());
+  capture->BeginEye(frame, shadows, this->Target->GetFramebuffer(), this->NumberOfChannels);
+  // The background is not for this buffer, whatever passes draw into it.
+  vtkTypeBool& clearing = vtkIndirectRendererAccess::Clearing(s->GetRenderer());
+  const vtkTypeBool erase = clearing;
+  clearing = 0;
+  capture->Render(&s2);
+  clearing = erase;
+  capture->EndStage();
+  this->Encoded = capture->HasEncoded();
+  this->NumberOfRenderedProps = capture->GetNumberOfRenderedProps();
+  // All draw buffers as VTK's state has them.
+  state->vtkglEnable(GL_BLEND);
+  for (int i = Surface; i < this->NumberOfChannels; ++i)
+  {
+    glEnablei(GL_BLEND, static_cast<unsigned int>(i));
+  }
+  const bool complete = !clearAfter || this->Clear(frame.Window, true);
+  this->Target->End();
+  return complete;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectGeometryBuffer::DepthTellsBackground(const vtkIndirectFrame& frame) const
+{
+  // From which share of the far plane's distance on depths are those of the background: half a step
+  // of the depth buffer, over the slope of depth there.
+  constexpr double mostLost = 1e-3;
+  const double slope = frame.Parallel ? 1.0 : frame.Near / frame.Far;
+  return 0.5 * this->Target->GetDepthStep() < mostLost * slope;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectGeometryBuffer::Clear(vtkOpenGLRenderWindow* window, bool background)
+{
+  vtkOpenGLState* state = window->GetState();
+  vtkIndirectFullScreenState kernelState(window);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  if (!this->ClearKernel->Use(window))
+  {
+    return false;
+  }
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  if (background)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    state->vtkglDepthMask(GL_FALSE);
+    // VTK's state does not know the range, and has the default.
+    glDepthRange(1.0, 1.0);
+  }
+  this->ClearKernel->Draw();
+  if (background)
+  {
+    glDepthRange(0.0, 1.0);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectGeometryBuffer::ActivateAlbedo(vtkShaderProgram* program) const
+{
+  this->Target->Activate(Lit, program);
+  if (!this->HasAlbedoInLit())
+  {
+    this->Target->Activate(Albedo, program);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectGeometryBuffer::Release(vtkWindow* window)
+{
+  this->Target->Release(window);
+  this->ClearKernel->Release();
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Capture/vtkIndirectLightConstants.h"
+
+#include "Frame/vtkIndirectFrame.h"
+
+//------------------------------------------------------------------------------
+bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame, bool shadows)
+{
+  std::vector<Constant> constants;
+  std::vector<int> projections;
+  auto add = [&constants](
+               const std::string& type, const std::string& name, int light, const char* value)
+  {
+    const std::string variable = type + " " + name + std::to_string(light);
+    constants.push_back({ "uniform " + variable + ";", "  " + variable + " = " + value + ";\n" });
+  };
+  for (const vtkIndirectLight& light : frame.Lights)
+  {
+    const int n = light.Index;
+    if (shadows)
+    {
+      projections.push_back(light.FindMapProjection());
+    }
+    add("int", "lightPositional", n, light.Positional ? "1" : "0");
+    if (!light.Positional)
+    {
+      continue; // it has no cone
+    }
+    if (light.ConeAngle >= 90.0)
+    {
+      add("float", "lightConeAngle", n, "90.0");
+    }
+    else if (light.Exponent == 0.0 || light.Exponent == 1.0)
+    {
+      add("float", "lightExponent", n, light.Exponent == 0.0 ? "0.0" : "1.0");
+    }
+  }
+  const bool changed = constants != this->Constants || projections != this->Projections ||
+    frame.Specular != this->Specular;
+  this->Projections = std::move(projections);
+  this->Constants = std::move(constants);
+  this->Specular = frame.Specular;
+  return changed;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectLightConstants::GetDeclarations(const std::string& fragmentShader) const
+{
+  std::string text;
+  for (const Constant& constant : this->Constants)
+  {
+    if (fragmentShader.find(constant.Uniform) != std::string::npos)
+    {
+      text += constant.Declaration;
+    }
+  }
+  // A local variable of VTK's already. Where no material of the scene has a lobe, none is
+  // evaluated.
+  if (!this->Specular && fragmentShader.find("vec3 specularColor =") != std::string::npos)
+  {
+    text += "  specularColor = vec3(0.0);\n";
+  }
+  return text;
+}

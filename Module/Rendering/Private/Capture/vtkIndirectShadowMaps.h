@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the capture reads of lights' maps, as numbers: it draws into them and looks shadows up in
+// them, and knows nothing else of them.
+#ifndef vtkIndirectShadowMaps_h
+#define vtkIndirectShadowMaps_h
+
+#include <glm/glm.hpp> // for the transformation
+#include <vector>      // for the maps
+
+/** A map that surfaces are drawn into; lengths in scene units. */
+struct vtkIndirectMapView
+{
+  bool Positional = false; // the light
+  bool Parallel = true;    // the projection
+  double Near = 0.0;       // along a face's axis
+  double Far = 1.0;
+  double TexelWidth = 1.0; // tangents (perspective) or scene units (parallel)
+};
+
+/** A map that shadows are looked up in. */
+struct vtkIndirectShadowMap
+{
+  int Light = 0;                  // vtkIndirectLight::Index
+  glm::dmat4 WorldToLight{ 1.0 }; // world units
+  int FirstLayer = 0;
+  int NumberOfFaces = 1;
+  int Projection = 0;     // VTKI_MAP_...
+  double HalfWidth = 1.0; // tangents (perspective) or scene units (parallel)
+  double Near = 0.0;      // scene units
+  double Far = 1.0;
+  double Attenuation = 1.0; // vtkLight::ShadowAttenuation
+};
+
+struct vtkIndirectShadowMaps
+{
+  std::vector<vtkIndirectShadowMap> Maps;
+  int Texels = 0; // along an edge of a map
+  int Unit = -1;  // texture unit that the rows of depths are bound to; -1 where there are none
+};
+
+#endif

@@ -1,0 +1,496 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Capture/vtkSurfaceCapturePass.h"
+
+#include "Capture/vtkIndirectCaptureLights.h"
+#include "Capture/vtkIndirectCaptureText.h"
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Capture/vtkIndirectLightConstants.h"
+#include "Capture/vtkIndirectShadowMaps.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectPaths.h"
+#include "vtkAbstractMapper.h"
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkProp.h"
+#include "vtkProperty.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <unordered_map>
+#include <vector>
+
+vtkStandardNewMacro(vtkSurfaceCapturePass);
+vtkCxxSetObjectMacro(vtkSurfaceCapturePass, DelegatePass, vtkRenderPass);
+
+//------------------------------------------------------------------------------
+struct vtkSurfaceCapturePass::Internals
+{
+  std::vector<vtkWeakPointer<vtkProp>> Attached;
+
+  // Uniforms of the current stage.
+  int Stage = 0;
+  int Channels = 0; // of the geometry buffer
+  float SceneScale = 1.0f;
+  float Magnitude = 0.0f;
+  float DepthRange[3] = { 0.0f, 1.0f, 0.0f };
+  int StageIsParallel = 0;
+  bool Encoded = false; // whether the stage has drawn encoded colours
+  vtkIndirectCaptureLights Lights;
+  int ShadowUnit = -1;
+  bool OwnsUnit = false;
+
+  // The geometry buffer.
+  vtkOpenGLFramebufferObject* Framebuffer = nullptr;
+  bool Redirected = false;
+  std::unique_ptr<vtkOpenGLState::ScopedglBlendFuncSeparate> Blending; // while there is no surface
+
+  // Draws a shader's outputs to `count` channels from `first` on, and no others. VTK's state keeps
+  // draw buffers by their place in the list and does not see one that becomes shorter: the list
+  // always has all channels.
+  void UseChannels(int first, int count)
+  {
+    unsigned int buffers[vtkIndirectGeometryBuffer::Specular + 1];
+    for (int i = 0; i < this->Channels; ++i)
+    {
+      buffers[i] =
+        i < count ? GL_COLOR_ATTACHMENT0 + static_cast<unsigned int>(first + i) : GL_NONE;
+    }
+    this->Window->GetState()->vtkglDrawBuffers(static_cast<unsigned int>(this->Channels), buffers);
+  }
+
+  // Whether colours and depth of what a map's stage draws next are written.
+  void UseMap(bool colors, bool depth)
+  {
+    vtkOpenGLState* state = this->Window->GetState();
+    const GLboolean mask = colors ? GL_TRUE : GL_FALSE;
+    state->vtkglColorMask(mask, mask, mask, mask);
+    state->vtkglDepthMask(depth ? GL_TRUE : GL_FALSE);
+  }
+  glm::vec3 MapLight{ 0.0f };
+  vtkIndirectLightConstants LightConstants;
+  vtkOpenGLRenderWindow* Window = nullptr;
+
+  // A stage without shadows looks none up, but its sampler still needs a texture unit that no
+  // sampler of another type uses.
+  void ReserveUnit()
+  {
+    this->ShadowUnit = this->Window->GetState()->GetTextureUnitManager()->Allocate();
+    this->OwnsUnit = true;
+  }
+
+  // Whether uniforms come as flat varyings, for which there must be enough pixels a triangle.
+  bool FlatUniforms = false;
+
+  // Returns whether that has changed, which rebuilds all shaders: with hysteresis, so that it is
+  // rare.
+  bool UpdateFlatUniforms(const vtkIndirectFrame& frame)
+  {
+    const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
+    const bool flat =
+      vtkIndirectPaths::Get(vtkIndirectPaths::Uniforms) == vtkIndirectPaths::UniformsFlat &&
+      pixels > (this->FlatUniforms ? 4.0 : 8.0) * frame.NumberOfTriangles;
+    const bool changed = flat != this->FlatUniforms;
+    this->FlatUniforms = flat;
+    return changed;
+  }
+
+  // The camera that a program's lighting uniforms were last set for.
+  std::unordered_map<vtkShaderProgram*, vtkCamera*> ProgramCameras;
+  vtkCamera* Camera = nullptr;
+};
+
+namespace
+{
+// Which of its primitives a mapper is about to draw.
+class MapperPrimitive : public vtkOpenGLPolyDataMapper
+{
+public:
+  static bool IsTriangles(vtkAbstractMapper* mapper, vtkProp* prop)
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    auto* polygons = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+    const vtkOpenGLHelper* drawn = polygons ? polygons->*(&MapperPrimitive::LastBoundBO) : nullptr;
+    return (!actor || actor->GetProperty()->GetRepresentation() == VTK_SURFACE) && drawn &&
+      (drawn->PrimitiveType == PrimitiveTris || drawn->PrimitiveType == PrimitiveTriStrips);
+  }
+};
+
+vtkPointGaussianMapper* FindSplats(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor ? vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceCapturePass::vtkSurfaceCapturePass()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceCapturePass::~vtkSurfaceCapturePass()
+{
+  this->Detach();
+  this->SetDelegatePass(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DelegatePass: " << this->DelegatePass << "\n";
+  os << indent << "Shadows: " << (this->Shadows ? "On" : "Off") << "\n";
+  os << indent << "Specular: " << (this->Specular ? "On" : "Off") << "\n";
+  os << indent << "NumberOfShaderBuilds: " << this->NumberOfShaderBuilds << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::SetShadows(bool shadows)
+{
+  if (shadows != this->Shadows)
+  {
+    this->Shadows = shadows;
+    this->SourceTime.Modified();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::SetSpecular(bool specular)
+{
+  if (specular != this->Specular)
+  {
+    this->Specular = specular;
+    this->SourceTime.Modified();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
+{
+  this->Detach();
+  bool changed = this->Internal->LightConstants.Update(frame, this->Shadows);
+  changed = this->Internal->UpdateFlatUniforms(frame) || changed;
+  if (changed)
+  {
+    this->SourceTime.Modified();
+  }
+  auto* key = vtkOpenGLRenderPass::RenderPasses();
+  for (vtkProp* prop : frame.Captured)
+  {
+    vtkInformation* info = prop->GetPropertyKeys();
+    // Assemblies share their information with their parts: a second entry would inject twice.
+    bool attached = false;
+    for (int i = 0; info->Has(key) && i < info->Length(key); ++i)
+    {
+      attached = attached || info->Get(key, i) == this;
+    }
+    if (!attached)
+    {
+      info->Append(key, this);
+    }
+    this->Internal->Attached.emplace_back(prop);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::Detach()
+{
+  auto* key = vtkOpenGLRenderPass::RenderPasses();
+  for (const auto& prop : this->Internal->Attached)
+  {
+    vtkInformation* info = prop ? prop->GetPropertyKeys() : nullptr;
+    if (info && info->Has(key))
+    {
+      info->Remove(key, this);
+      if (info->Length(key) == 0)
+      {
+        info->Remove(key);
+      }
+    }
+  }
+  this->Internal->Attached.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::BeginEye(const vtkIndirectFrame& frame,
+  const vtkIndirectShadowMaps* shadows, vtkOpenGLFramebufferObject* framebuffer, int channels)
+{
+  Internals& in = *this->Internal;
+  in.Stage = 0;
+  in.Channels = channels;
+  in.Framebuffer = framebuffer;
+  in.Redirected = false;
+  in.Window = frame.Window;
+  // Where all is solid there is nothing that writes colour alone.
+  in.UseChannels(vtkIndirectGeometryBuffer::Lit,
+    vtkIndirectGeometryBuffer::IsAlbedoInLit(channels) ? channels : 1);
+  in.Encoded = false;
+  in.SceneScale = static_cast<float>(frame.SceneScale);
+  in.StageIsParallel = frame.Parallel ? 1 : 0;
+  in.DepthRange[0] = static_cast<float>(frame.Near);
+  in.DepthRange[1] = static_cast<float>(frame.Far);
+  in.DepthRange[2] = frame.Parallel ? 1.0f : 0.0f;
+  in.Camera = frame.Renderer->GetActiveCamera();
+  // Vertices are floats in the data's own coordinates, up to the distance from the origin at which
+  // VTK's mappers shift them.
+  constexpr double shiftedFrom = 1e3;
+  const double fromOrigin = glm::length(frame.SceneCenter) * frame.SceneScale;
+  const double fromEye = glm::length(glm::dvec3(frame.ViewToScene[3]));
+  in.Magnitude = static_cast<float>(1.0 + fromEye + (fromOrigin < shiftedFrom ? fromOrigin : 0.0));
+
+  in.Lights.Update(frame, shadows);
+  if (!shadows)
+  {
+    in.ReserveUnit();
+    return;
+  }
+  in.ShadowUnit = shadows->Unit;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::BeginMap(const vtkIndirectFrame& frame, const vtkIndirectMapView& map)
+{
+  Internals& in = *this->Internal;
+  in.Stage = 1;
+  in.SceneScale = static_cast<float>(frame.SceneScale);
+  in.StageIsParallel = map.Parallel ? 1 : 0;
+  in.DepthRange[0] = static_cast<float>(map.Near);
+  in.DepthRange[1] = static_cast<float>(map.Far);
+  in.DepthRange[2] = static_cast<float>(in.StageIsParallel);
+  in.Camera = frame.Renderer->GetActiveCamera();
+  in.MapLight = glm::vec3(map.Positional ? 1.0 : 0.0, map.TexelWidth, 1.0);
+  in.Lights.Update(frame, nullptr);
+  in.Window = frame.Window;
+  in.ReserveUnit();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::DrawChannel(UnattachedChannel channel)
+{
+  Internals& in = *this->Internal;
+  in.Blending = nullptr;
+  if (channel == Color)
+  {
+    in.UseChannels(vtkIndirectGeometryBuffer::Lit, 1);
+    return;
+  }
+  vtkOpenGLState* state = in.Window->GetState();
+  in.Blending = std::make_unique<vtkOpenGLState::ScopedglBlendFuncSeparate>(state);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_ZERO, GL_ZERO);
+  in.UseChannels(vtkIndirectGeometryBuffer::Surface, 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::BeginCaster(bool sendsLight)
+{
+  this->Internal->MapLight.z = sendsLight ? 1.0f : 0.0f;
+  // Depth is the same whoever draws; colours are undefined where the capture's outputs are not
+  // written.
+  this->Internal->UseMap(false, true);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::EndStage()
+{
+  Internals& in = *this->Internal;
+  if (in.Stage == 0)
+  {
+    in.Blending = nullptr;
+    in.UseChannels(vtkIndirectGeometryBuffer::Lit, in.Channels);
+    in.Framebuffer = nullptr;
+  }
+  else
+  {
+    in.UseMap(true, true);
+  }
+  if (in.OwnsUnit)
+  {
+    in.Window->GetState()->GetTextureUnitManager()->Free(in.ShadowUnit);
+  }
+  in.OwnsUnit = false;
+  in.ShadowUnit = -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::Render(const vtkRenderState* s)
+{
+  this->NumberOfRenderedProps = 0;
+  if (this->DelegatePass && this->Internal->Stage == 0)
+  {
+    this->DelegatePass->Render(s);
+    this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
+    return;
+  }
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    this->NumberOfRenderedProps += s->GetPropArray()[i]->RenderOpaqueGeometry(s->GetRenderer());
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceCapturePass::HasEncoded() const
+{
+  return this->Internal->Encoded;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceCapturePass::IsRedirected() const
+{
+  return this->Internal->Redirected;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (!window)
+  {
+    return;
+  }
+  if (this->DelegatePass)
+  {
+    this->DelegatePass->ReleaseGraphicsResources(window);
+  }
+  this->Internal->ProgramCameras.clear();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceCapturePass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    vtkIndirectCaptureText::Prepare(fragmentShader);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (!vtkOpenGLPolyDataMapper::SafeDownCast(mapper) ||
+    vtkIndirectCaptureText::IsAdded(fragmentShader))
+  {
+    return true;
+  }
+  ++this->NumberOfShaderBuilds;
+  const Internals& in = *this->Internal;
+  const vtkIndirectCaptureText text{ in.LightConstants, this->Shadows, this->Specular,
+    in.FlatUniforms, mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0 };
+  text.Add(vertexShader, geometryShader, fragmentShader);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceCapturePass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  Internals& in = *this->Internal;
+  if (!program->IsUniformUsed("vtkiStage"))
+  {
+    return true;
+  }
+  program->SetUniformi("vtkiStage", in.Stage);
+  program->SetUniformi("vtkiAlbedoInAlpha",
+    in.Stage == 0 && vtkIndirectGeometryBuffer::IsAlbedoInLit(in.Channels) ? 1 : 0);
+  program->SetUniformf("vtkiSceneScale", in.SceneScale);
+  program->SetUniform3f("vtkiDepthRange", in.DepthRange);
+  if (program->IsUniformUsed("vtkiMagnitude"))
+  {
+    program->SetUniformf("vtkiMagnitude", in.Magnitude);
+  }
+  if (program->IsUniformUsed("vtkiEncoded"))
+  {
+    program->SetUniformf("vtkiEncoded", 1.0f);
+    in.Encoded = true;
+  }
+  if (program->IsUniformUsed("vtkiParallel"))
+  {
+    program->SetUniformi("vtkiParallel", in.StageIsParallel);
+  }
+  if (program->IsUniformUsed("vtkiShadowMaps"))
+  {
+    program->SetUniformi("vtkiShadowMaps", in.ShadowUnit);
+  }
+  in.Lights.SetUniforms(program);
+  // Whatever has switched blending since the stage began must not mix bits.
+  if (in.Stage == 0)
+  {
+    this->UseEyeChannels(prop);
+  }
+  else
+  {
+    in.Window->GetState()->vtkglDisable(GL_BLEND);
+    program->SetUniform3f("vtkiMapLight", glm::value_ptr(in.MapLight));
+    const bool triangles = MapperPrimitive::IsTriangles(mapper, prop);
+    in.UseMap(triangles, triangles);
+  }
+
+  // VTK sends light directions in view coordinates only when the camera or a light has changed; it
+  // does not notice that the program last drew for another camera.
+  vtkCamera*& last = in.ProgramCameras[program];
+  if (last != in.Camera)
+  {
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+    last = in.Camera;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::UseEyeChannels(vtkProp* prop)
+{
+  Internals& in = *this->Internal;
+  if (vtkIndirectGeometryBuffer::IsAlbedoInLit(in.Channels))
+  {
+    vtkIndirectGeometryBuffer::DisableBlending(in.Window->GetState(), in.Channels);
+    return; // all else is as the stage began
+  }
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  if (!in.Framebuffer || static_cast<unsigned int>(bound) != in.Framebuffer->GetFBOIndex())
+  {
+    in.Redirected = true;
+    return;
+  }
+  vtkPointGaussianMapper* splats = FindSplats(prop);
+  if (splats && splats->GetEmissive())
+  {
+    // Light that is added to what lies behind, whose surface stays; it covers nothing.
+    in.UseChannels(vtkIndirectGeometryBuffer::Lit, 1);
+    in.Window->GetState()->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
+    return;
+  }
+  vtkIndirectGeometryBuffer::DisableBlending(in.Window->GetState(), in.Channels);
+  if (!splats)
+  {
+    in.UseChannels(vtkIndirectGeometryBuffer::Lit, in.Channels);
+    return;
+  }
+  // Their alpha is one or zero in these channels, see VTKI_SOFT: bits are kept whole. The power of
+  // a lobe has the place of an alpha, and splats have no lobe.
+  in.UseChannels(vtkIndirectGeometryBuffer::Lit, vtkIndirectGeometryBuffer::Specular);
+  glEnablei(GL_BLEND, vtkIndirectGeometryBuffer::Surface);
+  glEnablei(GL_BLEND, vtkIndirectGeometryBuffer::Albedo);
+}

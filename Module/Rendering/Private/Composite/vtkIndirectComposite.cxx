@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Composite/vtkIndirectComposite.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEstimate.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "LightMaps/vtkIndirectLightMap.h"
+#include "OpenGL/vtkIndirectFullScreenProgram.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectPaths.h"
+#include "OpenGL/vtkIndirectTarget.h"
+#include "vtkImageData.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkTextureObject.h"
+
+namespace
+{
+const vtkIndirectChannel ImageChannels[] = {
+  { "image", "vtkiImage", "one channel of the frame", GL_RGBA32F, "world", "world units" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+// What can be looked at: names, debug views, PrintSelf and the documentation come from here.
+struct Shown
+{
+  const char* Name;
+  const char* Meaning;
+  const char* Unit;
+  int Number; // in shaders
+  int Components;
+  // How it is shown: value * scale + bias. Lengths are shown over the far plane; see ShowImage.
+  float Scale;
+  float Bias;
+};
+
+using namespace vtkIndirectKernels;
+const Shown FrameChannels[] = {
+  { "final", "the picture of the opaque props", "VTK radiance", VTKI_CHANNEL_FINAL, 3, 1.0f, 0.0f },
+  { "direct", "VTK's own shading, shadowed", "VTK radiance", VTKI_CHANNEL_DIRECT, 3, 1.0f, 0.0f },
+  { "indirect", "albedo E + glossy, what the pass adds", "VTK radiance", VTKI_CHANNEL_INDIRECT, 3,
+    1.0f, 0.0f },
+  { "irradiance", "E, indirect irradiance", "VTK irradiance, physical over pi",
+    VTKI_CHANNEL_IRRADIANCE, 3, 1.0f, 0.0f },
+  { "glossy", "what receivers reflect specularly", "VTK radiance", VTKI_CHANNEL_GLOSSY, 3, 1.0f,
+    0.0f },
+  { "albedo", "diffuse reflectance, of PBR times 1 - metallic", "1", VTKI_CHANNEL_ALBEDO, 3, 1.0f,
+    0.0f },
+  { "normal", "unit shading normal in world coordinates", "1", VTKI_CHANNEL_NORMAL, 3, 0.5f, 0.5f },
+  { "depth", "distance along the view axis", "world units", VTKI_CHANNEL_DEPTH, 1, 1.0f, 0.0f },
+  { "specular", "specular reflectance, power of the lobe", "1", VTKI_CHANNEL_SPECULAR, 4, 1.0f,
+    0.0f },
+};
+const Shown MapChannels[] = {
+  { "depth", "depth along a face's axis", "world units", VTKI_MAP_CHANNEL_DEPTH, 1, 1.0f, 0.0f },
+  { "normal", "unit shading normal in world coordinates", "1", VTKI_MAP_CHANNEL_NORMAL, 3, 0.5f,
+    0.5f },
+  { "density", "reflected density per unit light intensity", "1; world units squared",
+    VTKI_MAP_CHANNEL_DENSITY, 3, 1.0f, 0.0f },
+};
+}
+
+//------------------------------------------------------------------------------
+struct vtkIndirectComposite::Internals
+{
+  vtkIndirectTarget Image{ ImageChannels, false };
+  // Linear colours only, or encoded ones too.
+  vtkIndirectFullScreenProgram Composite[2] = { { "vtkIndirectCompositeFS.glsl" },
+    { "vtkIndirectCompositeFS.glsl" } };
+  vtkIndirectFullScreenProgram DrawChannel{ "vtkIndirectChannelFS.glsl" };
+  vtkIndirectFullScreenProgram DrawMapChannel{ "vtkIndirectMapChannelFS.glsl" };
+  vtkIndirectFullScreenProgram Display{ "vtkIndirectDisplayFS.glsl" };
+  const Shown* Channel = nullptr;
+  double Farthest = 1.0; // world units
+
+  static bool HasGlossy(const Input& input)
+  {
+    return input.Estimate && input.Estimate->Glossy && input.Geometry.HasSpecular();
+  }
+
+  // Programs are built for how the irradiance comes.
+  static vtkShaderProgram* Use(
+    vtkIndirectFullScreenProgram& kernel, const Input& input, const std::string& definitions)
+  {
+    const bool coarse = input.Estimate && input.Estimate->Coarse;
+    kernel.SetGather(
+      coarse ? "vtkIndirectIrradianceCoarse.glsl" : "vtkIndirectIrradianceTexture.glsl");
+    kernel.SetDefinitions(input.Geometry.GetAlbedoDefinitions() +
+      std::string(HasGlossy(input) ? "#define VTKI_GLOSSY\n" : "") + definitions);
+    return kernel.Use(input.Frame.Window);
+  }
+
+  // Without an estimate the sampler reads the surface and the result is multiplied by zero.
+  static void ActivateFrame(vtkShaderProgram* program, const Input& input)
+  {
+    const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
+    const vtkIndirectEstimate* const estimate = input.Estimate;
+    input.Geometry.ActivateAlbedo(program);
+    geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
+    if (estimate)
+    {
+      estimate->Irradiance->Activate(0, program, "vtkiIrradiance");
+    }
+    else
+    {
+      program->SetUniformi("vtkiIrradiance",
+        geometry.GetTexture(vtkIndirectGeometryBuffer::Surface)->GetTextureUnit());
+    }
+    if (estimate && estimate->Coarse)
+    {
+      const int size[2] = { estimate->Coarse->GetWidth(), estimate->Coarse->GetHeight() };
+      estimate->Coarse->Activate(0, program, "vtkiCoarse");
+      program->SetUniform2i("vtkiCoarseSize", size);
+      program->SetUniformi("vtkiStep", estimate->Step);
+    }
+    if (HasGlossy(input))
+    {
+      geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
+      estimate->Glossy->Activate(0, program);
+    }
+    vtkIndirectSetEyeUniforms(program, input.Frame);
+    program->SetUniform2i("vtkiSize", input.Frame.Size);
+    program->SetUniformf(
+      "vtkiIndirectScale", estimate ? static_cast<float>(input.IndirectScale) : 0.0f);
+    program->SetUniformf(
+      "vtkiIrradianceUnit", estimate ? static_cast<float>(estimate->Unit) : 0.0f);
+  }
+
+  static void DeactivateFrame(const Input& input)
+  {
+    input.Geometry.GetTarget().Deactivate();
+    if (!input.Estimate)
+    {
+      return;
+    }
+    for (const vtkIndirectTarget* target :
+      { input.Estimate->Irradiance, input.Estimate->Coarse, input.Estimate->Glossy })
+    {
+      if (target)
+      {
+        target->Deactivate();
+      }
+    }
+  }
+};
+
+vtkIndirectComposite::vtkIndirectComposite()
+  : Internal(new Internals)
+{
+}
+
+vtkIndirectComposite::~vtkIndirectComposite() = default;
+
+//------------------------------------------------------------------------------
+int vtkIndirectComposite::FindChannel(const std::string& name)
+{
+  int i = 0;
+  for (const Shown& channel : FrameChannels)
+  {
+    if (name == channel.Name)
+    {
+      return i;
+    }
+    ++i;
+  }
+  return -1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectComposite::ParseMapChannel(const std::string& name, int& map, int& channel)
+{
+  const size_t dot = name.find('.');
+  if (name.compare(0, 3, "rsm") != 0 || dot == std::string::npos || dot < 4 || dot > 8)
+  {
+    return false;
+  }
+  map = 0;
+  for (size_t i = 3; i < dot; ++i)
+  {
+    if (name[i] < '0' || name[i] > '9')
+    {
+      return false;
+    }
+    map = 10 * map + (name[i] - '0');
+  }
+  for (channel = 0; channel < 3; ++channel)
+  {
+    if (name.compare(dot + 1, std::string::npos, MapChannels[channel].Name) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectComposite::GetChannelNames()
+{
+  std::string names;
+  for (const Shown& channel : FrameChannels)
+  {
+    names += std::string(channel.Name) + ", ";
+  }
+  for (const Shown& channel : MapChannels)
+  {
+    names += "rsm<i>." + std::string(channel.Name) + ", ";
+  }
+  return names + "lights";
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectComposite::PrintChannels(std::ostream& os, vtkIndent indent)
+{
+  auto print = [&](const char* prefix, const Shown& channel)
+  {
+    os << indent << prefix << channel.Name << ": " << channel.Meaning << " (" << channel.Unit
+       << ", " << channel.Components << (channel.Components == 1 ? " component" : " components")
+       << ")\n";
+  };
+  for (const Shown& channel : FrameChannels)
+  {
+    print("", channel);
+  }
+  for (const Shown& channel : MapChannels)
+  {
+    print("rsm<i>.", channel);
+  }
+  os
+    << indent
+    << "lights: virtual lights, a row each of three texels: position, area; normal, lobe exponent; "
+       "B A, source (world units, 4 components)\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectComposite::Composite(const Input& input)
+{
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  const bool encoded = input.Geometry.HasEncoded();
+  vtkIndirectFullScreenProgram& kernel = in.Composite[encoded];
+  // Where nothing has been drawn before, copying depth is cheaper than testing and writing each
+  // pixel's.
+  const bool copied = input.DepthCleared &&
+    vtkIndirectPaths::Get(vtkIndirectPaths::Depth) == vtkIndirectPaths::DepthByCopy &&
+    input.Geometry.GetTarget().CopyDepth(frame.Origin);
+  vtkShaderProgram* program = Internals::Use(kernel, input,
+    std::string(encoded ? "#define VTKI_ENCODED\n" : "") +
+      (copied ? "#define VTKI_DEPTH_COPIED\n" : ""));
+  if (!program)
+  {
+    return false;
+  }
+  if (copied)
+  {
+    state->vtkglDisable(GL_DEPTH_TEST);
+  }
+  else
+  {
+    // The depth test keeps what an earlier layer has drawn in front.
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    state->vtkglDepthMask(GL_TRUE);
+  }
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->vtkglViewport(frame.Origin[0], frame.Origin[1], frame.Size[0], frame.Size[1]);
+  Internals::ActivateFrame(program, input);
+  if (!copied)
+  {
+    input.Geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
+  }
+  program->SetUniform2i("vtkiOrigin", frame.Origin);
+  kernel.Draw();
+  Internals::DeactivateFrame(input);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectComposite::RenderChannel(const Input& input, const std::string& name)
+{
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = input.Frame;
+  int map = 0;
+  int mapChannel = 0;
+  const int channel = FindChannel(name);
+  const bool ofMap = channel < 0 && ParseMapChannel(name, map, mapChannel) && input.Maps &&
+    map < input.Maps->GetNumberOfMaps();
+  if (channel < 0 && !ofMap)
+  {
+    return false;
+  }
+  int size[2] = { frame.Size[0], frame.Size[1] };
+  if (ofMap)
+  {
+    size[1] = input.Maps->GetTexels();
+    size[0] = input.Maps->GetMap(map).NumberOfFaces * size[1];
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkIndirectFullScreenState kernelState(frame.Window);
+  vtkIndirectFullScreenProgram& kernel = ofMap ? in.DrawMapChannel : in.DrawChannel;
+  if (!in.Image.Resize(frame.Window, size[0], size[1]))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = ofMap ? kernel.Use(frame.Window) : Internals::Use(kernel, input, "");
+  if (!program)
+  {
+    return false;
+  }
+  in.Image.Begin();
+  program->SetUniformf("vtkiSceneScale", static_cast<float>(frame.SceneScale));
+  if (ofMap)
+  {
+    const vtkIndirectLightMap& lightMap = input.Maps->GetMap(map);
+    input.Maps->Activate(program);
+    program->SetUniformi("vtkiFirstLayer", lightMap.FirstLayer);
+    program->SetUniformi("vtkiChannel", MapChannels[mapChannel].Number);
+    kernel.Draw();
+    input.Maps->Deactivate();
+    in.Channel = &MapChannels[mapChannel];
+    in.Farthest = lightMap.Far / frame.SceneScale;
+  }
+  else
+  {
+    const int origin[2] = { 0, 0 };
+    Internals::ActivateFrame(program, input);
+    program->SetUniform2i("vtkiOrigin", origin);
+    program->SetUniformi("vtkiChannel", FrameChannels[channel].Number);
+    vtkIndirectSetUniform(
+      program, "vtkiViewToWorldDirection", glm::mat3(glm::inverse(glm::dmat3(frame.WorldToView))));
+    kernel.Draw();
+    Internals::DeactivateFrame(input);
+    in.Channel = &FrameChannels[channel];
+    in.Farthest = frame.Far / frame.SceneScale;
+  }
+  in.Image.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectComposite::RenderChannel(const Input& input, const std::function<int()>& draw)
+{
+  static const Shown shown[] = { { "", "", "", 0, 1, 1.0f, 0.0f },
+    { "", "", "", 0, 3, 1.0f, 0.0f } };
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  vtkIndirectFullScreenState kernelState(frame.Window);
+  if (!in.Image.Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  {
+    return false;
+  }
+  in.Image.Begin();
+  in.Image.Clear();
+  const int components = draw();
+  in.Image.End();
+  in.Channel = &shown[components == 3];
+  in.Farthest = 8.0; // what a length of one component, such as a level, is shown over
+  return components > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectComposite::CopyImage(vtkImageData* image)
+{
+  vtkIndirectTarget& source = this->Internal->Image;
+  const int components = this->Internal->Channel->Components;
+  const std::vector<float> values = source.ReadBack(0);
+  image->SetDimensions(source.GetWidth(), source.GetHeight(), 1);
+  image->AllocateScalars(VTK_FLOAT, components);
+  auto* out = static_cast<float*>(image->GetScalarPointer());
+  for (size_t i = 0; i < values.size(); i += 4)
+  {
+    out = std::copy(&values[i], &values[i] + components, out);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectComposite::ShowImage(const Input& input)
+{
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkIndirectFullScreenState kernelState(frame.Window);
+  vtkShaderProgram* program = in.Display.Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  frame.Window->GetState()->vtkglViewport(
+    frame.Origin[0], frame.Origin[1], frame.Size[0], frame.Size[1]);
+  in.Image.Activate(0, program);
+  program->SetUniform2i("vtkiOrigin", frame.Origin);
+  vtkIndirectSetUniform(program, "vtkiViewSize", glm::vec2(frame.Size[0], frame.Size[1]));
+  const bool isLength = in.Channel->Components == 1;
+  vtkIndirectSetUniform(program, "vtkiScaleBias",
+    glm::vec2(isLength ? 1.0 / in.Farthest : in.Channel->Scale, in.Channel->Bias));
+  in.Display.Draw();
+  in.Image.Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectComposite::Release(vtkWindow* window)
+{
+  Internals& in = *this->Internal;
+  in.Image.Release(window);
+  for (vtkIndirectFullScreenProgram& composite : in.Composite)
+  {
+    composite.Release();
+  }
+  in.DrawChannel.Release();
+  in.DrawMapChannel.Release();
+  in.Display.Release();
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Direct light plus albedo times irradiance, and every channel of a frame as an image
+//
+// Draws over what the target holds: background, gradients and transparency stay as they are, and
+// the depth of the opaque props is written. Pixels of VTK's PBR are decoded with gamma 2.2, added
+// to and encoded again; others are linear. VTK divides PBR's diffuse reflection by pi in its
+// lights, while the irradiance here is physical over pi, so both kinds add albedo times E.
+//
+// Channels, as floats in world units and coordinates, background 0: `final`, `direct`, `indirect`
+// (albedo E + glossy), `irradiance`, `glossy` (what receivers reflect specularly), `albedo`,
+// `normal`, `depth` (along the view axis), `specular` (reflectance, and the power of the lobe in a
+// fourth component; zero where SpecularTransport computes nothing).
+
+#ifndef vtkIndirectComposite_h
+#define vtkIndirectComposite_h
+
+#include "vtkIndent.h" // for printing
+
+#include <functional> // for other buffers
+#include <memory>     // for the internals
+#include <ostream>    // for printing
+#include <string>     // for names
+
+class vtkIndirectGeometryBuffer;
+class vtkImageData;
+class vtkReflectiveShadowMapPass;
+class vtkWindow;
+struct vtkIndirectEstimate;
+struct vtkIndirectFrame;
+
+class vtkIndirectComposite
+{
+public:
+  vtkIndirectComposite();
+  ~vtkIndirectComposite();
+
+  struct Input
+  {
+    const vtkIndirectFrame& Frame;
+    const vtkIndirectGeometryBuffer& Geometry;
+    const vtkReflectiveShadowMapPass* Maps; // null without maps
+    const vtkIndirectEstimate* Estimate;    // null for none
+    double IndirectScale;
+    bool DepthCleared; // of the framebuffer that is bound: nothing is drawn there yet
+  };
+
+  /** Index of a channel of the frame, or -1. */
+  static int FindChannel(const std::string& name);
+  /** Map and channel (0 depth, 1 normal, 2 density) of a name such as rsm0.depth. */
+  static bool ParseMapChannel(const std::string& name, int& map, int& channel);
+  /** Names that FindChannel and ParseMapChannel know, for messages. */
+  static std::string GetChannelNames();
+  /** A line each: name, meaning, unit, number of components. */
+  static void PrintChannels(std::ostream& os, vtkIndent indent);
+
+  /** Draws the frame into the framebuffer that is bound. */
+  bool Composite(const Input& input);
+
+  /**
+   * Renders a channel into an image of this pass's own. Returns false for unknown names and maps
+   * that the frame does not have.
+   */
+  bool RenderChannel(const Input& input, const std::string& name);
+  /**
+   * The same for a buffer of somebody else's: `draw` draws it, and returns the number of its
+   * components, 1 or 3, or 0 when it cannot.
+   */
+  bool RenderChannel(const Input& input, const std::function<int()>& draw);
+  /** Copies that image: float, one component for lengths, three for colours and vectors,
+   * four for specular. */
+  void CopyImage(vtkImageData* image);
+  /** Shows that image in the framebuffer that is bound. */
+  bool ShowImage(const Input& input);
+  void Release(vtkWindow* window);
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What an estimator is given in a frame, and what it gives back.
+#ifndef vtkIndirectEstimate_h
+#define vtkIndirectEstimate_h
+
+class vtkIndirectGeometryBuffer;
+class vtkIndirectStageTimer;
+class vtkIndirectTarget;
+class vtkIndirectVirtualLights;
+class vtkIndirectVisibility;
+class vtkReflectiveShadowMapPass;
+struct vtkIndirectFrame;
+struct vtkIndirectPlan;
+
+/** What an estimator needs of the visibility stage. */
+struct vtkIndirectVisibilityNeeds
+{
+  bool Senders = false;   // what stands between receivers and senders hides them
+  bool Segments = false;  // shaders ask for it, segment by segment
+  bool Volume = false;    // the voxels for something else, too
+  bool Triangles = false; // kept by voxel, for rays that find which surface they meet
+  int Resolution = 128;   // voxels along the longest edge of the scene, 16 to 128
+};
+
+/** All of it is valid for this frame, and read only. */
+struct vtkIndirectEstimateInput
+{
+  const vtkIndirectFrame& Frame;
+  const vtkIndirectPlan& Plan;
+  const vtkIndirectGeometryBuffer& Geometry;
+  const vtkReflectiveShadowMapPass& Maps;  // without maps where the plan has none
+  const vtkIndirectVirtualLights* Lights;  // null where the estimator asked for none
+  const vtkIndirectVisibility& Visibility; // as the estimator asked for it
+  bool Still = false;                      // nothing has changed since its last frame
+  vtkIndirectStageTimer& Timer;
+};
+
+struct vtkIndirectEstimate
+{
+  enum StateType
+  {
+    FAILED,   // after an error
+    REFINING, // a further frame brings it nearer to what it converges to, while nothing changes
+    CONVERGED
+  };
+  StateType State = FAILED;
+
+  /** Irradiance over Unit, a value for every pixel, or where there is Coarse of mixed cells. */
+  const vtkIndirectTarget* Irradiance = nullptr;
+  /**
+   * Irradiance at every Step-th pixel from border to border, null where all pixels have a value of
+   * their own: the composite interpolates it (vtkIndirectIrradianceCoarse.glsl). The fourth
+   * component is the kind of the cell of pixels whose first corner the sample is: VTKI_CELL_EMPTY,
+   * _WHOLE or _MIXED.
+   */
+  const vtkIndirectTarget* Coarse = nullptr;
+  int Step = 1;
+  /** What lobes of a specular coefficient of one reflect, over Unit; null where there is none. */
+  const vtkIndirectTarget* Glossy = nullptr;
+  /** VTK irradiance that a stored value of one stands for. */
+  double Unit = 1.0;
+  /** RMS error of the irradiance over its mean, as the estimator itself finds; negative: unknown.
+   */
+  double Error = -1.0;
+};
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Uniforms that every stage with an eye needs.
+#ifndef vtkIndirectEyeUniforms_h
+#define vtkIndirectEyeUniforms_h
+
+#include "OpenGL/vtkIndirectUniforms.h"
+
+#include "Frame/vtkIndirectFrame.h"
+
+/** Rays of the eye and the way to scene units. */
+inline void vtkIndirectSetEyeUniforms(vtkShaderProgram* program, const vtkIndirectFrame& frame)
+{
+  vtkIndirectSetUniform(program, "vtkiRayOrigin", glm::mat3(frame.RayOrigin));
+  vtkIndirectSetUniform(program, "vtkiRayDirection", glm::mat3(frame.RayDirection));
+  vtkIndirectSetUniform(program, "vtkiViewToScene", glm::mat4(frame.ViewToScene));
+}
+
+#endif

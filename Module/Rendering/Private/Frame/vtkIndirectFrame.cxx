@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/vtkIndirectFrame.h"
+
+#include "Frame/vtkIndirectPropKeys.h"
+#include "Frame/vtkIndirectPropKind.h"
+#include "Frame/vtkIndirectReport.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+
+#include <cmath>
+
+namespace
+{
+bool IsFinite(const double bounds[6])
+{
+  for (int i = 0; i < 6; ++i)
+  {
+    if (!std::isfinite(bounds[i]))
+    {
+      return false;
+    }
+  }
+  return vtkMath::AreBoundsInitialized(bounds) != 0;
+}
+
+// What a property key of a prop says; `otherwise` where it is not set.
+bool ReadKey(vtkProp* prop, vtkInformationIntegerKey* key, bool otherwise)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(key) ? keys->Get(key) != 0 : otherwise;
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectLight::FindMapProjection() const
+{
+  using namespace vtkIndirectKernels;
+  return !this->Positional                      ? VTKI_MAP_PARALLEL
+    : this->ConeAngle <= MaximumSingleFaceAngle ? VTKI_MAP_SINGLE
+                                                : VTKI_MAP_FACES;
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkIndirectFrame::ToGLM(vtkMatrix4x4* matrix)
+{
+  glm::dmat4 result;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      result[column][row] = matrix->GetElement(row, column);
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::Build(const vtkRenderState* state)
+{
+  this->Renderer = state->GetRenderer();
+  this->Window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  auto* framebuffer = vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer());
+  if (framebuffer)
+  {
+    framebuffer->GetLastSize(this->Size);
+    this->Origin[0] = this->Origin[1] = 0;
+  }
+  else
+  {
+    this->Renderer->GetTiledSizeAndOrigin(
+      &this->Size[0], &this->Size[1], &this->Origin[0], &this->Origin[1]);
+  }
+  this->CollectLights();
+  this->CollectProps();
+  if (this->Renderer->GetUseImageBasedLighting())
+  {
+    this->LeaveOut("environment light",
+      "VTK lights physically based props with the renderer's environment texture, without shadows; "
+      "none of it is reflected further");
+  }
+  if (this->Size[0] > 0 && this->Size[1] > 0 && !this->Casters.empty())
+  {
+    this->SetUpEye();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::LeaveOut(const std::string& what, const std::string& why)
+{
+  for (LeftOutEntry& entry : this->LeftOut)
+  {
+    if (entry.What == what && entry.Why == why)
+    {
+      ++entry.Count;
+      return;
+    }
+  }
+  this->LeftOut.push_back({ what, why, 1 });
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::CollectProps()
+{
+  vtkBoundingBox box;
+  this->CoversFully = !this->Window->GetPointSmoothing() && !this->Window->GetLineSmoothing() &&
+    !this->Window->GetPolygonSmoothing();
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (!prop->GetVisibility())
+    {
+      continue;
+    }
+    // Passes attach themselves to a prop through this; giving it one modifies the prop, so that
+    // must not come after its times are read.
+    if (!prop->GetPropertyKeys())
+    {
+      vtkNew<vtkInformation> keys;
+      prop->SetPropertyKeys(keys);
+    }
+    this->Props.push_back(prop);
+    // Neither draws anything opaque, though both say that they may.
+    if (prop->IsA("vtkVolume"))
+    {
+      this->LeaveOut(prop->GetClassName(), "volumes neither send nor receive indirect light");
+      continue;
+    }
+    if (prop->IsA("vtkActor2D") && !prop->IsA("vtkCaptionActor2D")) // that has a line in space
+    {
+      continue;
+    }
+    if (prop->HasTranslucentPolygonalGeometry())
+    {
+      this->LeaveOut(prop->GetClassName(),
+        "translucent geometry casts no shadows, and neither sends nor receives indirect light");
+    }
+    if (!prop->HasOpaqueGeometry())
+    {
+      continue;
+    }
+    this->AddOpaque(prop, box);
+  }
+  if (box.IsValid())
+  {
+    box.GetBounds(this->SceneBounds);
+    box.GetCenter(&this->SceneCenter[0]);
+    const double diagonal = box.GetDiagonalLength();
+    // A scene of one point has no length of its own.
+    this->SceneScale = diagonal > 0.0 ? 1.0 / diagonal : 1.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
+{
+  const vtkIndirectPropKind kind = vtkIndirectPropKind::Find(prop);
+  this->CoversFully = this->CoversFully && kind.CoversFully;
+  this->NumberOfTriangles += kind.NumberOfTriangles;
+  this->Specular = this->Specular || (kind.Captured && kind.Specular);
+  (kind.Captured ? this->Captured : this->ColorOnly).push_back(prop);
+  if (!prop->GetUseBounds())
+  {
+    this->NumberOfOtherReceivers += kind.Captured && kind.Lit ? 1 : 0;
+    return;
+  }
+  const double* bounds = prop->GetBounds();
+  if (kind.Captured && !(bounds && IsFinite(bounds)))
+  {
+    this->LeaveOut(prop->GetClassName(), "its bounds are empty or not finite");
+    return;
+  }
+  const bool casts = ReadKey(prop, vtkIndirectPropKeys::CastsShadows(), kind.NoCaster == nullptr);
+  if (casts && kind.Captured && kind.Surface)
+  {
+    vtkIndirectCaster caster;
+    caster.Prop = prop;
+    std::copy(bounds, bounds + 6, caster.Bounds);
+    caster.RedrawMTime = prop->GetRedrawMTime();
+    caster.SendsLight = ReadKey(prop, vtkIndirectPropKeys::SendsLight(), true);
+    this->AllSendLight = this->AllSendLight && caster.SendsLight;
+    this->Casters.push_back(caster);
+    box.AddBounds(bounds);
+    return;
+  }
+  this->LeaveOut(prop->GetClassName(),
+    kind.NoCaster ? kind.NoCaster
+                  : "its property key CASTS_SHADOWS is 0: it sends no light either");
+  this->AllSendLight = this->AllSendLight && kind.NoCaster != nullptr;
+  if (kind.Captured && kind.Lit)
+  {
+    ++this->NumberOfOtherReceivers;
+    box.AddBounds(bounds);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::CollectLights()
+{
+  vtkLightCollection* lights = this->Renderer->GetLights();
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
+    vtkIndirectLight entry;
+    entry.Light = light;
+    entry.Index = static_cast<int>(this->Lights.size());
+    entry.Positional = light->GetPositional() != 0;
+    entry.FollowsCamera = !light->LightTypeIsSceneLight();
+    entry.Headlight = light->LightTypeIsHeadlight() != 0;
+    entry.ShadowAttenuation = light->GetShadowAttenuation();
+    double position[3];
+    double focal[3];
+    light->GetTransformedPosition(position);
+    light->GetTransformedFocalPoint(focal);
+    entry.PositionWC = glm::dvec3(position[0], position[1], position[2]);
+    const glm::dvec3 direction = glm::dvec3(focal[0], focal[1], focal[2]) - entry.PositionWC;
+    const double length = glm::length(direction);
+    entry.DirectionWC = length > 0.0 ? direction / length : glm::dvec3(0.0, 0.0, -1.0);
+    const double* color = light->GetDiffuseColor();
+    entry.Color = light->GetIntensity() * glm::dvec3(color[0], color[1], color[2]);
+    const double* attenuation = light->GetAttenuationValues();
+    entry.Attenuation = glm::dvec3(attenuation[0], attenuation[1], attenuation[2]);
+    entry.ConeAngle = light->GetConeAngle();
+    entry.Exponent = light->GetExponent();
+    this->Lights.push_back(entry);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::SetUpEye()
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  this->Parallel = camera->GetParallelProjection() != 0;
+  this->WorldToView = ToGLM(camera->GetModelViewTransformMatrix());
+  this->Projection =
+    ToGLM(camera->GetProjectionTransformMatrix(this->Renderer->GetTiledAspectRatio(), -1, 1));
+  this->ViewToScene = this->ToScene(glm::inverse(this->WorldToView));
+
+  // Rays from the near to the far plane, at three points of the image: they are affine in between.
+  const glm::dmat4 inverse = glm::inverse(this->Projection);
+  auto unproject = [&](double x, double y, double z)
+  {
+    const glm::dvec4 p = inverse * glm::dvec4(x, y, z, 1.0);
+    return glm::dvec3(p) * (this->SceneScale / p.w);
+  };
+  auto ray = [&](double x, double y, glm::dvec3& origin, glm::dvec3& direction)
+  {
+    const glm::dvec3 nearPoint = unproject(x, y, -1.0);
+    const glm::dvec3 farPoint = unproject(x, y, 1.0);
+    direction = (farPoint - nearPoint) / (nearPoint.z - farPoint.z);
+    origin = nearPoint + direction * nearPoint.z;
+  };
+  glm::dvec3 origin[3];
+  glm::dvec3 direction[3];
+  ray(0.0, 0.0, origin[2], direction[2]);
+  ray(1.0, 0.0, origin[0], direction[0]);
+  ray(0.0, 1.0, origin[1], direction[1]);
+  for (int i = 0; i < 3; ++i)
+  {
+    this->RayOrigin[i] = i < 2 ? origin[i] - origin[2] : origin[2];
+    this->RayDirection[i] = i < 2 ? direction[i] - direction[2] : direction[2];
+  }
+  if (!this->Parallel && this->Projection[2][3] != 0.0)
+  {
+    // All rays of a perspective meet where both coordinates of the image and the divisor are zero:
+    // the origin, or in stereo beside it. Made of that, they are free of rounding.
+    const glm::dmat4 rows = glm::transpose(this->Projection);
+    const glm::dmat3 meeting =
+      glm::transpose(glm::dmat3{ glm::dvec3(rows[0]), glm::dvec3(rows[1]), glm::dvec3(rows[3]) });
+    const glm::dvec3 eye =
+      this->SceneScale * (glm::inverse(meeting) * -glm::dvec3{ rows[0].w, rows[1].w, rows[3].w });
+    this->RayOrigin = eye.z * this->RayDirection;
+    this->RayOrigin[2] += eye;
+  }
+  this->Near = -unproject(0.0, 0.0, -1.0).z;
+  this->Far = -unproject(0.0, 0.0, 1.0).z;
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkIndirectFrame::ToScene(const glm::dmat4& frameToWorld) const
+{
+  glm::dmat4 result = frameToWorld;
+  result[3] = glm::dvec4((glm::dvec3(frameToWorld[3]) - this->SceneCenter) * this->SceneScale, 1.0);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::AppendTo(std::vector<double>& key) const
+{
+  auto append = [&key](const double* values, int count)
+  { key.insert(key.end(), values, values + count); };
+  append(&this->WorldToView[0][0], 16);
+  append(&this->Projection[0][0], 16);
+  append(this->SceneBounds, 6);
+  for (const vtkIndirectLight& light : this->Lights)
+  {
+    append(&light.Color[0], 3);
+    append(&light.DirectionWC[0], 3);
+  }
+  for (vtkProp* prop : this->Props)
+  {
+    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(prop)));
+    key.push_back(static_cast<double>(prop->GetRedrawMTime()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::AddToReport(vtkIndirectReport& report) const
+{
+  for (const LeftOutEntry& entry : this->LeftOut)
+  {
+    report.LeftOut.emplace_back(
+      entry.Count > 1 ? entry.What + ", " + std::to_string(entry.Count) + " props" : entry.What,
+      entry.Why);
+  }
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What every stage of a frame needs to know, taken from the scene once at its start.
+//
+// Scene units: positions are relative to the centre of the scene's bounds and divided by their
+// diagonal, so that shaders see numbers of order one whether the scene measures a nanometre or lies
+// a million metres from the origin. The transforms are made in double precision here.
+#ifndef vtkIndirectFrame_h
+#define vtkIndirectFrame_h
+
+#include "vtkType.h" // for vtkMTimeType
+
+#include <glm/glm.hpp> // for vectors and matrices
+#include <string>      // for reasons
+#include <vector>      // for lists
+
+class vtkBoundingBox;
+class vtkLight;
+class vtkMatrix4x4;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+class vtkRenderState;
+struct vtkIndirectReport;
+
+/** A light that is on, as VTK's shaders will use it. */
+struct vtkIndirectLight
+{
+  vtkLight* Light = nullptr;
+  int Index = 0; // N of VTK's lightColorN
+  bool Positional = false;
+  glm::dvec3 PositionWC{ 0.0 };
+  glm::dvec3 DirectionWC{ 0.0, 0.0, -1.0 }; // the way the light travels, unit
+  glm::dvec3 Color{ 0.0 };                  // colour times intensity
+  glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 };  // c, l, q for world units
+  double ConeAngle = 90.0;                  // half angle, degrees; from 90 on there is no cone
+  double Exponent = 0.0;
+  bool FollowsCamera = false; // headlight or camera light
+  bool Headlight = false;
+  double ShadowAttenuation = 1.0;
+
+  /** Largest half angle, in degrees, that one perspective face of a map covers. */
+  static constexpr double MaximumSingleFaceAngle = 60.0;
+  /** VTKI_MAP_... of the light's map; VTKI_MAP_FACES where it depends on where the light is. */
+  int FindMapProjection() const;
+};
+
+/** A prop that casts shadows and reflects light. */
+struct vtkIndirectCaster
+{
+  vtkProp* Prop = nullptr;
+  double Bounds[6];
+  vtkMTimeType RedrawMTime = 0;
+  bool SendsLight = true;
+};
+
+struct vtkIndirectFrame
+{
+  vtkRenderer* Renderer = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  int Size[2] = { 0, 0 };
+  int Origin[2] = { 0, 0 };
+
+  double SceneBounds[6] = { 0, 0, 0, 0, 0, 0 };
+  glm::dvec3 SceneCenter{ 0.0 }; // world
+  double SceneScale = 1.0;       // scene units per world unit
+
+  std::vector<vtkProp*> Props;     // all visible ones
+  std::vector<vtkProp*> Captured;  // opaque ones whose surfaces the capture gets
+  std::vector<vtkProp*> ColorOnly; // other opaque ones: they have a colour, but no surface
+  bool Specular = false;    // whether a lit opaque prop reflects specularly, by Phong's model
+  bool CoversFully = false; // whether whatever an opaque prop draws hides all that is behind it
+  double NumberOfTriangles = 0.0; // about, of opaque props; 1e9 of one whose number is unknown
+  int NumberOfOtherReceivers = 0; // captured lit props that are no casters
+  std::vector<vtkIndirectCaster> Casters;
+  bool AllSendLight = true; // whether all surfaces may send light
+  std::vector<vtkIndirectLight> Lights;
+  /** Props that take no part, or not the whole, and why. */
+  struct LeftOutEntry
+  {
+    std::string What;
+    std::string Why;
+    int Count;
+  };
+  std::vector<LeftOutEntry> LeftOut;
+
+  // The eye. View coordinates in the shaders are scaled to scene units.
+  bool Parallel = false;
+  double Near = 0.0; // scene units
+  double Far = 1.0;
+  glm::dmat4 WorldToView{ 1.0 }; // unscaled
+  glm::dmat4 ViewToScene{ 1.0 }; // from scaled view coordinates
+  glm::dmat4 Projection{ 1.0 };  // of unscaled view coordinates
+  glm::dmat3 RayOrigin{ 0.0 };   // see vtkiReconstruct
+  glm::dmat3 RayDirection{ 0.0 };
+
+  /** Reads the scene. The eye is set up only where something opaque is in a viewport of any size.
+   */
+  void Build(const vtkRenderState* state);
+
+  /** Transform from an affine frame given in world coordinates to scene units. */
+  glm::dmat4 ToScene(const glm::dmat4& frameToWorld) const;
+
+  /** Adds what an estimate depends on besides the lights' maps: the eye, the lights, the props. */
+  void AppendTo(std::vector<double>& key) const;
+  /** Says what takes no part, once a kind. */
+  void AddToReport(vtkIndirectReport& report) const;
+
+  static glm::dmat4 ToGLM(vtkMatrix4x4* matrix);
+
+private:
+  void LeaveOut(const std::string& what, const std::string& why);
+  void CollectProps();
+  void AddOpaque(vtkProp* prop, vtkBoundingBox& box);
+  void CollectLights();
+  void SetUpEye();
+};
+
+#endif

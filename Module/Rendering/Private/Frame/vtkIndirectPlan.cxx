@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/vtkIndirectPlan.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectReport.h"
+
+#include <algorithm>
+#include <cmath>
+
+//------------------------------------------------------------------------------
+vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
+  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
+  const vtkIndirectCircumstances& circumstances)
+{
+  vtkIndirectPlan plan;
+  plan.Caching = settings.Caching;
+  plan.ErrorTolerance = settings.ErrorTolerance;
+  plan.IndirectScale = settings.IndirectScale;
+  plan.NumberOfBounces = std::min(settings.NumberOfBounces, estimator.MaximumNumberOfBounces);
+  const int emitters = static_cast<int>(frame.Lights.size()) + circumstances.NumberOfOtherEmitters;
+  plan.WhyDelegate = settings.IndirectScale == 0.0 && !settings.Shadows
+    ? "IndirectScale is 0 and Shadows are off"
+    : frame.Size[0] < 1 || frame.Size[1] < 1 ? "the viewport is empty"
+    : frame.Casters.empty()                  ? "nothing opaque is visible"
+    : emitters == 0                          ? "no light is on"
+                                             : circumstances.DelegateIsRefused;
+  if (!plan.WhyDelegate.empty())
+  {
+    plan.Modelled.emplace_back("the delegate alone", plan.WhyDelegate);
+    return plan;
+  }
+
+  plan.FindSenders(frame);
+  plan.FindUnit(frame);
+  plan.Shadows = settings.Shadows && plan.Senders == MAPS;
+  const bool sent = plan.Senders != NO_SENDERS || circumstances.NumberOfOtherEmitters > 0;
+  plan.WhyNoIrradiance = settings.IndirectScale == 0.0 ? "IndirectScale is 0"
+    : !sent                                            ? "no light emits anything"
+                                                       : "";
+  plan.Irradiance = plan.WhyNoIrradiance.empty();
+  plan.Specular = settings.IndirectScale > 0.0 && estimator.ComputesGlossy &&
+    estimator.SpecularTransport && frame.Specular;
+  // With specular reflectance beside it the albedo has an image of its own in any case.
+  plan.AlbedoInAlpha = frame.CoversFully && !circumstances.OwnDelegate && !plan.Specular;
+  plan.LeaveOut(settings, estimator);
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame)
+{
+  // The eye sees all that its headlight lights and that sends, unless a prop is not to send.
+  if (frame.Lights.size() == 1 && frame.Lights.front().Headlight &&
+    !frame.Lights.front().Positional && frame.AllSendLight)
+  {
+    this->Senders = EYE;
+    this->Modelled.emplace_back(
+      "a headlight, from the geometry buffer", "the eye sees what it lights; no shadow is visible");
+    this->LeftOut.emplace_back("senders outside the view", "the headlight has no map of its own");
+    return;
+  }
+  for (size_t i = 0; i < frame.Lights.size(); ++i)
+  {
+    if (frame.Lights[i].Color == glm::dvec3(0.0))
+    {
+      this->LeftOut.emplace_back(
+        "light " + std::to_string(frame.Lights[i].Index), "it emits nothing");
+      continue;
+    }
+    this->MapLights.push_back(static_cast<int>(i));
+  }
+  this->Senders = this->MapLights.empty() ? NO_SENDERS : MAPS;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPlan::FindUnit(const vtkIndirectFrame& frame)
+{
+  // What the strongest light gives a surface that faces it in the middle of the scene, so that 1e-7
+  // to 65504 times that can be stored.
+  double unit = 0.0;
+  for (const vtkIndirectLight& light : frame.Lights)
+  {
+    const double color = std::max({ light.Color.x, light.Color.y, light.Color.z });
+    double attenuation = 1.0;
+    if (light.Positional)
+    {
+      const double d =
+        std::max(glm::length(light.PositionWC - frame.SceneCenter), 0.1 / frame.SceneScale);
+      const double denominator =
+        light.Attenuation.x + d * (light.Attenuation.y + d * light.Attenuation.z);
+      attenuation = denominator > 0.0 ? 1.0 / denominator : 1.0;
+    }
+    unit = std::max(unit, color * attenuation);
+  }
+  // A power of two: storing loses nothing but the bits that half floats lack.
+  this->IrradianceUnit =
+    unit > 0.0 && std::isfinite(unit) ? std::exp2(std::ceil(std::log2(unit))) : 1.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPlan::LeaveOut(
+  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator)
+{
+  if (!this->Irradiance)
+  {
+    this->LeftOut.emplace_back("indirect light", this->WhyNoIrradiance);
+    return;
+  }
+  if (settings.ErrorTolerance > 0.0 && estimator.ErrorTolerance != settings.ErrorTolerance)
+  {
+    this->EstimateLeftOut.emplace_back(
+      "ErrorTolerance " + vtkIndirectReport::Number(settings.ErrorTolerance),
+      estimator.Name +
+        (estimator.ErrorTolerance > 0.0
+            ? " aims at " + vtkIndirectReport::Number(estimator.ErrorTolerance)
+            : std::string(" has no parameters that are chosen by it")));
+  }
+  if (settings.NumberOfBounces > estimator.MaximumNumberOfBounces)
+  {
+    this->EstimateLeftOut.emplace_back(
+      "bounces beyond " + std::to_string(estimator.MaximumNumberOfBounces),
+      estimator.Name + " computes no more; the result is too dark");
+  }
+  if (!this->Specular)
+  {
+    this->EstimateLeftOut.emplace_back("specular indirect light",
+      !estimator.ComputesGlossy
+        ? "senders are taken as diffuse, and " + estimator.Name + " takes receivers as diffuse"
+        : estimator.SpecularTransport ? "senders are taken as diffuse; no receiver is specular"
+                                      : "SpecularTransport is off");
+    return;
+  }
+  this->EstimateModelled.emplace_back(
+    "specular indirect light", "receivers reflect it by the lobes of Phong's model");
+  this->EstimateLeftOut.emplace_back(
+    "specular reflection of senders", "senders are taken as diffuse");
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) const
+{
+  std::vector<double> key = { static_cast<double>(frame.Size[0]),
+    static_cast<double>(frame.Size[1]), static_cast<double>(this->Senders),
+    static_cast<double>(this->NumberOfBounces), this->ErrorTolerance };
+  frame.AppendTo(key);
+  return key;
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectPlan::ScaleThreshold(double standard, double tolerance, double most)
+{
+  return std::min(standard * tolerance / 0.02, most);
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectPlan::FindGridEdge(double tolerance)
+{
+  return tolerance > 0.0 ? static_cast<int>(std::ceil(std::sqrt(12.0 / tolerance))) : 0;
+}

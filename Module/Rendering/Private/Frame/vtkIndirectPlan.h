@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a frame draws, and why: decided once, before anything is drawn, from the facts of the scene,
+// what the user has set and what the estimator can do. No OpenGL and no VTK objects in it. Stages
+// read it and decide nothing of the kind themselves.
+#ifndef vtkIndirectPlan_h
+#define vtkIndirectPlan_h
+
+#include <string>  // for reasons
+#include <utility> // for pairs
+#include <vector>  // for lists
+
+struct vtkIndirectFrame;
+
+/** What the user has set on vtkIndirectIlluminationPass, by the names of its properties. */
+struct vtkIndirectSettings
+{
+  bool Shadows = true;
+  int NumberOfBounces = 1;
+  double IndirectScale = 1.0;
+  double ErrorTolerance = 0.0;
+  bool Caching = true;
+};
+
+/** What the frame's estimator can do and has been set to. */
+struct vtkIndirectAbilities
+{
+  std::string Name = "an estimator"; // for reasons
+  int MaximumNumberOfBounces = 1;
+  bool ComputesGlossy = false;
+  bool SpecularTransport = true;
+  /** The tolerance that its parameters follow when so much is asked for; 0: none does. */
+  double ErrorTolerance = 0.0;
+};
+
+/** What else of the renderer and the pass counts. */
+struct vtkIndirectCircumstances
+{
+  bool OwnDelegate = false;      // what the user's own delegate draws is not known
+  std::string DelegateIsRefused; // why no surfaces can be had of it; empty: they can
+  int NumberOfOtherEmitters = 0; // sources of light that are no vtkLight
+};
+
+struct vtkIndirectPlan
+{
+  using Entries = std::vector<std::pair<std::string, std::string>>; // what, why
+
+  enum SenderType
+  {
+    NO_SENDERS, // no vtkLight sends anything
+    MAPS,       // surfaces that lights see, in their maps
+    EYE         // surfaces that the eye sees, whose headlight is the only light
+  };
+
+  /** Empty: indirect light is computed or could be; else why the delegate alone draws. */
+  std::string WhyDelegate;
+  int Senders = NO_SENDERS;
+  /** Lights with a map: places in vtkIndirectFrame::Lights. */
+  std::vector<int> MapLights;
+  bool Shadows = false;       // mappers look shadows up in these maps
+  bool Specular = false;      // the geometry buffer has what is needed for specular reflection
+  bool AlbedoInAlpha = false; // alpha says nothing, and the albedo has its place
+  /** Whether there is irradiance to estimate; else WhyNoIrradiance. */
+  bool Irradiance = false;
+  std::string WhyNoIrradiance;
+  int NumberOfBounces = 1;     // those that the estimator computes
+  double ErrorTolerance = 0.0; // as asked for
+  bool Caching = true;
+  double IndirectScale = 1.0;
+  /** VTK irradiance of the order of the brightest of the frame: a power of two, for half floats. */
+  double IrradianceUnit = 1.0;
+
+  ///@{
+  /** For the report: of the scene, and what holds only where the estimate succeeds. */
+  Entries Modelled;
+  Entries LeftOut;
+  Entries EstimateModelled;
+  Entries EstimateLeftOut;
+  ///@}
+
+  static vtkIndirectPlan Make(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
+    const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
+
+  /**
+   * What the irradiance depends on besides its stages' own times: the eye, lights, props and what
+   * the plan has decided.
+   */
+  std::vector<double> MakeKey(const vtkIndirectFrame& frame) const;
+
+  ///@{
+  /**
+   * What an error tolerance means for parameters whose defaults were found for one of 0.02: the
+   * error goes with a threshold; that of a grid of hints with the square of its cells, 12 hints
+   * along the longest edge for 0.0833.
+   */
+  static double ScaleThreshold(double standard, double tolerance, double most);
+  static int FindGridEdge(double tolerance);
+  ///@}
+
+private:
+  void FindSenders(const vtkIndirectFrame& frame);
+  void FindUnit(const vtkIndirectFrame& frame);
+  void LeaveOut(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
+};
+
+#endif

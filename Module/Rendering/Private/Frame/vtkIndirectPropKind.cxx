@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/vtkIndirectPropKind.h"
+
+#include "vtkActor.h"
+#include "vtkAssembly.h"
+#include "vtkCellArray.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSetMapper.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkInformation.h"
+#include "vtkLODProp3D.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkPointData.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProp3DCollection.h"
+#include "vtkProp3DFollower.h"
+#include "vtkPropAssembly.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace
+{
+const char* const ColorAlone =
+  "drawn as colour without surfaces, such as annotation, 3D widgets and "
+  "skies: casts no shadow, neither sends nor receives indirect light";
+const char* const Turns = "turns to the camera: casts no shadow and sends no light";
+const char* const LinesOrPoints =
+  "lines and points are sized in pixels, so they neither cast shadows nor send light";
+const char* const Splats = "splats have no surface: they neither cast shadows nor send light";
+
+// Whether a mapper is VTK's own for polygons, not a class derived from it.
+bool IsPlain(vtkMapper* mapper)
+{
+  return mapper && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
+}
+
+bool IsPlain(vtkActor* actor)
+{
+  return std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 && IsPlain(actor->GetMapper());
+}
+
+// The polygons, lines and points that an actor draws as they are; null where they are not known, as
+// before a mapper of data sets has extracted them.
+vtkPolyData* FindDrawn(vtkMapper* mapper)
+{
+  auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
+  if (!dataSetMapper && !IsPlain(mapper))
+  {
+    return nullptr;
+  }
+  if (auto* data = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)))
+  {
+    return data;
+  }
+  vtkPolyDataMapper* inner = dataSetMapper ? dataSetMapper->GetPolyDataMapper() : nullptr;
+  return inner ? inner->GetInput() : nullptr;
+}
+
+// Whether a prop is drawn by VTK's own polygons with alpha 1 wherever it draws: no texture, which
+// has soft edges, no shader text or pass of somebody else's, and nothing that is forced to be
+// opaque.
+bool ActorCoversFully(vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  vtkInformation* keys = actor->GetPropertyKeys();
+  return !actor->GetTexture() && actor->GetProperty()->GetNumberOfTextures() == 0 &&
+    !actor->GetForceOpaque() && !(keys && keys->Has(vtkOpenGLRenderPass::RenderPasses())) &&
+    shaders->GetNumberOfShaderReplacements() == 0 && !shaders->HasVertexShaderCode() &&
+    !shaders->HasFragmentShaderCode() && !shaders->HasGeometryShaderCode();
+}
+
+// A polygon or strip of n points is n - 2 triangles; lines and points are as many of their own.
+double CountTriangles(vtkPolyData* data)
+{
+  if (!data)
+  {
+    return 0.0;
+  }
+  double triangles = 0.0;
+  for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
+  {
+    triangles += static_cast<double>(cells->GetNumberOfConnectivityIds()) -
+      2.0 * static_cast<double>(cells->GetNumberOfCells());
+  }
+  for (vtkCellArray* cells : { data->GetVerts(), data->GetLines() })
+  {
+    triangles += static_cast<double>(cells->GetNumberOfConnectivityIds());
+  }
+  return triangles;
+}
+
+// VTK lights all of its interpolations but PBR by Phong's model.
+bool IsSpecular(vtkProperty* property)
+{
+  const double* color = property ? property->GetSpecularColor() : nullptr;
+  return color && property->GetLighting() && property->GetInterpolation() != VTK_PBR &&
+    property->GetSpecular() > 0.0 && (color[0] > 0.0 || color[1] > 0.0 || color[2] > 0.0);
+}
+
+// Whether data has lines or points and nothing else. Data sets that are no polygons become some in
+// their mappers; of data without cells nothing is known.
+bool IsLinesOrPoints(vtkDataObject* data)
+{
+  if (auto* cells = vtkPolyData::SafeDownCast(data))
+  {
+    return cells->GetNumberOfLines() + cells->GetNumberOfVerts() > 0 &&
+      cells->GetNumberOfPolys() + cells->GetNumberOfStrips() == 0;
+  }
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    return false;
+  }
+  bool any = false;
+  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    if (!IsLinesOrPoints(it->GetCurrentDataObject()))
+    {
+      return false;
+    }
+    any = true;
+  }
+  return any;
+}
+
+// The same of the glyphs.
+bool IsLinesOrPoints(vtkGlyph3DMapper* mapper)
+{
+  const int count = mapper->GetNumberOfInputConnections(1);
+  for (int i = 0; i < count; ++i)
+  {
+    if (!IsLinesOrPoints(mapper->GetInputDataObject(1, i)))
+    {
+      return false;
+    }
+  }
+  return count > 0;
+}
+
+// Why an actor draws no surfaces; null when it does. drawn: see FindDrawn.
+const char* FindNoSurface(vtkActor* actor, vtkPolyData* drawn)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  if (vtkPointGaussianMapper::SafeDownCast(mapper))
+  {
+    return Splats;
+  }
+  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+  {
+    return LinesOrPoints;
+  }
+  // Other mappers for polygons draw something else at the points, such as spheres.
+  bool none = IsLinesOrPoints(drawn);
+  if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
+  {
+    none = IsLinesOrPoints(glyphs);
+  }
+  else if (mapper->IsA("vtkCompositePolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper2"))
+  {
+    none = IsLinesOrPoints(mapper->GetInputDataObject(0, 0));
+  }
+  return none ? LinesOrPoints : nullptr;
+}
+
+// VTK lights lines and points only with normals, or as tubes and spheres. drawn: see FindDrawn.
+bool IsUnlit(vtkProperty* property, vtkPolyData* drawn)
+{
+  return !property->GetLighting() ||
+    (IsLinesOrPoints(drawn) && !drawn->GetPointData()->GetNormals() &&
+      !property->GetRenderLinesAsTubes() && !property->GetRenderPointsAsSpheres());
+}
+
+// The props that are drawn in place of one that has parts, all levels of detail among them.
+void CollectParts(vtkProp* prop, std::vector<vtkProp*>& parts)
+{
+  auto addAll = [&parts](auto* props)
+  {
+    vtkCollectionSimpleIterator it;
+    props->InitTraversal(it);
+    while (vtkObject* part = props->GetNextItemAsObject(it))
+    {
+      CollectParts(vtkProp::SafeDownCast(part), parts);
+    }
+  };
+  if (!prop)
+  {
+    return;
+  }
+  if (auto* assembly = vtkAssembly::SafeDownCast(prop))
+  {
+    addAll(assembly->GetParts());
+  }
+  else if (auto* propAssembly = vtkPropAssembly::SafeDownCast(prop))
+  {
+    addAll(propAssembly->GetParts());
+  }
+  else if (vtkLODProp3D::SafeDownCast(prop))
+  {
+    vtkNew<vtkPropCollection> levels;
+    prop->GetActors(levels);
+    addAll(levels.Get());
+  }
+  else
+  {
+    parts.push_back(prop);
+  }
+}
+
+bool IsCaptured(vtkProp* part)
+{
+  if (auto* actor = vtkActor::SafeDownCast(part))
+  {
+    // Axes and the like are actors without a mapper, which draw actors of their own.
+    return !actor->IsA("vtkSkybox") &&
+      (actor->GetMapper() || std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0);
+  }
+  // Of images that are stacked, only the stack has keys.
+  return part->IsA("vtkImageSlice") && !part->IsA("vtkImageStack");
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
+{
+  vtkIndirectPropKind kind;
+  auto* whole = vtkActor::SafeDownCast(prop);
+  auto* follower = vtkProp3DFollower::SafeDownCast(prop);
+  std::vector<vtkProp*> parts;
+  CollectParts(follower ? follower->GetProp3D() : prop, parts);
+  kind.Captured = std::all_of(parts.begin(), parts.end(), IsCaptured);
+  kind.NumberOfTriangles = 1e9;
+  const char* noSurface = ColorAlone;
+  for (vtkProp* part : parts)
+  {
+    auto* actor = vtkActor::SafeDownCast(part);
+    if (!actor || !actor->GetMapper())
+    {
+      kind.Surface = kind.Surface || (!actor && IsCaptured(part)); // an image
+      continue;
+    }
+    actor->GetBounds(); // brings the mapper's data up to date
+    vtkPolyData* drawn = FindDrawn(actor->GetMapper());
+    kind.Specular =
+      kind.Specular || IsSpecular(actor->GetProperty()) || IsSpecular(actor->GetBackfaceProperty());
+    kind.Lit = kind.Lit || !IsUnlit(actor->GetProperty(), drawn);
+    const char* why = FindNoSurface(actor, drawn);
+    kind.Surface = kind.Surface || !why;
+    noSurface = why ? why : noSurface;
+    if (actor == whole && IsPlain(actor))
+    {
+      kind.CoversFully = ActorCoversFully(actor);
+      kind.NumberOfTriangles = CountTriangles(drawn);
+    }
+  }
+  const bool turns = follower || prop->IsA("vtkFollower");
+  kind.NoCaster = !kind.Captured ? ColorAlone : !kind.Surface ? noSurface : turns ? Turns : nullptr;
+  return kind;
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a frame was made of, as JSON.
+#ifndef vtkIndirectReport_h
+#define vtkIndirectReport_h
+
+#include <cstddef> // for size_t
+#include <string>  // for names
+#include <utility> // for pairs
+#include <variant> // for settings
+#include <vector>  // for lists
+
+class vtkIndirectStageTimer;
+
+struct vtkIndirectReport
+{
+  using Entries = std::vector<std::pair<std::string, std::string>>; // what, why
+
+  int Size[2] = { 0, 0 };
+  std::string Method = "off";
+  using Setting = std::variant<bool, int, double>;
+  std::vector<std::pair<std::string, Setting>> Settings;
+  Entries Modelled;
+  Entries LeftOut;
+  int VirtualLights = 0;
+  size_t Bytes = 0;           // of textures and buffers
+  size_t MainMemoryBytes = 0; // of what is kept beside them; see vtkIndirectIlluminationPass
+  /** Relative; negative: not estimated. */
+  double EstimatedError = -1.0;
+  std::string GLRenderer;
+  std::string GLVersion;
+  /** How often VTK asked for a mapper's shader source. */
+  long long ShaderBuilds = 0;
+  /** How often the scene's voxels were made anew. */
+  long long VoxelUpdates = 0;
+  /** Ways that were in force, name and value; see vtkIndirectPaths. */
+  Entries Paths;
+
+  /** Asks the current context what OpenGL it is. */
+  void ReadGL();
+
+  /**
+   * Schema vtkindirect.report/1, valid JSON in any locale: bytes that are not UTF-8 become U+FFFD,
+   * a number that is not finite null.
+   */
+  std::string ToJSON(const vtkIndirectStageTimer& timer) const;
+
+  /** For reasons: as many digits as tell it from all others, or as are given; in any locale. */
+  static std::string Number(double value, int digits = 0);
+};
+
+#endif

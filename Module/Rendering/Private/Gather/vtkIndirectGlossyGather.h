@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Indirect light in receivers' specular lobes, summed over the senders at every specular pixel.
+#ifndef vtkIndirectGlossyGather_h
+#define vtkIndirectGlossyGather_h
+
+#include "Frame/vtkIndirectEstimate.h"           // for the input
+#include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+
+class vtkIndirectTarget;
+
+class vtkIndirectGlossyGather
+{
+public:
+  /** Texels around a receiver's place in each map, where the estimator has no sampler. */
+  struct Neighborhood
+  {
+    int NumberOfSamples = 0;
+    double Radius = 0.0; // fraction of the map's width
+  };
+
+  /**
+   * Fills `glossy`, of the frame's size, in which one stands for `unit`. Within a
+   * vtkIndirectFullScreenState.
+   */
+  bool Sum(const vtkIndirectEstimateInput& input, vtkIndirectTarget& glossy, double unit,
+    const Neighborhood& neighborhood);
+
+  void Release();
+
+private:
+  vtkIndirectFullScreenProgram Lights{ "vtkIndirectGlossyFS.glsl",
+    "vtkIndirectGatherVirtualLights.glsl" };
+  vtkIndirectFullScreenProgram Neighbors{ "vtkIndirectGlossyFS.glsl",
+    "vtkIndirectGatherNeighborhood.glsl" };
+};
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Geometry of a light's map: its projection, its faces and the cameras that draw them.
+#ifndef vtkIndirectLightMap_h
+#define vtkIndirectLightMap_h
+
+#include "Capture/vtkIndirectShadowMaps.h" // for what the capture reads
+#include "Frame/vtkIndirectFrame.h"        // for the light
+#include "vtkSmartPointer.h"               // for cameras
+
+#include <array>  // for cameras
+#include <vector> // for keys
+
+class vtkOpenGLCamera;
+
+class vtkIndirectLightMap
+{
+public:
+  vtkIndirectLightMap();
+  ~vtkIndirectLightMap();
+
+  /** Fits the map to the scene. */
+  void Fit(const vtkIndirectFrame& frame, const vtkIndirectLight& light);
+
+  /** Sets up the camera of a face; it keeps the eye's ParallelProjection flag (see the source). */
+  vtkOpenGLCamera* GetCamera(int face, bool eyeIsParallel);
+
+  /** Whether a face can see any of these bounds. */
+  bool CanSee(int face, const double bounds[6]) const;
+
+  ///@{
+  /** What the capture reads to draw into a map of so many texels, and to look shadows up in it. */
+  vtkIndirectMapView GetView(int texels) const;
+  vtkIndirectShadowMap GetShadowMap() const;
+  ///@}
+
+  /** All numbers that what is drawn depends on, besides the scene and the resolution. */
+  std::vector<double> GetKey() const;
+
+  vtkIndirectLight Light;
+  int Projection = 0; // VTKI_MAP_...
+  int NumberOfFaces = 1;
+  int FirstLayer = 0;
+  double HalfWidth = 1.0; // tangents (perspective) or scene units (parallel)
+  double Near = 0.0;      // scene units along a face's axis
+  double Far = 1.0;
+  double SceneScale = 1.0;
+  glm::dmat4 WorldToLight{ 1.0 }; // light frame: light at the origin, -z forward; world units
+  glm::dmat4 LightToWorld{ 1.0 };
+  std::array<glm::dmat4, 6> FaceToScene; // from scaled face view coordinates
+  std::array<glm::dvec3, 6> FaceAxis;    // direction of the light in a face's view coordinates
+
+private:
+  glm::dmat3 GetFaceRotation(int face) const; // light frame to face
+  std::array<vtkSmartPointer<vtkOpenGLCamera>, 6> Cameras;
+};
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Depths of light maps as shadow look-ups read them: three neighbours of a row in one texel. Nine
+// depths take three fetches; a fetch of four channels costs little more than one of one.
+#ifndef vtkIndirectShadowRows_h
+#define vtkIndirectShadowRows_h
+
+#include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
+#include "vtkSmartPointer.h"                     // for members
+
+#include <cstddef> // for size_t
+#include <vector>  // for the layers
+
+class vtkIndirectArrayTexture;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkWindow;
+
+class vtkIndirectShadowRows
+{
+public:
+  vtkIndirectShadowRows();
+  ~vtkIndirectShadowRows();
+
+  /** Says that a layer of the depths has been drawn anew. */
+  void Forget(int layer);
+
+  /**
+   * Brings the first layers up to date. unit: where the depths are bound. Returns false, after an
+   * error, when OpenGL refuses.
+   */
+  bool Update(vtkOpenGLRenderWindow* window, int unit, int texels, int layers);
+
+  /** Binds the rows and returns the texture unit; pair with Deactivate. */
+  int Activate();
+  void Deactivate();
+
+  size_t GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  int Texels = 0;
+  std::vector<bool> Valid; // by layer
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkSmartPointer<vtkIndirectArrayTexture> Texture;
+  vtkIndirectFullScreenProgram Kernel;
+};
+
+#endif

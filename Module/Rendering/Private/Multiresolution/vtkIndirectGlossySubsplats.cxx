@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Multiresolution/vtkIndirectGlossySubsplats.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "VirtualLights/vtkIndirectLightBlock.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace
+{
+const vtkIndirectChannel LobeChannels[] = {
+  { "glossy.lobe", "vtkiLevelLobe", "power of the specular lobe, state", GL_RG16F, "-", "-" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel HalfChannels[] = {
+  { "glossy.level", "vtkiCoarserGlossy", "indirect light in the specular lobe", GL_RGBA16F, "-",
+    "VTK irradiance over the frame's unit" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel FloatChannels[] = {
+  { "glossy.level", "vtkiCoarserGlossy", "indirect light in the specular lobe", GL_RGBA32F, "-",
+    "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+// OpenGL 4.3 guarantees 2^24 bytes for a storage block; drivers give 2^27 and more.
+size_t GetMaximumBytes()
+{
+#ifdef GL_SHADER_STORAGE_BUFFER
+  GLint64 bytes = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+  return static_cast<size_t>(std::min<GLint64>(std::max<GLint64>(bytes, 0), GLint64(1) << 28));
+#else
+  return 0;
+#endif
+}
+
+// Texels of each list: those that are split, and those that are whole.
+std::vector<size_t> GetCapacities(const vtkIndirectSubsplatPyramid& pyramid)
+{
+  std::vector<size_t> capacities;
+  for (size_t number = 1; number <= pyramid.GetNumberOfLevels(); ++number)
+  {
+    const vtkIndirectTarget& level = pyramid.GetSurface(number);
+    const size_t texels = static_cast<size_t>(level.GetWidth()) * level.GetHeight();
+    // The last level is split in any case.
+    capacities.insert(
+      capacities.end(), { texels, number < pyramid.GetNumberOfLevels() ? texels : 0 });
+  }
+  return capacities;
+}
+
+constexpr size_t SplitList(size_t number)
+{
+  return 2 * number - 2;
+}
+constexpr size_t WholeList(size_t number)
+{
+  return 2 * number - 1;
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkIndirectGlossySubsplats::Work
+{
+  const Input& In;
+  const Settings& Set;
+  double Threshold;
+  const vtkIndirectSubsplatPyramid& Pyramid;
+  vtkIndirectLightBlock& Lights;
+  const vtkIndirectTarget& Irradiance;
+};
+
+//------------------------------------------------------------------------------
+bool vtkIndirectGlossySubsplats::Fits(const vtkIndirectSubsplatPyramid& pyramid, int numberOfLights)
+{
+  size_t entries = 0;
+  for (size_t capacity : GetCapacities(pyramid))
+  {
+    entries += capacity;
+  }
+  return vtkIndirectGlossyLists::GetBytes(entries, numberOfLights) <= GetMaximumBytes();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectGlossySubsplats::Resize(
+  vtkOpenGLRenderWindow* window, const vtkIndirectSubsplatPyramid& pyramid, bool halfFloats)
+{
+  const size_t count = halfFloats == this->HalfFloats ? pyramid.GetNumberOfLevels() : 0;
+  for (; this->Levels.size() > count; this->Levels.pop_back(), this->Lobes.pop_back())
+  {
+    this->Levels.back()->Release(window);
+    this->Lobes.back()->Release(window);
+  }
+  this->HalfFloats = halfFloats;
+  while (this->Levels.size() < pyramid.GetNumberOfLevels())
+  {
+    this->Levels.push_back(
+      std::make_unique<vtkIndirectTarget>(halfFloats ? HalfChannels : FloatChannels, false));
+    this->Lobes.push_back(std::make_unique<vtkIndirectTarget>(LobeChannels, false));
+  }
+  for (size_t i = 0; i < this->Levels.size(); ++i)
+  {
+    const vtkIndirectTarget& surface = pyramid.GetSurface(i + 1);
+    if (!this->Levels[i]->Resize(window, surface.GetWidth(), surface.GetHeight()) ||
+      !this->Lobes[i]->Resize(window, surface.GetWidth(), surface.GetHeight()))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectGlossySubsplats::FillLobes(const Work& work)
+{
+  const vtkIndirectFrame& frame = work.In.Frame;
+  const vtkIndirectTarget& geometry = work.In.Geometry.GetTarget();
+  this->LobeOfPixels.SetDefinitions("#define VTKI_PIXELS\n");
+  for (size_t number = 1; number <= this->Lobes.size(); ++number)
+  {
+    const bool pixels = number == 1;
+    vtkIndirectFullScreenProgram& kernel = pixels ? this->LobeOfPixels : this->Lobe;
+    vtkIndirectTarget& target = *this->Lobes[number - 1];
+    vtkShaderProgram* program = kernel.Use(frame.Window, target);
+    if (!program)
+    {
+      return false;
+    }
+    const vtkIndirectTarget& finer = pixels ? geometry : *this->Lobes[number - 2];
+    const int size[2] = { finer.GetWidth(), finer.GetHeight() };
+    target.Begin();
+    program->SetUniform2i("vtkiFinerSize", size);
+    work.Pyramid.GetSurface(number).Activate(0, program);
+    if (pixels)
+    {
+      geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
+      geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
+    }
+    else
+    {
+      finer.Activate(0, program, "vtkiFinerLobe");
+    }
+    kernel.Draw();
+    work.Pyramid.GetSurface(number).Deactivate();
+    finer.Deactivate();
+    target.End();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectGlossySubsplats::ListFirst(const Work& work)
+{
+#ifdef GL_COMPUTE_SHADER
+  vtkShaderProgram* program = this->First.Use(work.In.Frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  const size_t last = this->Lobes.size();
+  const int lights = work.Lights.GetNumberOfLights();
+  this->Lists.Begin(work.In.Frame.Window, GetCapacities(work.Pyramid), lights);
+  const vtkIndirectTarget& lobe = *this->Lobes.back();
+  lobe.Activate(0, program);
+  this->Lists.Activate(program);
+  program->SetUniformi("vtkiLightCount", lights);
+  program->SetUniformi("vtkiSplitList", static_cast<int>(SplitList(last)));
+  program->SetUniformi("vtkiSplitFirst", this->Lists.GetFirst(SplitList(last)));
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  const auto groups = [](int texels) { return static_cast<GLuint>((texels + 7) / 8); };
+  glDispatchCompute(groups(lobe.GetWidth()), groups(lobe.GetHeight()), 1);
+  this->Lists.Deactivate();
+  lobe.Deactivate();
+  vtkIndirectGlossyLists::Wait();
+  return true;
+#else
+  (void)work;
+  return false;
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectGlossySubsplats::SetLevelUniforms(
+  vtkShaderProgram* program, const Work& work, size_t number) const
+{
+  const Settings& settings = work.Set;
+  const vtkIndirectTarget& coarser = *this->Levels[number];
+  const int coarserSize[2] = { coarser.GetWidth(), coarser.GetHeight() };
+  int size[2] = { work.In.Frame.Size[0], work.In.Frame.Size[1] };
+  if (number > 0)
+  {
+    size[0] = this->Levels[number - 1]->GetWidth();
+    size[1] = this->Levels[number - 1]->GetHeight();
+  }
+  vtkIndirectSetEyeUniforms(program, work.In.Frame);
+  program->SetUniform2i("vtkiSize", work.In.Frame.Size);
+  program->SetUniform2i("vtkiLevelSize", size);
+  program->SetUniform2i("vtkiCoarserSize", coarserSize);
+  program->SetUniformf("vtkiEdge", vtkIndirectSubsplatPyramid::EdgeOf(number));
+  program->SetUniformf("vtkiCoarserEdge", vtkIndirectSubsplatPyramid::EdgeOf(number + 1));
+  program->SetUniformf("vtkiStorageScale", static_cast<float>(settings.StorageScale));
+  // Also with the paper's test of depths: lobes see what lies beside a plane.
+  program->SetUniformf(
+    "vtkiSamePlane", static_cast<float>(std::max(settings.PlaneThreshold, 0.01)));
+  program->SetUniformf(
+    "vtkiSameNormal", static_cast<float>(std::max(settings.NormalThreshold, 0.01)));
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectGlossySubsplats::ActivateLevel(
+  vtkShaderProgram* program, const Work& work, size_t number) const
+{
+  const vtkIndirectTarget& geometry = work.In.Geometry.GetTarget();
+  work.Pyramid.GetSurface(number + 1).Activate(0, program, "vtkiCoarserSurface");
+  this->Lobes[number]->Activate(0, program, "vtkiCoarserLobe");
+  if (number == 0)
+  {
+    geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
+    geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
+  }
+  else
+  {
+    work.Pyramid.GetSurface(number).Activate(0, program);
+    this->Lobes[number - 1]->Activate(0, program);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectGlossySubsplats::DeactivateLevel(const Work& work, size_t number) const
+{
+  work.Pyramid.GetSurface(number + 1).Deactivate();
+  this->Lobes[number]->Deactivate();
+  if (number == 0)
+  {
+    work.In.Geometry.GetTarget().Deactivate();
+  }
+  else
+  {
+    work.Pyramid.GetSurface(number).Deactivate();
+    this->Lobes[number - 1]->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectGlossySubsplats::Interpolate(
+  const Work& work, size_t number, vtkIndirectTarget& target)
+{
+  this->UpsamplePixels.SetDefinitions("#define VTKI_PIXELS\n");
+  vtkIndirectFullScreenProgram& kernel = number == 0 ? this->UpsamplePixels : this->Upsample;
+  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window, target);
+  if (!program)
+  {
+    return false;
+  }
+  target.Begin();
+  this->SetLevelUniforms(program, work, number);
+  this->ActivateLevel(program, work, number);
+  this->Levels[number]->Activate(0, program);
+  kernel.Draw();
+  this->Levels[number]->Deactivate();
+  this->DeactivateLevel(work, number);
+  target.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectGlossySubsplats::Evaluate(
+  const Work& work, size_t number, vtkIndirectTarget& target, bool whole)
+{
+#ifdef GL_COMPUTE_SHADER
+  vtkOpenGLRenderWindow* window = work.In.Frame.Window;
+  const bool pixels = number == 0;
+  const int count = work.Lights.GetNumberOfLights();
+  std::string definitions = std::string("#define VTKI_FORMAT ") +
+    (this->HalfFloats ? "rgba16f\n" : "rgba32f\n") + work.Lights.GetDefinitions();
+  definitions += pixels ? "#define VTKI_PIXELS\n" : "";
+  definitions += whole ? "" : "#define VTKI_UNDER_SPLIT\n";
+  definitions += work.Set.DepthRange ? "#define VTKI_DEPTH_RANGE\n" : "";
+  definitions += count > work.Lights.GetCapacity(window) ? "#define VTKI_MORE_LIGHTS\n" : "";
+  vtkIndirectComputeProgram& kernel = this->Sums[2 * pixels + whole];
+  kernel.SetDefinitions(definitions);
+  vtkShaderProgram* program = kernel.Use(window);
+  if (!program)
+  {
+    return false;
+  }
+  const size_t list = whole ? WholeList(number + 1) : SplitList(number + 1);
+  this->SetLevelUniforms(program, work, number);
+  this->ActivateLevel(program, work, number);
+  work.Lights.Activate(program);
+  this->Lists.Activate(program);
+  program->SetUniformi("vtkiList", static_cast<int>(list));
+  program->SetUniformi("vtkiListFirst", this->Lists.GetFirst(list));
+  if (!pixels)
+  {
+    program->SetUniformi("vtkiSplitList", static_cast<int>(SplitList(number)));
+    program->SetUniformi("vtkiSplitFirst", this->Lists.GetFirst(SplitList(number)));
+    program->SetUniformi("vtkiWholeList", static_cast<int>(WholeList(number)));
+    program->SetUniformi("vtkiWholeFirst", this->Lists.GetFirst(WholeList(number)));
+    program->SetUniformf(
+      "vtkiGlossyThreshold", static_cast<float>(work.Threshold / std::max(count, 1)));
+    program->SetUniformf("vtkiPlaneThreshold", static_cast<float>(work.Set.PlaneThreshold));
+    program->SetUniformf("vtkiNormalThreshold", static_cast<float>(work.Set.NormalThreshold));
+    for (int channel = 1; channel < (work.Set.DepthRange ? 3 : 2); ++channel)
+    {
+      work.Pyramid.GetSurface(number).Activate(channel, program);
+    }
+    work.Irradiance.Activate(0, program, "vtkiIrradiance");
+  }
+  const GLenum format = this->HalfFloats ? GL_RGBA16F : GL_RGBA32F;
+  glBindImageTexture(0, target.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, format);
+  program->SetUniformi("vtkiGlossyImage", 0);
+  // What was drawn into the image must have arrived: llvmpipe does not wait for it by itself.
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  this->Lists.Dispatch(list);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  vtkIndirectGlossyLists::Wait();
+  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, format);
+  this->Lists.Deactivate();
+  work.Irradiance.Deactivate();
+  this->DeactivateLevel(work, number);
+  work.Lights.Deactivate();
+  return true;
+#else
+  (void)work, (void)number, (void)target, (void)whole;
+  return false;
+#endif
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectGlossySubsplats::Fill(const Input& input, const Settings& settings,
+  double threshold, const vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights,
+  const vtkIndirectTarget& irradiance, vtkIndirectTarget& glossy)
+{
+  const Work work = { input, settings, threshold, pyramid, lights, irradiance };
+  bool done = this->FillLobes(work) && this->ListFirst(work);
+  vtkOpenGLState* state = input.Frame.Window->GetState();
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  this->Levels.back()->Begin();
+  this->Levels.back()->Clear();
+  this->Levels.back()->End();
+  for (size_t number = this->Levels.size(); done && number-- > 0;)
+  {
+    vtkIndirectTarget& target = number == 0 ? glossy : *this->Levels[number - 1];
+    done = this->Interpolate(work, number, target) && this->Evaluate(work, number, target, false);
+    // No texel of the last level is whole.
+    done =
+      done && (number + 1 == this->Levels.size() || this->Evaluate(work, number, target, true));
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectGlossySubsplats::CountEvaluations() const
+{
+  double evaluations = 0.0;
+  for (size_t number = 1; number <= this->Levels.size(); ++number)
+  {
+    // Four children; under whole texels also the nine samples around.
+    evaluations += 4.0 * static_cast<double>(this->Lists.Count(SplitList(number)).Pairs) +
+      13.0 * static_cast<double>(this->Lists.Count(WholeList(number)).Pairs);
+  }
+  return evaluations;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectGlossySubsplats::GetBytes() const
+{
+  size_t bytes = this->Lists.GetBytes();
+  for (size_t i = 0; i < this->Levels.size(); ++i)
+  {
+    bytes += this->Levels[i]->GetBytes() + this->Lobes[i]->GetBytes();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectGlossySubsplats::Release(vtkWindow* window)
+{
+  for (size_t i = 0; i < this->Levels.size(); ++i)
+  {
+    this->Levels[i]->Release(window);
+    this->Lobes[i]->Release(window);
+  }
+  this->Levels.clear();
+  this->Lobes.clear();
+  this->Lists.Release();
+  for (vtkIndirectFullScreenProgram* kernel :
+    { &this->LobeOfPixels, &this->Lobe, &this->UpsamplePixels, &this->Upsample })
+  {
+    kernel->Release();
+  }
+  this->First.Release(window);
+  for (vtkIndirectComputeProgram& kernel : this->Sums)
+  {
+    kernel.Release(window);
+  }
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Indirect light in receivers' specular lobes, refined light by light. Nichols and Wyman 2009,
+// "Multiresolution splatting for indirect illumination", section 4.1: a list of subsplats for each
+// virtual light, refined by the illumination that is computed.
+//
+// From the coarsest level down, each listed texel holds the set of lights that its level does not
+// resolve. A light whose values at the children are what its coarse samples interpolate to ends
+// there; where it does not, the residual is added to the children's level. The picture of a level
+// is that of the level above, interpolated, plus its residuals, so lights that end on different
+// levels do not mix.
+#ifndef vtkIndirectGlossySubsplats_h
+#define vtkIndirectGlossySubsplats_h
+
+#include "Multiresolution/vtkIndirectGlossyLists.h"     // for members
+#include "Multiresolution/vtkIndirectSubsplatPyramid.h" // for the pyramid
+#include "OpenGL/vtkIndirectComputeProgram.h"           // for members
+#include "OpenGL/vtkIndirectFullScreenProgram.h"        // for members
+
+#include <memory> // for levels
+#include <vector> // for levels
+
+class vtkIndirectGlossySubsplats
+{
+public:
+  using Input = vtkIndirectEstimateInput;
+  using Settings = vtkIndirectSubsplatSettings;
+
+  /** Whether the lists of a frame fit into memory that drivers give to one buffer. */
+  static bool Fits(const vtkIndirectSubsplatPyramid& pyramid, int numberOfLights);
+
+  /** Creates or resizes the levels. Returns false, after an error, when OpenGL refuses. */
+  bool Resize(
+    vtkOpenGLRenderWindow* window, const vtkIndirectSubsplatPyramid& pyramid, bool halfFloats);
+
+  /**
+   * Fills `glossy`, of the frame's size. irradiance: of the same frame, stored alike; what a light
+   * may be left out or interpolated with is `threshold` times it over the number of lights.
+   */
+  bool Fill(const Input& input, const Settings& settings, double threshold,
+    const vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights,
+    const vtkIndirectTarget& irradiance, vtkIndirectTarget& glossy);
+
+  /** Lights evaluated at texels and pixels in the last frame. Waits for the GPU. */
+  double CountEvaluations() const;
+
+  size_t GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  struct Work; // what the steps below share
+  bool FillLobes(const Work& work);
+  bool ListFirst(const Work& work);
+  bool Interpolate(const Work& work, size_t number, vtkIndirectTarget& target);
+  bool Evaluate(const Work& work, size_t number, vtkIndirectTarget& target, bool whole);
+  void SetLevelUniforms(vtkShaderProgram* program, const Work& work, size_t number) const;
+  void ActivateLevel(vtkShaderProgram* program, const Work& work, size_t number) const;
+  void DeactivateLevel(const Work& work, size_t number) const;
+
+  std::vector<std::unique_ptr<vtkIndirectTarget>> Lobes;  // [i] is level i + 1
+  std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // the same
+  bool HalfFloats = true;
+  vtkIndirectGlossyLists Lists; // of level n: 2 n - 2 the split texels, 2 n - 1 the whole ones
+  vtkIndirectFullScreenProgram LobeOfPixels{ "vtkIndirectGlossyLobeFS.glsl" };
+  vtkIndirectFullScreenProgram Lobe{ "vtkIndirectGlossyLobeFS.glsl" };
+  vtkIndirectFullScreenProgram UpsamplePixels{ "vtkIndirectGlossyUpsampleFS.glsl" };
+  vtkIndirectFullScreenProgram Upsample{ "vtkIndirectGlossyUpsampleFS.glsl" };
+  vtkIndirectComputeProgram First{ "vtkIndirectGlossyFirstCS.glsl" };
+  // Of texels and of pixels, each under split and under whole texels.
+  vtkIndirectComputeProgram Sums[4] = { vtkIndirectComputeProgram("vtkIndirectGlossyCS.glsl"),
+    vtkIndirectComputeProgram("vtkIndirectGlossyCS.glsl"),
+    vtkIndirectComputeProgram("vtkIndirectGlossyCS.glsl"),
+    vtkIndirectComputeProgram("vtkIndirectGlossyCS.glsl") };
+};
+
+#endif

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Multiresolution/vtkIndirectSubsplatIllumination.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "OpenGL/vtkIndirectPaths.h"
+#include "VirtualLights/vtkIndirectLightBlock.h"
+#include "Visibility/vtkIndirectVisibility.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace
+{
+const vtkIndirectChannel HalfChannels[] = {
+  { "subsplat.irradiance", "vtkiCoarserIrradiance", "irradiance, whether there is any", GL_RGBA16F,
+    "-", "VTK irradiance over the frame's unit" },
+  { "subsplat.vector", "vtkiCoarserVector", "luminance of the vector irradiance", GL_RGBA16F,
+    "view", "VTK irradiance over the frame's unit" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel FloatChannels[] = {
+  { "subsplat.irradiance", "vtkiCoarserIrradiance", "irradiance, whether there is any", GL_RGBA32F,
+    "-", "VTK irradiance" },
+  { "subsplat.vector", "vtkiCoarserVector", "luminance of the vector irradiance", GL_RGBA32F,
+    "view", "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+// Split texels of one invocation, which fetches a light once for all below them, and invocations of
+// a group of 64.
+std::string GetGrouping()
+{
+  return vtkIndirectPaths::Get(vtkIndirectPaths::Grouping) == vtkIndirectPaths::GroupingOfFour
+    ? "#define VTKI_BLOCKS 4\n#define VTKI_INVOCATIONS 16\n"
+    : "#define VTKI_BLOCKS 2\n#define VTKI_INVOCATIONS 32\n";
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatIllumination::Resize(vtkOpenGLRenderWindow* window,
+  const vtkIndirectSubsplatPyramid& pyramid, const vtkIndirectTarget& pixels, bool halfFloats)
+{
+  const size_t count = halfFloats == this->HalfFloats ? pyramid.GetNumberOfLevels() : 0;
+  for (; this->Levels.size() > count; this->Levels.pop_back())
+  {
+    this->Levels.back()->Release(window);
+  }
+  this->HalfFloats = halfFloats;
+  while (this->Levels.size() < pyramid.GetNumberOfLevels())
+  {
+    this->Levels.push_back(
+      std::make_unique<vtkIndirectTarget>(halfFloats ? HalfChannels : FloatChannels, false));
+  }
+  for (size_t i = 0; i < this->Levels.size(); ++i)
+  {
+    vtkIndirectTarget& level = *this->Levels[i];
+    const vtkIndirectTarget& surface = pyramid.GetSurface(i + 1);
+    level.ShareDepth(pixels);
+    if (!level.Resize(window, surface.GetWidth(), surface.GetHeight()))
+    {
+      return false;
+    }
+    for (int channel = 0; channel < 2; ++channel)
+    {
+      level.GetTexture(channel)->SetMinificationFilter(vtkTextureObject::Linear);
+      level.GetTexture(channel)->SetMagnificationFilter(vtkTextureObject::Linear);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatIllumination::Define(const Work& work, Renderer renderer)
+{
+  const Settings& settings = work.Set;
+  const std::string lights = work.Lights.GetDefinitions() + work.In.Visibility.GetDefinitions();
+  const std::string detail = settings.SurfaceDetail > 0.0 ? "#define VTKI_SURFACE_DETAIL\n" : "";
+  const std::string evaluate = "#define VTKI_EVALUATE\n";
+  const std::string images = std::string("#define VTKI_FORMAT ") +
+    (this->HalfFloats ? "rgba16f\n" : "rgba32f\n") + lights + GetGrouping();
+  if (work.Number > 0)
+  {
+    this->SmoothTexels.SetDefinitions("#define VTKI_TEXELS\n");
+    this->OtherTexels.SetDefinitions(lights + (renderer == Fragments ? evaluate : ""));
+    this->TexelBlock.SetDefinitions(images);
+    return;
+  }
+  this->SmoothPixels.SetDefinitions(
+    detail + (renderer == Fragments ? "" : "#define VTKI_BLOCKS_FOLLOW\n"));
+  // At half resolution pixels without a sample of their own are evaluated one by one.
+  this->OtherPixels.SetDefinitions(
+    lights + detail + (renderer == Fragments || settings.HalfResolution ? evaluate : ""));
+  this->PixelBlock.SetDefinitions(images + "#define VTKI_PIXELS\n" + detail);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatIllumination::SetUniforms(vtkShaderProgram* program, const Work& work) const
+{
+  const Settings& settings = work.Set;
+  const int size[2] = { work.Target.GetWidth(), work.Target.GetHeight() };
+  vtkIndirectSetEyeUniforms(program, work.In.Frame);
+  program->SetUniform2i("vtkiSize", work.In.Frame.Size);
+  program->SetUniform2i("vtkiLevelSize", size);
+  program->SetUniformf("vtkiEdge", vtkIndirectSubsplatPyramid::EdgeOf(work.Number));
+  program->SetUniformf("vtkiStorageScale", static_cast<float>(settings.StorageScale));
+  program->SetUniformi("vtkiSplits", !settings.HalfResolution);
+  program->SetUniformi("vtkiCorrectNormals", settings.NormalCorrection);
+  program->SetUniformf("vtkiSurfaceDetail", static_cast<float>(settings.SurfaceDetail));
+  // The paper takes all neighbours that have illumination.
+  const double any = 1.0e6;
+  program->SetUniformf(
+    "vtkiSamePlane", static_cast<float>(settings.DepthRange ? any : settings.PlaneThreshold));
+  program->SetUniformf(
+    "vtkiSameNormal", static_cast<float>(settings.DepthRange ? any : settings.NormalThreshold));
+}
+
+//------------------------------------------------------------------------------
+const vtkIndirectTarget& vtkIndirectSubsplatIllumination::ActivateSurface(
+  vtkShaderProgram* program, const Work& work) const
+{
+  const vtkIndirectTarget& surface =
+    work.Number == 0 ? work.In.Geometry.GetTarget() : work.Pyramid.GetSurface(work.Number);
+  surface.Activate(work.Number == 0 ? vtkIndirectGeometryBuffer::Surface : 0, program);
+  return surface;
+}
+
+//------------------------------------------------------------------------------
+// Where a level's neighbourhood is smooth a filter fetch does; the first draw writes depth one half
+// there and leaves one elsewhere, so that the second runs on the rest only. Early depth tests
+// branch where shaders cannot.
+bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
+{
+  vtkIndirectFullScreenProgram& smooth = work.Number == 0 ? this->SmoothPixels : this->SmoothTexels;
+  vtkIndirectFullScreenProgram& others = work.Number == 0 ? this->OtherPixels : this->OtherTexels;
+  vtkOpenGLRenderWindow* window = work.In.Frame.Window;
+  vtkOpenGLState* state = window->GetState();
+  const vtkIndirectTarget& coarserSurface = work.Pyramid.GetSurface(work.Number + 1);
+  const vtkIndirectTarget& coarser = this->GetLevel(work.Number + 1);
+  const int coarserSize[2] = { coarser.GetWidth(), coarser.GetHeight() };
+  bool done = true;
+  work.Target.Begin();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  work.Target.ClearDepth();
+  for (vtkIndirectFullScreenProgram* kernel : { &smooth, &others })
+  {
+    vtkShaderProgram* program = kernel->Use(window);
+    if (!program)
+    {
+      done = false;
+      break;
+    }
+    const bool first = kernel == &smooth;
+    state->vtkglDepthFunc(first ? GL_ALWAYS : GL_LESS);
+    state->vtkglDepthMask(first ? GL_TRUE : GL_FALSE);
+    this->SetUniforms(program, work);
+    const vtkIndirectTarget& surface = this->ActivateSurface(program, work);
+    coarserSurface.Activate(0, program, "vtkiCoarserSurface");
+    coarser.Activate(0, program);
+    coarser.Activate(1, program);
+    program->SetUniform2i("vtkiCoarserSize", coarserSize);
+    program->SetUniformf("vtkiCoarserEdge", vtkIndirectSubsplatPyramid::EdgeOf(work.Number + 1));
+    if (!first)
+    {
+      work.Lights.Activate(program);
+      work.In.Visibility.Activate(work.In.Frame.Window, program);
+    }
+    kernel->Draw();
+    coarserSurface.Deactivate();
+    coarser.Deactivate();
+    surface.Deactivate();
+    work.Lights.Deactivate();
+    work.In.Visibility.Deactivate();
+  }
+  state->vtkglDisable(GL_DEPTH_TEST);
+  work.Target.End();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
+{
+#ifdef GL_COMPUTE_SHADER
+  const bool pixels = work.Number == 0;
+  vtkShaderProgram* program =
+    (pixels ? this->PixelBlock : this->TexelBlock).Use(work.In.Frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  this->SetUniforms(program, work);
+  work.Lights.Activate(program);
+  work.In.Visibility.Activate(work.In.Frame.Window, program);
+  const vtkIndirectTarget& surface = this->ActivateSurface(program, work);
+  static const char* const images[] = { "vtkiIrradianceImage", "vtkiVectorImage" };
+  const GLenum format = this->HalfFloats ? GL_RGBA16F : GL_RGBA32F;
+  const int count = pixels ? 1 : 2;
+  for (int i = 0; i < count; ++i)
+  {
+    glBindImageTexture(
+      i, work.Target.GetTexture(i)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, format);
+    program->SetUniformi(images[i], i);
+  }
+  const vtkIndirectSubsplatList& lists = work.Pyramid.GetLists();
+  lists.Activate(program, work.Number);
+  // What was drawn into the images must have arrived: llvmpipe does not wait for it by itself.
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  lists.Dispatch(work.Number);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  lists.Deactivate();
+  for (int i = 0; i < count; ++i)
+  {
+    glBindImageTexture(i, 0, 0, GL_FALSE, 0, GL_READ_WRITE, format);
+  }
+  surface.Deactivate();
+  work.Lights.Deactivate();
+  work.In.Visibility.Deactivate();
+  return true;
+#else
+  (void)work;
+  return false;
+#endif
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatIllumination::SplatPoints(const Work& work)
+{
+  vtkOpenGLRenderWindow* window = work.In.Frame.Window;
+  const vtkIndirectSubsplatList& lists = work.Pyramid.GetLists();
+  const int points = lists.Count(work.Number);
+  if (points == 0)
+  {
+    return true;
+  }
+  std::string definitions = work.Lights.GetDefinitions() + work.In.Visibility.GetDefinitions();
+  definitions += work.Number == 0 ? "#define VTKI_PIXELS\n" : "";
+  definitions += work.Set.SurfaceDetail > 0.0 ? "#define VTKI_SURFACE_DETAIL\n" : "";
+  vtkIndirectPointProgram& splats = work.Number == 0 ? this->PixelPoints : this->TexelPoints;
+  vtkShaderProgram* program = splats.Use(window, definitions);
+  if (!program)
+  {
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  work.Target.Begin();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  this->SetUniforms(program, work);
+  work.Lights.Activate(program);
+  work.In.Visibility.Activate(work.In.Frame.Window, program);
+  const vtkIndirectTarget& surface = this->ActivateSurface(program, work);
+  for (int child = 0; child < 4; ++child)
+  {
+    const int offset[2] = { child & 1, child >> 1 };
+    program->SetUniform2i("vtkiChild", offset);
+    splats.DrawInstances(program->FindAttributeArray("vtkiSplitTexel"), lists.GetBuffer(),
+      lists.GetOffset(work.Number), points, work.Lights.GetNumberOfLights());
+  }
+  surface.Deactivate();
+  work.Lights.Deactivate();
+  work.In.Visibility.Deactivate();
+  state->vtkglDisable(GL_BLEND);
+  work.Target.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatIllumination::Fill(const Work& work, Renderer renderer)
+{
+  this->Define(work, renderer);
+  if (!this->Interpolate(work))
+  {
+    return false;
+  }
+  if (renderer == Fragments || (work.Number == 0 && work.Set.HalfResolution))
+  {
+    return true;
+  }
+  return renderer == Compute ? this->EvaluateBlocks(work) : this->SplatPoints(work);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatIllumination::FillLevels(const Input& input, const Settings& settings,
+  Renderer renderer, vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights)
+{
+  // The last level has no leaves.
+  this->Levels.back()->Begin();
+  this->Levels.back()->Clear();
+  this->Levels.back()->End();
+  bool done = true;
+  for (size_t number = this->Levels.size() - 1; done && number > 0; --number)
+  {
+    done =
+      this->Fill({ input, settings, pyramid, lights, *this->Levels[number - 1], number }, renderer);
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatIllumination::FillPixels(const Input& input, const Settings& settings,
+  Renderer renderer, vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights,
+  vtkIndirectTarget& pixels)
+{
+  return this->Fill({ input, settings, pyramid, lights, pixels, 0 }, renderer);
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectSubsplatIllumination::GetBytes() const
+{
+  size_t bytes = 0;
+  for (const auto& level : this->Levels)
+  {
+    bytes += level->GetBytes();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatIllumination::Release(vtkWindow* window)
+{
+  for (auto& level : this->Levels)
+  {
+    level->Release(window);
+  }
+  this->Levels.clear();
+  this->TexelPoints.Release();
+  this->PixelPoints.Release();
+  for (vtkIndirectFullScreenProgram* kernel :
+    { &this->SmoothTexels, &this->OtherTexels, &this->SmoothPixels, &this->OtherPixels })
+  {
+    kernel->Release();
+  }
+  this->TexelBlock.Release(window);
+  this->PixelBlock.Release(window);
+}

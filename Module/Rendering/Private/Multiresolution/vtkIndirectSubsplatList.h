@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lists of the texels that are split, one a level, in a storage buffer, with the sizes of the
+// indirect dispatches that work through them; see vtkIndirectSubsplatStorage.glsl. Needs
+// OpenGL 4.3.
+#ifndef vtkIndirectSubsplatList_h
+#define vtkIndirectSubsplatList_h
+
+#include "OpenGL/vtkIndirectCommandBuffer.h" // for a member
+
+#include <cstddef> // for size_t
+#include <vector>  // for the levels
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+class vtkIndirectSubsplatList
+{
+public:
+  vtkIndirectSubsplatList();
+
+  /** Empties the lists; capacities[i] entries are room enough for list i. */
+  void Begin(vtkOpenGLRenderWindow* window, const std::vector<size_t>& capacities);
+
+  /** After the last program that appends: makes the lists visible to those that read them. */
+  void End();
+  /** Replaces all lists, where shaders cannot append to them. */
+  void Fill(vtkOpenGLRenderWindow* window, const std::vector<std::vector<unsigned int>>& lists);
+
+  /** Binds the buffer to a program that appends to, or reads, one of the lists. */
+  void Activate(vtkShaderProgram* program, size_t list) const;
+  void Deactivate() const { this->Buffer.Deactivate(); }
+
+  /** One invocation for each entry, rounded up to groups; the program must be current. */
+  void Dispatch(size_t list) const { this->Buffer.Dispatch(list); }
+
+  /** Entries in a list. Waits for the GPU. */
+  int Count(size_t list) const { return static_cast<int>(this->Buffer.Count(list)); }
+  /** The buffer, and where in it the entries of a list begin. */
+  unsigned int GetBuffer() const { return this->Buffer.GetHandle(); }
+  size_t GetOffset(size_t list) const { return this->Buffer.GetOffset(this->First[list]); }
+
+  size_t GetBytes() const { return this->Buffer.GetBytes(); }
+  /** The buffer's context must be current. */
+  void Release() { this->Buffer.Release(); }
+
+private:
+  vtkIndirectCommandBuffer Buffer;
+  std::vector<unsigned int> First; // of each list, in entries
+};
+
+#endif

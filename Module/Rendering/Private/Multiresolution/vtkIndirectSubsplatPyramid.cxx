@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Multiresolution/vtkIndirectSubsplatPyramid.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "VirtualLights/vtkIndirectLightBlock.h"
+#include "Visibility/vtkIndirectVisibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+const vtkIndirectChannel PlaneChannels[] = {
+  { "subsplat.surface", "vtkiLevelSurface", "octahedral normal, depth, state", GL_RGBA32F, "view",
+    "scene units" },
+  { "subsplat.deviation", "vtkiFinerDeviation",
+    "distance from the mean plane over the width, spread of the normals", GL_RG16F, "-", "-" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel RangeChannels[] = {
+  { "subsplat.surface", "vtkiLevelSurface", "octahedral normal, depth, state", GL_RGBA32F, "view",
+    "scene units" },
+  { "subsplat.minimum", "vtkiFinerMinimum", "least normal components and depth", GL_RGBA32F, "view",
+    "scene units" },
+  { "subsplat.maximum", "vtkiFinerMaximum", "greatest normal components and depth", GL_RGBA32F,
+    "view", "scene units" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel ProbeChannels[] = {
+  { "subsplat.probe", "vtkiProbe",
+    "luminance of the irradiance at a pixel of each texel, and of the difference between halves of "
+    "the lights, whether lit",
+    GL_RGBA32F, "-", "VTK irradiance over the frame's unit" },
+  { "subsplat.sender", "vtkiProbeSender", "position and area of the light of greatest curvature",
+    GL_RGBA32F, "view", "scene units" },
+  { "subsplat.senderDensity", "vtkiProbeDensity",
+    "its normal times density and area, over the irradiance", GL_RGBA32F, "view", "-" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel VariationChannels[] = {
+  { "subsplat.variation", "vtkiVariation",
+    "relative error of interpolation between probes; that light's normal times density and area",
+    GL_RGBA32F, "view", "-" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatPyramid::Resize(
+  vtkOpenGLRenderWindow* window, const int size[2], const Settings& settings)
+{
+  if (settings.DepthRange != this->DepthRange)
+  {
+    for (auto& level : this->Levels)
+    {
+      level->Release(window);
+    }
+    this->Levels.clear();
+    this->DepthRange = settings.DepthRange;
+  }
+  int width = size[0];
+  int height = size[1];
+  size_t count = 0;
+  do
+  {
+    width = (width + 1) / 2;
+    height = (height + 1) / 2;
+    if (count == this->Levels.size())
+    {
+      this->Levels.push_back(std::make_unique<vtkIndirectTarget>(
+        settings.DepthRange ? RangeChannels : PlaneChannels, false));
+    }
+    if (!this->Levels[count++]->Resize(window, width, height))
+    {
+      return false;
+    }
+  } while (2 * std::max(width, height) > settings.CoarsestResolution || count < 2);
+  for (; this->Levels.size() > count; this->Levels.pop_back())
+  {
+    this->Levels.back()->Release(window);
+  }
+
+  const bool probes = settings.LightingThreshold > 0.0 || settings.ReportsError;
+  if (!probes && this->Probe)
+  {
+    this->Probe->Release(window);
+    this->Variation->Release(window);
+    this->Probe.reset();
+    this->Variation.reset();
+  }
+  if (probes && !this->Probe)
+  {
+    this->Probe = std::make_unique<vtkIndirectTarget>(ProbeChannels, false);
+    this->Variation = std::make_unique<vtkIndirectTarget>(VariationChannels, false);
+  }
+  return !probes ||
+    (this->Probe->Resize(window, width, height) && this->Variation->Resize(window, width, height));
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatPyramid::ProbeLighting(
+  const Input& input, const Settings& settings, vtkIndirectLightBlock& lights)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  const int size[2] = { this->Probe->GetWidth(), this->Probe->GetHeight() };
+  this->ProbeLights.SetDefinitions(lights.GetDefinitions() + input.Visibility.GetDefinitions());
+  for (const bool probe : { true, false })
+  {
+    vtkIndirectFullScreenProgram& kernel = probe ? this->ProbeLights : this->MeasureVariation;
+    vtkIndirectTarget& target = probe ? *this->Probe : *this->Variation;
+    vtkShaderProgram* program = kernel.Use(frame.Window, target);
+    if (!program)
+    {
+      return false;
+    }
+    target.Begin();
+    vtkIndirectSetEyeUniforms(program, frame);
+    program->SetUniform2i("vtkiSize", frame.Size);
+    program->SetUniform2i("vtkiLevelSize", size);
+    program->SetUniformf("vtkiEdge", EdgeOf(this->Levels.size()));
+    program->SetUniformf("vtkiStorageScale", static_cast<float>(settings.StorageScale));
+    program->SetUniformf("vtkiSamePlane", static_cast<float>(settings.PlaneThreshold));
+    program->SetUniformf("vtkiSameNormal", static_cast<float>(settings.NormalThreshold));
+    input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+    if (probe)
+    {
+      lights.Activate(program);
+      input.Visibility.Activate(frame.Window, program);
+    }
+    else
+    {
+      this->Probe->Activate(0, program);
+      this->Probe->Activate(2, program);
+    }
+    kernel.Draw();
+    this->Probe->Deactivate();
+    lights.Deactivate();
+    input.Visibility.Deactivate();
+    input.Geometry.GetTarget().Deactivate();
+    target.End();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatPyramid::BuildLevel(
+  const Input& input, const Settings& settings, size_t number)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  const bool first = number == 1;
+  vtkIndirectFullScreenProgram& kernel = first ? this->BuildFinest : this->BuildCoarser;
+  vtkIndirectTarget& level = *this->Levels[number - 1];
+  vtkShaderProgram* program = kernel.Use(frame.Window, level);
+  if (!program)
+  {
+    return false;
+  }
+  const bool last = number == this->Levels.size();
+  const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
+  level.Begin();
+  vtkIndirectSetEyeUniforms(program, frame);
+  program->SetUniform2i("vtkiSize", frame.Size);
+  program->SetUniformf("vtkiEdge", EdgeOf(number));
+  program->SetUniformi("vtkiSplits", !first || !settings.HalfResolution);
+  program->SetUniformi("vtkiLast", last);
+  program->SetUniformf("vtkiPlaneThreshold", static_cast<float>(settings.PlaneThreshold));
+  program->SetUniformf("vtkiDepthThreshold", static_cast<float>(settings.DepthThreshold));
+  program->SetUniformf("vtkiNormalThreshold", static_cast<float>(settings.NormalThreshold));
+  if (settings.HasCompute)
+  {
+    this->Lists.Activate(program, number - 1);
+  }
+  if (settings.LightingThreshold > 0.0)
+  {
+    // The error of interpolation goes with the square of the width.
+    const double widths = std::exp2(static_cast<double>(this->Levels.size() - number));
+    program->SetUniformf(
+      "vtkiVariationThreshold", static_cast<float>(settings.LightingThreshold * widths * widths));
+    program->SetUniformf("vtkiLightingThreshold", static_cast<float>(settings.LightingThreshold));
+    this->Variation->Activate(0, program);
+    this->Probe->Activate(1, program);
+  }
+  if (first)
+  {
+    geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
+    kernel.Draw();
+    geometry.Deactivate();
+  }
+  else
+  {
+    const vtkIndirectTarget& finer = *this->Levels[number - 2];
+    const int size[2] = { finer.GetWidth(), finer.GetHeight() };
+    program->SetUniform2i("vtkiFinerSize", size);
+    finer.Activate(0, program, "vtkiFinerSurface");
+    for (int channel = 1; channel < (this->DepthRange ? 3 : 2); ++channel)
+    {
+      finer.Activate(channel, program);
+    }
+    kernel.Draw();
+    finer.Deactivate();
+  }
+  if (settings.LightingThreshold > 0.0)
+  {
+    this->Variation->Deactivate();
+    this->Probe->Deactivate();
+  }
+  level.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatPyramid::Build(
+  const Input& input, const Settings& settings, vtkIndirectLightBlock& lights)
+{
+  std::string definitions;
+  if (settings.HasCompute)
+  {
+    // As an extension of older versions some compilers lack its atomic functions.
+    definitions += "#version 430\n#define VTKI_LIST_SPLIT\n";
+    std::vector<size_t> texels;
+    for (const auto& level : this->Levels)
+    {
+      texels.push_back(static_cast<size_t>(level->GetWidth()) * level->GetHeight());
+    }
+    this->Lists.Begin(input.Frame.Window, texels);
+  }
+  definitions += settings.DepthRange ? "#define VTKI_DEPTH_RANGE\n" : "";
+  definitions += settings.LightingThreshold > 0.0 ? "#define VTKI_VARIATION\n" : "";
+  this->BuildFinest.SetDefinitions(definitions);
+  this->BuildCoarser.SetDefinitions(
+    definitions + (settings.Balance ? "#define VTKI_BALANCE\n" : ""));
+
+  bool done = !this->Probe || this->ProbeLighting(input, settings, lights);
+  for (size_t number = 1; done && number <= this->Levels.size(); ++number)
+  {
+    done = this->BuildLevel(input, settings, number);
+  }
+  if (settings.HasCompute)
+  {
+    this->Lists.End();
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatPyramid::FillLists(vtkOpenGLRenderWindow* window)
+{
+  std::vector<std::vector<unsigned int>> lists;
+  for (const auto& level : this->Levels)
+  {
+    lists.emplace_back();
+    const std::vector<float> values = level->ReadBack(0);
+    for (unsigned int i = 0; i < values.size() / 4; ++i)
+    {
+      if (vtkIndirectKernels::vtkiSubsplatIsSplit(values[4 * i + 3]))
+      {
+        const unsigned int width = static_cast<unsigned int>(level->GetWidth());
+        lists.back().push_back(i % width | (i / width) << 16);
+      }
+    }
+  }
+  this->Lists.Fill(window, lists);
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectSubsplatPyramid::EstimateSamplingError() const
+{
+  double squares = 0.0;
+  double sum = 0.0;
+  size_t count = 0;
+  const std::vector<float> values = this->Probe ? this->Probe->ReadBack(0) : std::vector<float>();
+  for (size_t i = 0; i < values.size(); i += 4)
+  {
+    // The fourth component is 1 where something is lit.
+    if (values[i + 3] > 0.5f)
+    {
+      // The halves are not doubled: A - B as sums is half of A - B as estimates.
+      squares += static_cast<double>(values[i + 1]) * values[i + 1];
+      sum += values[i];
+      ++count;
+    }
+  }
+  return sum > 0.0 ? std::sqrt(squares / count) / (sum / count) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectSubsplatPyramid::GetBytes() const
+{
+  size_t bytes = this->Lists.GetBytes();
+  for (const auto& level : this->Levels)
+  {
+    bytes += level->GetBytes();
+  }
+  return bytes + (this->Probe ? this->Probe->GetBytes() + this->Variation->GetBytes() : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatPyramid::Release(vtkWindow* window)
+{
+  for (auto& level : this->Levels)
+  {
+    level->Release(window);
+  }
+  this->Levels.clear();
+  for (auto* target : { &this->Probe, &this->Variation })
+  {
+    if (*target)
+    {
+      (*target)->Release(window);
+      target->reset();
+    }
+  }
+  this->Lists.Release();
+  this->ProbeLights.Release();
+  this->MeasureVariation.Release();
+  this->BuildFinest.Release();
+  this->BuildCoarser.Release();
+}

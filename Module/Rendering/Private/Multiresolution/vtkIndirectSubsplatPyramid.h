@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cuts the image into subsplats: a pyramid of surfaces over the geometry buffer, in which each
+// texel is whole or split. Nichols and Wyman 2009, "Multiresolution splatting for indirect
+// illumination", sections 3.2 and 3.3.
+//
+// Level n has texels of 2^n pixels. The last level has no leaves: all of it is split.
+#ifndef vtkIndirectSubsplatPyramid_h
+#define vtkIndirectSubsplatPyramid_h
+
+#include "Frame/vtkIndirectEstimate.h"               // for the input
+#include "Multiresolution/vtkIndirectSubsplatList.h" // for members
+#include "OpenGL/vtkIndirectFullScreenProgram.h"     // for members
+#include "OpenGL/vtkIndirectTarget.h"                // for members
+
+#include <memory> // for levels
+#include <vector> // for levels
+
+class vtkIndirectLightBlock;
+
+struct vtkIndirectSubsplatSettings
+{
+  int CoarsestResolution = 64;
+  bool HalfResolution = false;
+  bool DepthRange = false; // the paper's test
+  double PlaneThreshold = 0.0;
+  double DepthThreshold = 0.0;
+  double NormalThreshold = 0.0;
+  double LightingThreshold = 0.0;
+  bool Balance = true;
+  bool NormalCorrection = true;
+  double SurfaceDetail = 0.0;
+  bool HalfFloats = true;
+  double StorageScale = 1.0;
+  bool HasCompute = false; // OpenGL 4.3: lists on the GPU
+  bool ReportsError = false;
+};
+
+class vtkIndirectSubsplatPyramid
+{
+public:
+  /** Creates or resizes the levels for an image. Returns false, after an error, when it cannot. */
+  bool Resize(
+    vtkOpenGLRenderWindow* window, const int size[2], const vtkIndirectSubsplatSettings& settings);
+
+  /** Looks how the lighting varies, then builds all levels. */
+  bool Build(const vtkIndirectEstimateInput& input, const vtkIndirectSubsplatSettings& settings,
+    vtkIndirectLightBlock& lights);
+
+  size_t GetNumberOfLevels() const { return this->Levels.size(); }
+  /** Octahedral normal, depth and state of level `number`, from 1 on. */
+  const vtkIndirectTarget& GetSurface(size_t number) const { return *this->Levels[number - 1]; }
+  /** List i: the texels of level i + 1 that are split. */
+  vtkIndirectSubsplatList& GetLists() { return this->Lists; }
+
+  /** Makes the lists on the CPU, where OpenGL has no storage buffers; reads back. */
+  void FillLists(vtkOpenGLRenderWindow* window);
+
+  /**
+   * Error that the choice of lights leaves, from two halves of them at the probes: RMS(A - B) / 2
+   * over the mean. Needs ReportsError; reads back.
+   */
+  double EstimateSamplingError() const;
+
+  /** Pixels along the edge of a texel of a level. */
+  static float EdgeOf(size_t number) { return static_cast<float>(1u << number); }
+
+  size_t GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  using Input = vtkIndirectEstimateInput;
+  using Settings = vtkIndirectSubsplatSettings;
+  bool ProbeLighting(const Input& input, const Settings& settings, vtkIndirectLightBlock& lights);
+  bool BuildLevel(const Input& input, const Settings& settings, size_t number);
+
+  std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // [i] is level i + 1
+  bool DepthRange = false;
+  vtkIndirectSubsplatList Lists;
+  std::unique_ptr<vtkIndirectTarget> Probe;
+  std::unique_ptr<vtkIndirectTarget> Variation;
+  vtkIndirectFullScreenProgram ProbeLights{ "vtkIndirectSubsplatProbeFS.glsl" };
+  vtkIndirectFullScreenProgram MeasureVariation{ "vtkIndirectSubsplatVariationFS.glsl" };
+  vtkIndirectFullScreenProgram BuildFinest{ "vtkIndirectSubsplatFirstFS.glsl" };
+  vtkIndirectFullScreenProgram BuildCoarser{ "vtkIndirectSubsplatNextFS.glsl" };
+};
+
+#endif

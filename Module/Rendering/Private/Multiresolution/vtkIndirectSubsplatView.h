@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Debug views of multiresolution splatting: the paper's figures 3, 4 and 5 for any scene.
+#ifndef vtkIndirectSubsplatView_h
+#define vtkIndirectSubsplatView_h
+
+#include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+
+#include <string> // for names
+#include <vector> // for names
+
+class vtkIndirectGeometryBuffer;
+class vtkIndirectSubsplatIllumination;
+class vtkIndirectSubsplatPyramid;
+class vtkIndirectTarget;
+struct vtkIndirectFrame;
+
+class vtkIndirectSubsplatView
+{
+public:
+  /**
+   * Names of the views for that many levels: subsplat.level, each pixel's level; subsplat.outline,
+   * the subsplats over the irradiance; subsplat.evaluated<n>, the illumination of level n's leaves;
+   * subsplat.upsampled<n>, level n with all that is coarser interpolated into it. 0 is pixels.
+   */
+  static std::vector<std::string> GetNames(size_t levels);
+
+  /** Draws one into the bound target of the frame's size. Returns its components, 0 for no view. */
+  int Draw(const std::string& name, const vtkIndirectFrame& frame,
+    const vtkIndirectGeometryBuffer& geometry, const vtkIndirectSubsplatPyramid& pyramid,
+    const vtkIndirectSubsplatIllumination& illumination, const vtkIndirectTarget& pixels,
+    double unit);
+
+  void Release() { this->View.Release(); }
+
+private:
+  vtkIndirectFullScreenProgram View{ "vtkIndirectSubsplatViewFS.glsl" };
+};
+
+#endif

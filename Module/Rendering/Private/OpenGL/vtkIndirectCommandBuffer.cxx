@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "OpenGL/vtkIndirectCommandBuffer.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <array>
+#include <vector>
+
+namespace
+{
+using Command = std::array<unsigned int, 4>;
+#ifdef GL_SHADER_STORAGE_BUFFER
+constexpr unsigned int Binding = 0;
+#endif
+}
+
+vtkIndirectCommandBuffer::~vtkIndirectCommandBuffer()
+{
+  if (this->Window)
+  {
+    this->Window->MakeCurrent();
+    this->Release();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCommandBuffer::Create(vtkOpenGLRenderWindow* window)
+{
+  if (this->Handle == 0)
+  {
+    this->Window = window;
+    glGenBuffers(1, &this->Handle);
+  }
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectCommandBuffer::GetBytes(size_t lists, size_t words)
+{
+  return lists * sizeof(Command) + words * sizeof(unsigned int);
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectCommandBuffer::GetOffset(size_t word) const
+{
+  return GetBytes(this->NumberOfLists, word);
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLRenderWindow* vtkIndirectCommandBuffer::GetWindow() const
+{
+  return this->Window;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCommandBuffer::Begin(vtkOpenGLRenderWindow* window, size_t words)
+{
+#ifdef GL_SHADER_STORAGE_BUFFER
+  const size_t bytes = GetBytes(this->NumberOfLists, words);
+  this->Create(window);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handle);
+  if (bytes != this->Bytes)
+  {
+    glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
+    this->Bytes = bytes;
+  }
+  const std::vector<Command> commands(this->NumberOfLists, Command{ 0, 1, 1, 0 });
+  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, commands.size() * sizeof(Command), commands.data());
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+#else
+  (void)window, (void)words;
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCommandBuffer::Fill(
+  vtkOpenGLRenderWindow* window, const unsigned int* words, size_t count)
+{
+  this->Create(window);
+  this->Bytes = count * sizeof(unsigned int);
+  glBindBuffer(GL_ARRAY_BUFFER, this->Handle);
+  glBufferData(GL_ARRAY_BUFFER, this->Bytes, words, GL_DYNAMIC_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCommandBuffer::Activate(vtkShaderProgram* program, const char* block) const
+{
+#ifdef GL_SHADER_STORAGE_BUFFER
+  const auto handle = static_cast<GLuint>(program->GetHandle());
+  glShaderStorageBlockBinding(
+    handle, glGetProgramResourceIndex(handle, GL_SHADER_STORAGE_BLOCK, block), Binding);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Binding, this->Handle);
+#else
+  (void)program, (void)block;
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCommandBuffer::Deactivate() const
+{
+#ifdef GL_SHADER_STORAGE_BUFFER
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Binding, 0);
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCommandBuffer::Dispatch(size_t list) const
+{
+#ifdef GL_SHADER_STORAGE_BUFFER
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, this->Handle);
+  glDispatchComputeIndirect(static_cast<GLintptr>(list * sizeof(Command)));
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
+#else
+  (void)list;
+#endif
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkIndirectCommandBuffer::Count(size_t list) const
+{
+  Command command{};
+  glBindBuffer(GL_ARRAY_BUFFER, this->Handle);
+  glGetBufferSubData(GL_ARRAY_BUFFER, list * sizeof(Command), sizeof(Command), command.data());
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  return command[3];
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCommandBuffer::Read(size_t first, size_t count, unsigned int* words) const
+{
+  if (count > 0)
+  {
+    glBindBuffer(GL_ARRAY_BUFFER, this->Handle);
+    glGetBufferSubData(
+      GL_ARRAY_BUFFER, this->GetOffset(first), count * sizeof(unsigned int), words);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCommandBuffer::Release()
+{
+  if (this->Handle)
+  {
+    glDeleteBuffers(1, &this->Handle);
+    this->Handle = 0;
+  }
+  this->Window = nullptr;
+  this->Bytes = 0;
+}

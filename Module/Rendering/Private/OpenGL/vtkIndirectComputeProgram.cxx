@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "OpenGL/vtkIndirectComputeProgram.h"
+
+#include "OpenGL/vtkIndirectShaderLibrary.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+#include "vtkWeakPointer.h"
+
+#include <vector>
+
+//------------------------------------------------------------------------------
+class vtkIndirectComputeProgram::Program : public vtkShaderProgram
+{
+public:
+  static Program* New() { VTK_STANDARD_NEW_BODY(Program); }
+  vtkTypeMacro(Program, vtkShaderProgram);
+
+  bool Build(vtkOpenGLRenderWindow* window, const std::string& text)
+  {
+    this->Window = window;
+#ifdef GL_COMPUTE_SHADER
+    const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
+    const char* source = text.c_str();
+    glShaderSource(shader, 1, &source, nullptr);
+    glCompileShader(shader);
+    const auto program = glCreateProgram();
+    glAttachShader(program, shader);
+    glLinkProgram(program);
+    glDetachShader(program, shader);
+    GLint compiled = GL_FALSE;
+    GLint linked = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (compiled == GL_FALSE || linked == GL_FALSE)
+    {
+      std::vector<char> log(4096, '\0');
+      if (compiled == GL_FALSE)
+      {
+        glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+      }
+      else
+      {
+        glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
+      }
+      vtkErrorMacro("A compute shader was refused: " << log.data());
+      glDeleteShader(shader);
+      glDeleteProgram(program);
+      return false;
+    }
+    glDeleteShader(shader);
+    this->Handle = static_cast<int>(program);
+    this->Linked = true;
+    return true;
+#else
+    vtkErrorMacro("This build of VTK has no compute shaders.");
+    return text.empty();
+#endif
+  }
+
+  void Destroy()
+  {
+    if (this->Handle)
+    {
+      glDeleteProgram(static_cast<GLuint>(this->Handle));
+      this->Handle = 0;
+    }
+    this->Linked = false;
+    this->Window = nullptr;
+  }
+
+protected:
+  Program() = default;
+  ~Program() override
+  {
+    if (this->Window)
+    {
+      this->Window->MakeCurrent();
+      this->Destroy();
+    }
+  }
+
+private:
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the program
+};
+
+//------------------------------------------------------------------------------
+vtkIndirectComputeProgram::vtkIndirectComputeProgram(const char* stage)
+  : Stage(stage)
+{
+}
+
+vtkIndirectComputeProgram::~vtkIndirectComputeProgram() = default;
+
+//------------------------------------------------------------------------------
+bool vtkIndirectComputeProgram::IsSupported()
+{
+#ifdef GL_COMPUTE_SHADER
+  int version[2] = { 0, 0 };
+  glGetIntegerv(GL_MAJOR_VERSION, &version[0]);
+  glGetIntegerv(GL_MINOR_VERSION, &version[1]);
+  return version[0] > 4 || (version[0] == 4 && version[1] >= 3);
+#else
+  return false;
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectComputeProgram::SetDefinitions(const std::string& definitions)
+{
+  if (definitions != this->Definitions)
+  {
+    this->Definitions = definitions;
+    this->Release(nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectComputeProgram::SetText(const std::string& text)
+{
+  if (text != this->Text)
+  {
+    this->Text = text;
+    this->Release(nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Built)
+  {
+    std::string text =
+      this->Stage.empty() ? this->Text : vtkIndirectShaderLibrary::GetText(this->Stage);
+    // The first line is where VTK puts the version of the other stages.
+    text.replace(0, text.find('\n') + 1, "#version 430\n" + this->Definitions);
+    auto built = vtkSmartPointer<Program>::New();
+    if (!built->Build(window, text))
+    {
+      return nullptr;
+    }
+    this->Built = built;
+  }
+  // The cache would take the program that it bound last for the current one.
+  window->GetShaderCache()->ReleaseCurrentShader();
+  glUseProgram(static_cast<GLuint>(this->Built->GetHandle()));
+  return this->Built;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectComputeProgram::Release(vtkWindow*)
+{
+  if (this->Built)
+  {
+    this->Built->Destroy();
+    this->Built = nullptr;
+  }
+}

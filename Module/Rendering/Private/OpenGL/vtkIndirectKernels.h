@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernels of glsl/lib as C++, through GLM: the source that runs on the GPU, on the CPU.
+#ifndef vtkIndirectKernels_h
+#define vtkIndirectKernels_h
+
+#include <glm/glm.hpp> // for vectors and matrices
+
+#define VTKI_HOST
+#define VTKI_OUT(T) T&
+#define VTKI_INOUT(T) T&
+
+namespace vtkIndirectKernels
+{
+using glm::abs;
+using glm::cos;
+using glm::cross;
+using glm::dot;
+using glm::floatBitsToUint;
+using glm::floor;
+using glm::fract;
+using glm::ivec2;
+using glm::ivec3;
+using glm::length;
+using glm::mat3;
+using glm::max;
+using glm::min;
+using glm::normalize;
+using glm::pow;
+using glm::sin;
+using glm::sqrt;
+using glm::uintBitsToFloat;
+using glm::uvec4;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+using uint = glm::uint;
+// clang-format off
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#endif
+namespace
+{
+#include "vtkIndirectLibPortable.glsl"
+#include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectLibAlbedo.glsl"
+#include "vtkIndirectLibChannel.glsl"
+#include "vtkIndirectLibPlane.glsl"
+#include "vtkIndirectLibLightMap.glsl"
+#include "vtkIndirectLibTable.glsl"
+#include "vtkIndirectLibVirtualLight.glsl"
+#include "vtkIndirectLibGlossy.glsl"
+#include "vtkIndirectLibSubsplat.glsl"
+#include "vtkIndirectLibShadow.glsl"
+#include "vtkIndirectLibInterpolation.glsl"
+#include "vtkIndirectLibSampling.glsl"
+#include "vtkIndirectLibColor.glsl"
+#include "vtkIndirectLibHarmonics.glsl"
+#include "vtkIndirectLibOccupancy.glsl"
+#include "vtkIndirectLibDistanceField.glsl"
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+// clang-format on
+}
+
+#endif

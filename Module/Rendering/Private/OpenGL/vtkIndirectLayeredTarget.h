@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A framebuffer over square two-dimensional array textures, one layer a map.
+#ifndef vtkIndirectLayeredTarget_h
+#define vtkIndirectLayeredTarget_h
+
+#include "OpenGL/vtkIndirectChannel.h" // for the table
+#include "vtkSmartPointer.h"           // for members
+
+#include <cstddef> // for size_t
+#include <vector>  // for textures
+
+class vtkIndirectArrayTexture;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+
+class vtkIndirectLayeredTarget
+{
+public:
+  /** channels: table ended by InternalFormat 0. A depth array for shadow look-ups always comes too.
+   */
+  explicit vtkIndirectLayeredTarget(const vtkIndirectChannel* channels);
+  ~vtkIndirectLayeredTarget();
+
+  /**
+   * Creates the textures; layers grow as needed and never shrink. Sets `lost` when the old content
+   * is gone. Returns false when OpenGL cannot hold them, after one error for each new attempt.
+   */
+  bool Resize(vtkOpenGLRenderWindow* window, int texels, int layers, bool& lost);
+
+  /** Binds one layer for drawing and clears it; pair with End. */
+  void BeginLayer(int layer);
+  void End();
+
+  /** Binds a channel's array and sets its sampler; pair with Deactivate. */
+  void Activate(int channel, vtkShaderProgram* program);
+  /** Texture unit with the depth array bound; pair with Deactivate. */
+  int ActivateShadow();
+  void Deactivate();
+
+  int GetLayers() const { return this->Layers; }
+  size_t GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  const vtkIndirectChannel* Channels;
+  int NumberOfChannels = 0;
+  int Texels = 0;
+  int Layers = 0;
+  int RefusedTexels = 0; // what the window could not hold
+  int RefusedLayers = 0;
+  vtkOpenGLRenderWindow* RefusedBy = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkSmartPointer<vtkIndirectArrayTexture> Depth;
+  std::vector<vtkSmartPointer<vtkIndirectArrayTexture>> Textures;
+};
+
+#endif

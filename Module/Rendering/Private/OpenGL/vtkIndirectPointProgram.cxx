@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "OpenGL/vtkIndirectPointProgram.h"
+
+#include "OpenGL/vtkIndirectShaderLibrary.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+//------------------------------------------------------------------------------
+vtkIndirectPointProgram::vtkIndirectPointProgram(const char* vertexStage, const char* fragmentStage)
+  : VertexStage(vertexStage)
+  , FragmentStage(fragmentStage)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectPointProgram::~vtkIndirectPointProgram()
+{
+  if (this->Window)
+  {
+    this->Window->MakeCurrent();
+    this->Release();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkIndirectPointProgram::Use(
+  vtkOpenGLRenderWindow* window, const std::string& definitions)
+{
+  if (this->VertexText.empty() || definitions != this->Definitions)
+  {
+    this->Definitions = definitions;
+    this->VertexText = vtkIndirectShaderLibrary::GetShader(this->VertexStage, definitions);
+    this->FragmentText = vtkIndirectShaderLibrary::GetShader(this->FragmentStage, definitions);
+  }
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    this->VertexText.c_str(), this->FragmentText.c_str(), "");
+  if (!program || !program->GetCompiled())
+  {
+    return nullptr;
+  }
+  if (this->VertexArray == 0)
+  {
+    this->Window = window;
+    glGenVertexArrays(1, &this->VertexArray);
+  }
+  return program;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPointProgram::Draw(int count, int pixels)
+{
+  this->Window->GetState()->vtkglPointSize(static_cast<float>(pixels));
+  glBindVertexArray(this->VertexArray);
+  glDrawArrays(GL_POINTS, 0, count);
+  glBindVertexArray(0);
+  this->Window->GetState()->vtkglPointSize(1.0f);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPointProgram::DrawInstances(
+  int attribute, unsigned int buffer, size_t offset, int count, int instances)
+{
+  glBindVertexArray(this->VertexArray);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glEnableVertexAttribArray(attribute);
+  glVertexAttribIPointer(attribute, 1, GL_UNSIGNED_INT, 0, reinterpret_cast<const void*>(offset));
+  glDrawArraysInstanced(GL_POINTS, 0, count, instances);
+  glDisableVertexAttribArray(attribute);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPointProgram::Release()
+{
+  if (this->VertexArray)
+  {
+    glDeleteVertexArrays(1, &this->VertexArray);
+    this->VertexArray = 0;
+  }
+  this->Window = nullptr;
+}

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "OpenGL/vtkIndirectTarget.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <cmath>
+
+namespace
+{
+struct Format
+{
+  unsigned int Internal;
+  unsigned int External;
+  unsigned int Type;
+  int Components;
+  int VTKType;
+  size_t Bytes;
+};
+
+const Format Formats[] = {
+  { GL_RGBA32F, GL_RGBA, GL_FLOAT, 4, VTK_FLOAT, 16 },
+  { GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 4, VTK_FLOAT, 8 },
+  { GL_RG32F, GL_RG, GL_FLOAT, 2, VTK_FLOAT, 8 },
+  { GL_R32F, GL_RED, GL_FLOAT, 1, VTK_FLOAT, 4 },
+  { GL_RG16F, GL_RG, GL_HALF_FLOAT, 2, VTK_FLOAT, 4 },
+};
+
+const Format& FindFormat(unsigned int internalFormat)
+{
+  for (const Format& format : Formats)
+  {
+    if (format.Internal == internalFormat)
+    {
+      return format;
+    }
+  }
+  return Formats[0];
+}
+
+// vtkTextureObject's name for the depth format of the framebuffer that is bound for drawing; -1
+// when that has none, has samples or stencil, or is the window's own.
+int FindBoundDepthFormat()
+{
+  GLint name = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name);
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  auto get = [](GLenum attachment, GLenum parameter)
+  {
+    GLint value = GL_NONE;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, parameter, &value);
+    return value;
+  };
+  const GLenum type = GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE;
+  if (name == 0 || samples > 0 || get(GL_DEPTH_ATTACHMENT, type) == GL_NONE ||
+    get(GL_STENCIL_ATTACHMENT, type) != GL_NONE)
+  {
+    return -1;
+  }
+  const bool isFloat =
+    get(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+  switch (get(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE))
+  {
+    case 16:
+      return vtkTextureObject::Fixed16;
+    case 24:
+      return vtkTextureObject::Fixed24;
+    case 32:
+      return isFloat ? vtkTextureObject::Float32 : vtkTextureObject::Fixed32;
+    default:
+      return -1;
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectTarget::vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth, int depthBits)
+  : Channels(channels)
+  , WithDepth(depth)
+  , DepthBits(depthBits)
+{
+}
+
+vtkIndirectTarget::~vtkIndirectTarget() = default;
+
+//------------------------------------------------------------------------------
+bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  size_t channels = 0;
+  while (channels < this->Limit && this->Channels[channels].InternalFormat)
+  {
+    ++channels;
+  }
+  const int depthFormat = this->DepthFormat >= 0
+    ? this->DepthFormat
+    : (this->DepthBits == 16 ? vtkTextureObject::Fixed16 : vtkTextureObject::Float32);
+  const bool otherDepth = this->Depth && depthFormat != this->AllocatedDepth;
+  if (this->Framebuffer && (channels != this->Textures.size() || otherDepth))
+  {
+    this->Release(this->Window);
+  }
+  vtkTextureObject* shared = this->Shared ? this->Shared->GetDepthTexture() : nullptr;
+  if (this->Framebuffer && window == this->Window && width == this->Width &&
+    height == this->Height && shared == this->SharedDepth)
+  {
+    return true;
+  }
+  if (this->Framebuffer && window != this->Window)
+  {
+    this->Release(this->Window);
+  }
+  this->Window = window;
+  this->Width = width;
+  this->Height = height;
+
+  if (!this->Framebuffer)
+  {
+    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    this->Framebuffer->SetContext(window);
+    for (size_t i = 0; i < channels; ++i)
+    {
+      const Format& format = FindFormat(this->Channels[i].InternalFormat);
+      vtkNew<vtkTextureObject> texture;
+      texture->SetContext(window);
+      texture->SetInternalFormat(format.Internal);
+      texture->SetFormat(format.External);
+      texture->SetDataType(format.Type);
+      texture->SetMinificationFilter(vtkTextureObject::Nearest);
+      texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+      texture->SetWrapS(vtkTextureObject::ClampToEdge);
+      texture->SetWrapT(vtkTextureObject::ClampToEdge);
+      texture->Allocate2D(width, height, format.Components, format.VTKType);
+      this->Textures.emplace_back(texture);
+    }
+    if (this->WithDepth)
+    {
+      this->Depth = vtkSmartPointer<vtkTextureObject>::New();
+      this->Depth->SetContext(window);
+      this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
+      this->Depth->SetMagnificationFilter(vtkTextureObject::Nearest);
+      this->Depth->AllocateDepth(width, height, depthFormat);
+      this->AllocatedDepth = depthFormat;
+    }
+  }
+  else
+  {
+    for (auto& texture : this->Textures)
+    {
+      texture->Resize(width, height);
+    }
+    if (this->Depth)
+    {
+      this->Depth->Resize(width, height);
+    }
+  }
+
+  window->GetState()->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  for (size_t i = 0; i < this->Textures.size(); ++i)
+  {
+    this->Framebuffer->AddColorAttachment(static_cast<unsigned int>(i), this->Textures[i]);
+  }
+  this->SharedDepth = shared;
+  if (this->Depth || shared)
+  {
+    this->Framebuffer->AddDepthAttachment(this->Depth ? this->Depth.Get() : shared);
+  }
+  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->Textures.size()));
+  const char* reason = "";
+  const bool complete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
+    vtkOpenGLFramebufferObject::GetDrawMode(), reason);
+  window->GetState()->PopFramebufferBindings();
+  if (!complete)
+  {
+    vtkErrorWithObjectMacro(window,
+      "A framebuffer of " << width << " x " << height
+                          << " pixels for indirect illumination is incomplete: " << reason);
+    this->Release(window);
+  }
+  return complete;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::MatchDepth()
+{
+  const int format = FindBoundDepthFormat();
+  this->DepthRefused = this->DepthRefused && format == this->DepthFormat;
+  this->DepthFormat = format;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectTarget::CopyDepth(const int origin[2]) const
+{
+  if (this->DepthFormat < 0 || this->DepthRefused)
+  {
+    return false;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushReadFramebufferBinding();
+  this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
+  state->vtkglBlitFramebuffer(0, 0, this->Width, this->Height, origin[0], origin[1],
+    origin[0] + this->Width, origin[1] + this->Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  state->PopReadFramebufferBinding();
+  // A driver may report the size of what it holds rather than the name of the format.
+  this->DepthRefused = glGetError() != GL_NO_ERROR;
+  return !this->DepthRefused;
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectTarget::GetDepthStep() const
+{
+  switch (this->AllocatedDepth)
+  {
+    case vtkTextureObject::Fixed16:
+      return std::ldexp(1.0, -16);
+    case vtkTextureObject::Fixed32:
+      return std::ldexp(1.0, -32);
+    default:
+      // Floats have 24 bits.
+      return std::ldexp(1.0, -24);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Begin()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->Textures.size()));
+  if (!this->SharedDepth)
+  {
+    // Insists on attachments of one size.
+    this->Framebuffer->StartNonOrtho(this->Width, this->Height);
+  }
+  state->vtkglViewport(0, 0, this->Width, this->Height);
+  state->vtkglScissor(0, 0, this->Width, this->Height);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::End()
+{
+  this->Window->GetState()->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Clear()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  unsigned int bits = GL_COLOR_BUFFER_BIT;
+  if (this->Depth)
+  {
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglClearDepth(1.0);
+    bits |= GL_DEPTH_BUFFER_BIT;
+  }
+  state->vtkglClear(bits);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::ClearDepth()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Activate(int channel, vtkShaderProgram* program) const
+{
+  this->Activate(channel, program, this->Channels[channel].Uniform);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Activate(int channel, vtkShaderProgram* program, const char* uniform) const
+{
+  vtkTextureObject* texture = this->Textures[channel];
+  texture->Activate();
+  program->SetUniformi(uniform, texture->GetTextureUnit());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::ActivateDepth(vtkShaderProgram* program, const char* uniform) const
+{
+  this->Depth->Activate();
+  program->SetUniformi(uniform, this->Depth->GetTextureUnit());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Deactivate() const
+{
+  for (const auto& texture : this->Textures)
+  {
+    texture->Deactivate();
+  }
+  if (this->Depth)
+  {
+    this->Depth->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkIndirectTarget::ReadBack(int channel) const
+{
+  std::vector<float> values(static_cast<size_t>(this->Width) * this->Height * 4);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->ActivateReadBuffer(static_cast<unsigned int>(channel));
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, values.data());
+  state->PopFramebufferBindings();
+  return values;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Write(int channel, const std::vector<float>& values)
+{
+  vtkTextureObject* texture = this->Textures[channel];
+  texture->Activate();
+  this->Window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage2D(
+    GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, values.data());
+  texture->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectTarget::GetBytes() const
+{
+  size_t perPixel = this->Depth ? this->DepthBits / 8 : 0;
+  for (size_t i = 0; i < this->Textures.size(); ++i)
+  {
+    perPixel += FindFormat(this->Channels[i].InternalFormat).Bytes;
+  }
+  return this->Framebuffer ? perPixel * this->Width * this->Height : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Print(std::ostream& os, vtkIndent indent) const
+{
+  os << indent << "Size: " << this->Width << " x " << this->Height << ", " << this->GetBytes()
+     << " bytes\n";
+  vtkIndirectPrintChannels(os, indent, this->Channels);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTarget::Release(vtkWindow* window)
+{
+  if (this->Framebuffer)
+  {
+    this->Framebuffer->ReleaseGraphicsResources(window);
+    this->Framebuffer = nullptr;
+  }
+  for (auto& texture : this->Textures)
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->Textures.clear();
+  if (this->Depth)
+  {
+    this->Depth->ReleaseGraphicsResources(window);
+    this->Depth = nullptr;
+  }
+  this->SharedDepth = nullptr;
+  this->Width = this->Height = 0;
+  this->Window = nullptr;
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A framebuffer with the textures of a channel table, owned by the stage that writes it.
+#ifndef vtkIndirectTarget_h
+#define vtkIndirectTarget_h
+
+#include "OpenGL/vtkIndirectChannel.h"  // for the table
+#include "vtkIndent.h"                  // for Print
+#include "vtkOpenGLFramebufferObject.h" // for members
+#include "vtkSmartPointer.h"            // for members
+#include "vtkTextureObject.h"           // for members
+
+#include <cstddef> // for size_t
+#include <ostream> // for Print
+#include <vector>  // for textures
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+
+class vtkIndirectTarget
+{
+public:
+  /** channels: table ended by InternalFormat 0; depth: whether a depth texture comes too, of 32-bit
+   * floats or 16 bits. */
+  vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth, int depthBits = 32);
+  ~vtkIndirectTarget();
+
+  /** Uses only so many of the table's channels, from the first on; before Resize. */
+  void SetNumberOfChannels(int count) { this->Limit = static_cast<size_t>(count); }
+
+  /** Creates or resizes the textures. Returns false, after an error, when OpenGL refuses. */
+  bool Resize(vtkOpenGLRenderWindow* window, int width, int height);
+
+  /**
+   * Uses another target's depth texture, at least as large, in place of one of its own; before
+   * Resize. The other one must outlive this one's use of it.
+   */
+  void ShareDepth(const vtkIndirectTarget& other) { this->Shared = &other; }
+
+  /**
+   * Takes the depth format of the framebuffer that is bound for drawing, so that CopyDepth can copy
+   * to it, or else 32-bit floats; before Resize.
+   */
+  void MatchDepth();
+  /**
+   * Copies depth to the framebuffer that is bound for drawing, whose size it has from `origin` on.
+   * Returns false when the formats differ or either has samples; nothing is drawn then.
+   */
+  bool CopyDepth(const int origin[2]) const;
+
+  /** Distance between two depths near one. */
+  double GetDepthStep() const;
+
+  /** Binds for drawing to all channels with the viewport over the whole target. Pair with End. */
+  void Begin();
+  void End();
+
+  /** Clears all channels to zero and depth to one; between Begin and End. */
+  void Clear();
+  /** The depth alone: colours of many bytes cost as much to clear as to draw. */
+  void ClearDepth();
+
+  vtkOpenGLFramebufferObject* GetFramebuffer() const { return this->Framebuffer; }
+  /** After Resize. */
+  int GetNumberOfChannels() const { return static_cast<int>(this->Textures.size()); }
+  /** Of OpenGL. */
+  unsigned int GetInternalFormat(int channel) const
+  {
+    return this->Channels[channel].InternalFormat;
+  }
+  vtkTextureObject* GetTexture(int channel) const { return this->Textures[channel]; }
+  vtkTextureObject* GetDepthTexture() const { return this->Depth; }
+
+  /** Binds a channel's texture and sets its sampler uniform; pair with Deactivate. */
+  void Activate(int channel, vtkShaderProgram* program) const;
+  /** The same under another name than the channel's own. */
+  void Activate(int channel, vtkShaderProgram* program, const char* uniform) const;
+  void ActivateDepth(vtkShaderProgram* program, const char* uniform) const;
+  void Deactivate() const;
+
+  /** Reads a channel back, four floats a pixel, bottom row first. */
+  std::vector<float> ReadBack(int channel) const;
+
+  /** Replaces a channel's content: four floats a pixel, bottom row first. */
+  void Write(int channel, const std::vector<float>& values);
+
+  /** One line a channel: name, meaning, size, format, space and unit. */
+  void Print(std::ostream& os, vtkIndent indent) const;
+
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  size_t GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  const vtkIndirectChannel* Channels;
+  bool WithDepth;
+  int DepthBits;
+  int DepthFormat = -1; // of vtkTextureObject, to be matched; -1: by DepthBits, nothing to match
+  int AllocatedDepth = -1;
+  mutable bool DepthRefused = false; // OpenGL has refused to copy this format
+  size_t Limit = static_cast<size_t>(-1);
+  const vtkIndirectTarget* Shared = nullptr;
+  vtkTextureObject* SharedDepth = nullptr; // as attached
+  int Width = 0;
+  int Height = 0;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  std::vector<vtkSmartPointer<vtkTextureObject>> Textures;
+  vtkSmartPointer<vtkTextureObject> Depth;
+};
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Uniforms from GLM types, and the OpenGL state of a full-screen program.
+#ifndef vtkIndirectUniforms_h
+#define vtkIndirectUniforms_h
+
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+#include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+inline void vtkIndirectSetUniform(vtkShaderProgram* program, const char* name, const glm::vec2& v)
+{
+  program->SetUniform2f(name, glm::value_ptr(v));
+}
+
+inline void vtkIndirectSetUniform(vtkShaderProgram* program, const char* name, const glm::vec3& v)
+{
+  program->SetUniform3f(name, glm::value_ptr(v));
+}
+
+inline void vtkIndirectSetUniform(vtkShaderProgram* program, const char* name, glm::mat3 m)
+{
+  program->SetUniformMatrix3x3(name, glm::value_ptr(m));
+}
+
+inline void vtkIndirectSetUniform(vtkShaderProgram* program, const char* name, glm::mat4 m)
+{
+  program->SetUniformMatrix4x4(name, glm::value_ptr(m));
+}
+
+/** No depth test, no blending, no scissor while it lives. */
+class vtkIndirectFullScreenState
+{
+public:
+  explicit vtkIndirectFullScreenState(vtkOpenGLRenderWindow* window)
+    : Depth(window->GetState(), GL_DEPTH_TEST)
+    , Blend(window->GetState(), GL_BLEND)
+    , Scissor(window->GetState(), GL_SCISSOR_TEST)
+  {
+    window->GetState()->vtkglDisable(GL_DEPTH_TEST);
+    window->GetState()->vtkglDisable(GL_BLEND);
+    window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
+  }
+
+private:
+  vtkOpenGLState::ScopedglEnableDisable Depth;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable Scissor;
+};
+
+#endif

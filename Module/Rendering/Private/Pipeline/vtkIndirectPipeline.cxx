@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Pipeline/vtkIndirectPipeline.h"
+
+#include "Capture/vtkIndirectDarkLight.h"
+#include "Capture/vtkIndirectShadowMaps.h"
+#include "Frame/vtkIndirectReport.h"
+#include "OpenGL/vtkIndirectPaths.h"
+#include "OpenGL/vtkIndirectTarget.h"
+#include "vtkImageData.h"
+#include "vtkMapLightSampler.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+
+//------------------------------------------------------------------------------
+void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& request)
+{
+  this->Renderer = s->GetRenderer();
+  this->BuffersAreThere = this->IrradianceIsThere = false;
+  this->Estimator = request.Estimator;
+  this->HeldEstimator = request.HoldEstimator ? request.Estimator : nullptr;
+  this->Frame = vtkIndirectFrame();
+  this->Frame.Build(s);
+  vtkIndirectCircumstances circumstances = request.Circumstances;
+  circumstances.NumberOfOtherEmitters = static_cast<int>(this->OtherSamplers.size());
+  this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
+    request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
+}
+
+//------------------------------------------------------------------------------
+// The maps come first because visibility belongs to each light: it goes into VTK's own shading.
+bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& request)
+{
+  this->Paths = vtkIndirectPaths::GetAll();
+  this->Capture->SetDelegatePass(request.Delegate);
+  this->Capture->SetShadows(request.Settings.Shadows && this->Plan.Senders != vtkIndirectPlan::EYE);
+  this->Capture->SetSpecular(this->Plan.Specular);
+  this->Capture->Attach(this->Frame);
+  const vtkIndirectDarkLight dark(this->Frame);
+  bool drawn = true;
+  if (this->Plan.Senders != vtkIndirectPlan::EYE)
+  {
+    this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
+    drawn = this->Maps->Update(this->Frame, this->Plan, this->Capture);
+    this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
+  }
+  this->Timer.Begin(vtkIndirectStageTimer::Geometry);
+  vtkIndirectShadowMaps shadows;
+  const bool shadowed = drawn && this->Plan.Shadows;
+  if (shadowed)
+  {
+    shadows = this->Maps->ActivateShadows(this->Frame.Window);
+    drawn = shadows.Unit >= 0;
+  }
+  drawn = drawn &&
+    this->Geometry.Update(s, this->Frame, this->Plan, this->Capture, shadowed ? &shadows : nullptr);
+  if (shadowed)
+  {
+    this->Maps->Deactivate();
+  }
+  this->Timer.End(vtkIndirectStageTimer::Geometry);
+  this->Capture->Detach();
+  return drawn && !this->IsRedirected();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
+{
+  this->BuffersAreThere = true;
+  this->TargetIsClear = clear;
+  bool anew = false;
+  this->ChooseSamplers(request.Sampler);
+  this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request, anew);
+  this->Timer.Begin(vtkIndirectStageTimer::Composite);
+  this->Composite.Composite(this->MakeCompositeInput());
+  this->Timer.End(vtkIndirectStageTimer::Composite);
+  return anew;
+}
+
+//------------------------------------------------------------------------------
+// The estimator chooses the sampler of the senders.
+void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
+{
+  this->Samplers.clear();
+  vtkVirtualLightSampler* sampler = this->Estimator->ChooseSampler(users, this->Plan);
+  if (sampler && this->Plan.Senders == vtkIndirectPlan::EYE)
+  {
+    vtkMapLightSampler* pattern = sampler->GetViewPattern();
+    this->HeadlightSampler->SetPattern(pattern ? pattern : this->DefaultSampler.Get());
+    sampler = this->HeadlightSampler;
+  }
+  if (sampler && this->Plan.Senders != vtkIndirectPlan::NO_SENDERS)
+  {
+    this->Samplers.emplace_back(sampler);
+  }
+  this->Samplers.insert(
+    this->Samplers.end(), this->OtherSamplers.begin(), this->OtherSamplers.end());
+}
+
+//------------------------------------------------------------------------------
+// What the irradiance depends on.
+std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) const
+{
+  std::vector<double> key = this->Plan.MakeKey(this->Frame);
+  key.push_back(static_cast<double>(this->Estimator->GetMTime()));
+  key.push_back(static_cast<double>(users->GetMTime()));
+  for (const auto& sampler : this->OtherSamplers)
+  {
+    key.push_back(static_cast<double>(sampler->GetMTime()));
+  }
+  key.push_back(static_cast<double>(
+    this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0));
+  return key;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPipeline::UpdateIrradiance(const Request& request, bool& anew)
+{
+  const std::vector<double> key = this->MakeKey(request.Sampler);
+  const bool caching = request.Settings.Caching;
+  const bool still = key == this->EstimateKey;
+  if (caching && still && this->Estimate.State == vtkIndirectEstimate::CONVERGED)
+  {
+    return true;
+  }
+  this->EstimateKey.clear();
+  if (key == this->FailedKey)
+  {
+    return false;
+  }
+  this->FailedKey.clear();
+
+  this->Timer.Begin(vtkIndirectStageTimer::Lights);
+  const bool sampled = this->Samplers.empty() ||
+    this->Lights.Update({ this->Frame, *this->Maps, this->Geometry },
+      { this->Samplers.begin(), this->Samplers.end() });
+  this->Timer.End(vtkIndirectStageTimer::Lights);
+
+  const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(this->Plan);
+  const bool timed = needs.Senders || needs.Volume;
+  if (timed)
+  {
+    this->Timer.Begin(vtkIndirectStageTimer::Visibility);
+  }
+  this->Visibility.Update(this->Frame, needs, caching);
+  if (timed)
+  {
+    this->Timer.End(vtkIndirectStageTimer::Visibility);
+  }
+
+  const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
+    this->Samplers.empty() ? nullptr : &this->Lights, this->Visibility, still, this->Timer };
+  this->Estimator->HoldContext(this->Frame.Window);
+  this->Estimate = sampled ? this->Estimator->Estimate(input) : vtkIndirectEstimate();
+  if (this->Estimate.State == vtkIndirectEstimate::FAILED)
+  {
+    this->FailedKey = key;
+    return false;
+  }
+  this->EstimateKey = key;
+  anew = true;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The last frame's, null where there is none.
+const vtkIndirectEstimate* vtkIndirectPipeline::GetEstimate() const
+{
+  return this->IrradianceIsThere && this->Estimator ? &this->Estimate : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
+{
+  const bool maps = this->Plan.Senders == vtkIndirectPlan::MAPS;
+  return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr, this->GetEstimate(),
+    this->Plan.IndirectScale, this->TargetIsClear };
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPipeline::RenderChannel(const std::string& name)
+{
+  const vtkIndirectComposite::Input input = this->MakeCompositeInput();
+  return this->Composite.RenderChannel(input, name) ||
+    (input.Estimate &&
+      this->Composite.RenderChannel(
+        input, [&]() { return this->Estimator->DrawChannel(name, this->Frame, this->Geometry); }));
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPipeline::ShowChannel(const std::string& name)
+{
+  this->Timer.Begin(vtkIndirectStageTimer::Composite);
+  const bool shown =
+    this->RenderChannel(name) && this->Composite.ShowImage(this->MakeCompositeInput());
+  this->Timer.End(vtkIndirectStageTimer::Composite);
+  return shown;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPipeline::Forget(const std::string& why)
+{
+  this->BuffersAreThere = this->IrradianceIsThere = false;
+  this->EstimateKey.clear();
+  this->WhyNoBuffers = why;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPipeline::IsInWindow() const
+{
+  return this->Renderer && this->Frame.Window &&
+    this->Renderer->GetRenderWindow() == this->Frame.Window;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageData* image)
+{
+  if (!this->BuffersAreThere || !this->IsInWindow())
+  {
+    return "only the delegate drew the last frame, because " + this->WhyNoBuffers;
+  }
+  this->Frame.Window->MakeCurrent();
+  if (name == "lights")
+  {
+    if (!this->GetEstimate() || this->Samplers.empty())
+    {
+      return "the last frame used no virtual lights";
+    }
+    this->Lights.CopyLights(this->Frame, image);
+    return {};
+  }
+  if (this->RenderChannel(name))
+  {
+    this->Composite.CopyImage(image);
+    return {};
+  }
+  int map = 0;
+  int channel = 0;
+  if (!vtkIndirectComposite::ParseMapChannel(name, map, channel))
+  {
+    return "the last frame computed no indirect light";
+  }
+  return this->Plan.Senders == vtkIndirectPlan::EYE
+    ? "a single headlight is read from the geometry buffer and has no map"
+    : "the frame has fewer lights";
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
+{
+  std::copy(this->Frame.Size, this->Frame.Size + 2, report.Size);
+  report.ShaderBuilds = this->Capture->GetNumberOfShaderBuilds();
+  this->Frame.AddToReport(report);
+  if (!this->BuffersAreThere)
+  {
+    report.Modelled.emplace_back("the delegate alone", this->WhyNoBuffers);
+    return;
+  }
+  auto add = [](vtkIndirectReport::Entries& to, const vtkIndirectPlan::Entries& entries)
+  { to.insert(to.end(), entries.begin(), entries.end()); };
+  report.Paths = this->Paths;
+  report.Bytes = this->Geometry.GetTarget().GetBytes();
+  add(report.Modelled, this->Plan.Modelled);
+  add(report.LeftOut, this->Plan.LeftOut);
+  if (this->Plan.Senders != vtkIndirectPlan::EYE)
+  {
+    this->Maps->AddToReport(report);
+  }
+  if (this->GetEstimate())
+  {
+    add(report.Modelled, this->Plan.EstimateModelled);
+    add(report.LeftOut, this->Plan.EstimateLeftOut);
+    report.Method = this->Estimator->GetMethodName();
+    report.VirtualLights = this->Samplers.empty() ? 0 : this->Lights.GetNumberOfLights();
+    report.Bytes += this->Estimator->GetBytes() + this->Lights.GetBytes();
+    for (const auto& sampler : this->Samplers)
+    {
+      report.Bytes += sampler->GetBytes();
+    }
+    report.MainMemoryBytes = this->Estimator->GetMainMemoryBytes();
+    report.EstimatedError = this->Estimate.Error;
+    this->Estimator->AddToReport(report);
+    this->Visibility.AddToReport(report);
+  }
+  else if (this->Plan.Irradiance)
+  {
+    report.LeftOut.emplace_back("indirect light", "its estimator had an error");
+  }
+  if (this->IsInWindow())
+  {
+    this->Frame.Window->MakeCurrent();
+    report.ReadGL();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPipeline::Release(vtkWindow* window)
+{
+  this->Capture->ReleaseGraphicsResources(window);
+  this->Maps->ReleaseGraphicsResources(window);
+  this->Geometry.Release(window);
+  this->DefaultSampler->ReleaseGraphicsResources(window);
+  this->HeadlightSampler->ReleaseGraphicsResources(window);
+  for (const auto& sampler : this->OtherSamplers)
+  {
+    sampler->ReleaseGraphicsResources(window);
+  }
+  for (const auto& sampler : this->Samplers)
+  {
+    sampler->ReleaseGraphicsResources(window);
+  }
+  this->Samplers.clear();
+  this->Lights.Release(window);
+  this->Visibility.Release(window);
+  this->DefaultEstimator->ReleaseGraphicsResources(window);
+  if (this->Estimator)
+  {
+    this->Estimator->ReleaseGraphicsResources(window);
+  }
+  this->Estimator = nullptr;
+  this->HeldEstimator = nullptr;
+  this->Composite.Release(window);
+  this->Timer.Release();
+  this->FailedKey.clear();
+  this->Forget("its resources have been released");
+}

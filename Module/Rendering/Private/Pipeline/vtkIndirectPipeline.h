@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages of a frame and their order: facts and plan, the lights' maps, the geometry buffer,
+// virtual lights, visibility, the estimate, the composite. Each stage owns what it produces and
+// hands it on as a const reference that is valid for this frame.
+#ifndef vtkIndirectPipeline_h
+#define vtkIndirectPipeline_h
+
+#include "Capture/vtkIndirectGeometryBuffer.h"         // for members
+#include "Capture/vtkSurfaceCapturePass.h"             // for members
+#include "Composite/vtkIndirectComposite.h"            // for members
+#include "Frame/vtkIndirectEstimate.h"                 // for members
+#include "Frame/vtkIndirectFrame.h"                    // for members
+#include "Frame/vtkIndirectPlan.h"                     // for members
+#include "Frame/vtkIndirectReport.h"                   // for members
+#include "Frame/vtkIndirectStageTimer.h"               // for members
+#include "VirtualLights/vtkIndirectHeadlightSampler.h" // for members
+#include "VirtualLights/vtkIndirectVirtualLights.h"    // for members
+#include "Visibility/vtkIndirectVisibility.h"          // for members
+#include "vtkIndirectEstimatorPass.h"                  // for members
+#include "vtkMultiresolutionSplattingPass.h"           // for members
+#include "vtkNew.h"                                    // for members
+#include "vtkReflectiveShadowMapPass.h"                // for members
+#include "vtkSmartPointer.h"                           // for members
+#include "vtkUniformLightSampler.h"                    // for members
+#include "vtkWeakPointer.h"                            // for members
+
+#include <string> // for names
+#include <vector> // for samplers
+
+class vtkImageData;
+class vtkRenderPass;
+
+class vtkIndirectPipeline
+{
+public:
+  /** What the pass asks for. */
+  struct Request
+  {
+    vtkIndirectSettings Settings;
+    vtkIndirectCircumstances Circumstances;
+    vtkIndirectEstimatorPass* Estimator = nullptr;
+    bool HoldEstimator = true; // else it may go at any time
+    vtkVirtualLightSampler* Sampler = nullptr;
+    vtkRenderPass* Delegate = nullptr;
+  };
+
+  /** Reads the scene and plans the frame; nothing of the last one can be read from here on. */
+  void Prepare(const vtkRenderState* s, const Request& request);
+  const vtkIndirectPlan& GetPlan() const { return this->Plan; }
+
+  /**
+   * Draws the surfaces: the lights' maps, then what the eye sees. Returns false where OpenGL
+   * refuses, or where the delegate has drawn into a framebuffer of its own: IsRedirected.
+   */
+  bool DrawSurfaces(const vtkRenderState* s, const Request& request);
+  bool IsRedirected() const { return this->Capture->IsRedirected(); }
+  int GetNumberOfRenderedProps() const { return this->Geometry.GetNumberOfRenderedProps(); }
+
+  /**
+   * Then the light, and the picture into the framebuffer that is bound; clear: nothing is drawn
+   * there yet. Returns whether the irradiance was computed anew.
+   */
+  bool DrawLight(const Request& request, bool clear);
+  /** Shows a channel in place of the picture; false for one that the frame does not have. */
+  bool ShowChannel(const std::string& name);
+
+  /** The last frame has no buffers, and why. */
+  void Forget(const std::string& why);
+  bool HasBuffers() const { return this->BuffersAreThere; }
+  const std::string& GetWhyNoBuffers() const { return this->WhyNoBuffers; }
+  /** Whether the last frame's window is the renderer's still. */
+  bool IsInWindow() const;
+  /** Of the last frame; null before the first. */
+  vtkIndirectEstimatorPass* GetEstimator() const { return this->Estimator; }
+  /** Copies a channel of the last frame; why not, or empty. */
+  std::string CopyChannel(const std::string& name, vtkImageData* image);
+
+  /** What the last frame modelled and left out, and its sizes and counters. */
+  void AddToReport(vtkIndirectReport& report) const;
+  void Release(vtkWindow* window);
+
+  vtkIndirectStageTimer Timer;
+  vtkNew<vtkReflectiveShadowMapPass> Maps;
+  vtkNew<vtkUniformLightSampler> DefaultSampler;
+  vtkNew<vtkMultiresolutionSplattingPass> DefaultEstimator;
+  /** Whose lights are summed besides those of the frame's sampler. */
+  std::vector<vtkSmartPointer<vtkVirtualLightSampler>> OtherSamplers;
+
+private:
+  void ChooseSamplers(vtkVirtualLightSampler* users);
+  std::vector<double> MakeKey(vtkVirtualLightSampler* users) const;
+  bool UpdateIrradiance(const Request& request, bool& anew);
+  const vtkIndirectEstimate* GetEstimate() const;
+  vtkIndirectComposite::Input MakeCompositeInput() const;
+  bool RenderChannel(const std::string& name);
+
+  vtkNew<vtkSurfaceCapturePass> Capture;
+  vtkIndirectGeometryBuffer Geometry;
+  vtkNew<vtkIndirectHeadlightSampler> HeadlightSampler;
+  vtkIndirectVirtualLights Lights;
+  vtkIndirectVisibility Visibility;
+  vtkIndirectComposite Composite;
+
+  // The last frame.
+  vtkIndirectFrame Frame;
+  vtkIndirectPlan Plan;
+  vtkWeakPointer<vtkRenderer> Renderer; // guards Frame's pointers
+  bool BuffersAreThere = false;
+  bool IrradianceIsThere = false;
+  std::string WhyNoBuffers = "no frame has been rendered yet";
+  vtkIndirectEstimate Estimate;
+  // What made its irradiance: its buffers stay readable when the pass is given others.
+  vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
+  vtkSmartPointer<vtkIndirectEstimatorPass> HeldEstimator;
+  std::vector<vtkSmartPointer<vtkVirtualLightSampler>> Samplers;
+  bool TargetIsClear = false;       // of what the frame is drawn into
+  vtkIndirectReport::Entries Paths; // in force
+
+  // What the irradiance was computed from; empty when there is none.
+  std::vector<double> EstimateKey;
+  // What the estimator could not work with, and has said so: not asked again before it changes.
+  std::vector<double> FailedKey;
+};
+
+#endif

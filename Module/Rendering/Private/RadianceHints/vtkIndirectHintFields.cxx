@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "RadianceHints/vtkIndirectHintFields.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectStageTimer.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "RadianceHints/vtkIndirectHintGrid.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "Visibility/vtkIndirectVisibility.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkReflectiveShadowMapPass.h"
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+#define VTKI_FIELD(i)                                                                              \
+  {                                                                                                \
+    "hints.field" #i, "vtkiField" #i, "spherical harmonics of incoming radiance", GL_RGBA32F,      \
+      "scene", "radiance"                                                                          \
+  }
+const vtkIndirectChannel DistanceChannel = { "hints.distance", "vtkiHintDistance",
+  "nearest and farthest sender, share of senders that face the hint", GL_RGBA32F, "-",
+  "BounceRange" };
+const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
+const vtkIndirectChannel ThreeFields[] = { VTKI_FIELD(0), VTKI_FIELD(1), VTKI_FIELD(2),
+  DistanceChannel, NoChannel };
+const vtkIndirectChannel SevenFields[] = { VTKI_FIELD(0), VTKI_FIELD(1), VTKI_FIELD(2),
+  VTKI_FIELD(3), VTKI_FIELD(4), VTKI_FIELD(5), VTKI_FIELD(6), DistanceChannel, NoChannel };
+#undef VTKI_FIELD
+
+const vtkIndirectChannel RadiosityChannels[] = {
+  { "hints.radiosity", "vtkiRadiosity", "what surfaces reflect", GL_RGBA32F, "-", "VTK radiance" },
+  NoChannel,
+};
+
+// Least area of a sender over that of a face of the hint's cell. A sender of area A is softened
+// over sqrt(A / 2 pi): a fifth of a cell's edge for this, less than a hint's distance from its own
+// wall.
+constexpr double SofteningShare = 0.25;
+
+std::string Define(const std::string& name, int value)
+{
+  return "#define " + name + " " + std::to_string(value) + "\n";
+}
+
+// What stages with fields begin with; grids: how many.
+std::string GetDefinitions(int layout, bool occupancy, int grids)
+{
+  return Define("VTKI_HINT_LAYOUT", layout) + Define("VTKI_GRIDS", grids) +
+    (occupancy ? "#define VTKI_HINT_OCCUPANCY\n" : "");
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectHintFields::GetLookupDefinitions(const Settings& settings, int grids)
+{
+  return GetDefinitions(settings.Layout, settings.Visibility, grids) +
+    Define("VTKI_LOOKUPS", settings.NumberOfLookups) +
+    Define("VTKI_LOOKUP_ROTATION", settings.LookupRotation) +
+    Define("VTKI_LOBES", settings.Deringing) + Define("VTKI_FACING", settings.FacingWeights);
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectHintFields::vtkIndirectHintFields()
+  : Radiosity(RadiosityChannels, false)
+  , DenseKernel("vtkIndirectHintDenseFS.glsl")
+  , SampledKernel("vtkIndirectHintSampledFS.glsl")
+  , CopyKernel("vtkIndirectHintCopyFS.glsl")
+  , RadiosityKernel("vtkIndirectHintRadiosityFS.glsl")
+  , SurfacesKernel("vtkIndirectHintSurfacesFS.glsl")
+  , ExchangeKernel("vtkIndirectHintExchangeFS.glsl")
+{
+}
+
+vtkIndirectHintFields::~vtkIndirectHintFields() = default;
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintFields::Resize(const Input& input, const Settings& settings, int rows)
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  if (settings.Layout != this->Layout)
+  {
+    for (auto& field : this->Fields)
+    {
+      if (field)
+      {
+        field->Release(window);
+      }
+      field = std::make_unique<vtkIndirectTarget>(
+        settings.Layout == 2 ? SevenFields : ThreeFields, false);
+    }
+    this->Layout = settings.Layout;
+  }
+  const int fields = settings.Bounces == 1 ? 1 : (settings.FromHints ? 3 : 2);
+  for (int i = 0; i < 3; ++i)
+  {
+    if (i >= fields)
+    {
+      this->Fields[i]->Release(window);
+    }
+    else if (!this->Fields[i]->Resize(window, vtkIndirectHintGrid::RowLength, rows))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintFields::Fill(
+  const Input& input, const Settings& settings, vtkIndirectHintGrid& grid)
+{
+  vtkIndirectStageTimer& timer = input.Timer;
+  if (!this->Resize(input, settings, grid.GetNumberOfRows()))
+  {
+    return false;
+  }
+  timer.Begin(vtkIndirectStageTimer::Inject);
+  const bool injected = this->Inject(input, settings, grid);
+  timer.End(vtkIndirectStageTimer::Inject);
+  if (!injected)
+  {
+    return false;
+  }
+  this->Current = 0;
+  timer.Begin(vtkIndirectStageTimer::Bounces);
+  bool bounced = true;
+  for (int bounce = 2;
+       bounce <= settings.Bounces && bounced && !input.Visibility.GetVolume().IsEmpty(); ++bounce)
+  {
+    bounced = this->Bounce(input, settings, grid);
+  }
+  timer.End(vtkIndirectStageTimer::Bounces);
+  return bounced;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintFields::Inject(
+  const Input& input, const Settings& settings, vtkIndirectHintGrid& grid)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  // In the paper's way samples of the maps are taken anew for each hint.
+  const bool list = input.Lights != nullptr;
+  vtkIndirectFullScreenProgram& kernel = list ? this->DenseKernel : this->SampledKernel;
+  kernel.SetDefinitions(GetDefinitions(this->Layout, settings.Visibility, grid.GetNumberOfGrids()) +
+    (list ? input.Lights->GetDefinitions() : ""));
+  vtkShaderProgram* program = kernel.Use(frame.Window, *this->Fields[0]);
+  if (!program)
+  {
+    return false;
+  }
+  this->Fields[0]->Begin();
+  grid.Activate(frame.Window, program);
+  if (settings.Visibility)
+  {
+    grid.ActivateRays(frame.Window, program);
+    grid.ActivateSurfels(frame.Window, program);
+  }
+  if (list)
+  {
+    input.Lights->Activate(program);
+  }
+  else
+  {
+    input.Maps.Activate(program);
+    const int layers = input.Maps.GetNumberOfLayers();
+    program->SetUniformi("vtkiLayerCount", layers);
+    program->SetUniformi(
+      "vtkiSampleCount", std::max(1, (settings.NumberOfSamples + layers - 1) / layers));
+    program->SetUniformf("vtkiCoverage", static_cast<float>(settings.Coverage));
+  }
+  program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
+  program->SetUniformf(
+    "vtkiSoftening", settings.Softening ? static_cast<float>(SofteningShare) : 0.0f);
+  program->SetUniformi("vtkiDepthSamples", settings.NumberOfDepthSamples);
+  program->SetUniformf("vtkiDepthFactor", static_cast<float>(settings.DepthAttenuation));
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  const glm::dmat4 sceneToView = glm::inverse(frame.ViewToScene);
+  const glm::dmat4 unscale(glm::dvec4(1.0 / frame.SceneScale, 0.0, 0.0, 0.0),
+    glm::dvec4(0.0, 1.0 / frame.SceneScale, 0.0, 0.0),
+    glm::dvec4(0.0, 0.0, 1.0 / frame.SceneScale, 0.0), glm::dvec4(0.0, 0.0, 0.0, 1.0));
+  vtkIndirectSetUniform(program, "vtkiSceneToView", glm::mat4(sceneToView));
+  vtkIndirectSetUniform(
+    program, "vtkiSceneToClip", glm::mat4(frame.Projection * unscale * sceneToView));
+  kernel.Draw();
+  input.Geometry.GetTarget().Deactivate();
+  if (list)
+  {
+    input.Lights->Deactivate();
+  }
+  else
+  {
+    input.Maps.Deactivate();
+  }
+  grid.Deactivate();
+  this->Fields[0]->End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintFields::Reflect(
+  const Input& input, const Settings& settings, vtkIndirectHintGrid& grid, const float albedo[4])
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  this->RadiosityKernel.SetDefinitions(GetLookupDefinitions(settings, grid.GetNumberOfGrids()));
+  if (!this->Radiosity.Resize(window, vtkIndirectHintGrid::RowLength, grid.GetNumberOfSurfelRows()))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = this->RadiosityKernel.Use(window, this->Radiosity);
+  if (!program)
+  {
+    return false;
+  }
+  this->Radiosity.Begin();
+  this->ActivateLookup(input, settings, grid, program);
+  grid.ActivateSurfels(window, program);
+  program->SetUniform4f("vtkiMeanAlbedo", albedo);
+  this->RadiosityKernel.Draw();
+  this->Deactivate(input, grid);
+  this->Radiosity.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintFields::Bounce(
+  const Input& input, const Settings& settings, vtkIndirectHintGrid& grid)
+{
+  const vtkIndirectOccupancyVolume& volume = input.Visibility.GetVolume();
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  const glm::dvec3& mean = volume.GetMeanAlbedo();
+  const float albedo[4] = { static_cast<float>(mean.x), static_cast<float>(mean.y),
+    static_cast<float>(mean.z), settings.AlbedoVolume ? 0.0f : 1.0f };
+  if (!settings.FromHints && !this->Reflect(input, settings, grid, albedo))
+  {
+    return false;
+  }
+
+  // L^k = L^1 + T L^(k-1)
+  const int next = settings.FromHints && this->Current == 1 ? 2 : 1;
+  this->CopyKernel.SetDefinitions(GetDefinitions(this->Layout, false, grid.GetNumberOfGrids()));
+  vtkShaderProgram* program = this->CopyKernel.Use(window, *this->Fields[next]);
+  if (!program)
+  {
+    return false;
+  }
+  this->Fields[next]->Begin();
+  this->ActivateField(0, program);
+  this->CopyKernel.Draw();
+  this->Deactivate(input, grid);
+
+  vtkIndirectFullScreenProgram& kernel =
+    settings.FromHints ? this->ExchangeKernel : this->SurfacesKernel;
+  kernel.SetDefinitions(GetDefinitions(
+    this->Layout, settings.FromHints && settings.Visibility, grid.GetNumberOfGrids()));
+  program = kernel.Use(window, *this->Fields[next], true);
+  if (!program)
+  {
+    this->Fields[next]->End();
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  grid.Activate(window, program);
+  if (settings.FromHints)
+  {
+    this->ActivateField(this->Current, program);
+    if (settings.AlbedoVolume)
+    {
+      grid.ActivateAlbedo(window, program);
+    }
+    if (settings.Visibility)
+    {
+      volume.Activate(window, program);
+    }
+    program->SetUniform4f("vtkiMeanAlbedo", albedo);
+    program->SetUniformi("vtkiSampleCount", settings.NumberOfBounceSamples);
+    program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
+    program->SetUniformi("vtkiLobes", settings.Deringing ? 1 : 0);
+  }
+  else
+  {
+    grid.ActivateRays(window, program);
+    this->Radiosity.Activate(0, program);
+  }
+  kernel.Draw();
+  state->vtkglDisable(GL_BLEND);
+  this->Deactivate(input, grid);
+  if (!settings.FromHints)
+  {
+    this->Radiosity.Deactivate();
+  }
+  this->Fields[next]->End();
+  this->Current = next;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintFields::ActivateField(int field, vtkShaderProgram* program)
+{
+  for (int i = 0; i <= (this->Layout == 2 ? 7 : 3); ++i)
+  {
+    this->Fields[field]->Activate(i, program);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintFields::ActivateLookup(const Input& input, const Settings& settings,
+  vtkIndirectHintGrid& grid, vtkShaderProgram* program)
+{
+  grid.Activate(input.Frame.Window, program);
+  this->ActivateField(this->Current, program);
+  if (settings.Visibility)
+  {
+    input.Visibility.GetVolume().Activate(input.Frame.Window, program);
+    grid.ActivateMasks(input.Frame.Window, program);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintFields::Deactivate(const Input& input, vtkIndirectHintGrid& grid)
+{
+  grid.Deactivate();
+  input.Visibility.GetVolume().Deactivate();
+  for (const auto& field : this->Fields)
+  {
+    if (field && field->GetWidth() > 0)
+    {
+      field->Deactivate();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<float>> vtkIndirectHintFields::ReadBack() const
+{
+  std::vector<std::vector<float>> channels;
+  if (this->Layout >= 0 && this->Fields[this->Current]->GetWidth() > 0)
+  {
+    for (int i = 0; i < (this->Layout == 2 ? 7 : 3); ++i)
+    {
+      channels.push_back(this->Fields[this->Current]->ReadBack(i));
+    }
+  }
+  return channels;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectHintFields::GetBytes() const
+{
+  size_t bytes = this->Radiosity.GetBytes();
+  for (const auto& field : this->Fields)
+  {
+    bytes += field ? field->GetBytes() : 0;
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintFields::Release(vtkWindow* window)
+{
+  for (auto& field : this->Fields)
+  {
+    if (field)
+    {
+      field->Release(window);
+    }
+  }
+  this->Radiosity.Release(window);
+  for (vtkIndirectFullScreenProgram* kernel : { &this->DenseKernel, &this->SampledKernel,
+         &this->CopyKernel, &this->RadiosityKernel, &this->SurfacesKernel, &this->ExchangeKernel })
+  {
+    kernel->Release();
+  }
+}

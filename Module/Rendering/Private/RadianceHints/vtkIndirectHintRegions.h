@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which part of the scene the grids of radiance hints span, and how many hints there are along each
+// axis. As the properties of vtkRadianceHintsPass.
+#ifndef vtkIndirectHintRegions_h
+#define vtkIndirectHintRegions_h
+
+#include "RadianceHints/vtkIndirectHintGrid.h" // for regions
+
+#include <glm/glm.hpp> // for vectors
+#include <vector>      // for regions
+
+struct vtkIndirectFrame;
+
+struct vtkIndirectHintRegions
+{
+  static constexpr int MaximumResolution = 64;
+
+  bool OfView = false; // only what the eye can see
+  glm::ivec3 Resolution{ 0 };
+  double Tolerance = 0.0; // for axes whose resolution is 0; not read where there are none
+  bool HasFine = false;
+  double FineExtent = 0.4;
+
+  /** The coarse grid, and the fine one where there is one. */
+  std::vector<vtkIndirectHintGrid::Region> Find(const vtkIndirectFrame& frame) const;
+
+private:
+  vtkIndirectHintGrid::Region FindCoarse(const vtkIndirectFrame& frame) const;
+  vtkIndirectHintGrid::Region FindFine(
+    const vtkIndirectFrame& frame, const vtkIndirectHintGrid::Region& coarse) const;
+  glm::ivec3 FindSize(const glm::dvec3& extent) const;
+};
+
+#endif

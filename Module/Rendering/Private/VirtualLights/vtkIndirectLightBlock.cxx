@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "VirtualLights/vtkIndirectLightBlock.h"
+
+#include "OpenGL/vtkIndirectTarget.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkVirtualLightSampler.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr int Channels = 3;
+constexpr int BytesPerTexel = 16;
+constexpr unsigned int Binding = 0;
+}
+
+vtkIndirectLightBlock::~vtkIndirectLightBlock()
+{
+  if (this->Window)
+  {
+    this->Window->MakeCurrent();
+    this->Release();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectLightBlock::GetCapacity(vtkOpenGLRenderWindow* window)
+{
+  if (this->Capacity == 0)
+  {
+    window->MakeCurrent();
+    int bytes = 0;
+    glGetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &bytes);
+    // OpenGL guarantees 16384 bytes: 341 lights.
+    const int lights = bytes / (Channels * BytesPerTexel);
+    this->Capacity = lights >= 1024 ? 1024 : (lights >= 512 ? 512 : 256);
+  }
+  return this->Capacity;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectLightBlock::GetDefinitions() const
+{
+  return "#define VTKI_LIGHTS " + std::to_string(this->Capacity) + "\n" +
+    this->Lights->GetDefinitions();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightBlock::Update(
+  vtkOpenGLRenderWindow* window, const vtkIndirectVirtualLights& lights)
+{
+  this->Update(window, lights, 0, lights.GetNumberOfLights());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightBlock::Update(
+  vtkOpenGLRenderWindow* window, const vtkIndirectVirtualLights& lights, int first, int count)
+{
+  const int capacity = this->GetCapacity(window);
+  this->Lights = &lights;
+  this->First = first;
+  this->Count = count;
+  if (this->Buffer == 0)
+  {
+    this->Window = window;
+    glGenBuffers(1, &this->Buffer);
+    this->Bytes = static_cast<size_t>(capacity) * Channels * BytesPerTexel;
+    glBindBuffer(GL_UNIFORM_BUFFER, this->Buffer);
+    glBufferData(GL_UNIFORM_BUFFER, this->Bytes, nullptr, GL_DYNAMIC_COPY);
+    glBindBuffer(GL_UNIFORM_BUFFER, 0);
+  }
+  constexpr int width = vtkVirtualLightSampler::RowLength;
+  const vtkIndirectTarget& table = lights.GetTable();
+  const int rows = (std::min(count, capacity) + width - 1) / width;
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  table.GetFramebuffer()->Bind();
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, this->Buffer);
+  for (int channel = 0; channel < Channels; ++channel)
+  {
+    table.GetFramebuffer()->ActivateReadBuffer(static_cast<unsigned int>(channel));
+    const size_t offset = static_cast<size_t>(channel) * capacity * BytesPerTexel;
+    glReadPixels(0, first / width, width, rows, GL_RGBA, GL_FLOAT, reinterpret_cast<void*>(offset));
+  }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  state->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightBlock::Activate(vtkShaderProgram* program) const
+{
+  const auto handle = static_cast<GLuint>(program->GetHandle());
+  const GLuint index = glGetUniformBlockIndex(handle, "vtkiLightBlock");
+  glUniformBlockBinding(handle, index, Binding);
+  glBindBufferBase(GL_UNIFORM_BUFFER, Binding, this->Buffer);
+  this->Lights->Activate(program);
+  program->SetUniformi("vtkiFirstLight", this->First);
+  program->SetUniformi("vtkiLightCount", this->Count);
+  program->SetUniformi("vtkiBlockCount", std::min(this->Count, this->Capacity));
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightBlock::Deactivate() const
+{
+  this->Lights->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightBlock::Release()
+{
+  if (this->Buffer)
+  {
+    glDeleteBuffers(1, &this->Buffer);
+    this->Buffer = 0;
+  }
+  this->Window = nullptr;
+  this->Bytes = 0;
+  this->Capacity = 0;
+}

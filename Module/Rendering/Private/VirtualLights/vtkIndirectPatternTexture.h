@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A sampler's pattern of map coordinates as a texture, made anew when its sources or the sampler
+// have changed.
+#ifndef vtkIndirectPatternTexture_h
+#define vtkIndirectPatternTexture_h
+
+#include "vtkMapLightSampler.h" // for sources
+#include "vtkSmartPointer.h"    // for the texture
+
+#include <vector> // for sources
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkIndirectPatternTexture
+{
+public:
+  vtkIndirectPatternTexture();
+  ~vtkIndirectPatternTexture();
+
+  /** Returns whether it has changed. */
+  bool Update(vtkOpenGLRenderWindow* window, vtkMapLightSampler& sampler,
+    const std::vector<vtkMapLightSampler::Source>& sources);
+
+  int GetNumberOfSamples() const { return this->NumberOfSamples; }
+
+  /** Pair with Deactivate. */
+  void Activate(vtkShaderProgram* program) const;
+  void Deactivate() const;
+
+  size_t GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  std::vector<vtkMapLightSampler::Source> Sources;
+  const vtkMapLightSampler* Sampler = nullptr; // who made it
+  vtkMTimeType Time = 0;                       // of that sampler
+  int NumberOfSamples = 0;
+  vtkSmartPointer<vtkTextureObject> Texture;
+};
+
+#endif

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "VirtualLights/vtkIndirectLightTable.h"
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr int RowLength = vtkVirtualLightSampler::RowLength;
+
+int CountRows(int lights)
+{
+  return std::max(1, (lights + RowLength - 1) / RowLength);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectVirtualLights::vtkIndirectVirtualLights()
+  : Joined(vtkIndirectLightTable, false)
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& samplers)
+{
+  this->NumberOfLights = 0;
+  this->WithDirections = false;
+  this->ContentTime = 0;
+  for (vtkVirtualLightSampler* sampler : samplers)
+  {
+    if (!sampler->Update(input))
+    {
+      return false;
+    }
+    this->NumberOfLights += sampler->GetActualNumberOfLights();
+    this->WithDirections = this->WithDirections || sampler->HasDirections();
+    this->ContentTime = std::max(this->ContentTime, sampler->GetContentTime());
+  }
+  if (samplers.size() != 1)
+  {
+    return this->Join(input, samplers);
+  }
+  this->Current = &samplers.front()->GetTable();
+  this->Joined.Release(input.Frame.Window);
+  this->JoinedTimes.clear();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectVirtualLights::Join(const Input& input, const Samplers& samplers)
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  this->Current = &this->Joined;
+  std::vector<vtkMTimeType> times;
+  for (const vtkVirtualLightSampler* sampler : samplers)
+  {
+    times.push_back(sampler->GetContentTime());
+  }
+  const int rows = CountRows(this->NumberOfLights);
+  if (times == this->JoinedTimes && this->Joined.GetHeight() == rows)
+  {
+    return true;
+  }
+  this->JoinedTimes.clear();
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  if (!this->Joined.Resize(window, RowLength, rows))
+  {
+    return false;
+  }
+  this->Joined.Begin();
+  this->Joined.Clear();
+  bool done = true;
+  {
+    vtkIndirectFullScreenState fullScreen(window);
+    int first = 0;
+    for (vtkVirtualLightSampler* sampler : samplers)
+    {
+      vtkShaderProgram* program = this->Program.Use(window);
+      done = program != nullptr;
+      if (!done)
+      {
+        break;
+      }
+      const int count = sampler->GetActualNumberOfLights();
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        sampler->GetTable().Activate(channel, program);
+      }
+      program->SetUniformi("vtkiFirst", first);
+      program->SetUniformi("vtkiCount", count);
+      this->Program.Draw();
+      sampler->GetTable().Deactivate();
+      first += count;
+    }
+  }
+  this->Joined.End();
+  if (done)
+  {
+    this->JoinedTimes = times;
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectVirtualLights::GetNumberOfRows() const
+{
+  return CountRows(this->NumberOfLights);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVirtualLights::Activate(vtkShaderProgram* program) const
+{
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    this->Current->Activate(channel, program);
+  }
+  program->SetUniformi("vtkiLightCount", this->NumberOfLights);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVirtualLights::Deactivate() const
+{
+  this->Current->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVirtualLights::CopyLights(const vtkIndirectFrame& frame, vtkImageData* image) const
+{
+  const double scale = frame.SceneScale;
+  image->SetDimensions(3, this->NumberOfLights, 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  auto* out = static_cast<float*>(image->GetScalarPointer());
+  const std::vector<float> channels[3] = { this->Current->ReadBack(0), this->Current->ReadBack(1),
+    this->Current->ReadBack(2) };
+  for (int i = 0; i < this->NumberOfLights; ++i)
+  {
+    float* row = out + 12 * i;
+    for (int c = 0; c < 3; ++c)
+    {
+      std::copy(&channels[c][4 * i], &channels[c][4 * i] + 4, row + 4 * c);
+    }
+    // Directions and solid angles have no unit of length.
+    if (row[3] < 0.0f)
+    {
+      continue;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      row[k] = static_cast<float>(row[k] / scale + frame.SceneCenter[k]);
+      row[8 + k] = static_cast<float>(row[8 + k] / scale / scale);
+    }
+    row[3] = static_cast<float>(row[3] / scale / scale);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVirtualLights::Release(vtkWindow* window)
+{
+  this->Joined.Release(window);
+  this->Program.Release();
+  this->JoinedTimes.clear();
+  this->Current = nullptr;
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The virtual lights of a frame: those of one sampler, or of several one after the other.
+#ifndef vtkIndirectVirtualLights_h
+#define vtkIndirectVirtualLights_h
+
+#include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectTarget.h"            // for members
+#include "vtkVirtualLightSampler.h"              // for its input
+
+#include <vector> // for samplers
+
+class vtkImageData;
+
+class vtkIndirectVirtualLights
+{
+public:
+  using Input = vtkVirtualLightSampler::Input;
+  using Samplers = std::vector<vtkVirtualLightSampler*>;
+
+  vtkIndirectVirtualLights();
+
+  /**
+   * Brings the samplers' lights up to date and together. The table of a single sampler is read as
+   * it is. Returns false, after an error, when one cannot.
+   */
+  bool Update(const Input& input, const Samplers& samplers);
+
+  int GetNumberOfLights() const { return this->NumberOfLights; }
+  int GetNumberOfRows() const;
+  /** Whether some lights may be directions. */
+  bool HasDirections() const { return this->WithDirections; }
+  /** Definitions of shaders that read lights (vtkIndirectLightRow.glsl). */
+  const char* GetDefinitions() const
+  {
+    return this->WithDirections ? "#define VTKI_DIRECTIONS\n" : "";
+  }
+  vtkMTimeType GetContentTime() const { return this->ContentTime; }
+  const vtkIndirectTarget& GetTable() const { return *this->Current; }
+
+  ///@{
+  /** Bind the table and set its extent; pair. */
+  void Activate(vtkShaderProgram* program) const;
+  void Deactivate() const;
+  ///@}
+
+  /** Copies the lights: a row each of three texels of four floats, in world units. */
+  void CopyLights(const vtkIndirectFrame& frame, vtkImageData* image) const;
+
+  /** Of a table of several samplers; samplers count their own. */
+  size_t GetBytes() const { return this->Joined.GetBytes(); }
+  void Release(vtkWindow* window);
+
+private:
+  bool Join(const Input& input, const Samplers& samplers);
+
+  vtkIndirectTarget Joined;
+  vtkIndirectFullScreenProgram Program{ "vtkIndirectJoinLightsFS.glsl" };
+  const vtkIndirectTarget* Current = nullptr;
+  int NumberOfLights = 0;
+  bool WithDirections = false;
+  vtkMTimeType ContentTime = 0; // the latest of the samplers'
+  std::vector<vtkMTimeType> JoinedTimes;
+};
+
+#endif

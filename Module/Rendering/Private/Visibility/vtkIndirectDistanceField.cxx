@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Visibility/vtkIndirectDistanceField.h"
+
+#include "OpenGL/vtkIndirectKernels.h"
+#include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkSMPTools.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace
+{
+// A column along z: 128 voxels.
+struct Column
+{
+  std::uint64_t Low = 0;
+  std::uint64_t High = 0;
+
+  Column operator|(const Column& other) const
+  {
+    return { this->Low | other.Low, this->High | other.High };
+  }
+};
+
+// Columns grown by a voxel along z.
+Column GrowColumn(const Column& c)
+{
+  return { c.Low | c.Low << 1 | c.Low >> 1 | c.High << 63,
+    c.High | c.High << 1 | c.High >> 1 | c.Low >> 63 };
+}
+
+using Columns = std::vector<Column>;
+
+// Every column joined with those beside it, along x (step 1) or y (step width).
+void GrowAcross(const Columns& from, Columns& to, const glm::ivec3& size, int axis)
+{
+  const int step = axis == 0 ? 1 : size.x;
+  vtkSMPTools::For(0, size.y,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
+      {
+        for (int x = 0; x < size.x; ++x)
+        {
+          const int at = axis == 0 ? x : y;
+          const size_t i = x + static_cast<size_t>(size.x) * y;
+          Column sum = from[i];
+          sum = at > 0 ? sum | from[i - step] : sum;
+          to[i] = at + 1 < size[axis] ? sum | from[i + step] : sum;
+        }
+      }
+    });
+}
+}
+
+vtkIndirectDistanceField::vtkIndirectDistanceField() = default;
+vtkIndirectDistanceField::~vtkIndirectDistanceField() = default;
+
+//------------------------------------------------------------------------------
+void vtkIndirectDistanceField::Build(const vtkIndirectOccupancyVolume& volume)
+{
+  this->Size = volume.GetSize();
+  this->Origin = glm::vec3(volume.ToScene(glm::dvec3(0.0)));
+  this->VoxelsPerUnit = static_cast<float>(1.0 / volume.GetVoxelSize());
+  this->Uploaded = false;
+  const glm::ivec3 size = this->Size;
+  const size_t count = static_cast<size_t>(size.x) * size.y;
+  // Where nothing is near, the largest distance that is stored.
+  constexpr int most = std::numeric_limits<unsigned char>::max();
+  this->Voxels.assign(count * size.z, most);
+  Columns known(count); // voxels whose distance is known
+  Columns grown(count); // those within the distance at hand
+  Columns across(count);
+  for (size_t i = 0; i < count; ++i)
+  {
+    const glm::uvec4& bits = volume.GetColumns()[i];
+    grown[i].Low = bits.x | static_cast<std::uint64_t>(bits.y) << 32;
+    grown[i].High = bits.z | static_cast<std::uint64_t>(bits.w) << 32;
+  }
+  const int longest = std::max({ size.x, size.y, size.z });
+  for (int distance = 0; distance < longest; ++distance)
+  {
+    if (distance > 0)
+    {
+      for (Column& column : grown)
+      {
+        column = GrowColumn(column);
+      }
+      GrowAcross(grown, across, size, 0);
+      GrowAcross(across, grown, size, 1);
+    }
+    std::vector<char> rowsWithNew(size.y, 0);
+    vtkSMPTools::For(0, size.y,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (size_t i = begin * size.x; i < static_cast<size_t>(end) * size.x; ++i)
+        {
+          const Column fresh = { grown[i].Low & ~known[i].Low, grown[i].High & ~known[i].High };
+          for (int z = 0; (fresh.Low | fresh.High) != 0 && z < size.z; ++z)
+          {
+            const std::uint64_t word = z < 64 ? fresh.Low : fresh.High;
+            if (word >> (z & 63) & 1u)
+            {
+              this->Voxels[i + count * z] = static_cast<unsigned char>(distance);
+              rowsWithNew[i / size.x] = 1;
+            }
+          }
+          known[i] = grown[i];
+        }
+      });
+    if (std::find(rowsWithNew.begin(), rowsWithNew.end(), 1) == rowsWithNew.end())
+    {
+      break;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectDistanceField::IsFree(const glm::vec3& start, const glm::vec3& end) const
+{
+  vtkIndirectKernels::vtkiLeap leap = vtkIndirectKernels::vtkiBeginLeap(start, end);
+  bool more = vtkIndirectKernels::vtkiLeapOn(leap, 1) && leap.voxel != leap.last;
+  while (more)
+  {
+    const glm::ivec3 at = glm::clamp(leap.voxel, glm::ivec3(0), this->Size - 1);
+    const int clearance = this->Get(at);
+    if (clearance == 0 && at == leap.voxel)
+    {
+      return false;
+    }
+    more = vtkIndirectKernels::vtkiLeapOn(leap, std::max(clearance, 1)) && leap.voxel != leap.last;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectDistanceField::End vtkIndirectDistanceField::FindEnd(
+  const glm::vec3& position, const glm::vec3& normal) const
+{
+  auto isEmpty = [this](const glm::vec3& place)
+  {
+    const glm::ivec3 voxel(glm::floor(place));
+    const glm::ivec3 at = glm::clamp(voxel, glm::ivec3(0), this->Size - 1);
+    return this->Get(at) > 0 || at != voxel;
+  };
+  const glm::vec3 voxels = (position - this->Origin) * this->VoxelsPerUnit;
+  const glm::vec3 place = voxels + vtkIndirectKernels::vtkiClearHeight(normal) * normal;
+  for (int i = 0; i < vtkIndirectKernels::VTKI_ASIDE && !isEmpty(place); ++i)
+  {
+    const glm::vec3 aside = place + vtkIndirectKernels::vtkiAside(i, normal);
+    if (isEmpty(aside))
+    {
+      return { voxels, normal, aside };
+    }
+  }
+  return { voxels, normal, place };
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectDistanceField::IsVisible(const End& receiver, const End& sender) const
+{
+  using namespace vtkIndirectKernels;
+  return this->IsFree(vtkiClearOf(receiver.Open, receiver.Normal, sender.Position, sender.Normal,
+                        vtkiClearHeight(sender.Normal)),
+    vtkiClearOf(sender.Open, sender.Normal, receiver.Position, receiver.Normal,
+      vtkiClearHeight(receiver.Normal)));
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDistanceField::Activate(
+  vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
+{
+  if (!this->Texture)
+  {
+    this->Texture = vtkSmartPointer<vtkTextureObject>::New();
+    this->Uploaded = false;
+  }
+  if (!this->Uploaded)
+  {
+    this->Texture->SetContext(window);
+    this->Texture->SetInternalFormat(GL_R8UI);
+    this->Texture->SetFormat(GL_RED_INTEGER);
+    this->Texture->SetDataType(GL_UNSIGNED_BYTE);
+    this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    this->Texture->Create3DFromRaw(static_cast<unsigned int>(this->Size.x),
+      static_cast<unsigned int>(this->Size.y), static_cast<unsigned int>(this->Size.z), 1,
+      VTK_UNSIGNED_CHAR, const_cast<unsigned char*>(this->Voxels.data()));
+    this->Uploaded = true;
+  }
+  this->Texture->Activate();
+  program->SetUniformi("vtkiDistanceField", this->Texture->GetTextureUnit());
+  const float origin[4] = { this->Origin.x, this->Origin.y, this->Origin.z, this->VoxelsPerUnit };
+  program->SetUniform4f("vtkiDistanceFieldOrigin", origin);
+  const float size[3] = { static_cast<float>(this->Size.x), static_cast<float>(this->Size.y),
+    static_cast<float>(this->Size.z) };
+  program->SetUniform3f("vtkiDistanceFieldSize", size);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDistanceField::Deactivate() const
+{
+  if (this->Texture)
+  {
+    this->Texture->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDistanceField::Release(vtkWindow* window)
+{
+  if (this->Texture)
+  {
+    this->Texture->ReleaseGraphicsResources(window);
+    this->Texture = nullptr;
+  }
+  this->Uploaded = false;
+}

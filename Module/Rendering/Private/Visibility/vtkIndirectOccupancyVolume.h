@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which parts of the scene's space hold surface: a bit a voxel, for what stands between two points.
+//
+// Every voxel that a triangle touches is set (the separating-axis test of Akenine-Moeller 2001,
+// "Fast 3D triangle-box overlap testing"), and a segment is tested in every voxel that it touches:
+// no segment gets through a wall, however thin, slanted or finely cut. What it costs is that walls
+// are up to two voxels thick. The voxels of a segment's two ends do not block it.
+//
+// The triangles are those that the props' mappers draw. Who asks for it has them kept, by voxel.
+#ifndef vtkIndirectOccupancyVolume_h
+#define vtkIndirectOccupancyVolume_h
+
+#include "Frame/vtkIndirectFrame.h"             // for casters
+#include "Visibility/vtkIndirectTriangleGrid.h" // for members
+#include "vtkSmartPointer.h"                    // for members
+
+#include <glm/glm.hpp> // for vectors
+#include <memory>      // for the distance field
+#include <string>      // for reasons
+#include <utility>     // for pairs
+#include <vector>      // for columns
+
+class vtkIndirectDistanceField;
+class vtkOpenGLRenderWindow;
+class vtkPolyData;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkIndirectOccupancyVolume
+{
+public:
+  vtkIndirectOccupancyVolume();
+  ~vtkIndirectOccupancyVolume();
+
+  /**
+   * Brings the volume up to date: resolution (8 to 128) voxels along the longest edge of the scene.
+   * Returns whether it has changed.
+   */
+  bool Update(const vtkIndirectFrame& frame, int resolution);
+
+  /** From the next Update on triangles are kept, for rays; this costs their memory. */
+  void KeepTriangles();
+  const vtkIndirectTriangleGrid& GetTriangles() const { return this->Triangles; }
+
+  /** Makes the next Update start anew. */
+  void Forget() { this->Key.clear(); }
+  /** An empty volume over these bounds (scene units); Add fills it. For Update, and for tests. */
+  void Clear(const glm::dvec3& lower, const glm::dvec3& upper, int resolution);
+  /** Corners in scene units. */
+  void AddTriangle(const glm::dvec3 corners[3], const glm::dvec3& albedo);
+  /** Finishes the mean and the lists after the last triangle. */
+  void Finish();
+
+  bool IsEmpty() const { return this->NumberOfTriangles == 0; }
+  /**
+   * Whether all that the last Update's frame can draw lies in occupied voxels. Not so with glyphs,
+   * impostors, lines, points, levels of detail, or shaders of the user's own.
+   */
+  bool HoldsAll() const { return this->AllIsHeld; }
+  const glm::ivec3& GetSize() const { return this->Size; }
+  double GetVoxelSize() const { return this->VoxelSize; } // scene units
+  glm::dvec3 ToVoxels(const glm::dvec3& position) const
+  {
+    return (position - this->Origin) / this->VoxelSize;
+  }
+  glm::dvec3 ToScene(const glm::dvec3& voxels) const
+  {
+    return this->Origin + this->VoxelSize * voxels;
+  }
+  bool IsOccupied(const glm::ivec3& voxel) const;
+  /** Whether any voxel from lower to upper, both included, is occupied. */
+  bool IsAnyOccupied(const glm::ivec3& lower, const glm::ivec3& upper) const;
+  /** Whether the segment between two points (voxel coordinates) meets no occupied voxel. */
+  bool IsFree(const glm::vec3& start, const glm::vec3& end) const;
+  size_t GetNumberOfOccupiedVoxels() const;
+  /** A bit a voxel, by x + GetSize().x y; bit z. */
+  const std::vector<glm::uvec4>& GetColumns() const { return this->Columns; }
+  /** Distances to occupied voxels, made when first asked for. */
+  const vtkIndirectDistanceField& GetDistanceField() const;
+
+  /** Albedo of all surfaces, by area. */
+  const glm::dvec3& GetMeanAlbedo() const { return this->MeanAlbedo; }
+
+  /** Props that block no light here, and why. */
+  const std::vector<std::pair<std::string, std::string>>& GetLeftOut() const
+  {
+    return this->LeftOut;
+  }
+
+  /** Binds the bits for vtkIndirectOccupancy.glsl; pair with Deactivate. */
+  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
+  void Deactivate() const;
+  size_t GetBytes() const;
+  /** Of voxels, their distances, and triangles. */
+  size_t GetMainMemoryBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  void AddProp(const vtkIndirectFrame& frame, vtkProp* prop);
+  struct Source;
+  void AddPolyData(const Source& source, vtkPolyData* data);
+  void Mark(const glm::ivec3& voxel);
+
+  glm::dvec3 Origin{ 0.0 };
+  double VoxelSize = 1.0;
+  glm::ivec3 Size{ 0 };
+  size_t NumberOfTriangles = 0;
+  bool AllIsHeld = true;
+  std::vector<glm::uvec4> Columns; // by x + Size.x y
+  bool TrianglesAreKept = false;
+  vtkIndirectTriangleGrid Triangles;
+  double Area = 0.0; // voxels squared
+  glm::dvec3 MeanAlbedo{ 0.0 };
+  std::vector<glm::ivec3> Touched; // by the triangle at hand
+  std::vector<double> Key;
+  // Made when first asked for.
+  mutable std::unique_ptr<vtkIndirectDistanceField> DistanceField;
+  mutable bool DistanceFieldIsCurrent = false;
+  std::vector<std::pair<std::string, std::string>> LeftOut;
+  mutable vtkSmartPointer<vtkTextureObject> Texture;
+  mutable bool Uploaded = false;
+};
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether a virtual light is seen from a receiver: the answer that estimators ask for. Nothing, or
+// voxels of the scene.
+#ifndef vtkIndirectVisibility_h
+#define vtkIndirectVisibility_h
+
+#include "Frame/vtkIndirectEstimate.h" // for what is needed
+
+#include <cstddef> // for size_t
+#include <memory>  // for the volume
+
+class vtkIndirectOccupancyVolume;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+struct vtkIndirectFrame;
+struct vtkIndirectReport;
+
+class vtkIndirectVisibility
+{
+public:
+  using Needs = vtkIndirectVisibilityNeeds;
+
+  /**
+   * Senders that a shader may ask for from one place in one draw. Mesa's llvmpipe ends all loops of
+   * an invocation after 65535 rounds together, and a round is a sender or four steps on the way to
+   * it: this leaves 124 steps a sender, four times what rooms need. Whoever has more of them sums
+   * in several draws.
+   */
+  static constexpr int MaximumNumberOfSegments = 2048;
+
+  vtkIndirectVisibility();
+  ~vtkIndirectVisibility();
+
+  /** Brings it up to date; without caching from nothing. What is not needed is released. */
+  void Update(const vtkIndirectFrame& frame, const Needs& needs, bool caching);
+
+  /** Whether senders can be hidden: it was asked for, and voxels are occupied. */
+  bool HidesSenders() const;
+  /** Definitions of shaders that ask vtkIndirectVisibility.glsl; empty where nothing hides. */
+  const char* GetDefinitions() const;
+  ///@{
+  /** Bind what they read, and nothing where nothing hides; pair. */
+  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
+  void Deactivate() const;
+  ///@}
+
+  /** The voxels, empty where nobody needs them. */
+  const vtkIndirectOccupancyVolume& GetVolume() const { return *this->Volume; }
+  /** Grows when they have changed: what was derived from them is stale. */
+  size_t GetNumberOfUpdates() const { return this->NumberOfUpdates; }
+
+  void AddToReport(vtkIndirectReport& report) const;
+  size_t GetBytes() const;
+  size_t GetMainMemoryBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  Needs Current;
+  std::unique_ptr<vtkIndirectOccupancyVolume> Volume;
+  size_t NumberOfUpdates = 0;
+};
+
+#endif

@@ -1,0 +1,136 @@
+// Added to the fragment shader of every surface mapper. One text serves both stages, so that a
+// frame that draws a light's map and then the eye's view rebuilds no shader source.
+#include "vtkIndirectLibSurface.glsl"
+#include "vtkIndirectLibAlbedo.glsl"
+#include "vtkIndirectLibLightMap.glsl"
+#include "vtkIndirectLibShadow.glsl"
+
+uniform int vtkiStage;          // 0: from the eye, 1: from a light
+uniform int vtkiAlbedoInAlpha;          // 1: alpha is one wherever the eye sees something, and makes room
+uniform float vtkiSceneScale;   // scene units per world unit
+uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel projection
+
+#ifdef VTKI_SHADOWS
+uniform float vtkiMagnitude; // of the numbers that positions are differences of [scene units]
+uniform sampler2DArray vtkiShadowMaps; // depths of a texel and its neighbours in the row
+#endif
+
+// From a light: the light whose map is drawn.
+uniform vec3 vtkiMapLight; // 1 if positional, texel size in tangents or scene units, 1 if the prop sends
+
+#ifdef VTKI_SHADOWS
+// The depth buffer holds floats just below one; interpolation loses about four of their steps.
+const float VTKI_DEPTH_ROUNDING = 2.4e-7f;
+// Facets stand for curved surfaces: a concave one rises over its neighbour's plane by less than this
+// share of a texel over the filter's reach as long as they meet at less than 18 degrees.
+const float VTKI_SURFACE_ROUGHNESS = 0.5f;
+// Positions, here and in the map, are off by a few roundings of the numbers that they come from.
+const float VTKI_POSITION_ROUNDING = 4.8e-7f;
+
+// Unit normal of a facet, towards the eye. p: position, scene units; facet: cross product of its
+// derivatives, zero where it has no area.
+vec3 vtkiFacetNormal(vec3 p, vec3 facet, vec3 fallback)
+{
+  float length2 = dot(facet, facet);
+  vec3 n = length2 > 0.0f ? facet * inversesqrt(length2) : fallback;
+  bool away = vtkiDepthRange.z > 0.5f ? n.z < 0.0f : dot(n, p) > 0.0f;
+  return away ? -n : n;
+}
+
+// A light's visibility from a place the eye sees. viewToLight: columns are rows of the matrix from view
+// coordinates to the light's frame in scene units; map: first layer (-1: none), projection, half width,
+// texels; depthRange: near, far, shadow strength, number of layers. projection: of the light's map,
+// VTKI_MAP_FACES where only the map knows whether it has several; a literal, so that nothing is evaluated
+// that the light cannot have.
+float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projection, vec3 positionVC,
+  vec3 normalVC, vec3 facetNormalVC)
+{
+  if (vtkiStage != 0 || map.x < 0.0f)
+  {
+    return 1.0f;
+  }
+  float scale = 1.0f / vtkiSceneScale;
+  vec3 p = vec4(positionVC, 1.0f) * viewToLight;
+  vec3 n = vec4(normalVC * scale, 0.0f) * viewToLight;
+  vec3 facet = vec4(facetNormalVC * scale, 0.0f) * viewToLight;
+  bool parallel = projection == VTKI_MAP_PARALLEL;
+  int face = 0;
+  if (projection == VTKI_MAP_FACES && int(map.y + 0.5f) == VTKI_MAP_FACES)
+  {
+    face = vtkiFaceOf(p);
+    if (float(face) >= depthRange.w)
+    {
+      return 1.0f;
+    }
+    p = vtkiToFace(p, face);
+    n = vtkiToFace(n, face);
+    facet = vtkiToFace(facet, face);
+  }
+  float depth = -p.z;
+  if (!parallel && !(depth > 0.0f))
+  {
+    return 1.0f;
+  }
+  vec2 ndc = p.xy / (parallel ? map.z : depth * map.z);
+  if (max(abs(ndc.x), abs(ndc.y)) > 1.0f)
+  {
+    return 1.0f;
+  }
+  // The facet is what the map has drawn. Where it turns away from a light that the interpolated
+  // normal still faces, only that normal can say how the surface was meant to run.
+  float texel = 2.0f * map.z / map.w;
+  vec3 gradient =
+    vtkiPlaneDepthGradient(p, facet, texel, depthRange.x, depthRange.y, parallel);
+  if (gradient.z == 0.0f)
+  {
+    gradient = vtkiPlaneDepthGradient(p, n, texel, depthRange.x, depthRange.y, parallel);
+  }
+  float offset = VTKI_SURFACE_ROUGHNESS * texel * (parallel ? 1.0f : depth) +
+    VTKI_POSITION_ROUNDING * (vtkiMagnitude + length(p));
+  float reference = vtkiDepthToBuffer(depth, depthRange.x, depthRange.y, parallel);
+  float bias = VTKI_DEPTH_ROUNDING +
+    offset * vtkiDepthToBufferSlope(depth, depthRange.x, depthRange.y, parallel);
+  // Each texel is compared with the plane's own depth at its centre; where the plane runs away from
+  // the light the receiver's depth will do, and does not reach behind what ends the surface.
+  vec2 at = (0.5f * ndc + 0.5f) * map.w - 1.0f;
+  vec2 center = min(floor(at) + 1.0f, vec2(map.w - 1.0f));
+  vec2 fraction = at - (center - 1.0f);
+  float layer = map.x + float(face);
+  float compared = reference - bias;
+  // Places of the three columns from the receiver, in texels; a column beyond the map is its last.
+  vec3 columns =
+    clamp(center.x + vec3(-1.0f, 0.0f, 1.0f), vec3(0.0f), vec3(map.w - 1.0f)) - (at.x + 0.5f);
+  float rows[3];
+  for (int j = 0; j < 3; ++j)
+  {
+    // A look-up at a texel's centre is exact, and in software faster than a fetch.
+    float row = clamp(center.y + float(j) - 1.0f, 0.0f, map.w - 1.0f);
+    vec3 stored =
+      textureLod(vtkiShadowMaps, vec3((vec2(center.x, row) + 0.5f) / map.w, layer), 0.0f).rgb;
+    vec3 plane = min(gradient.x * columns + gradient.y * (row - (at.y + 0.5f)), vec3(0.0f));
+    // The map ends with what casts shadows: a receiver behind that is compared with its end, where
+    // nothing is.
+    vec3 lit = vec3(greaterThanEqual(stored, min(compared + plane, vec3(1.0f))));
+    rows[j] = vtkiTent(lit.x, lit.y, lit.z, fraction.x);
+  }
+  float lit = vtkiTent(rows[0], rows[1], rows[2], fraction.y);
+  return mix(1.0f, lit, depthRange.z);
+}
+#endif
+
+// How a surface runs in a light's map: change of depth (parallel) or of inverse depth times depth
+// (perspective) over one texel's width. On a plane both are affine, so two derivatives give the facet's
+// normal. Cosines are made of it when the map is sampled, at far fewer texels than are drawn here.
+vec2 vtkiDepthSlope(float depth)
+{
+  // Not mix: far from the light, a sum with the depth leaves nothing of its inverse.
+  bool positional = vtkiMapLight.x > 0.5f;
+  float s = positional ? 1.0f / depth : depth;
+  return vec2(dFdx(s), dFdy(s)) * ((positional ? depth : 1.0f) / vtkiMapLight.y);
+}
+
+float vtkiLinearDepth()
+{
+  return vtkiDepthRange.z > 0.5f ? mix(vtkiDepthRange.x, vtkiDepthRange.y, gl_FragCoord.z)
+                                 : vtkiSceneScale / gl_FragCoord.w;
+}

@@ -1,0 +1,38 @@
+  // The mapper's names are bound to these by vtkSurfaceCapturePass: VTKI_ALBEDO, VTKI_NORMAL,
+  // VTKI_SLOPE, VTKI_KIND, VTKI_DEPTH, VTKI_SENDER_SCALE; and where something in the scene is specular,
+  // VTKI_SPECULAR: the mapper's specular colour and power, zero where it has none.
+  {
+    vec3 vtkiAlbedo = max(VTKI_ALBEDO, vec3(0.0f));
+    vec3 vtkiNormal = VTKI_NORMAL;
+    float vtkiKind = VTKI_KIND;
+    if (!(dot(vtkiNormal, vtkiNormal) > 0.5f))
+    {
+      // A zero or undefined normal: the surface is drawn, and takes no part in indirect light.
+      vtkiNormal = vec3(0.0f, 0.0f, 1.0f);
+      vtkiKind = VTKI_SURFACE_UNLIT;
+    }
+    gl_FragData[1] = vtkiPackSurface(vtkiNormal, VTKI_DEPTH, vtkiKind);
+    if (vtkiStage != 0)
+    {
+      gl_FragData[0] = vec4(vtkiAlbedo * VTKI_SENDER_SCALE, 1.0f);
+      gl_FragData[2] = vec4(VTKI_SLOPE, 0.0f, 1.0f);
+    }
+    else
+    {
+      // Light on an undefined normal is not a number. Images of bytes show it as black; one of
+      // floats would keep it, and hand it on to whatever reads a neighbourhood.
+      vec3 vtkiLit = gl_FragData[0].rgb;
+      gl_FragData[0].rgb = min(mix(vtkiLit, vec3(0.0f), isnan(vtkiLit)), vec3(1.0e38f));
+      // In place of alpha where that says nothing: no texture of its own then.
+      gl_FragData[2] = vec4(vtkiPackAlbedo(vtkiAlbedo), 0.0f, 0.0f, 1.0f);
+      gl_FragData[0].a = vtkiAlbedoInAlpha != 0 ? gl_FragData[2].r : gl_FragData[0].a;
+#ifdef VTKI_SOFT
+      // Where more than half shines through, what lies behind stays the surface.
+      gl_FragData[1].a = gl_FragData[0].a < 0.5f ? 0.0f : 1.0f;
+      gl_FragData[2].a = gl_FragData[1].a;
+#endif
+#ifdef VTKI_SPECULAR
+      gl_FragData[3] = max(VTKI_SPECULAR, vec4(0.0f));
+#endif
+    }
+  }

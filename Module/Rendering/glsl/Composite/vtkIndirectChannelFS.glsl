@@ -1,0 +1,79 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// One channel of the frame as floats, in world units and world coordinates; background 0.
+#include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectAlbedo.glsl"
+#include "vtkIndirectLibChannel.glsl"
+#include "vtkIndirectLibColor.glsl"
+#include VTKI_GATHER
+
+#ifdef VTKI_GLOSSY
+uniform sampler2D vtkiSpecular;
+uniform sampler2D vtkiGlossy;
+#endif
+uniform ivec2 vtkiOrigin;
+uniform float vtkiIndirectScale;
+uniform float vtkiIrradianceUnit;
+uniform mat3 vtkiViewToWorldDirection;
+uniform float vtkiSceneScale;
+uniform int vtkiChannel; // VTKI_CHANNEL_...
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - vtkiOrigin;
+  vec4 surface = texelFetch(vtkiSurface, pixel, 0);
+  float kind = vtkiSurfaceKind(surface);
+  bool lit = vtkiSurfaceIsLit(surface);
+  vec3 direct = texelFetch(vtkiLit, pixel, 0).rgb;
+  vec3 albedo = lit ? vtkiFetchAlbedo(pixel) : vec3(0.0f);
+  vec3 irradiance =
+    lit ? vtkiFetchIrradiance(vec2(pixel) + 0.5f) * vtkiIrradianceUnit : vec3(0.0f);
+  vec4 specular = vec4(0.0f);
+  vec3 glossy = vec3(0.0f);
+#ifdef VTKI_GLOSSY
+  specular = lit ? texelFetch(vtkiSpecular, pixel, 0) : vec4(0.0f);
+  glossy =
+    lit ? specular.rgb * texelFetch(vtkiGlossy, pixel, 0).rgb * vtkiIrradianceUnit : vec3(0.0f);
+#endif
+  vec3 indirect =
+    vtkiIndirectScale > 0.0f ? (albedo * irradiance + glossy) * vtkiIndirectScale : vec3(0.0f);
+  vec3 value = vec3(0.0f);
+  if (vtkiChannel == VTKI_CHANNEL_FINAL)
+  {
+    value = kind == VTKI_SURFACE_ENCODED ? vtkiEncodeGamma(vtkiDecodeGamma(direct) + indirect)
+                                         : direct + indirect;
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_DIRECT)
+  {
+    value = direct;
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_INDIRECT)
+  {
+    value = indirect;
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_IRRADIANCE)
+  {
+    value = irradiance;
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_GLOSSY)
+  {
+    value = glossy;
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_ALBEDO)
+  {
+    value = albedo;
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_NORMAL && lit)
+  {
+    value = vtkiViewToWorldDirection * vtkiSurfaceNormal(surface);
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_DEPTH)
+  {
+    value = vec3(vtkiSurfaceDepth(surface) / vtkiSceneScale);
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_SPECULAR)
+  {
+    value = specular.rgb;
+  }
+  gl_FragData[0] = vec4(value, vtkiChannel == VTKI_CHANNEL_SPECULAR ? specular.a : 1.0f);
+}

@@ -1,0 +1,67 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Direct light plus albedo times irradiance, and with VTKI_GLOSSY what is reflected specularly.
+// Background is left as it was drawn. Depth comes too, unless with VTKI_DEPTH_COPIED it is there already.
+// VTKI_ALBEDO_IN_ALPHA where the lit image has the albedo in place of alpha, VTKI_ENCODED where the scene has
+// physically based materials, whose colours are encoded. VTKI_GATHER names the file that knows where the
+// irradiance is.
+#include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectAlbedo.glsl"
+#include "vtkIndirectLibColor.glsl"
+#include VTKI_GATHER
+
+#ifdef VTKI_GLOSSY
+uniform sampler2D vtkiSpecular;
+uniform sampler2D vtkiGlossy;
+#endif
+#ifndef VTKI_DEPTH_COPIED
+uniform sampler2D vtkiDepth;
+#endif
+uniform ivec2 vtkiOrigin;
+uniform float vtkiIndirectScale;
+uniform float vtkiIrradianceUnit;
+
+void main()
+{
+  vec2 position = gl_FragCoord.xy - vec2(vtkiOrigin);
+  vec2 pixel = position / vec2(vtkiSize);
+  vec4 lit = textureLod(vtkiLit, pixel, 0.0f);
+#ifdef VTKI_ALBEDO_IN_ALPHA
+  bool drawn = lit.a != 0.0f;
+  vec3 albedo = vtkiUnpackAlbedo(lit.a);
+  lit.a = 1.0f;
+#else
+  // What emits light without covering anything has no alpha.
+  bool drawn = any(greaterThan(lit, vec4(0.0f)));
+  vec3 albedo = vtkiUnpackAlbedo(textureLod(vtkiAlbedo, pixel, 0.0f).r);
+#endif
+#ifndef VTKI_DEPTH_COPIED
+  float depth = textureLod(vtkiDepth, pixel, 0.0f).r;
+  drawn = drawn || depth < 1.0f;
+#endif
+  if (!drawn)
+  {
+    discard;
+  }
+  // Estimators write zero where nothing is lit.
+  if (vtkiIndirectScale > 0.0f)
+  {
+    vec3 indirect = albedo *
+      vtkiFetchIrradiance(position) * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
+#ifdef VTKI_GLOSSY
+    indirect += textureLod(vtkiSpecular, pixel, 0.0f).rgb *
+      textureLod(vtkiGlossy, pixel, 0.0f).rgb * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
+#endif
+#ifdef VTKI_ENCODED
+    float kind = vtkiSurfaceKind(textureLod(vtkiSurface, pixel, 0.0f));
+    lit.rgb = kind == VTKI_SURFACE_ENCODED ? vtkiEncodeGamma(vtkiDecodeGamma(lit.rgb) + indirect)
+                                           : lit.rgb + indirect;
+#else
+    lit.rgb += indirect;
+#endif
+  }
+  gl_FragData[0] = lit;
+#ifndef VTKI_DEPTH_COPIED
+  gl_FragDepth = depth;
+#endif
+}

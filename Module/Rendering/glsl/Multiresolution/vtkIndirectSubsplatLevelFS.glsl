@@ -1,0 +1,38 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Illumination of a level near edges: evaluated at leaves, here or afterwards in blocks, and
+// interpolated where the level above is whole. Marks what lies inside one surface.
+#include "vtkIndirectSubsplatTexel.glsl"
+#include "vtkIndirectSubsplatInterpolate.glsl"
+
+void main()
+{
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  vec4 surface = texelFetch(vtkiLevelSurface, texel, 0);
+  bool covered = texelFetch(vtkiCoarserSurface, texel >> 1, 0).w == VTKI_SUBSPLAT_WHOLE;
+  bool here = vtkiSubsplatIsSample(surface.w);
+  bool leaf = here && !covered;
+  vec3 position = vtkiTexelPosition(texel, surface.z);
+  vec3 normal = vtkiOctahedralDecode(surface.xy);
+  vec3 irradiance;
+  vec3 vectorIrradiance;
+  vtkiInterpolateSubsplat(texel,
+    vtkiMakeTangentPlane(position, normal, surface.xy, surface.z, vtkiCoarserEdge), true,
+    irradiance, vectorIrradiance);
+#ifdef VTKI_EVALUATE
+  vec3 evaluated;
+  vec3 evaluatedVector;
+  vtkiEvaluateStored(position, normal, leaf, evaluated, evaluatedVector);
+  irradiance = leaf ? evaluated : irradiance;
+  vectorIrradiance = leaf ? evaluatedVector : vectorIrradiance;
+#else
+  irradiance = leaf ? vec3(0.0f) : irradiance;
+  vectorIrradiance = leaf ? vec3(0.0f) : vectorIrradiance;
+#endif
+
+  bool amid = vtkiIsInsideSurface(texel, surface, position, normal);
+  gl_FragData[0] = vec4(irradiance,
+    here ? (amid ? VTKI_ILLUMINATION_SMOOTH : VTKI_ILLUMINATION_HERE)
+         : VTKI_ILLUMINATION_NONE);
+  gl_FragData[1] = vec4(vectorIrradiance, vtkiSubsplatIsSplit(surface.w) ? 1.0f : 0.0f);
+}

@@ -1,0 +1,67 @@
+// Sum over the virtual lights at a subsplat.
+#include "vtkIndirectLightRow.glsl"
+#include "vtkIndirectLibSubsplat.glsl"
+#include "vtkIndirectLightUniforms.glsl"
+#ifdef VTKI_OCCUPANCY
+#include "vtkIndirectVisibility.glsl"
+#else
+vec3 vtkiOpenPlace(vec3 position, vec3 normal)
+{
+  return position;
+}
+#endif
+
+uniform sampler2D vtkiLightPosition; // lights beyond the block's
+uniform sampler2D vtkiLightNormal;
+uniform sampler2D vtkiLightDensity;
+uniform int vtkiFirstLight; // in the table
+uniform int vtkiLightCount;
+
+// A light from the textures: its position with the area, normal, and density times area.
+void vtkiFetchLight(int i, out vec4 sender, out vec3 senderNormal, out vec3 density)
+{
+  ivec2 at = vtkiTableTexel(vtkiFirstLight + i);
+  sender = texelFetch(vtkiLightPosition, at, 0);
+  senderNormal = texelFetch(vtkiLightNormal, at, 0).xyz;
+  density = texelFetch(vtkiLightDensity, at, 0).rgb;
+}
+
+// open: see vtkiOpenPlace; of no meaning without VTKI_OCCUPANCY.
+void vtkiAddLight(vec3 position, vec3 normal, vec3 open, vec4 sender, vec3 senderNormal, vec3 density,
+  inout vec3 irradiance, inout vec3 vectorIrradiance)
+{
+  vec3 toSender = vtkiToSender(sender, position);
+  float cosine = dot(normal, toSender);
+  float strength =
+    cosine > 0.0f ? vtkiSenderStrength(toSender, senderNormal, sender.w) : 0.0f;
+#ifdef VTKI_OCCUPANCY
+  bool lit = strength > 0.0f && max(max(density.r, density.g), density.b) > 0.0f;
+  strength = vtkiIsSenderVisible(open, position, normal, sender, senderNormal, lit) ? strength : 0.0f;
+#endif
+  irradiance += (strength * cosine) * density;
+  vectorIrradiance += (strength * vtkiLuminance(density)) * toSender;
+}
+
+// Irradiance, and the luminance of the vector irradiance; zero, and no work, where not wanted.
+void vtkiEvaluateSubsplat(
+  vec3 position, vec3 normal, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
+{
+  irradiance = vec3(0.0f);
+  vectorIrradiance = vec3(0.0f);
+  vec3 open = vtkiOpenPlace(position, normal);
+  int count = wanted ? vtkiBlockCount : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    vtkiAddLight(position, normal, open, vtkiBlockPosition[i], vtkiBlockNormal[i].xyz,
+      vtkiBlockDensity[i].rgb, irradiance, vectorIrradiance);
+  }
+  count = wanted ? vtkiLightCount : 0;
+  for (int i = vtkiBlockCount; i < count; ++i)
+  {
+    vec4 sender;
+    vec3 senderNormal;
+    vec3 density;
+    vtkiFetchLight(i, sender, senderNormal, density);
+    vtkiAddLight(position, normal, open, sender, senderNormal, density, irradiance, vectorIrradiance);
+  }
+}

@@ -1,0 +1,77 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Luminance of the irradiance at one pixel in each texel of the coarsest level, to see how the
+// lighting varies before the image is cut up; and of the difference between the sums over lights
+// of even and of odd number, which shows how much the choice of lights matters. With them the
+// light that bends the irradiance most there: what it does between probes is computed where it is
+// near.
+#include "vtkIndirectSubsplatTexel.glsl"
+
+uniform sampler2D vtkiSurface;
+
+struct vtkiProbeSums
+{
+  float sum;
+  float difference;
+  float sign;
+  float curvature; // the greatest of a light
+  vec4 sender;     // whose it is: position, area
+  vec4 normal;     // normal; luminance of density times area
+};
+
+void vtkiAddToProbe(inout vtkiProbeSums sums, vec3 position, vec3 normal, vec3 open, vec4 sender,
+  vec3 senderNormal, vec3 density)
+{
+  vec3 irradiance = vec3(0.0f);
+  vec3 unused = vec3(0.0f);
+  vtkiAddLight(position, normal, open, sender, senderNormal, density, irradiance, unused);
+  float luminance = vtkiLuminance(irradiance);
+  sums.sum += luminance;
+  sums.difference += sums.sign * luminance;
+  sums.sign = -sums.sign;
+  // What comes from a direction bends the irradiance of no plane.
+  vec3 toSender = sender.xyz - position;
+  float spread = sender.w > 0.0f ? dot(toSender, toSender) + sender.w / VTKI_PI : 0.0f;
+  float curvature = spread > 0.0f ? luminance / spread : 0.0f;
+  if (curvature > sums.curvature)
+  {
+    sums.curvature = curvature;
+    sums.sender = sender;
+    sums.normal = vec4(senderNormal, vtkiLuminance(density));
+  }
+}
+
+void main()
+{
+  vec2 center = vtkiSubsplatCenter(floor(gl_FragCoord.xy), vtkiEdge, vec2(vtkiSize));
+  vec4 surface = textureLod(vtkiSurface, 0.5f * center + 0.5f, 0.0f);
+  vec3 position = vtkiReconstruct(center, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
+  position = (vtkiViewToScene * vec4(position, 1.0f)).xyz;
+  vec3 normal = mat3(vtkiViewToScene) * vtkiSurfaceNormal(surface);
+  bool lit = vtkiSurfaceIsLit(surface);
+  vec3 open = vtkiOpenPlace(position, normal);
+  vtkiProbeSums sums = vtkiProbeSums(
+    0.0f, 0.0f, 1.0f, 0.0f, vec4(position, 1.0f), vec4(0.0f, 0.0f, 1.0f, 0.0f));
+  int count = lit ? vtkiBlockCount : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    vtkiAddToProbe(sums, position, normal, open, vtkiBlockPosition[i], vtkiBlockNormal[i].xyz,
+      vtkiBlockDensity[i].rgb);
+  }
+  count = lit ? vtkiLightCount : 0;
+  for (int i = vtkiBlockCount; i < count; ++i)
+  {
+    vec4 sender;
+    vec3 senderNormal;
+    vec3 density;
+    vtkiFetchLight(i, sender, senderNormal, density);
+    vtkiAddToProbe(sums, position, normal, open, sender, senderNormal, density);
+  }
+  gl_FragData[0] = vec4(sums.sum * vtkiStorageScale, sums.difference * vtkiStorageScale,
+    0.0f, lit ? 1.0f : 0.0f);
+  // In view coordinates, where the texels are that ask.
+  vec3 senderVC = (sums.sender.xyz - vtkiViewToScene[3].xyz) * mat3(vtkiViewToScene);
+  gl_FragData[1] = vec4(senderVC, sums.sender.w);
+  float density = sums.sum > 0.0f ? sums.normal.w / sums.sum : 0.0f;
+  gl_FragData[2] = vec4(density * (sums.normal.xyz * mat3(vtkiViewToScene)), 0.0f);
+}

@@ -1,0 +1,42 @@
+// A texel of a level and what is written for it.
+#include "vtkIndirectSubsplatPlane.glsl"
+#include "vtkIndirectSubsplatLights.glsl"
+
+uniform sampler2D vtkiLevelSurface;
+uniform ivec2 vtkiLevelSize;
+uniform float vtkiEdge; // pixels along a texel's edge
+uniform mat4 vtkiViewToScene;
+uniform float vtkiStorageScale;
+
+vec3 vtkiTexelPosition(ivec2 texel, float depth)
+{
+  vec2 center = vtkiSubsplatCenter(vec2(texel), vtkiEdge, vec2(vtkiSize));
+  return vtkiReconstruct(center, depth, vtkiRayOrigin, vtkiRayDirection);
+}
+
+// The sum over the lights as stored; the vector in view coordinates, where receivers' normals are.
+void vtkiEvaluateStored(
+  vec3 positionVC, vec3 normalVC, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
+{
+  vec3 position = (vtkiViewToScene * vec4(positionVC, 1.0f)).xyz;
+  vtkiEvaluateSubsplat(
+    position, mat3(vtkiViewToScene) * normalVC, wanted, irradiance, vectorIrradiance);
+  irradiance *= vtkiStorageScale;
+  vectorIrradiance = (vectorIrradiance * mat3(vtkiViewToScene)) * vtkiStorageScale;
+}
+
+// Whether the texel and its eight neighbours are samples of one surface.
+bool vtkiIsInsideSurface(ivec2 texel, vec4 surface, vec3 position, vec3 normal)
+{
+  bool inside = surface.w == VTKI_SUBSPLAT_WHOLE || surface.w == VTKI_SUBSPLAT_PARTED;
+  vtkiTangentPlane plane =
+    vtkiMakeTangentPlane(position, normal, surface.xy, surface.z, vtkiEdge);
+  for (int i = 0; i < 9; ++i)
+  {
+    vec2 at = clamp(vec2(texel) + vec2(i % 3 - 1, i / 3 - 1), vec2(0.0f), vec2(vtkiLevelSize - 1));
+    vec4 other = textureLod(vtkiLevelSurface, (at + 0.5f) / vec2(vtkiLevelSize), 0.0f);
+    inside = inside && vtkiIsOnPlane(plane, vtkiSubsplatCenter(at, vtkiEdge, vec2(vtkiSize)), other) &&
+      vtkiSubsplatIsSample(other.w);
+  }
+  return inside;
+}

@@ -1,0 +1,23 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Puts a sampler's lights behind those of the samplers before it.
+#include "vtkIndirectLibTable.glsl"
+
+uniform sampler2D vtkiLightPosition;
+uniform sampler2D vtkiLightNormal;
+uniform sampler2D vtkiLightDensity;
+uniform int vtkiFirst; // place of its first light
+uniform int vtkiCount;
+
+void main()
+{
+  int light = vtkiTableEntry(ivec2(gl_FragCoord.xy)) - vtkiFirst;
+  if (light < 0 || light >= vtkiCount)
+  {
+    discard;
+  }
+  ivec2 at = vtkiTableTexel(light);
+  gl_FragData[0] = texelFetch(vtkiLightPosition, at, 0);
+  gl_FragData[1] = texelFetch(vtkiLightNormal, at, 0);
+  gl_FragData[2] = texelFetch(vtkiLightDensity, at, 0);
+}

@@ -1,0 +1,94 @@
+// Whether a sender is visible from a receiver, by the distance field of the scene's voxels.
+#include "vtkIndirectLibDistanceField.glsl"
+
+uniform usampler3D vtkiDistanceField;  // voxels to the nearest occupied one
+uniform vec4 vtkiDistanceFieldOrigin;  // scene units; voxels per scene unit
+uniform vec3 vtkiDistanceFieldSize;    // voxels
+
+// A step of a walk: whether all is clear so far, and whether there is more.
+void vtkiStepOn(inout vtkiLeap leap, inout bool clear, inout bool more)
+{
+  ivec3 at = clamp(leap.voxel, ivec3(0), ivec3(vtkiDistanceFieldSize) - 1);
+  int clearance = int(texelFetch(vtkiDistanceField, at, 0).r);
+  bool blocked = clearance == 0 && at == leap.voxel;
+  clear = clear && !(more && blocked);
+  bool on = vtkiLeapOn(leap, max(clearance, 1));
+  more = more && !blocked && on && leap.voxel != leap.last;
+}
+
+// Whether the segment meets no occupied voxel besides those of its ends. With test false nothing is
+// looked up, which a branch around this would not save.
+bool vtkiIsClear(vec3 start, vec3 end, bool test)
+{
+  vtkiLeap leap = vtkiBeginLeap(start, end);
+  bool clear = true;
+  bool on = vtkiLeapOn(leap, 1);
+  bool more = test && on && leap.voxel != leap.last;
+  // Four at a time: llvmpipe ends all loops of a shader after 65535 rounds together.
+  while (more)
+  {
+    vtkiStepOn(leap, clear, more);
+    vtkiStepOn(leap, clear, more);
+    vtkiStepOn(leap, clear, more);
+    vtkiStepOn(leap, clear, more);
+  }
+  return clear;
+}
+
+bool vtkiIsEmpty(vec3 place)
+{
+  ivec3 voxel = ivec3(floor(place));
+  ivec3 at = clamp(voxel, ivec3(0), ivec3(vtkiDistanceFieldSize) - 1);
+  return texelFetch(vtkiDistanceField, at, 0).r > 0u || at != voxel;
+}
+
+// In voxels, a place near a surface that none of its own voxels blocks, nor, if there is such a place,
+// another's.
+vec3 vtkiOpenPlace(vec3 position, vec3 normal)
+{
+  vec3 voxels = (position - vtkiDistanceFieldOrigin.xyz) * vtkiDistanceFieldOrigin.w;
+  vec3 place = voxels + vtkiClearHeight(normal) * normal;
+  vec3 open = place;
+  bool empty = vtkiIsEmpty(place);
+  for (int i = 0; i < VTKI_ASIDE && !empty; ++i)
+  {
+    vec3 aside = place + vtkiAside(i, normal);
+    empty = vtkiIsEmpty(aside);
+    open = empty ? aside : open;
+  }
+  return open;
+}
+
+// Whether nothing stands between two surfaces, whose own voxels do not count. start: the receiver's
+// open place.
+bool vtkiIsVisible(vec3 start, vec3 position, vec3 normal, vec3 sender, vec3 senderNormal, bool test)
+{
+  vec3 receiver = (position - vtkiDistanceFieldOrigin.xyz) * vtkiDistanceFieldOrigin.w;
+  vec3 light = (sender - vtkiDistanceFieldOrigin.xyz) * vtkiDistanceFieldOrigin.w;
+  vec3 end = vtkiClearOf(
+    vtkiOpenPlace(sender, senderNormal), senderNormal, receiver, normal, vtkiClearHeight(normal));
+  return vtkiIsClear(
+    vtkiClearOf(start, normal, light, senderNormal, vtkiClearHeight(senderNormal)), end, test);
+}
+
+// The same of a virtual light: a place, or with VTKI_DIRECTIONS a direction, which is seen where
+// nothing stands on the way out of the scene.
+bool vtkiIsSenderVisible(vec3 start, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
+{
+  vec3 place = sender.xyz;
+#ifdef VTKI_DIRECTIONS
+  if (sender.w < 0.0f)
+  {
+    vec3 lower = vtkiDistanceFieldOrigin.xyz;
+    vec3 upper = lower + vtkiDistanceFieldSize / vtkiDistanceFieldOrigin.w;
+    vec3 way = mix(lower, upper, greaterThan(sender.xyz, vec3(0.0f))) - position;
+    // Twice the diagonal of the scene where a direction is along the others' plane.
+    vec3 far = vec3(2.0f);
+    vec3 exits = mix(far, way / sender.xyz, greaterThan(abs(sender.xyz), vec3(1.0e-6f)));
+    float leave = clamp(min(exits.x, min(exits.y, exits.z)), 0.0f, 2.0f);
+    // Two voxels further on nothing is.
+    place = position + (leave + 2.0f / vtkiDistanceFieldOrigin.w) * sender.xyz;
+  }
+#endif
+  return vtkiIsVisible(start, position, normal, place, senderNormal, test);
+}

@@ -1,0 +1,20 @@
+// Channels of a frame and of a light's map that can be looked at: numbers that C++ hands to shaders. What
+// each holds stands in the table of vtkIndirectComposite.
+#ifndef vtkIndirectLibChannel
+#define vtkIndirectLibChannel
+#include "vtkIndirectLibPortable.glsl"
+
+const int VTKI_CHANNEL_FINAL = 0;
+const int VTKI_CHANNEL_DIRECT = 1;
+const int VTKI_CHANNEL_INDIRECT = 2;
+const int VTKI_CHANNEL_IRRADIANCE = 3;
+const int VTKI_CHANNEL_GLOSSY = 4;
+const int VTKI_CHANNEL_ALBEDO = 5;
+const int VTKI_CHANNEL_NORMAL = 6;
+const int VTKI_CHANNEL_DEPTH = 7;
+const int VTKI_CHANNEL_SPECULAR = 8;
+
+const int VTKI_MAP_CHANNEL_DEPTH = 0;
+const int VTKI_MAP_CHANNEL_NORMAL = 1;
+const int VTKI_MAP_CHANNEL_DENSITY = 2;
+#endif

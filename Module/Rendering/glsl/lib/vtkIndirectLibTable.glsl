@@ -1,0 +1,30 @@
+// How tables of numbers lie in textures: what C++ writes and shaders read, declared once for both.
+#ifndef vtkIndirectLibTable
+#define vtkIndirectLibTable
+#include "vtkIndirectLibPortable.glsl"
+
+// Entries in a row of a table of virtual lights, of hints, or of surfaces that hints see. A power of
+// two: a place in it is two bit operations.
+const int VTKI_ROW_LENGTH = 256;
+
+/* Texel of an entry. */
+ivec2 vtkiTableTexel(int entry)
+{
+  return ivec2(entry % VTKI_ROW_LENGTH, entry / VTKI_ROW_LENGTH);
+}
+
+/* Entry of a texel. */
+int vtkiTableEntry(ivec2 texel)
+{
+  return texel.x + VTKI_ROW_LENGTH * texel.y;
+}
+
+// The table of lights' maps has a row for each layer; these are its texels.
+const int VTKI_MAP_TO_SCENE = 0;   // three rows of a matrix, from face view coordinates to scene
+const int VTKI_MAP_SHAPE = 3;      // projection, half width, texels along an edge, cone exponent
+const int VTKI_MAP_LIGHT = 4;      // colour times intensity, light index
+const int VTKI_MAP_FROM_SCENE = 5; // three rows of a matrix, from scene to face view coordinates
+const int VTKI_MAP_FALLOFF = 8;    // attenuation for scene units, squared tangent of the cone or -1
+const int VTKI_MAP_AXIS = 9;       // direction of the light, face of the cube
+const int VTKI_MAP_TABLE_WIDTH = 10;
+#endif

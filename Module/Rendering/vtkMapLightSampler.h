@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMapLightSampler
+ * @brief Abstract: virtual lights chosen among the texels of the lights' maps
+ *
+ * A light drawn from M texels with probability density p counts 1/p texels, in B A and in A alike,
+ * so the sums over all lights do not depend on how many there are.
+ *
+ * Subclasses make a pattern of map coordinates; this class turns it into lights on the GPU.
+ */
+
+#ifndef vtkMapLightSampler_h
+#define vtkMapLightSampler_h
+
+#include "vtkRenderingIndirectModule.h" // For export macro
+#include "vtkVirtualLightSampler.h"
+
+#include <vector> // for patterns
+
+class VTKRENDERINGINDIRECT_EXPORT vtkMapLightSampler : public vtkVirtualLightSampler
+{
+public:
+  vtkTypeMacro(vtkMapLightSampler, vtkVirtualLightSampler);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+#ifndef __VTK_WRAP__
+  /** A rectangle of texels that lights are drawn from: a face of a map, or the geometry buffer. */
+  struct Source
+  {
+    int Layer = 0;
+    int Light = 0; // sources of one light share its lights
+    int Size[2] = { 1, 1 };
+    bool Disk = false; // only the inscribed disk is lit
+    // Faces of a cube: cosine of the cone of light about its axis, -1 for all directions; 2: no
+    // cube.
+    double CosCone = 2.0;
+
+    bool operator==(const Source& other) const
+    {
+      return this->Layer == other.Layer && this->Light == other.Light &&
+        this->Size[0] == other.Size[0] && this->Size[1] == other.Size[1] &&
+        this->Disk == other.Disk && this->CosCone == other.CosCone;
+    }
+  };
+
+  /** A choice: map coordinates in [0,1), layer, texels that it stands for. */
+  struct Sample
+  {
+    float U;
+    float V;
+    float Layer;
+    float Texels;
+  };
+
+  /** Fills a pattern for these sources; its samples of a source sum to that source's texels. */
+  virtual void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) = 0;
+
+  bool Update(const Input& input) override;
+  vtkMapLightSampler* GetViewPattern() override
+  {
+    return this;
+  }
+  size_t GetBytes() const override;
+#endif
+
+protected:
+  vtkMapLightSampler();
+  ~vtkMapLightSampler() override;
+
+private:
+  vtkMapLightSampler(const vtkMapLightSampler&) = delete;
+  void operator=(const vtkMapLightSampler&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Props that are no plain surfaces: what is seen of them, and what they leave as it was.
+#include "vtkIndirectContractReport.h"
+#include "vtkIndirectContractRoom.h"
+
+#include "vtkAxesActor.h"
+#include "vtkBillboardTextActor3D.h"
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkOutlineSource.h"
+#include "vtkPointData.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkPolyData.h"
+#include "vtkRadianceHintsPass.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkSkybox.h"
+#include "vtkSmartVolumeMapper.h"
+#include "vtkTextProperty.h"
+#include "vtkTexture.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+
+using namespace contract;
+
+namespace
+{
+// A sky whose colour changes with the height.
+vtkSmartPointer<vtkTexture> MakeSky()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 32, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < 32; ++y)
+  {
+    for (int x = 0; x < 64; ++x)
+    {
+      auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
+      pixel[0] = 90;
+      pixel[1] = 110;
+      pixel[2] = static_cast<unsigned char>(7 * y);
+    }
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  return texture;
+}
+}
+
+//------------------------------------------------------------------------------
+// The sky writes its colour alone. It is what VTK draws, the same in every frame, and no surface.
+VTK_INDIRECT_TEST(PropsSky)
+{
+  Room room;
+  vtkNew<vtkSkybox> sky;
+  sky->SetProjectionToSphere();
+  sky->SetTexture(MakeSky());
+  room.GetRenderer()->AddActor(sky);
+  // Physically based: VTK's environment light needs it, and such scenes are where skies are used.
+  vtkActor* sphere = room.GetRenderer()->GetActors()->GetItemAsObject(5)
+    ? vtkActor::SafeDownCast(room.GetRenderer()->GetActors()->GetItemAsObject(5))
+    : nullptr;
+  CONTRACT_CHECK(sphere, "no sphere");
+  sphere->GetProperty()->SetInterpolationToPBR();
+  room.GetRenderer()->UseImageBasedLightingOn();
+  room.GetRenderer()->SetEnvironmentTexture(sky->GetTexture());
+  room.GetRenderer()->GetActiveCamera()->SetPosition(1.6, 0.9, 3.4);
+  const Pixels plain = room.Grab(false);
+  const Pixels first = room.Grab(true);
+  const Floats depth = Read(room.Pass, "depth");
+  const Floats normal = Read(room.Pass, "normal");
+  const Floats albedo = Read(room.Pass, "albedo");
+  CONTRACT_CHECK(Compare(first, room.Grab(true)).Max == 0.0, "the second frame differs");
+  room.Pass->CachingOff();
+  CONTRACT_CHECK(Compare(first, room.Grab(true)).Max == 0.0, "the third frame differs");
+  size_t seen = 0;
+  double worst = 0.0;
+  double surface = 0.0;
+  for (size_t i = 0; i < depth.Values.size(); ++i)
+  {
+    if (depth.Values[i] == 0.0f)
+    {
+      ++seen;
+      worst = std::max(worst, Distance(plain, first, i));
+      for (size_t c = 3 * i; c < 3 * i + 3; ++c)
+      {
+        surface = std::max(surface, std::abs(double(normal.Values[c])) + albedo.Values[c]);
+      }
+    }
+  }
+  std::cout << seen << " pixels of sky, off by " << worst << "\n";
+  CONTRACT_CHECK(seen > 3000, "no sky");
+  CONTRACT_CHECK(worst <= 1.0, "the sky is not VTK's: " << worst);
+  CONTRACT_CHECK(surface == 0.0, "the sky has a surface: " << surface);
+  CheckReported(room.Pass, "vtkOpenGLSkybox");
+  CheckReported(room.Pass, "environment light");
+}
+
+//------------------------------------------------------------------------------
+// Lit annotation in front of surfaces: VTK's own picture there, the same light as ever elsewhere.
+VTK_INDIRECT_TEST(PropsColorOnly)
+{
+  Room room;
+  const Pixels plainWithout = room.Grab(false);
+  const Pixels without = room.Grab(true);
+  vtkNew<vtkAxesActor> axes;
+  axes->SetTotalLength(0.7, 0.7, 0.7);
+  axes->SetShaftTypeToCylinder();
+  axes->SetCylinderRadius(0.1);
+  axes->AxisLabelsOff();
+  room.GetRenderer()->AddActor(axes);
+  const Pixels plain = room.Grab(false);
+  const Pixels image = room.Grab(true);
+  const Floats irradiance = Read(room.Pass, "irradiance");
+  size_t seen = 0;
+  double worst = 0.0;
+  double elsewhere = 0.0;
+  double light = 0.0;
+  for (size_t i = 0; i < plain.Values.size() / 4; ++i)
+  {
+    if (!Differs(plain, plainWithout, i))
+    {
+      elsewhere = std::max(elsewhere, Distance(image, without, i));
+      continue;
+    }
+    ++seen;
+    worst = std::max(worst, Distance(plain, image, i));
+    light += irradiance.Values[3 * i];
+  }
+  std::cout << seen << " pixels of axes, off by " << worst << ", others by " << elsewhere << "\n";
+  CONTRACT_CHECK(seen > 300, "no axes");
+  // One step of a byte: floats are rounded to it where VTK's own picture is blended in bytes.
+  CONTRACT_CHECK(worst <= 1.0, "axes are not VTK's: " << worst);
+  CONTRACT_CHECK(light == 0.0, "axes receive light: " << light);
+  // Where the axes have a surface's own colour they are not among those seen: a few pixels.
+  size_t changed = 0;
+  for (size_t i = 0; i < plain.Values.size() / 4; ++i)
+  {
+    changed += !Differs(plain, plainWithout, i) && Distance(image, without, i) > 1.0 ? 1 : 0;
+  }
+  CONTRACT_CHECK(changed <= seen / 20, changed << " pixels beside the axes changed");
+}
+
+//------------------------------------------------------------------------------
+// A label that turns to the camera turns to no light, whether maps are drawn in a frame or not.
+VTK_INDIRECT_TEST(PropsBillboard)
+{
+  Room room;
+  vtkNew<vtkBillboardTextActor3D> label;
+  label->SetInput("label");
+  label->SetPosition(0.2, 0.5, 0.5);
+  label->GetTextProperty()->SetFontSize(24);
+  label->GetTextProperty()->SetColor(1, 1, 0);
+  room.GetRenderer()->AddActor(label);
+  room.GetRenderer()->SetPass(room.Pass);
+  const Pixels drawn = room.Window.Grab();
+  const vtkIdType faces = room.Pass->GetReflectiveShadowMaps()->GetNumberOfFacesDrawn();
+  const Pixels cached = room.Window.Grab();
+  CONTRACT_CHECK(
+    faces > 0 && faces == room.Pass->GetReflectiveShadowMaps()->GetNumberOfFacesDrawn(),
+    "maps were to be drawn once, in the first frame");
+  CONTRACT_CHECK(Compare(drawn, cached).Max == 0.0, Compare(drawn, cached));
+  size_t yellow = 0;
+  for (size_t i = 0; i < drawn.Values.size(); i += 4)
+  {
+    yellow += drawn.Values[i] > 100 && drawn.Values[i + 1] > 100 && drawn.Values[i + 2] < 30;
+  }
+  CONTRACT_CHECK(yellow > 50, "no label: " << yellow);
+}
+
+//------------------------------------------------------------------------------
+// Splats: emissive ones add their light to the picture and change nothing else; others hide what
+// lies behind them, and are in no map.
+VTK_INDIRECT_TEST(PropsSplats)
+{
+  auto makeSplats = []
+  {
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(0.3, 0.5, 0.6);
+    points->InsertNextPoint(0.7, 0.6, 0.6);
+    points->InsertNextPoint(1.2, 0.9, 0.6);
+    vtkNew<vtkCellArray> vertices;
+    vertices->InsertNextCell({ 0, 1, 2 });
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetVerts(vertices);
+    vtkNew<vtkPointGaussianMapper> mapper;
+    mapper->SetInputData(data);
+    mapper->SetScaleFactor(0.06);
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(0.2, 0.3, 0.4);
+    return actor;
+  };
+  Room room;
+  room.GetRenderer()->SetBackground(0.1, 0.2, 0.3);
+  const Pixels plainWithout = room.Grab(false);
+  const Pixels without = room.Grab(true);
+  const Floats irradiance = Read(room.Pass, "irradiance");
+  const Floats depth = Read(room.Pass, "rsm0.depth");
+  auto splats = makeSplats();
+  auto* mapper = vtkPointGaussianMapper::SafeDownCast(splats->GetMapper());
+  mapper->EmissiveOn();
+  room.GetRenderer()->AddActor(splats);
+  const Pixels plain = room.Grab(false);
+  const Pixels image = room.Grab(true);
+  // The scene's bounds have grown by the splats, to which positions are relative: rounding.
+  const Difference same = Compare(irradiance, Read(room.Pass, "irradiance"));
+  CONTRACT_CHECK(same.Max < 1e-4, "the light on surfaces: " << same);
+  CONTRACT_CHECK(
+    Compare(depth, Read(room.Pass, "rsm0.depth")).Max < 1e-5, "emissive splats are in the map");
+  size_t seen = 0;
+  double worst = 0.0;
+  for (size_t i = 0; i < image.Values.size(); ++i)
+  {
+    if (i % 4 == 3)
+    {
+      continue; // alpha, by which what lies behind would be less
+    }
+    const int added = int(plain.Values[i]) - plainWithout.Values[i];
+    seen += added > 5 ? 1 : 0;
+    if (image.Values[i] < 255 && plain.Values[i] < 255)
+    {
+      worst = std::max(worst, std::abs(double(image.Values[i]) - without.Values[i] - added));
+    }
+  }
+  std::cout << "emissive: " << seen << " values, off by " << worst << "\n";
+  CONTRACT_CHECK(seen > 1000, "no splats");
+  // Two roundings to bytes: of VTK's sum, splat by splat, and of ours.
+  CONTRACT_CHECK(worst <= 2.0, "emissive splats add something else than VTK's: " << worst);
+
+  mapper->EmissiveOff();
+  room.Grab(true);
+  CONTRACT_CHECK(Compare(depth, Read(room.Pass, "rsm0.depth")).Max < 1e-5, "splats are in the map");
+  CheckReported(room.Pass, "splats have no surface");
+  // Hidden where they are more than half opaque, and else as before.
+  const Floats hidden = Read(room.Pass, "irradiance");
+  size_t dark = 0;
+  double changed = 0.0;
+  for (size_t i = 0; i < hidden.Values.size(); i += 3)
+  {
+    const bool isDark = hidden.Values[i] == 0.0f && irradiance.Values[i] > 0.0f;
+    dark += isDark ? 1 : 0;
+    changed = isDark
+      ? changed
+      : std::max(changed, std::abs(double(hidden.Values[i]) - double(irradiance.Values[i])));
+  }
+  std::cout << "opaque: hide " << dark << " pixels, others change by " << changed << "\n";
+  CONTRACT_CHECK(dark > 100 && dark < 2000, dark << " pixels hidden");
+  CONTRACT_CHECK(changed < 1e-4, "beside splats: " << changed);
+}
+
+//------------------------------------------------------------------------------
+// What takes no part is said, with how many there are of it.
+VTK_INDIRECT_TEST(PropsLeftOut)
+{
+  Room room;
+  for (int i = 0; i < 3; ++i)
+  {
+    auto glass = MakeSphere({ 0.3 + 0.2 * i, 0.7, 0.5 }, 0.08);
+    glass->GetProperty()->SetOpacity(0.5);
+    room.GetRenderer()->AddActor(glass);
+  }
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 4, 4);
+  image->SetSpacing(0.1, 0.1, 0.1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  image->GetPointData()->GetScalars()->Fill(100);
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  mapper->SetInputData(image);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  room.GetRenderer()->AddVolume(volume);
+  room.Grab(true);
+  CheckReported(room.Pass, "volumes neither send nor receive");
+  const std::string why = contract::Report(room.Pass).FindReason("left_out", "vtkOpenGLActor, 3 props");
+  CONTRACT_CHECK(why.find("translucent geometry") == 0, why);
+}
+
+//------------------------------------------------------------------------------
+// Unlit lines receive no light: they cost radiance hints nothing. Tubes are lit, and no polygons
+// tell where.
+VTK_INDIRECT_TEST(PropsHints)
+{
+  vtkIdType active[3];
+  for (int kind : { 0, 1, 2 })
+  {
+    Room room;
+    vtkNew<vtkRadianceHintsPass> hints;
+    room.Pass->SetEstimator(hints);
+    vtkNew<vtkOutlineSource> source;
+    source->SetBounds(0.2, 0.8, 0.05, 0.45, 0.2, 0.6);
+    auto outline = MakeActor(source, { 1, 1, 0 });
+    outline->GetProperty()->SetLineWidth(4);
+    outline->GetProperty()->SetRenderLinesAsTubes(kind == 2);
+    outline->SetVisibility(kind > 0);
+    room.GetRenderer()->AddActor(outline);
+    room.Grab(true);
+    active[kind] = hints->GetNumberOfActiveHints();
+  }
+  std::cout << "active hints: " << active[0] << ", with an outline " << active[1] << ", with tubes "
+            << active[2] << "\n";
+  CONTRACT_CHECK(active[0] > 0, "no hints");
+  CONTRACT_CHECK(active[1] == active[0], "an outline has hints");
+  CONTRACT_CHECK(active[2] > active[0], "tubes have no hints");
+}

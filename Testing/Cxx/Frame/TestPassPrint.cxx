@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the classes print is what they are set to.
+#include "vtkIndirectContractReport.h"
+#include "vtkIndirectContractUtilities.h"
+
+#include "vtkMultiresolutionSplattingPass.h"
+#include "vtkOpaquePass.h"
+#include "vtkRSMGatherPass.h"
+#include "vtkRSMReferencePass.h"
+#include "vtkRadianceHintsPass.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkUniformLightSampler.h"
+
+#include <set>
+
+using namespace contract;
+
+namespace
+{
+// Lines of what an object prints, without their indentation.
+std::set<std::string> GetLines(vtkObject* object)
+{
+  std::ostringstream os;
+  object->Print(os);
+  std::set<std::string> lines;
+  std::istringstream text(os.str());
+  for (std::string line; std::getline(text, line);)
+  {
+    lines.insert(line.substr(std::min(line.find_first_not_of(' '), line.size())));
+  }
+  return lines;
+}
+
+void CheckLine(vtkObject* object, const std::string& line, bool expected)
+{
+  CONTRACT_CHECK((GetLines(object).count(line) == 1) == expected,
+    object->GetClassName() << ": '" << line << (expected ? "' is not" : "' is") << " printed");
+}
+
+// Sets a property to a value that is not its default: the line is not there before, but after.
+#define CHECK_PRINT(object, property, value, text)                                                 \
+  do                                                                                               \
+  {                                                                                                \
+    CheckLine(object, #property ": " text, false);                                                 \
+    (object)->Set##property(value);                                                                \
+    CheckLine(object, #property ": " text, true);                                                  \
+  } while (false)
+}
+
+//------------------------------------------------------------------------------
+VTK_INDIRECT_TEST(PrintSettings)
+{
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  CHECK_PRINT(pass, Shadows, false, "Off");
+  CHECK_PRINT(pass, ReflectiveShadowMapResolution, 77, "77");
+  CHECK_PRINT(pass, NumberOfBounces, 3, "3");
+  CHECK_PRINT(pass, IndirectScale, 0.5, "0.5");
+  CHECK_PRINT(pass, ErrorTolerance, 0.125, "0.125");
+  CHECK_PRINT(pass, Caching, false, "Off");
+  CHECK_PRINT(pass, RemainingGeometry, false, "Off");
+  CHECK_PRINT(pass, DebugView, "normal", "\"normal\"");
+  CHECK_PRINT(pass, Timing, true, "On");
+  for (const char* name : { "Estimator", "Sampler" })
+  {
+    CheckLine(pass, std::string(name) + ": 0 (automatic)", true);
+  }
+  vtkNew<vtkRSMGatherPass> gather;
+  vtkNew<vtkUniformLightSampler> sampler;
+  vtkNew<vtkOpaquePass> delegate;
+  pass->SetEstimator(gather);
+  pass->SetSampler(sampler);
+  pass->SetDelegatePass(delegate);
+  auto at = [](const char* name, const void* object)
+  {
+    std::ostringstream os;
+    os << name << ": " << object;
+    return os.str();
+  };
+  CheckLine(pass, at("Estimator", gather.Get()), true);
+  CheckLine(pass, at("Sampler", sampler.Get()), true);
+  CheckLine(pass, at("DelegatePass", delegate.Get()), true);
+
+  CheckLine(gather, "MethodName: gather", true);
+  CHECK_PRINT(gather, SpecularTransport, false, "Off");
+  CHECK_PRINT(gather, Occupancy, true, "On");
+  CHECK_PRINT(gather, OccupancyResolution, 33, "33");
+  CHECK_PRINT(gather, Mode, vtkRSMGatherPass::NEIGHBORHOOD, "Neighborhood");
+  CHECK_PRINT(gather, NumberOfSamples, 7, "7");
+  CHECK_PRINT(gather, NeighborhoodRadius, 0.75, "0.75");
+  CHECK_PRINT(gather, Interpolation, false, "Off");
+  CHECK_PRINT(gather, InterpolationStep, 6, "6");
+  CHECK_PRINT(gather, InterpolationMinimumCosine, 0.25, "0.25");
+  CHECK_PRINT(gather, InterpolationPlaneTolerance, 2.5, "2.5");
+
+  CHECK_PRINT(sampler, Pattern, vtkUniformLightSampler::JITTERED, "Jittered");
+  CHECK_PRINT(sampler, NumberOfLights, 33, "33");
+
+  vtkNew<vtkMultiresolutionSplattingPass> splatting;
+  CheckLine(splatting, "MethodName: multiresolution", true);
+  CHECK_PRINT(splatting, CoarsestResolution, 17, "17");
+  CHECK_PRINT(splatting, FinestLevel, 1, "HalfResolution");
+  CHECK_PRINT(splatting, Refinement, 0, "DepthRange");
+  CHECK_PRINT(splatting, PlaneThreshold, 0.75, "0.75");
+  CHECK_PRINT(splatting, DepthThreshold, 0.5, "0.5");
+  CHECK_PRINT(splatting, NormalThreshold, 0.375, "0.375");
+  CHECK_PRINT(splatting, LightingThreshold, 0.0625, "0.0625");
+  CHECK_PRINT(splatting, Balance, false, "Off");
+  CHECK_PRINT(splatting, NormalCorrection, false, "Off");
+  CHECK_PRINT(splatting, GlossyThreshold, 0.125, "0.125");
+  CHECK_PRINT(splatting, SurfaceDetail, 0.5, "0.5");
+  CHECK_PRINT(splatting, Renderer, 1, "PointSplats");
+  CHECK_PRINT(splatting, Storage, 1, "Float");
+
+  vtkNew<vtkRadianceHintsPass> hints;
+  CheckLine(hints, "MethodName: hints", true);
+  CHECK_PRINT(hints, Occupancy, false, "Off");
+  CHECK_PRINT(hints, Order, 3, "3");
+  CHECK_PRINT(hints, ColorLayout, 0, "RGB");
+  CHECK_PRINT(hints, Extent, 1, "View");
+  CheckLine(hints, "GridResolution: 3 4 5", false);
+  hints->SetGridResolution(3, 4, 5);
+  CheckLine(hints, "GridResolution: 3 4 5", true);
+  CHECK_PRINT(hints, ErrorTolerance, 0.125, "0.125");
+  CHECK_PRINT(hints, NumberOfGrids, 2, "2");
+  CHECK_PRINT(hints, FineGridExtent, 0.75, "0.75");
+  CHECK_PRINT(hints, Sampling, 0, "Sampled");
+  CHECK_PRINT(hints, NumberOfSamples, 41, "41");
+  CHECK_PRINT(hints, Coverage, 0.5, "0.5");
+  CHECK_PRINT(hints, BlocksPerEdge, 25, "25");
+  CHECK_PRINT(hints, Softening, false, "Off");
+  CHECK_PRINT(hints, Deringing, false, "Off");
+  CHECK_PRINT(hints, FacingWeights, false, "Off");
+  CHECK_PRINT(hints, SkipEmptyCells, false, "Off");
+  CHECK_PRINT(hints, AlbedoVolume, false, "Off");
+  CHECK_PRINT(hints, BounceSampling, 0, "Hints");
+  CHECK_PRINT(hints, NumberOfRays, 144, "144");
+  CHECK_PRINT(hints, NumberOfBounceSamples, 31, "31");
+  CHECK_PRINT(hints, BounceRange, 0.5, "0.5");
+  CHECK_PRINT(hints, NumberOfLookups, 4, "4");
+  CHECK_PRINT(hints, LookupRotation, true, "On");
+  CHECK_PRINT(hints, DepthOcclusion, true, "On");
+  CHECK_PRINT(hints, NumberOfDepthSamples, 7, "7");
+  CHECK_PRINT(hints, DepthAttenuation, 0.25, "0.25");
+  CHECK_PRINT(hints, InterpolationStep, 6, "6");
+  CHECK_PRINT(hints, InterpolationMinimumCosine, 0.25, "0.25");
+  CHECK_PRINT(hints, InterpolationPlaneTolerance, 2.5, "2.5");
+  CHECK_PRINT(hints, TemporalSmoothing, 0.5, "0.5");
+
+  vtkNew<vtkRSMReferencePass> reference;
+  CheckLine(reference, "MethodName: reference", true);
+  CHECK_PRINT(reference, Mode, 1, "VirtualLights");
+  vtkNew<vtkReflectiveShadowMapPass> maps;
+  CHECK_PRINT(maps, Resolution, 77, "77");
+  CHECK_PRINT(maps, Caching, false, "Off");
+  pass->SetDelegatePass(nullptr);
+  pass->SetSampler(nullptr);
+  pass->SetEstimator(nullptr);
+}
+
+//------------------------------------------------------------------------------
+// Counters and sizes, of a frame that is known.
+VTK_INDIRECT_TEST(PrintCounters)
+{
+  View view(80, 60);
+  AddRoom(view.Renderer);
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  vtkNew<vtkRSMGatherPass> gather;
+  vtkNew<vtkUniformLightSampler> sampler;
+  pass->SetEstimator(gather);
+  pass->SetSampler(sampler);
+  sampler->SetNumberOfLights(33);
+  view.Renderer->SetPass(pass);
+  CheckLine(pass, "NumberOfEstimates: 0", true);
+  CheckLine(sampler, "ActualNumberOfLights: 0", true);
+  CheckLine(gather, "Size: 0 x 0, 0 bytes", true);
+  view.Grab();
+  view.Grab();
+  CheckLine(pass, "NumberOfEstimates: 1", true);
+  CheckLine(pass->GetReflectiveShadowMaps(), "NumberOfMaps: 1", true);
+  CheckLine(pass->GetReflectiveShadowMaps(), "NumberOfFacesDrawn: 1", true);
+  CheckLine(sampler, "ActualNumberOfLights: 33", true);
+  CheckLine(gather, "Size: 80 x 60, 76800 bytes", true); // 16 a pixel
+  vtkNew<vtkRadianceHintsPass> hints;
+  pass->SetEstimator(hints);
+  view.Grab();
+  CheckLine(hints, "NumberOfHintUpdates: 1", true);
+  CONTRACT_CHECK(Report(pass).GetNumber("counters.voxel_updates") == 1, Report(pass).GetText());
+  CheckLine(pass, "NumberOfEstimates: 2", true);
+}
+
+//------------------------------------------------------------------------------
+// With Timing on every stage that a frame went through has its time, and none without.
+VTK_INDIRECT_TEST(ReportStages)
+{
+  View view(80, 60);
+  AddRoom(view.Renderer);
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  vtkNew<vtkRSMGatherPass> gather;
+  pass->SetEstimator(gather);
+  view.Renderer->SetPass(pass);
+  view.Grab();
+  const Report untimed(pass);
+  CONTRACT_CHECK(untimed.GetNumber("frames") == 0, untimed.Get("frames"));
+  CONTRACT_CHECK(untimed.GetNumber("stages") == 0, untimed.GetText());
+  CONTRACT_CHECK(untimed.Get("frame_ms") == "null", untimed.Get("frame_ms"));
+  pass->TimingOn();
+  pass->CachingOff();
+  for (int i = 0; i < 3; ++i)
+  {
+    view.Window->Render();
+  }
+  const Report report(pass);
+  CONTRACT_CHECK(report.GetNumber("frames") == 3, report.Get("frames"));
+  for (const char* stage : { "rsm", "geometry", "lights", "estimate", "upsample", "composite" })
+  {
+    const std::string name = "stages." + std::string(stage);
+    const double median = report.GetNumber(name + ".median_ms");
+    CONTRACT_CHECK(median > 0.0, "no time of " << stage << " in " << report.GetText());
+    CONTRACT_CHECK(report.GetNumber(name + ".p95_ms") >= median, report.GetText());
+  }
+  // In every frame the one is a part of the other.
+  CONTRACT_CHECK(report.GetNumber("indirect_ms") <= report.GetNumber("frame_ms"), report.GetText());
+}

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the report says, and that it is what was in force.
+#include "vtkIndirectContractReport.h"
+#include "vtkIndirectContractUtilities.h"
+
+#include "vtkMultiresolutionSplattingPass.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
+#include "vtkRSMGatherPass.h"
+#include "vtkRadianceHintsPass.h"
+#include "vtkUniformLightSampler.h"
+
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
+#include <locale>
+
+using namespace contract;
+
+namespace
+{
+// A room whose estimator is given, and its report after a frame.
+struct ReportView : View
+{
+  vtkNew<vtkIndirectIlluminationPass> Pass;
+
+  explicit ReportView(vtkIndirectEstimatorPass* estimator)
+    : View(60, 40)
+  {
+    AddRoom(this->Renderer);
+    this->Pass->SetReflectiveShadowMapResolution(64);
+    this->Pass->SetEstimator(estimator);
+    this->Renderer->SetPass(this->Pass);
+  }
+  ~ReportView() { this->Pass->SetEstimator(nullptr); }
+
+  Report Render()
+  {
+    this->Grab();
+    return Report(this->Pass);
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+// The tests' own reader takes JSON and nothing else.
+VTK_INDIRECT_TEST(ReportReader)
+{
+  for (const char* good : { "{}", "[]", "{\"a\": [1, -0.5e-7, 0], \"b\": null}", " true ",
+         "\"\\u001f\\n\"", "\"\xc3\xa4\"" })
+  {
+    CONTRACT_CHECK(Report(std::string(good)).IsValid(), good);
+  }
+  for (const char* bad :
+    { "", "{", "{\"a\": 0,5}", "{\"a\": 1.}", "{\"a\": .5}", "01", "+1", "nan", "1.024.000",
+      "\"\n\"", "\"\\x\"", "\"\xe4\"", "\"\xc0\xaf\"", "[1,]", "{} {}" })
+  {
+    CONTRACT_CHECK(!Report(std::string(bad)).IsValid(), bad);
+  }
+  const Report report(std::string("{\"a\": {\"b\": [1, 2.5]}, \"c\": \"\\\"x\\u0001\"}"));
+  CONTRACT_CHECK(report.GetNumber("a.b.1") == 2.5, report.Get("a.b.1"));
+  CONTRACT_CHECK(report.Get("c") == "\"x\1", report.Get("c"));
+  CONTRACT_CHECK(std::isnan(report.GetNumber("c")), "a text is no number");
+}
+
+//------------------------------------------------------------------------------
+// A grid has as many hints as its property says, which never says more than there can be.
+VTK_INDIRECT_TEST(ReportGrid)
+{
+  View view(60, 40);
+  AddRoom(view.Renderer);
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  vtkNew<vtkRadianceHintsPass> hints;
+  pass->SetEstimator(hints);
+  view.Renderer->SetPass(pass);
+  struct Row
+  {
+    int Set[3];
+    int Expected[3];
+  };
+  for (const Row& row :
+    { Row{ { 5000, 5000, 5000 }, { 64, 64, 64 } }, Row{ { -3, 1, 1 }, { 0, 1, 1 } },
+      Row{ { 64, 2, -1 }, { 64, 2, 0 } }, Row{ { 3, 4, 5 }, { 3, 4, 5 } } })
+  {
+    hints->SetGridResolution(row.Set[0], row.Set[1], row.Set[2]);
+    const int* found = hints->GetGridResolution();
+    CONTRACT_CHECK(std::equal(found, found + 3, row.Expected),
+      row.Set[0] << ": " << found[0] << " " << found[1] << " " << found[2]);
+  }
+  const vtkMTimeType before = hints->GetMTime();
+  hints->SetGridResolution(hints->GetGridResolution());
+  CONTRACT_CHECK(hints->GetMTime() == before, "nothing has changed");
+  view.Grab();
+  CONTRACT_CHECK(hints->GetNumberOfHints() == 60, hints->GetNumberOfHints() << " hints");
+  const std::string grid = Report(pass).FindReason("modelled", "1 diffuse bounce");
+  CONTRACT_CHECK(grid.find("3 x 4 x 5") != std::string::npos, grid);
+}
+
+//------------------------------------------------------------------------------
+// ErrorTolerance is the one in force: an estimator's own, else the pass's where the estimator can
+// choose by it. Where it is not the pass's, the report says so.
+VTK_INDIRECT_TEST(ReportTolerance)
+{
+  const std::string value = "settings.ErrorTolerance";
+  const std::string asked = "ErrorTolerance 0.02";
+  {
+    vtkNew<vtkRadianceHintsPass> hints;
+    ReportView view(hints);
+    // Hints along the longest axis: sqrt(12 / tolerance); the room is a cube.
+    auto check = [&](double own, double pass, double expected, int along)
+    {
+      hints->SetErrorTolerance(own);
+      view.Pass->SetErrorTolerance(pass);
+      const Report report = view.Render();
+      CONTRACT_CHECK(report.GetNumber(value) == expected,
+        own << ", " << pass << ": " << report.Get(value) << " for " << expected);
+      CONTRACT_CHECK(hints->GetNumberOfHints() == along * along * along,
+        own << ", " << pass << ": " << hints->GetNumberOfHints() << " hints");
+      CONTRACT_CHECK(
+        report.FindReason("left_out", asked).empty() == (pass == expected || pass == 0.0),
+        report.GetText());
+    };
+    check(0.0, 0.0, 0.05, 16);
+    check(0.1, 0.0, 0.1, 11);
+    check(0.0, 0.02, 0.02, 25);
+    check(0.1, 0.02, 0.1, 11);
+    hints->SetErrorTolerance(1e-9);
+    CONTRACT_CHECK(hints->GetErrorTolerance() == 0.002, "clamped");
+    hints->SetErrorTolerance(-1.0);
+    CONTRACT_CHECK(hints->GetErrorTolerance() == 0.0, "the pass's");
+    hints->SetGridResolution(3, 3, 3);
+    check(0.0, 0.02, 0.0, 3);
+  }
+  {
+    vtkNew<vtkRSMGatherPass> gather;
+    ReportView view(gather);
+    CONTRACT_CHECK(view.Render().FindReason("left_out", asked).empty(), "nothing was asked for");
+    view.Pass->SetErrorTolerance(0.02);
+    const Report report = view.Render();
+    CONTRACT_CHECK(report.GetNumber(value) == 0.0, report.Get(value));
+    CONTRACT_CHECK(!report.FindReason("left_out", asked).empty(), report.GetText());
+  }
+}
+
+//------------------------------------------------------------------------------
+// A threshold that the user has set stays, whatever the tolerance: the frame is the one in which
+// the others are set by hand.
+VTK_INDIRECT_TEST(ToleranceKeepsThresholds)
+{
+  vtkNew<vtkMultiresolutionSplattingPass> splatting;
+  ReportView view(splatting);
+  auto render = [&](double plane, double normal, double lighting, double tolerance)
+  {
+    splatting->SetPlaneThreshold(plane);
+    splatting->SetNormalThreshold(normal);
+    splatting->SetLightingThreshold(lighting);
+    view.Pass->SetErrorTolerance(tolerance);
+    view.Grab();
+    return Read(view.Pass, "subsplat.level");
+  };
+  const Floats defaults = render(0.25, 0.2, 0.0015, 0.0);
+  // Twice the standard tolerance doubles what is not set.
+  const Floats doubled = render(0.5, 0.4, 0.003, 0.0);
+  CONTRACT_CHECK(Compare(defaults, doubled).Max > 0.0, "the test's own power");
+  CONTRACT_CHECK(Compare(doubled, render(0.25, 0.2, 0.0015, 0.04)).Max == 0.0, "all are scaled");
+  CONTRACT_CHECK(Report(view.Pass).GetNumber("settings.ErrorTolerance") == 0.04, "in force");
+  const Floats byHand = render(0.01, 0.4, 0.003, 0.0);
+  CONTRACT_CHECK(Compare(doubled, byHand).Max > 0.0, "the test's own power");
+  CONTRACT_CHECK(Compare(byHand, render(0.01, 0.2, 0.0015, 0.04)).Max == 0.0, "one is the user's");
+  const std::string why = Report(view.Pass).FindReason("left_out", "ErrorTolerance 0.04");
+  CONTRACT_CHECK(why.find("PlaneThreshold") != std::string::npos, why);
+  const Floats own = render(0.01, 0.1, 0.001, 0.0);
+  CONTRACT_CHECK(Compare(own, render(0.01, 0.1, 0.001, 0.04)).Max == 0.0, "all are the user's");
+  CONTRACT_CHECK(Report(view.Pass).GetNumber("settings.ErrorTolerance") == 0.0, "not in force");
+}
+
+//------------------------------------------------------------------------------
+// Memory that can be foretold: of a grid of hints and of the triangles that their rays meet.
+VTK_INDIRECT_TEST(ReportMemory)
+{
+  View view(32, 16);
+  vtkRenderer* renderer = view.Renderer;
+  // Squares of the sides of a unit cube: 2 n^2 triangles each.
+  constexpr int n = 4;
+  renderer->AddActor(MakeQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.8, 0.8, 0.8 }, n));
+  renderer->AddActor(MakeQuad({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.8, 0.8, 0.8 }, n));
+  renderer->AddLight(MakeLight(LightKind::Spot, { 0.8, 0.5, 0.8 }, { 0, 0.5, 0 }));
+  renderer->ResetCamera();
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  vtkNew<vtkRadianceHintsPass> hints;
+  vtkNew<vtkRSMGatherPass> gather;
+  vtkNew<vtkUniformLightSampler> sampler;
+  pass->SetReflectiveShadowMapResolution(16);
+  pass->SetSampler(sampler);
+  pass->SetEstimator(hints);
+  renderer->SetPass(pass);
+  hints->SetOccupancyResolution(16);
+  hints->SkipEmptyCellsOff();
+  double memory[2];
+  for (int more = 0; more < 2; ++more)
+  {
+    hints->SetGridResolution(8, 8, more ? 16 : 8);
+    view.Grab();
+    memory[more] = Report(pass).GetNumber("main_memory_bytes");
+  }
+  // 512 hints more: 16 bytes each for place and albedo, 4 for each of 400 rays; a few surfaces of
+  // 40 bytes that no other hint's ray has met.
+  const double hint = 512.0 * (16 + 16 + 4 * 400);
+  std::cout << memory[0] << ", 512 hints more: " << memory[1] - memory[0] << " for " << hint
+            << "\n";
+  CONTRACT_CHECK(std::abs(memory[1] - memory[0] - hint) < 0.01 * hint, "hints");
+
+  // More triangles where there were some: 48 bytes each, and 4 for each voxel that one touches.
+  auto* fine = vtkActor::SafeDownCast(renderer->GetViewProps()->GetItemAsObject(0));
+  auto refine = [&](int resolution)
+  {
+    vtkNew<vtkPlaneSource> source;
+    source->SetResolution(resolution, resolution);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    fine->SetPosition(0.5, 0.5, 0.0);
+    fine->SetMapper(mapper);
+    view.Grab();
+    return Report(pass).GetNumber("main_memory_bytes");
+  };
+  const double triangles = refine(200) - refine(100);
+  const double least = 2.0 * (200 * 200 - 100 * 100) * (48 + 4);
+  std::cout << "60000 triangles more: " << triangles << " for at least " << least << "\n";
+  // A triangle of 1/200 touches voxels of 1/14 of the cube: one, at their borders two or four.
+  CONTRACT_CHECK(triangles >= least && triangles < 1.05 * least, "triangles");
+
+  // Textures do not count there, nor main memory in bytes: all texels of a map of 16 x 16 are 256
+  // lights of 48 bytes and 16 of their pattern; the gather adds an irradiance of 16 bytes a pixel.
+  pass->SetEstimator(gather);
+  gather->SetModeToVirtualLights();
+  gather->InterpolationOff();
+  sampler->SetNumberOfLights(256);
+  view.Grab();
+  const Report lights(pass);
+  gather->SetModeToAllTexels();
+  view.Grab();
+  const Report texels(pass);
+  CONTRACT_CHECK(texels.GetNumber("virtual_lights") == 256, texels.Get("virtual_lights"));
+  CONTRACT_CHECK(texels.GetNumber("bytes") == lights.GetNumber("bytes"),
+    texels.Get("bytes") << " for " << lights.Get("bytes"));
+  sampler->SetNumberOfLights(512);
+  gather->SetModeToVirtualLights();
+  view.Grab();
+  const double more = Report(pass).GetNumber("bytes") - lights.GetNumber("bytes");
+  CONTRACT_CHECK(more == 256 * (48 + 16), more << " for 256 lights more");
+  CONTRACT_CHECK(lights.GetNumber("main_memory_bytes") == 0.0, lights.Get("main_memory_bytes"));
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+// A decimal comma, and points between thousands.
+struct German : std::numpunct<char>
+{
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+// Reports, shaders and buffers as they are in the C locale.
+void CheckInLocale()
+{
+  vtkNew<vtkMultiresolutionSplattingPass> splatting;
+  vtkNew<vtkRadianceHintsPass> hints;
+  for (vtkIndirectEstimatorPass* estimator :
+    std::initializer_list<vtkIndirectEstimatorPass*>{ splatting, hints })
+  {
+    ReportView view(estimator);
+    view.Pass->TimingOn();
+    view.Pass->SetIndirectScale(1e-7);
+    view.Pass->SetErrorTolerance(0.0123456789);
+    const Report report = view.Render();
+    CONTRACT_CHECK(
+      report.GetNumber("settings.IndirectScale") == 1e-7, report.Get("settings.IndirectScale"));
+    CONTRACT_CHECK(report.GetNumber("settings.ErrorTolerance") == 0.0123456789,
+      report.Get("settings.ErrorTolerance"));
+    CONTRACT_CHECK(
+      report.GetNumber("stages.geometry.median_ms") > 0.0, report.Get("stages.geometry.median_ms"));
+    CONTRACT_CHECK(report.GetNumber("bytes") > 1e4, report.Get("bytes"));
+    CONTRACT_CHECK(Mean(Read(view.Pass, "irradiance"), 0) > 1e-3, "no indirect light");
+    if (estimator == splatting.Get())
+    {
+      CONTRACT_CHECK(
+        !report.FindReason("modelled", "ErrorTolerance 0.0123456789").empty(), report.GetText());
+      CONTRACT_CHECK(report.GetNumber("estimated_error") > 0.0, report.Get("estimated_error"));
+    }
+  }
+}
+}
+
+VTK_INDIRECT_TEST(ReportLocaleOfStreams)
+{
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new German));
+  std::ostringstream probe;
+  probe << 1234.5;
+  CONTRACT_CHECK(probe.str() == "1.234,5", probe.str());
+  CheckInLocale();
+  std::locale::global(before);
+}
+
+VTK_INDIRECT_TEST(ReportLocaleOfC)
+{
+  // From Debian's package locales, where the system has none compiled.
+  const std::string folder = "locales";
+  const std::string make = "mkdir -p " + folder + " && localedef --no-archive -f UTF-8 -i de_DE " +
+    folder + "/de_DE.UTF-8 >/dev/null 2>&1";
+  if (!std::setlocale(LC_ALL, "de_DE.UTF-8"))
+  {
+    const bool made = std::system(make.c_str()) == 0;
+#ifndef _WIN32
+    setenv("LOCPATH", folder.c_str(), 1);
+#endif
+    if (!made || !std::setlocale(LC_ALL, "de_DE.UTF-8"))
+    {
+      Skip("this system has no locale de_DE.UTF-8, and localedef makes none");
+    }
+  }
+  char probe[16];
+  std::snprintf(probe, sizeof(probe), "%.1f", 0.5);
+  CONTRACT_CHECK(std::string(probe) == "0,5", probe);
+  CheckInLocale();
+  std::setlocale(LC_ALL, "C");
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+// An opaque prop with bounds that are no bounds, which the report leaves out by its class name.
+class BadName : public vtkActor
+{
+public:
+  static BadName* New() { return new BadName; }
+  double* GetBounds() override
+  {
+    for (double& bound : this->Bad)
+    {
+      bound = NAN;
+    }
+    return this->Bad;
+  }
+  vtkTypeBool HasOpaqueGeometry() override { return 1; }
+  int RenderOpaqueGeometry(vtkViewport*) override { return 0; }
+
+protected:
+  const char* GetClassNameInternal() const override
+  {
+    return "a\"\\\x01\x7f \xc3\xa4 \xe4 \xed\xa0\x80 \xf0\x9f\x98\x80 \xc3";
+  }
+  double Bad[6];
+};
+}
+
+// Whatever bytes a name has, the report is JSON, and what is UTF-8 is kept.
+VTK_INDIRECT_TEST(ReportStrings)
+{
+  vtkNew<vtkRSMGatherPass> gather;
+  ReportView view(gather);
+  vtkNew<BadName> actor;
+  view.Renderer->AddViewProp(actor);
+  const Report report = view.Render();
+  bool found = false;
+  for (int i = 0; report.Has("left_out." + std::to_string(i)); ++i)
+  {
+    const std::string name = report.Get("left_out." + std::to_string(i) + ".what");
+    // A byte for each that no character begins with: one alone, three of a surrogate, one cut off.
+    found = found ||
+      name ==
+        "a\"\\\x01\x7f \xc3\xa4 \xef\xbf\xbd \xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd \xf0\x9f\x98\x80 "
+        "\xef\xbf\xbd";
+  }
+  CONTRACT_CHECK(found, report.GetText());
+}

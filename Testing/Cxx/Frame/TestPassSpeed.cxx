@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a frame may cost: no work for what has not changed, no shader for a number that has, one
+// drawing of the scene for the eye and one for each face of a map that is out of date.
+#include "vtkIndirectContractReport.h"
+#include "vtkIndirectContractUtilities.h"
+
+#include "vtkMultiresolutionSplattingPass.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRSMGatherPass.h"
+#include "vtkRadianceHintsPass.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkSphereSource.h"
+#include "vtkUniformLightSampler.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+
+using namespace contract;
+
+namespace
+{
+vtkIdType CountShaderBuilds(vtkIndirectIlluminationPass* pass)
+{
+  return static_cast<vtkIdType>(Report(pass).GetNumber("counters.shader_builds"));
+}
+
+// Counts how often it is drawn.
+class CountingMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static CountingMapper* New() { VTK_STANDARD_NEW_BODY(CountingMapper); }
+  vtkTypeMacro(CountingMapper, vtkOpenGLPolyDataMapper);
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override
+  {
+    ++this->Count;
+    this->Superclass::RenderPiece(renderer, actor);
+  }
+  int Count = 0;
+};
+
+struct Scene
+{
+  View Window{ 80, 60 };
+  vtkNew<vtkIndirectIlluminationPass> Pass;
+  vtkNew<CountingMapper> Mapper;
+  vtkNew<vtkSphereSource> Ball;
+  vtkSmartPointer<vtkActor> BallActor;
+
+  Scene()
+  {
+    AddRoomSurfaces(this->Window.Renderer);
+    this->Ball->SetCenter(0.75, 0.2, 0.6);
+    this->Ball->SetRadius(0.1);
+    this->Mapper->SetInputConnection(this->Ball->GetOutputPort());
+    this->BallActor = vtkSmartPointer<vtkActor>::New();
+    this->BallActor->SetMapper(this->Mapper);
+    this->Window.Renderer->AddActor(this->BallActor);
+    this->Window.Renderer->SetPass(this->Pass);
+    this->Pass->SetReflectiveShadowMapResolution(64);
+  }
+
+  vtkSmartPointer<vtkLight> AddLight(LightKind kind, const Vec3& position)
+  {
+    auto light = MakeLight(kind, position, { 0.5, 0.0, 0.4 });
+    this->Window.Renderer->AddLight(light);
+    return light;
+  }
+
+  vtkIdType GetFaces() { return this->Pass->GetReflectiveShadowMaps()->GetNumberOfFacesDrawn(); }
+  vtkIdType GetBuilds() { return CountShaderBuilds(this->Pass); }
+
+  struct Work
+  {
+    vtkIdType Faces;
+    vtkIdType Estimates;
+    vtkIdType Builds;
+    int Draws;
+  };
+
+  // What the next frame does.
+  Work Frame()
+  {
+    const vtkIdType faces = this->GetFaces();
+    const vtkIdType estimates = this->Pass->GetNumberOfEstimates();
+    const vtkIdType builds = this->GetBuilds();
+    this->Mapper->Count = 0;
+    this->Window.Window->Render();
+    return { this->GetFaces() - faces, this->Pass->GetNumberOfEstimates() - estimates,
+      this->GetBuilds() - builds, this->Mapper->Count };
+  }
+};
+
+void CheckWork(const Scene::Work& work, vtkIdType faces, vtkIdType estimates, const char* what)
+{
+  CONTRACT_CHECK(work.Faces == faces,
+    what << ": " << work.Faces << " faces were drawn, " << faces << " were out of date");
+  CONTRACT_CHECK(work.Estimates == estimates,
+    what << ": " << work.Estimates << " estimates, expected " << estimates);
+  CONTRACT_CHECK(work.Builds == 0, what << ": " << work.Builds << " shader sources");
+}
+
+// Looking shadows up is a different source: each prop's is rebuilt once, and nothing else is done.
+void CheckSources(const Scene::Work& work, const char* what)
+{
+  CONTRACT_CHECK(work.Faces == 0 && work.Estimates == 0,
+    what << ": " << work.Faces << " faces, " << work.Estimates << " estimates");
+  CONTRACT_CHECK(work.Builds > 0, what << ": no shader source was built");
+}
+}
+
+//------------------------------------------------------------------------------
+VTK_INDIRECT_TEST(WorkNothingChanged)
+{
+  Scene scene;
+  scene.AddLight(LightKind::Spot, { 0.5, 0.95, 0.5 });
+  scene.AddLight(LightKind::Directional, { 1.0, 2.0, 3.0 });
+  scene.AddLight(LightKind::Point, { 0.5, 0.9, 0.6 });
+  const Scene::Work first = scene.Frame();
+  CONTRACT_CHECK(first.Faces == 8, "first frame: " << first.Faces << " faces");
+  CONTRACT_CHECK(first.Estimates == 1, "first frame: " << first.Estimates);
+  for (int i = 0; i < 3; ++i)
+  {
+    CheckWork(scene.Frame(), 0, 0, "nothing changed");
+  }
+}
+
+//------------------------------------------------------------------------------
+VTK_INDIRECT_TEST(WorkChanges)
+{
+  Scene scene;
+  vtkRenderer* renderer = scene.Window.Renderer;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  auto spot = scene.AddLight(LightKind::Spot, { 0.5, 0.95, 0.5 });
+  spot->SetExponent(3.0);
+  auto sun = scene.AddLight(LightKind::Directional, { 1.0, 2.0, 3.0 });
+  auto bulb = scene.AddLight(LightKind::Point, { 0.5, 0.9, 0.6 });
+  scene.Frame();
+
+  camera->Azimuth(5);
+  CheckWork(scene.Frame(), 0, 1, "camera moved");
+  camera->Elevation(5);
+  camera->Zoom(1.5);
+  CheckWork(scene.Frame(), 0, 1, "camera zoomed");
+  camera->SetClippingRange(0.5, 9.0);
+  CheckWork(scene.Frame(), 0, 1, "clipping range");
+  renderer->SetBackground(0.3, 0.1, 0.1);
+  CheckWork(scene.Frame(), 0, 0, "background");
+
+  spot->SetPosition(0.4, 0.95, 0.5);
+  CheckWork(scene.Frame(), 1, 1, "spot moved");
+  sun->SetPosition(1.0, 2.0, 2.0);
+  CheckWork(scene.Frame(), 1, 1, "sun moved");
+  bulb->SetPosition(0.5, 0.85, 0.6);
+  CheckWork(scene.Frame(), 6, 1, "bulb moved");
+  // Maps hold what surfaces reflect; strength and falloff are multiplied when they are sampled.
+  spot->SetExponent(2.0);
+  CheckWork(scene.Frame(), 0, 1, "exponent");
+  // Exponents of 0 and 1 need no power; with them light code is another source.
+  spot->SetExponent(1.0);
+  const Scene::Work linear = scene.Frame();
+  CONTRACT_CHECK(linear.Faces == 0 && linear.Estimates == 1 && linear.Builds > 0,
+    "exponent 1: " << linear.Faces << " faces, " << linear.Estimates << " estimates, "
+                   << linear.Builds << " sources");
+  bulb->SetAttenuationValues(1, 0, 0.5);
+  CheckWork(scene.Frame(), 0, 1, "attenuation");
+
+  sun->SetIntensity(0.3);
+  CheckWork(scene.Frame(), 0, 1, "intensity");
+  spot->SetDiffuseColor(1.0, 0.5, 0.2);
+  CheckWork(scene.Frame(), 0, 1, "colour");
+
+  // All that a map can see is drawn into it again.
+  scene.BallActor->SetPosition(0.01, 0, 0);
+  const Scene::Work moved = scene.Frame();
+  std::cout << "actor moved: " << moved.Faces << " faces\n";
+  CONTRACT_CHECK(moved.Faces >= 3 && moved.Faces < 8, "actor moved: " << moved.Faces);
+  CONTRACT_CHECK(moved.Estimates == 1, "actor moved");
+  scene.Ball->SetRadius(0.11);
+  const Scene::Work grown = scene.Frame();
+  CONTRACT_CHECK(grown.Faces >= 3 && grown.Faces < 8, "actor grown: " << grown.Faces);
+  CONTRACT_CHECK(grown.Estimates == 1, "actor grown");
+  scene.BallActor->GetProperty()->SetColor(1, 0, 0);
+  CONTRACT_CHECK(scene.Frame().Faces >= 3, "actor coloured");
+  CheckWork(scene.Frame(), 0, 0, "nothing changed");
+
+  // Estimator and sampler.
+  vtkNew<vtkRSMGatherPass> gather;
+  vtkNew<vtkUniformLightSampler> sampler;
+  scene.Pass->SetEstimator(gather);
+  scene.Pass->SetSampler(sampler);
+  CheckWork(scene.Frame(), 0, 1, "estimator");
+  sampler->SetNumberOfLights(100);
+  CheckWork(scene.Frame(), 0, 1, "number of lights");
+  sampler->SetPatternToJittered();
+  CheckWork(scene.Frame(), 0, 1, "pattern");
+  gather->SetInterpolationMinimumCosine(0.8);
+  CheckWork(scene.Frame(), 0, 1, "interpolation");
+  gather->SetInterpolationStep(8);
+  CheckWork(scene.Frame(), 0, 1, "step");
+  // The composite alone depends on this.
+  scene.Pass->SetIndirectScale(0.5);
+  CheckWork(scene.Frame(), 0, 0, "indirect scale");
+  scene.Pass->SetDebugView("normal");
+  CheckWork(scene.Frame(), 0, 0, "debug view");
+  scene.Pass->SetDebugView("");
+  scene.Pass->ShadowsOff();
+  CheckSources(scene.Frame(), "shadows off");
+  scene.Pass->ShadowsOn();
+  CheckSources(scene.Frame(), "shadows on");
+
+  // Without caching everything is done in every frame.
+  scene.Pass->CachingOff();
+  CheckWork(scene.Frame(), 8, 1, "caching off");
+  scene.Pass->CachingOn();
+  CheckWork(scene.Frame(), 0, 0, "caching on");
+}
+
+//------------------------------------------------------------------------------
+// A light that moves with the camera is drawn again when the camera moves, others are not.
+VTK_INDIRECT_TEST(WorkCameraLight)
+{
+  Scene scene;
+  auto spot = scene.AddLight(LightKind::Spot, { 0.5, 0.95, 0.5 });
+  auto flash = scene.AddLight(LightKind::Spot, { 0.1, 0.1, 1.0 });
+  flash->SetLightTypeToCameraLight();
+  scene.Frame();
+  CheckWork(scene.Frame(), 0, 0, "nothing changed");
+  scene.Window.Renderer->GetActiveCamera()->Azimuth(3);
+  CheckWork(scene.Frame(), 1, 1, "camera moved");
+}
+
+//------------------------------------------------------------------------------
+// One drawing for the eye and one for each face that sees the prop and is out of date.
+VTK_INDIRECT_TEST(WorkDraws)
+{
+  Scene scene;
+  auto spot = scene.AddLight(LightKind::Spot, { 0.5, 0.95, 0.5 });
+  scene.AddLight(LightKind::Directional, { 1.0, 2.0, 3.0 });
+  CONTRACT_CHECK(scene.Frame().Draws == 3, "first frame");
+  CONTRACT_CHECK(scene.Frame().Draws == 1, "nothing changed");
+  scene.Window.Renderer->GetActiveCamera()->Azimuth(5);
+  CONTRACT_CHECK(scene.Frame().Draws == 1, "camera moved");
+  spot->SetPosition(0.45, 0.95, 0.5);
+  CONTRACT_CHECK(scene.Frame().Draws == 2, "light moved");
+  scene.Ball->SetRadius(0.12);
+  CONTRACT_CHECK(scene.Frame().Draws == 3, "prop changed");
+  // One headlight: the eye sees what it lights.
+  scene.Window.Renderer->RemoveAllLights();
+  vtkNew<vtkLight> head;
+  head->SetLightTypeToHeadlight();
+  scene.Window.Renderer->AddLight(head);
+  scene.Frame();
+  scene.Window.Renderer->GetActiveCamera()->Azimuth(5);
+  const Scene::Work work = scene.Frame();
+  CONTRACT_CHECK(work.Draws == 1 && work.Faces == 0, "headlight: " << work.Draws);
+}
+
+//------------------------------------------------------------------------------
+// A thousand actors, a parallel map and a perspective eye: moving things compiles nothing.
+VTK_INDIRECT_TEST(ShaderBuilds)
+{
+  View view(120, 100);
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(6);
+  source->SetPhiResolution(6);
+  source->SetRadius(0.4);
+  for (int i = 0; i < 1000; ++i)
+  {
+    auto actor = MakeActor(source, { 0.3 + 0.7 * (i % 7) / 7.0, 0.6, 0.5 });
+    actor->SetPosition(i % 10, (i / 10) % 10, i / 100);
+    if (i % 3 == 0)
+    {
+      actor->GetProperty()->SetInterpolationToPBR();
+    }
+    view.Renderer->AddActor(actor);
+  }
+  auto sun = MakeLight(LightKind::Directional, { 3, 5, 9 }, { 0, 0, 0 });
+  auto spot = MakeLight(LightKind::Spot, { 5, 15, 5 }, { 5, 5, 5 });
+  view.Renderer->AddLight(sun);
+  view.Renderer->AddLight(spot);
+  view.Renderer->ResetCamera();
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  pass->SetReflectiveShadowMapResolution(64);
+  view.Renderer->SetPass(pass);
+  vtkCamera* camera = view.Renderer->GetActiveCamera();
+  for (bool parallel : { false, true })
+  {
+    camera->SetParallelProjection(parallel);
+    view.Window->Render();
+    view.Window->Render();
+    const vtkIdType builds = CountShaderBuilds(pass);
+    CONTRACT_CHECK(builds >= 1000, "every actor is asked for at least once: " << builds);
+    double worst = 0.0;
+    for (int i = 0; i < 4; ++i)
+    {
+      camera->Azimuth(3);
+      sun->SetPosition(3 + i, 5, 9);
+      spot->SetPosition(5 + 0.1 * i, 15, 5);
+      spot->SetIntensity(0.5 + 0.1 * i);
+      sun->SetDiffuseColor(1.0, 0.9 - 0.1 * i, 0.5);
+      pass->SetIndirectScale(1.0 + i);
+      const auto start = std::chrono::steady_clock::now();
+      view.Window->Render();
+      worst = std::max(worst,
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+          .count());
+    }
+    const vtkIdType after = CountShaderBuilds(pass);
+    std::cout << (parallel ? "parallel" : "perspective") << " eye: " << builds << " builds before, "
+              << after - builds << " while moving, slowest frame " << worst << " ms\n";
+    CONTRACT_CHECK(after == builds, after - builds << " shader sources were built");
+  }
+}
+
+//------------------------------------------------------------------------------
+// OpenGL on the processor gets uniforms as flat varyings where there are pixels enough for it.
+// Images are those of a GPU's shaders, and few triangles more or less rebuild nothing.
+VTK_INDIRECT_TEST(FlatUniforms)
+{
+  struct Result
+  {
+    Pixels Image;
+    std::vector<vtkIdType> Builds;
+  };
+  const std::string renderer = []
+  {
+    View view(8, 8);
+    view.Grab();
+    return std::string(view.Window->ReportCapabilities());
+  }();
+  const bool onProcessor = renderer.find("llvmpipe") != std::string::npos;
+  auto render = [](bool keep, int estimator)
+  {
+    keep ? setenv("VTK_INDIRECT_PATHS", "uniforms=plain", 1) : unsetenv("VTK_INDIRECT_PATHS");
+    View view(240, 180);
+    AddRoomSurfaces(view.Renderer);
+    vtkNew<vtkSphereSource> ball;
+    ball->SetCenter(0.75, 0.2, 0.6);
+    ball->SetRadius(0.1);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(ball->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    view.Renderer->AddActor(actor);
+    view.Renderer->AddLight(MakeLight(LightKind::Spot, { 0.5, 0.9, 0.8 }, { 0.5, 0.0, 0.4 }));
+    view.Renderer->AddLight(MakeLight(LightKind::Point, { 0.2, 0.8, 0.8 }, { 0.5, 0.0, 0.4 }));
+    vtkNew<vtkIndirectIlluminationPass> pass;
+    pass->SetReflectiveShadowMapResolution(64);
+    if (estimator == 1)
+    {
+      pass->SetEstimator(vtkNew<vtkRadianceHintsPass>());
+    }
+    else if (estimator == 2)
+    {
+      pass->SetEstimator(vtkNew<vtkMultiresolutionSplattingPass>());
+    }
+    view.Renderer->SetPass(pass);
+    Result result;
+    result.Image = view.Grab();
+    // 43200 pixels; with the room's, 2000, 3600, 6300 and 14400 triangles: moved below 5400, kept
+    // from 10800 on.
+    for (int resolution : { 8, 30, 48, 80, 48, 8 })
+    {
+      ball->SetThetaResolution(resolution);
+      ball->SetPhiResolution(resolution);
+      view.Grab();
+      result.Builds.push_back(CountShaderBuilds(pass));
+    }
+    return result;
+  };
+  for (int estimator = 0; estimator < 3; ++estimator)
+  {
+    const Result kept = render(true, estimator);
+    const Result moved = render(false, estimator);
+    // Rounding of sums in another order.
+    const Difference difference = Compare(kept.Image, moved.Image);
+    CONTRACT_CHECK(difference.Max <= 1, "estimator " << estimator << ": " << difference);
+    const auto& builds = moved.Builds;
+    CONTRACT_CHECK(kept.Builds.front() == kept.Builds.back(), "uniforms rebuilt shaders");
+    CONTRACT_CHECK(builds[1] == builds[0] && builds[2] == builds[1] && builds[4] == builds[3],
+      "few triangles more or less rebuilt shaders");
+    CONTRACT_CHECK((builds[3] > builds[2]) == onProcessor && (builds[5] > builds[4]) == onProcessor,
+      "many triangles, then few: " << builds[2] << ", " << builds[3] << ", " << builds[5]
+                                   << " builds");
+  }
+}

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a frame draws, decided from plain facts.
+#include "vtkIndirectTestUtilities.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPlan.h"
+
+#include <string>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+// A scene of one box under lights; no OpenGL, no VTK.
+vtkIndirectFrame MakeFrame(const std::vector<vtkIndirectLight>& lights)
+{
+  vtkIndirectFrame frame;
+  frame.Size[0] = 64;
+  frame.Size[1] = 48;
+  frame.Casters.resize(1);
+  frame.CoversFully = true;
+  frame.Lights = lights;
+  for (size_t i = 0; i < lights.size(); ++i)
+  {
+    frame.Lights[i].Index = static_cast<int>(i);
+  }
+  return frame;
+}
+
+vtkIndirectLight MakeLight(double color = 1.0)
+{
+  vtkIndirectLight light;
+  light.Color = glm::dvec3(color);
+  return light;
+}
+
+vtkIndirectLight MakeHeadlight()
+{
+  vtkIndirectLight light = MakeLight();
+  light.Headlight = light.FollowsCamera = true;
+  return light;
+}
+
+std::string Find(const vtkIndirectPlan::Entries& entries, const std::string& what)
+{
+  for (const auto& entry : entries)
+  {
+    if (entry.first == what)
+    {
+      return entry.second;
+    }
+  }
+  return {};
+}
+}
+
+VTK_INDIRECT_TEST(PlanDelegateAlone)
+{
+  const vtkIndirectFrame frame = MakeFrame({ MakeLight() });
+  auto why = [](const vtkIndirectFrame& facts, const vtkIndirectSettings& settings = {},
+               const vtkIndirectCircumstances& circumstances = {})
+  {
+    const vtkIndirectPlan plan = vtkIndirectPlan::Make(facts, settings, {}, circumstances);
+    Check("nothing is drawn besides: " + plan.WhyDelegate,
+      plan.WhyDelegate.empty() || (!plan.Irradiance && !plan.Shadows && plan.MapLights.empty()));
+    return plan.WhyDelegate;
+  };
+  Check("a lit scene is modelled", why(frame).empty());
+  vtkIndirectFrame other = frame;
+  other.Size[0] = 0;
+  Check("an empty viewport", why(other) == "the viewport is empty");
+  other = frame;
+  other.Casters.clear();
+  Check("nothing opaque", why(other) == "nothing opaque is visible");
+  Check("no light", why(MakeFrame({})) == "no light is on");
+  vtkIndirectCircumstances emitter;
+  emitter.NumberOfOtherEmitters = 1;
+  Check("no vtkLight, but light from elsewhere", why(MakeFrame({}), {}, emitter).empty());
+  vtkIndirectCircumstances refused;
+  refused.DelegateIsRefused = "because";
+  Check("a delegate without surfaces", why(frame, {}, refused) == "because");
+  vtkIndirectSettings settings;
+  settings.IndirectScale = 0.0;
+  Check("no indirect light, but shadows", why(frame, settings).empty());
+  settings.Shadows = false;
+  Check("neither", why(frame, settings) == "IndirectScale is 0 and Shadows are off");
+}
+
+VTK_INDIRECT_TEST(PlanSenders)
+{
+  auto make = [](const vtkIndirectFrame& frame, const vtkIndirectSettings& settings = {})
+  { return vtkIndirectPlan::Make(frame, settings, {}, {}); };
+  vtkIndirectPlan plan = make(MakeFrame({ MakeLight(), MakeLight(0.0), MakeLight(2.0) }));
+  CheckEqual("senders of lights", plan.Senders, vtkIndirectPlan::MAPS);
+  CheckEqual("lights with maps", static_cast<double>(plan.MapLights.size()), 2);
+  Check("the first and the third", plan.MapLights == std::vector<int>{ 0, 2 });
+  Check("the second is left out", Find(plan.LeftOut, "light 1") == "it emits nothing");
+  Check("shadows", plan.Shadows);
+  Check("irradiance", plan.Irradiance);
+
+  plan = make(MakeFrame({ MakeLight(0.0) }));
+  CheckEqual("senders of a dark light", plan.Senders, vtkIndirectPlan::NO_SENDERS);
+  Check("no shadows", !plan.Shadows);
+  Check("no irradiance",
+    !plan.Irradiance && Find(plan.LeftOut, "indirect light") == "no light emits anything");
+
+  plan = make(MakeFrame({ MakeHeadlight() }));
+  CheckEqual("senders of a headlight", plan.Senders, vtkIndirectPlan::EYE);
+  Check("it has no map", plan.MapLights.empty() && !plan.Shadows && plan.Irradiance);
+  Check("what is off screen is left out", !Find(plan.LeftOut, "senders outside the view").empty());
+  vtkIndirectFrame frame = MakeFrame({ MakeHeadlight() });
+  frame.AllSendLight = false;
+  CheckEqual("a headlight where a prop is not to send", make(frame).Senders, vtkIndirectPlan::MAPS);
+  frame = MakeFrame({ MakeHeadlight() });
+  frame.Lights[0].Positional = true;
+  CheckEqual("a positional headlight", make(frame).Senders, vtkIndirectPlan::MAPS);
+  CheckEqual("a headlight and another light",
+    make(MakeFrame({ MakeHeadlight(), MakeLight() })).Senders, vtkIndirectPlan::MAPS);
+
+  vtkIndirectSettings settings;
+  settings.Shadows = false;
+  plan = make(MakeFrame({ MakeLight() }), settings);
+  Check(
+    "without Shadows there are maps, and no look-ups", !plan.Shadows && plan.MapLights.size() == 1);
+  settings = {};
+  settings.IndirectScale = 0.0;
+  plan = make(MakeFrame({ MakeLight() }), settings);
+  Check("with IndirectScale 0 there are shadows alone",
+    plan.Shadows && !plan.Irradiance && plan.WhyNoIrradiance == "IndirectScale is 0");
+}
+
+VTK_INDIRECT_TEST(PlanBuffers)
+{
+  vtkIndirectFrame frame = MakeFrame({ MakeLight() });
+  vtkIndirectAbilities glossy;
+  glossy.ComputesGlossy = true;
+  vtkIndirectCircumstances circumstances;
+  vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, {}, glossy, {});
+  Check("albedo in alpha where all covers fully", plan.AlbedoInAlpha && !plan.Specular);
+  Check("no receiver is specular",
+    Find(plan.EstimateLeftOut, "specular indirect light").find("no receiver") != std::string::npos);
+  circumstances.OwnDelegate = true;
+  plan = vtkIndirectPlan::Make(frame, {}, glossy, circumstances);
+  Check("not under a delegate of the user's", !plan.AlbedoInAlpha);
+  frame.CoversFully = false;
+  Check(
+    "not where something is blended", !vtkIndirectPlan::Make(frame, {}, glossy, {}).AlbedoInAlpha);
+  frame.CoversFully = frame.Specular = true;
+  plan = vtkIndirectPlan::Make(frame, {}, glossy, {});
+  Check("specular receivers have a channel of their own", plan.Specular && !plan.AlbedoInAlpha);
+  Check("an estimator that takes receivers as diffuse",
+    !vtkIndirectPlan::Make(frame, {}, {}, {}).Specular);
+  glossy.SpecularTransport = false;
+  plan = vtkIndirectPlan::Make(frame, {}, glossy, {});
+  Check("SpecularTransport off",
+    !plan.Specular &&
+      Find(plan.EstimateLeftOut, "specular indirect light") == "SpecularTransport is off");
+  vtkIndirectSettings settings;
+  settings.IndirectScale = 0.0;
+  glossy.SpecularTransport = true;
+  Check("IndirectScale 0", !vtkIndirectPlan::Make(frame, settings, glossy, {}).Specular);
+}
+
+VTK_INDIRECT_TEST(PlanLimits)
+{
+  const vtkIndirectFrame frame = MakeFrame({ MakeLight() });
+  vtkIndirectSettings settings;
+  vtkIndirectAbilities estimator;
+  estimator.Name = "it";
+  settings.NumberOfBounces = 3;
+  estimator.MaximumNumberOfBounces = 2;
+  vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
+  CheckEqual("bounces", plan.NumberOfBounces, 2);
+  Check("the third is left out", !Find(plan.EstimateLeftOut, "bounces beyond 2").empty());
+  estimator.MaximumNumberOfBounces = 16;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
+  CheckEqual("bounces of one that computes more", plan.NumberOfBounces, 3);
+
+  settings.ErrorTolerance = 0.01;
+  estimator.ErrorTolerance = 0.01;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
+  Check("a tolerance that is honoured",
+    Find(plan.EstimateLeftOut, "ErrorTolerance 0.01").empty() && plan.ErrorTolerance == 0.01);
+  estimator.ErrorTolerance = 0.05;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
+  Check(
+    "one that is another", Find(plan.EstimateLeftOut, "ErrorTolerance 0.01") == "it aims at 0.05");
+  estimator.ErrorTolerance = 0.0;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
+  Check("one that nothing follows",
+    Find(plan.EstimateLeftOut, "ErrorTolerance 0.01") ==
+      "it has no parameters that are chosen by it");
+
+  CheckEqual("threshold of the tolerance that it was found for",
+    vtkIndirectPlan::ScaleThreshold(0.25, 0.02, 100.0), 0.25);
+  CheckEqual("of half of it", vtkIndirectPlan::ScaleThreshold(0.25, 0.01, 100.0), 0.125);
+  CheckEqual("at most", vtkIndirectPlan::ScaleThreshold(0.25, 1.0, 2.0), 2.0);
+  CheckEqual("hints along an edge for 0.0833", vtkIndirectPlan::FindGridEdge(12.0 / 144.0), 12);
+  CheckEqual("for a quarter of that error", vtkIndirectPlan::FindGridEdge(3.0 / 144.0), 24);
+}
+
+VTK_INDIRECT_TEST(PlanUnit)
+{
+  vtkIndirectLight lamp = MakeLight(3.0);
+  lamp.Positional = true;
+  lamp.PositionWC = glm::dvec3(0.0, 0.0, 10.0);
+  lamp.Attenuation = glm::dvec3(0.0, 0.0, 1.0);
+  auto unit = [](const vtkIndirectFrame& frame)
+  { return vtkIndirectPlan::Make(frame, {}, {}, {}).IrradianceUnit; };
+  CheckEqual("a light of 1", unit(MakeFrame({ MakeLight() })), 1.0);
+  CheckEqual("a light of 3: the next power of two", unit(MakeFrame({ MakeLight(3.0) })), 4.0);
+  CheckEqual("of 1e-12", unit(MakeFrame({ MakeLight(1e-12) })), std::exp2(-39.0));
+  CheckEqual("a lamp of 3 at 10: 0.03", unit(MakeFrame({ lamp })), 1.0 / 32.0);
+  CheckEqual("the strongest counts", unit(MakeFrame({ lamp, MakeLight(3.0) })), 4.0);
+  CheckEqual("no light", unit(MakeFrame({ MakeLight(0.0) })), 1.0);
+}
+
+VTK_INDIRECT_TEST(PlanKeys)
+{
+  const vtkIndirectFrame frame = MakeFrame({ MakeLight() });
+  const vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, {}, {}, {});
+  const std::vector<double> key = plan.MakeKey(frame);
+  Check("equal facts make equal keys",
+    vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, {}, {}).MakeKey(frame) == key);
+  vtkIndirectFrame other = frame;
+  other.Lights[0].Color = glm::dvec3(2.0);
+  Check("a light's strength", plan.MakeKey(other) != key);
+  other = frame;
+  other.WorldToView[3][0] = 1.0;
+  Check("the eye's place", plan.MakeKey(other) != key);
+  other = frame;
+  other.Projection[0][0] = 2.0;
+  Check("its angle", plan.MakeKey(other) != key);
+  other = frame;
+  other.Size[1] = 49;
+  Check("the image's size", plan.MakeKey(other) != key);
+  vtkIndirectSettings settings;
+  settings.ErrorTolerance = 0.02;
+  Check("the tolerance", vtkIndirectPlan::Make(frame, settings, {}, {}).MakeKey(frame) != key);
+}

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Planes of shadow look-ups, depth buffer values, and the test for one surface.
+#include "OpenGL/vtkIndirectKernels.h"
+#include "vtkIndirectTestUtilities.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vtkIndirectTest;
+using namespace vtkIndirectKernels;
+
+namespace
+{
+// What a depth buffer stores, in double precision: rows 2 and 3 of the projection, to [0,1].
+double StoredDepth(double depth, double n, double f, bool parallel)
+{
+  return parallel ? (depth - n) / (f - n) : f * (depth - n) / (depth * (f - n));
+}
+
+// Depth of the plane through p with normal n at tangents (perspective) or places (parallel) t.
+double PlaneDepth(const glm::dvec3& p, const glm::dvec3& n, const glm::dvec2& t, bool parallel)
+{
+  const double offset = glm::dot(n, p);
+  return parallel ? (n.x * t.x + n.y * t.y - offset) / n.z
+                  : offset / glm::dot(n, glm::dvec3(t, -1.0));
+}
+}
+
+VTK_INDIRECT_TEST(PlaneDepthGradient)
+{
+  Random random(12);
+  for (bool parallel : { false, true })
+  {
+    const std::string what = parallel ? "parallel" : "perspective";
+    double worst = 0.0;
+    int wrongSide = 0;
+    int compared = 0;
+    for (int i = 0; i < 100000; ++i)
+    {
+      const double far = random.NextMagnitude(1e-2, 1e1);
+      const double near = far * random.NextMagnitude(1.0 / 1024.0, 0.5);
+      const double depth = random.Next(near, far);
+      const glm::dvec3 p(depth * random.Next(-1.7, 1.7), depth * random.Next(-1.7, 1.7), -depth);
+      const glm::dvec3 n = random.NextDirection();
+      const double texel = random.NextMagnitude(1e-4, 1e-2);
+      const vec3 gradient = vtkiPlaneDepthGradient(vec3(p), vec3(n), static_cast<float>(texel),
+        static_cast<float>(near), static_cast<float>(far), parallel);
+      const double facing = parallel ? n.z : -glm::dot(n, p) / depth;
+      if (std::abs(facing) < 0.1)
+      {
+        continue; // relative rounding of the cosine grows without bound towards the horizon
+      }
+      wrongSide += (gradient.z == 1.0f) != (facing > 0.0);
+      if (facing < 0.0)
+      {
+        continue;
+      }
+      const glm::dvec2 here = parallel ? glm::dvec2(p) : glm::dvec2(p) / depth;
+      const double stored = StoredDepth(depth, near, far, parallel);
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        const glm::dvec2 shift(corner & 1 ? 1.5 : -1.5, corner & 2 ? 1.5 : -1.5);
+        const double there = PlaneDepth(p, n, here + shift * texel, parallel);
+        const double expected = StoredDepth(there, near, far, parallel) - stored;
+        const double found = gradient.x * shift.x + gradient.y * shift.y;
+        const double size = std::abs(gradient.x * shift.x) + std::abs(gradient.y * shift.y);
+        worst = std::max(worst, std::abs(found - expected) / std::max(size, 1e-12));
+        ++compared;
+      }
+    }
+    // The cosine is at least 0.1, a difference of terms of up to 2.6: 1e-7 of rounding becomes
+    // 3e-6.
+    CheckAtMost(what + ": against the plane's own depth, worst relative difference", worst, 1e-5,
+      "rounding of the cosine");
+    CheckEqual(what + ": planes taken for the other side", wrongSide, 0);
+    CheckAtLeast(what + ": comparisons", compared, 100000, "the test's own power");
+  }
+  CheckEqual("a plane that contains a parallel map's axis",
+    vtkiPlaneDepthGradient(vec3(0.0f, 0.0f, -1.0f), vec3(1.0f, 0.0f, 0.0f), 0.01f, 0.5f, 2.0f, true)
+      .z,
+    0.0);
+  CheckEqual("a plane through the light",
+    vtkiPlaneDepthGradient(
+      vec3(0.0f, 0.0f, -1.0f), vec3(1.0f, 0.0f, 0.0f), 0.01f, 0.5f, 2.0f, false)
+      .z,
+    0.0);
+}
+
+VTK_INDIRECT_TEST(DepthToBufferSlope)
+{
+  double worst = 0.0;
+  for (bool parallel : { false, true })
+  {
+    for (double depth = 0.2; depth < 2.0; depth += 0.01)
+    {
+      const double h = 1e-6;
+      const double expected =
+        (StoredDepth(depth + h, 0.1, 2.0, parallel) - StoredDepth(depth - h, 0.1, 2.0, parallel)) /
+        (2.0 * h);
+      const double found = vtkiDepthToBufferSlope(static_cast<float>(depth), 0.1f, 2.0f, parallel);
+      worst = std::max(worst, std::abs(found - expected) / expected);
+    }
+  }
+  CheckAtMost("against central differences, worst relative difference", worst, 1e-6, "rounding");
+}
+
+VTK_INDIRECT_TEST(Tent)
+{
+  double centre = 0.0;
+  int equal = 0;
+  for (int i = 0; i <= 1000; ++i)
+  {
+    const auto fraction = static_cast<float>(i / 1000.0);
+    equal += vtkiTent(1.0f, 1.0f, 1.0f, fraction) != 1.0f;
+    equal += vtkiTent(0.0f, 0.0f, 0.0f, fraction) != 0.0f;
+    // The receiver lies at fraction + 0.5 between the centres of the three texels.
+    const double mean = vtkiTent(0.0f, 1.0f, 2.0f, fraction);
+    centre = std::max(centre, std::abs(mean - (fraction + 0.5)));
+  }
+  CheckEqual("equal values that do not come out exactly", equal, 0);
+  CheckAtMost("centre of the weights against the receiver's place", centre, 1e-6, "rounding");
+  CheckEqual("weight of the middle texel", vtkiTent(0.0f, 1.0f, 0.0f, 0.3f), 0.5);
+}
+
+VTK_INDIRECT_TEST(DepthToBuffer)
+{
+  Random random(13);
+  double worst = 0.0;
+  double worstParallel = 0.0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    const auto f = static_cast<float>(random.NextMagnitude(1e-3, 1e3));
+    const auto n = static_cast<float>(f * random.NextMagnitude(1.0 / 1024.0, 0.5));
+    const auto depth = static_cast<float>(random.Next(n, f));
+    const double nd = n;
+    const double fd = f;
+    // Rows 2 and 3 of the projections that draw the maps, then [-1,1] to [0,1].
+    const double clipZ = (fd + nd) / (fd - nd) * depth - 2.0 * fd * nd / (fd - nd);
+    const double expected = 0.5 * clipZ / depth + 0.5;
+    worst = std::max(worst, std::abs(vtkiDepthToBuffer(depth, n, f, false) - expected));
+    const double expectedParallel = 0.5 * (2.0 * depth - fd - nd) / (fd - nd) + 0.5;
+    worstParallel =
+      std::max(worstParallel, std::abs(vtkiDepthToBuffer(depth, n, f, true) - expectedParallel));
+  }
+  CheckAtMost("perspective, worst difference", worst, 3e-7, "five roundings near one");
+  CheckAtMost("parallel, worst difference", worstParallel, 3e-7, "five roundings near one");
+  CheckEqual("near plane", vtkiDepthToBuffer(0.5f, 0.5f, 2.0f, false), 0.0);
+  CheckEqual("far plane", vtkiDepthToBuffer(2.0f, 0.5f, 2.0f, false), 1.0);
+  CheckEqual("in the light", vtkiDepthToBuffer(0.0f, 0.5f, 2.0f, false), 0.0);
+}
+
+VTK_INDIRECT_TEST(SameSurface)
+{
+  const vec3 up(0.0f, 0.0f, 1.0f);
+  auto same = [&](const vec3& offset, const vec3& normal)
+  { return vtkiSameSurface(offset, up, normal, 0.9f, 0.1f); };
+  Check("the same point", same(vec3(0.0f), up));
+  Check("far along the plane", same(vec3(1e6f, -1e6f, 0.0f), up));
+  Check("on the tolerance", same(vec3(3.0f, 0.0f, 0.1f), up));
+  Check("above the tolerance", !same(vec3(3.0f, 0.0f, 0.11f), up));
+  Check("below the tolerance", !same(vec3(3.0f, 0.0f, -0.11f), up));
+  Check("the other way round", !same(vec3(0.0f, 0.0f, 0.0f), -up));
+  const auto tilt = static_cast<float>(std::acos(0.9));
+  Check("tilted by less than the limit",
+    same(vec3(0.0f), vec3(std::sin(0.99f * tilt), 0.0f, std::cos(0.99f * tilt))));
+  Check("tilted by more than the limit",
+    !same(vec3(0.0f), vec3(std::sin(1.01f * tilt), 0.0f, std::cos(1.01f * tilt))));
+  Check("off the sample's plane though on the pixel's",
+    !same(vec3(1.0f, 0.0f, 0.0f), vec3(std::sin(0.9f * tilt), 0.0f, std::cos(0.9f * tilt))));
+}
+
+// What is found out once for several places must hold between any two of them.
+VTK_INDIRECT_TEST(OneSurface)
+{
+  constexpr int count = 6;
+  constexpr float cosine = 0.9f;
+  constexpr float tolerance = 0.1f;
+  Random random(14);
+  int accepted = 0;
+  int wrong = 0;
+  int declined = 0; // though every pair agrees
+  int planes = 0;
+  double worstTurn = 0.0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    const double bend = i % 4 == 0 ? 0.0 : random.NextMagnitude(1e-3, 1.0);
+    const double rough = i % 4 == 0 ? 0.0 : random.NextMagnitude(1e-4, 1.0);
+    const glm::dvec3 reference = random.NextDirection();
+    vec3 places[count];
+    vec3 normals[count];
+    float height = 0.0f;
+    float turn = 0.0f;
+    float radius = 0.0f;
+    vec2 code(0.0f);
+    for (int k = 0; k < count; ++k)
+    {
+      const glm::dvec3 normal = glm::normalize(reference + bend * random.NextDirection());
+      const glm::dvec3 along = random.NextDirection();
+      const glm::dvec3 place =
+        along - glm::dot(along, reference) * reference + rough * random.Next(-1.0, 1.0) * reference;
+      normals[k] = k == 0 ? vec3(reference) : vec3(normal);
+      places[k] = vec3(place);
+      const vec2 own = vtkiOctahedralEncode(normals[k]);
+      code = k == 0 ? own : code;
+      const vec3 offset = places[k] - places[0];
+      const float byCode =
+        VTKI_TURN_PER_CODE * (std::abs(own.x - code.x) + std::abs(own.y - code.y));
+      height = std::max(height, std::abs(glm::dot(normals[0], offset)));
+      turn = std::max(turn, byCode);
+      radius = std::max(radius, glm::length(offset));
+      worstTurn =
+        std::max(worstTurn, double(glm::length(normals[k] - normals[0])) - double(byCode));
+    }
+    const bool one = vtkiOneSurface(height, turn, radius, cosine, tolerance);
+    bool all = true;
+    for (int a = 0; a < count; ++a)
+    {
+      for (int b = 0; b < count; ++b)
+      {
+        // Rounding of positions and products of length one.
+        all = all &&
+          vtkiSameSurface(
+            places[a] - places[b], normals[b], normals[a], cosine - 1e-6f, tolerance + 1e-6f);
+      }
+    }
+    accepted += one;
+    wrong += one && !all;
+    declined += all && !one;
+    planes += i % 4 == 0 && one;
+  }
+  CheckAtMost("length between normals beyond that of their codes", worstTurn, 1e-6, "rounding");
+  CheckEqual("taken for one surface though a pair disagrees", wrong, 0);
+  CheckEqual("planes", planes, 25000);
+  CheckAtLeast("bent or rough surfaces taken for one", accepted - planes, 1000, "the test's power");
+  CheckAtLeast("agreeing pairs not taken for one", declined, 1, "the bounds are not exact");
+}
+
+VTK_INDIRECT_TEST(Gamma)
+{
+  double worst = 0.0;
+  double encoded = 0.0;
+  for (int i = 0; i <= 4000; ++i)
+  {
+    const auto v = static_cast<float>(i / 1000.0);
+    const vec3 round = vtkiEncodeGamma(vtkiDecodeGamma(vec3(v, 0.5f * v, 2.0f * v)));
+    worst = std::max(worst, std::abs(round.x - double(v)) / std::max(double(v), 1e-3));
+    encoded = std::max(encoded,
+      std::abs(vtkiDecodeGamma(vec3(v)).y - std::pow(double(v), 2.2)) /
+        std::max(std::pow(double(v), 2.2), 1e-9));
+  }
+  CheckAtMost("round trip, worst relative error", worst, 1e-6, "two rounded powers");
+  CheckAtMost("decoding against double precision", encoded, 1e-6, "the rounded exponent");
+  const vec3 black = vtkiDecodeGamma(vec3(-1.0f, 0.0f, -1e-30f));
+  Check("nothing below zero comes out", black == vec3(0.0f));
+}

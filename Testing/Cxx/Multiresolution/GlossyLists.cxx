@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lists of lights for specular subsplats: what they converge to, what they must not do, and what
+// they save.
+#include "Gather/vtkIndirectGlossyRoom.h"
+
+#include "OpenGL/vtkIndirectComputeProgram.h"
+#include "vtkActorCollection.h"
+#include "vtkMultiresolutionSplattingPass.h"
+#include "vtkRenderWindow.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+using Splatter = vtkMultiresolutionSplattingPass;
+
+struct ListedRoom : GlossyRoom
+{
+  ListedRoom(int width, int height, double power)
+    : GlossyRoom(width, height, 0.7, power)
+  {
+    this->Splatting->SetStorageToFloat();
+  }
+
+  vtkNew<Splatter> Splatting;
+
+  Image Splat()
+  {
+    this->Pass->SetEstimator(this->Splatting);
+    this->Render();
+    return this->Copy("glossy");
+  }
+  Image GatherAll()
+  {
+    this->Pass->SetEstimator(this->Gather);
+    this->Render();
+    return this->Copy("glossy");
+  }
+};
+
+/** What the report says of the lists. */
+std::string GetLists(Scene& scene)
+{
+  const std::string report = scene.Pass->GetReport();
+  const size_t at = report.find("lists of specular subsplats");
+  return at == std::string::npos ? "" : report.substr(at, 240);
+}
+
+/** Evaluations over pixels times lights; negative where there are no lists. */
+double GetShare(Scene& scene)
+{
+  const std::string text = GetLists(scene);
+  const std::string before = "pixels times lights: ";
+  const size_t at = text.find(before);
+  return at == std::string::npos ? -1.0 : std::atof(text.c_str() + at + before.size());
+}
+
+double RootMeanSquare(const Image& a, const Image& b)
+{
+  double sum = 0.0;
+  for (size_t i = 0; i < a.Values.size(); ++i)
+  {
+    const double d = static_cast<double>(a.Values[i]) - b.Values[i];
+    sum += d * d;
+  }
+  return std::sqrt(sum / static_cast<double>(a.Values.size()));
+}
+
+double Mean(const Image& image)
+{
+  return (image.Mean(0) + image.Mean(1) + image.Mean(2)) / 3.0;
+}
+
+void RequireLists(Scene& scene)
+{
+  scene.Render();
+  scene.Window->MakeCurrent();
+  if (!vtkIndirectComputeProgram::IsSupported())
+  {
+    Skip("OpenGL 4.3 is needed for lists");
+  }
+}
+}
+
+// A threshold that nothing meets resolves every light at every pixel, through all levels: residuals
+// and interpolations cancel. With none, the gather is used itself.
+VTK_INDIRECT_TEST(ListsConverge)
+{
+  for (double power : { 1.0, 25.0, 128.0 })
+  {
+    ListedRoom scene(131, 97, power);
+    scene.AddPoint({ 0.9, 0.1, 1.2 }, { 1, 0, 1 });
+    RequireLists(scene);
+    const Image exact = scene.GatherAll();
+    const double brightest = Largest(exact);
+    const std::string what = "power " + std::to_string(static_cast<int>(power)) + ": ";
+    CheckAtLeast(what + "brightest", brightest, 1e-2, "the test's own power");
+    for (bool half : { false, true })
+    {
+      scene.Splatting->SetStorage(half ? Splatter::HALF_FLOAT : Splatter::FLOAT);
+      scene.Splatting->SetGlossyThreshold(1e-9);
+      const Image listed = scene.Splat();
+      const std::string storage = half ? "half floats, " : "32-bit floats, ";
+      CheckAtMost(what + storage + "threshold 1e-9: worst difference over the brightest",
+        Difference(listed, exact) / brightest, half ? 3e-3 : 1e-5,
+        half ? "2^-10 where drivers cut bits off, once a level of three" : "the order of sums");
+      CheckAtLeast(what + storage + "evaluations over pixels times lights", GetShare(scene), 0.2,
+        "they came from lists");
+      scene.Splatting->SetGlossyThreshold(0.0);
+      CheckAtMost(what + storage + "threshold 0: worst difference over the brightest",
+        Difference(scene.Splat(), exact) / brightest, half ? 1e-3 : 1e-5,
+        half ? "2^-10, once" : "the same sum");
+      CheckEqual(what + storage + "lists at threshold 0", GetShare(scene), -1.0);
+    }
+    scene.CheckBuffers(2);
+  }
+}
+
+VTK_INDIRECT_TEST(ListsThreshold)
+{
+  for (double power : { 3.0, 25.0, 128.0 })
+  {
+    ListedRoom scene(320, 240, power);
+    scene.Sampler->SetNumberOfLights(256);
+    RequireLists(scene);
+    const Image exact = scene.GatherAll();
+    double lastError = 1e30;
+    double lastShare = 0.0;
+    const std::string what = "power " + std::to_string(static_cast<int>(power)) + ": ";
+    for (double threshold : { 0.5, 0.1, 0.02, 0.004 })
+    {
+      scene.Splatting->SetGlossyThreshold(threshold);
+      const Image listed = scene.Splat();
+      const double error = RootMeanSquare(listed, exact) / Mean(exact);
+      const double share = GetShare(scene);
+      char text[64];
+      std::snprintf(text, sizeof(text), "threshold %g: ", threshold);
+      std::printf("       %s%sRMSE of the mean %.4f, evaluations %.3f of all\n", what.c_str(), text,
+        error, share);
+      CheckAtMost(what + text + "RMSE over that of the next coarser", error / lastError, 1.02,
+        "a lower threshold lowers the error, but where there is none to speak of");
+      CheckAtLeast(what + text + "evaluations over those of the next coarser",
+        share / std::max(lastShare, 1e-9), 1.0, "and resolves more");
+      lastError = error;
+      lastShare = share;
+      if (threshold == 0.02)
+      {
+        CheckAtMost(what + "RMSE of the mean at the default", error, 0.05, "measured");
+        CheckAtMost(what + "evaluations at the default, over pixels times lights", share, 1.0,
+          "they save something");
+      }
+    }
+  }
+}
+
+// Contexts before OpenGL 4.3 have no lists; the setting that does without them is what they get.
+VTK_INDIRECT_TEST(ListsFallBack)
+{
+  ListedRoom scene(64, 48, 25.0);
+  const Image exact = scene.GatherAll();
+  scene.Splatting->SetRendererToLeafFragments();
+  CheckAtMost("LEAF_FRAGMENTS: worst difference to the gather over the brightest",
+    Difference(scene.Splat(), exact) / Largest(exact), 1e-5, "the same sum");
+  Check("the report says that all lights are summed, and why",
+    GetLists(scene).find("because Renderer is LEAF_FRAGMENTS") != std::string::npos,
+    GetLists(scene));
+  // The renderers that have lists have the same ones.
+  RequireLists(scene);
+  scene.Splatting->SetRendererToLeafCompute();
+  const Image compute = scene.Splat();
+  CheckAtLeast("LEAF_COMPUTE: evaluations from lists", GetShare(scene), 1e-3, "there are lists");
+  scene.Splatting->SetRendererToPointSplats();
+  CheckAtMost("POINT_SPLATS: worst difference to LEAF_COMPUTE over the brightest",
+    Difference(scene.Splat(), compute) / Largest(exact), 2e-3,
+    "their irradiance, to which the threshold is relative, rounds differently");
+}
+
+VTK_INDIRECT_TEST(ListsStrength)
+{
+  for (int storage : { Splatter::FLOAT, Splatter::HALF_FLOAT })
+  {
+    const bool half = storage == Splatter::HALF_FLOAT;
+    ListedRoom scene(96, 72, 25.0);
+    RequireLists(scene);
+    scene.AddDirectional({ -0.8, 0.1, -0.5 });
+    scene.Splatting->SetStorage(storage);
+    const Image unit = scene.Splat();
+    CheckAtLeast("brightest", Largest(unit), 1e-2, "the test's own power");
+    for (double intensity : { 1e-12, 1e12 })
+    {
+      scene.SetIntensities(intensity);
+      Image scaled = scene.Splat();
+      scene.CheckBuffers(2);
+      for (float& value : scaled.Values)
+      {
+        value = static_cast<float>(value / intensity);
+      }
+      char what[80];
+      std::snprintf(what, sizeof(what), "strength %g, %s floats: RMS difference over the brightest",
+        intensity, half ? "half" : "32-bit");
+      // A light at the threshold may go either way, by rounding of what it is held against.
+      CheckAtMost(what, RootMeanSquare(scaled, unit) / Largest(unit), half ? 1e-3 : 1e-5,
+        half ? "roundings of 2^-11 on each level" : "rounding");
+    }
+  }
+}
+
+// A mirror-like sheet before a floor of another lobe, whose highlight ends at the sheet's edge:
+// what one shows must not appear on the other, whose own sum in double precision is exactly zero.
+VTK_INDIRECT_TEST(ListsDepthEdge)
+{
+  double worst = 0.0;
+  int dark = 0;
+  int lit = 0;
+  for (int number = 0; number < 12; ++number)
+  {
+    Random random(2300 + static_cast<std::uint64_t>(number));
+    Scene scene(160 + 7 * number, 120);
+    RequireLists(scene);
+    // Its sender lies below the sheets and beside the view, and lights the floor only.
+    scene.AddQuad({ -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, { 0, 0, 0 });
+    const glm::dvec3 sender(1.3, -1.5, 0.5);
+    scene.AddQuad(sender, sender + glm::dvec3(0, 3, 0), sender + glm::dvec3(2, 0, 0),
+      glm::dvec3(0.9)); // faces -z
+    for (int i = 0; i < 8; ++i)
+    {
+      const glm::dvec3 at(random.Next(-1, 0.7), random.Next(-1, 0.7), random.Next(0.6, 1.0));
+      scene.AddQuad(at, at + glm::dvec3(random.NextMagnitude(0.02, 0.5), 0, 0),
+        at + glm::dvec3(0, random.NextMagnitude(0.02, 0.5), 0), glm::dvec3(0.1));
+    }
+    auto* actors = scene.Renderer->GetActors();
+    actors->InitTraversal();
+    const double power = random.NextMagnitude(1.0, 60.0);
+    while (vtkActor* actor = actors->GetNextActor())
+    {
+      actor->GetProperty()->SetSpecular(0.8);
+      actor->GetProperty()->SetSpecularPower(power);
+      actor->GetProperty()->SetSpecularColor(1.0, 1.0, 1.0);
+    }
+    scene.AddSpot({ 2.3, 0, -1.5 }, { 2.3, 0, 0.5 }, 24, 0, { 1, 0, 0 });
+    const glm::dvec3 target(0.0, 0.0, 0.5);
+    scene.SetEye(target + glm::dvec3(-2.4, random.Next(-0.4, 0.4), random.Next(0.7, 1.2)), target,
+      { 0, 0, 1 }, random.Next(25, 45), 0.3, 10);
+    scene.Sampler->SetNumberOfLights(64);
+    scene.Gather->SetModeToVirtualLights();
+    scene.Gather->InterpolationOff();
+    scene.Render();
+    const Image exact = scene.Copy("glossy");
+    vtkNew<Splatter> splatting;
+    splatting->SetStorageToFloat();
+    splatting->SetGlossyThreshold(number % 2 ? 0.02 : 0.5);
+    scene.Pass->SetEstimator(splatting);
+    scene.Render();
+    const Image listed = scene.Copy("glossy");
+    CheckAtLeast("evaluations from lists", GetShare(scene), 1e-4, "there are lists");
+    const double brightest = Largest(exact);
+    CheckAtLeast("brightest", brightest, 1e-3, "the test's own power");
+    for (size_t i = 0; i < exact.Values.size(); ++i)
+    {
+      if (exact.Values[i] > 0.05 * brightest)
+      {
+        ++lit;
+      }
+      else if (exact.Values[i] == 0.0f)
+      {
+        ++dark;
+        worst = std::max(worst, listed.Values[i] / brightest);
+      }
+    }
+  }
+  CheckAtLeast("values in highlights", lit, 5000, "the test's own power");
+  CheckAtLeast("dark values", dark, 5000, "the test's own power");
+  CheckAtMost("largest value where the gather has none, over the brightest", worst, 1e-6,
+    "nothing crosses an edge");
+}
+
+VTK_INDIRECT_TEST(ListsRelease)
+{
+  ListedRoom scene(64, 48, 25.0);
+  RequireLists(scene);
+  scene.Splat();
+  const size_t with = scene.Splatting->GetBytes();
+  scene.Splatting->SpecularTransportOff();
+  scene.Splat();
+  const size_t without = scene.Splatting->GetBytes();
+  CheckAtLeast("bytes of lists, levels and glossy light", static_cast<double>(with - without),
+    64 * 48 * 16.0, "the glossy light alone is as many");
+  const Image first = scene.Copy("final");
+  for (int i = 0; i < 100; ++i)
+  {
+    scene.Splatting->SetSpecularTransport(i % 2 == 0);
+    scene.Render();
+    CheckAtMost("bytes", static_cast<double>(scene.Splatting->GetBytes()),
+      static_cast<double>(i % 2 == 0 ? with : without), "as often as it is switched");
+  }
+  CheckEqual("the picture without, after switching", Difference(scene.Copy("final"), first), 0.0);
+  scene.Splatting->SpecularTransportOn();
+  const Image listed = scene.Splat();
+  scene.Splatting->ReleaseGraphicsResources(scene.Window);
+  CheckEqual("bytes after release", static_cast<double>(scene.Splatting->GetBytes()), 0.0);
+  scene.Pass->CachingOff();
+  CheckEqual("rendered again", Difference(scene.Splat(), listed), 0.0);
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What radiance hints keep from frame to frame.
+#include "vtkIndirectHintScenes.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkRenderWindow.h"
+
+#include <cmath>
+
+using namespace vtkIndirectTest;
+
+VTK_INDIRECT_TEST(HintsCaching)
+{
+  TwoRooms scene(true);
+  scene.Pass->SetNumberOfBounces(2);
+  scene.Render();
+  auto updates = [&] { return static_cast<int>(scene.Hints->GetNumberOfHintUpdates()); };
+  auto voxels = [&] { return static_cast<int>(scene.ReadReport("voxel_updates")); };
+  CheckEqual("updates of the first frame", updates(), 1);
+  CheckEqual("voxels of the first frame", voxels(), 1);
+  scene.Render();
+  CheckEqual("updates when nothing changed", updates(), 1);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  const vtkIdType estimates = scene.Pass->GetNumberOfEstimates();
+  for (int i = 0; i < 3; ++i)
+  {
+    camera->Azimuth(3.0);
+    scene.Render();
+  }
+  CheckEqual("updates when the camera moved", updates(), 1);
+  CheckEqual("look-ups when the camera moved", scene.Pass->GetNumberOfEstimates() - estimates, 3);
+  const Image kept = scene.Copy("irradiance");
+  scene.Pass->CachingOff();
+  scene.Render();
+  CheckEqual("updates without caching", updates(), 2);
+  const Image anew = scene.Copy("irradiance");
+  CheckEqual("values that differ from those made anew",
+    static_cast<double>(kept.Values.size()) - CountSame(kept, anew), 0);
+  scene.Pass->CachingOn();
+  scene.Render();
+  const int before = updates();
+  const int voxelsBefore = voxels();
+  auto* light = vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0));
+  const double mean = scene.Copy("irradiance").Mean();
+  light->SetIntensity(2.0);
+  scene.Render();
+  CheckEqual("updates when the light is stronger", updates(), before + 1);
+  CheckRelative("light in the same frame", scene.Copy("irradiance").Mean(), 2.0 * mean, 1e-4,
+    "linear in the light; rounding");
+  light->SetPosition(0.5, 1.2, 1.5);
+  scene.Render();
+  CheckEqual("updates when the light moved", updates(), before + 2);
+  CheckEqual("voxels when only lights changed", voxels(), voxelsBefore);
+  auto* actor = vtkActor::SafeDownCast(scene.Renderer->GetActors()->GetLastActor());
+  actor->SetPosition(0.02, 0.0, 0.0);
+  scene.Render();
+  CheckEqual("voxels when a wall moved", voxels(), voxelsBefore + 1);
+}
+
+VTK_INDIRECT_TEST(HintsTemporal)
+{
+  for (const double keep : { 0.5, 0.8 })
+  {
+    TwoRooms scene(true);
+    auto set = [&](double intensity)
+    {
+      vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(0))
+        ->SetIntensity(intensity);
+    };
+    set(3.0);
+    scene.Render();
+    const Image wanted = scene.Copy("irradiance");
+    set(1.0);
+    scene.Hints->SetTemporalSmoothing(keep);
+    // A look-up that is nobody's successor is whole at once.
+    scene.Pass->ReleaseGraphicsResources(scene.Window);
+    scene.Render();
+    const double first = scene.Copy("irradiance").Mean();
+    set(3.0);
+    scene.Render();
+    const std::string what = "keep " + std::to_string(keep).substr(0, 3) + ": ";
+    CheckRelative(what + "a share of the way in one frame", scene.Copy("irradiance").Mean(),
+      (3.0 - 2.0 * keep) * first, 1e-3, "of 1 and 3; interpolation leaves some pixels out");
+    // Equal frames go the rest of the way, and then no further.
+    const int frames = static_cast<int>(std::ceil(std::log(1.0 / 4096.0) / std::log(keep)));
+    double before = 0.0;
+    for (int i = 1; i < frames; ++i)
+    {
+      scene.Render();
+      const double mean = scene.Copy("irradiance").Mean();
+      Check(
+        what + "frame " + std::to_string(i) + " is brighter than the one before it", mean > before);
+      before = mean;
+    }
+    CheckRelative(what + "last frame but one", before, wanted.Mean(), 1.0 / 4096.0,
+      "2/3 of the way is left over after the first, times what " + std::to_string(frames) +
+        " frames keep");
+    scene.Render();
+    CheckEqual(what + "values that differ from those without smoothing",
+      static_cast<double>(wanted.Values.size()) - CountSame(wanted, scene.Copy("irradiance")), 0);
+    const vtkIdType estimates = scene.Pass->GetNumberOfEstimates();
+    scene.Render();
+    scene.Render();
+    CheckEqual(what + "look-ups at rest", scene.Pass->GetNumberOfEstimates() - estimates, 0);
+    // From there the next change is smoothed again.
+    set(1.0);
+    scene.Render();
+    CheckRelative(what + "a share of the way back", scene.Copy("irradiance").Mean(),
+      (1.0 + 2.0 * keep) * first, 1e-3, "as above");
+  }
+}

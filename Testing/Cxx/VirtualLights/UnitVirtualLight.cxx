@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The disk kernel of a virtual light.
+#include "OpenGL/vtkIndirectKernels.h"
+#include "vtkIndirectTestUtilities.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vtkIndirectTest;
+using namespace vtkIndirectKernels;
+
+namespace
+{
+const vec3 Up(0.0f, 0.0f, 1.0f);
+
+double Weight(const glm::dvec3& d, const glm::dvec3& s, const glm::dvec3& r, double area)
+{
+  const double r2 = glm::dot(d, d);
+  return std::max(-glm::dot(s, d), 0.0) * std::max(glm::dot(r, d), 0.0) / r2 /
+    (vtkMath::Pi() * r2 + area);
+}
+}
+
+VTK_INDIRECT_TEST(DiskFormFactor)
+{
+  Random random(9);
+  double worst = 0.0;
+  for (int i = 0; i < 10000; ++i)
+  {
+    const double r = random.NextMagnitude(1e-4, 1e2);
+    const double radius = random.NextMagnitude(1e-4, 1e2);
+    const double area = vtkMath::Pi() * radius * radius;
+    const double weight = vtkiVirtualLightWeight(
+      vec3(0.0f, 0.0f, static_cast<float>(r)), -Up, Up, static_cast<float>(area));
+    // Exact on the axis: radius^2 / (radius^2 + r^2).
+    const double exact = radius * radius / (radius * radius + r * r);
+    worst = std::max(worst, std::abs(weight * area / exact - 1.0));
+  }
+  CheckAtMost("disk seen on its axis, worst relative error", worst, 1e-6, "ten roundings");
+
+  // The same by integration over the disk, so that the closed form above is not taken on trust.
+  const double integral = Integrate(
+    0.0, 1.0, [](double x) { return 2.0 * x * 4.0 / std::pow(x * x + 4.0, 2.0); }, 8);
+  CheckRelative(
+    "closed form against quadrature, radius 1 at 2", integral, 0.2, 1e-12, "quadrature");
+  Check("a kernel without pi would be rejected",
+    !WouldPass(1.0 / (4.0 + vtkMath::Pi()), 0.2 / vtkMath::Pi(), 1e-2));
+}
+
+VTK_INDIRECT_TEST(KernelLimits)
+{
+  Random random(10);
+  double farField = 0.0;
+  double against = 0.0;
+  int unbounded = 0;
+  int behind = 0;
+  for (int i = 0; i < 200000; ++i)
+  {
+    const glm::dvec3 d = random.NextDirection() * random.NextMagnitude(1e-6, 1e3);
+    const glm::dvec3 s = random.NextDirection();
+    const glm::dvec3 r = random.NextDirection();
+    const double area = random.NextMagnitude(1e-12, 1e6);
+    const vec3 df(d);
+    const vec3 sf(s);
+    const vec3 rf(r);
+    const auto areaf = static_cast<float>(area);
+    const double w = vtkiVirtualLightWeight(df, sf, rf, areaf);
+    const double cosS = -glm::dot(glm::dvec3(sf), glm::dvec3(df)) / glm::length(glm::dvec3(df));
+    const double cosR = glm::dot(glm::dvec3(rf), glm::dvec3(df)) / glm::length(glm::dvec3(df));
+    unbounded += w * areaf > 1.0 + 1e-6;
+    behind += (cosS < -1e-6 || cosR < -1e-6) && w != 0.0;
+    if (cosS > 0.05 && cosR > 0.05)
+    {
+      const double expected = Weight(glm::dvec3(df), glm::dvec3(sf), glm::dvec3(rf), areaf);
+      against = std::max(against, std::abs(w / expected - 1.0));
+      const double r2 = glm::dot(d, d);
+      if (area < 1e-3 * r2)
+      {
+        farField = std::max(farField,
+          std::abs(w / (cosS * cosR / (vtkMath::Pi() * r2)) - 1.0) /
+            (area / (vtkMath::Pi() * r2) + 5e-6));
+      }
+    }
+  }
+  CheckEqual("weights above one over the area", unbounded, 0);
+  CheckEqual("weights where one lies behind the other", behind, 0);
+  // A dot product that cancels to 0.05 of its terms carries 20 times their rounding.
+  CheckAtMost(
+    "worst relative error against double precision", against, 1e-5, "cancelling dot products");
+  CheckAtMost("far field, deviation over A / (pi r^2)", farField, 1.0, "series of the kernel");
+  CheckEqual(
+    "sender and receiver in one place", vtkiVirtualLightWeight(vec3(0.0f), -Up, Up, 1.0f), 0.0);
+}
+
+VTK_INDIRECT_TEST(KernelExtremes)
+{
+  Random random(11);
+  int bad = 0;
+  int unbounded = 0;
+  for (int i = 0; i < 1000000; ++i)
+  {
+    const vec3 d = vec3(random.NextDirection() * random.NextMagnitude(1e-18, 1e18));
+    const auto area = static_cast<float>(random.NextMagnitude(1e-18, 1e18));
+    const float w =
+      vtkiVirtualLightWeight(d, vec3(random.NextDirection()), vec3(random.NextDirection()), area);
+    bad += !std::isfinite(w) || w < 0.0f;
+    // Where the denominator is a denormal, the bound holds only to its few bits.
+    const double r2 = glm::dot(glm::dvec3(d), glm::dvec3(d));
+    const bool normal = r2 * (vtkMath::Pi() * r2 + area) > 1.2e-38;
+    unbounded += normal && double(w) * area > 1.0 + 1e-6;
+  }
+  CheckEqual("weights that are not finite or negative", bad, 0);
+  CheckEqual("weights above one over the area", unbounded, 0);
+}
+
+// What the kernel makes of a closed sphere: the numbers that the radiometry tests rely on.
+VTK_INDIRECT_TEST(ClosedSphereBias)
+{
+  for (int n : { 64, 256, 1024, 4096 })
+  {
+    // u = r^2 / (4 R^2) is uniform over the sphere; cosS = cosR = sqrt(u).
+    const double area = 4.0 * vtkMath::Pi() / n;
+    const double mean = Integrate(
+      0.0, 1.0,
+      [&](double t)
+      {
+        const double u = t * t * t; // resolves the steep start
+        const double r = 2.0 * std::sqrt(u);
+        const vec3 receiver(0.0f, 0.0f, 1.0f);
+        // A unit sphere: receiver at its south pole looking up, sender at distance r.
+        const double z = 0.5 * r * r;
+        const double x = std::sqrt(std::max(r * r - z * z, 0.0));
+        const vec3 normal(-x, 0.0, 1.0 - z);
+        return 3.0 * t * t * n * area *
+          vtkiVirtualLightWeight(vec3(x, 0.0, z), normal, receiver, static_cast<float>(area));
+      },
+      64);
+    CheckRelative("mean of " + std::to_string(n) + " lights in a sphere", mean,
+      1.0 - std::log(1.0 + n) / n, 1e-5, "quadrature of a float kernel");
+  }
+}
+
+VTK_INDIRECT_TEST(Curvature)
+{
+  // A light in a floor, at distance a from the wall that rises over it; receivers at height r. What
+  // linear interpolation misses midway, from the kernel itself, against what the curvature
+  // foretells.
+  const double a = 0.3;
+  const double area = 1e-4;
+  const glm::dvec3 across(1.0, 0.0, 0.0);
+  const glm::dvec3 up(0.0, 0.0, 1.0);
+  auto at = [&](double r) { return Weight(glm::dvec3(a, 0.0, -r), up, across, area); };
+  auto estimate = [&](double r, double h, double density)
+  {
+    return 0.125 * h * h *
+      vtkiVirtualLightCurvature(vec3(static_cast<float>(a), 0.0f, static_cast<float>(-r)),
+        Up * static_cast<float>(density), vec3(across), static_cast<float>(area));
+  };
+  // Where the light is strongest, and all there is (a density of 1e9 times the other light).
+  const double h = 0.02 * a;
+  const double r = a / std::sqrt(3.0);
+  const double missed = 1.0 - 0.5 * (at(r - 0.5 * h) + at(r + 0.5 * h)) / at(r);
+  CheckRelative("error where the light is strongest", estimate(r, h, 1e9), missed, 0.01,
+    "the next term goes with h^2 / d^2, 3e-4, the disk with area / d^2, 8e-4");
+
+  // Elsewhere no more than twice: 12 E / d^2 is the limit on both sides.
+  double least = 1e30;
+  double greatest = 0.0;
+  for (int i = 1; i < 200; ++i)
+  {
+    const double place = 0.02 * i * a;
+    const double midway =
+      std::abs(1.0 - 0.5 * (at(place - 0.5 * h) + at(place + 0.5 * h)) / at(place));
+    const double ratio = midway / estimate(place, h, 1e9);
+    least = std::min(least, ratio);
+    greatest = std::max(greatest, ratio);
+  }
+  CheckAtMost("largest error over the estimate", greatest, 2.05, "12 over 6, and h of 0.02");
+  CheckAtMost("smallest error over the estimate", least, 0.2, "there is a turning point at r = a");
+
+  // A light that gives a tenth of the irradiance bends a tenth of it, and behind a surface none.
+  CheckRelative("light beside nine times as much",
+    estimate(r, h, 1.0 / (9.0 * at(r))) / estimate(r, h, 1e9), 0.1, 1e-5, "float");
+  CheckEqual("light from behind",
+    vtkiVirtualLightCurvature(vec3(-0.3f, 0.0f, -0.1f), Up, vec3(across), 1e-4f), 0.0f);
+  CheckEqual("sender and receiver coincide",
+    vtkiVirtualLightCurvature(vec3(0.0f), Up, vec3(across), 0.0f), 0.0f);
+}

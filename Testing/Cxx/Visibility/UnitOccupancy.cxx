@@ -1,0 +1,592 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The voxels of the scene: walls are watertight however thin, slanted or finely cut, and space that
+// is free is free.
+#include "OpenGL/vtkIndirectKernels.h"
+#include "RadianceHints/vtkIndirectHintGrid.h"
+#include "Visibility/vtkIndirectDistanceField.h"
+#include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "vtkIndirectTestUtilities.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+// A parallelogram as two triangles, or cut into n x n pieces of two each.
+void AddPatch(vtkIndirectOccupancyVolume& volume, const glm::dvec3& origin, const glm::dvec3& u,
+  const glm::dvec3& v, int n)
+{
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      const glm::dvec3 a = origin + (u * (1.0 * i) + v * (1.0 * j)) / (1.0 * n);
+      const glm::dvec3 b = a + u / (1.0 * n);
+      const glm::dvec3 c = a + v / (1.0 * n);
+      const glm::dvec3 d = b + v / (1.0 * n);
+      const glm::dvec3 first[3] = { a, b, d };
+      const glm::dvec3 second[3] = { a, d, c };
+      volume.AddTriangle(first, glm::dvec3(0.5));
+      volume.AddTriangle(second, glm::dvec3(0.5));
+    }
+  }
+}
+
+// Segments between random points on both sides of the plane z = f(x, y) of a wall over the whole
+// volume: how many get through, by either walk.
+int CountLeaks(vtkIndirectOccupancyVolume& volume, const glm::dvec3& normal, double offset,
+  int count, double clearance)
+{
+  Random random(7);
+  int leaks = 0;
+  int tested = 0;
+  while (tested < count)
+  {
+    glm::dvec3 ends[2];
+    for (glm::dvec3& end : ends)
+    {
+      end = { random.Next(0.02, 0.98), random.Next(0.02, 0.98), random.Next(0.02, 0.98) };
+    }
+    const double d0 = glm::dot(normal, ends[0]) - offset;
+    const double d1 = glm::dot(normal, ends[1]) - offset;
+    // Ends in the wall's own voxels do not count as hidden by them.
+    if (d0 * d1 >= 0.0 || std::min(std::abs(d0), std::abs(d1)) < clearance)
+    {
+      continue;
+    }
+    ++tested;
+    const glm::vec3 start(volume.ToVoxels(ends[0]));
+    const glm::vec3 end(volume.ToVoxels(ends[1]));
+    leaks += volume.IsFree(start, end) || volume.GetDistanceField().IsFree(start, end);
+  }
+  return leaks;
+}
+
+vtkIndirectHintGrid::Settings HintsInUnitCube(int edge)
+{
+  vtkIndirectHintGrid::Region region;
+  region.Upper = glm::dvec3(1.0);
+  region.Size = glm::ivec3(edge);
+  vtkIndirectHintGrid::Settings settings;
+  settings.Regions.push_back(region);
+  return settings;
+}
+}
+
+VTK_INDIRECT_TEST(OccupancyBits)
+{
+  using namespace vtkIndirectKernels;
+  int wrong = 0;
+  for (int first = -3; first < 131; ++first)
+  {
+    for (int last = first - 2; last < 131; ++last)
+    {
+      const glm::uvec4 range = vtkiBitRange(first, last);
+      for (int bit = 0; bit < 128; ++bit)
+      {
+        const bool set = (range[bit / 32] >> (bit % 32) & 1u) != 0u;
+        wrong += set != (bit >= first && bit <= last);
+      }
+    }
+  }
+  CheckEqual("bits of ranges that differ from their definition", wrong, 0);
+  wrong = 0;
+  for (int set = 0; set < 128; ++set)
+  {
+    const glm::uvec4 column = vtkiBitRange(set, set);
+    for (int bit = -70; bit < 200; ++bit)
+    {
+      wrong += vtkiHasBit(column, bit) != (bit == set);
+    }
+  }
+  CheckEqual("bits that are found where they are not, or not where they are", wrong, 0);
+}
+
+VTK_INDIRECT_TEST(OccupancyWatertight)
+{
+  // Planes through the cube at all slants, whole and cut into pieces smaller than a voxel, at three
+  // resolutions: one to eight voxels of wall.
+  Random random(3);
+  for (int resolution : { 16, 64, 128 })
+  {
+    int leaks = 0;
+    int walls = 0;
+    for (int i = 0; i < 12; ++i)
+    {
+      glm::dvec3 normal = i < 3 ? glm::dvec3(i == 0, i == 1, i == 2) : random.NextDirection();
+      const double offset = glm::dot(normal, glm::dvec3(0.5) + 0.1 * random.Next());
+      glm::dvec3 helper = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+      const glm::dvec3 u = glm::normalize(glm::cross(normal, helper)) * 4.0;
+      const glm::dvec3 v = glm::cross(normal, u);
+      vtkIndirectOccupancyVolume volume;
+      volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), resolution);
+      AddPatch(volume, normal * offset - 0.5 * u - 0.5 * v, u, v, i % 2 ? 1 : 6 * resolution);
+      volume.Finish();
+      leaks += CountLeaks(volume, normal, offset, 500, 2.0 * volume.GetVoxelSize());
+      ++walls;
+      // Thin: twice a plane's area over a voxel's face bounds what it can touch.
+      const double face = volume.GetVoxelSize() * volume.GetVoxelSize();
+      if (i == 0)
+      {
+        CheckAtMost("occupied voxels of a plane over its own", // 1 plane of voxels
+          volume.GetNumberOfOccupiedVoxels() * face,
+          std::pow(resolution / (resolution - 2.0), 2.0) * (1.0 + 1e-9),
+          "one voxel thick, over the scene and the border of two voxels");
+      }
+    }
+    CheckEqual(
+      std::to_string(resolution) + ": segments through " + std::to_string(walls) + " walls", leaks,
+      0);
+  }
+}
+
+VTK_INDIRECT_TEST(OccupancyThickWalls)
+{
+  // Two faces of a wall of one to five voxels, and a gap in it: closed it lets nothing through,
+  // open just what passes the gap.
+  for (int thickness = 1; thickness <= 5; ++thickness)
+  {
+    vtkIndirectOccupancyVolume volume;
+    volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
+    const double size = volume.GetVoxelSize();
+    const double x = 0.5;
+    for (double at : { x, x + (thickness - 1) * size })
+    {
+      AddPatch(volume, { at, -0.2, -0.2 }, { 0, 1.4, 0 }, { 0, 0, 1.4 }, 1);
+    }
+    volume.Finish();
+    const std::string what = "wall of " + std::to_string(thickness) + " voxels: ";
+    CheckEqual(what + "leaks",
+      CountLeaks(volume, { 1, 0, 0 }, x + 0.5 * (thickness - 1) * size, 2000,
+        (0.5 * thickness + 1.5) * size),
+      0);
+
+    vtkIndirectOccupancyVolume open;
+    open.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
+    for (double at : { x, x + (thickness - 1) * size })
+    {
+      AddPatch(open, { at, -0.2, -0.2 }, { 0, 1.4, 0 }, { 0, 0, 0.6 }, 1);
+      AddPatch(open, { at, -0.2, 0.6 }, { 0, 1.4, 0 }, { 0, 0, 0.6 }, 1);
+    }
+    open.Finish();
+    auto free = [&](double z)
+    {
+      return open.IsFree(
+        glm::vec3(open.ToVoxels({ 0.1, 0.4, z })), glm::vec3(open.ToVoxels({ 0.9, 0.6, z })));
+    };
+    Check(what + "open, through the gap", free(0.5));
+    Check(what + "open, beside it", !free(0.3) && !free(0.7));
+  }
+}
+
+VTK_INDIRECT_TEST(OccupancyFree)
+{
+  // A segment is blocked exactly when a dense march along it meets an occupied voxel: from column
+  // to column, and by leaps.
+  Random random(11);
+  vtkIndirectOccupancyVolume volume;
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 128);
+  for (int i = 0; i < 40; ++i)
+  {
+    const glm::dvec3 at(random.Next(), random.Next(), random.Next());
+    AddPatch(volume, at, 0.2 * random.NextDirection(), 0.2 * random.NextDirection(), 1);
+  }
+  volume.Finish();
+  int blocked = 0;
+  int missed[2] = {};
+  int invented[2] = {};
+  for (int i = 0; i < 4000; ++i)
+  {
+    const glm::dvec3 a = volume.ToVoxels({ random.Next(), random.Next(), random.Next() });
+    const glm::dvec3 b = volume.ToVoxels({ random.Next(), random.Next(), random.Next() });
+    const bool free[2] = { volume.IsFree(glm::vec3(a), glm::vec3(b)),
+      volume.GetDistanceField().IsFree(glm::vec3(a), glm::vec3(b)) };
+    bool met = false;
+    bool deep = false; // and by more than rounding
+    bool near = false; // within rounding of one
+    const glm::ivec3 first(glm::floor(a));
+    const glm::ivec3 last(glm::floor(b));
+    const int steps = static_cast<int>(50.0 * glm::length(b - a)) + 1;
+    for (int s = 0; s <= steps; ++s)
+    {
+      const glm::dvec3 p = a + (b - a) * (static_cast<double>(s) / steps);
+      const glm::ivec3 voxel(glm::floor(p));
+      met = met || (voxel != first && voxel != last && volume.IsOccupied(voxel));
+      bool around = met;
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const glm::ivec3 beside(glm::floor(
+          p + 0.03 * glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1)));
+        const bool occupied = beside != first && beside != last && volume.IsOccupied(beside);
+        near = near || occupied;
+        around = around && occupied;
+      }
+      deep = deep || around;
+    }
+    blocked += !free[0];
+    for (int walk = 0; walk < 2; ++walk)
+    {
+      // Columns count both sides of a voxel's face; leaps choose one of two voxels at an edge.
+      missed[walk] += (walk == 0 ? met : deep) && free[walk];
+      invented[walk] += !near && !free[walk];
+    }
+  }
+  for (int walk = 0; walk < 2; ++walk)
+  {
+    const std::string what = walk == 0 ? "columns: " : "leaps: ";
+    CheckEqual(what + "segments that pass an occupied voxel", missed[walk], 0);
+    CheckEqual(what + "segments blocked by nothing", invented[walk], 0);
+  }
+  CheckAtLeast("blocked segments", blocked, 500, "the test's own power");
+  CheckAtLeast("free segments", 4000 - blocked, 500, "the test's own power");
+}
+
+VTK_INDIRECT_TEST(OccupancyClearance)
+{
+  // Distances by their definition; the edges of the volume differ, and none is a power of two.
+  Random random(23);
+  vtkIndirectOccupancyVolume volume;
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(0.7, 1.0, 0.9), 45);
+  for (int i = 0; i < 4; ++i)
+  {
+    AddPatch(volume, 0.6 * glm::dvec3(random.Next(), random.Next(), random.Next()),
+      0.1 * random.NextDirection(), 0.1 * random.NextDirection(), 1);
+  }
+  volume.Finish();
+  const glm::ivec3 size = volume.GetSize();
+  std::vector<glm::ivec3> occupied;
+  auto forEach = [&size](const std::function<void(const glm::ivec3&)>& f)
+  {
+    for (int z = 0; z < size.z; ++z)
+    {
+      for (int y = 0; y < size.y; ++y)
+      {
+        for (int x = 0; x < size.x; ++x)
+        {
+          f({ x, y, z });
+        }
+      }
+    }
+  };
+  forEach(
+    [&](const glm::ivec3& voxel)
+    {
+      if (volume.IsOccupied(voxel))
+      {
+        occupied.push_back(voxel);
+      }
+    });
+  int wrong = 0;
+  int farthest = 0;
+  forEach(
+    [&](const glm::ivec3& voxel)
+    {
+      int nearest = 255;
+      for (const glm::ivec3& other : occupied)
+      {
+        const glm::ivec3 d = glm::abs(other - voxel);
+        nearest = std::min(nearest, std::max({ d.x, d.y, d.z }));
+      }
+      wrong += nearest != volume.GetDistanceField().Get(voxel);
+      farthest = std::max(farthest, nearest);
+    });
+  CheckEqual("distances that differ from their definition", wrong, 0);
+  CheckAtLeast("farthest", farthest, 15, "the test's own power");
+  // Made anew with the volume.
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 16);
+  CheckEqual("distance in an empty volume", volume.GetDistanceField().Get({ 3, 4, 5 }), 255);
+  const glm::vec3 outside(-3.0f, 4.5f, 20.0f);
+  Check(
+    "a segment from outside to outside ends", volume.GetDistanceField().IsFree(outside, -outside));
+}
+
+VTK_INDIRECT_TEST(OccupancyAlbedo)
+{
+  vtkIndirectOccupancyVolume volume;
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
+  AddPatch(volume, { 0.1, 0.2, 0.3 }, { 0.7, 0, 0 }, { 0, 0.6, 0 }, 5);
+  const glm::dvec3 corners[3] = { { 0.1, 0.1, 0.8 }, { 0.9, 0.1, 0.8 }, { 0.9, 0.6, 0.8 } };
+  volume.AddTriangle(corners, { 0.9, 0.3, 0.1 });
+  volume.Finish();
+  CheckRelative("mean albedo, red", volume.GetMeanAlbedo().x, (0.42 * 0.5 + 0.2 * 0.9) / 0.62, 1e-9,
+    "weighed by area");
+  CheckEqual("triangles that nobody asked for", volume.GetTriangles().GetNumberOfTriangles(), 0);
+}
+
+VTK_INDIRECT_TEST(TriangleHits)
+{
+  // Against every triangle by itself, with another formula: the plane, and the three areas.
+  Random random(17);
+  vtkIndirectOccupancyVolume volume;
+  volume.KeepTriangles();
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
+  std::vector<std::array<glm::dvec3, 3>> triangles;
+  for (int i = 0; i < 300; ++i)
+  {
+    const glm::dvec3 at(random.Next(), random.Next(), random.Next());
+    const double size = i % 3 == 0 ? 0.6 : 0.03;
+    triangles.push_back(
+      { at, at + size * random.NextDirection(), at + size * random.NextDirection() });
+    // What reaches out of the bounds is in no voxel there.
+    for (glm::dvec3& corner : triangles.back())
+    {
+      corner = glm::clamp(corner, glm::dvec3(0.0), glm::dvec3(1.0));
+    }
+    volume.AddTriangle(triangles.back().data(), glm::dvec3(i / 300.0, 0.5, 0.5));
+  }
+  volume.Finish();
+  int wrong = 0;
+  int met = 0;
+  int compared = 0;
+  for (int i = 0; i < 6000; ++i)
+  {
+    const double span = i % 4 == 0 ? 3.0 : 1.0; // some start outside
+    const glm::dvec3 start =
+      span * (glm::dvec3(random.Next(), random.Next(), random.Next()) - 0.5) + 0.5;
+    const glm::dvec3 direction =
+      i % 10 == 0 ? glm::dvec3(0.0, 0.0, i % 20 ? 1.0 : -1.0) : random.NextDirection();
+    double nearest = INFINITY;
+    int expected = -1;
+    bool close = false; // to an edge, or to another triangle
+    for (size_t k = 0; k < triangles.size(); ++k)
+    {
+      const auto& v = triangles[k];
+      const glm::dvec3 normal = glm::cross(v[1] - v[0], v[2] - v[0]);
+      const double along = glm::dot(normal, direction);
+      const double t = glm::dot(normal, v[0] - start) / along;
+      if (!(t > 0.0))
+      {
+        continue;
+      }
+      const glm::dvec3 p = start + t * direction;
+      double least = INFINITY;
+      for (int e = 0; e < 3; ++e)
+      {
+        const glm::dvec3& a = v[e];
+        least = std::min(least,
+          glm::dot(glm::cross(v[(e + 1) % 3] - a, p - a), normal) / glm::dot(normal, normal));
+      }
+      close = close || std::abs(least) < 1e-3 || (least > 0.0 && std::abs(t - nearest) < 1e-4);
+      if (least > 0.0 && t < nearest)
+      {
+        nearest = t;
+        expected = static_cast<int>(k);
+      }
+    }
+    if (close)
+    {
+      continue;
+    }
+    ++compared;
+    vtkIndirectTriangleGrid::Hit hit;
+    const bool found = volume.GetTriangles().FindHit(volume.ToVoxels(start), direction, hit);
+    met += found;
+    wrong += found != (expected >= 0);
+    if (found && expected >= 0)
+    {
+      const glm::dvec3 p = volume.ToScene(hit.Position);
+      wrong += glm::length(p - (start + nearest * direction)) > 1e-4 ||
+        std::abs(hit.Albedo.x - expected / 300.0) > 1e-6 || glm::dot(hit.Normal, direction) > 0.0;
+    }
+  }
+  CheckEqual("rays that meet another triangle, or from another side", wrong, 0);
+  CheckAtLeast("rays that meet one", met, 1500, "the test's own power");
+  CheckAtLeast("rays that meet none", compared - met, 1500, "the test's own power");
+
+  // Nothing gets out of a closed box, not through its edges and corners either.
+  vtkIndirectOccupancyVolume box;
+  box.KeepTriangles();
+  box.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 32);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (double at : { 0.1, 0.9 })
+    {
+      glm::dvec3 origin(0.1);
+      origin[axis] = at;
+      glm::dvec3 u(0.0);
+      glm::dvec3 v(0.0);
+      u[(axis + 1) % 3] = 0.8;
+      v[(axis + 2) % 3] = 0.8;
+      AddPatch(box, origin, u, v, 7);
+    }
+  }
+  box.Finish();
+  int out = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const glm::dvec3 start(random.Next(0.2, 0.8), random.Next(0.2, 0.8), random.Next(0.2, 0.8));
+    glm::dvec3 end(random.Next(0.1, 0.9), random.Next(0.1, 0.9), random.Next(0.1, 0.9));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // On vertices of the pieces, on their edges, and anywhere.
+      end[axis] =
+        (i >> axis & 1) ? 0.1 + 0.8 / 7.0 * std::floor(7.999 * (end[axis] - 0.1) / 0.8) : end[axis];
+    }
+    end[i % 3] = i & 8 ? 0.1 : 0.9;
+    vtkIndirectTriangleGrid::Hit hit;
+    out += !box.GetTriangles().FindHit(box.ToVoxels(start), glm::normalize(end - start), hit);
+  }
+  CheckEqual("rays that leave a closed box", out, 0);
+}
+
+VTK_INDIRECT_TEST(HintSurfaces)
+{
+  // A wall of another colour on each side, thinner than a voxel, and a bar thinner than a voxel:
+  // hints see the colour that is turned to them, and as much of the bar as there is.
+  vtkIndirectOccupancyVolume volume;
+  volume.KeepTriangles();
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 32);
+  const double wall = 0.52;
+  auto quad = [&](const glm::dvec3& a, const glm::dvec3& u, const glm::dvec3& v, double albedo)
+  {
+    const glm::dvec3 first[3] = { a, a + u, a + u + v };
+    const glm::dvec3 second[3] = { a, a + u + v, a + v };
+    volume.AddTriangle(first, glm::dvec3(albedo));
+    volume.AddTriangle(second, glm::dvec3(albedo));
+  };
+  quad({ wall, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, 0.9);
+  quad({ wall + 0.004, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, 0.1);
+  const double bar = 0.008;
+  const double place = 0.3;
+  quad({ place, 0, 0.5 }, { 0, 1, 0 }, { 0, 0, bar }, 0.5);
+  volume.Finish();
+  vtkIndirectHintGrid::Settings settings = HintsInUnitCube(8);
+  settings.NumberOfRays = 4096;
+  vtkIndirectHintGrid grid;
+  grid.Build(settings, &volume);
+  int wrong = 0;
+  int seen[3] = { 0, 0, 0 };
+  double share = 0.0;
+  double expected = 0.0;
+  for (int hint = 0; hint < grid.GetNumberOfHints(); ++hint)
+  {
+    const glm::dvec3 at(grid.GetHints()[hint]);
+    const bool left = at.x < wall;
+    for (int ray = 0; ray < grid.GetNumberOfRays(); ++ray)
+    {
+      const int surfel = grid.GetHit(hint, ray);
+      if (surfel < 0)
+      {
+        continue;
+      }
+      const auto& surface = grid.GetSurfels()[surfel];
+      const glm::dvec4 direction = vtkIndirectHintGrid::GetDirection(ray, 64);
+      const bool isBar = std::abs(surface.Position.x - place) < 1e-3;
+      wrong += glm::dot(glm::dvec3(surface.Normal), glm::dvec3(direction)) > 0.0;
+      wrong += std::abs(surface.Albedo.x - (isBar ? 0.5 : (left ? 0.9 : 0.1))) > 1e-6;
+      ++seen[isBar ? 2 : (left ? 0 : 1)];
+      share += isBar ? direction.w : 0.0;
+    }
+    if (left)
+    {
+      // Solid angle of the bar: a rectangle's, from four of its corner ones.
+      auto corner = [&](double y, double z)
+      {
+        const double d = std::abs(place - at.x);
+        return std::atan(y * z / (d * std::sqrt(d * d + y * y + z * z)));
+      };
+      const double y0 = -at.y;
+      const double y1 = 1.0 - at.y;
+      const double z0 = 0.5 - at.z;
+      const double z1 = z0 + bar;
+      expected += corner(y1, z1) - corner(y0, z1) - corner(y1, z0) + corner(y0, z0);
+    }
+  }
+  CheckEqual("surfaces of another colour, or turned away", wrong, 0);
+  for (int count : seen)
+  {
+    CheckAtLeast("rays on each", count, 1000, "the test's own power");
+  }
+  CheckRelative("solid angle of a bar a quarter of a voxel wide", share, expected, 0.1,
+    "4096 rays from each of 256 hints, 3 degrees apart; a voxel's width would be four times as "
+    "much");
+}
+
+VTK_INDIRECT_TEST(HintMasks)
+{
+  // A wall between two rows of hints: a voxel sees the hints of its own side and no others.
+  vtkIndirectOccupancyVolume volume;
+  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
+  const double wall = 0.52;
+  AddPatch(volume, { wall, -0.1, -0.1 }, { 0, 1.2, 0 }, { 0, 0, 1.2 }, 1);
+  volume.Finish();
+  vtkIndirectHintGrid::Settings settings = HintsInUnitCube(8);
+  settings.Masks = true;
+  vtkIndirectHintGrid grid;
+  grid.Build(settings, &volume);
+  int wrong = 0;
+  int seen = 0;
+  for (int x = 2; x < volume.GetSize().x - 2; ++x)
+  {
+    const glm::ivec3 voxel(x, 20, 31);
+    const double center = volume.ToScene(glm::dvec3(voxel) + 0.5).x;
+    const double inGrid = center * 8.0 - 0.5;
+    if (volume.IsOccupied(voxel))
+    {
+      continue;
+    }
+    const int mask = grid.GetMask(0, voxel);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const int column = std::clamp(static_cast<int>(std::floor(inGrid)) + (corner & 1), 0, 7);
+      const bool same = (center < wall) == ((column + 0.5) / 8.0 < wall);
+      wrong += same != ((mask >> corner & 1) != 0);
+      seen += mask >> corner & 1;
+    }
+  }
+  CheckEqual("hints seen through the wall or hidden by nothing", wrong, 0);
+  CheckAtLeast("hints seen", seen, 300, "the test's own power");
+}
+
+VTK_INDIRECT_TEST(HintPlanes)
+{
+  // A wall at any slant: from places in its own voxels one step leads to a free voxel, on the side
+  // that the place is on.
+  Random random(11);
+  int wrong = 0;
+  int stuck = 0;
+  int tested = 0;
+  for (int i = 0; i < 12; ++i)
+  {
+    const glm::dvec3 normal = i < 3 ? glm::dvec3(i == 0, i == 1, i == 2) : random.NextDirection();
+    const glm::dvec3 u = glm::normalize(glm::cross(normal, glm::dvec3(0.36, 0.48, 0.8)));
+    const glm::dvec3 v = glm::cross(normal, u);
+    const glm::dvec3 middle(0.5 + random.Next(-0.05, 0.05));
+    vtkIndirectOccupancyVolume volume;
+    volume.KeepTriangles();
+    volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
+    AddPatch(volume, middle - u - v, 2.0 * u, 2.0 * v, i % 2 ? 1 : 9);
+    volume.Finish();
+    vtkIndirectHintGrid::Settings settings = HintsInUnitCube(4);
+    settings.Masks = true;
+    vtkIndirectHintGrid grid;
+    grid.Build(settings, &volume);
+    const double voxel = volume.GetVoxelSize();
+    for (int k = 0; k < 2000; ++k)
+    {
+      const glm::dvec3 place = middle + random.Next(-0.3, 0.3) * u + random.Next(-0.3, 0.3) * v +
+        random.Next(-1.0, 1.0) * voxel * normal;
+      const glm::dvec3 at = volume.ToVoxels(place);
+      const glm::ivec3 home(glm::floor(at));
+      const double side = glm::dot(normal, place - middle) / voxel;
+      // Of five bits a coordinate: a sixtieth of a right angle and more off over half a diagonal.
+      if (!volume.IsOccupied(home) || std::abs(side) < 0.1)
+      {
+        continue;
+      }
+      ++tested;
+      const glm::vec4 plane =
+        vtkIndirectKernels::vtkiUnpackPlane(grid.GetMask(0, home) | (grid.GetMask(1, home) << 8));
+      const glm::dvec3 left(vtkIndirectKernels::vtkiLeavePlane(glm::vec3(at), plane));
+      stuck += volume.IsOccupied(glm::ivec3(glm::floor(left)));
+      wrong += glm::dot(normal, volume.ToScene(left) - middle) * side <= 0.0;
+    }
+  }
+  CheckAtLeast("places in walls", tested, 5000, "the test's own power");
+  CheckEqual("places led to the wall's other side", wrong, 0);
+  CheckEqual("places led to occupied voxels", stuck, 0);
+}
