@@ -92,17 +92,16 @@ void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "Sampler: " << this->Sampler << (this->Sampler ? "" : " (automatic)") << "\n";
   os << indent << "DelegatePass: " << this->DelegatePass << "\n";
-  os << indent << "Shadows: " << flag(this->Shadows) << "\n";
+  os << indent << "Shadows: " << flag(this->Settings.Shadows) << "\n";
   os << indent << "ReflectiveShadowMapResolution: " << this->GetReflectiveShadowMapResolution()
      << "\n";
-  os << indent << "NumberOfBounces: " << this->NumberOfBounces << "\n";
-  os << indent << "IndirectScale: " << this->IndirectScale << "\n";
-  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
-  os << indent << "Caching: " << flag(this->Caching) << "\n";
-  os << indent << "RemainingGeometry: " << flag(this->RemainingGeometry) << "\n";
+  os << indent << "NumberOfBounces: " << this->Settings.NumberOfBounces << "\n";
+  os << indent << "IndirectScale: " << this->Settings.IndirectScale << "\n";
+  os << indent << "ErrorTolerance: " << this->Settings.ErrorTolerance << "\n";
+  os << indent << "Caching: " << flag(this->Settings.Caching) << "\n";
+  os << indent << "RemainingGeometry: " << flag(this->Settings.RemainingGeometry) << "\n";
   os << indent << "DebugView: \"" << this->DebugView << "\"\n";
   os << indent << "Timing: " << flag(this->GetTiming()) << "\n";
-  os << indent << "NumberOfEstimates: " << this->NumberOfEstimates << "\n";
   os << indent << "Buffers:\n";
   vtkIndirectComposite::PrintChannels(os, indent.GetNextIndent());
   os << indent << "ReflectiveShadowMaps:\n";
@@ -177,17 +176,6 @@ int vtkIndirectIlluminationPass::GetReflectiveShadowMapResolution()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectIlluminationPass::SetCaching(bool caching)
-{
-  if (caching != this->Caching)
-  {
-    this->Caching = caching;
-    this->ReflectiveShadowMaps->SetCaching(caching);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::SetTiming(bool timing)
 {
   if (timing != this->Internal->Pipeline.Timer.Enabled)
@@ -242,8 +230,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   in.Pipeline.Timer.BeginFrame(window);
   const bool clear = in.View.Begin(s);
   vtkIndirectPipeline::Request request;
-  request.Settings = { this->Shadows, this->NumberOfBounces, this->IndirectScale,
-    this->ErrorTolerance, this->Caching };
+  request.Settings = this->Settings;
   request.Circumstances.OwnDelegate = this->DelegatePass != nullptr;
   if (in.Delegate.IsRefused(this->DelegatePass))
   {
@@ -273,7 +260,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   if (why.empty())
   {
     this->NumberOfRenderedProps += in.Pipeline.GetNumberOfRenderedProps();
-    this->NumberOfEstimates += in.Pipeline.DrawLight(request, clear) ? 1 : 0;
+    in.Pipeline.DrawLight(request, clear);
     this->ShowDebugView();
   }
   else
@@ -282,7 +269,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
       s, in.Delegate.IsRefused(this->DelegatePass) ? vtkIndirectDelegateGuard::Why : why);
   }
   in.Delegate.End();
-  if (this->RemainingGeometry)
+  if (this->Settings.RemainingGeometry)
   {
     this->NumberOfRenderedProps += in.View.RenderRemaining(s);
   }
@@ -379,11 +366,12 @@ std::string vtkIndirectIlluminationPass::GetReport()
   Internals& in = *this->Internal;
   vtkIndirectReport report;
   const double tolerance =
-    this->GetFrameEstimator()->FindErrorTolerance(this->ErrorTolerance); // in force
-  report.Settings = { { "Shadows", this->Shadows },
+    this->GetFrameEstimator()->FindErrorTolerance(this->Settings.ErrorTolerance); // in force
+  report.Settings = { { "Shadows", this->Settings.Shadows },
     { "ReflectiveShadowMapResolution", this->GetReflectiveShadowMapResolution() },
-    { "NumberOfBounces", this->NumberOfBounces }, { "IndirectScale", this->IndirectScale },
-    { "ErrorTolerance", tolerance }, { "Caching", this->Caching } };
+    { "NumberOfBounces", this->Settings.NumberOfBounces },
+    { "IndirectScale", this->Settings.IndirectScale }, { "ErrorTolerance", tolerance },
+    { "Caching", this->Settings.Caching } };
   in.Pipeline.AddToReport(report);
   return report.ToJSON(in.Pipeline.Timer);
 }

@@ -28,6 +28,7 @@
 #ifndef vtkIndirectIlluminationPass_h
 #define vtkIndirectIlluminationPass_h
 
+#include "vtkIndirectSettings.h" // for members
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
 
@@ -91,9 +92,7 @@ public:
    * Whether lights cast shadows. Default on: the maps send only from lit surfaces, so direct light
    * without shadows would not match the indirect light.
    */
-  vtkSetMacro(Shadows, bool);
-  vtkGetMacro(Shadows, bool);
-  vtkBooleanMacro(Shadows, bool);
+  vtkIndirectFlagMacro(Shadows);
   ///@}
 
   ///@{
@@ -110,8 +109,7 @@ public:
    * Bounces of indirect light. Default 1, range 1 to 16. What the estimator cannot compute is
    * listed in the report under left_out.
    */
-  vtkSetClampMacro(NumberOfBounces, int, 1, 16);
-  vtkGetMacro(NumberOfBounces, int);
+  vtkIndirectClampMacro(NumberOfBounces, int, 1, 16);
   ///@}
 
   ///@{
@@ -120,8 +118,7 @@ public:
    * it is not computed; with Shadows off too only the delegate runs and the picture is bitwise its
    * own.
    */
-  vtkSetClampMacro(IndirectScale, double, 0.0, 1.0e6);
-  vtkGetMacro(IndirectScale, double);
+  vtkIndirectClampMacro(IndirectScale, double, 0.0, 1.0e6);
   ///@}
 
   ///@{
@@ -132,8 +129,7 @@ public:
    * and under left_out where that is another. Default 0: the estimators' own parameters hold. Range
    * 0 to 1.
    */
-  vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
-  vtkGetMacro(ErrorTolerance, double);
+  vtkIndirectClampMacro(ErrorTolerance, double, 0.0, 1.0);
   ///@}
 
   ///@{
@@ -141,9 +137,7 @@ public:
    * Whether maps, virtual lights and irradiance are kept while nothing that they depend on has
    * changed. Default on; off for timing whole frames.
    */
-  void SetCaching(bool caching);
-  vtkGetMacro(Caching, bool);
-  vtkBooleanMacro(Caching, bool);
+  vtkIndirectFlagMacro(Caching);
   ///@}
 
   ///@{
@@ -151,9 +145,7 @@ public:
    * Whether the pass draws translucent props, volumes and overlays after the composite. Default on;
    * off when other passes of the renderer's chain draw them.
    */
-  vtkSetMacro(RemainingGeometry, bool);
-  vtkGetMacro(RemainingGeometry, bool);
-  vtkBooleanMacro(RemainingGeometry, bool);
+  vtkIndirectFlagMacro(RemainingGeometry);
   ///@}
 
   ///@{
@@ -234,9 +226,6 @@ public:
   void BorrowEstimator(vtkIndirectEstimatorPass* estimator);
 #endif
 
-  /** How many frames computed the irradiance anew since construction. */
-  vtkGetMacro(NumberOfEstimates, vtkIdType);
-
 protected:
   vtkIndirectIlluminationPass();
   ~vtkIndirectIlluminationPass() override;
@@ -245,14 +234,8 @@ protected:
   vtkVirtualLightSampler* Sampler = nullptr;
   vtkRenderPass* DelegatePass = nullptr;
   vtkReflectiveShadowMapPass* ReflectiveShadowMaps; // of the pipeline
-  bool Shadows = true;
-  int NumberOfBounces = 1;
-  double IndirectScale = 1.0;
-  double ErrorTolerance = 0.0;
-  bool Caching = true;
-  bool RemainingGeometry = true;
+  vtkIndirectSettings Settings;
   std::string DebugView;
-  vtkIdType NumberOfEstimates = 0;
 
 private:
   vtkIndirectIlluminationPass(const vtkIndirectIlluminationPass&) = delete;

@@ -41,6 +41,7 @@ const vtkIndirectChannel HalfBatchChannels[] = {
 //------------------------------------------------------------------------------
 struct vtkMultiresolutionSplattingPass::Internals
 {
+  vtkIndirectSubsplatDetails Details;
   vtkIndirectLightBlock Lights;
   vtkIndirectSubsplatPyramid Pyramid;
   vtkIndirectSubsplatIllumination Illumination;
@@ -84,24 +85,39 @@ vtkMultiresolutionSplattingPass::~vtkMultiresolutionSplattingPass() = default;
 void vtkMultiresolutionSplattingPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  static const char* const renderers[] = { "Automatic", "PointSplats", "LeafFragments",
-    "LeafCompute" };
-  os << indent << "CoarsestResolution: " << this->CoarsestResolution << "\n";
+  const SettingsType& set = this->Settings;
+  os << indent << "Preset: " << (set.Preset == PAPER ? "Paper" : "Robust") << "\n";
   os << indent << "FinestLevel: "
-     << (this->FinestLevel == FULL_RESOLUTION ? "FullResolution" : "HalfResolution") << "\n";
-  os << indent
-     << "Refinement: " << (this->Refinement == DEPTH_RANGE ? "DepthRange" : "PlaneDeviation")
-     << "\n";
-  os << indent << "PlaneThreshold: " << this->PlaneThreshold << "\n";
-  os << indent << "DepthThreshold: " << this->DepthThreshold << "\n";
-  os << indent << "NormalThreshold: " << this->NormalThreshold << "\n";
-  os << indent << "LightingThreshold: " << this->LightingThreshold << "\n";
-  os << indent << "Balance: " << (this->Balance ? "On" : "Off") << "\n";
-  os << indent << "NormalCorrection: " << (this->NormalCorrection ? "On" : "Off") << "\n";
-  os << indent << "GlossyThreshold: " << this->GlossyThreshold << "\n";
-  os << indent << "SurfaceDetail: " << this->SurfaceDetail << "\n";
-  os << indent << "Renderer: " << renderers[this->Renderer] << "\n";
-  os << indent << "Storage: " << (this->Storage == HALF_FLOAT ? "HalfFloat" : "Float") << "\n";
+     << (set.FinestLevel == FULL_RESOLUTION ? "FullResolution" : "HalfResolution") << "\n";
+  os << indent << "DepthThreshold: " << set.DepthThreshold << "\n";
+  os << indent << "PlaneThreshold: " << set.PlaneThreshold << "\n";
+  os << indent << "NormalThreshold: " << set.NormalThreshold << "\n";
+  os << indent << "SurfaceDetail: " << set.SurfaceDetail << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiresolutionSplattingPass::SetPreset(int preset)
+{
+  preset = preset == PAPER ? PAPER : ROBUST;
+  if (preset != this->Settings.Preset)
+  {
+    this->Settings.Preset = preset;
+    this->SetDetails(
+      preset == PAPER ? vtkIndirectSubsplatDetails::OfPaper() : vtkIndirectSubsplatDetails());
+  }
+}
+
+//------------------------------------------------------------------------------
+const vtkIndirectSubsplatDetails& vtkMultiresolutionSplattingPass::GetDetails() const
+{
+  return this->Internal->Details;
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiresolutionSplattingPass::SetDetails(const vtkIndirectSubsplatDetails& details)
+{
+  this->Internal->Details = details;
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -115,22 +131,21 @@ size_t vtkMultiresolutionSplattingPass::GetBytes() const
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkMultiresolutionSplattingPass::FindOwnThresholds() const
 {
+  const SettingsType standard;
+  const SettingsType& set = this->Settings;
+  const bool depthRange = this->Internal->Details.DepthRange;
   std::vector<std::string> names;
-  if (this->Refinement == DEPTH_RANGE && this->DepthThreshold != StandardDepthThreshold)
+  if (depthRange && set.DepthThreshold != standard.DepthThreshold)
   {
     names.emplace_back("DepthThreshold");
   }
-  if (this->Refinement != DEPTH_RANGE && this->PlaneThreshold != StandardPlaneThreshold)
+  if (!depthRange && set.PlaneThreshold != standard.PlaneThreshold)
   {
     names.emplace_back("PlaneThreshold");
   }
-  if (this->NormalThreshold != StandardNormalThreshold)
+  if (set.NormalThreshold != standard.NormalThreshold)
   {
     names.emplace_back("NormalThreshold");
-  }
-  if (this->LightingThreshold != StandardLightingThreshold)
-  {
-    names.emplace_back("LightingThreshold");
   }
   return names;
 }
@@ -138,41 +153,47 @@ std::vector<std::string> vtkMultiresolutionSplattingPass::FindOwnThresholds() co
 //------------------------------------------------------------------------------
 double vtkMultiresolutionSplattingPass::FindErrorTolerance(double asked) const
 {
-  return this->FindOwnThresholds().size() < NumberOfThresholds ? asked : 0.0;
+  // The threshold of the lighting is the plan's.
+  return this->Internal->Details.LightingThreshold > 0.0 || this->FindOwnThresholds().size() < 2
+    ? asked
+    : 0.0;
 }
 
 //------------------------------------------------------------------------------
 bool vtkMultiresolutionSplattingPass::MakeSettings(
   const Input& input, vtkIndirectSubsplatSettings& settings, int& renderer)
 {
+  using Details = vtkIndirectSubsplatDetails;
+  const Details& details = this->Internal->Details;
   const bool hasCompute = vtkIndirectComputeProgram::IsSupported();
-  if (this->Renderer == LEAF_COMPUTE && !hasCompute)
+  if (details.Renderer == Details::COMPUTE && !hasCompute)
   {
-    vtkErrorMacro("Renderer LEAF_COMPUTE needs OpenGL 4.3; this context is older. Use AUTOMATIC.");
+    vtkErrorMacro("Sums of compute shaders need OpenGL 4.3; this context is older.");
     return false;
   }
-  renderer = this->Renderer == POINT_SPLATS          ? vtkIndirectSubsplatIllumination::Points
-    : hasCompute && this->Renderer != LEAF_FRAGMENTS ? vtkIndirectSubsplatIllumination::Compute
-                                                     : vtkIndirectSubsplatIllumination::Fragments;
-  settings.CoarsestResolution = this->CoarsestResolution;
-  settings.HalfResolution = this->FinestLevel == HALF_RESOLUTION;
-  settings.DepthRange = this->Refinement == DEPTH_RANGE;
-  settings.PlaneThreshold = this->PlaneThreshold;
-  settings.DepthThreshold = this->DepthThreshold;
-  settings.NormalThreshold = this->NormalThreshold;
-  settings.LightingThreshold = this->LightingThreshold;
+  renderer = details.Renderer == Details::POINTS ? vtkIndirectSubsplatIllumination::Points
+    : hasCompute && details.Renderer != Details::FRAGMENTS
+    ? vtkIndirectSubsplatIllumination::Compute
+    : vtkIndirectSubsplatIllumination::Fragments;
+  static_cast<Details&>(settings) = details;
+  settings.HalfResolution = this->Settings.FinestLevel == HALF_RESOLUTION;
+  settings.PlaneThreshold = this->Settings.PlaneThreshold;
+  settings.DepthThreshold = this->Settings.DepthThreshold;
+  settings.NormalThreshold = this->Settings.NormalThreshold;
+  settings.SurfaceDetail = this->Settings.SurfaceDetail;
   const double tolerance = this->FindErrorTolerance(input.Plan.ErrorTolerance);
   if (tolerance > 0.0)
   {
-    Scale(settings.PlaneThreshold, StandardPlaneThreshold, tolerance, 100.0);
-    Scale(settings.DepthThreshold, StandardDepthThreshold, tolerance, 1.0);
-    Scale(settings.NormalThreshold, StandardNormalThreshold, tolerance, 2.0);
-    Scale(settings.LightingThreshold, StandardLightingThreshold, tolerance, 1.0);
+    const SettingsType standard;
+    Scale(settings.PlaneThreshold, standard.PlaneThreshold, tolerance, 100.0);
+    Scale(settings.DepthThreshold, standard.DepthThreshold, tolerance, 1.0);
+    Scale(settings.NormalThreshold, standard.NormalThreshold, tolerance, 2.0);
+    Scale(settings.LightingThreshold, Details().LightingThreshold, tolerance, 1.0);
   }
-  settings.Balance = this->Balance;
-  settings.NormalCorrection = this->NormalCorrection;
-  settings.SurfaceDetail = this->SurfaceDetail;
-  settings.HalfFloats = this->Storage == HALF_FLOAT;
+  if (input.Plan.ErrorTolerance > 0.0)
+  {
+    Scale(settings.GlossyThreshold, Details().GlossyThreshold, input.Plan.ErrorTolerance, 1.0);
+  }
   settings.StorageScale = settings.HalfFloats ? 1.0 / input.Plan.IrradianceUnit : 1.0;
   settings.HasCompute = hasCompute && renderer != vtkIndirectSubsplatIllumination::Fragments;
   settings.ReportsError = tolerance > 0.0;
@@ -332,11 +353,6 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
 {
   Internals& in = *this->Internal;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
-  double threshold = this->GlossyThreshold;
-  if (input.Plan.ErrorTolerance > 0.0)
-  {
-    Scale(threshold, StandardGlossyThreshold, input.Plan.ErrorTolerance, 1.0);
-  }
   in.WhyGlossyIsGathered.clear();
   if (this->HasGlossy)
   {
@@ -344,13 +360,10 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
     {
       in.WhyGlossyIsGathered = "this context has no OpenGL 4.3";
     }
-    else if (this->Renderer == LEAF_FRAGMENTS)
+    else if (settings.Renderer == vtkIndirectSubsplatDetails::FRAGMENTS ||
+      settings.GlossyThreshold == 0.0)
     {
-      in.WhyGlossyIsGathered = "Renderer is LEAF_FRAGMENTS";
-    }
-    else if (!(this->GlossyThreshold > 0.0))
-    {
-      in.WhyGlossyIsGathered = "GlossyThreshold is 0";
+      in.WhyGlossyIsGathered = "lists are off";
     }
     else if (input.Visibility.HidesSenders())
     {
@@ -373,8 +386,7 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
       in.GlossyGather.Sum(input, *this->Glossy, 1.0 / settings.StorageScale, {});
   }
   return in.Glossy.Resize(window, in.Pyramid, settings.HalfFloats) &&
-    in.Glossy.Fill(
-      input, settings, threshold, in.Pyramid, in.Lights, *this->Irradiance, *this->Glossy);
+    in.Glossy.Fill(input, settings, in.Pyramid, in.Lights, *this->Irradiance, *this->Glossy);
 }
 
 //------------------------------------------------------------------------------

@@ -71,8 +71,8 @@ void vtkRSMGatherPass::Internals::SetUniforms(
   if (neighborhood)
   {
     input.Maps.Activate(program);
-    program->SetUniformi("vtkiSampleCount", self->NumberOfSamples);
-    program->SetUniformf("vtkiRadius", static_cast<float>(self->NeighborhoodRadius));
+    program->SetUniformi("vtkiSampleCount", self->Settings.NumberOfSamples);
+    program->SetUniformf("vtkiRadius", static_cast<float>(self->Settings.NeighborhoodRadius));
     program->SetUniformi("vtkiLayerCount", input.Maps.GetNumberOfLayers());
     return;
   }
@@ -92,13 +92,11 @@ void vtkRSMGatherPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   static const char* const names[] = { "AllTexels", "VirtualLights", "Neighborhood" };
-  os << indent << "Mode: " << names[this->Mode] << "\n";
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
-  os << indent << "NeighborhoodRadius: " << this->NeighborhoodRadius << "\n";
-  os << indent << "Interpolation: " << (this->Interpolation ? "On" : "Off") << "\n";
-  os << indent << "InterpolationStep: " << this->InterpolationStep << "\n";
-  os << indent << "InterpolationMinimumCosine: " << this->InterpolationMinimumCosine << "\n";
-  os << indent << "InterpolationPlaneTolerance: " << this->InterpolationPlaneTolerance << "\n";
+  os << indent << "Mode: " << names[this->Settings.Mode] << "\n";
+  os << indent << "NumberOfSamples: " << this->Settings.NumberOfSamples << "\n";
+  os << indent << "NeighborhoodRadius: " << this->Settings.NeighborhoodRadius << "\n";
+  os << indent << "Interpolation: " << (this->Settings.Interpolation ? "On" : "Off") << "\n";
+  os << indent << "InterpolationStep: " << this->Settings.InterpolationStep << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -122,7 +120,7 @@ void vtkRSMGatherPass::AddToReport(vtkIndirectReport& report) const
 vtkVirtualLightSampler* vtkRSMGatherPass::ChooseSampler(
   vtkVirtualLightSampler* users, const vtkIndirectPlan&)
 {
-  switch (this->Mode)
+  switch (this->Settings.Mode)
   {
     case ALL_TEXELS:
       return this->Internal->AllTexels;
@@ -147,7 +145,7 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   const vtkIndirectFrame& frame = input.Frame;
   const bool neighborhood = input.Lights == nullptr;
   // The frame's sampler counts its own bytes; this one is no other's.
-  if (this->Mode != ALL_TEXELS)
+  if (this->Settings.Mode != ALL_TEXELS)
   {
     in.AllTexels->ReleaseGraphicsResources(frame.Window);
   }
@@ -162,8 +160,8 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   {
     cubes = cubes || input.Maps.GetMap(i).Projection == vtkIndirectKernels::VTKI_MAP_FACES;
   }
-  in.WhatDiskLeaves = neighborhood && (cubes || this->NeighborhoodRadius < 1.5)
-    ? "NeighborhoodRadius is " + vtkIndirectReport::Number(this->NeighborhoodRadius) +
+  in.WhatDiskLeaves = neighborhood && (cubes || this->Settings.NeighborhoodRadius < 1.5)
+    ? "NeighborhoodRadius is " + vtkIndirectReport::Number(this->Settings.NeighborhoodRadius) +
       "; the result is too dark"
     : "";
   const bool hides = input.Visibility.HidesSenders();
@@ -171,16 +169,16 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   const int rowsOfSegments = MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength;
   const int rowsPerDraw = hides ? rowsOfSegments : RowsPerDraw;
   if (hides && neighborhood &&
-    this->NumberOfSamples * input.Maps.GetNumberOfLayers() > MaximumNumberOfSegments)
+    this->Settings.NumberOfSamples * input.Maps.GetNumberOfLayers() > MaximumNumberOfSegments)
   {
     vtkErrorMacro("Mode NEIGHBORHOOD with Occupancy takes at most "
       << MaximumNumberOfSegments << " samples over all maps; lower NumberOfSamples.");
     return false;
   }
   // Pixels that interpolation leaves are summed in one go, so more rows are taken everywhere.
-  const bool interpolate =
-    this->Interpolation && this->Mode != ALL_TEXELS && !(hides && rows > rowsOfSegments);
-  const int step = interpolate ? this->InterpolationStep : 1;
+  const bool interpolate = this->Settings.Interpolation && this->Settings.Mode != ALL_TEXELS &&
+    !(hides && rows > rowsOfSegments);
+  const int step = interpolate ? this->Settings.InterpolationStep : 1;
   const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
     (frame.Size[1] + 2 * step - 2) / step };
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
@@ -254,7 +252,8 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   sums.End();
   releaseTextures();
   if (this->HasGlossy &&
-    !in.Glossy.Sum(input, *this->Glossy, 1.0, { this->NumberOfSamples, this->NeighborhoodRadius }))
+    !in.Glossy.Sum(input, *this->Glossy, 1.0,
+      { this->Settings.NumberOfSamples, this->Settings.NeighborhoodRadius }))
   {
     return false;
   }
@@ -275,8 +274,6 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   in.Coarse.Activate(0, program);
   program->SetUniformi("vtkiStep", step);
   program->SetUniform2i("vtkiCoarseSize", coarse);
-  program->SetUniformf("vtkiMinimumCosine", static_cast<float>(this->InterpolationMinimumCosine));
-  program->SetUniformf("vtkiPlaneTolerance", static_cast<float>(this->InterpolationPlaneTolerance));
   if (!neighborhood)
   {
     const int all[2] = { 0, rows };

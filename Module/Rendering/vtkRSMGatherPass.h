@@ -32,6 +32,7 @@
 #define vtkRSMGatherPass_h
 
 #include "vtkIndirectEstimatorPass.h"
+#include "vtkIndirectSettings.h"        // For properties
 #include "vtkRenderingIndirectModule.h" // For export macro
 
 class VTKRENDERINGINDIRECT_EXPORT vtkRSMGatherPass : public vtkIndirectEstimatorPass
@@ -54,8 +55,7 @@ public:
 
   ///@{
   /** Which senders are summed. Default VIRTUAL_LIGHTS. */
-  vtkSetClampMacro(Mode, int, ALL_TEXELS, NEIGHBORHOOD);
-  vtkGetMacro(Mode, int);
+  vtkIndirectClampMacro(Mode, int, ALL_TEXELS, NEIGHBORHOOD);
   void SetModeToAllTexels() { this->SetMode(ALL_TEXELS); }
   void SetModeToVirtualLights() { this->SetMode(VIRTUAL_LIGHTS); }
   void SetModeToNeighborhood() { this->SetMode(NEIGHBORHOOD); }
@@ -63,8 +63,7 @@ public:
 
   ///@{
   /** NEIGHBORHOOD: samples per map and pixel. Default 256, range 1 to 65536. */
-  vtkSetClampMacro(NumberOfSamples, int, 1, 65536);
-  vtkGetMacro(NumberOfSamples, int);
+  vtkIndirectClampMacro(NumberOfSamples, int, 1, 65536);
   ///@}
 
   ///@{
@@ -74,36 +73,17 @@ public:
    * or wide spot light it lies about the receiver's direction, across faces, up to an angle of
    * atan(2 radius): 31 degrees for 0.3, 72 for 1.5.
    */
-  vtkSetClampMacro(NeighborhoodRadius, double, 0.001, 1.5);
-  vtkGetMacro(NeighborhoodRadius, double);
+  vtkIndirectClampMacro(NeighborhoodRadius, double, 0.001, 1.5);
   ///@}
 
   ///@{
   /** Whether pixels are interpolated from coarser samples. Default on; ALL_TEXELS never does. */
-  vtkSetMacro(Interpolation, bool);
-  vtkGetMacro(Interpolation, bool);
-  vtkBooleanMacro(Interpolation, bool);
+  vtkIndirectFlagMacro(Interpolation);
   ///@}
 
   ///@{
   /** Pixels from one coarse sample to the next. Default 4, range 2 to 32. */
-  vtkSetClampMacro(InterpolationStep, int, 2, 32);
-  vtkGetMacro(InterpolationStep, int);
-  ///@}
-
-  ///@{
-  /** Least cosine between normals that are interpolated. Default 0.9, range 0 to 1. */
-  vtkSetClampMacro(InterpolationMinimumCosine, double, 0.0, 1.0);
-  vtkGetMacro(InterpolationMinimumCosine, double);
-  ///@}
-
-  ///@{
-  /**
-   * Farthest that a sample may lie from a pixel's tangent plane, as a fraction of the distance
-   * between samples on a surface that faces the eye. Default 0.5, range 0 to 100.
-   */
-  vtkSetClampMacro(InterpolationPlaneTolerance, double, 0.0, 100.0);
-  vtkGetMacro(InterpolationPlaneTolerance, double);
+  vtkIndirectClampMacro(InterpolationStep, int, 2, 32);
   ///@}
 
 #ifndef __VTK_WRAP__
@@ -118,13 +98,15 @@ protected:
   vtkRSMGatherPass();
   ~vtkRSMGatherPass() override;
 
-  int Mode = VIRTUAL_LIGHTS;
-  int NumberOfSamples = 256;
-  double NeighborhoodRadius = 0.3;
-  bool Interpolation = true;
-  int InterpolationStep = 4;
-  double InterpolationMinimumCosine = 0.9;
-  double InterpolationPlaneTolerance = 0.5;
+  struct SettingsType
+  {
+    int Mode = VIRTUAL_LIGHTS;
+    int NumberOfSamples = 256;
+    double NeighborhoodRadius = 0.3;
+    bool Interpolation = true;
+    int InterpolationStep = 4;
+  };
+  SettingsType Settings;
 
 private:
   bool Sum(const Input& input);

@@ -30,11 +30,6 @@ vtkStandardNewMacro(vtkRadianceHintsPass);
 
 namespace
 {
-double ClampTolerance(double tolerance)
-{
-  return std::clamp(tolerance, 0.002, 1.0);
-}
-
 const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
 const vtkIndirectChannel IrradianceChannels[] = {
   { "irradiance", "vtkiIrradiance", "indirect irradiance where a cell of pixels is mixed",
@@ -51,6 +46,7 @@ const vtkIndirectChannel CoarseChannels[] = {
 //------------------------------------------------------------------------------
 struct vtkRadianceHintsPass::Internals
 {
+  vtkIndirectHintDetails Details;
   vtkIndirectHintGrid Grid;
   vtkIndirectHintGrid::Settings GridSettings;
   vtkIndirectHintFields Fields;
@@ -67,8 +63,9 @@ struct vtkRadianceHintsPass::Internals
   vtkIndirectPointProgram Pixels{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintPixelFS.glsl" };
   vtkNew<vtkIndirectHintSenders> Senders;
   std::vector<double> LightKey;
-  bool NothingReflects = false; // bounces after the first have no surface
-  size_t VoxelUpdates = 0;      // that the grid was made from
+  bool NothingReflects = false;  // bounces after the first have no surface
+  long long NumberOfUpdates = 0; // of the hints' light, since construction
+  size_t VoxelUpdates = 0;       // that the grid was made from
 
   // step: between samples
   std::string GetLookupDefinitions(int step) const
@@ -107,57 +104,46 @@ vtkRadianceHintsPass::~vtkRadianceHintsPass() = default;
 void vtkRadianceHintsPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  auto flag = [](bool on) { return on ? "On" : "Off"; };
-  os << indent << "Order: " << this->Order << "\n";
-  os << indent << "ColorLayout: " << (this->ColorLayout == RGB ? "RGB" : "LumaChroma") << "\n";
-  os << indent << "Extent: " << (this->Extent == SCENE ? "Scene" : "View") << "\n";
-  os << indent << "GridResolution: " << this->GridResolution[0] << " " << this->GridResolution[1]
-     << " " << this->GridResolution[2] << "\n";
-  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
-  os << indent << "NumberOfGrids: " << this->NumberOfGrids << "\n";
-  os << indent << "FineGridExtent: " << this->FineGridExtent << "\n";
-  os << indent << "Sampling: " << (this->Sampling == DENSE ? "Dense" : "Sampled") << "\n";
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
-  os << indent << "Coverage: " << this->Coverage << "\n";
-  os << indent << "BlocksPerEdge: " << this->BlocksPerEdge << "\n";
-  os << indent << "Softening: " << flag(this->Softening) << "\n";
-  os << indent << "Deringing: " << flag(this->Deringing) << "\n";
-  os << indent << "FacingWeights: " << flag(this->FacingWeights) << "\n";
-  os << indent << "SkipEmptyCells: " << flag(this->SkipEmptyCells) << "\n";
-  os << indent << "AlbedoVolume: " << flag(this->AlbedoVolume) << "\n";
-  os << indent << "BounceSampling: " << (this->BounceSampling == HINTS ? "Hints" : "Surfaces")
-     << "\n";
-  os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
-  os << indent << "NumberOfBounceSamples: " << this->NumberOfBounceSamples << "\n";
-  os << indent << "BounceRange: " << this->BounceRange << "\n";
-  os << indent << "NumberOfLookups: " << this->NumberOfLookups << "\n";
-  os << indent << "LookupRotation: " << flag(this->LookupRotation) << "\n";
-  os << indent << "DepthOcclusion: " << flag(this->DepthOcclusion) << "\n";
-  os << indent << "NumberOfDepthSamples: " << this->NumberOfDepthSamples << "\n";
-  os << indent << "DepthAttenuation: " << this->DepthAttenuation << "\n";
-  os << indent << "InterpolationStep: " << this->InterpolationStep << "\n";
-  os << indent << "InterpolationMinimumCosine: " << this->InterpolationMinimumCosine << "\n";
-  os << indent << "InterpolationPlaneTolerance: " << this->InterpolationPlaneTolerance << "\n";
-  os << indent << "TemporalSmoothing: " << this->TemporalSmoothing << "\n";
-  os << indent << "NumberOfHintUpdates: " << this->NumberOfHintUpdates << "\n";
+  const SettingsType& set = this->Settings;
+  os << indent << "Preset: " << (set.Preset == PAPER ? "Paper" : "Robust") << "\n";
+  os << indent << "Order: " << set.Order << "\n";
+  os << indent << "Extent: " << (set.Extent == SCENE ? "Scene" : "View") << "\n";
+  os << indent << "GridResolution: " << set.GridResolution[0] << " " << set.GridResolution[1] << " "
+     << set.GridResolution[2] << "\n";
+  os << indent << "NumberOfGrids: " << set.NumberOfGrids << "\n";
+  os << indent << "FineGridExtent: " << set.FineGridExtent << "\n";
+  os << indent << "NumberOfSamples: " << set.NumberOfSamples << "\n";
+  os << indent << "DepthOcclusion: " << (set.DepthOcclusion ? "On" : "Off") << "\n";
+  os << indent << "InterpolationStep: " << set.InterpolationStep << "\n";
+  os << indent << "TemporalSmoothing: " << set.TemporalSmoothing << "\n";
   this->Internal->Coarse[this->Internal->CoarseNow].Print(os, indent);
 }
 
 //------------------------------------------------------------------------------
-void vtkRadianceHintsPass::SetToPaper()
+void vtkRadianceHintsPass::SetPreset(int preset)
 {
-  this->SetColorLayout(RGB);
-  this->SetSampling(SAMPLED);
-  this->SetNumberOfSamples(40);
-  this->SetSoftening(false);
-  this->SetDeringing(false);
-  this->SetFacingWeights(false);
-  this->SetOccupancy(false);
-  this->SetSkipEmptyCells(false);
-  this->SetAlbedoVolume(false);
-  this->SetBounceSampling(HINTS);
-  this->SetNumberOfBounceSamples(32);
-  this->SetNumberOfLookups(4);
+  preset = preset == PAPER ? PAPER : ROBUST;
+  if (preset != this->Settings.Preset)
+  {
+    this->Settings.Preset = preset;
+    this->Internal->Details =
+      preset == PAPER ? vtkIndirectHintDetails::OfPaper() : vtkIndirectHintDetails();
+    this->SetOccupancy(preset == ROBUST);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const vtkIndirectHintDetails& vtkRadianceHintsPass::GetDetails() const
+{
+  return this->Internal->Details;
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceHintsPass::SetDetails(const vtkIndirectHintDetails& details)
+{
+  this->Internal->Details = details;
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -167,47 +153,23 @@ void vtkRadianceHintsPass::SetGridResolution(int x, int y, int z)
   for (int axis = 0; axis < 3; ++axis)
   {
     const int hints = std::clamp(wanted[axis], 0, vtkIndirectHintRegions::MaximumResolution);
-    if (hints != this->GridResolution[axis])
+    if (hints != this->Settings.GridResolution[axis])
     {
-      this->GridResolution[axis] = hints;
+      this->Settings.GridResolution[axis] = hints;
       this->Modified();
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkRadianceHintsPass::SetErrorTolerance(double tolerance)
-{
-  tolerance = tolerance > 0.0 ? ClampTolerance(tolerance) : 0.0;
-  if (tolerance != this->ErrorTolerance)
-  {
-    this->ErrorTolerance = tolerance;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 double vtkRadianceHintsPass::FindErrorTolerance(double asked) const
 {
-  const int* hints = this->GridResolution;
+  const int* hints = this->Settings.GridResolution;
   if (hints[0] > 0 && hints[1] > 0 && hints[2] > 0)
   {
     return 0.0;
   }
-  return this->ErrorTolerance > 0.0 ? this->ErrorTolerance
-    : asked > 0.0                   ? ClampTolerance(asked)
-                                    : 0.05;
-}
-
-//------------------------------------------------------------------------------
-void vtkRadianceHintsPass::SetNumberOfLookups(int lookups)
-{
-  lookups = lookups < 3 ? 1 : 4;
-  if (lookups != this->NumberOfLookups)
-  {
-    this->NumberOfLookups = lookups;
-    this->Modified();
-  }
+  return asked > 0.0 ? std::clamp(asked, 0.002, 1.0) : 0.05;
 }
 
 //------------------------------------------------------------------------------
@@ -220,12 +182,6 @@ int vtkRadianceHintsPass::GetNumberOfHints() const
 int vtkRadianceHintsPass::GetNumberOfActiveHints() const
 {
   return this->Internal->Grid.GetNumberOfActiveHints();
-}
-
-//------------------------------------------------------------------------------
-int vtkRadianceHintsPass::GetLayout() const
-{
-  return this->Order == 2 ? 0 : (this->ColorLayout == LUMA_CHROMA ? 1 : 2);
 }
 
 //------------------------------------------------------------------------------
@@ -248,20 +204,20 @@ vtkVirtualLightSampler* vtkRadianceHintsPass::ChooseSampler(
   vtkVirtualLightSampler*, const vtkIndirectPlan& plan)
 {
   Internals& in = *this->Internal;
-  in.Senders->SetBlocksPerEdge(this->BlocksPerEdge);
-  return this->Sampling == SAMPLED && plan.Senders == vtkIndirectPlan::MAPS ? nullptr
-                                                                            : in.Senders.Get();
+  in.Senders->SetBlocksPerEdge(in.Details.BlocksPerEdge);
+  return !in.Details.Dense && plan.Senders == vtkIndirectPlan::MAPS ? nullptr : in.Senders.Get();
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectVisibilityNeeds vtkRadianceHintsPass::GetVisibilityNeeds(
   const vtkIndirectPlan& plan) const
 {
+  const vtkIndirectHintDetails& details = this->Internal->Details;
   vtkIndirectVisibilityNeeds needs;
   needs.Senders = this->Occupancy;
-  needs.Volume = this->SkipEmptyCells || plan.NumberOfBounces > 1;
-  needs.Triangles = this->Occupancy ||
-    (plan.NumberOfBounces > 1 && (this->BounceSampling == SURFACES || this->AlbedoVolume));
+  needs.Volume = details.SkipEmptyCells || plan.NumberOfBounces > 1;
+  needs.Triangles =
+    this->Occupancy || (plan.NumberOfBounces > 1 && (!details.FromHints || details.AlbedoVolume));
   needs.Resolution = this->OccupancyResolution;
   return needs;
 }
@@ -308,16 +264,16 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
 
   vtkIndirectHintGrid::Settings settings;
   vtkIndirectHintRegions regions;
-  regions.OfView = this->Extent == VIEW;
-  std::copy(this->GridResolution, this->GridResolution + 3, &regions.Resolution.x);
+  regions.OfView = this->Settings.Extent == VIEW;
+  std::copy_n(this->Settings.GridResolution, 3, &regions.Resolution.x);
   regions.Tolerance = this->FindErrorTolerance(input.Plan.ErrorTolerance);
-  regions.HasFine = this->NumberOfGrids > 1;
-  regions.FineExtent = this->FineGridExtent;
+  regions.HasFine = this->Settings.NumberOfGrids > 1;
+  regions.FineExtent = this->Settings.FineGridExtent;
   settings.Regions = regions.Find(frame);
   settings.Masks = this->Occupancy;
-  settings.SkipEmpty = this->SkipEmptyCells;
-  settings.Reach = this->NumberOfLookups > 1 ? 1.5 * std::sqrt(3.0) : 1.0;
-  settings.NumberOfRays = needs.Triangles ? this->NumberOfRays : 0;
+  settings.SkipEmpty = in.Details.SkipEmptyCells;
+  settings.Reach = in.Details.NumberOfLookups > 1 ? 1.5 * std::sqrt(3.0) : 1.0;
+  settings.NumberOfRays = needs.Triangles ? in.Details.NumberOfRays : 0;
 
   if (input.Plan.Caching && settings == in.GridSettings && in.Grid.GetNumberOfHints() > 0 &&
     in.VoxelUpdates == input.Visibility.GetNumberOfUpdates())
@@ -340,7 +296,7 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   if (!why.empty())
   {
     in.Grid.Clear();
-    vtkErrorMacro(<< why << " Lower NumberOfRays, GridResolution or NumberOfGrids.");
+    vtkErrorMacro(<< why << " Lower GridResolution or NumberOfGrids.");
     return false;
   }
   return true;
@@ -351,28 +307,18 @@ bool vtkRadianceHintsPass::UpdateLight(const Input& input, bool anew)
 {
   Internals& in = *this->Internal;
   vtkIndirectHintFields::Settings& settings = in.Settings;
-  settings.Layout = this->GetLayout();
+  static_cast<vtkIndirectHintDetails&>(settings) = in.Details;
+  settings.Layout = this->Settings.Order == 2 ? 0 : (in.Details.LumaChroma ? 1 : 2);
   settings.Bounces = input.Plan.NumberOfBounces;
-  settings.NumberOfSamples = this->NumberOfSamples;
-  settings.Coverage = this->Coverage;
-  settings.Softening = this->Softening;
-  settings.Deringing = this->Deringing;
-  settings.FacingWeights = this->FacingWeights;
+  settings.NumberOfSamples = this->Settings.NumberOfSamples;
   settings.Visibility = input.Visibility.HidesSenders();
-  settings.AlbedoVolume = this->AlbedoVolume;
-  settings.FromHints = this->BounceSampling == HINTS;
-  settings.NumberOfBounceSamples = this->NumberOfBounceSamples;
-  settings.BounceRange = this->BounceRange;
-  settings.NumberOfLookups = this->NumberOfLookups;
-  settings.LookupRotation = this->LookupRotation;
-  settings.NumberOfDepthSamples = this->DepthOcclusion ? this->NumberOfDepthSamples : 0;
-  settings.DepthAttenuation = this->DepthAttenuation;
+  settings.DepthOcclusion = this->Settings.DepthOcclusion;
 
   std::vector<double> key = { static_cast<double>(this->GetMTime()),
     static_cast<double>(settings.Bounces), static_cast<double>(input.Plan.Senders),
     static_cast<double>(
       input.Lights ? input.Lights->GetContentTime() : input.Maps.GetContentTime()) };
-  if (this->DepthOcclusion)
+  if (settings.DepthOcclusion)
   {
     const vtkIndirectFrame& frame = input.Frame;
     key.insert(key.end(), &frame.WorldToView[0][0], &frame.WorldToView[0][0] + 16);
@@ -388,7 +334,7 @@ bool vtkRadianceHintsPass::UpdateLight(const Input& input, bool anew)
     return false;
   }
   in.NothingReflects = settings.Bounces > 1 && input.Visibility.GetVolume().IsEmpty();
-  ++this->NumberOfHintUpdates;
+  ++in.NumberOfUpdates;
   in.LightKey = key;
   return true;
 }
@@ -399,10 +345,10 @@ bool vtkRadianceHintsPass::LookUp(const Input& input)
   vtkIndirectStageTimer& timer = input.Timer;
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
-  const int step = this->InterpolationStep;
+  const int step = this->Settings.InterpolationStep;
   const int width = (frame.Size[0] + 2 * step - 2) / step;
   const int height = (frame.Size[1] + 2 * step - 2) / step;
-  const bool smooth = this->TemporalSmoothing > 0.0;
+  const bool smooth = this->Settings.TemporalSmoothing > 0.0;
   const bool kept = in.CoarseValid && in.Coarse[in.CoarseNow].GetWidth() == width &&
     in.Coarse[in.CoarseNow].GetHeight() == height;
   const int next = smooth ? 1 - in.CoarseNow : 0;
@@ -411,7 +357,7 @@ bool vtkRadianceHintsPass::LookUp(const Input& input)
   // can be seen: then look-ups come to rest.
   constexpr double least = 1.0 / 4096.0;
   const bool mix = smooth && kept &&
-    (in.StillFrames == 0 || std::pow(this->TemporalSmoothing, in.StillFrames) > least);
+    (in.StillFrames == 0 || std::pow(this->Settings.TemporalSmoothing, in.StillFrames) > least);
   in.Converged = !mix;
   const std::string definitions = in.GetLookupDefinitions(step);
   in.LookUpKernel.SetDefinitions(definitions + (mix ? "#define VTKI_KEEP\n" : ""));
@@ -429,10 +375,9 @@ bool vtkRadianceHintsPass::LookUp(const Input& input)
   timer.Begin(vtkIndirectStageTimer::Estimate);
   in.Coarse[next].Begin();
   in.ActivateLookup(program, input);
-  this->SetInterpolationUniforms(program);
   if (mix)
   {
-    program->SetUniformf("vtkiKeep", static_cast<float>(this->TemporalSmoothing));
+    program->SetUniformf("vtkiKeep", static_cast<float>(this->Settings.TemporalSmoothing));
     in.Coarse[in.CoarseNow].Activate(0, program, "vtkiLast");
   }
   in.LookUpKernel.Draw();
@@ -462,7 +407,7 @@ bool vtkRadianceHintsPass::FillMixedCells(const Input& input)
   const vtkIndirectFrame& frame = input.Frame;
   vtkIndirectTarget& coarse = in.Coarse[in.CoarseNow];
   const int cells = coarse.GetWidth() * coarse.GetHeight();
-  const int step = this->InterpolationStep;
+  const int step = this->Settings.InterpolationStep;
   const std::string definitions = in.GetLookupDefinitions(step);
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]))
   {
@@ -490,7 +435,6 @@ bool vtkRadianceHintsPass::FillMixedCells(const Input& input)
     coarse.Activate(0, program);
     const int size[2] = { coarse.GetWidth(), coarse.GetHeight() };
     program->SetUniform2i("vtkiCoarseSize", size);
-    this->SetInterpolationUniforms(program);
     points->Draw(cells, step);
     coarse.Deactivate();
     in.DeactivateLookup(input);
@@ -501,18 +445,13 @@ bool vtkRadianceHintsPass::FillMixedCells(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkRadianceHintsPass::SetInterpolationUniforms(vtkShaderProgram* program) const
-{
-  program->SetUniformf("vtkiMinimumCosine", static_cast<float>(this->InterpolationMinimumCosine));
-  program->SetUniformf("vtkiPlaneTolerance", static_cast<float>(this->InterpolationPlaneTolerance));
-}
-
-//------------------------------------------------------------------------------
 void vtkRadianceHintsPass::AddToReport(vtkIndirectReport& report) const
 {
   const Internals& in = *this->Internal;
+  report.Counters["hint_updates"] = in.NumberOfUpdates;
   std::string grid = std::to_string(this->GetNumberOfActiveHints()) + " of " +
-    std::to_string(this->GetNumberOfHints()) + " hints of order " + std::to_string(this->Order);
+    std::to_string(this->GetNumberOfHints()) + " hints of order " +
+    std::to_string(this->Settings.Order);
   for (const auto& region : in.GridSettings.Regions)
   {
     grid += (&region == &in.GridSettings.Regions[0] ? ", " : " and ") +
@@ -538,7 +477,7 @@ std::vector<vtkRadianceHintsPass::Hint> vtkRadianceHintsPass::ReadHints()
   const int layout = in.Fields.GetLayout();
   if (channels.empty() || layout == 1)
   {
-    vtkErrorMacro("Hints can be read after a frame, and of ColorLayout RGB or order 2 only.");
+    vtkErrorMacro("Hints can be read after a frame, of order 2, or of order 3 in RGB.");
     return {};
   }
   for (size_t i = 0; i < hints.size(); ++i)

@@ -84,9 +84,7 @@ void vtkReflectiveShadowMapPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Resolution: " << this->Resolution << "\n";
-  os << indent << "Caching: " << (this->Caching ? "On" : "Off") << "\n";
   os << indent << "NumberOfMaps: " << this->GetNumberOfMaps() << "\n";
-  os << indent << "NumberOfFacesDrawn: " << this->NumberOfFacesDrawn << "\n";
   vtkIndirectPrintChannels(os, indent, Channels);
 }
 
@@ -206,7 +204,7 @@ bool vtkReflectiveShadowMapPass::Update(
         }
       }
       FaceKey& last = in.Faces[map.FirstLayer + face];
-      if (this->Caching && last.Valid && last.Map == key.Map && last.Casters == key.Casters)
+      if (plan.Caching && last.Valid && last.Map == key.Map && last.Casters == key.Casters)
       {
         continue;
       }

@@ -55,18 +55,8 @@ public:
   vtkGetMacro(Resolution, int);
   ///@}
 
-  ///@{
-  /** Whether faces whose light and scene are unchanged are kept. Default on. */
-  vtkSetMacro(Caching, bool);
-  vtkGetMacro(Caching, bool);
-  vtkBooleanMacro(Caching, bool);
-  ///@}
-
   /** Number of lights that have a map in the last frame. */
   int GetNumberOfMaps() const;
-
-  /** How many faces were drawn since construction. */
-  vtkGetMacro(NumberOfFacesDrawn, vtkIdType);
 
   /** Draws the maps of a state's lights. */
   void Render(const vtkRenderState* s) override;
@@ -81,6 +71,11 @@ public:
     const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture);
 
   const vtkIndirectLightMap& GetMap(int i) const;
+  /** Since construction. */
+  vtkIdType GetNumberOfFacesDrawn() const
+  {
+    return this->NumberOfFacesDrawn;
+  }
   /** Texels along an edge: Resolution. */
   int GetTexels() const
   {
@@ -109,7 +104,6 @@ protected:
   ~vtkReflectiveShadowMapPass() override;
 
   int Resolution = 512;
-  bool Caching = true;
   vtkIdType NumberOfFacesDrawn = 0;
   vtkTimeStamp ContentTime;
 

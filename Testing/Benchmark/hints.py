@@ -70,7 +70,7 @@ def main() -> int:
         window.AddRenderer(renderer)
         indirect = methods.enable(renderer, "hints", NumberOfBounces=2)
         hints = indirect.GetEstimator()
-        hints.SetToPaper()
+        hints.SetPresetToPaper()
         for name, (grid, samples) in GRIDS.items():
             hints.SetGridResolution(*grid)
             hints.SetNumberOfSamples(samples)

@@ -11,8 +11,8 @@ them tell how long it took here. Nothing is reused between frames; times are med
 - speed: at SIZE x SIZE with 256 lights, indirect stages of the gather at every pixel over those of
   multiresolution splatting, its RMSE to that gather, and what VTK's SSAO (32 samples, blurred)
   adds to a plain frame.
-- pixels: growth of subsplats, of evaluation (time with 1024 lights less time with one that nothing is
-  refined for) and of all indirect stages for four times the pixels, SIZE / 2 to SIZE.
+- pixels: growth of subsplats, of evaluation (time with 1024 lights less time with one) and of all
+  indirect stages for four times the pixels, SIZE / 2 to SIZE.
 - lights: a whole frame from 100 to 3600 lights.
 - paper: Table 1 and Figures 7 and 8 of Nichols and Wyman 2009 on scenes with about as many triangles. Their
   column is the resolution of the indirect light in a picture of 1024 x 1024, here that of the window.
@@ -205,22 +205,20 @@ def part_pixels(rounds: int, size: int) -> None:
     rows = []
     for name in ("apartment_living", "frog"):
         bench = open_scene(name, size)
-        threshold = bench.splatting.GetLightingThreshold()
         bench.use(bench.splatting)()
 
-        def choose(edge: int, number: int, lighting: float, bench: Bench = bench) -> Apply:
+        def choose(edge: int, number: int, bench: Bench = bench) -> Apply:
             def apply() -> None:
                 bench.window.SetSize(edge, edge)
                 bench.set_lights(number)
-                bench.splatting.SetLightingThreshold(lighting)
 
             return apply
 
         # More lights for the sums: with the usual number they are a few milliseconds of a small
-        # picture, and differences of times come out as noise. What is there without sums: one light
-        # that nothing is refined for.
-        kinds = ((1, 0.0), (LIGHTS, threshold), (4 * LIGHTS, threshold))
-        ways = {f"{e} {n}": choose(e, n, t) for e in (size // 2, size) for n, t in kinds}
+        # picture, and differences of times come out as noise. What is there without sums: one light.
+        ways = {
+            f"{e} {n}": choose(e, n) for e in (size // 2, size) for n in (1, LIGHTS, 4 * LIGHTS)
+        }
         few_small, small, many_small, few_large, large, many_large = bench.alternate(
             ways, rounds
         ).values()
@@ -228,7 +226,7 @@ def part_pixels(rounds: int, size: int) -> None:
                 for many, few in ((many_small, few_small), (many_large, few_large))]  # fmt: skip
         counts = []
         for edge in (size // 2, size):
-            choose(edge, LIGHTS, threshold)()
+            choose(edge, LIGHTS)()
             bench.window.Render()
             counts.append(count_subsplats(bench))
         rows.append((name, f"{counts[1] / counts[0]:.2f}", f"{sums[1] / sums[0]:.2f}",
@@ -328,7 +326,7 @@ def part_paper(rounds: int, size: int) -> None:
     for name, balls, resolution in (("6K", 4, 28), ("250K", 16, 88), ("400K", 25, 89)):
         bench, triangles = open_room(balls, resolution, size)
         bench.use(bench.splatting)()
-        bench.splatting.SetCoarsestResolution(16)
+        bench.splatting.SetPresetToPaper()
         times = bench.alternate(
             {str(e): lambda e=e, w=bench.window: w.SetSize(e, e) for e in edges}, rounds
         )
@@ -374,16 +372,16 @@ def figure_7(rounds: int, size: int) -> None:
     bench = open_scene("frog", size)
     splatting = bench.splatting
 
-    def choose(refinement: str, threshold: float, detail: float) -> Apply:
+    def choose(preset: str, threshold: float, detail: float) -> Apply:
         def apply() -> None:
             bench.use(splatting)()
-            getattr(splatting, f"SetRefinementTo{refinement}")()
+            getattr(splatting, f"SetPresetTo{preset}")()
             splatting.SetNormalThreshold(threshold)
             splatting.SetSurfaceDetail(detail)
 
         return apply
 
-    kinds = (("DepthRange", "the paper's test"), ("PlaneDeviation", "from the plane"))
+    kinds = (("Paper", "the paper's test"), ("Robust", "from the plane"))
     steps = ((0.25, 0.0), (1.4, 0.0), (1.4, 0.5))
     ways = {f"{k} {n} {d}": choose(k, n, d) for k, _ in kinds for n, d in steps}
     times = bench.alternate(ways, rounds)

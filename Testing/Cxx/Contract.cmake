@@ -22,7 +22,7 @@ target_link_libraries(TestPassContract
     $<TARGET_NAME_IF_EXISTS:VTK::glew>
     $<TARGET_NAME_IF_EXISTS:VTK::glad>
     $<TARGET_NAME_IF_EXISTS:OpenGL::OpenGL>)
-target_include_directories(TestPassContract PRIVATE Harness)
+target_include_directories(TestPassContract PRIVATE Harness "${module_dir}/Private")
 vtk_indirect_compile_options(TestPassContract)
 
 vtk_indirect_add_tests(TestPassContract PREFIX Contract LABEL contract SOURCES ${contract_sources}

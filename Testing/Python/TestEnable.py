@@ -93,20 +93,18 @@ class Enable(unittest.TestCase):
             NumberOfLights=300,
             normal_threshold=0.1,
             FinestLevel="half_resolution",
-            Storage="float",
-            Balance=False,
+            Preset="paper",
         )
         estimator = indirect.GetEstimator()
         self.assertEqual(estimator.GetClassName(), "vtkMultiresolutionSplattingPass")
         self.assertEqual(indirect.GetSampler().GetNumberOfLights(), 300)
         self.assertEqual(estimator.GetNormalThreshold(), 0.1)
         self.assertEqual(estimator.GetFinestLevel(), estimator.HALF_RESOLUTION)
-        self.assertEqual(estimator.GetStorage(), estimator.FLOAT)
-        self.assertFalse(estimator.GetBalance())
+        self.assertEqual(estimator.GetPreset(), estimator.PAPER)
         for settings, expected in (
             ({"NormalThreshold": 2.5}, "NormalThreshold: 2.5 is out of range"),
             ({"FinestLevel": "quarter"}, "unknown value 'quarter'"),
-            ({"CoarsestResolution": 2}, "CoarsestResolution: 2 is out of range"),
+            ({"PlaneThreshold": -2}, "PlaneThreshold: -2 is out of range"),
         ):
             with self.subTest(settings=settings), self.assertRaises(UsageError) as caught:
                 vtkindirect.enable(self.renderer, "multiresolution", **settings)

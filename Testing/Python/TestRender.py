@@ -91,7 +91,7 @@ class Render(unittest.TestCase):
         for name, settings in {
             "default": {},
             "half": {"FinestLevel": "half_resolution"},
-            "finest": {"PlaneThreshold": 0, "Storage": "float"},
+            "finest": {"PlaneThreshold": 0},
         }.items():
             scene, report = self.render(
                 "cornell_box", method="multiresolution", settings={**lights, **settings}, frames=2
@@ -101,7 +101,7 @@ class Render(unittest.TestCase):
                 self.assertGreater(report["stages"][stage]["median_ms"], 0.0)
             found = vtkindirect.copy_buffer(scene.renderer, "irradiance")
             errors[name] = float(np.sqrt(((found - expected) ** 2).mean()) / expected.mean())
-        self.assertLess(errors["finest"], 1e-5)
+        self.assertLess(errors["finest"], 1e-3)  # sums are stored in half floats
         self.assertLess(errors["default"], 0.05)
         self.assertLess(errors["default"], errors["half"])
         self.assertLess(errors["half"], 0.1)

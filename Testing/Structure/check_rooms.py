@@ -28,6 +28,7 @@ ROOMS = [
     "Pipeline",
 ]
 PUBLIC = {
+    "vtkIndirectSettings": "Frame",
     "vtkReflectiveShadowMapPass": "LightMaps",
     "vtkVirtualLightSampler": "VirtualLights",
     "vtkMapLightSampler": "VirtualLights",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CardSceneParts.h"
+#include "vtkIndirectDetails.h"
 
 #include "CardExpected.h"
 #include "CardImages.h"
@@ -235,18 +236,20 @@ std::vector<card::Part> card::MakeSceneParts(const Options& options, bool smalle
 card::Part card::MakePathsPart(const Options& options)
 {
   using Splatting = vtkMultiresolutionSplattingPass;
-  // What users choose by a property. Compute has atomic counters, points and fragments have none.
+  // What is no path of OpenGL calls. Compute has atomic counters, points and fragments have none.
   static const std::map<std::string, void (*)(Splatting*)> properties = {
     // Its sums would round at every light in half floats.
     { "Renderer=PointSplats,Storage=Float",
       [](Splatting* pass)
       {
-        pass->SetRendererToPointSplats();
-        pass->SetStorageToFloat();
+        SET_DETAIL(pass, Renderer, vtkIndirectSubsplatDetails::POINTS);
+        SET_DETAIL(pass, HalfFloats, false);
       } },
-    { "Renderer=LeafFragments", [](Splatting* pass) { pass->SetRendererToLeafFragments(); } },
-    { "Renderer=LeafCompute", [](Splatting* pass) { pass->SetRendererToLeafCompute(); } },
-    { "Storage=Float", [](Splatting* pass) { pass->SetStorageToFloat(); } },
+    { "Renderer=LeafFragments",
+      [](Splatting* pass) { SET_DETAIL(pass, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS); } },
+    { "Renderer=LeafCompute",
+      [](Splatting* pass) { SET_DETAIL(pass, Renderer, vtkIndirectSubsplatDetails::COMPUTE); } },
+    { "Storage=Float", [](Splatting* pass) { SET_DETAIL(pass, HalfFloats, false); } },
   };
   Part part;
   part.Name = "paths";

@@ -156,10 +156,9 @@ VTK_INDIRECT_TEST(PropsBillboard)
   room.GetRenderer()->AddActor(label);
   room.GetRenderer()->SetPass(room.Pass);
   const Pixels drawn = room.Window.Grab();
-  const vtkIdType faces = room.Pass->GetReflectiveShadowMaps()->GetNumberOfFacesDrawn();
+  const vtkIdType faces = CountOf(room.Pass, "faces_drawn");
   const Pixels cached = room.Window.Grab();
-  CONTRACT_CHECK(
-    faces > 0 && faces == room.Pass->GetReflectiveShadowMaps()->GetNumberOfFacesDrawn(),
+  CONTRACT_CHECK(faces > 0 && faces == CountOf(room.Pass, "faces_drawn"),
     "maps were to be drawn once, in the first frame");
   CONTRACT_CHECK(Compare(drawn, cached).Max == 0.0, Compare(drawn, cached));
   size_t yellow = 0;
@@ -275,7 +274,8 @@ VTK_INDIRECT_TEST(PropsLeftOut)
   room.GetRenderer()->AddVolume(volume);
   room.Grab(true);
   CheckReported(room.Pass, "volumes neither send nor receive");
-  const std::string why = contract::Report(room.Pass).FindReason("left_out", "vtkOpenGLActor, 3 props");
+  const std::string why =
+    contract::Report(room.Pass).FindReason("left_out", "vtkOpenGLActor, 3 props");
   CONTRACT_CHECK(why.find("translucent geometry") == 0, why);
 }
 

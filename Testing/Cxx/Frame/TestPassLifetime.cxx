@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the pass holds of OpenGL, when it lets go of it, and in which order things may be destroyed.
 #include "vtkIndirectContractUtilities.h"
+#include "vtkIndirectDetails.h"
 
 #if __has_include("vtk_glad.h")
 #include "vtk_glad.h"
@@ -165,13 +166,13 @@ VTK_INDIRECT_TEST(ReleaseMultiresolution)
   for (int turn = 0; turn < 3; ++turn)
   {
     view.Renderer->SetPass(pass);
-    splatting->SetStorageToFloat();
-    const double lighting = splatting->GetLightingThreshold();
-    splatting->SetLightingThreshold(0.0);
+    SET_DETAIL(splatting, HalfFloats, false);
+    const double lighting = splatting->GetDetails().LightingThreshold;
+    SET_DETAIL(splatting, LightingThreshold, 0.0);
     splatting->SetFinestLevelToHalfResolution();
     view.Window->Render();
-    splatting->SetStorageToHalfFloat();
-    splatting->SetLightingThreshold(lighting);
+    SET_DETAIL(splatting, HalfFloats, true);
+    SET_DETAIL(splatting, LightingThreshold, lighting);
     splatting->SetFinestLevelToFullResolution();
     // Fewer levels, then more.
     for (const auto& size : { std::array<int, 2>{ 41, 1 }, { 321, 203 }, { 160, 120 } })
@@ -227,9 +228,9 @@ VTK_INDIRECT_TEST(ToggleHints)
     hints->SetOrder(i % 2 ? 2 : 3);
     view.Window->Render();
     hints->SetOrder(2);
-    hints->SetBounceSamplingToHints();
+    SET_DETAIL(hints, FromHints, true);
     view.Window->Render();
-    hints->SetBounceSamplingToSurfaces();
+    SET_DETAIL(hints, FromHints, false);
     view.Window->Render();
     const Names on = CountNames(view.Window);
     const Pixels with = Grab(view.Window, false);

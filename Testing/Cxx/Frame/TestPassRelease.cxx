@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Resources are given back to a window, and only then.
+#include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
 #include "vtkMultiresolutionSplattingPass.h"
@@ -42,15 +43,14 @@ VTK_INDIRECT_TEST(ReleaseWithoutWindow)
     view.Renderer->SetPass(pass);
     const Pixels picture = view.Grab();
     const Floats irradiance = Read(pass, "irradiance");
-    const vtkIdType faces = pass->GetReflectiveShadowMaps()->GetNumberOfFacesDrawn();
-    const vtkIdType estimates = pass->GetNumberOfEstimates();
+    const vtkIdType faces = CountOf(pass, "faces_drawn");
+    const vtkIdType estimates = CountOf(pass, "estimates");
     releaseAll();
     const char* name = estimator->GetClassName();
     CONTRACT_CHECK(Compare(irradiance, Read(pass, "irradiance")).Max == 0.0, name);
     CONTRACT_CHECK(Compare(picture, view.Grab()).Max == 0.0, name);
-    CONTRACT_CHECK(pass->GetReflectiveShadowMaps()->GetNumberOfFacesDrawn() == faces,
-      name << ": the maps were drawn again");
-    CONTRACT_CHECK(pass->GetNumberOfEstimates() == estimates, name << ": estimated again");
+    CONTRACT_CHECK(CountOf(pass, "faces_drawn") == faces, name << ": the maps were drawn again");
+    CONTRACT_CHECK(CountOf(pass, "estimates") == estimates, name << ": estimated again");
   }
   // Stages alone. They leave the renderer's lights to VTK.
   vtkNew<vtkReflectiveShadowMapPass> maps;

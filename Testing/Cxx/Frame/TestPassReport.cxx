@@ -2,6 +2,7 @@
 // What the report says, and that it is what was in force.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
+#include "vtkIndirectDetails.h"
 
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkPlaneSource.h"
@@ -52,9 +53,8 @@ VTK_INDIRECT_TEST(ReportReader)
   {
     CONTRACT_CHECK(Report(std::string(good)).IsValid(), good);
   }
-  for (const char* bad :
-    { "", "{", "{\"a\": 0,5}", "{\"a\": 1.}", "{\"a\": .5}", "01", "+1", "nan", "1.024.000",
-      "\"\n\"", "\"\\x\"", "\"\xe4\"", "\"\xc0\xaf\"", "[1,]", "{} {}" })
+  for (const char* bad : { "", "{", "{\"a\": 0,5}", "{\"a\": 1.}", "{\"a\": .5}", "01", "+1", "nan",
+         "1.024.000", "\"\n\"", "\"\\x\"", "\"\xe4\"", "\"\xc0\xaf\"", "[1,]", "{} {}" })
   {
     CONTRACT_CHECK(!Report(std::string(bad)).IsValid(), bad);
   }
@@ -98,8 +98,8 @@ VTK_INDIRECT_TEST(ReportGrid)
 }
 
 //------------------------------------------------------------------------------
-// ErrorTolerance is the one in force: an estimator's own, else the pass's where the estimator can
-// choose by it. Where it is not the pass's, the report says so.
+// ErrorTolerance is the one in force: where the estimator cannot choose by it, or only by another,
+// the report says so.
 VTK_INDIRECT_TEST(ReportTolerance)
 {
   const std::string value = "settings.ErrorTolerance";
@@ -108,29 +108,23 @@ VTK_INDIRECT_TEST(ReportTolerance)
     vtkNew<vtkRadianceHintsPass> hints;
     ReportView view(hints);
     // Hints along the longest axis: sqrt(12 / tolerance); the room is a cube.
-    auto check = [&](double own, double pass, double expected, int along)
+    auto check = [&](double pass, double expected, int along)
     {
-      hints->SetErrorTolerance(own);
       view.Pass->SetErrorTolerance(pass);
       const Report report = view.Render();
       CONTRACT_CHECK(report.GetNumber(value) == expected,
-        own << ", " << pass << ": " << report.Get(value) << " for " << expected);
+        pass << ": " << report.Get(value) << " for " << expected);
       CONTRACT_CHECK(hints->GetNumberOfHints() == along * along * along,
-        own << ", " << pass << ": " << hints->GetNumberOfHints() << " hints");
+        pass << ": " << hints->GetNumberOfHints() << " hints");
       CONTRACT_CHECK(
         report.FindReason("left_out", asked).empty() == (pass == expected || pass == 0.0),
         report.GetText());
     };
-    check(0.0, 0.0, 0.05, 16);
-    check(0.1, 0.0, 0.1, 11);
-    check(0.0, 0.02, 0.02, 25);
-    check(0.1, 0.02, 0.1, 11);
-    hints->SetErrorTolerance(1e-9);
-    CONTRACT_CHECK(hints->GetErrorTolerance() == 0.002, "clamped");
-    hints->SetErrorTolerance(-1.0);
-    CONTRACT_CHECK(hints->GetErrorTolerance() == 0.0, "the pass's");
+    check(0.0, 0.05, 16);
+    check(0.1, 0.1, 11);
+    check(0.02, 0.02, 25);
     hints->SetGridResolution(3, 3, 3);
-    check(0.0, 0.02, 0.0, 3);
+    check(0.02, 0.0, 3);
   }
   {
     vtkNew<vtkRSMGatherPass> gather;
@@ -154,24 +148,29 @@ VTK_INDIRECT_TEST(ToleranceKeepsThresholds)
   {
     splatting->SetPlaneThreshold(plane);
     splatting->SetNormalThreshold(normal);
-    splatting->SetLightingThreshold(lighting);
+    SET_DETAIL(splatting, LightingThreshold, lighting);
     view.Pass->SetErrorTolerance(tolerance);
     view.Grab();
     return Read(view.Pass, "subsplat.level");
   };
-  const Floats defaults = render(0.25, 0.2, 0.0015, 0.0);
+  const double lighting = splatting->GetDetails().LightingThreshold;
+  const Floats defaults = render(0.25, 0.2, lighting, 0.0);
   // Twice the standard tolerance doubles what is not set.
-  const Floats doubled = render(0.5, 0.4, 0.003, 0.0);
+  const Floats doubled = render(0.5, 0.4, 2.0 * lighting, 0.0);
   CONTRACT_CHECK(Compare(defaults, doubled).Max > 0.0, "the test's own power");
-  CONTRACT_CHECK(Compare(doubled, render(0.25, 0.2, 0.0015, 0.04)).Max == 0.0, "all are scaled");
+  CONTRACT_CHECK(Compare(doubled, render(0.25, 0.2, lighting, 0.04)).Max == 0.0, "all are scaled");
   CONTRACT_CHECK(Report(view.Pass).GetNumber("settings.ErrorTolerance") == 0.04, "in force");
-  const Floats byHand = render(0.01, 0.4, 0.003, 0.0);
+  const Floats byHand = render(0.01, 0.4, 2.0 * lighting, 0.0);
   CONTRACT_CHECK(Compare(doubled, byHand).Max > 0.0, "the test's own power");
-  CONTRACT_CHECK(Compare(byHand, render(0.01, 0.2, 0.0015, 0.04)).Max == 0.0, "one is the user's");
+  CONTRACT_CHECK(
+    Compare(byHand, render(0.01, 0.2, lighting, 0.04)).Max == 0.0, "one is the user's");
   const std::string why = Report(view.Pass).FindReason("left_out", "ErrorTolerance 0.04");
   CONTRACT_CHECK(why.find("PlaneThreshold") != std::string::npos, why);
-  const Floats own = render(0.01, 0.1, 0.001, 0.0);
-  CONTRACT_CHECK(Compare(own, render(0.01, 0.1, 0.001, 0.04)).Max == 0.0, "all are the user's");
+  // The paper's refinement does not look at the lighting.
+  splatting->SetPresetToPaper();
+  splatting->SetDepthThreshold(0.01);
+  const Floats own = render(0.25, 0.1, 0.0, 0.0);
+  CONTRACT_CHECK(Compare(own, render(0.25, 0.1, 0.0, 0.04)).Max == 0.0, "all are the user's");
   CONTRACT_CHECK(Report(view.Pass).GetNumber("settings.ErrorTolerance") == 0.0, "not in force");
 }
 
@@ -196,7 +195,7 @@ VTK_INDIRECT_TEST(ReportMemory)
   pass->SetEstimator(hints);
   renderer->SetPass(pass);
   hints->SetOccupancyResolution(16);
-  hints->SkipEmptyCellsOff();
+  SET_DETAIL(hints, SkipEmptyCells, false);
   double memory[2];
   for (int more = 0; more < 2; ++more)
   {

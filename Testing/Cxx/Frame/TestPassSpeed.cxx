@@ -72,7 +72,7 @@ struct Scene
     return light;
   }
 
-  vtkIdType GetFaces() { return this->Pass->GetReflectiveShadowMaps()->GetNumberOfFacesDrawn(); }
+  vtkIdType GetFaces() { return CountOf(this->Pass, "faces_drawn"); }
   vtkIdType GetBuilds() { return CountShaderBuilds(this->Pass); }
 
   struct Work
@@ -87,11 +87,11 @@ struct Scene
   Work Frame()
   {
     const vtkIdType faces = this->GetFaces();
-    const vtkIdType estimates = this->Pass->GetNumberOfEstimates();
+    const vtkIdType estimates = CountOf(this->Pass, "estimates");
     const vtkIdType builds = this->GetBuilds();
     this->Mapper->Count = 0;
     this->Window.Window->Render();
-    return { this->GetFaces() - faces, this->Pass->GetNumberOfEstimates() - estimates,
+    return { this->GetFaces() - faces, CountOf(this->Pass, "estimates") - estimates,
       this->GetBuilds() - builds, this->Mapper->Count };
   }
 };
@@ -199,7 +199,7 @@ VTK_INDIRECT_TEST(WorkChanges)
   CheckWork(scene.Frame(), 0, 1, "number of lights");
   sampler->SetPatternToJittered();
   CheckWork(scene.Frame(), 0, 1, "pattern");
-  gather->SetInterpolationMinimumCosine(0.8);
+  gather->SetInterpolationStep(5);
   CheckWork(scene.Frame(), 0, 1, "interpolation");
   gather->SetInterpolationStep(8);
   CheckWork(scene.Frame(), 0, 1, "step");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Specular indirect light of Phong receivers, against sums in double precision and VTK's own lamps.
 #include "Gather/vtkIndirectGlossyRoom.h"
+#include "vtkIndirectDetails.h"
 
 #include "vtkAssembly.h"
 #include "vtkLight.h"
@@ -175,7 +176,7 @@ VTK_INDIRECT_TEST(Hidden)
   scene.AddQuad({ 0.2, 0.2, 0.1 }, { 0.2, 0.8, 0.1 }, { 0.2, 0.2, 0.6 }, glm::dvec3(0.5));
   vtkNew<vtkRSMReferencePass> reference;
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
-  splatting->SetStorageToFloat();
+  SET_DETAIL(splatting, HalfFloats, false);
   reference->SetModeToVirtualLights();
   vtkIndirectEstimatorPass* const estimators[] = { reference, scene.Gather, splatting };
   Image expected;

@@ -88,4 +88,10 @@ std::string Report::FindReason(const std::string& list, const std::string& what)
   }
   return {};
 }
+
+//------------------------------------------------------------------------------
+long long CountOf(vtkIndirectIlluminationPass* pass, const std::string& counter)
+{
+  return static_cast<long long>(Report(pass).GetNumber("counters." + counter));
+}
 }

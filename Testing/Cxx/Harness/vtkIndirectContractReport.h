@@ -37,6 +37,9 @@ private:
   bool Valid = false;
   std::map<std::string, std::string> Values;
 };
+
+/** A counter of the pass's report. */
+long long CountOf(vtkIndirectIlluminationPass* pass, const std::string& counter);
 }
 
 #endif

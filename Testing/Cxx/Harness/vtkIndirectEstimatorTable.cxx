@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIndirectEstimatorTable.h"
+#include "vtkIndirectDetails.h"
 
 #include "vtkIndirectIlluminationPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
@@ -41,7 +42,7 @@ void InstallMultiresolution(vtkIndirectIlluminationPass* pass, int numberOfLight
   if (Finest)
   {
     splatting->SetPlaneThreshold(0.0);
-    splatting->SetStorageToFloat();
+    SET_DETAIL(splatting, HalfFloats, false);
   }
   pass->SetEstimator(splatting);
   InstallSampler(pass, vtkUniformLightSampler::LOW_DISCREPANCY, numberOfLights);
@@ -53,7 +54,7 @@ void InstallHints(vtkIndirectIlluminationPass* pass, int)
   vtkNew<vtkRadianceHintsPass> hints;
   if (Finer)
   {
-    hints->SetErrorTolerance(0.02);
+    hints->SetGridResolution(25, 25, 25); // of an error of 0.02
   }
   pass->SetEstimator(hints);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is in the lights' maps, and what has the shadows that follow from it.
+#include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractRoom.h"
 
 #include "vtkBoxRepresentation.h"
@@ -220,7 +221,7 @@ VTK_INDIRECT_TEST(PropsAnnotation)
   Room room;
   room.Grab(true);
   const Floats depth = Read(room.Pass, "rsm0.depth");
-  const vtkIdType faces = room.Pass->GetReflectiveShadowMaps()->GetNumberOfFacesDrawn();
+  const vtkIdType faces = CountOf(room.Pass, "faces_drawn");
   for (const auto& kind : kinds)
   {
     vtkSmartPointer<vtkProp> prop = kind.second(room.GetRenderer());
@@ -229,8 +230,8 @@ VTK_INDIRECT_TEST(PropsAnnotation)
     const Pixels image = room.Grab(true);
     CONTRACT_CHECK(
       Compare(depth, Read(room.Pass, "rsm0.depth")).Max == 0.0, kind.first << " is in the map");
-    CONTRACT_CHECK(room.Pass->GetReflectiveShadowMaps()->GetNumberOfFacesDrawn() == faces,
-      kind.first << " had the map drawn anew");
+    CONTRACT_CHECK(
+      CountOf(room.Pass, "faces_drawn") == faces, kind.first << " had the map drawn anew");
     CheckReported(room.Pass, prop->GetClassName());
     room.GetRenderer()->RemoveViewProp(prop);
     CONTRACT_CHECK(Compare(plain, room.Grab(false)).Pixels > 20, kind.first << " is not seen");

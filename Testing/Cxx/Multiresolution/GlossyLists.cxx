@@ -2,6 +2,7 @@
 // Lists of lights for specular subsplats: what they converge to, what they must not do, and what
 // they save.
 #include "Gather/vtkIndirectGlossyRoom.h"
+#include "vtkIndirectDetails.h"
 
 #include "OpenGL/vtkIndirectComputeProgram.h"
 #include "vtkActorCollection.h"
@@ -22,7 +23,7 @@ struct ListedRoom : GlossyRoom
   ListedRoom(int width, int height, double power)
     : GlossyRoom(width, height, 0.7, power)
   {
-    this->Splatting->SetStorageToFloat();
+    SET_DETAIL(this->Splatting, HalfFloats, false);
   }
 
   vtkNew<Splatter> Splatting;
@@ -100,8 +101,8 @@ VTK_INDIRECT_TEST(ListsConverge)
     CheckAtLeast(what + "brightest", brightest, 1e-2, "the test's own power");
     for (bool half : { false, true })
     {
-      scene.Splatting->SetStorage(half ? Splatter::HALF_FLOAT : Splatter::FLOAT);
-      scene.Splatting->SetGlossyThreshold(1e-9);
+      SET_DETAIL(scene.Splatting, HalfFloats, half);
+      SET_DETAIL(scene.Splatting, GlossyThreshold, 1e-9);
       const Image listed = scene.Splat();
       const std::string storage = half ? "half floats, " : "32-bit floats, ";
       CheckAtMost(what + storage + "threshold 1e-9: worst difference over the brightest",
@@ -109,7 +110,7 @@ VTK_INDIRECT_TEST(ListsConverge)
         half ? "2^-10 where drivers cut bits off, once a level of three" : "the order of sums");
       CheckAtLeast(what + storage + "evaluations over pixels times lights", GetShare(scene), 0.2,
         "they came from lists");
-      scene.Splatting->SetGlossyThreshold(0.0);
+      SET_DETAIL(scene.Splatting, GlossyThreshold, 0.0);
       CheckAtMost(what + storage + "threshold 0: worst difference over the brightest",
         Difference(scene.Splat(), exact) / brightest, half ? 1e-3 : 1e-5,
         half ? "2^-10, once" : "the same sum");
@@ -132,7 +133,7 @@ VTK_INDIRECT_TEST(ListsThreshold)
     const std::string what = "power " + std::to_string(static_cast<int>(power)) + ": ";
     for (double threshold : { 0.5, 0.1, 0.02, 0.004 })
     {
-      scene.Splatting->SetGlossyThreshold(threshold);
+      SET_DETAIL(scene.Splatting, GlossyThreshold, threshold);
       const Image listed = scene.Splat();
       const double error = RootMeanSquare(listed, exact) / Mean(exact);
       const double share = GetShare(scene);
@@ -161,18 +162,18 @@ VTK_INDIRECT_TEST(ListsFallBack)
 {
   ListedRoom scene(64, 48, 25.0);
   const Image exact = scene.GatherAll();
-  scene.Splatting->SetRendererToLeafFragments();
+  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS);
   CheckAtMost("LEAF_FRAGMENTS: worst difference to the gather over the brightest",
     Difference(scene.Splat(), exact) / Largest(exact), 1e-5, "the same sum");
   Check("the report says that all lights are summed, and why",
-    GetLists(scene).find("because Renderer is LEAF_FRAGMENTS") != std::string::npos,
+    GetLists(scene).find("because lists are off") != std::string::npos,
     GetLists(scene));
   // The renderers that have lists have the same ones.
   RequireLists(scene);
-  scene.Splatting->SetRendererToLeafCompute();
+  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::COMPUTE);
   const Image compute = scene.Splat();
   CheckAtLeast("LEAF_COMPUTE: evaluations from lists", GetShare(scene), 1e-3, "there are lists");
-  scene.Splatting->SetRendererToPointSplats();
+  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::POINTS);
   CheckAtMost("POINT_SPLATS: worst difference to LEAF_COMPUTE over the brightest",
     Difference(scene.Splat(), compute) / Largest(exact), 2e-3,
     "their irradiance, to which the threshold is relative, rounds differently");
@@ -180,13 +181,12 @@ VTK_INDIRECT_TEST(ListsFallBack)
 
 VTK_INDIRECT_TEST(ListsStrength)
 {
-  for (int storage : { Splatter::FLOAT, Splatter::HALF_FLOAT })
+  for (const bool half : { false, true })
   {
-    const bool half = storage == Splatter::HALF_FLOAT;
     ListedRoom scene(96, 72, 25.0);
     RequireLists(scene);
     scene.AddDirectional({ -0.8, 0.1, -0.5 });
-    scene.Splatting->SetStorage(storage);
+    SET_DETAIL(scene.Splatting, HalfFloats, half);
     const Image unit = scene.Splat();
     CheckAtLeast("brightest", Largest(unit), 1e-2, "the test's own power");
     for (double intensity : { 1e-12, 1e12 })
@@ -250,8 +250,8 @@ VTK_INDIRECT_TEST(ListsDepthEdge)
     scene.Render();
     const Image exact = scene.Copy("glossy");
     vtkNew<Splatter> splatting;
-    splatting->SetStorageToFloat();
-    splatting->SetGlossyThreshold(number % 2 ? 0.02 : 0.5);
+    SET_DETAIL(splatting, HalfFloats, false);
+    SET_DETAIL(splatting, GlossyThreshold, number % 2 ? 0.02 : 0.5);
     scene.Pass->SetEstimator(splatting);
     scene.Render();
     const Image listed = scene.Copy("glossy");

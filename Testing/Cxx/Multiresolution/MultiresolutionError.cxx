@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What interpolation between subsplats costs, against the gather at every pixel over the same
 // lights, and what each setting does to it.
+#include "vtkIndirectDetails.h"
 #include "vtkIndirectRandomFrame.h"
 
 #include "vtkActor.h"
@@ -140,7 +141,7 @@ VTK_INDIRECT_TEST(NormalCorrection)
   double error[2] = {};
   for (bool on : { false, true })
   {
-    scene.Splatting->SetNormalCorrection(on);
+    SET_DETAIL(scene.Splatting, NormalCorrection, on);
     error[on] = Compare(scene.Splat(), expected, Least).RootMeanSquare;
   }
   CheckAtLeast("without, RMSE over the mean", error[0], 1e-3, "the test's own power");
@@ -157,13 +158,13 @@ VTK_INDIRECT_TEST(Lighting)
   scene.AddSpot({ 0.5, 0.5, 0.6 }, { 0.5, 0, 0.1 }, 12, 1, { 1, 0, 0 });
   scene.SetEye({ 0.5, 0.5, 2.6 }, { 0.5, 0.5, 0 }, { 0, 1, 0 }, 20, 0.5, 5);
   scene.Sampler->SetNumberOfLights(512);
-  scene.Splatting->SetCoarsestResolution(16); // several levels in a small image
+  SET_DETAIL(scene.Splatting, CoarsestResolution, 16); // several levels in a small image
   const Image expected = scene.GatherAll();
   std::vector<double> errors;
-  const double standard = scene.Splatting->GetLightingThreshold();
+  const double standard = scene.Splatting->GetDetails().LightingThreshold;
   for (double threshold : { 0.0, 4.0 * standard, standard, 0.25 * standard })
   {
-    scene.Splatting->SetLightingThreshold(threshold);
+    SET_DETAIL(scene.Splatting, LightingThreshold, threshold);
     errors.push_back(Compare(scene.Splat(), expected, Least).RootMeanSquare);
     std::printf("       threshold %g: RMSE %.2e of the mean\n", threshold, errors.back());
   }
@@ -174,10 +175,10 @@ VTK_INDIRECT_TEST(Lighting)
 
   // What is split beside a coarse subsplat must not leave it without something to interpolate with:
   // splitting would then make things worse (3 times the error).
-  scene.Splatting->SetCoarsestResolution(64);
-  scene.Splatting->SetLightingThreshold(0.0);
+  SET_DETAIL(scene.Splatting, CoarsestResolution, 64);
+  SET_DETAIL(scene.Splatting, LightingThreshold, 0.0);
   const double none = Compare(scene.Splat(), expected, Least).RootMeanSquare;
-  scene.Splatting->SetLightingThreshold(standard);
+  SET_DETAIL(scene.Splatting, LightingThreshold, standard);
   const double split = Compare(scene.Splat(), expected, Least).RootMeanSquare;
   CheckAtMost("default over none, from finer subsplats on", split / none, 0.25, "measured 0.14");
 }
@@ -192,9 +193,9 @@ VTK_INDIRECT_TEST(NearLights)
   scene.AddQuad({ -1, 0.06, 0 }, { 2, 0.06, 0 }, { -1, 2.06, 0 }, glm::dvec3(0.5));
   scene.AddSpot({ 0.5, 1.0, 0.3 }, { 0.5, 0, 0.1 }, 8, 1, { 1, 0, 0 });
   scene.Sampler->SetNumberOfLights(25);
-  scene.Splatting->SetStorageToFloat();       // rounding flickers too
-  scene.Splatting->SetCoarsestResolution(16); // several levels in a small image
-  const std::vector<double> thresholds = { 0.0, scene.Splatting->GetLightingThreshold() };
+  SET_DETAIL(scene.Splatting, HalfFloats, false);      // rounding flickers too
+  SET_DETAIL(scene.Splatting, CoarsestResolution, 16); // several levels in a small image
+  const std::vector<double> thresholds = { 0.0, scene.Splatting->GetDetails().LightingThreshold };
   std::vector<Image> expected;
   std::vector<std::vector<Image>> shown(thresholds.size());
   for (int frame = 0; frame < 6; ++frame)
@@ -204,7 +205,7 @@ VTK_INDIRECT_TEST(NearLights)
     expected.push_back(scene.GatherAll());
     for (size_t i = 0; i < thresholds.size(); ++i)
     {
-      scene.Splatting->SetLightingThreshold(thresholds[i]);
+      SET_DETAIL(scene.Splatting, LightingThreshold, thresholds[i]);
       shown[i].push_back(scene.Splat());
     }
   }
@@ -248,14 +249,14 @@ VTK_INDIRECT_TEST(Balance)
   {
     RandomFrame scene(600 + number, { 191, 173 }, FrameLight::SPOT);
     scene.Sampler->SetNumberOfLights(64);
-    scene.Splatting->SetCoarsestResolution(16);
+    SET_DETAIL(scene.Splatting, CoarsestResolution, 16);
     const Image expected = scene.GatherAll();
     if (!(expected.Mean() > 0.0))
     {
       continue;
     }
     const Image balanced = scene.Splat();
-    scene.Splatting->BalanceOff();
+    SET_DETAIL(scene.Splatting, Balance, false);
     const Image loose = scene.Splat();
     logarithm += std::log(Compare(balanced, expected, Least).RootMeanSquare /
       Compare(loose, expected, Least).RootMeanSquare);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fields of which the upsampled image is known everywhere: constants, and light on one side of a
 // depth edge only.
+#include "vtkIndirectDetails.h"
 #include "vtkIndirectRandomFrame.h"
 
 #include "vtkUniformLightSampler.h"
@@ -20,13 +21,13 @@ std::string Configure(Pass* pass, int number)
 {
   const int coarsest[] = { 64, 4, 16, 7 };
   const double thresholds[] = { 0.25, 0.02, 0.7 };
-  pass->SetCoarsestResolution(coarsest[number % 4]);
+  SET_DETAIL(pass, CoarsestResolution, coarsest[number % 4]);
   pass->SetPlaneThreshold(thresholds[number % 3]);
   pass->SetNormalThreshold(number % 3 == 2 ? 1.5 : 0.2);
-  pass->SetBalance(number % 5 != 0);
+  SET_DETAIL(pass, Balance, number % 5 != 0);
   pass->SetFinestLevel(number % 7 < 3 ? Pass::HALF_RESOLUTION : Pass::FULL_RESOLUTION);
-  pass->SetNormalCorrection(number % 2 == 0);
-  pass->SetStorage(number % 4 == 3 ? Pass::HALF_FLOAT : Pass::FLOAT);
+  SET_DETAIL(pass, NormalCorrection, number % 2 == 0);
+  SET_DETAIL(pass, HalfFloats, number % 4 == 3);
   return "coarsest " + std::to_string(coarsest[number % 4]) + ", plane threshold " +
     std::to_string(thresholds[number % 3]) + (number % 5 ? "" : ", unbalanced") +
     (number % 7 < 3 ? ", half resolution" : "") + (number % 4 == 3 ? ", half floats" : "");
@@ -71,7 +72,7 @@ VTK_INDIRECT_TEST(ConstantField)
     const Image expected = scene.GatherAll();
     const std::string settings = Configure(scene.Splatting, number);
     const Image image = scene.Splat();
-    const bool half = scene.Splatting->GetStorage() == Pass::HALF_FLOAT;
+    const bool half = scene.Splatting->GetDetails().HalfFloats;
     double mean = 0.0;
     int lit = 0;
     for (float value : expected.Values)

@@ -4,6 +4,7 @@
 //
 // Tolerances are relative to a pixel's irradiance, or to a ten-thousandth of the brightest one:
 // below it, cosines of senders in nearly the same plane are rounding.
+#include "vtkIndirectDetails.h"
 #include "vtkIndirectRandomFrame.h"
 
 #include "vtkRSMGatherPass.h"
@@ -22,11 +23,11 @@ namespace
 constexpr double Least = 1e-4;
 constexpr int Frames = 30;
 
-void SetFinest(MultiresolutionScene& scene, int storage)
+void SetFinest(MultiresolutionScene& scene, bool half)
 {
   // Any one threshold of the geometry at zero splits everything.
   scene.Splatting->SetPlaneThreshold(0.0);
-  scene.Splatting->SetStorage(storage);
+  SET_DETAIL(scene.Splatting, HalfFloats, half);
 }
 }
 
@@ -45,9 +46,7 @@ VTK_INDIRECT_TEST(FinestIsGather)
     const bool halves[] = { false, true };
     for (bool half : halves)
     {
-      SetFinest(scene,
-        half ? vtkMultiresolutionSplattingPass::HALF_FLOAT
-             : vtkMultiresolutionSplattingPass::FLOAT);
+      SetFinest(scene, half);
       if (number % 2)
       {
         scene.Splatting->SetPlaneThreshold(0.25);
@@ -81,7 +80,7 @@ VTK_INDIRECT_TEST(ManyLights)
     scene.Sampler->SetNumberOfLights(lights);
     const Image expected = scene.GatherAll();
     CheckEqual("virtual lights", scene.Sampler->GetActualNumberOfLights(), lights);
-    SetFinest(scene, vtkMultiresolutionSplattingPass::FLOAT);
+    SetFinest(scene, false);
     const Image image = scene.Splat();
     const std::string what = std::to_string(lights) + " lights: ";
     CheckAtMost(what + "worst relative difference to the gather",
@@ -111,7 +110,7 @@ VTK_INDIRECT_TEST(Views)
       const Image expected = scene.GatherAll();
       const std::string what = scene.Name + (parallel ? ", parallel eye: " : ": ");
       const ImageError coarse = Compare(scene.Splat(), expected, Least);
-      SetFinest(scene, vtkMultiresolutionSplattingPass::FLOAT);
+      SetFinest(scene, false);
       const ImageError fine = Compare(scene.Splat(), expected, Least);
       CheckAtLeast(what + "mean irradiance", fine.Mean, 1e-3, "the test's own power");
       CheckAtMost(
@@ -133,9 +132,9 @@ VTK_INDIRECT_TEST(Storage)
     RandomFrame scene(200 + number, GetFrameSizes()[number % 4],
       static_cast<FrameLight>(number % NumberOfFrameLights));
     scene.Sampler->SetNumberOfLights(64);
-    scene.Splatting->SetStorageToFloat();
+    SET_DETAIL(scene.Splatting, HalfFloats, false);
     const Image exact = scene.Splat();
-    scene.Splatting->SetStorageToHalfFloat();
+    SET_DETAIL(scene.Splatting, HalfFloats, true);
     const ImageError error = Compare(scene.Splat(), exact, 1e-3);
     // The mean of a frame with a bright spot in the dark says nothing about either.
     const double difference = error.RootMeanSquare * error.Mean / error.Power;
@@ -151,12 +150,10 @@ VTK_INDIRECT_TEST(Storage)
 
 VTK_INDIRECT_TEST(Strength)
 {
-  for (int storage :
-    { vtkMultiresolutionSplattingPass::FLOAT, vtkMultiresolutionSplattingPass::HALF_FLOAT })
+  for (const bool half : { false, true })
   {
-    const bool half = storage == vtkMultiresolutionSplattingPass::HALF_FLOAT;
     RandomFrame scene(5, { 64, 48 }, FrameLight::SEVERAL);
-    scene.Splatting->SetStorage(storage);
+    SET_DETAIL(scene.Splatting, HalfFloats, half);
     scene.Sampler->SetNumberOfLights(128);
     const Image unit = scene.Splat();
     for (double intensity : { 1e-12, 1e12 })
@@ -188,7 +185,7 @@ VTK_INDIRECT_TEST(Bytes)
   const double full = (static_cast<double>(scene.Splatting->GetBytes()) - constant) / pixels;
   CheckAtMost("bytes a pixel in the default setting", full, 24.0, "the class's promise");
   CheckAtLeast("the same", full, 8.0, "the irradiance itself is half of that: it is counted");
-  scene.Splatting->SetStorageToFloat();
+  SET_DETAIL(scene.Splatting, HalfFloats, false);
   scene.Splat();
   CheckAtLeast("bytes a pixel with 32-bit floats, over those with half floats",
     static_cast<double>(scene.Splatting->GetBytes()) / pixels / full, 1.3, "they are larger");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIndirectRandomFrame.h"
+#include "vtkIndirectDetails.h"
 
 #include "vtkLight.h"
 #include "vtkRSMGatherPass.h"
@@ -47,7 +48,7 @@ void MultiresolutionScene::ScaleThresholds(double factor)
   vtkNew<vtkMultiresolutionSplattingPass> defaults;
   this->Splatting->SetPlaneThreshold(factor * defaults->GetPlaneThreshold());
   this->Splatting->SetNormalThreshold(factor * defaults->GetNormalThreshold());
-  this->Splatting->SetLightingThreshold(factor * defaults->GetLightingThreshold());
+  SET_DETAIL(this->Splatting, LightingThreshold, factor * defaults->GetDetails().LightingThreshold);
 }
 
 //------------------------------------------------------------------------------

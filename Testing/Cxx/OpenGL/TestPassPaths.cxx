@@ -2,6 +2,7 @@
 // Ways that are forced by name (VTK_INDIRECT_PATHS) are taken, and make the same frame.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
+#include "vtkIndirectDetails.h"
 
 #if __has_include("vtk_glad.h")
 #include "vtk_glad.h"
@@ -35,7 +36,7 @@ Estimators MakeEstimators()
 {
   vtkNew<vtkRadianceHintsPass> hints;
   hints->SetGridResolution(6, 5, 6);
-  hints->SetNumberOfRays(32);
+  SET_DETAIL(hints, NumberOfRays, 32);
   return { { "gather", vtkSmartPointer<vtkRSMGatherPass>::New() },
     { "multiresolution", vtkSmartPointer<vtkMultiresolutionSplattingPass>::New() },
     { "hints", hints } };
@@ -351,7 +352,7 @@ VTK_INDIRECT_TEST(PathsKernels)
     {
       vtkNew<vtkRadianceHintsPass> made;
       made->SetGridResolution(6, 5, 6);
-      made->SetNumberOfRays(32);
+      SET_DETAIL(made, NumberOfRays, 32);
       set(made);
       return vtkSmartPointer<vtkIndirectEstimatorPass>(made);
     };
@@ -376,7 +377,7 @@ VTK_INDIRECT_TEST(PathsKernels)
       splatting(
         [](vtkMultiresolutionSplattingPass* s)
         {
-          s->SetRefinementToDepthRange();
+          SET_DETAIL(s, DepthRange, true);
           s->OccupancyOn();
         }) },
     { "multiresolution, half resolution, floats",
@@ -384,16 +385,16 @@ VTK_INDIRECT_TEST(PathsKernels)
         [](vtkMultiresolutionSplattingPass* s)
         {
           s->SetFinestLevelToHalfResolution();
-          s->SetStorageToFloat();
-          s->BalanceOff();
+          SET_DETAIL(s, HalfFloats, false);
+          SET_DETAIL(s, Balance, false);
         }),
       true },
     { "multiresolution, points",
       splatting([](vtkMultiresolutionSplattingPass* s)
-        { s->SetRenderer(vtkMultiresolutionSplattingPass::POINT_SPLATS); }) },
+        { SET_DETAIL(s, Renderer, vtkIndirectSubsplatDetails::POINTS); }) },
     { "multiresolution, fragments",
       splatting([](vtkMultiresolutionSplattingPass* s)
-        { s->SetRenderer(vtkMultiresolutionSplattingPass::LEAF_FRAGMENTS); }) },
+        { SET_DETAIL(s, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS); }) },
     { "hints, order 3",
       hints(
         [](vtkRadianceHintsPass* h)
@@ -405,9 +406,9 @@ VTK_INDIRECT_TEST(PathsKernels)
       hints(
         [](vtkRadianceHintsPass* h)
         {
-          h->SetBounceSamplingToHints();
-          h->SetSamplingToSampled();
-          h->AlbedoVolumeOn();
+          SET_DETAIL(h, FromHints, true);
+          SET_DETAIL(h, Dense, false);
+          SET_DETAIL(h, AlbedoVolume, true);
           h->OccupancyOn();
         }) },
     { "hints, headlight", hints([](vtkRadianceHintsPass*) {}), false, Lighting::Headlight },

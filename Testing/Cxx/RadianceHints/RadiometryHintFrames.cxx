@@ -18,21 +18,21 @@ VTK_INDIRECT_TEST(HintsCaching)
   TwoRooms scene(true);
   scene.Pass->SetNumberOfBounces(2);
   scene.Render();
-  auto updates = [&] { return static_cast<int>(scene.Hints->GetNumberOfHintUpdates()); };
+  auto updates = [&] { return static_cast<int>(scene.ReadReport("hint_updates")); };
   auto voxels = [&] { return static_cast<int>(scene.ReadReport("voxel_updates")); };
   CheckEqual("updates of the first frame", updates(), 1);
   CheckEqual("voxels of the first frame", voxels(), 1);
   scene.Render();
   CheckEqual("updates when nothing changed", updates(), 1);
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
-  const vtkIdType estimates = scene.Pass->GetNumberOfEstimates();
+  const double estimates = scene.ReadReport("estimates");
   for (int i = 0; i < 3; ++i)
   {
     camera->Azimuth(3.0);
     scene.Render();
   }
   CheckEqual("updates when the camera moved", updates(), 1);
-  CheckEqual("look-ups when the camera moved", scene.Pass->GetNumberOfEstimates() - estimates, 3);
+  CheckEqual("look-ups when the camera moved", scene.ReadReport("estimates") - estimates, 3);
   const Image kept = scene.Copy("irradiance");
   scene.Pass->CachingOff();
   scene.Render();
@@ -102,10 +102,10 @@ VTK_INDIRECT_TEST(HintsTemporal)
     scene.Render();
     CheckEqual(what + "values that differ from those without smoothing",
       static_cast<double>(wanted.Values.size()) - CountSame(wanted, scene.Copy("irradiance")), 0);
-    const vtkIdType estimates = scene.Pass->GetNumberOfEstimates();
+    const double estimates = scene.ReadReport("estimates");
     scene.Render();
     scene.Render();
-    CheckEqual(what + "look-ups at rest", scene.Pass->GetNumberOfEstimates() - estimates, 0);
+    CheckEqual(what + "look-ups at rest", scene.ReadReport("estimates") - estimates, 0);
     // From there the next change is smoothed again.
     set(1.0);
     scene.Render();

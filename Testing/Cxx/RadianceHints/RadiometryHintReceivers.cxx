@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Radiance hints on receivers that no triangle list knows: a ball far above the floor that lights
 // it, drawn by each of VTK's ways to draw one, against the ball of plain polygons.
+#include "vtkIndirectDetails.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -242,7 +243,7 @@ VTK_INDIRECT_TEST(HintsManyRays)
     scene.SetEye({ 7.2, 7, z + 0.15 }, { 7.7, 7, z + 0.15 }, { 0, 0, 1 }, 30.0, 0.05, 3.0);
     for (const int rays : { 256, 400 })
     {
-      hints->SetNumberOfRays(rays);
+      SET_DETAIL(hints, NumberOfRays, rays);
       scene.Render();
       (blocked ? hidden[rays == 400] : open) = scene.Copy("irradiance").Mean();
     }

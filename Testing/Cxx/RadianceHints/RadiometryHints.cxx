@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Radiance hints in absolute numbers: the closed sphere and its bounces, a half-space, the field
 // itself, light through walls, and what is kept between frames.
+#include "vtkIndirectDetails.h"
 #include "vtkIndirectHintScenes.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
@@ -33,7 +34,7 @@ struct ClosedSphere : HintScene
     this->AddSphere(glm::dvec3(0.0), Radius, 96, this->Albedo);
     this->Light = this->AddPoint(glm::dvec3(0.0), { 0.0, 0.0, 1.0 });
     this->Pass->SetReflectiveShadowMapResolution(64);
-    this->Hints->SetBlocksPerEdge(16);
+    SET_DETAIL(this->Hints, BlocksPerEdge, 16);
   }
 
   double Measure(int color, int bounces)
@@ -87,7 +88,7 @@ VTK_INDIRECT_TEST(HintsClosedSphere)
   {
     scene.SetGrid(row.Grid);
     scene.Hints->SetOrder(row.Order);
-    scene.Hints->SetColorLayout(row.Layout);
+    SET_DETAIL(scene.Hints, LumaChroma, row.Layout == 1);
     for (int color : { 0, 2 })
     {
       const double e = scene.Measure(color, 1);
@@ -104,7 +105,7 @@ VTK_INDIRECT_TEST(HintsClosedSphere)
   const double all = [&]
   {
     scene.Hints->OccupancyOff();
-    scene.Hints->FacingWeightsOff();
+    SET_DETAIL(scene.Hints, FacingWeights, false);
     return scene.Measure(0, 1);
   }();
   std::cout << "  4 hints an edge, those outside counted: " << all << "\n";
@@ -125,12 +126,12 @@ VTK_INDIRECT_TEST(HintsBounces)
     }
   }
   // The mean albedo in place of each surface's own: the same, all surfaces being alike.
-  scene.Hints->AlbedoVolumeOff();
+  SET_DETAIL(scene.Hints, AlbedoVolume, false);
   CheckAbsolute("with the mean albedo", scene.Measure(0, 4), 1.0, 0.05, "one albedo");
   // Order 3, both layouts.
   scene.Hints->SetOrder(3);
   CheckAbsolute("order 3, luma-chroma", scene.Measure(0, 4), 1.0, 0.05, "as above");
-  scene.Hints->SetColorLayoutToRGB();
+  SET_DETAIL(scene.Hints, LumaChroma, false);
   CheckAbsolute("order 3, rgb", scene.Measure(2, 4), 1.0, 0.05, "as above");
 }
 
@@ -170,7 +171,7 @@ VTK_INDIRECT_TEST(HintsHalfSpace)
     scene.Hints->SetOrder(order);
     for (bool deringing : { true, false })
     {
-      scene.Hints->SetDeringing(deringing);
+      SET_DETAIL(scene.Hints, Deringing, deringing);
       scene.Render();
       const Image image = scene.Copy("irradiance");
       CheckRelative("E over L, order " + std::to_string(order) + (deringing ? "" : " linear"),
@@ -195,12 +196,12 @@ VTK_INDIRECT_TEST(HintsField)
   const std::vector<VirtualLight> lights = scene.CopyLights();
   scene.Pass->SetEstimator(scene.Hints);
   scene.Hints->SetGridResolution(8, 6, 4);
-  scene.Hints->SetBlocksPerEdge(128);
-  scene.Hints->DeringingOff();
-  scene.Hints->SofteningOff();
+  SET_DETAIL(scene.Hints, BlocksPerEdge, 128);
+  SET_DETAIL(scene.Hints, Deringing, false);
+  SET_DETAIL(scene.Hints, Softening, false);
   scene.Hints->OccupancyOff();
-  scene.Hints->SkipEmptyCellsOff();
-  scene.Hints->SetColorLayoutToRGB();
+  SET_DETAIL(scene.Hints, SkipEmptyCells, false);
+  SET_DETAIL(scene.Hints, LumaChroma, false);
   const double diagonal = std::sqrt(16.0 + 9.0 + 4.0);
   for (int order : { 2, 3 })
   {
@@ -275,7 +276,7 @@ VTK_INDIRECT_TEST(HintsLeak)
   const double without = closed.GetLeak(dark);
   std::cout << "  without occupancy: " << 100.0 * without << " %\n";
   CheckAtLeast("leak without occupancy", without, 2.0 * leak + 0.01, "the test's own power");
-  closed.Hints->FacingWeightsOff();
+  SET_DETAIL(closed.Hints, FacingWeights, false);
   std::cout << "  without weights for facing either: " << 100.0 * closed.GetLeak(dark) << " %\n";
 
   TwoRooms open(true);
@@ -295,7 +296,7 @@ VTK_INDIRECT_TEST(HintsLeakFiner)
     // A width at which no sample lies at the wall: those beside it are on both of its sides.
     TwoRooms closed(false, 100, 50);
     closed.Pass->SetNumberOfBounces(3);
-    closed.Hints->SetErrorTolerance(tolerance);
+    closed.Pass->SetErrorTolerance(tolerance);
     for (int step : { 1, 4 })
     {
       double dark = 0.0;
@@ -322,11 +323,11 @@ VTK_INDIRECT_TEST(HintsGrids)
   CheckAbsolute("two grids, four bounces", scene.Measure(0, 4), 1.0, 0.05, SphereOrigin);
   CheckEqual("hints", scene.Hints->GetNumberOfHints(), 2 * 512);
   // The finer one follows the camera's focal point.
-  const vtkIdType updates = scene.Hints->GetNumberOfHintUpdates();
+  const double updates = scene.ReadReport("hint_updates");
   scene.Renderer->GetActiveCamera()->SetFocalPoint(-1.5, -1.5, -1.5);
   scene.Render();
-  CheckAtLeast("updates when the finer grid moved", scene.Hints->GetNumberOfHintUpdates(),
-    updates + 1, "it lies elsewhere");
+  CheckAtLeast("updates when the finer grid moved", scene.ReadReport("hint_updates"), updates + 1,
+    "it lies elsewhere");
   scene.Hints->SetNumberOfGrids(1);
   scene.Hints->SetExtentToView();
   CheckAbsolute(
@@ -337,7 +338,7 @@ VTK_INDIRECT_TEST(HintsPaper)
 {
   // The paper's own choices, and its options, on a scene they are made for.
   TwoRooms scene(true);
-  scene.Hints->SetToPaper();
+  scene.Hints->SetPresetToPaper();
   scene.Pass->SetNumberOfBounces(2);
   scene.Render();
   const Image plain = scene.Copy("irradiance");
@@ -351,19 +352,19 @@ VTK_INDIRECT_TEST(HintsPaper)
   scene.Render();
   const double seen = scene.Copy("irradiance").Mean();
   scene.Hints->DepthOcclusionOn();
-  scene.Hints->SetDepthAttenuation(0.0);
-  scene.Hints->SetNumberOfDepthSamples(8);
+  SET_DETAIL(scene.Hints, DepthAttenuation, 0.0);
+  SET_DETAIL(scene.Hints, NumberOfDepthSamples, 8);
   scene.Render();
   CheckAtMost("the eye's depth takes light away", scene.Copy("irradiance").Mean(), 0.98 * seen,
     "some ways are hidden from the eye");
   scene.Hints->DepthOcclusionOff();
   scene.Renderer->GetActiveCamera()->Azimuth(-40.0);
-  scene.Hints->SetCoverage(0.2);
+  SET_DETAIL(scene.Hints, Coverage, 0.2);
   scene.Render();
   CheckAtMost("what a fifth of the map sends", scene.Copy("irradiance").Mean(), plain.Mean(),
     "the rest is lost");
-  scene.Hints->SetCoverage(1.0);
-  scene.Hints->LookupRotationOn();
+  SET_DETAIL(scene.Hints, Coverage, 1.0);
+  SET_DETAIL(scene.Hints, LookupRotation, true);
   scene.Render();
   Check("rotation changes pixels",
     CountSame(plain, scene.Copy("irradiance")) < static_cast<int>(plain.Values.size()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Occupancy of the estimators that sum over virtual lights: what is hidden is dark, what is not
 // keeps its light, and every estimator sees the same.
+#include "vtkIndirectDetails.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -36,7 +37,7 @@ struct VisibilityScene : Scene
     this->Gather->SetModeToVirtualLights();
     this->Gather->InterpolationOff();
     this->Splatting->SetPlaneThreshold(0.0); // every pixel for itself
-    this->Splatting->SetStorageToFloat();
+    SET_DETAIL(this->Splatting, HalfFloats, false);
     this->Reference->SetModeToVirtualLights();
     this->Sampler->SetNumberOfLights(256);
     this->Pass->SetReflectiveShadowMapResolution(128);
@@ -280,14 +281,14 @@ VTK_INDIRECT_TEST(OccupancySame)
   };
   compare("gather", scene.Gather);
   compare("multiresolution, compute", scene.Splatting);
-  scene.Splatting->SetRenderer(vtkMultiresolutionSplattingPass::LEAF_FRAGMENTS);
+  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS);
   compare("multiresolution, fragments", scene.Splatting);
-  scene.Splatting->SetRenderer(vtkMultiresolutionSplattingPass::POINT_SPLATS);
+  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::POINTS);
   compare("multiresolution, points", scene.Splatting);
   // With more lights than a uniform block holds.
   scene.Sampler->SetNumberOfLights(1500);
   const Image many = scene.Measure(scene.Reference, true);
-  scene.Splatting->SetRenderer(vtkMultiresolutionSplattingPass::AUTOMATIC);
+  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::AUTOMATIC);
   CheckAtMost(
     "1500 lights", RootMeanSquare(scene.Measure(scene.Splatting, true), many), 1e-3, "as before");
 }
@@ -327,11 +328,10 @@ VTK_INDIRECT_TEST(OccupancyManyLights)
     CheckEqual(name + ": lights", scene.ReadReport("virtual_lights"), 5000);
   };
   check("gather", scene.Gather, 0.005);
-  for (const int renderer :
-    { vtkMultiresolutionSplattingPass::POINT_SPLATS,
-      vtkMultiresolutionSplattingPass::LEAF_FRAGMENTS, vtkMultiresolutionSplattingPass::AUTOMATIC })
+  for (const auto renderer : { vtkIndirectSubsplatDetails::POINTS,
+         vtkIndirectSubsplatDetails::FRAGMENTS, vtkIndirectSubsplatDetails::AUTOMATIC })
   {
-    scene.Splatting->SetRenderer(renderer);
+    SET_DETAIL(scene.Splatting, Renderer, renderer);
     check("multiresolution " + std::to_string(renderer), scene.Splatting, 0.005);
   }
   vtkNew<vtkMultiresolutionSplattingPass> defaults;

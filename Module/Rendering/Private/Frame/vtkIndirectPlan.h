@@ -5,21 +5,13 @@
 #ifndef vtkIndirectPlan_h
 #define vtkIndirectPlan_h
 
+#include "vtkIndirectSettings.h" // for what the user has set
+
 #include <string>  // for reasons
 #include <utility> // for pairs
 #include <vector>  // for lists
 
 struct vtkIndirectFrame;
-
-/** What the user has set on vtkIndirectIlluminationPass, by the names of its properties. */
-struct vtkIndirectSettings
-{
-  bool Shadows = true;
-  int NumberOfBounces = 1;
-  double IndirectScale = 1.0;
-  double ErrorTolerance = 0.0;
-  bool Caching = true;
-};
 
 /** What the frame's estimator can do and has been set to. */
 struct vtkIndirectAbilities

@@ -109,8 +109,7 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
   report["estimated_error"] = this->EstimatedError >= 0.0 ? JSON(this->EstimatedError) : JSON();
   report["modelled"] = List(this->Modelled);
   report["left_out"] = List(this->LeftOut);
-  report["counters"] = { { "shader_builds", this->ShaderBuilds },
-    { "voxel_updates", this->VoxelUpdates } };
+  report["counters"] = this->Counters;
   report["paths"] = JSON::object();
   for (const auto& path : this->Paths)
   {

@@ -4,6 +4,7 @@
 #define vtkIndirectReport_h
 
 #include <cstddef> // for size_t
+#include <map>     // for counters
 #include <string>  // for names
 #include <utility> // for pairs
 #include <variant> // for settings
@@ -28,10 +29,8 @@ struct vtkIndirectReport
   double EstimatedError = -1.0;
   std::string GLRenderer;
   std::string GLVersion;
-  /** How often VTK asked for a mapper's shader source. */
-  long long ShaderBuilds = 0;
-  /** How often the scene's voxels were made anew. */
-  long long VoxelUpdates = 0;
+  /** How often what is kept between frames was made anew since construction, by name. */
+  std::map<std::string, long long> Counters;
   /** Ways that were in force, name and value; see vtkIndirectPaths. */
   Entries Paths;
 

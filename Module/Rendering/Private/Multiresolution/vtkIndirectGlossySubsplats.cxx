@@ -69,7 +69,6 @@ struct vtkIndirectGlossySubsplats::Work
 {
   const Input& In;
   const Settings& Set;
-  double Threshold;
   const vtkIndirectSubsplatPyramid& Pyramid;
   vtkIndirectLightBlock& Lights;
   const vtkIndirectTarget& Irradiance;
@@ -303,7 +302,7 @@ bool vtkIndirectGlossySubsplats::Evaluate(
     program->SetUniformi("vtkiWholeList", static_cast<int>(WholeList(number)));
     program->SetUniformi("vtkiWholeFirst", this->Lists.GetFirst(WholeList(number)));
     program->SetUniformf(
-      "vtkiGlossyThreshold", static_cast<float>(work.Threshold / std::max(count, 1)));
+      "vtkiGlossyThreshold", static_cast<float>(work.Set.GlossyThreshold / std::max(count, 1)));
     program->SetUniformf("vtkiPlaneThreshold", static_cast<float>(work.Set.PlaneThreshold));
     program->SetUniformf("vtkiNormalThreshold", static_cast<float>(work.Set.NormalThreshold));
     for (int channel = 1; channel < (work.Set.DepthRange ? 3 : 2); ++channel)
@@ -334,10 +333,10 @@ bool vtkIndirectGlossySubsplats::Evaluate(
 
 //------------------------------------------------------------------------------
 bool vtkIndirectGlossySubsplats::Fill(const Input& input, const Settings& settings,
-  double threshold, const vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights,
+  const vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights,
   const vtkIndirectTarget& irradiance, vtkIndirectTarget& glossy)
 {
-  const Work work = { input, settings, threshold, pyramid, lights, irradiance };
+  const Work work = { input, settings, pyramid, lights, irradiance };
   bool done = this->FillLobes(work) && this->ListFirst(work);
   vtkOpenGLState* state = input.Frame.Window->GetState();
   vtkOpenGLState::ScopedglClearColor clearColor(state);

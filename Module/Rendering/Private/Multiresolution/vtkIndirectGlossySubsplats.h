@@ -34,11 +34,10 @@ public:
 
   /**
    * Fills `glossy`, of the frame's size. irradiance: of the same frame, stored alike; what a light
-   * may be left out or interpolated with is `threshold` times it over the number of lights.
+   * may be left out or interpolated with is GlossyThreshold times it over the number of lights.
    */
-  bool Fill(const Input& input, const Settings& settings, double threshold,
-    const vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights,
-    const vtkIndirectTarget& irradiance, vtkIndirectTarget& glossy);
+  bool Fill(const Input& input, const Settings& settings, const vtkIndirectSubsplatPyramid& pyramid,
+    vtkIndirectLightBlock& lights, const vtkIndirectTarget& irradiance, vtkIndirectTarget& glossy);
 
   /** Lights evaluated at texels and pixels in the last frame. Waits for the GPU. */
   double CountEvaluations() const;

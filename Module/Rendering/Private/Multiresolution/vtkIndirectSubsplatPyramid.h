@@ -7,29 +7,25 @@
 #ifndef vtkIndirectSubsplatPyramid_h
 #define vtkIndirectSubsplatPyramid_h
 
-#include "Frame/vtkIndirectEstimate.h"               // for the input
-#include "Multiresolution/vtkIndirectSubsplatList.h" // for members
-#include "OpenGL/vtkIndirectFullScreenProgram.h"     // for members
-#include "OpenGL/vtkIndirectTarget.h"                // for members
+#include "Frame/vtkIndirectEstimate.h"                  // for the input
+#include "Multiresolution/vtkIndirectSubsplatDetails.h" // for settings
+#include "Multiresolution/vtkIndirectSubsplatList.h"    // for members
+#include "OpenGL/vtkIndirectFullScreenProgram.h"        // for members
+#include "OpenGL/vtkIndirectTarget.h"                   // for members
 
 #include <memory> // for levels
 #include <vector> // for levels
 
 class vtkIndirectLightBlock;
 
-struct vtkIndirectSubsplatSettings
+/** Of a frame: thresholds as the frame's tolerance has them. */
+struct vtkIndirectSubsplatSettings : vtkIndirectSubsplatDetails
 {
-  int CoarsestResolution = 64;
   bool HalfResolution = false;
-  bool DepthRange = false; // the paper's test
   double PlaneThreshold = 0.0;
   double DepthThreshold = 0.0;
   double NormalThreshold = 0.0;
-  double LightingThreshold = 0.0;
-  bool Balance = true;
-  bool NormalCorrection = true;
   double SurfaceDetail = 0.0;
-  bool HalfFloats = true;
   double StorageScale = 1.0;
   bool HasCompute = false; // OpenGL 4.3: lists on the GPU
   bool ReportsError = false;

@@ -66,17 +66,15 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
+void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
 {
   this->BuffersAreThere = true;
   this->TargetIsClear = clear;
-  bool anew = false;
   this->ChooseSamplers(request.Sampler);
-  this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request, anew);
+  this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
   this->Composite.Composite(this->MakeCompositeInput());
   this->Timer.End(vtkIndirectStageTimer::Composite);
-  return anew;
 }
 
 //------------------------------------------------------------------------------
@@ -116,7 +114,7 @@ std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) 
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectPipeline::UpdateIrradiance(const Request& request, bool& anew)
+bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
 {
   const std::vector<double> key = this->MakeKey(request.Sampler);
   const bool caching = request.Settings.Caching;
@@ -160,7 +158,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request, bool& anew)
     return false;
   }
   this->EstimateKey = key;
-  anew = true;
+  ++this->NumberOfEstimates;
   return true;
 }
 
@@ -251,7 +249,10 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
 void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
 {
   std::copy(this->Frame.Size, this->Frame.Size + 2, report.Size);
-  report.ShaderBuilds = this->Capture->GetNumberOfShaderBuilds();
+  report.Counters = { { "shader_builds", this->Capture->GetNumberOfShaderBuilds() },
+    { "faces_drawn", this->Maps->GetNumberOfFacesDrawn() },
+    { "voxel_updates", static_cast<long long>(this->Visibility.GetNumberOfUpdates()) },
+    { "estimates", this->NumberOfEstimates } };
   this->Frame.AddToReport(report);
   if (!this->BuffersAreThere)
   {

@@ -58,9 +58,9 @@ public:
 
   /**
    * Then the light, and the picture into the framebuffer that is bound; clear: nothing is drawn
-   * there yet. Returns whether the irradiance was computed anew.
+   * there yet.
    */
-  bool DrawLight(const Request& request, bool clear);
+  void DrawLight(const Request& request, bool clear);
   /** Shows a channel in place of the picture; false for one that the frame does not have. */
   bool ShowChannel(const std::string& name);
 
@@ -89,7 +89,7 @@ public:
 private:
   void ChooseSamplers(vtkVirtualLightSampler* users);
   std::vector<double> MakeKey(vtkVirtualLightSampler* users) const;
-  bool UpdateIrradiance(const Request& request, bool& anew);
+  bool UpdateIrradiance(const Request& request);
   const vtkIndirectEstimate* GetEstimate() const;
   vtkIndirectComposite::Input MakeCompositeInput() const;
   bool RenderChannel(const std::string& name);
@@ -107,6 +107,7 @@ private:
   vtkWeakPointer<vtkRenderer> Renderer; // guards Frame's pointers
   bool BuffersAreThere = false;
   bool IrradianceIsThere = false;
+  long long NumberOfEstimates = 0;
   std::string WhyNoBuffers = "no frame has been rendered yet";
   vtkIndirectEstimate Estimate;
   // What made its irradiance: its buffers stay readable when the pass is given others.

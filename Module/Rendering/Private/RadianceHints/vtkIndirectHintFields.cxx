@@ -178,7 +178,8 @@ bool vtkIndirectHintFields::Inject(
   program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
   program->SetUniformf(
     "vtkiSoftening", settings.Softening ? static_cast<float>(SofteningShare) : 0.0f);
-  program->SetUniformi("vtkiDepthSamples", settings.NumberOfDepthSamples);
+  program->SetUniformi(
+    "vtkiDepthSamples", settings.DepthOcclusion ? settings.NumberOfDepthSamples : 0);
   program->SetUniformf("vtkiDepthFactor", static_cast<float>(settings.DepthAttenuation));
   input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
   const glm::dmat4 sceneToView = glm::inverse(frame.ViewToScene);

@@ -3,9 +3,10 @@
 #ifndef vtkIndirectHintFields_h
 #define vtkIndirectHintFields_h
 
-#include "Frame/vtkIndirectEstimate.h"           // for the input
-#include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
-#include "OpenGL/vtkIndirectTarget.h"            // for members
+#include "Frame/vtkIndirectEstimate.h"            // for the input
+#include "OpenGL/vtkIndirectFullScreenProgram.h"  // for members
+#include "OpenGL/vtkIndirectTarget.h"             // for members
+#include "RadianceHints/vtkIndirectHintDetails.h" // for settings
 
 #include <memory> // for targets
 #include <vector> // for read-back
@@ -17,25 +18,13 @@ class vtkIndirectHintFields
 public:
   using Input = vtkIndirectEstimateInput;
 
-  /** As the properties of vtkRadianceHintsPass of these names. */
-  struct Settings
+  struct Settings : vtkIndirectHintDetails
   {
     int Layout = 0; // VTKI_HINT_LAYOUT
     int Bounces = 1;
     int NumberOfSamples = 40;
-    double Coverage = 1.0;
-    bool Softening = true;
-    bool Deringing = true;
-    bool FacingWeights = true;
     bool Visibility = false; // the grid has masks and rays
-    bool AlbedoVolume = true;
-    bool FromHints = false; // bounces
-    int NumberOfBounceSamples = 32;
-    double BounceRange = 1.0;
-    int NumberOfLookups = 1;
-    bool LookupRotation = false;
-    int NumberOfDepthSamples = 0; // 0: off
-    double DepthAttenuation = 0.6;
+    bool DepthOcclusion = false;
   };
 
   vtkIndirectHintFields();

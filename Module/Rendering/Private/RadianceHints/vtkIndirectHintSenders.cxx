@@ -39,7 +39,7 @@ bool vtkIndirectHintSenders::Update(const Input& input)
   if (count > RowLength * vtkTextureObject::GetMaximumTextureSize(window))
   {
     vtkErrorMacro(
-      "Hints cannot read " << count << " blocks of the lights' maps; lower BlocksPerEdge.");
+      "Hints cannot read " << count << " blocks of the lights' maps; use fewer lights.");
     return false;
   }
   vtkOpenGLState* state = window->GetState();

@@ -79,7 +79,6 @@ void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
 {
   report.Bytes += this->GetBytes();
   report.MainMemoryBytes += this->GetMainMemoryBytes();
-  report.VoxelUpdates = static_cast<long long>(this->NumberOfUpdates);
   const char* const name = "visibility between sender and receiver";
   if (!this->HidesSenders())
   {

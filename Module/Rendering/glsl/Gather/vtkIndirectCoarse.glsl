@@ -5,15 +5,13 @@
 
 uniform sampler2D vtkiCoarse;
 uniform ivec2 vtkiCoarseSize;
-uniform float vtkiMinimumCosine;
-uniform float vtkiPlaneTolerance; // as a fraction of the distance between samples
 
 // Bilinear sum of those of the four samples around that lie on the receiver's surface, the sum of
 // their weights, and their number.
 void vtkiInterpolateCoarse(
   ivec2 pixel, vtkiReceiver receiver, out vec3 sum, out float weights, out int agreeing)
 {
-  float tolerance = vtkiPlaneTolerance * vtkiSampleDistance(receiver.depth);
+  float tolerance = VTKI_INTERPOLATION_DISTANCE * vtkiSampleDistance(receiver.depth);
 
   // The last samples may lie closer.
   ivec2 corner = pixel / vtkiStep;
@@ -29,7 +27,7 @@ void vtkiInterpolateCoarse(
     vtkiReceiver other;
     bool lit = vtkiFetchReceiver(min(at * vtkiStep, vtkiSize - 1), other);
     if (lit && vtkiSameSurface(other.positionVC - receiver.positionVC, receiver.normalVC,
-                 other.normalVC, vtkiMinimumCosine, tolerance))
+                 other.normalVC, VTKI_INTERPOLATION_COSINE, tolerance))
     {
       vec2 w = mix(1.0f - blend, blend, vec2(shift));
       sum += w.x * w.y * textureLod(vtkiCoarse, (vec2(at) + 0.5f) / vec2(vtkiCoarseSize), 0.0f).rgb;

@@ -2,9 +2,6 @@
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectLibInterpolation.glsl"
 
-uniform float vtkiMinimumCosine;
-uniform float vtkiPlaneTolerance; // as a fraction of the distance between samples
-
 struct vtkiCell
 {
   vtkiReceiver corner; // at the cell's own sample
@@ -60,7 +57,7 @@ float vtkiCellState(ivec2 first, vtkiReceiver corner, bool lit)
   vtkiAddToCell(cell, last);
   bool whole = cell.whole &&
     vtkiOneSurface(cell.height, VTKI_TURN_PER_CODE * cell.turn, sqrt(cell.radius2),
-      vtkiMinimumCosine, vtkiPlaneTolerance * vtkiSampleDistance(cell.nearest));
+      VTKI_INTERPOLATION_COSINE, VTKI_INTERPOLATION_DISTANCE * vtkiSampleDistance(cell.nearest));
   float mixed = lit ? VTKI_CELL_MIXED : VTKI_CELL_MIXED_UNLIT;
   return whole ? VTKI_CELL_WHOLE : (cell.empty ? VTKI_CELL_EMPTY : mixed);
 }

@@ -3,6 +3,12 @@
 #define vtkIndirectLibInterpolation
 #include "vtkIndirectLibPortable.glsl"
 
+// Between which pixels a coarse sample is interpolated: least cosine of their normals, and the farthest
+// that one may lie from the other's tangent plane, over the distance between samples on a surface that
+// faces the eye.
+const float VTKI_INTERPOLATION_COSINE = 0.9f;
+const float VTKI_INTERPOLATION_DISTANCE = 0.5f;
+
 /* True when a sample lies on the pixel's surface: normals agree and each lies near the other's
  * tangent plane. offset: sample minus pixel position; footprint: distance between samples there. */
 bool vtkiSameSurface(

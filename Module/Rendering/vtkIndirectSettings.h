@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkIndirectSettings.h
+ * @brief Properties that are fields of a struct
+ *
+ * A class of this module holds what a user sets of it in one struct, `Settings`: each property is
+ * declared there, once, with its default, and stages read the struct. These macros are
+ * vtkSetClampMacro and vtkSetMacro, with vtkGetMacro, for its fields.
+ */
+
+#ifndef vtkIndirectSettings_h
+#define vtkIndirectSettings_h
+
+/** Set and get a number of `Settings`; what lies outside of the range is clamped to it. */
+#define vtkIndirectClampMacro(name, type, low, high)                                               \
+  virtual void Set##name(type value)                                                               \
+  {                                                                                                \
+    const type clamped = value >= (low) ? (value <= (high) ? value : (high)) : (low);              \
+    if (this->Settings.name != clamped)                                                            \
+    {                                                                                              \
+      this->Settings.name = clamped;                                                               \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  virtual type Get##name() const                                                                   \
+  {                                                                                                \
+    return this->Settings.name;                                                                    \
+  }
+
+/** Set, get and switch a flag of `Settings`. */
+#define vtkIndirectFlagMacro(name)                                                                 \
+  virtual void Set##name(bool on)                                                                  \
+  {                                                                                                \
+    if (this->Settings.name != on)                                                                 \
+    {                                                                                              \
+      this->Settings.name = on;                                                                    \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  virtual bool Get##name() const                                                                   \
+  {                                                                                                \
+    return this->Settings.name;                                                                    \
+  }                                                                                                \
+  void name##On()                                                                                  \
+  {                                                                                                \
+    this->Set##name(true);                                                                         \
+  }                                                                                                \
+  void name##Off()                                                                                 \
+  {                                                                                                \
+    this->Set##name(false);                                                                        \
+  }
+
+/** What the user has set on vtkIndirectIlluminationPass, by the names of its properties. */
+struct vtkIndirectSettings
+{
+  bool Shadows = true;
+  int NumberOfBounces = 1;
+  double IndirectScale = 1.0;
+  double ErrorTolerance = 0.0;
+  bool Caching = true;
+  bool RemainingGeometry = true;
+};
+
+#endif
