@@ -10,286 +10,432 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenEXRDecoder.h"
-#include "vtkOpenEXRFailure.h"
-#include "vtkOpenEXRFileNames.h"
-#include "vtkOpenEXRHeader.h"
-#include "vtkOpenEXRInputStream.h"
-#include "vtkOpenEXRMaps.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 #include "vtkVersionMacros.h"
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #include "vtkResourceStream.h"
 #endif
 
+#include <Iex.h>
+#include <ImathBox.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfPartType.h>
+#include <ImfTestFile.h>
+#include <ImfThreading.h>
+#include <ImfTileDescription.h>
+#include <ImfVersion.h>
+
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
 #include <utility>
 
+namespace exr = OPENEXR_IMF_NAMESPACE;
+
+namespace
+{
+// What is thrown and becomes the one message.
+struct Failure
+{
+  unsigned long Code; // of vtkErrorCode
+  std::string Message;
+};
+
 //------------------------------------------------------------------------------
-class vtkOpenEXRReader::vtkInternals
+// For the OpenEXR library to read from. A read beyond the end throws and is remembered.
+class InputStream : public exr::IStream
 {
 public:
-  vtkOpenEXRHeader Header;
-  vtkOpenEXRHeader::Channels Channels;
-  std::string ErrorPrefix; // of the file of the header
-  // Whether the last request for information worked.
-  bool Ready = false;
-
-  // Whether there are no files: the bytes come from memory or from VTK's stream.
-  static bool HasBytes(vtkOpenEXRReader* self)
+  InputStream(const std::string& name, std::unique_ptr<std::streambuf> buffer)
+    : exr::IStream(name.c_str())
+    , Buffer(std::move(buffer))
   {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
-    if (self->GetStream())
+    const std::streamoff size = this->Buffer->pubseekoff(0, std::ios::end, std::ios::in);
+    if (size < 0 || this->Buffer->pubseekpos(0, std::ios::in) != std::streampos(0))
     {
-      return true;
+      throw Failure{ vtkErrorCode::CannotOpenFileError, "it is not a file that can seek." };
     }
-#endif
-    return self->MemoryBuffer != nullptr;
+    this->Size = static_cast<std::uint64_t>(size);
   }
 
-  // The current file of the reader, or its bytes.
-  static std::unique_ptr<vtkOpenEXRInputStream> Open(vtkOpenEXRReader* self)
+  bool read(char c[], int n) override
   {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
-    if (self->GetStream())
+    if (n < 0 || this->Position > this->Size || this->Buffer->sgetn(c, n) != n)
     {
-      return std::make_unique<vtkOpenEXRInputStream>(self->GetStream()->ToStreambuf());
+      this->EndWasHit = true;
+      throw IEX_NAMESPACE::InputExc("Unexpected end of file.");
     }
-#endif
-    if (self->MemoryBuffer)
-    {
-      return std::make_unique<vtkOpenEXRInputStream>(
-        self->MemoryBuffer, static_cast<std::uint64_t>(self->MemoryBufferLength));
-    }
-    return std::make_unique<vtkOpenEXRInputStream>(self->InternalFileName);
+    this->Position += static_cast<std::uint64_t>(n);
+    return this->Position < this->Size;
   }
 
-  static double GetMaximumBytes(vtkOpenEXRReader* self)
+  void seekg(std::uint64_t position) override
   {
-    return self->MaximumSize * 1048576.0;
+    if (position != this->Position && position <= this->Size)
+    {
+      this->Buffer->pubseekpos(static_cast<std::streamoff>(position), std::ios::in);
+    }
+    this->Position = position;
   }
+
+  std::uint64_t tellg() override { return this->Position; }
+  void clear() override {}
+
+  std::uint64_t Size = 0;
+  bool EndWasHit = false;
+
+private:
+  std::unique_ptr<std::streambuf> Buffer;
+  std::uint64_t Position = 0;
 };
+
+//------------------------------------------------------------------------------
+// Only a regular file: opening a pipe would block, and the format needs seeking.
+std::unique_ptr<std::streambuf> OpenBuffer(const char* name)
+{
+  if (!*name)
+  {
+    throw Failure{ vtkErrorCode::NoFileNameError, "no FileName was set." };
+  }
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::u8path(name);
+  const std::filesystem::file_type type = std::filesystem::status(path, error).type();
+  if (type == std::filesystem::file_type::not_found)
+  {
+    throw Failure{ vtkErrorCode::FileNotFoundError, "the file does not exist." };
+  }
+  auto buffer = std::make_unique<std::filebuf>();
+  if (type != std::filesystem::file_type::regular ||
+    !buffer->open(path, std::ios::in | std::ios::binary))
+  {
+    throw Failure{ vtkErrorCode::CannotOpenFileError, "it cannot be opened as a file." };
+  }
+  return buffer;
+}
+
+//------------------------------------------------------------------------------
+// Walks all headers before the library does, which allocates what an attribute claims to be. Most
+// types it reads by their own length: where the size differs, it would take the bytes that follow
+// for attributes, of any size. What reaches beyond the end of the file makes the next read fail.
+void CheckHeaders(InputStream& stream)
+{
+  static const std::map<std::string, std::uint64_t> sizes = { { "box2f", 16 }, { "box2i", 16 },
+    { "chromaticities", 32 }, { "compression", 1 }, { "deepImageState", 1 }, { "double", 8 },
+    { "envmap", 1 }, { "float", 4 }, { "int", 4 }, { "keycode", 28 }, { "lineOrder", 1 },
+    { "m33d", 72 }, { "m33f", 36 }, { "m44d", 128 }, { "m44f", 64 }, { "rational", 8 },
+    { "tiledesc", 9 }, { "timecode", 8 }, { "v2d", 16 }, { "v2f", 8 }, { "v2i", 8 }, { "v3d", 24 },
+    { "v3f", 12 }, { "v3i", 12 } };
+  auto skip = [&](std::uint64_t bytes) { stream.seekg(stream.tellg() + bytes); };
+  auto readInt = [&]()
+  {
+    unsigned char b[4];
+    stream.read(reinterpret_cast<char*>(b), 4);
+    return b[0] | b[1] << 8 | b[2] << 16 | static_cast<std::uint32_t>(b[3]) << 24;
+  };
+  auto readText = [&]()
+  {
+    std::string text; // the library itself refuses more than 255 characters
+    for (char c; text.size() < 256 && (stream.read(&c, 1), c != '\0');)
+    {
+      text += c;
+    }
+    return text;
+  };
+
+  stream.seekg(4); // behind the magic number
+  const bool multiPart = exr::isMultiPart(static_cast<int>(readInt()));
+  std::set<std::string> names;
+  do
+  {
+    names.clear();
+    for (std::string name = readText(); !name.empty(); name = readText())
+    {
+      const std::string type = readText();
+      const std::uint32_t size = readInt();
+      const std::uint64_t end = stream.tellg() + size;
+      if (type == "chlist")
+      {
+        while (!readText().empty())
+        {
+          skip(16); // type, linearity, sampling
+        }
+      }
+      else if (type == "stringvector")
+      {
+        while (stream.tellg() < end)
+        {
+          skip(readInt());
+        }
+      }
+      else
+      {
+        const auto fixed = sizes.find(type);
+        skip(fixed != sizes.end() ? fixed->second : type == "floatvector" ? size / 4 * 4 : size);
+      }
+      if (stream.tellg() != end || !names.insert(name).second)
+      {
+        throw IEX_NAMESPACE::InputExc("The header attribute \"" + name +
+          "\" is there twice or has a size that does not fit its type.");
+      }
+    }
+  } while (multiPart && !names.empty());
+  stream.seekg(0);
+}
+
+//------------------------------------------------------------------------------
+// The first part that is a flat image.
+int FindPart(const exr::MultiPartInputFile& file)
+{
+  for (int part = 0; part < file.parts(); ++part)
+  {
+    const std::string& type = file.header(part).type();
+    if (type == exr::SCANLINEIMAGE || type == exr::TILEDIMAGE)
+    {
+      return part;
+    }
+  }
+  throw Failure{ vtkErrorCode::FileFormatError,
+    "it has no flat image, and deep images are not supported." };
+}
+
+//------------------------------------------------------------------------------
+// The full names of the channels of each layer in the order of the components.
+std::map<std::string, std::vector<std::string>> GetLayers(const exr::ChannelList& channels)
+{
+  std::map<std::string, std::vector<std::string>> layers;
+  for (auto i = channels.begin(); i != channels.end(); ++i)
+  {
+    const std::string name = i.name();
+    const std::size_t dot = name.rfind('.');
+    layers[dot == std::string::npos ? "" : name.substr(0, dot)].push_back(name);
+  }
+  for (auto& layer : layers)
+  {
+    const std::string prefix = layer.first.empty() ? "" : layer.first + ".";
+    // Y is between X and Z where a layer has these.
+    const std::string order = channels.findChannel(prefix + "X") ? "RGBA" : "RGBYA";
+    auto rank = [&](const std::string& name)
+    { return name.size() == prefix.size() + 1 ? order.find(name.back()) : std::string::npos; };
+    std::stable_sort(layer.second.begin(), layer.second.end(),
+      [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
+  }
+  return layers;
+}
+
+//------------------------------------------------------------------------------
+// The extent of the output. Throws where that or a block of the file is too large.
+std::vector<int> GetExtent(const exr::Header& header, std::size_t components, double maximumBytes)
+{
+  const auto& data = header.dataWindow();
+  const auto& display = header.displayWindow();
+  const std::int64_t width = static_cast<std::int64_t>(data.max.x) - data.min.x + 1;
+  const std::int64_t height = static_cast<std::int64_t>(data.max.y) - data.min.y + 1;
+  const std::int64_t flip = static_cast<std::int64_t>(display.min.y) + display.max.y;
+  double blockWidth = static_cast<double>(width);
+  // The library decodes as many rows together as a compression combines, or those of tiles.
+  double blockHeight = std::min(static_cast<double>(height), 256.0);
+  if (header.hasTileDescription())
+  {
+    blockWidth = std::max(blockWidth, static_cast<double>(header.tileDescription().xSize));
+    blockHeight = std::max(blockHeight, static_cast<double>(header.tileDescription().ySize));
+  }
+  double blockBytes = 0.0;
+  for (auto i = header.channels().begin(); i != header.channels().end(); ++i)
+  {
+    blockBytes += blockWidth * blockHeight * (i.channel().type == exr::HALF ? 2.0 : 4.0);
+  }
+  const double bytes = static_cast<double>(width) * static_cast<double>(height) *
+    static_cast<double>(components * sizeof(float));
+  if (std::max(bytes, blockBytes) > maximumBytes || flip - data.max.y < VTK_INT_MIN ||
+    flip - data.min.y > VTK_INT_MAX)
+  {
+    throw Failure{ vtkErrorCode::FileFormatError,
+      "its image of " + std::to_string(width) + " x " + std::to_string(height) + " pixels with " +
+        std::to_string(components) +
+        " channel(s), or a block of it, is larger than MaximumSize allows or too far out." };
+  }
+  return { data.min.x, data.max.x, static_cast<int>(flip - data.max.y),
+    static_cast<int>(flip - data.min.y), 0, 0 };
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkFloatArray> ReadPixels(exr::MultiPartInputFile& file, int part,
+  const std::vector<std::string>& channels, std::size_t prefixLength)
+{
+  const auto& window = file.header(part).dataWindow();
+  const std::size_t height = static_cast<std::size_t>(window.max.y - window.min.y) + 1;
+  const std::size_t row =
+    (static_cast<std::size_t>(window.max.x - window.min.x) + 1) * channels.size();
+  // Zeros, which the system hands out without touching the memory.
+  auto* values = static_cast<float*>(std::calloc(row * height, sizeof(float)));
+  if (!values)
+  {
+    throw std::bad_alloc();
+  }
+  auto scalars = vtkSmartPointer<vtkFloatArray>::New();
+  scalars->SetName("OpenEXRImage");
+  scalars->SetNumberOfComponents(static_cast<int>(channels.size()));
+  scalars->SetArray(
+    values, static_cast<vtkIdType>(row * height), 0, vtkFloatArray::VTK_DATA_ARRAY_FREE);
+  exr::FrameBuffer frame;
+  for (std::size_t c = 0; c < channels.size(); ++c)
+  {
+    scalars->SetComponentName(static_cast<vtkIdType>(c), channels[c].substr(prefixLength).c_str());
+    // From the last row of the output on: the stride is negative, modulo the size's range.
+    frame.insert(channels[c],
+      exr::Slice::Make(exr::FLOAT, values + (height - 1) * row + c, window,
+        channels.size() * sizeof(float), std::size_t(0) - row * sizeof(float)));
+  }
+  exr::InputPart input(file, part);
+  input.setFrameBuffer(frame);
+  input.readPixels(window.min.y, window.max.y);
+  return scalars;
+}
+}
 
 vtkStandardNewMacro(vtkOpenEXRReader);
 
 //------------------------------------------------------------------------------
-vtkOpenEXRReader::vtkOpenEXRReader()
-  : Internals(new vtkInternals)
+std::string vtkOpenEXRReader::GetLayerName(int index)
 {
-  this->DataScalarType = VTK_FLOAT;
-}
-
-//------------------------------------------------------------------------------
-vtkOpenEXRReader::~vtkOpenEXRReader() = default;
-
-//------------------------------------------------------------------------------
-// Not SetErrorCode, which would mark the reader as modified and have the pipeline ask again.
-void vtkOpenEXRReader::Fail(unsigned long code, const std::string& message)
-{
-  this->ErrorCode = code;
-  vtkErrorMacro(<< message);
+  const bool has = index >= 0 && index < this->GetNumberOfLayers();
+  return has ? this->LayerNames[static_cast<std::size_t>(index)] : std::string();
 }
 
 //------------------------------------------------------------------------------
 int vtkOpenEXRReader::CanReadFile(const char* fname)
 {
-  if (!fname)
-  {
-    return 0;
-  }
   try
   {
-    vtkOpenEXRInputStream stream(fname);
-    return stream.HasMagicNumber() ? 3 : 0;
+    InputStream stream("", OpenBuffer(fname ? fname : ""));
+    return exr::isOpenExrFile(stream) ? 3 : 0;
   }
-  catch (const std::exception&)
+  catch (...)
   {
     return 0;
   }
 }
 
 //------------------------------------------------------------------------------
-// The superclass knows one syntax of patterns or both, by VTK's version, and fits no types.
-void vtkOpenEXRReader::ComputeInternalFileName(int slice)
+void vtkOpenEXRReader::ReadFile(vtkImageData* output)
 {
-  if (this->FileNames || this->FileName)
-  {
-    this->Superclass::ComputeInternalFileName(slice);
-    return;
-  }
-  delete[] this->InternalFileName;
-  this->InternalFileName = nullptr;
-  if (!this->FilePattern)
-  {
-    this->Fail(vtkErrorCode::NoFileNameError, "There is a FilePrefix, but no FilePattern.");
-    return;
-  }
+  std::string name = this->FileName ? this->FileName : "";
+  std::unique_ptr<InputStream> stream;
+  Failure failure;
   try
   {
-    const int number = slice * this->FileNameSliceSpacing + this->FileNameSliceOffset;
-    const std::string name = vtkOpenEXRFileNames::Make(this->FilePrefix, this->FilePattern, number);
-    this->InternalFileName = new char[name.size() + 1]();
-    name.copy(this->InternalFileName, name.size());
-  }
-  catch (const vtkOpenEXRFailure& failure)
-  {
-    this->Fail(failure.Code, failure.Message);
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkOpenEXRReader::ReadFirstHeader()
-{
-  this->Internals->Header = vtkOpenEXRHeader();
-  this->NumberOfParts = 0;
-  this->PixelAspectRatio = 1.0;
-  for (int i = 0; i < 4; ++i)
-  {
-    this->DataWindow[i] = this->DisplayWindow[i] = -(i % 2);
-  }
-
-  if (!vtkInternals::HasBytes(this))
-  {
-    // The superclass has a pattern from the start, which means nothing without a prefix.
-    const bool series = this->FilePrefix ||
-      (this->FilePattern && *this->FilePattern &&
-        !vtkOpenEXRFileNames::IsDefault(this->FilePattern));
-    const bool names = this->FileNames && this->FileNames->GetNumberOfValues() > 0;
-    if (!names && (this->FileNames || (!(this->FileName && *this->FileName) && !series)))
+    std::unique_ptr<std::streambuf> buffer;
+    if (this->MemoryBuffer)
     {
-      this->Fail(vtkErrorCode::NoFileNameError, "No file name was set.");
-      return false;
+      name = "(memory)";
+      const auto* bytes = static_cast<const char*>(this->MemoryBuffer);
+      buffer = std::make_unique<std::stringbuf>(
+        std::string(bytes, bytes + this->MemoryBufferLength), std::ios::in);
     }
-    if (names)
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+    if (this->GetStream())
     {
-      this->DataExtent[4] = 0;
-      this->DataExtent[5] = static_cast<int>(this->FileNames->GetNumberOfValues()) - 1;
+      name = "(stream)";
+      buffer = this->GetStream()->ToStreambuf();
     }
-    this->ComputeInternalFileName(names || this->FileName ? 0 : this->DataExtent[4]);
-    if (!this->InternalFileName)
+#endif
+    stream =
+      std::make_unique<InputStream>(name, buffer ? std::move(buffer) : OpenBuffer(name.c_str()));
+    if (!exr::isOpenExrFile(*stream))
     {
-      return false;
+      throw Failure{ vtkErrorCode::UnrecognizedFileTypeError, "it is not an OpenEXR file." };
     }
+    CheckHeaders(*stream);
+    // Without the reconstruction of a lost chunk table: a truncated file is an error here.
+    exr::MultiPartInputFile file(*stream, exr::globalThreadCount(), false);
+    const int part = FindPart(file);
+    const exr::Header& header = file.header(part);
+    const auto layers = GetLayers(header.channels());
+    this->LayerNames.clear();
+    std::string known;
+    for (const auto& layer : layers)
+    {
+      this->LayerNames.push_back(layer.first);
+      known += (known.empty() ? "\"" : ", \"") + layer.first + "\"";
+    }
+    const auto found = layers.find(this->Layer);
+    if (found == layers.end())
+    {
+      throw Failure{ vtkErrorCode::UserError,
+        "it has no layer \"" + this->Layer + "\"; it has " + known.substr(0, 400) + "." };
+    }
+    const std::vector<std::string>& channels = found->second;
+    for (const std::string& channel : channels)
+    {
+      const exr::Channel& values = *header.channels().findChannel(channel);
+      if (values.xSampling != 1 || values.ySampling != 1)
+      {
+        throw Failure{ vtkErrorCode::FileFormatError,
+          "the channel \"" + channel + "\" is subsampled, which is not supported." };
+      }
+    }
+    const int components = static_cast<int>(channels.size());
+    std::vector<int> extent = GetExtent(header, channels.size(), this->MaximumSize * 1048576.0);
+    if (!output)
+    {
+      std::copy(extent.begin(), extent.end(), this->DataExtent);
+      this->DataScalarType = VTK_FLOAT;
+      this->NumberOfScalarComponents = components;
+      return;
+    }
+    if (!std::equal(extent.begin(), extent.end(), this->DataExtent) ||
+      components != this->NumberOfScalarComponents)
+    {
+      throw Failure{ vtkErrorCode::FileFormatError, "it has changed since its header was read." };
+    }
+    output->GetPointData()->SetScalars(
+      ReadPixels(file, part, channels, this->Layer.empty() ? 0 : this->Layer.size() + 1));
+    output->SetExtent(extent.data());
+    return;
   }
-  if (vtkInternals::HasBytes(this) || this->FileName)
+  catch (const Failure& thrown)
   {
-    this->DataExtent[4] = this->DataExtent[5] = 0;
+    failure = thrown;
   }
-
-  vtkOpenEXRFailure failure;
-  vtkOpenEXRHeader header;
-  vtkOpenEXRDecoder file(vtkInternals::Open(this));
-  if (!file.Guard(failure,
-        [&]() { header = file.ReadHeader(this->Part, vtkInternals::GetMaximumBytes(this)); }))
+  catch (const std::bad_alloc&)
   {
-    this->Fail(failure.Code, failure.Message);
-    return false;
+    failure = { vtkErrorCode::UnknownError, "there is not enough memory." };
   }
-  this->NumberOfParts = header.NumberOfParts;
-  this->PixelAspectRatio = header.PixelAspectRatio;
-  for (int i = 0; i < 4; ++i)
+  catch (const std::exception& thrown)
   {
-    this->DataWindow[i] = static_cast<int>(header.Data[static_cast<std::size_t>(i)]);
-    this->DisplayWindow[i] = static_cast<int>(header.Display[static_cast<std::size_t>(i)]);
+    const bool ended = stream && stream->EndWasHit;
+    failure = { ended ? vtkErrorCode::PrematureEndOfFileError : vtkErrorCode::FileFormatError,
+      (ended ? "the file is truncated or damaged: " : "") + std::string(thrown.what()) };
   }
-  this->Internals->Header = std::move(header);
-  this->Internals->ErrorPrefix = file.GetErrorPrefix();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkOpenEXRReader::ReadHeader()
-{
-  this->ErrorCode = vtkErrorCode::NoError;
-  return this->ReadFirstHeader();
-}
-
-//------------------------------------------------------------------------------
-int vtkOpenEXRReader::GetNumberOfLayers()
-{
-  return static_cast<int>(this->Internals->Header.Layers.size());
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOpenEXRReader::GetLayerName(int index)
-{
-  return vtkOpenEXRMaps::GetKey(this->Internals->Header.Layers, index);
-}
-
-//------------------------------------------------------------------------------
-int vtkOpenEXRReader::GetNumberOfChannels()
-{
-  const auto found = this->Internals->Header.Layers.find(this->Layer);
-  return found == this->Internals->Header.Layers.end() ? 0 : static_cast<int>(found->second.size());
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOpenEXRReader::GetChannelName(int index)
-{
-  if (index < 0 || index >= this->GetNumberOfChannels())
-  {
-    return std::string();
-  }
-  return this->Internals->Header.Layers[this->Layer][static_cast<std::size_t>(index)].Name;
-}
-
-//------------------------------------------------------------------------------
-int vtkOpenEXRReader::GetNumberOfAttributes()
-{
-  return static_cast<int>(this->Internals->Header.Attributes.size());
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOpenEXRReader::GetAttributeName(int index)
-{
-  return vtkOpenEXRMaps::GetKey(this->Internals->Header.Attributes, index);
-}
-
-//------------------------------------------------------------------------------
-bool vtkOpenEXRReader::HasAttribute(const std::string& name)
-{
-  return this->Internals->Header.Attributes.count(name) != 0;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOpenEXRReader::GetAttribute(const std::string& name)
-{
-  return vtkOpenEXRMaps::GetValue(this->Internals->Header.Attributes, name);
+  // One line, also where the file has control characters in its names.
+  std::replace_if(
+    failure.Message.begin(), failure.Message.end(),
+    [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
+  // Not SetErrorCode, which would mark the reader as modified and have the pipeline ask again.
+  this->ErrorCode = failure.Code;
+  vtkErrorMacro(<< "Cannot read \"" << name << "\": " << failure.Message);
 }
 
 //------------------------------------------------------------------------------
 void vtkOpenEXRReader::ExecuteInformation()
 {
-  if (!this->ReadFirstHeader())
-  {
-    return;
-  }
-  const vtkOpenEXRHeader& header = this->Internals->Header;
-  try
-  {
-    this->Internals->Channels = header.GetLayer(this->Layer);
-    const std::int64_t slices =
-      static_cast<std::int64_t>(this->DataExtent[5]) - this->DataExtent[4] + 1;
-    const std::array<int, 4> extent = header.GetExtent(this->UseDisplayWindow, slices,
-      this->Internals->Channels.size(), vtkInternals::GetMaximumBytes(this));
-    std::copy(extent.begin(), extent.end(), this->DataExtent);
-  }
-  catch (const vtkOpenEXRFailure& failure)
-  {
-    this->Fail(failure.Code, this->Internals->ErrorPrefix + failure.Message);
-    return;
-  }
-  this->DataScalarType = VTK_FLOAT;
-  this->NumberOfScalarComponents = static_cast<int>(this->Internals->Channels.size());
-  this->Internals->Ready = true;
+  this->LayerNames.clear();
+  this->ReadFile(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -297,105 +443,29 @@ int vtkOpenEXRReader::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->ErrorCode = vtkErrorCode::NoError;
-  this->Internals->Ready = false;
   if (!this->Superclass::RequestInformation(request, inputVector, outputVector))
   {
     const int empty[6] = { 0, -1, 0, -1, 0, -1 };
     outputVector->GetInformationObject(0)->Set(
       vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), empty, 6);
   }
+  // Always all of it.
+  outputVector->GetInformationObject(0)->Remove(CAN_PRODUCE_SUB_EXTENT());
   return 1;
 }
 
 //------------------------------------------------------------------------------
-int vtkOpenEXRReader::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkOpenEXRReader::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  if (!this->Internals->Ready)
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->Initialize();
+  // Otherwise the header's failure has been reported.
+  if (this->ErrorCode == vtkErrorCode::NoError)
   {
-    // Already told.
-    vtkImageData::GetData(outputVector)->Initialize();
-    return 1;
+    this->ReadFile(output);
   }
-  this->ErrorCode = vtkErrorCode::NoError;
-  this->Superclass::RequestData(request, inputVector, outputVector);
   return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkOpenEXRReader::ExecuteDataWithInformation(vtkDataObject* output, vtkInformation* outInfo)
-{
-  vtkImageData* image = vtkImageData::SafeDownCast(output);
-  image->Initialize();
-  int extent[6];
-  outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-  if (extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5])
-  {
-    return;
-  }
-
-  const vtkOpenEXRHeader& header = this->Internals->Header;
-  const std::size_t components = this->Internals->Channels.size();
-  const std::int64_t width = static_cast<std::int64_t>(extent[1]) - extent[0] + 1;
-  const std::int64_t height = static_cast<std::int64_t>(extent[3]) - extent[2] + 1;
-  const std::size_t sliceSize = static_cast<std::size_t>(width * height) * components;
-  const int slices = extent[5] - extent[4] + 1;
-  const std::size_t size = sliceSize * static_cast<std::size_t>(slices);
-  // Zeros, which the system hands out without touching the memory.
-  auto* values = static_cast<float*>(std::calloc(size, sizeof(float)));
-  if (!values)
-  {
-    this->Fail(vtkErrorCode::UnknownError,
-      "There is not enough memory for an image of " + std::to_string(size) + " values.");
-    return;
-  }
-  vtkNew<vtkFloatArray> scalars;
-  scalars->SetName("OpenEXRImage");
-  scalars->SetNumberOfComponents(static_cast<int>(components));
-  scalars->SetArray(values, static_cast<vtkIdType>(size), 0, vtkFloatArray::VTK_DATA_ARRAY_FREE);
-
-  for (int slice = 0; slice < slices; ++slice)
-  {
-    if (!vtkInternals::HasBytes(this))
-    {
-      this->ComputeInternalFileName(extent[4] + slice);
-      if (!this->InternalFileName)
-      {
-        return;
-      }
-    }
-    vtkOpenEXRFailure failure;
-    vtkOpenEXRDecoder file(vtkInternals::Open(this));
-    const bool success = file.Guard(failure,
-      [&]()
-      {
-        const vtkOpenEXRHeader current =
-          file.ReadHeader(this->Part, vtkInternals::GetMaximumBytes(this));
-        if (!current.Matches(header, this->Layer, this->Internals->Channels))
-        {
-          throw vtkOpenEXRFailure{ vtkErrorCode::FileFormatError,
-            "its windows or channels differ from those of the header read first." };
-        }
-        file.ReadPixels(this->Part, current, this->Internals->Channels, extent,
-          values + sliceSize * static_cast<std::size_t>(slice),
-          [&](double fraction)
-          {
-            this->UpdateProgress((slice + fraction) / slices);
-            return !this->AbortExecute;
-          });
-      });
-    if (!success)
-    {
-      this->Fail(failure.Code, failure.Message);
-      return;
-    }
-    if (this->AbortExecute)
-    {
-      return;
-    }
-  }
-  image->SetExtent(extent);
-  image->GetPointData()->SetScalars(scalars);
 }
 
 //------------------------------------------------------------------------------
@@ -403,28 +473,6 @@ void vtkOpenEXRReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Layer: \"" << this->Layer << "\"\n";
-  os << indent << "Part: " << this->Part << "\n";
-  os << indent << "UseDisplayWindow: " << (this->UseDisplayWindow ? "On" : "Off") << "\n";
   os << indent << "MaximumSize: " << this->MaximumSize << "\n";
-  os << indent << "NumberOfParts: " << this->NumberOfParts << "\n";
-  os << indent << "DataWindow: (" << this->DataWindow[0] << ", " << this->DataWindow[1] << ", "
-     << this->DataWindow[2] << ", " << this->DataWindow[3] << ")\n";
-  os << indent << "DisplayWindow: (" << this->DisplayWindow[0] << ", " << this->DisplayWindow[1]
-     << ", " << this->DisplayWindow[2] << ", " << this->DisplayWindow[3] << ")\n";
-  os << indent << "PixelAspectRatio: " << this->PixelAspectRatio << "\n";
-  os << indent << "Layers: " << this->GetNumberOfLayers() << "\n";
-  for (int i = 0; i < this->GetNumberOfLayers(); ++i)
-  {
-    os << indent.GetNextIndent() << "\"" << this->GetLayerName(i) << "\"\n";
-  }
-  os << indent << "Channels: " << this->GetNumberOfChannels() << "\n";
-  for (int i = 0; i < this->GetNumberOfChannels(); ++i)
-  {
-    os << indent.GetNextIndent() << this->GetChannelName(i) << "\n";
-  }
-  os << indent << "Attributes: " << this->GetNumberOfAttributes() << "\n";
-  for (const auto& attribute : this->Internals->Header.Attributes)
-  {
-    os << indent.GetNextIndent() << attribute.first << ": " << attribute.second << "\n";
-  }
+  os << indent << "Layers: " << this->LayerNames.size() << "\n";
 }

@@ -113,9 +113,11 @@ inline exr::FrameBuffer MakeFrame(const imath::Box2i& window, std::vector<Plane>
 
 inline void WriteScanlines(const std::string& path, const imath::Box2i& window,
   std::vector<Plane>& planes, exr::Compression compression,
-  exr::LineOrder order = exr::INCREASING_Y)
+  exr::LineOrder order = exr::INCREASING_Y, const imath::Box2i* display = nullptr)
 {
-  exr::OutputFile file(path.c_str(), MakeHeader(window, planes, compression, order));
+  exr::Header header = MakeHeader(window, planes, compression, order);
+  header.displayWindow() = display ? *display : window;
+  exr::OutputFile file(path.c_str(), header);
   file.setFrameBuffer(MakeFrame(window, planes));
   file.writePixels(window.max.y - window.min.y + 1);
 }
@@ -141,19 +143,22 @@ inline void WriteTiles(const std::string& path, const imath::Box2i& window,
   }
 }
 
-inline void WriteParts(
-  const std::string& path, const imath::Box2i& window, std::vector<std::vector<Plane>>& parts)
+// The first part may be a deep one, of which there are then no pixels.
+inline void WriteParts(const std::string& path, const imath::Box2i& window,
+  std::vector<std::vector<Plane>>& parts, bool deepFirst = false)
 {
   std::vector<exr::Header> headers;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     headers.push_back(MakeHeader(window, parts[i], exr::ZIP_COMPRESSION));
     headers.back().setName("part" + std::to_string(i));
-    headers.back().setType(exr::SCANLINEIMAGE);
+    const bool deep = deepFirst && i == 0;
+    headers.back().setType(deep ? exr::DEEPSCANLINE : exr::SCANLINEIMAGE);
+    headers.back().compression() = deep ? exr::ZIPS_COMPRESSION : exr::ZIP_COMPRESSION;
     headers.back().insert("comments", exr::StringAttribute("of part " + std::to_string(i)));
   }
   exr::MultiPartOutputFile file(path.c_str(), headers.data(), static_cast<int>(headers.size()));
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  for (std::size_t i = deepFirst ? 1 : 0; i < parts.size(); ++i)
   {
     exr::OutputPart part(file, static_cast<int>(i));
     part.setFrameBuffer(MakeFrame(window, parts[i]));

@@ -212,6 +212,13 @@ inline float* FloatData(vtkImageData* image)
   return scalars ? scalars->GetPointer(0) : nullptr;
 }
 
+// The channel that a component of the output was read from.
+inline std::string ComponentName(vtkOpenEXRReader* reader, int component)
+{
+  const char* name = reader->GetOutput()->GetPointData()->GetScalars()->GetComponentName(component);
+  return name ? name : "";
+}
+
 // Same extent, same components, same bits.
 inline bool SameBits(vtkImageData* a, vtkImageData* b)
 {

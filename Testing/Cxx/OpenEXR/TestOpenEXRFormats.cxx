@@ -82,19 +82,6 @@ VTK_INDIRECT_TEST(Tiled)
           vtkNew<vtkOpenEXRReader> reader;
           Read(reader, path);
           EXR_CHECK(Holds(reader->GetOutput(), window, { &planes[0], &planes[1] }));
-
-          // A piece of it.
-          int extent[6];
-          reader->GetOutput()->GetExtent(extent);
-          extent[0] += (extent[1] - extent[0]) / 3;
-          extent[3] -= (extent[3] - extent[2]) / 4;
-          vtkNew<vtkImageData> expected;
-          expected->DeepCopy(reader->GetOutput());
-          expected->Crop(extent);
-          vtkNew<vtkOpenEXRReader> piece;
-          piece->SetFileName(path.c_str());
-          piece->UpdateExtent(extent);
-          EXR_CHECK(SameBits(expected, piece->GetOutput()));
         }
       }
     }
@@ -102,36 +89,36 @@ VTK_INDIRECT_TEST(Tiled)
 }
 
 //------------------------------------------------------------------------------
+// The first part that is a flat image.
 VTK_INDIRECT_TEST(MultiPart)
 {
   const std::string folder = GetFolder();
   const imath::Box2i window = MakeWindow(0, 30, 0, 40);
   const std::string path = folder + "parts.exr";
-  std::vector<std::vector<Plane>> parts(3);
-  parts[0].emplace_back("Y", exr::FLOAT, window, 1);
-  parts[1].emplace_back("R", exr::HALF, window, 2);
-  parts[1].emplace_back("depth.Z", exr::FLOAT, window, 3);
-  parts[2].emplace_back("id", exr::UINT, window, 4);
-  WriteParts(path, window, parts);
-  vtkNew<vtkOpenEXRReader> reader;
-  Read(reader, path);
-  EXR_CHECK(reader->GetNumberOfParts() == 3);
-  EXR_CHECK(reader->GetAttribute("comments") == "of part 0");
-  EXR_CHECK(Holds(reader->GetOutput(), window, { &parts[0][0] }));
-  reader->SetPart(1);
-  reader->Update();
-  EXR_CHECK(Holds(reader->GetOutput(), window, { &parts[1][0] }));
-  EXR_CHECK(reader->GetNumberOfLayers() == 2);
-  reader->SetLayer("depth");
-  reader->Update();
-  EXR_CHECK(Holds(reader->GetOutput(), window, { &parts[1][1] }));
-  EXR_CHECK(reader->GetAttribute("comments") == "of part 1");
-  reader->SetLayer("");
-  reader->SetPart(2);
-  reader->Update();
-  EXR_CHECK(Holds(reader->GetOutput(), window, { &parts[2][0] }));
-  reader->SetPart(3);
-  ExpectReadError(reader, vtkErrorCode::UserError);
+  for (const bool deepFirst : { false, true })
+  {
+    std::vector<std::vector<Plane>> parts(3);
+    parts[0].emplace_back("Y", exr::FLOAT, window, 1);
+    parts[1].emplace_back("R", exr::HALF, window, 2);
+    parts[1].emplace_back("depth.Z", exr::FLOAT, window, 3);
+    parts[2].emplace_back("id", exr::UINT, window, 4);
+    WriteParts(path, window, parts, deepFirst);
+    vtkNew<vtkOpenEXRReader> reader;
+    Read(reader, path);
+    const std::size_t first = deepFirst ? 1 : 0;
+    EXR_CHECK(Holds(reader->GetOutput(), window, { &parts[first][0] }));
+    EXR_CHECK(reader->GetNumberOfLayers() == (deepFirst ? 2 : 1));
+    reader->SetLayer("depth");
+    if (deepFirst)
+    {
+      reader->Update();
+      EXR_CHECK(Holds(reader->GetOutput(), window, { &parts[1][1] }));
+    }
+    else
+    {
+      ExpectReadError(reader, vtkErrorCode::UserError);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -177,14 +164,14 @@ VTK_INDIRECT_TEST(ChannelOrder)
       EXR_CHECK(Holds(reader->GetOutput(), window, expected));
       for (std::size_t i = 0; i < names.size(); ++i)
       {
-        EXR_CHECK(reader->GetChannelName(static_cast<int>(i)) == names[i]);
+        EXR_CHECK(ComponentName(reader, static_cast<int>(i)) == names[i]);
       }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-// Reading from memory, and a list of files.
+// Reading from memory. A list of files is refused.
 VTK_INDIRECT_TEST(Memory)
 {
   const std::string folder = GetFolder();
@@ -219,13 +206,7 @@ VTK_INDIRECT_TEST(Memory)
   names->InsertNextValue(folder + "a.exr");
   vtkNew<vtkOpenEXRReader> list;
   list->SetFileNames(names);
-  list->Update();
-  EXR_CHECK(list->GetErrorCode() == vtkErrorCode::NoError);
-  EXR_CHECK(list->GetOutput()->GetNumberOfPoints() == 2 * 31 * 41);
-  vtkNew<vtkOpenEXRReader> none;
-  vtkNew<vtkStringArray> empty;
-  none->SetFileNames(empty);
-  ExpectReadError(none, vtkErrorCode::NoFileNameError);
+  ExpectReadError(list, vtkErrorCode::NoFileNameError);
 }
 
 //------------------------------------------------------------------------------
@@ -255,7 +236,6 @@ VTK_INDIRECT_TEST(Print)
   const std::string folder = GetFolder();
   vtkNew<vtkOpenEXRWriter> writer;
   writer->SetInputData(MakeImage({ 0, 3, 0, 3, 0, 0 }, 3));
-  writer->SetAttribute("owner", "somebody");
   writer->AddLayer("albedo", MakeImage({ 0, 3, 0, 3, 0, 0 }, 3));
   writer->SetFileName((folder + "print.exr").c_str());
   writer->Write();
@@ -264,10 +244,8 @@ VTK_INDIRECT_TEST(Print)
   std::ostringstream text;
   reader->Print(text);
   writer->Print(text);
-  for (const char* word : { "Layer: ", "Part: ", "UseDisplayWindow: Off", "MaximumSize: 8192",
-         "NumberOfParts: 1", "DataWindow: (0, 3, 0, 3)", "DisplayWindow: (0, 3, 0, 3)",
-         "PixelAspectRatio: 1", "Layers: 2", "Channels: 3", "owner: somebody", "PixelType: Half",
-         "Compression: ZIP", "albedo", "DisplayWindow: (0, -1, 0, -1)" })
+  for (const char* word : { "Layer: ", "MaximumSize: 8192", "Layers: 2", "PixelType: Half",
+         "Compression: ZIP", "albedo" })
   {
     EXR_CHECK(text.str().find(word) != std::string::npos);
   }
