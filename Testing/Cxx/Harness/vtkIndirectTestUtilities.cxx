@@ -212,6 +212,28 @@ double Image::Mean(int component) const
   return sum / (static_cast<double>(this->Width) * this->Height);
 }
 
+double FindRelativeError(const Image& image, const Image& expected, const Image& normal)
+{
+  double squares = 0.0;
+  double sum = 0.0;
+  double count = 0.0;
+  for (int y = 0; y < image.Height; ++y)
+  {
+    for (int x = 0; x < image.Width; ++x)
+    {
+      if (normal.Color(x, y) != glm::dvec3(0.0))
+      {
+        const glm::dvec3 wanted = expected.Color(x, y);
+        const glm::dvec3 difference = image.Color(x, y) - wanted;
+        squares += glm::dot(difference, difference);
+        sum += wanted.x + wanted.y + wanted.z;
+        count += 3.0;
+      }
+    }
+  }
+  return std::sqrt(squares * count) / sum;
+}
+
 // Scenes ------------------------------------------------------------------------------------------
 Scene::Scene(int width, int height)
 {

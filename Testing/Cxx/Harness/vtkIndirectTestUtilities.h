@@ -96,6 +96,9 @@ struct Image
   double Mean(int component = 0) const;
 };
 
+/** RMS of the difference over the mean of what is expected, where `normal` has a surface. */
+double FindRelativeError(const Image& image, const Image& expected, const Image& normal);
+
 /** A row of the buffer "lights". */
 struct VirtualLight
 {

@@ -9,7 +9,9 @@
 #include "vtkLightCollection.h"
 #include "vtkRenderWindow.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace vtkIndirectTest;
 
@@ -111,5 +113,86 @@ VTK_INDIRECT_TEST(HintsTemporal)
     scene.Render();
     CheckRelative(what + "a share of the way back", scene.Copy("irradiance").Mean(),
       (1.0 + 2.0 * keep) * first, 1e-3, "as above");
+  }
+}
+
+// Every pixel follows E = keep E_last + (1 - keep) E_now in each frame; once all stands still it is
+// the unsmoothed value bit for bit after the number of frames that the property's documentation
+// says, not one before, and then nothing is computed.
+VTK_INDIRECT_TEST(HintsTemporalSequence)
+{
+  struct Row
+  {
+    double Keep;
+    int Frames; // documented
+  };
+  for (const Row& row : { Row{ 0.5, 12 }, Row{ 0.8, 38 }, Row{ 0.95, 163 } })
+  {
+    HintScene scene(24, 24);
+    scene.AddBox({ 0, 0, 0 }, { 4, 3, 2 }, { 0.8, 0.4, 0.2 });
+    vtkLight* light = scene.AddPoint({ 1.0, 1.0, 1.7 }, { 0.0, 0.0, 1.0 });
+    scene.SetEye({ 0.2, 0.2, 1.8 }, { 3.0, 2.5, 0.2 }, { 0, 0, 1 }, 70.0, 0.05, 10.0);
+    scene.Pass->SetReflectiveShadowMapResolution(32);
+    scene.SetGrid(4);
+    scene.Hints->SetInterpolationStep(1); // every pixel is looked up, and so smoothed
+    const std::vector<double> intensities = { 1.0, 3.0, 2.0, 0.25, 4.0 };
+    std::vector<Image> unsmoothed;
+    for (double intensity : intensities)
+    {
+      light->SetIntensity(intensity);
+      scene.Render();
+      unsmoothed.push_back(scene.Copy("irradiance"));
+    }
+    CheckAtLeast("light", unsmoothed[0].Mean(), 1e-3, "the test's own power");
+    scene.Hints->SetTemporalSmoothing(row.Keep);
+    scene.Pass->ReleaseGraphicsResources(scene.Window);
+
+    const std::string what = "keep " + std::to_string(row.Keep).substr(0, 4) + ": ";
+    const Image& wanted = unsmoothed.back();
+    std::vector<double> expected(wanted.Values.begin(), wanted.Values.end());
+    double worst = 0.0;
+    auto follow = [&](const Image& now, bool first)
+    {
+      const Image shown = scene.Copy("irradiance");
+      for (size_t i = 0; i < expected.size(); ++i)
+      {
+        expected[i] =
+          first ? now.Values[i] : row.Keep * expected[i] + (1.0 - row.Keep) * now.Values[i];
+        // Over the largest value that the sum has seen: four times that at one.
+        const double scale = 4.0 * std::max(unsmoothed[0].Values[i], 1e-30f);
+        worst = std::max(worst, std::abs(shown.Values[i] - expected[i]) / scale);
+      }
+      return shown;
+    };
+    for (size_t i = 0; i < intensities.size(); ++i)
+    {
+      light->SetIntensity(intensities[i]);
+      scene.Render();
+      follow(unsmoothed[i], i == 0);
+    }
+    Image shown;
+    for (int frame = 1; frame < row.Frames; ++frame)
+    {
+      scene.Render();
+      shown = follow(wanted, false);
+    }
+    CheckAtMost(what + "worst difference to the closed form, over the brightest", worst,
+      2.0 * std::exp2(-23.0) / (1.0 - row.Keep), "two roundings a frame, a geometric series");
+    CheckAtLeast(what + "values that are not yet the unsmoothed ones, one frame before the last",
+      static_cast<double>(wanted.Values.size()) - CountSame(wanted, shown), 1, "still smoothed");
+    scene.Render();
+    CheckEqual(what + "values that differ from the unsmoothed ones after " +
+        std::to_string(row.Frames) + " equal frames",
+      static_cast<double>(wanted.Values.size()) - CountSame(wanted, scene.Copy("irradiance")), 0);
+    const vtkIdType estimates = scene.ReadReport("estimates");
+    const vtkIdType updates = scene.ReadReport("hint_updates");
+    for (int i = 0; i < 5; ++i)
+    {
+      scene.Render();
+    }
+    CheckEqual(what + "look-ups at rest", scene.ReadReport("estimates") - estimates, 0);
+    CheckEqual(what + "hints updated at rest", scene.ReadReport("hint_updates") - updates, 0);
+    CheckEqual(what + "values that differ at rest",
+      static_cast<double>(wanted.Values.size()) - CountSame(wanted, scene.Copy("irradiance")), 0);
   }
 }

@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tree of subsplats itself: each lit pixel in one leaf, leaves that touch, the paper's
+// refinement against its criterion on the CPU, and the same leaves by every renderer.
+#include "vtkIndirectDetails.h"
+#include "vtkIndirectPyramidReader.h"
+#include "vtkIndirectRandomFrame.h"
+
+#include "OpenGL/vtkIndirectComputeProgram.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "vtkRenderWindow.h"
+#include "vtkUniformLightSampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+using Pass = vtkMultiresolutionSplattingPass;
+
+// A random frame whose pyramid is read.
+struct LeafFrame : RandomFrame
+{
+  vtkNew<PyramidReader> Reader;
+
+  LeafFrame(int number, const FrameSize& size)
+    : RandomFrame(number, size, static_cast<FrameLight>(number % NumberOfFrameLights))
+  {
+    this->Sampler->SetNumberOfLights(32);
+    this->Pass->SetReflectiveShadowMapResolution(64);
+    this->Pass->SetEstimator(this->Reader);
+    SET_DETAIL(this->Reader, CoarsestResolution, 8); // several levels in small images
+  }
+};
+
+// Odd, prime, lines, single pixels.
+const std::vector<FrameSize> Sizes = { { 97, 61 }, { 127, 89 }, { 131, 1 }, { 1, 67 }, { 1, 1 },
+  { 2, 3 }, { 64, 64 }, { 101, 37 } };
+}
+
+VTK_INDIRECT_TEST(LeavesCoverOnce)
+{
+  // Whatever the settings, each lit pixel lies in exactly one leaf, the one that subsplat.level
+  // shows; and the lists of split texels hold each of them once.
+  double lit = 0.0;
+  int coarse = 0;
+  int wrong = 0;
+  int shown = 0;
+  int listed = 0;
+  for (int number = 0; number < 16; ++number)
+  {
+    LeafFrame scene(1000 + number, Sizes[number % Sizes.size()]);
+    PyramidReader* const reader = scene.Reader;
+    SET_DETAIL(reader, Balance, number % 3 != 0);
+    SET_DETAIL(reader, DepthRange, number % 4 == 3);
+    reader->SetFinestLevel(number % 5 == 4 ? Pass::HALF_RESOLUTION : Pass::FULL_RESOLUTION);
+    scene.Render();
+    const Image level = scene.Copy("subsplat.level");
+    for (int y = 0; y < reader->Size[1]; ++y)
+    {
+      for (int x = 0; x < reader->Size[0]; ++x)
+      {
+        if (reader->IsLit(x, y))
+        {
+          const std::vector<int> leaves = reader->FindLeaves(x, y);
+          wrong += leaves.size() != 1;
+          shown += leaves.empty() || level.At(x, y)[0] != static_cast<float>(leaves[0]);
+          coarse += !leaves.empty() && leaves[0] > 1;
+          lit += 1.0;
+        }
+      }
+    }
+    for (size_t i = 0; i < reader->Levels.size(); ++i)
+    {
+      const PyramidReader::Level& of = reader->Levels[i];
+      int split = 0;
+      for (int texel = 0; texel < of.Width * of.Height; ++texel)
+      {
+        split += reader->IsSplit(static_cast<int>(i) + 1, texel % of.Width, texel / of.Width);
+      }
+      listed += of.NumberOfListed >= 0 && of.NumberOfListed != split;
+    }
+  }
+  CheckAtLeast("lit pixels", lit, 15000, "the test's own power");
+  CheckAtLeast("of them in leaves of four by four pixels and more", coarse, 2000, "as above");
+  CheckEqual("lit pixels in no leaf or in several", wrong, 0);
+  CheckEqual("lit pixels of which subsplat.level shows another", shown, 0);
+  CheckEqual("levels whose list has not as many texels as are split", listed, 0);
+}
+
+VTK_INDIRECT_TEST(LeavesBalanced)
+{
+  // Levels of lit pixels that touch, also by a corner.
+  double pairs = 0.0;
+  int steps[2] = {};
+  for (int number = 0; number < 16; ++number)
+  {
+    LeafFrame scene(1100 + number, Sizes[number % 2]);
+    PyramidReader* const reader = scene.Reader;
+    reader->SetFinestLevel(number % 5 == 4 ? Pass::HALF_RESOLUTION : Pass::FULL_RESOLUTION);
+    SET_DETAIL(reader, DepthRange, number % 4 == 3);
+    for (bool balance : { false, true })
+    {
+      SET_DETAIL(reader, Balance, balance);
+      scene.Render();
+      for (int y = 0; y < reader->Size[1]; ++y)
+      {
+        for (int x = 0; x < reader->Size[0]; ++x)
+        {
+          const int around[4][2] = { { 1, 0 }, { 0, 1 }, { 1, 1 }, { -1, 1 } };
+          for (const auto& step : around)
+          {
+            const int u = x + step[0];
+            const int v = y + step[1];
+            if (u >= 0 && u < reader->Size[0] && v < reader->Size[1] && reader->IsLit(x, y) &&
+              reader->IsLit(u, v))
+            {
+              const int difference = reader->FindLeaves(x, y)[0] - reader->FindLeaves(u, v)[0];
+              steps[balance] += std::abs(difference) > 1;
+              pairs += 1.0;
+            }
+          }
+        }
+      }
+    }
+  }
+  CheckAtLeast("pairs of lit pixels", pairs, 100000, "the test's own power");
+  CheckAtLeast("that differ by more than one level without balance", steps[0], 500, "as above");
+  CheckEqual("that differ by more than one level with it", steps[1], 0);
+}
+
+namespace
+{
+// The paper's pyramid and criterion on the CPU (section 3.2 of Nichols and Wyman 2009): a subsplat
+// is split where its depths differ by more than one threshold, or a component of its normals by
+// more than another; the coarsest level always.
+struct PaperTree
+{
+  struct Node
+  {
+    bool Present = false;
+    glm::dvec4 Minimum{ 1e30 };
+    glm::dvec4 Maximum{ -1e30 };
+    bool Split = false;
+    bool AtCorner = false; // see IsCorner
+    bool Unclear = false;  // rounding decides
+  };
+  struct Level
+  {
+    int Width = 0;
+    int Height = 0;
+    std::vector<Node> Nodes;
+  };
+  std::vector<Level> Levels;
+  int NumberOfUnclear = 0;
+
+  PaperTree(const PyramidReader& reader, bool corners)
+  {
+    Level pixels;
+    pixels.Width = reader.Size[0];
+    pixels.Height = reader.Size[1];
+    pixels.Nodes.resize(static_cast<size_t>(pixels.Width) * pixels.Height);
+    for (size_t i = 0; i < pixels.Nodes.size(); ++i)
+    {
+      const float* pixel = &reader.Pixels[4 * i];
+      const glm::vec4 surface(pixel[0], pixel[1], pixel[2], pixel[3]);
+      if (vtkIndirectKernels::vtkiSurfaceIsLit(surface))
+      {
+        Node& node = pixels.Nodes[i];
+        node.Present = true;
+        node.Minimum = node.Maximum =
+          glm::dvec4(glm::dvec3(vtkIndirectKernels::vtkiSurfaceNormal(surface)),
+            static_cast<double>(pixel[0]));
+      }
+    }
+    this->Levels.push_back(pixels);
+    const double depthThreshold =
+      static_cast<float>(const_cast<PyramidReader&>(reader).GetDepthThreshold());
+    const double normalThreshold =
+      static_cast<float>(const_cast<PyramidReader&>(reader).GetNormalThreshold());
+    for (size_t number = 1; number <= reader.Levels.size(); ++number)
+    {
+      const Level& finer = this->Levels.back();
+      Level level;
+      level.Width = (finer.Width + 1) / 2;
+      level.Height = (finer.Height + 1) / 2;
+      for (int y = 0; y < level.Height; ++y)
+      {
+        for (int x = 0; x < level.Width; ++x)
+        {
+          Node node;
+          bool below = false;
+          for (int child = 0; child < 4; ++child)
+          {
+            const int u = 2 * x + (child & 1);
+            const int v = 2 * y + (child >> 1);
+            if (u < finer.Width && v < finer.Height)
+            {
+              const Node& one = finer.Nodes[static_cast<size_t>(v) * finer.Width + u];
+              node.Present = node.Present || one.Present;
+              node.Minimum = glm::min(node.Minimum, one.Minimum);
+              node.Maximum = glm::max(node.Maximum, one.Maximum);
+              below = below || one.Split;
+              node.AtCorner = node.AtCorner || one.AtCorner;
+              node.Unclear = node.Unclear || one.Unclear;
+            }
+          }
+          const glm::dvec4 range = node.Maximum - node.Minimum;
+          const double turn = std::max({ range.x, range.y, range.z });
+          node.Split = node.Present &&
+            (range.w > depthThreshold || turn > normalThreshold || below ||
+              number == reader.Levels.size());
+          node.Unclear = node.Unclear || (node.Present && std::abs(turn - normalThreshold) < 1e-6);
+          if (number == 1 && node.Present && corners && IsCorner(reader, x, y))
+          {
+            node.AtCorner = true;
+            node.Split = true;
+          }
+          this->NumberOfUnclear += node.Unclear;
+          level.Nodes.push_back(node);
+        }
+      }
+      this->Levels.push_back(level);
+    }
+  }
+
+  const Node& Get(int level, int x, int y) const
+  {
+    const Level& of = this->Levels[level];
+    return of.Nodes[static_cast<size_t>(y >> level) * of.Width + (x >> level)];
+  }
+  // From the root down.
+  int FindLeaf(int x, int y) const
+  {
+    int level = static_cast<int>(this->Levels.size()) - 1;
+    while (level > 0 && this->Get(level, x, y).Split)
+    {
+      --level;
+    }
+    return level;
+  }
+
+  // What the page on the method adds to every refinement: splits where another surface rises over
+  // a texel's first pixel, one pixel beside it, by 0.05 to 8 widths of a pixel, and turns by more
+  // than 0.7.
+  static bool IsCorner(const PyramidReader& reader, int x, int y)
+  {
+    auto place = [&](int u, int v, glm::dvec3& position, glm::dvec3& normal)
+    {
+      const float* p = &reader.Pixels[4 * (static_cast<size_t>(v) * reader.Size[0] + u)];
+      const glm::dvec3 h(
+        2.0 * (u + 0.5) / reader.Size[0] - 1.0, 2.0 * (v + 0.5) / reader.Size[1] - 1.0, 1.0);
+      position = reader.RayOrigin * h + static_cast<double>(p[0]) * (reader.RayDirection * h);
+      normal = vtkIndirectKernels::vtkiSurfaceNormal(glm::vec4(p[0], p[1], p[2], p[3]));
+    };
+    glm::dvec3 at;
+    glm::dvec3 normal;
+    place(2 * x, 2 * y, at, normal);
+    const double width =
+      2.0 / reader.Size[0] * glm::length(reader.RayOrigin[0] - at.z * reader.RayDirection[0]);
+    const int around[4][2] = { { -1, 0 }, { 2, 1 }, { 1, -1 }, { 0, 2 } };
+    for (const auto& step : around)
+    {
+      const int u = std::clamp(2 * x + step[0], 0, reader.Size[0] - 1);
+      const int v = std::clamp(2 * y + step[1], 0, reader.Size[1] - 1);
+      glm::dvec3 other;
+      glm::dvec3 otherNormal;
+      place(u, v, other, otherNormal);
+      const double rise = glm::dot(normal, other - at);
+      if (reader.IsLit(u, v) && rise > 0.05 * width && rise < 8.0 * width &&
+        glm::length(otherNormal - normal) > 0.7)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+void SetToPaper(Pass* pass)
+{
+  SET_DETAIL(pass, DepthRange, true);
+  SET_DETAIL(pass, Balance, false);
+  SET_DETAIL(pass, LightingThreshold, 0.0);
+}
+
+struct Comparison
+{
+  double Lit = 0.0;
+  double Different = 0.0;
+  double Coarser = 0.0; // on the GPU than on the CPU
+  int Unclear = 0;
+  std::map<int, int> Leaves;
+
+  void Add(const PyramidReader& reader, bool corners)
+  {
+    const PaperTree tree(reader, corners);
+    this->Unclear += tree.NumberOfUnclear;
+    for (int y = 0; y < reader.Size[1]; ++y)
+    {
+      for (int x = 0; x < reader.Size[0]; ++x)
+      {
+        const int root = static_cast<int>(reader.Levels.size());
+        if (reader.IsLit(x, y) && !tree.Get(root, x, y).Unclear)
+        {
+          const int expected = tree.FindLeaf(x, y);
+          const int found = reader.FindLeaves(x, y)[0];
+          this->Lit += 1.0;
+          this->Different += expected != found;
+          this->Coarser += expected < found;
+          ++this->Leaves[expected];
+        }
+      }
+    }
+  }
+};
+}
+
+VTK_INDIRECT_TEST(LeavesOfThePaper)
+{
+  // Sheets that face the same way, at other depths: no corners, the paper's criterion alone.
+  Comparison sheets;
+  for (int number = 0; number < 6; ++number)
+  {
+    MultiresolutionScene scene(Sizes[number % 2].Width, Sizes[number % 2].Height);
+    vtkNew<PyramidReader> reader;
+    Random random(1200 + static_cast<std::uint64_t>(number));
+    scene.AddQuad({ -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, glm::dvec3(0.75));
+    for (int i = 0; i < 12; ++i)
+    {
+      const glm::dvec3 at(random.Next(-0.9, 0.6), random.Next(-0.9, 0.6), random.Next(0.02, 0.6));
+      scene.AddQuad(at, at + glm::dvec3(random.NextMagnitude(0.02, 0.5), 0, 0),
+        at + glm::dvec3(0, random.NextMagnitude(0.02, 0.5), 0), glm::dvec3(0.75));
+    }
+    scene.AddSpot({ 0, 0, 2 }, { 0, 0, 0 }, 40, 0, { 1, 0, 0 });
+    scene.SetEye({ 0.5, -0.7, 2.4 }, { 0, 0, 0.2 }, { 0.1, 1, 0 }, 40, 0.3, 10);
+    scene.Sampler->SetNumberOfLights(16);
+    scene.Pass->SetEstimator(reader);
+    SET_DETAIL(reader, CoarsestResolution, 8);
+    SetToPaper(reader);
+    reader->SetDepthThreshold(random.NextMagnitude(0.005, 0.1));
+    scene.Render();
+    sheets.Add(*reader, false);
+    scene.Pass->SetEstimator(nullptr);
+  }
+  CheckAtLeast("sheets: lit pixels", sheets.Lit, 20000, "the test's own power");
+  CheckAtLeast("sheets: levels of leaves", sheets.Leaves.size(), 4, "as above");
+  CheckEqual("sheets: texels at which rounding decides", sheets.Unclear, 0);
+  CheckEqual("sheets: pixels of another leaf than by the paper's criterion", sheets.Different, 0);
+
+  // Random frames: curved surfaces, and corners, at which more is split than by the paper.
+  Comparison all;
+  Comparison plain;
+  for (int number = 0; number < 12; ++number)
+  {
+    LeafFrame scene(1250 + number, Sizes[number % 2]);
+    PyramidReader* const reader = scene.Reader;
+    SetToPaper(reader);
+    reader->SetDepthThreshold(number % 3 ? 0.02 : 0.1);
+    reader->SetNormalThreshold(number % 2 ? 0.25 : 0.6);
+    scene.Render();
+    all.Add(*reader, true);
+    plain.Add(*reader, false);
+  }
+  CheckAtLeast("frames: lit pixels", all.Lit, 40000, "the test's own power");
+  CheckAtLeast("frames: levels of leaves", all.Leaves.size(), 4, "as above");
+  CheckAtMost("frames: texels at which rounding decides", all.Unclear, 20, "1e-6 of normals");
+  std::printf("       %.3g of the pixels have a finer leaf at corners than by the paper\n",
+    plain.Different / plain.Lit);
+  CheckEqual("frames: pixels of a coarser leaf than by the paper's criterion", plain.Coarser, 0);
+  CheckEqual("frames: pixels of another leaf than by it and corners", all.Different, 0);
+}
+
+VTK_INDIRECT_TEST(LeavesOfRenderers)
+{
+  // POINT_SPLATS, LEAF_FRAGMENTS and LEAF_COMPUTE at thresholds above zero.
+  double worst = 0.0;
+  std::vector<double> squares;
+  double moved = 0.0;
+  double coarse = 0.0;
+  int counts = 0;
+  bool compared = false;
+  for (int number = 0; number < 12; ++number)
+  {
+    RandomFrame scene(1300 + number, Sizes[number % 2 ? 1 : number % Sizes.size()],
+      static_cast<FrameLight>(number % NumberOfFrameLights));
+    scene.Sampler->SetNumberOfLights(64);
+    scene.Pass->SetReflectiveShadowMapResolution(64);
+    SET_DETAIL(scene.Splatting, HalfFloats, false);
+    SET_DETAIL(scene.Splatting, CoarsestResolution, 16);
+    scene.Splatting->SetFinestLevel(
+      number % 4 == 3 ? Pass::HALF_RESOLUTION : Pass::FULL_RESOLUTION);
+    SET_DETAIL(scene.Splatting, DepthRange, number % 3 == 2);
+    SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS);
+    const Image fragments = scene.Splat();
+    const Image levels = scene.Copy("subsplat.level");
+    std::map<float, int> leaves;
+    for (float level : levels.Values)
+    {
+      ++leaves[level];
+      coarse += level > 0.0f;
+    }
+    for (const auto renderer :
+      { vtkIndirectSubsplatDetails::POINTS, vtkIndirectSubsplatDetails::COMPUTE })
+    {
+      if (renderer == vtkIndirectSubsplatDetails::COMPUTE &&
+        !vtkIndirectComputeProgram::IsSupported())
+      {
+        continue;
+      }
+      compared = true;
+      SET_DETAIL(scene.Splatting, Renderer, renderer);
+      const ImageError error = Compare(scene.Splat(), fragments, 1e-3);
+      worst = std::max(worst, error.Worst);
+      if (error.Mean > 0.0)
+      {
+        squares.push_back(error.RootMeanSquare);
+      }
+      std::map<float, int> others;
+      const Image otherLevels = scene.Copy("subsplat.level");
+      for (size_t i = 0; i < levels.Values.size(); ++i)
+      {
+        ++others[otherLevels.Values[i]];
+        moved += otherLevels.Values[i] != levels.Values[i];
+      }
+      counts += others != leaves;
+    }
+  }
+  Check("renderers compared", compared);
+  CheckAtLeast("pixels in leaves coarser than one", coarse, 5000, "the test's own power");
+  CheckEqual("pixels whose leaf is another", moved, 0);
+  CheckEqual("frames with other numbers of leaves", counts, 0);
+  CheckAtMost("difference of the irradiance, RMS over the mean, worst frame",
+    Percentile(squares, 1.0), 1e-6, "the order of sums of 64 floats: 8 times 2^-24 at random");
+  CheckAtMost("the same, worst pixel over its own or a thousandth of the brightest", worst, 3e-5,
+    "measured 1.1e-5: dark pixels, of which light interpolated from bright ones is most");
+}

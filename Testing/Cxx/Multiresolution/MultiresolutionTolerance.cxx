@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What ErrorTolerance means for multiresolution splatting, in random frames that it was not chosen
+// by: the error of interpolating between subsplats is within it, and where the choice of virtual
+// lights is not, the report says so.
+#include "vtkIndirectDetails.h"
+#include "vtkIndirectRandomFrame.h"
+
+#include "vtkRSMGatherPass.h"
+#include "vtkUniformLightSampler.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+constexpr int Lights = 256; // the default
+
+// Lights that the report says would meet the tolerance; 0 where it does not object.
+int FindLightsNeeded(Scene& scene)
+{
+  const std::string report = scene.Pass->GetReport();
+  const std::string before = "two halves of the virtual lights differ by more, ";
+  const size_t at = report.find(before);
+  const size_t about = report.find("about ", at);
+  return at == std::string::npos ? 0 : std::atoi(report.c_str() + about + 6);
+}
+
+struct ToleranceFrame : RandomFrame
+{
+  Image Normal;
+  Image Converged; // thresholds of zero: the sum at every pixel over the same lights
+
+  ToleranceFrame(int number, const FrameSize& size, FrameLight light, int mapEdge)
+    : RandomFrame(number, size, light)
+  {
+    this->Sampler->SetNumberOfLights(Lights);
+    this->Pass->SetReflectiveShadowMapResolution(mapEdge);
+    this->Converged = this->GatherAll();
+    this->Normal = this->Copy("normal");
+  }
+  Image SplatWithin(double tolerance)
+  {
+    this->Pass->SetErrorTolerance(tolerance);
+    Image image = this->Splat();
+    this->Pass->SetErrorTolerance(0.0);
+    return image;
+  }
+};
+}
+
+VTK_INDIRECT_TEST(ToleranceInterpolation)
+{
+  constexpr int frames = 20;
+  const std::vector<double> tolerances = { 0.02, 0.05, 0.1, 0.2 };
+  std::vector<std::vector<double>> shares(tolerances.size());
+  std::vector<std::vector<double>> unopposed(tolerances.size());
+  for (int number = 0; number < frames; ++number)
+  {
+    ToleranceFrame scene(900 + number, { 251 - number, 191 + 2 * number },
+      static_cast<FrameLight>(number % NumberOfFrameLights), 128);
+    std::printf("       %s: errors over tolerances", scene.Name.c_str());
+    for (size_t i = 0; i < tolerances.size(); ++i)
+    {
+      const Image image = scene.SplatWithin(tolerances[i]);
+      const bool objects = FindLightsNeeded(scene) > 0;
+      shares[i].push_back(FindRelativeError(image, scene.Converged, scene.Normal) / tolerances[i]);
+      std::printf(" %.2f%s", shares[i].back(), objects ? " (too few lights)" : "");
+      if (!objects)
+      {
+        unopposed[i].push_back(shares[i].back());
+      }
+    }
+    std::printf("\n");
+  }
+  for (size_t i = 0; i < tolerances.size(); ++i)
+  {
+    const std::string what = "tolerance " + std::to_string(tolerances[i]).substr(0, 4) + ": ";
+    CheckAtLeast(what + "frames to which the report does not object", unopposed[i].size(),
+      i == 0 ? 0 : 3, "the test's own power: with so many lights none is within 0.02");
+    if (!unopposed[i].empty())
+    {
+      CheckAtMost(what + "error over it, worst of them", Percentile(unopposed[i], 1.0),
+        i == 3 ? 1.05 : 1.0,
+        i == 3 ? "measured 1.04: thresholds ten times the defaults, of which one is at its end"
+               : "what it promises");
+    }
+    CheckAtMost(what + "error over it, median frame", Percentile(shares[i], 0.5), 0.4,
+      "measured 0.11 to 0.29");
+    CheckAtMost(what + "frames beyond it",
+      std::count_if(shares[i].begin(), shares[i].end(), [](double share) { return share > 1.0; }),
+      4, "measured 3 or 4: spots narrower than a subsplat, to which the report objects");
+  }
+}
+
+VTK_INDIRECT_TEST(ToleranceLights)
+{
+  for (int number : { 900, 905, 907, 910, 912, 917 })
+  {
+    ToleranceFrame scene(
+      number, { 96, 72 }, static_cast<FrameLight>(number % NumberOfFrameLights), 48);
+    scene.Pass->SetEstimator(scene.Gather);
+    scene.Gather->SetModeToAllTexels();
+    scene.Render();
+    const Image all = scene.Copy("irradiance");
+    // Nothing but the choice of lights differs.
+    scene.Splatting->SetPlaneThreshold(0.0);
+    SET_DETAIL(scene.Splatting, HalfFloats, false);
+    const double measured = FindRelativeError(scene.SplatWithin(0.02), all, scene.Normal);
+    const double estimated = scene.ReadReport("estimated_error");
+    const std::string what = scene.Name + ": ";
+    CheckAtMost(what + "measured error over the estimated one", measured / estimated, 2.0,
+      "measured 0.8 to 1.7 (in larger frames to 1.9): one split in halves, at some probes");
+    CheckAtLeast(what + "the same", measured / estimated, 0.5, "as above");
+    for (double factor : { 0.25, 0.5, 0.9, 1.1 })
+    {
+      const double asked = factor * estimated;
+      scene.Sampler->SetNumberOfLights(Lights);
+      scene.SplatWithin(asked);
+      const int needed = FindLightsNeeded(scene);
+      CheckEqual(what + "whether the report objects", needed > 0, asked < estimated);
+      if (needed > 0)
+      {
+        CheckAbsolute(what + "lights that it names", needed, Lights / (factor * factor), 1.0,
+          "one over the root of their number");
+        scene.Sampler->SetNumberOfLights(needed);
+        CheckAtMost(what + "measured error with them over what was asked",
+          FindRelativeError(scene.SplatWithin(asked), all, scene.Normal) / asked, 2.0,
+          "measured 0.2 to 1.8: twice, as the estimate that it follows from");
+      }
+    }
+  }
+}

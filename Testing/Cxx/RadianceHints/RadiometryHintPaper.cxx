@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The paper's own method against its equations, written anew in double precision: the field of a
+// hint from the texels that are sampled for it (Eq. 1 to 4), further bounces from other hints (Eq.
+// 8 to 11) and the look-up at a pixel (Eq. 5 to 7). Only which texels and hints are sampled is the
+// shaders' own: that sequence of integers is no equation.
+#include "vtkIndirectHintScenes.h"
+
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkRSMGatherPass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+constexpr int MapEdge = 32;
+constexpr int Layers = 7;         // a spot's and the six of a point light
+constexpr int Samples = 40;       // of all layers together, by SetToPaper
+constexpr int BounceSamples = 32; // by SetToPaper
+constexpr int Grid[3] = { 6, 5, 4 };
+const glm::dvec3 Extent(4.0, 3.0, 2.0); // of the room, which has a corner at the origin
+const glm::dvec3 Albedo(0.8, 0.5, 0.3);
+const double Pi = vtkMath::Pi();
+
+glm::dvec3 GetCell()
+{
+  return Extent / glm::dvec3(Grid[0], Grid[1], Grid[2]);
+}
+
+// Item i of the sequence of a seed, as in vtkIndirectHintPlaces.glsl.
+glm::dvec3 Spread(int i, std::uint32_t seed)
+{
+  std::uint32_t h = seed * 747796405u + 2891336453u;
+  h = ((h >> ((h >> 28u) + 4u)) ^ h) * 277803737u;
+  h = (h >> 22u) ^ h;
+  const std::uint32_t start[3] = { h, h * 2654435761u + 1013904223u,
+    (h ^ 0x9e3779b9u) * 2246822519u };
+  const std::uint32_t step[3] = { 3518319155u, 2882110345u, 2360945575u };
+  glm::dvec3 result;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    result[axis] = ((start[axis] + static_cast<std::uint32_t>(i) * step[axis]) >> 8u) / 16777216.0;
+  }
+  return result;
+}
+
+// Real spherical harmonics in the order (0,0), (1,-1), (1,0), (1,1), (2,-2) to (2,2).
+std::array<double, 9> Harmonics(const glm::dvec3& d)
+{
+  const double one = std::sqrt(3.0 / (4.0 * Pi));
+  const double two = std::sqrt(15.0 / (4.0 * Pi));
+  return { std::sqrt(1.0 / (4.0 * Pi)), one * d.y, one * d.z, one * d.x, two * d.x * d.y,
+    two * d.y * d.z, std::sqrt(5.0 / (16.0 * Pi)) * (3.0 * d.z * d.z - 1.0), two * d.x * d.z,
+    0.5 * two * (d.x * d.x - d.y * d.y) };
+}
+
+struct Field
+{
+  std::array<glm::dvec3, 9> C{};
+  double Nearest = 1e30; // sender, over the scene's diagonal
+  double Farthest = 0.0;
+
+  void Add(const glm::dvec3& light, const glm::dvec3& direction)
+  {
+    const std::array<double, 9> y = Harmonics(direction);
+    for (int k = 0; k < 9; ++k)
+    {
+      this->C[k] += light * y[k];
+    }
+  }
+  // Ramamoorthi and Hanrahan 2001, over pi.
+  glm::dvec3 GetIrradiance(const glm::dvec3& normal, int order) const
+  {
+    const std::array<double, 9> y = Harmonics(normal);
+    glm::dvec3 sum(0.0);
+    for (int k = 0; k < order * order; ++k)
+    {
+      sum += (k == 0 ? 1.0 : k < 4 ? 2.0 / 3.0 : 0.25) * y[k] * this->C[k];
+    }
+    return sum;
+  }
+};
+
+struct PaperRoom : HintScene
+{
+  std::vector<VirtualLight> Texels; // of all maps, by layer, row and column
+  const double Diagonal = glm::length(Extent);
+
+  PaperRoom()
+    : HintScene(40, 30)
+  {
+    this->AddBox(glm::dvec3(0.0), Extent, Albedo);
+    this->AddSpot({ 1.0, 1.0, 1.9 }, { 2.0, 1.6, 0.0 }, 50.0, 1.0, { 0.0, 0.0, 1.0 });
+    this->AddPoint({ 2.7, 1.9, 0.8 }, { 0.5, 0.0, 1.0 });
+    this->SetEye({ 0.2, 0.2, 1.8 }, { 3.0, 2.5, 0.2 }, { 0, 0, 1 }, 70.0, 0.05, 10.0);
+    this->Pass->SetReflectiveShadowMapResolution(MapEdge);
+    this->Pass->SetEstimator(this->Gather);
+    this->Gather->SetModeToAllTexels();
+    this->Render();
+    this->Texels = this->CopyLights();
+    this->Pass->SetEstimator(this->Hints);
+    this->Hints->SetPresetToPaper();
+    this->Hints->SetGridResolution(Grid[0], Grid[1], Grid[2]);
+    this->Hints->SetInterpolationStep(1);
+  }
+
+  glm::dvec3 GetPlace(const vtkRadianceHintsPass::Hint& hint) const
+  {
+    return glm::dvec3(hint.Position[0], hint.Position[1], hint.Position[2]) * this->Diagonal +
+      0.5 * Extent;
+  }
+
+  // Eq. 1 to 4: the mean over each map's samples of radiance times solid angle, from a place in the
+  // hint's cell. A texel of area A is seen from the height sqrt(h^2 + A / 2 pi), see
+  // radiance-hints.md; `patches` leaves that away, as the paper does.
+  Field Inject(const vtkRadianceHintsPass::Hint& hint, int number, bool patches) const
+  {
+    Field field;
+    const int count = (Samples + Layers - 1) / Layers;
+    for (int layer = 0; layer < Layers; ++layer)
+    {
+      const auto seed = static_cast<std::uint32_t>(16 * number + layer);
+      for (int i = 0; i < count; ++i)
+      {
+        const glm::dvec3 random = Spread(i, seed);
+        const glm::dvec3 jitter = Spread(i, seed + 77777777u);
+        const int x = static_cast<int>(random.x * MapEdge);
+        const int y = static_cast<int>(random.y * MapEdge);
+        const VirtualLight& texel = this->Texels[(layer * MapEdge + y) * MapEdge + x];
+        const glm::dvec3 offset =
+          texel.Position - (this->GetPlace(hint) + (jitter - 0.5) * GetCell());
+        field.Nearest = std::min(field.Nearest, glm::length(offset) / this->Diagonal);
+        field.Farthest = std::max(field.Farthest, glm::length(offset) / this->Diagonal);
+        const double height = -glm::dot(texel.Normal, offset);
+        if (height <= 0.0)
+        {
+          continue;
+        }
+        const double back = patches ? std::sqrt(height * height + texel.Area / (2.0 * Pi)) : height;
+        const glm::dvec3 seen = offset - (back - height) * texel.Normal;
+        const double r = glm::length(seen);
+        field.Add(texel.DensityArea * (back / (r * r * r) * MapEdge * MapEdge / count), seen / r);
+      }
+    }
+    field.Nearest = std::min(field.Nearest, 1.0);
+    field.Farthest = std::min(field.Farthest, 1.0);
+    return field;
+  }
+
+  // Eq. 8 with weights normalized once, 9 and 11. ambiguous: a sample lies on a border between two
+  // cells, which rounding decides.
+  Field Exchange(const std::vector<vtkRadianceHintsPass::Hint>& hints,
+    const std::vector<Field>& first, const std::vector<Field>& before, int number, int order,
+    bool& ambiguous) const
+  {
+    const glm::ivec3 size(Grid[0], Grid[1], Grid[2]);
+    const glm::dvec3 middle(number % size.x, number / size.x % size.y, number / (size.x * size.y));
+    const glm::dvec3 reach = this->Diagonal / GetCell();
+    const glm::dvec3 lower = glm::max(middle - reach, glm::dvec3(-0.5));
+    const glm::dvec3 upper = glm::min(middle + reach, glm::dvec3(size) - 0.5);
+    Field sum;
+    double weights = 0.0;
+    int found = 0;
+    for (int i = 0; i < 8 * BounceSamples && found < BounceSamples; ++i)
+    {
+      const glm::dvec3 at =
+        lower + (upper - lower) * Spread(i, static_cast<std::uint32_t>(number)) + 0.5;
+      const glm::dvec3 rest = glm::abs(at - glm::round(at));
+      ambiguous = ambiguous || std::min({ rest.x, rest.y, rest.z }) < 1e-5;
+      const glm::ivec3 other = glm::clamp(glm::ivec3(at), glm::ivec3(0), size - 1);
+      const int j = other.x + size.x * (other.y + size.y * other.z);
+      const glm::dvec3 toward = (this->GetPlace(hints[j]) - this->GetPlace(hints[number]));
+      const double r = glm::length(toward) / this->Diagonal;
+      if (!(r > 0.0))
+      {
+        continue;
+      }
+      const double least = first[number].Nearest + first[j].Nearest;
+      const double most = first[number].Farthest + first[j].Farthest;
+      const double visible =
+        most > least ? 1.0 - glm::clamp((r - least) / (most - least), 0.0, 1.0) : 1.0;
+      const double weight = visible * (1.0 - first[j].Nearest);
+      const glm::dvec3 direction = glm::normalize(toward);
+      const glm::dvec3 e = glm::max(before[j].GetIrradiance(-direction, order), glm::dvec3(0.0));
+      sum.Add(weight * Albedo * e, direction);
+      weights += weight;
+      ++found;
+    }
+    Field result = first[number];
+    for (int k = 0; k < 9; ++k)
+    {
+      result.C[k] += weights > 0.0 ? sum.C[k] * (4.0 * Pi / weights) : glm::dvec3(0.0);
+    }
+    return result;
+  }
+
+  // Eq. 5 to 7: four look-ups, each in the eight hints around it.
+  glm::dvec3 LookUp(const std::vector<Field>& fields, const Receiver& at, int order) const
+  {
+    const glm::dvec3 cell = GetCell();
+    const double radius = glm::length(cell);
+    const glm::dvec3 helper =
+      std::abs(at.Normal.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 tangent = glm::normalize(glm::cross(helper, at.Normal));
+    const glm::dvec3 bitangent = glm::cross(at.Normal, tangent);
+    Field sum;
+    double total = 0.0;
+    for (int lookup = 0; lookup < 4; ++lookup)
+    {
+      const double polar = lookup == 0 ? 0.0 : 80.0 * Pi / 180.0;
+      const double turn = 2.0 * Pi * lookup / 3.0;
+      const glm::dvec3 place = at.Position +
+        radius *
+          (0.5 * at.Normal + std::cos(polar) * at.Normal +
+            std::sin(polar) * (std::cos(turn) * tangent + std::sin(turn) * bitangent));
+      const glm::dvec3 inGrid = place / cell - 0.5;
+      const glm::dvec3 base = glm::floor(inGrid);
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        int index[3];
+        double weight = 1.0;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const int shift = (corner >> axis) & 1;
+          const double blend = inGrid[axis] - base[axis];
+          index[axis] = std::clamp(static_cast<int>(base[axis]) + shift, 0, Grid[axis] - 1);
+          weight *= shift ? blend : 1.0 - blend;
+        }
+        // Never quite zero: see vtkIndirectHintLookup.glsl.
+        weight = std::max(weight, 1e-4);
+        const Field& field = fields[index[0] + Grid[0] * (index[1] + Grid[1] * index[2])];
+        for (int k = 0; k < 9; ++k)
+        {
+          sum.C[k] += weight * field.C[k];
+        }
+        total += weight;
+      }
+    }
+    for (glm::dvec3& c : sum.C)
+    {
+      c /= total;
+    }
+    return glm::max(sum.GetIrradiance(at.Normal, order), glm::dvec3(0.0));
+  }
+};
+
+// Root of the squared difference over that of the expected field.
+double FindDifference(const vtkRadianceHintsPass::Hint& hint, const Field& expected, int order)
+{
+  double difference = 0.0;
+  double size = 0.0;
+  for (int color = 0; color < 3; ++color)
+  {
+    for (int k = 0; k < order * order; ++k)
+    {
+      const double wanted = expected.C[k][color];
+      difference += std::pow(hint.Coefficients[color * order * order + k] - wanted, 2.0);
+      size += wanted * wanted;
+    }
+  }
+  return std::sqrt(difference / size);
+}
+}
+
+VTK_INDIRECT_TEST(HintsPaperEquations)
+{
+  PaperRoom scene;
+  CheckEqual("texels of all maps", scene.Texels.size(), Layers * MapEdge * MapEdge);
+  for (int order : { 2, 3 })
+  {
+    scene.Hints->SetOrder(order);
+    const std::string what = "order " + std::to_string(order) + ": ";
+    std::vector<Field> first;
+    std::vector<Field> fields;
+    for (int bounces : { 1, 2, 3 })
+    {
+      scene.Pass->SetNumberOfBounces(bounces);
+      scene.Render();
+      const std::vector<vtkRadianceHintsPass::Hint> hints = scene.Hints->ReadHints();
+      CheckEqual(what + "hints", hints.size(), Grid[0] * Grid[1] * Grid[2]);
+      std::vector<double> differences;
+      std::vector<double> plain;
+      int ambiguous = 0;
+      const std::vector<Field> before = fields;
+      for (size_t i = 0; i < hints.size(); ++i)
+      {
+        const int number = static_cast<int>(i);
+        bool unclear = false;
+        if (bounces == 1)
+        {
+          first.push_back(scene.Inject(hints[i], number, true));
+          fields.push_back(first.back());
+          plain.push_back(FindDifference(hints[i], scene.Inject(hints[i], number, false), order));
+        }
+        else
+        {
+          fields[i] = scene.Exchange(hints, first, before, number, order, unclear);
+        }
+        ambiguous += unclear;
+        if (!unclear)
+        {
+          differences.push_back(FindDifference(hints[i], fields[i], order));
+        }
+      }
+      const std::string which = what + std::to_string(bounces) + " bounces: ";
+      CheckAtMost(which + "hints with a sample on a border", ambiguous, 2,
+        "1e-5 of three times 32 samples each");
+      CheckAtMost(which + "worst field, difference over its size", Percentile(differences, 1.0),
+        1e-5, "42 terms in floats, each off by 2^-24 and by places' 2^-24 over r");
+      if (bounces == 1)
+      {
+        // A texel that all but touches a hint is seen otherwise than by cosine over r^2 alone.
+        CheckAtMost(which + "median field without the texels' own size, difference over its size",
+          Percentile(plain, 0.5), 0.02, "measured");
+        std::printf("       the same, worst: %.3g\n", Percentile(plain, 1.0));
+      }
+      const Image image = scene.Copy("irradiance");
+      const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
+      double worst = 0.0;
+      for (size_t i = 0; i < receivers.size(); ++i)
+      {
+        const glm::dvec3 expected = scene.LookUp(fields, receivers[i], order);
+        const glm::dvec3 shown(
+          image.Values[3 * i], image.Values[3 * i + 1], image.Values[3 * i + 2]);
+        worst = std::max(worst, glm::length(shown - expected) / glm::length(expected));
+      }
+      CheckAtLeast(which + "mean irradiance", image.Mean(), 1e-2, "the test's own power");
+      CheckAtMost(which + "worst pixel, difference over its irradiance", worst, 1e-5,
+        "four times eight terms in floats");
+    }
+  }
+}
