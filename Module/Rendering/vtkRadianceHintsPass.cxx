@@ -64,6 +64,7 @@ struct vtkRadianceHintsPass::Internals
   vtkNew<vtkIndirectHintSenders> Senders;
   std::vector<double> LightKey;
   bool NothingReflects = false;  // bounces after the first have no surface
+  double Tolerance = 0.0;        // that the last frame was asked for and the grid was chosen by
   long long NumberOfUpdates = 0; // of the hints' light, since construction
   size_t VoxelUpdates = 0;       // that the grid was made from
 
@@ -267,6 +268,7 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   regions.OfView = this->Settings.Extent == VIEW;
   std::copy_n(this->Settings.GridResolution, 3, &regions.Resolution.x);
   regions.Tolerance = this->FindErrorTolerance(input.Plan.ErrorTolerance);
+  in.Tolerance = input.Plan.ErrorTolerance > 0.0 ? regions.Tolerance : 0.0;
   regions.HasFine = this->Settings.NumberOfGrids > 1;
   regions.FineExtent = this->Settings.FineGridExtent;
   settings.Regions = regions.Find(frame);
@@ -461,6 +463,13 @@ void vtkRadianceHintsPass::AddToReport(vtkIndirectReport& report) const
   report.Modelled.emplace_back(std::to_string(in.Settings.Bounces) +
       (in.Settings.Bounces == 1 ? " diffuse bounce" : " diffuse bounces"),
     grid);
+  if (in.Tolerance > 0.0)
+  {
+    report.LeftOut.emplace_back("ErrorTolerance " + vtkIndirectReport::Number(in.Tolerance),
+      "the grid is chosen for light from a quarter of its edge; nearer light is interpolated with "
+      "a "
+      "larger error, which is not estimated");
+  }
   if (in.NothingReflects)
   {
     report.LeftOut.emplace_back(
