@@ -69,21 +69,6 @@ vtkIndirectGeometryBuffer::vtkIndirectGeometryBuffer()
 vtkIndirectGeometryBuffer::~vtkIndirectGeometryBuffer() = default;
 
 //------------------------------------------------------------------------------
-void vtkIndirectGeometryBuffer::DisableBlending(vtkOpenGLState* state, int channels)
-{
-  if (IsAlbedoInLit(channels))
-  {
-    state->vtkglDisable(GL_BLEND);
-    return;
-  }
-  // VTK's state knows one switch for all draw buffers, and compares it with the first.
-  for (int i = Surface; i < channels; ++i)
-  {
-    glDisablei(GL_BLEND, static_cast<unsigned int>(i));
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirectFrame& frame,
   const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture, const vtkIndirectShadowMaps* shadows)
 {

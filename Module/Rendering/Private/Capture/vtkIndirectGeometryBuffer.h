@@ -16,6 +16,8 @@
 #ifndef vtkIndirectGeometryBuffer_h
 #define vtkIndirectGeometryBuffer_h
 
+#include "Capture/vtkIndirectGeometryChannels.h" // for its channels
+
 #include <memory> // for the target
 
 struct vtkIndirectFrame;
@@ -24,25 +26,16 @@ struct vtkIndirectShadowMaps;
 class vtkIndirectFullScreenProgram;
 class vtkIndirectTarget;
 class vtkOpenGLRenderWindow;
-class vtkOpenGLState;
 class vtkRenderState;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
 class vtkWindow;
 
-class vtkIndirectGeometryBuffer
+class vtkIndirectGeometryBuffer : public vtkIndirectGeometryChannels
 {
 public:
   vtkIndirectGeometryBuffer();
   ~vtkIndirectGeometryBuffer();
-
-  enum Channel
-  {
-    Lit,
-    Surface,
-    Albedo,
-    Specular
-  };
 
   /**
    * Draws the opaque props, attached to `capture`, into the buffer. shadows: where they
@@ -51,15 +44,6 @@ public:
    */
   bool Update(const vtkRenderState* s, const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     vtkSurfaceCapturePass* capture, const vtkIndirectShadowMaps* shadows);
-
-  /** Whether a buffer of so many channels has the albedo in its lit texels. */
-  static bool IsAlbedoInLit(int channels) { return channels == Albedo; }
-
-  /**
-   * Keeps the channels that hold bits or powers from being blended: all but the lit image, and that
-   * too where it holds the albedo. VTK may have switched blending for all of them since.
-   */
-  static void DisableBlending(vtkOpenGLState* state, int channels);
 
   const vtkIndirectTarget& GetTarget() const { return *this->Target; }
   /** Whether the lit texels of the last frame hold the albedo, and there is no channel for it. */

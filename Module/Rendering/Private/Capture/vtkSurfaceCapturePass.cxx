@@ -5,7 +5,7 @@
 
 #include "Capture/vtkIndirectCaptureLights.h"
 #include "Capture/vtkIndirectCaptureText.h"
-#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Capture/vtkIndirectGeometryChannels.h"
 #include "Capture/vtkIndirectLightConstants.h"
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Frame/vtkIndirectFrame.h"
@@ -66,7 +66,7 @@ struct vtkSurfaceCapturePass::Internals
   // always has all channels.
   void UseChannels(int first, int count)
   {
-    unsigned int buffers[vtkIndirectGeometryBuffer::Specular + 1];
+    unsigned int buffers[vtkIndirectGeometryChannels::Specular + 1];
     for (int i = 0; i < this->Channels; ++i)
     {
       buffers[i] =
@@ -242,8 +242,8 @@ void vtkSurfaceCapturePass::BeginEye(const vtkIndirectFrame& frame,
   in.Redirected = false;
   in.Window = frame.Window;
   // Where all is solid there is nothing that writes colour alone.
-  in.UseChannels(vtkIndirectGeometryBuffer::Lit,
-    vtkIndirectGeometryBuffer::IsAlbedoInLit(channels) ? channels : 1);
+  in.UseChannels(vtkIndirectGeometryChannels::Lit,
+    vtkIndirectGeometryChannels::IsAlbedoInLit(channels) ? channels : 1);
   in.Encoded = false;
   in.SceneScale = static_cast<float>(frame.SceneScale);
   in.StageIsParallel = frame.Parallel ? 1 : 0;
@@ -291,14 +291,14 @@ void vtkSurfaceCapturePass::DrawChannel(UnattachedChannel channel)
   in.Blending = nullptr;
   if (channel == Color)
   {
-    in.UseChannels(vtkIndirectGeometryBuffer::Lit, 1);
+    in.UseChannels(vtkIndirectGeometryChannels::Lit, 1);
     return;
   }
   vtkOpenGLState* state = in.Window->GetState();
   in.Blending = std::make_unique<vtkOpenGLState::ScopedglBlendFuncSeparate>(state);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_ZERO, GL_ZERO);
-  in.UseChannels(vtkIndirectGeometryBuffer::Surface, 1);
+  in.UseChannels(vtkIndirectGeometryChannels::Surface, 1);
 }
 
 //------------------------------------------------------------------------------
@@ -317,7 +317,7 @@ void vtkSurfaceCapturePass::EndStage()
   if (in.Stage == 0)
   {
     in.Blending = nullptr;
-    in.UseChannels(vtkIndirectGeometryBuffer::Lit, in.Channels);
+    in.UseChannels(vtkIndirectGeometryChannels::Lit, in.Channels);
     in.Framebuffer = nullptr;
   }
   else
@@ -413,7 +413,7 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   }
   program->SetUniformi("vtkiStage", in.Stage);
   program->SetUniformi("vtkiAlbedoInAlpha",
-    in.Stage == 0 && vtkIndirectGeometryBuffer::IsAlbedoInLit(in.Channels) ? 1 : 0);
+    in.Stage == 0 && vtkIndirectGeometryChannels::IsAlbedoInLit(in.Channels) ? 1 : 0);
   program->SetUniformf("vtkiSceneScale", in.SceneScale);
   program->SetUniform3f("vtkiDepthRange", in.DepthRange);
   if (program->IsUniformUsed("vtkiMagnitude"))
@@ -462,9 +462,9 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
 void vtkSurfaceCapturePass::UseEyeChannels(vtkProp* prop)
 {
   Internals& in = *this->Internal;
-  if (vtkIndirectGeometryBuffer::IsAlbedoInLit(in.Channels))
+  if (vtkIndirectGeometryChannels::IsAlbedoInLit(in.Channels))
   {
-    vtkIndirectGeometryBuffer::DisableBlending(in.Window->GetState(), in.Channels);
+    vtkIndirectGeometryChannels::DisableBlending(in.Window->GetState(), in.Channels);
     return; // all else is as the stage began
   }
   GLint bound = 0;
@@ -478,19 +478,19 @@ void vtkSurfaceCapturePass::UseEyeChannels(vtkProp* prop)
   if (splats && splats->GetEmissive())
   {
     // Light that is added to what lies behind, whose surface stays; it covers nothing.
-    in.UseChannels(vtkIndirectGeometryBuffer::Lit, 1);
+    in.UseChannels(vtkIndirectGeometryChannels::Lit, 1);
     in.Window->GetState()->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
     return;
   }
-  vtkIndirectGeometryBuffer::DisableBlending(in.Window->GetState(), in.Channels);
+  vtkIndirectGeometryChannels::DisableBlending(in.Window->GetState(), in.Channels);
   if (!splats)
   {
-    in.UseChannels(vtkIndirectGeometryBuffer::Lit, in.Channels);
+    in.UseChannels(vtkIndirectGeometryChannels::Lit, in.Channels);
     return;
   }
   // Their alpha is one or zero in these channels, see VTKI_SOFT: bits are kept whole. The power of
   // a lobe has the place of an alpha, and splats have no lobe.
-  in.UseChannels(vtkIndirectGeometryBuffer::Lit, vtkIndirectGeometryBuffer::Specular);
-  glEnablei(GL_BLEND, vtkIndirectGeometryBuffer::Surface);
-  glEnablei(GL_BLEND, vtkIndirectGeometryBuffer::Albedo);
+  in.UseChannels(vtkIndirectGeometryChannels::Lit, vtkIndirectGeometryChannels::Specular);
+  glEnablei(GL_BLEND, vtkIndirectGeometryChannels::Surface);
+  glEnablei(GL_BLEND, vtkIndirectGeometryChannels::Albedo);
 }
