@@ -16,7 +16,7 @@
  * -# EGL's default display.
  *
  * SetDeviceIndex() asks for one EGL device instead, and so does VTK_INDIRECT_EGL_DEVICE in the
- * environment where that was not called; GetDeviceDescription() tells what it is. An EGL
+ * environment where that was not called; GetDeviceDescription() describes it. An EGL
  * device that is a GPU and renders in software all the same is refused. The newest OpenGL version
  * that the driver offers is taken, from 4.6 down to 3.2. Every window has a context of its own;
  * windows on the same device share one EGL display, which is closed with the last of them.
@@ -105,7 +105,7 @@ public:
 
   /**
    * What is known of the EGL device with that index, in one line that begins with "EGL device
-   * <index>: hardware" or "EGL device <index>: software". As far as EGL tells them there follow:
+   * <index>: hardware" or "EGL device <index>: software". As far as EGL knows them there follow:
    * the card, the vendor of the driver, the driver (else that of the kernel), the files of the card
    * and of its render node, its number in CUDA, and the index of another device that is the same
    * card, as when the drivers of two vendors both list it. Empty for an index that does not exist.

@@ -10,7 +10,7 @@
  * - rsm.albedo, RGBA16F: diffuse reflectance (of PBR over pi, as VTK shades it)
  * - rsm.surface, RGBA32F: octahedral normal (the face's view coordinates), linear depth along its
  * axis
- * - rsm.slope, RG16F: slope of the depth, which tells the facet's normal n_g
+ * - rsm.slope, RG16F: slope of the depth, from which follows the facet's normal n_g
  * and a depth array for percentage-closer shadow look-ups.
  *
  * When it is sampled, albedo (n_s.l)/(n_g.l) times att(d) d^2 cone (positional lights) is the

@@ -41,7 +41,7 @@ struct vtkEGLMachine
 
   /** /dev/nvidia0 and so on. */
   std::vector<File> NvidiaFiles;
-  /** Whether the kernel has NVIDIA's own driver, with a card, and its version if it tells. */
+  /** Whether the kernel has NVIDIA's own driver, with a card, and its version where it is known. */
   bool HasNvidiaKernel = false;
   std::string NvidiaVersion;
   /** NVIDIA's library for EGL, and the file that names it to EGL; empty where there is none. Each
@@ -69,7 +69,7 @@ struct vtkEGLMachine
    * is not known or cannot render. */
   static std::string GetKernelDriver(const std::string& renderNode);
 
-  /** Whether the environment tells Mesa to render in software. */
+  /** Whether the environment asks Mesa to render in software. */
   static bool EnvironmentWantsSoftware();
 };
 

@@ -179,7 +179,7 @@ void AddRoomSurfaces(vtkRenderer* renderer);
 /** A letter that turns to the renderer's camera. */
 vtkSmartPointer<vtkProp3D> MakeFollower(vtkRenderer* renderer, double scale);
 
-/** One actor or prop of each kind that VTK draws as opaque, in a grid; names tells which. */
+/** One actor or prop of each kind that VTK draws as opaque, in a grid; names has which. */
 void AddKinds(vtkRenderer* renderer, std::vector<std::string>* names = nullptr,
   const std::string& only = std::string());
 }

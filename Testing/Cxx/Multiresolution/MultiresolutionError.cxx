@@ -85,7 +85,7 @@ VTK_INDIRECT_TEST(HalfResolution)
 {
   std::vector<double> errors;
   double logarithm = 0.0;
-  int amid = 0;
+  int inside = 0;
   for (int number = 0; number < 15; ++number)
   {
     RandomFrame scene(500 + number, { 289 - number, 211 + number },
@@ -107,16 +107,16 @@ VTK_INDIRECT_TEST(HalfResolution)
       for (int x = 0; x < expected.Width; ++x)
       {
         // Each pixel has a value; but where light begins, that of a sample nearby may be 0.
-        bool amidLight = true;
+        bool surrounded = true;
         for (int i = 0; i < 49; ++i)
         {
           const int u = std::min(std::max(x + i % 7 - 3, 0), expected.Width - 1);
           const int v = std::min(std::max(y + i / 7 - 3, 0), expected.Height - 1);
           const bool lit = normal.Color(u, v) != glm::dvec3(0.0);
-          amidLight = amidLight && (!lit || expected.Color(u, v).x > 0.1 * mean);
+          surrounded = surrounded && (!lit || expected.Color(u, v).x > 0.1 * mean);
         }
-        dark += amidLight && expected.Color(x, y).x > 0.0 && !(coarse.Color(x, y).x > 0.0);
-        amid += amidLight && expected.Color(x, y).x > 0.0;
+        dark += surrounded && expected.Color(x, y).x > 0.0 && !(coarse.Color(x, y).x > 0.0);
+        inside += surrounded && expected.Color(x, y).x > 0.0;
       }
     }
     const double full = Compare(fine, expected, Least).RootMeanSquare;
@@ -126,7 +126,7 @@ VTK_INDIRECT_TEST(HalfResolution)
     CheckEqual(scene.Name + ": lit pixels without a value", dark, 0);
   }
   CheckAtLeast("frames with indirect light", errors.size(), 13, "the test's own power");
-  CheckAtLeast("pixels amid light", amid, 100000, "the test's own power");
+  CheckAtLeast("pixels surrounded by light", inside, 100000, "the test's own power");
   CheckAtLeast("RMSE over that with pixels, geometric mean", std::exp(logarithm / errors.size()),
     1.05, "the test's own power: it is another image");
   CheckAtMost("RMSE over the mean with subsplats of two by two pixels, median frame",
@@ -186,7 +186,7 @@ VTK_INDIRECT_TEST(Lighting)
 VTK_INDIRECT_TEST(NearLights)
 {
   // A flat wall beside a floor with few virtual lights, each so near that what it gives the wall is
-  // narrower than the coarsest subsplats: probes there cannot tell how it bends. While the eye
+  // narrower than the coarsest subsplats: probes there do not see how it bends. While the eye
   // turns, subsplats slide over it, and what interpolation misses flickers.
   MultiresolutionScene scene(256, 192);
   scene.AddQuad({ -1, 0, 0 }, { -1, 0, 1 }, { 2, 0, 0 }, glm::dvec3(0.75));
@@ -233,10 +233,10 @@ VTK_INDIRECT_TEST(NearLights)
   }
   CheckAtLeast("RMSE over the mean without", errors[0], 0.1, "the test's own power");
   CheckAtMost("RMSE, default over none", errors[1] / errors[0], 0.03,
-    "measured 0.020; 0.044 by what probes tell of each other alone");
+    "measured 0.020; 0.044 by probes against each other alone");
   CheckAtLeast("flicker over the mean without", flickers[0], 4e-4, "the test's own power");
   CheckAtMost("flicker, default over none", flickers[1] / flickers[0], 0.11,
-    "measured 0.078; 0.155 by what probes tell of each other alone");
+    "measured 0.078; 0.155 by probes against each other alone");
 }
 
 VTK_INDIRECT_TEST(Balance)

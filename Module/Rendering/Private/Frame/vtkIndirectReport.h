@@ -43,7 +43,8 @@ struct vtkIndirectReport
    */
   std::string ToJSON(const vtkIndirectStageTimer& timer) const;
 
-  /** For reasons: as many digits as tell it from all others, or as are given; in any locale. */
+  /** For reasons: as many digits as distinguish it from all others, or as are given; in any locale.
+   */
   static std::string Number(double value, int digits = 0);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tells when the OpenGL context that something was made in is about to end.
+// Reports when the OpenGL context that something was made in is about to end.
 #ifndef vtkIndirectContextGuard_h
 #define vtkIndirectContextGuard_h
 
@@ -8,7 +8,7 @@
 
 #include <functional> // for the callback
 
-// VTK's windows tell their textures, and no one else, to let go of a context: this is a texture
+// VTK's windows ask their textures, and no one else, to let go of a context: this is a texture
 // that never allocates anything. SetContext with another window lets go of the earlier one, too.
 class vtkIndirectContextGuard : public vtkTextureObject
 {

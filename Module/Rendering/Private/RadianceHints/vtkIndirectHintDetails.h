@@ -18,7 +18,7 @@ struct vtkIndirectHintDetails
   // lies outside is lost.
   double Coverage = 1.0;
   // A sender is at least as large as a share of the hint's cell: a hint stands for its cell and
-  // cannot tell what is nearer. It steps back from a sender's plane instead.
+  // does not resolve what is nearer. It steps back from a sender's plane instead.
   bool Softening = true;
   // The irradiance is rid of the ringing of spherical harmonics: never negative, and for order 2 as
   // bright in front of concentrated light as it should be.

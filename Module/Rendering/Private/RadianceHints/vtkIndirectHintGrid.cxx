@@ -253,8 +253,8 @@ std::vector<Way> MakeWays(const glm::ivec3& reach)
 }
 
 //------------------------------------------------------------------------------
-// Sight spreads from each hint over the voxels of the cells around it: a voxel is seen when it is
-// free and the one before it on the way back is seen.
+// Visibility spreads from each hint over the voxels of the cells around it: a voxel is seen when it
+// is free and the one before it on the way back is seen.
 void vtkIndirectHintGrid::FindMasks(int grid)
 {
   const Region& region = this->Current.Regions[grid];

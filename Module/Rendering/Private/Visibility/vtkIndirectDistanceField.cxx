@@ -130,12 +130,12 @@ bool vtkIndirectDistanceField::IsFree(const glm::vec3& start, const glm::vec3& e
   while (more)
   {
     const glm::ivec3 at = glm::clamp(leap.voxel, glm::ivec3(0), this->Size - 1);
-    const int clearance = this->Get(at);
-    if (clearance == 0 && at == leap.voxel)
+    const int freeVoxels = this->Get(at);
+    if (freeVoxels == 0 && at == leap.voxel)
     {
       return false;
     }
-    more = vtkIndirectKernels::vtkiLeapOn(leap, std::max(clearance, 1)) && leap.voxel != leap.last;
+    more = vtkIndirectKernels::vtkiLeapOn(leap, std::max(freeVoxels, 1)) && leap.voxel != leap.last;
   }
   return true;
 }

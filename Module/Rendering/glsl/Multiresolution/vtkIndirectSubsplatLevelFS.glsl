@@ -30,9 +30,9 @@ void main()
   vectorIrradiance = leaf ? vec3(0.0f) : vectorIrradiance;
 #endif
 
-  bool amid = vtkiIsInsideSurface(texel, surface, position, normal);
+  bool inside = vtkiIsInsideSurface(texel, surface, position, normal);
   gl_FragData[0] = vec4(irradiance,
-    here ? (amid ? VTKI_ILLUMINATION_SMOOTH : VTKI_ILLUMINATION_HERE)
+    here ? (inside ? VTKI_ILLUMINATION_SMOOTH : VTKI_ILLUMINATION_HERE)
          : VTKI_ILLUMINATION_NONE);
   gl_FragData[1] = vec4(vectorIrradiance, vtkiSubsplatIsSplit(surface.w) ? 1.0f : 0.0f);
 }

@@ -9,10 +9,10 @@ uniform vec3 vtkiDistanceFieldSize;    // voxels
 void vtkiStepOn(inout vtkiLeap leap, inout bool clear, inout bool more)
 {
   ivec3 at = clamp(leap.voxel, ivec3(0), ivec3(vtkiDistanceFieldSize) - 1);
-  int clearance = int(texelFetch(vtkiDistanceField, at, 0).r);
-  bool blocked = clearance == 0 && at == leap.voxel;
+  int freeVoxels = int(texelFetch(vtkiDistanceField, at, 0).r);
+  bool blocked = freeVoxels == 0 && at == leap.voxel;
   clear = clear && !(more && blocked);
-  bool on = vtkiLeapOn(leap, max(clearance, 1));
+  bool on = vtkiLeapOn(leap, max(freeVoxels, 1));
   more = more && !blocked && on && leap.voxel != leap.last;
 }
 

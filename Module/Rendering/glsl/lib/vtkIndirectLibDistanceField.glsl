@@ -43,12 +43,12 @@ int vtkiWithin(int value, int middle, int reach)
   return upper > middle - reach ? upper : middle - reach;
 }
 
-/* To the first voxel beyond the cube that reaches clearance - 1 voxels to each side, clearance at
+/* To the first voxel beyond the cube that reaches freeVoxels - 1 voxels to each side, freeVoxels at
  * least 1; returns false when the segment ends before. The new voxel shares a face with one of the
  * cube however numbers round, so that no chain of voxels gets through a wall. */
-bool vtkiLeapOn(VTKI_INOUT(vtkiLeap) leap, int clearance)
+bool vtkiLeapOn(VTKI_INOUT(vtkiLeap) leap, int freeVoxels)
 {
-  float reach = float(clearance) - 0.5f;
+  float reach = float(freeVoxels) - 0.5f;
   vec3 here = vec3(float(leap.voxel.x), float(leap.voxel.y), float(leap.voxel.z)) + 0.5f;
   vec3 t = (here - leap.start + reach * leap.side) * leap.inverse + leap.never;
   float next = min(min(t.x, t.y), t.z);
@@ -56,12 +56,12 @@ bool vtkiLeapOn(VTKI_INOUT(vtkiLeap) leap, int clearance)
   bool exitX = t.x <= next;
   bool exitY = !exitX && t.y <= next;
   bool exitZ = !exitX && !exitY;
-  int x = vtkiWithin(int(floor(at.x)), leap.voxel.x, clearance - 1);
-  int y = vtkiWithin(int(floor(at.y)), leap.voxel.y, clearance - 1);
-  int z = vtkiWithin(int(floor(at.z)), leap.voxel.z, clearance - 1);
-  leap.voxel = ivec3(exitX ? leap.voxel.x + int(leap.side.x) * clearance : x,
-    exitY ? leap.voxel.y + int(leap.side.y) * clearance : y,
-    exitZ ? leap.voxel.z + int(leap.side.z) * clearance : z);
+  int x = vtkiWithin(int(floor(at.x)), leap.voxel.x, freeVoxels - 1);
+  int y = vtkiWithin(int(floor(at.y)), leap.voxel.y, freeVoxels - 1);
+  int z = vtkiWithin(int(floor(at.z)), leap.voxel.z, freeVoxels - 1);
+  leap.voxel = ivec3(exitX ? leap.voxel.x + int(leap.side.x) * freeVoxels : x,
+    exitY ? leap.voxel.y + int(leap.side.y) * freeVoxels : y,
+    exitZ ? leap.voxel.z + int(leap.side.z) * freeVoxels : z);
   return next < 1.0f;
 }
 

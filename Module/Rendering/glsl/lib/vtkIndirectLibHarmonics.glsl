@@ -38,7 +38,7 @@ float vtkiIrradianceHigh(vec4 high, float last, vec3 n)
   return 0.25f * (dot(high, vtkiHarmonicsHigh(n)) + last * vtkiHarmonicsLast(n));
 }
 
-/* The same without ringing. Band 1 over band 0 tells how concentrated the light is: r = |c1| /
+/* The same without ringing. Band 1 over band 0 is how concentrated the light is: r = |c1| /
  * (sqrt 3 c0) is 0 for light from everywhere, 1/2 for a hemisphere, 1 for one direction. Up to 1/2
  * the linear form is exact for such light and never negative. Beyond, it would be negative on the
  * far side and too dark in front: there it goes over to the clamped cosine of one direction, which
