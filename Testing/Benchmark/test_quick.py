@@ -14,12 +14,10 @@ import unittest
 from pathlib import Path
 from typing import Any
 
+import support
+from vtkindirect import compare, reference_environment, sweep
+
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "Python"))
-
-import support  # noqa: E402  from the folder above
-from vtkindirect import compare, reference_environment, sweep  # noqa: E402
-
 SCENES = ("contact_corner", "two_rooms")
 
 
@@ -175,7 +173,3 @@ class Quick(unittest.TestCase):
             self.assertIn("hints", done.stderr)
             found = [path.name for path in target.rglob("*") if path.is_file()]
             self.assertEqual(found, ["old.png"])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -49,7 +49,3 @@ class Garbage(unittest.TestCase):
         if filled == 0:
             self.skipTest("this VTK takes OpenGL's functions from where they cannot be replaced")
         self.assertGreater(filled, 500)
-
-
-if __name__ == "__main__":
-    unittest.main()

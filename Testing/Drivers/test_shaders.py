@@ -68,7 +68,3 @@ class Shaders(unittest.TestCase):
         # What there is today; fewer means that a test no longer has its stages compiled.
         self.assertGreater(found["FS"], 60)
         self.assertGreater(found["CS"], 15)
-
-
-if __name__ == "__main__":
-    unittest.main()

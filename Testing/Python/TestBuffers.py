@@ -66,7 +66,3 @@ class Buffers(unittest.TestCase):
             self.assertEqual(image.GetNumberOfScalarComponents(), components, name)
         renderer.SetPass(None)
         window.Finalize()
-
-
-if __name__ == "__main__":
-    unittest.main()

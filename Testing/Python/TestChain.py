@@ -199,7 +199,3 @@ class Pictures(support.DirectoryTest):
                 alone = self.picture(None, "indirect")
                 self.assertTrue((both != vtk).any(), "indirect light is not in the picture")
                 self.assertTrue((both != alone).any(), "the effect is not in the picture")
-
-
-if __name__ == "__main__":
-    unittest.main()

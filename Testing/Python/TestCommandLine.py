@@ -223,7 +223,3 @@ class Rendering(support.DirectoryTest):
         result = support.command_line("render", support.DATA / "room_vis.vtp", "-o", out)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertTrue(out.exists())
-
-
-if __name__ == "__main__":
-    unittest.main()

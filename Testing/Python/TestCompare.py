@@ -428,7 +428,3 @@ class Command(DirectoryTest):
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
             self.assertIn(expected, done.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()

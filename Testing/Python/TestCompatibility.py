@@ -143,7 +143,3 @@ class Import(support.DirectoryTest):
         reason, loaded = result.stdout.splitlines()
         self.assertIn(OTHER_VTK[-1].name.split("-")[1], reason)
         self.assertEqual(loaded, "not loaded")
-
-
-if __name__ == "__main__":
-    unittest.main()

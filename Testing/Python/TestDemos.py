@@ -4,6 +4,7 @@
 import unittest
 
 import numpy as np
+import pytest
 
 import support
 import vtkindirect
@@ -14,30 +15,33 @@ WHY_NOT = support.why_no_rendering()
 MAXIMUM_TRIANGLES = 1_000_000
 
 
-class Scenes(support.DirectoryTest):
-    def triangles(self, scene: vtkindirect.Scene) -> int:
-        return sum(a.GetMapper().GetInput().GetNumberOfCells() for a in scene.actors.values())
+def triangles(scene: vtkindirect.Scene) -> int:
+    return sum(a.GetMapper().GetInput().GetNumberOfCells() for a in scene.actors.values())
 
-    def check(self, name: str) -> None:
-        scene = load_scene(locations.scene_directory() / f"{name}.json")
-        self.assertEqual(scene.name, name)
-        self.assertLess(self.triangles(scene), MAXIMUM_TRIANGLES)
-        self.assertLessEqual(max(scene.size), 800)
-        if WHY_NOT:
-            self.skipTest(WHY_NOT)
-        window = frames.open_window(scene, (160, 120))
-        self.addCleanup(window.Finalize)
-        frames.render(scene, window, Job("gather", settings={"NumberOfLights": 64}))
-        direct = vtkindirect.copy_buffer(scene.renderer, "direct")[..., :3]
-        indirect = vtkindirect.copy_buffer(scene.renderer, "indirect")[..., :3]
-        self.assertTrue(np.isfinite(indirect).all())
-        self.assertGreater(indirect.mean(), 0.02 * direct.mean())
-        lit = direct.max(axis=2) > 0.02
-        self.assertGreater(lit.mean(), 0.2)
-        self.assertLess((direct[lit].min(axis=1) >= 1).mean(), 0.05, "direct light clips")
-        revealed = ~lit & (indirect.max(axis=2) > 0.02)
-        self.assertGreater(revealed.mean(), 0.03, "shadows are not filled")
 
+@pytest.mark.parametrize("name", locations.DEMOS)
+def test_scene(name: str) -> None:
+    scene = load_scene(locations.scene_directory() / f"{name}.json")
+    assert scene.name == name
+    assert triangles(scene) < MAXIMUM_TRIANGLES
+    assert max(scene.size) <= 800
+    if WHY_NOT:
+        pytest.skip(WHY_NOT)
+    window = frames.open_window(scene, (160, 120))
+    frames.render(scene, window, Job("gather", settings={"NumberOfLights": 64}))
+    direct = vtkindirect.copy_buffer(scene.renderer, "direct")[..., :3]
+    indirect = vtkindirect.copy_buffer(scene.renderer, "indirect")[..., :3]
+    assert np.isfinite(indirect).all()
+    assert indirect.mean() > 0.02 * direct.mean()
+    lit = direct.max(axis=2) > 0.02
+    assert lit.mean() > 0.2
+    assert (direct[lit].min(axis=1) >= 1).mean() < 0.05, "direct light clips"
+    revealed = ~lit & (indirect.max(axis=2) > 0.02)
+    assert revealed.mean() > 0.03, "shadows are not filled"
+    window.Finalize()
+
+
+class Files(support.DirectoryTest):
     @unittest.skipIf(WHY_NOT, WHY_NOT or "")
     def test_files_of_the_demonstration(self) -> None:
         scene = load_scene(support.SCENES / "cornell_box.json")
@@ -57,14 +61,3 @@ class Scenes(support.DirectoryTest):
         self.assertEqual(picture.shape[:2], (64, 2 * 96 + 4))
         self.assertGreater(picture[:, 100:].mean(), 1.1 * picture[:, :96].mean())
         self.assertIsNone(vtkindirect.pass_of(scene.renderer))
-
-
-def _add(name: str) -> None:
-    setattr(Scenes, f"test_{name}", lambda self: self.check(name))
-
-
-for _name in locations.DEMOS:
-    _add(_name)
-
-if __name__ == "__main__":
-    unittest.main()

@@ -72,7 +72,3 @@ class PythonPage(unittest.TestCase):
     def test_examples_compile(self) -> None:
         for path in sorted((support.SOURCE / "Examples" / "Python").glob("*.py")):
             compile(path.read_text(encoding="utf-8"), str(path), "exec")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -251,7 +251,3 @@ class Enable(unittest.TestCase):
             vtkindirect.report(self.renderer)
         with self.assertRaisesRegex(UsageError, "indirect light is off"):
             vtkindirect.copy_buffer(self.renderer, "final")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -85,7 +85,3 @@ class Hints(unittest.TestCase):
 
     def test_sampler_is_not_read(self) -> None:
         self.assertIsNone(methods.METHODS["hints"].sampler)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -83,7 +83,3 @@ class Files(support.DirectoryTest):
                      "subsplat.levels", "subsplatxlevel", "subsplat.evaluated"):
             with self.subTest(name=name), self.assertRaisesRegex(UsageError, "unknown buffer"):
                 images.check_buffer(name)
-
-
-if __name__ == "__main__":
-    unittest.main()

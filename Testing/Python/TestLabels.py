@@ -231,7 +231,3 @@ class DataFile(support.DirectoryTest):
         writer.Write()
         with self.assertRaisesRegex(UsageError, "'tissue' is constant"):
             load_scene(path)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -206,7 +206,3 @@ class ReceiverMask(unittest.TestCase):
         self.assertFalse(mask[5, 14] or mask[5, 15] or mask[5, 24] or mask[5, 27])
         self.assertFalse(mask[9, 5] or mask[10, 5])
         self.assertTrue(mask[5, 5] and mask[15, 5] and mask[5, 20])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -67,7 +67,3 @@ class Occupancy(unittest.TestCase):
                 self.assertGreater(means[True], 0.5 * means[False])
         vtkindirect.disable(loaded.renderer)
         loaded.render_window.Finalize()
-
-
-if __name__ == "__main__":
-    unittest.main()

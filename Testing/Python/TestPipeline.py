@@ -309,7 +309,3 @@ class Steps(unittest.TestCase):
         together = "_".join(tested)
         for name in pipeline.STEPS:
             self.assertIn(name, together)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -79,7 +79,3 @@ class Component(unittest.TestCase):
         component.__plotter_close__()
         self.assertIsNone(first.GetPass())
         self.assertIsNone(plotter.renderer.GetPass())
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -247,7 +247,3 @@ class Widgets(unittest.TestCase):
         plotter.render()
         again = vtkindirect.copy_buffer(plotter, "rsm0.depth")
         np.testing.assert_allclose(alone, again, rtol=1e-5)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -342,7 +342,3 @@ class DataAsScene(support.DirectoryTest):
         same = self.write("same.vtk", flat + "LOOKUP_TABLE default\n" + "1 " * 8 + "\n")
         with self.assertRaisesRegex(UsageError, r"same\.vtk: array 'a' is constant"):
             load_scene(same)
-
-
-if __name__ == "__main__":
-    unittest.main()

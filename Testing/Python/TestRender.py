@@ -154,7 +154,3 @@ class Render(unittest.TestCase):
         with self.assertRaisesRegex(UsageError, "this OpenGL driver goes up to"):
             windows.check_size(window, (10**6, 8))
         self.assertIsNone(scene.render_window)
-
-
-if __name__ == "__main__":
-    unittest.main()

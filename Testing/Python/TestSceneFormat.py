@@ -335,7 +335,3 @@ class Built(support.DirectoryTest):
             if path.stem not in ("frog", "brain", "protein", "room_fire", "apartment_living"):
                 with self.subTest(scene=path.stem):
                     self.assertEqual(load_scene(path).name, path.stem)
-
-
-if __name__ == "__main__":
-    unittest.main()

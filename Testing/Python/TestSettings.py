@@ -132,7 +132,3 @@ class Settings(unittest.TestCase):
         for wrong in ("A", "=1", "A=", ""):
             with self.subTest(wrong=wrong), self.assertRaisesRegex(UsageError, "Property=value"):
                 settings.parse([wrong])
-
-
-if __name__ == "__main__":
-    unittest.main()

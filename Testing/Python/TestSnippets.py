@@ -279,7 +279,3 @@ class Run(support.DirectoryTest):
         result.add_mesh(pyvista.Plane())
         result.add_mesh(pyvista.Sphere(center=(0, 0, 0.5)))
         return result
-
-
-if __name__ == "__main__":
-    unittest.main()

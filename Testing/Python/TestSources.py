@@ -109,7 +109,3 @@ class Sources(unittest.TestCase):
                 inward = normals(ring)
                 points = vtk_to_numpy(ring.GetPoints().GetData()) - (3, 2, 1)
                 self.assertTrue((np.einsum("ij,ij->i", inward, points) < 0).all())
-
-
-if __name__ == "__main__":
-    unittest.main()

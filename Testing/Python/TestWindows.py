@@ -108,7 +108,3 @@ class Windows(unittest.TestCase):
             with contextlib.redirect_stderr(io.StringIO()) as said:
                 self.assertEqual(cli.main([]), 0)
         self.assertEqual(said.getvalue(), f"vtk-indirect: note: {IdleCard.text}\n")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -162,7 +162,3 @@ class Traced(unittest.TestCase):
             journal = (folder / "report" / "rows.jsonl").read_text()
             self.assertEqual(run(), rows)
             self.assertEqual((folder / "report" / "rows.jsonl").read_text(), journal)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -170,7 +170,3 @@ class Files(unittest.TestCase):
         self.assertAlmostEqual(found.surface.area, 0.5)
         self.assertAlmostEqual(found.scale, description.TRACER_DIAGONAL / math.sqrt(2))
         self.assertTrue(np.allclose(found.center, [1e6 + 0.5, 0.5, 0.0]))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -116,7 +116,3 @@ class Staleness(unittest.TestCase):
         self.assertEqual(self.why(), "it was made by another version of the tools")
         self.image.unlink()
         self.assertEqual(self.why(), "there is no reference")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -193,7 +193,3 @@ class WhatIsLeftOut(unittest.TestCase):
             export_actor(actor)
         with self.assertRaisesRegex(ExportError, "nothing opaque"):
             export_renderer(vtkRenderer(), "none", (8, 8), [])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -64,7 +64,3 @@ class Stored(unittest.TestCase):
     def test_they_are_small(self) -> None:
         size = sum(path.stat().st_size for path in provenance.DATA.iterdir())
         self.assertLess(size, 20e6)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -106,7 +106,3 @@ class SumOverTexels(unittest.TestCase):
             with self.subTest(name):
                 means = check_mean.compare(tools.SCENES / f"{name}.json", 64, 256)
                 self.assertAlmostEqual(means.r1 / means.open, 1.0, delta=limit)
-
-
-if __name__ == "__main__":
-    unittest.main()

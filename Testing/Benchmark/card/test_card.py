@@ -20,14 +20,12 @@ import unittest
 from pathlib import Path
 from typing import Any
 
+import support
+import vtkindirect
+from vtkindirect import images, metrics, references, wrapped
+
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
-sys.path.insert(0, str(ROOT / "Testing/Python"))
-
-import support  # noqa: E402  from the folder above
-import vtkindirect  # noqa: E402
-from vtkindirect import images, metrics, references, wrapped  # noqa: E402
-
 PROGRAM = os.environ.get("VTK_INDIRECT_CARD_BENCHMARK", "")
 SIZE = (256, 256)
 """That of the scene's reference, so that pixels coincide."""
@@ -271,7 +269,3 @@ class Card(unittest.TestCase):
                 self.assertNotEqual(said.returncode, 0)
                 self.assertEqual(said.stderr.count("\n"), 1, said.stderr)
                 self.assertIn(expected, said.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -14,13 +14,11 @@ import unittest
 from collections import defaultdict
 from pathlib import Path
 
+import packing
+import support
+from packing import must, run
+
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parents[1] / "Python")]
-
-import packing  # noqa: E402  from the folders above
-import support  # noqa: E402
-from packing import must, run  # noqa: E402
-
 GPU = HERE.parent / "gpu"
 PROGRAMS = ("IndirectShaderTests", "IndirectUnitTests")
 LOADER = "/lib64/ld-linux-x86-64.so.2"
@@ -488,7 +486,3 @@ class Errors(unittest.TestCase):
         self.assertEqual(list(output.iterdir()), [])
         self.refused(pack(*words, "--most", "2.5"), "--most wants a number of megabytes, not 2.5")
         self.assertEqual(pack(*words).returncode, 0)
-
-
-if __name__ == "__main__":
-    unittest.main()

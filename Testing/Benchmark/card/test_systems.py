@@ -12,13 +12,11 @@ import sys
 import unittest
 from pathlib import Path
 
+import packing
+import support
+from packing import must, run
+
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parents[1] / "Python")]
-
-import packing  # noqa: E402  from the folders above
-import support  # noqa: E402
-from packing import must, run  # noqa: E402
-
 LIBRARIES = "usr/lib/x86_64-linux-gnu"
 VENDORS = "usr/share/glvnd/egl_vendor.d"
 NVIDIA = "usr/local/nvidia"
@@ -331,7 +329,3 @@ class Alone(unittest.TestCase):
         done = run(*start, "IndirectShaderTests", "KernelParity", env={})
         self.assertEqual(done.returncode, 125, done.stdout)
         self.assertIn("gpu: no driver is named in ", done.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()
