@@ -6,7 +6,6 @@ import unittest
 
 import support
 from vtkindirect import (
-    actors,
     cli,
     colormaps,
     data,
@@ -15,9 +14,9 @@ from vtkindirect import (
     locations,
     methods,
     pipeline,
+    schema,
     sources,
 )
-from vtkindirect import scene as scenes
 
 PAGES = support.SOURCE / "Documentation"
 
@@ -35,15 +34,28 @@ class SceneFiles(unittest.TestCase):
         return {row.split("`")[1]: row for row in self.text.splitlines() if row.startswith("| `")}
 
     def test_every_key_of_every_table(self) -> None:
-        for table in (scenes.SCENE, scenes.CAMERA, actors.ACTOR, actors.SCALARS):
-            for key in table:
+        whole = schema.schema()
+        parts = whole["$defs"]
+        for table in (whole, parts["camera"], parts["actor"], parts["scalars"]):
+            for key in table["properties"]:
                 self.assertIn(f"`{key}`", self.text)
         rows = self.rows()
-        for names in (sources.SOURCES, lights.LIGHTS, pipeline.STEPS):
-            for name, row in names.items():
-                self.assertIn(name, rows)
-                for key in row.fields:
+        for kind, part in (("type", "light"), ("source", "actor")):
+            for name in parts[part]["properties"][kind]["enum"]:
+                found = {kind: name}
+                common = set(parts[part]["properties"])
+                for key in set(schema.known_keys(parts[part], found)) - common:
                     self.assertIn(f"`{key}`", rows[name], f"{name}: {key}")
+        for name, step in parts["step"]["properties"].items():
+            for key in schema.known_keys(step, {}):
+                self.assertIn(f"`{key}`", rows[name], f"{name}: {key}")
+
+    def test_what_is_built_is_in_the_schema(self) -> None:
+        parts = schema.schema()["$defs"]
+        self.assertEqual(list(parts["step"]["properties"]), list(pipeline.STEPS))
+        self.assertEqual(parts["actor"]["properties"]["source"]["enum"], list(sources.SOURCES))
+        kinds = parts["light"]["properties"]["type"]["enum"]
+        self.assertEqual(kinds, [*lights.LIGHTS, "area", "environment"])
 
     def test_names(self) -> None:
         for name in (*colormaps.NAMES, *data.ENDINGS):

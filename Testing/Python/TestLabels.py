@@ -187,8 +187,7 @@ class Contour(unittest.TestCase):
     def test_normals_where_the_image_has_no_gradient(self) -> None:
         # Voxels at random: central differences are zero between many neighbours.
         values = np.random.RandomState(2).randint(0, 2, (14, 15, 16)).astype(np.float32)
-        step = pipeline.check([{"contour": {"value": 0.5}}], "")[0]
-        surface = pipeline.run(image_of(values), step)
+        surface = pipeline.done(image_of(values), [{"contour": {"value": 0.5}}])
         normals = vtk_to_numpy(surface.GetPointData().GetNormals())
         np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-5)
 
@@ -196,10 +195,9 @@ class Contour(unittest.TestCase):
         # Sheets one voxel thin: central differences are zero at each voxel but the outermost.
         sheets = np.zeros((8, 8, 21), np.float32)
         sheets[:, :, 1::2] = 1.0
-        step = pipeline.check([{"contour": {"value": 0.5}}], "")[0]
         image = image_of(sheets)
         image.SetSpacing(1.0, 1.0, 1.5)  # with spacings of one VTK makes zeros, with others NaN
-        surface = pipeline.run(image, step)
+        surface = pipeline.done(image, [{"contour": {"value": 0.5}}])
         normals = vtk_to_numpy(surface.GetPointData().GetNormals())
         x = vtk_to_numpy(surface.GetPoints().GetData())[:, 0]
         np.testing.assert_allclose(x % 1.0, 0.5)

@@ -15,14 +15,8 @@ import support
 from vtkindirect import SceneError, data, pipeline
 
 
-def steps(*words):
-    return pipeline.check(list(words), "p")
-
-
-def run(held, *words):
-    for step in steps(*words):
-        held = pipeline.run(held, step)
-    return held
+def run(held, *steps):
+    return pipeline.done(held, list(steps), "p")
 
 
 def image(function, name="f", count=41, dtype=np.float32, origin=-2.0):

@@ -5,7 +5,6 @@ import base64
 import gzip
 import json
 import struct
-import unittest
 from pathlib import Path
 
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints

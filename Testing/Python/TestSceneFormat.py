@@ -6,11 +6,12 @@ import math
 import struct
 import unittest
 from typing import Any
+from unittest import mock
 
 from vtkmodules.vtkCommonCore import VTK_COLOR_MODE_DIRECT_SCALARS
 
 import support
-from vtkindirect import SceneError, UsageError, load_scene
+from vtkindirect import SceneError, UsageError, load_scene, schema
 
 
 def _set(document: Any, path: list, value: Any) -> None:
@@ -189,6 +190,14 @@ class Mistakes(support.DirectoryTest):
             with self.subTest(name=name), self.assertRaises(UsageError) as caught:
                 load_scene(self.directory / name)
             self.assertIn(expected, str(caught.exception))
+
+
+class Package(unittest.TestCase):
+    def test_without_jsonschema_one_line_says_so(self) -> None:
+        schema._validators.cache_clear()
+        with mock.patch.dict("sys.modules", {"jsonschema": None}):
+            with self.assertRaisesRegex(ImportError, "^scene files need jsonschema.*python3-json"):
+                schema.check({})
 
 
 class Built(support.DirectoryTest):

@@ -8,14 +8,13 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties, vtkTriangleFilter
 
-from vtkindirect import SceneError
-from vtkindirect.fields import check_table
+from vtkindirect import SceneError, schema
 from vtkindirect.sources import SOURCES
 
 
 def make(name, **values):
-    row = SOURCES[name]
-    return row.build(check_table(values, "actors[0]", row.fields), "actors[0]")
+    part = "cylinder" if name == "ring" else name
+    return SOURCES[name](schema.check(values, "actors[0]", part))
 
 
 def triangles(data):

@@ -14,22 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
 
 from vtkindirect import arrays, colormaps, pipeline
 from vtkindirect.errors import SceneError, UsageError
-from vtkindirect.fields import (
-    Field,
-    Table,
-    boolean,
-    check_keys,
-    check_table,
-    choice,
-    color,
-    fail,
-    interval,
-    matrix,
-    member,
-    number,
-    required,
-    text,
-)
+from vtkindirect.schema import fail, member, optional
 from vtkindirect.sources import SOURCES
 
 Values = dict[str, Any]
@@ -37,68 +22,17 @@ Read = Callable[[Path], vtkDataSet]
 
 DIRECT_COLORS = "RGB"
 
-SCALARS = {
-    "array": required(text),
-    "range": Field(interval),
-    "map": Field(colormaps.check, "viridis"),
-}
-
-
-def _scalars(value: Any, path: str) -> Values:
-    """The array that colours an actor, and how."""
-    return check_table(value, path, SCALARS)
-
-
-_part = number(minimum=0, maximum=1)
-
-ACTOR = {
-    "name": Field(text),
-    "file": Field(text),
-    "source": Field(choice(*SOURCES)),
-    "pipeline": Field(pipeline.check, []),
-    "color": Field(color),
-    "scalars": Field(_scalars),
-    "ambient": Field(_part, 0.0),
-    "diffuse": Field(_part, 1.0),
-    "specular": Field(_part, 0.0),
-    "specular_power": Field(number(minimum=0, maximum=128), 1.0),
-    "opacity": Field(_part, 1.0),
-    "interpolation": Field(choice("phong", "flat", "gouraud", "pbr"), "phong"),
-    "metallic": Field(_part, 0.0),
-    "roughness": Field(_part, 0.5),
-    "refraction_index": Field(number(minimum=1), 1.5),
-    "transform": Field(matrix),
-    "visible": Field(boolean, True),
-}
-
-
-def check(value: Any, path: str) -> Values:
-    """Check one actor; the keys of its source become ``values["source_values"]``."""
-    if not isinstance(value, dict):
-        check_keys(value, path, ())
-    own: Table = {}
-    if "source" in value:
-        own = SOURCES[ACTOR["source"].check(value["source"], member(path, "source"))].fields
-    values = check_table(value, path, {**ACTOR, **own})
-    if (values["file"] is None) == (values["source"] is None):
-        raise fail(path, "must have either file or source")
-    if values["color"] is not None and values["scalars"] is not None:
-        raise fail(member(path, "color"), "cannot be given together with scalars")
-    values["source_values"] = {key: values.pop(key) for key in own}
-    return values
-
 
 def _geometry(values: Values, path: str, directory: Path, read: Read) -> vtkPolyData:
     """Read or make the geometry of an actor and take it through its pipeline."""
     if values["source"] is not None:
-        data = SOURCES[values["source"]].build(values["source_values"], path)
+        data = SOURCES[values["source"]](values)
     else:
         try:
             data = read(directory / values["file"])
         except UsageError as error:
             raise SceneError(f"{member(path, 'file')}: {error}") from None
-    for step in values["pipeline"]:
-        data = pipeline.run(data, step)
+    data = pipeline.run(data, values["pipeline"], member(path, "pipeline"))
     surface = pipeline.surface_of(data, path)
     if surface.GetNumberOfCells() == 0:
         raise fail(path, "has points but no cells to show: put glyph_spheres in its pipeline")
@@ -158,7 +92,7 @@ def _show_scalars(
                 member(path, "map"),
                 f"is for categories, and array '{found.name}' has {len(distinct)} distinct values",
             )
-    span = scalars["range"] or list(found.span)
+    span = list(scalars.get("range") or found.span)
     if span[0] == span[1]:
         span[1] = span[0] + max(1.0, abs(span[0]))
     mapper.SetColorModeToMapScalars()
@@ -202,11 +136,12 @@ def color_by(actor: vtkActor, found: arrays.Found) -> None:
 def color_by_category(actor: vtkActor, name: str) -> None:
     """Colour an actor by an array of a few values, a colour for each."""
     mapper = actor.GetMapper()
-    _show_scalars(mapper, mapper.GetInput(), {"array": name, "range": None, "map": "tab10"}, "")
+    _show_scalars(mapper, mapper.GetInput(), {"array": name, "map": "tab10"}, "")
 
 
 def build(values: Values, path: str, directory: Path, read: Read) -> vtkActor:
     """Make a checked actor. Files are relative to `directory`."""
+    values = optional(values)
     surface = _geometry(values, path, directory, read)
     actor = show_surface(surface)
     if values["scalars"] is not None:

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet
 
 from vtkindirect.errors import suggestion
-from vtkindirect.fields import fail
+from vtkindirect.schema import fail
 
 
 @dataclass(frozen=True)

@@ -4,13 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkVariant
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
-from vtkindirect.errors import suggestion
-from vtkindirect.fields import array, color, fail
 
 # Evenly spaced control points, from the lowest value to the highest.
 CONTINUOUS = {
@@ -32,19 +29,6 @@ CATEGORICAL = {
 }
 
 NAMES = (*CONTINUOUS, *CATEGORICAL)
-
-_colors = array(color, minimum=2)
-
-
-def check(value: Any, path: str) -> Any:
-    """The name of a map, or a list of at least two colours."""
-    if isinstance(value, str):
-        if value not in NAMES:
-            raise fail(
-                path, f"unknown map '{value}'{suggestion(value, NAMES)}; known: {', '.join(NAMES)}"
-            )
-        return value
-    return _colors(value, path)
 
 
 def _points(text: str) -> list[tuple[float, ...]]:

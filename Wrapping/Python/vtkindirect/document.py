@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads JSON strictly: no duplicate keys, no NaN, and errors that name the place."""
+"""Reads JSON strictly: no duplicate keys, finite numbers, and errors that name the place."""
 
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
 from vtkindirect.errors import SceneError
-from vtkindirect.fields import fail, member
+from vtkindirect.schema import fail, member
 
 MAXIMUM_BYTES = 64 * 1024 * 1024
 
@@ -32,22 +33,31 @@ def _refuse_constant(name: str) -> Any:
     raise SceneError(f"{name} is not a JSON number")
 
 
-def _check_duplicates(value: Any, path: str) -> None:
+def _finite(value: float) -> bool:
+    try:
+        return math.isfinite(value)
+    except OverflowError:  # an integer beyond all floats
+        return False
+
+
+def _check(value: Any, path: str) -> None:
     if isinstance(value, _Object):
         if value.duplicate is not None:
             raise fail(member(path, value.duplicate), "is given twice")
         for key, item in value.items():
-            _check_duplicates(item, member(path, key))
+            _check(item, member(path, key))
     elif isinstance(value, list):
         for index, item in enumerate(value):
-            _check_duplicates(item, f"{path}[{index}]")
+            _check(item, f"{path}[{index}]")
+    elif isinstance(value, (int, float)) and not _finite(value):
+        raise fail(path, "must be a finite number")
 
 
 def parse(text: str) -> Any:
     """Return the value of a JSON text."""
     try:
         value = json.loads(text, object_pairs_hook=_object, parse_constant=_refuse_constant)
-        _check_duplicates(value, "")
+        _check(value, "")
     except json.JSONDecodeError as error:
         raise SceneError(
             f"not JSON: {error.msg} (line {error.lineno}, column {error.colno})"

@@ -4,39 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 from vtkmodules.vtkRenderingCore import vtkLight, vtkLightKit, vtkRenderer
-
-from vtkindirect.fields import (
-    Field,
-    Table,
-    array,
-    check_keys,
-    check_table,
-    choice,
-    color,
-    direction,
-    fail,
-    member,
-    number,
-    point,
-    required,
-)
 
 Values = dict[str, Any]
 
 # VTK takes a cone angle of 90 degrees or more for a light without a cone.
 _NO_CONE = 180.0
-
-
-def _attenuation(value: Any, path: str) -> list[float]:
-    """c, l, q of 1 / (c + l d + q d^2), at least one of them greater than 0."""
-    result = array(number(minimum=0), length=3)(value, path)
-    if not any(result):
-        raise fail(path, "must not be all zero")
-    return result
 
 
 def _light(values: Values) -> vtkLight:
@@ -96,66 +71,15 @@ def _light_kit(renderer: vtkRenderer, values: Values) -> None:
     add_light_kit(renderer, values["intensity"])
 
 
-@dataclass(frozen=True)
-class Light:
-    """What a type of light is and its keys; a type that is not built has no `add`."""
-
-    meaning: str
-    fields: Table
-    add: Callable[[vtkRenderer, Values], None] | None = None
-
-
-_strength = {
-    "color": Field(color, (1.0, 1.0, 1.0)),
-    "intensity": Field(number(minimum=0), 1.0),
-}
-_place = {
-    "position": required(point),
-    **_strength,
-    "attenuation": Field(_attenuation, (1.0, 0.0, 0.0)),
-}
-
-LIGHTS = {
-    "spot": Light(
-        "a cone of light from a point",
-        {
-            **_place,
-            "focal_point": required(point),
-            "cone_angle": Field(number(above=0, below=90), 30.0),
-            "exponent": Field(number(minimum=0, maximum=128), 0.0),
-        },
-        _spot,
-    ),
-    "point": Light("light from a point in all directions", _place, _point),
-    "directional": Light(
-        "parallel light", {"direction": required(direction), **_strength}, _directional
-    ),
-    "headlight": Light("parallel light along the view", _strength, _headlight),
-    "light_kit": Light("VTK's light kit", {"intensity": Field(number(minimum=0), 1.0)}, _light_kit),
-    "area": Light("light from a rectangle", {}),
-    "environment": Light("light from all around, given by an image", {}),
+LIGHTS: dict[str, Callable[[vtkRenderer, Values], None]] = {
+    "spot": _spot,
+    "point": _point,
+    "directional": _directional,
+    "headlight": _headlight,
+    "light_kit": _light_kit,
 }
 
 
-def check(value: Any, path: str) -> tuple[str, Values]:
-    """Check one light; gives its type and its values."""
-    if not isinstance(value, dict):
-        check_keys(value, path, ())
-    if "type" not in value:
-        raise fail(member(path, "type"), "is missing")
-    kind = choice(*LIGHTS)(value["type"], member(path, "type"))
-    row = LIGHTS[kind]
-    if row.add is None:
-        raise fail(member(path, "type"), f"lights of type '{kind}' are not built in this version")
-    values = check_table(value, path, {"type": Field(choice(kind)), **row.fields})
-    if kind == "spot" and values["focal_point"] == values["position"]:
-        raise fail(member(path, "focal_point"), "must differ from position")
-    return kind, values
-
-
-def add(renderer: vtkRenderer, light: tuple[str, Values]) -> None:
+def add(renderer: vtkRenderer, values: Values) -> None:
     """Add a checked light to a renderer."""
-    kind, values = light
-    row = LIGHTS[kind]
-    assert row.add is not None
-    row.add(renderer, values)
+    LIGHTS[values["type"]](renderer, values)

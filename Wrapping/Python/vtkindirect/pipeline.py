@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -49,30 +48,19 @@ from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
 
 from vtkindirect import arrays, normals
-from vtkindirect.fields import (
-    Field,
-    Table,
-    array,
-    boolean,
-    check_keys,
-    check_table,
-    choice,
-    direction,
-    fail,
-    integer,
-    matrix,
-    member,
-    number,
-    one_or_more,
-    one_or_three,
-    point,
-    required,
-    text,
-)
+from vtkindirect.schema import check, fail, member, optional
 
 Values = dict[str, Any]
 
 # Helpers ------------------------------------------------------------------------------------------
+
+
+def _many(value: Any) -> list[Any]:
+    return value if isinstance(value, list) else [value]
+
+
+def _three(value: Any) -> list[Any]:
+    return value if isinstance(value, list) else [value] * 3
 
 
 def _run(filter_: vtkAlgorithm, data: vtkDataSet) -> Any:
@@ -122,7 +110,7 @@ def _plane(values: Values) -> vtkPlane:
 
 def _contour(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
     found = arrays.find(data, values["array"], member(path, "array"), on_cells=False)
-    _check_in_range(found, values["value"], path)
+    _check_in_range(found, _many(values["value"]), path)
     contour = vtkFlyingEdges3D() if isinstance(data, vtkImageData) else vtkContourFilter()
     if isinstance(data, vtkImageData):
         if min(data.GetDimensions()) < 2:
@@ -131,7 +119,7 @@ def _contour(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
     contour.SetInputArrayToProcess(0, 0, 0, found.association, found.name)
     contour.ComputeNormalsOn()
     contour.ComputeScalarsOn()
-    for index, value in enumerate(values["value"]):
+    for index, value in enumerate(_many(values["value"])):
         contour.SetValue(index, value)
     result = _run(contour, data)
     return normals.mend(result) if isinstance(data, vtkImageData) else result
@@ -140,11 +128,11 @@ def _contour(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
 def _discrete(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
     image = _image(data, path)
     found = arrays.find(image, values["array"], member(path, "array"), on_cells=False)
-    _check_in_range(found, values["value"], path)
+    _check_in_range(found, _many(values["value"]), path)
     contour = vtkDiscreteFlyingEdges3D()
     contour.SetInputArrayToProcess(0, 0, 0, found.association, found.name)
     contour.ComputeScalarsOn()
-    for index, value in enumerate(values["value"]):
+    for index, value in enumerate(_many(values["value"])):
         contour.SetValue(index, value)
     return _run(contour, image)
 
@@ -155,9 +143,9 @@ def _label_mask(data: vtkDataSet, values: Values, path: str) -> vtkImageData:
     if found.array.GetNumberOfComponents() != 1:
         raise fail(member(path, "array"), "must have one component")
     nx, ny, nz = image.GetDimensions()
-    inside = np.isin(found.numbers().reshape(nz, ny, nx), values["value"])
+    inside = np.isin(found.numbers().reshape(nz, ny, nx), _many(values["value"]))
     if not inside.any():
-        shown = ", ".join(f"{value:g}" for value in values["value"])
+        shown = ", ".join(f"{value:g}" for value in _many(values["value"]))
         raise fail(member(path, "value"), f"array '{found.name}' has no voxel of {shown}")
     margin, first, part = values["margin"], [], []
     for axis, count in ((2, nx), (1, ny), (0, nz)):
@@ -182,7 +170,7 @@ def _label_mask(data: vtkDataSet, values: Values, path: str) -> vtkImageData:
 
 def _gaussian_smooth(data: vtkDataSet, values: Values, path: str) -> vtkImageData:
     smooth = vtkImageGaussianSmooth()
-    smooth.SetStandardDeviations(values["standard_deviation"])
+    smooth.SetStandardDeviations(_three(values["standard_deviation"]))
     smooth.SetRadiusFactors(3.0, 3.0, 3.0)
     return _run(smooth, _image(data, path))
 
@@ -197,18 +185,14 @@ def _extract(data: vtkDataSet, values: Values, path: str) -> vtkImageData:
             raise fail(member(path, "extent"), f"must lie in {', '.join(map(str, whole))}")
     extract = vtkExtractVOI()
     extract.SetVOI(*part)
-    extract.SetSampleRate(*values["step"])
+    extract.SetSampleRate(*_three(values["step"]))
     return _run(extract, image)
 
 
 def _threshold(data: vtkDataSet, values: Values, path: str) -> vtkDataSet:
     found = arrays.find(data, values["array"], member(path, "array"))
-    if values["lower"] is None and values["upper"] is None:
-        raise fail(path, "needs lower, upper or both")
     low = -math.inf if values["lower"] is None else values["lower"]
     high = math.inf if values["upper"] is None else values["upper"]
-    if low > high:
-        raise fail(member(path, "upper"), "must not be less than lower")
     threshold = vtkThreshold()
     threshold.SetInputArrayToProcess(0, 0, 0, found.association, found.name)
     threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_BETWEEN)
@@ -380,9 +364,6 @@ def _slice(data: vtkDataSet, values: Values, _path: str) -> vtkPolyData:
 
 
 def _transform(data: vtkDataSet, values: Values, path: str) -> vtkPointSet:
-    given = [key for key in ("translate", "rotate", "scale") if values[key] is not None]
-    if values["matrix"] is not None and given:
-        raise fail(member(path, given[0]), "cannot be given together with matrix")
     transform = vtkTransform()
     if values["matrix"] is not None:
         elements = vtkMatrix4x4()
@@ -391,10 +372,8 @@ def _transform(data: vtkDataSet, values: Values, path: str) -> vtkPointSet:
     else:
         transform.Translate(values["translate"] or (0.0, 0.0, 0.0))
         if values["rotate"] is not None:
-            if not any(values["rotate"][1:]):
-                raise fail(member(path, "rotate"), "the axis must not be the zero vector")
             transform.RotateWXYZ(*values["rotate"])
-        transform.Scale(values["scale"] or (1.0, 1.0, 1.0))
+        transform.Scale(_three(values["scale"] or 1.0))
     move = vtkTransformFilter()
     move.SetTransform(transform)
     return _run(move, _point_set(data, path))
@@ -403,179 +382,39 @@ def _transform(data: vtkDataSet, values: Values, path: str) -> vtkPointSet:
 # The table ----------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Step:
-    """What a step does, its keys and how it is done."""
-
-    meaning: str
-    fields: Table
-    apply: Callable[[vtkDataSet, Values, str], vtkDataSet]
-
-
-_name = Field(text)
-_origin = {"origin": required(point), "normal": required(direction)}
-_round = integer(minimum=3, maximum=256)
-_seeds_line = {
-    "point1": required(point),
-    "point2": required(point),
-    "count": Field(integer(minimum=1, maximum=10000), 20),
-}
-_seeds_sphere = {
-    "center": required(point),
-    "radius": required(number(above=0)),
-    "count": Field(integer(minimum=1, maximum=10000), 20),
+STEPS: dict[str, Callable[[vtkDataSet, Values, str], vtkDataSet]] = {
+    "contour": _contour,
+    "discrete_marching_cubes": _discrete,
+    "label_mask": _label_mask,
+    "gaussian_smooth": _gaussian_smooth,
+    "extract": _extract,
+    "threshold": _threshold,
+    "surface": _surface,
+    "normals": _normals,
+    "glyph_spheres": _glyph_spheres,
+    "tube": _tube,
+    "stream_tracer": _stream_tracer,
+    "warp_scalar": _warp_scalar,
+    "smooth": _smooth,
+    "decimate": _decimate,
+    "connectivity": _connectivity,
+    "clip": _clip,
+    "slice": _slice,
+    "transform": _transform,
 }
 
 
-def _seeds(value: Any, path: str) -> Values:
-    """point1, point2, count: on a line; or center, radius, count: in a sphere."""
-    check_keys(value, path, tuple({**_seeds_line, **_seeds_sphere}))
-    on_line = "point1" in value or "point2" in value
-    return check_table(value, path, _seeds_line if on_line else _seeds_sphere)
+def run(data: vtkDataSet, steps: list[Values], path: str) -> vtkDataSet:
+    """Do checked steps, one after another; what each leaves must not be empty."""
+    for index, step in enumerate(steps):
+        ((name, values),) = step.items()
+        place = member(f"{path}[{index}]", name)
+        data = STEPS[name](data, optional(values), place)
+        if data.GetNumberOfPoints() == 0:
+            raise fail(place, "leaves nothing")
+    return data
 
 
-STEPS = {
-    "contour": Step(
-        "the surface where an array has a value",
-        {"array": _name, "value": required(one_or_more(number()))},
-        _contour,
-    ),
-    "discrete_marching_cubes": Step(
-        "the surface of labels in an image of labels",
-        {"array": _name, "value": required(one_or_more(number()))},
-        _discrete,
-    ),
-    "label_mask": Step(
-        "an image that is 1 inside of labels and 0 outside, cropped to them",
-        {
-            "array": _name,
-            "value": required(one_or_more(number())),
-            "margin": Field(integer(minimum=1, maximum=1000), 5),
-        },
-        _label_mask,
-    ),
-    "gaussian_smooth": Step(
-        "a blurred image",
-        {"standard_deviation": Field(one_or_three(number(minimum=0, maximum=100)), [1.0] * 3)},
-        _gaussian_smooth,
-    ),
-    "extract": Step(
-        "a part of an image, or every n-th voxel",
-        {
-            "extent": Field(array(integer(minimum=-(2**31), maximum=2**31 - 1), length=6)),
-            "step": Field(one_or_three(integer(minimum=1, maximum=1000)), [1] * 3),
-        },
-        _extract,
-    ),
-    "threshold": Step(
-        "the cells whose array is in a range",
-        {
-            "array": _name,
-            "lower": Field(number()),
-            "upper": Field(number()),
-            "invert": Field(boolean, False),
-        },
-        _threshold,
-    ),
-    "surface": Step("the outer surface", {}, _surface),
-    "normals": Step(
-        "normals at the points",
-        {
-            "feature_angle": Field(number(minimum=0, maximum=180), 30.0),
-            "splitting": Field(boolean, True),
-            "consistency": Field(boolean, True),
-            "flip": Field(boolean, False),
-            "orient": Field(boolean, False),
-        },
-        _normals,
-    ),
-    "glyph_spheres": Step(
-        "a sphere at each point",
-        {
-            "radius": Field(number(above=0), 0.5),
-            "resolution": Field(_round, 12),
-            "scale_by": _name,
-        },
-        _glyph_spheres,
-    ),
-    "tube": Step(
-        "tubes around lines",
-        {
-            "radius": required(number(above=0)),
-            "sides": Field(_round, 12),
-            "capping": Field(boolean, True),
-        },
-        _tube,
-    ),
-    "stream_tracer": Step(
-        "the paths that points take in a vector field",
-        {
-            "vectors": _name,
-            "seeds": required(_seeds),
-            "direction": Field(choice("both", "forward", "backward"), "both"),
-            "max_length": Field(number(above=0)),
-            "step": Field(number(above=0, maximum=1), 0.2),
-        },
-        _stream_tracer,
-    ),
-    "warp_scalar": Step(
-        "points moved along their normal by an array",
-        {"array": _name, "scale": Field(number(), 1.0), "normal": Field(direction)},
-        _warp_scalar,
-    ),
-    "smooth": Step(
-        "a surface without its small bumps; it does not shrink",
-        {
-            "iterations": Field(integer(minimum=1, maximum=1000), 20),
-            "pass_band": Field(number(above=0, maximum=2), 0.1),
-        },
-        _smooth,
-    ),
-    "decimate": Step(
-        "a surface of fewer triangles; arrays are dropped",
-        {"reduction": Field(number(minimum=0, below=1), 0.5)},
-        _decimate,
-    ),
-    "connectivity": Step(
-        "the largest connected part, or the one closest to a point",
-        {"closest_to": Field(point)},
-        _connectivity,
-    ),
-    "clip": Step("the part on the side that normal points to", _origin, _clip),
-    "slice": Step("the cut with a plane", _origin, _slice),
-    "transform": Step(
-        "the data moved: by a matrix, or scaled, rotated, then translated",
-        {
-            "matrix": Field(matrix),
-            "translate": Field(point),
-            "rotate": Field(array(number(), length=4)),
-            "scale": Field(one_or_three(number(above=0))),
-        },
-        _transform,
-    ),
-}
-
-Checked = list[tuple[str, Values, str]]
-
-
-def check(value: Any, path: str) -> Checked:
-    """Check a list of steps; gives (name, values, path of the values) for each."""
-    steps = []
-    for index, item in enumerate(array(lambda step, _: step)(value, path)):
-        place = f"{path}[{index}]"
-        check_keys(item, place, tuple(STEPS))
-        if len(item) != 1:
-            raise fail(place, f"must hold exactly one step, not {len(item)}")
-        ((name, values),) = item.items()
-        inner = member(place, name)
-        steps.append((name, check_table(values, inner, STEPS[name].fields), inner))
-    return steps
-
-
-def run(data: vtkDataSet, step: tuple[str, Values, str]) -> vtkDataSet:
-    """Do one step; what it leaves must not be empty."""
-    name, values, path = step
-    result = STEPS[name].apply(data, values, path)
-    if result.GetNumberOfPoints() == 0:
-        raise fail(path, "leaves nothing")
-    return result
+def done(data: vtkDataSet, steps: list[Values], path: str = "pipeline") -> vtkDataSet:
+    """Check steps and do them."""
+    return run(data, check(steps, path, "pipeline"), path)

@@ -7,7 +7,6 @@ its surface, seen from the front, lit by VTK's light kit.
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Callable
 from pathlib import Path
@@ -22,66 +21,10 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow,
 )
 
-from vtkindirect import actors, arrays, data, document, labels, lights, pipeline, windows
+from vtkindirect import actors, arrays, data, document, labels, lights, pipeline, schema, windows
 from vtkindirect.errors import SceneError, UsageError, check_text
-from vtkindirect.fields import (
-    Field,
-    array,
-    check_table,
-    choice,
-    color,
-    direction,
-    fail,
-    integer,
-    interval,
-    member,
-    number,
-    point,
-    required,
-    text,
-)
 
 SCHEMA = "vtkindirect.scene/1"
-
-CAMERA = {
-    "position": required(point),
-    "focal_point": required(point),
-    "view_up": Field(direction, (0.0, 1.0, 0.0)),
-    "view_angle": Field(number(above=0, below=180)),
-    "parallel_scale": Field(number(above=0)),
-    "clipping_range": Field(interval),
-}
-
-
-def _cross(a: list[float], b: list[float]) -> list[float]:
-    return [a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3] for i in range(3)]
-
-
-def _camera(value: Any, path: str) -> dict[str, Any]:
-    """Check a camera: it must look somewhere, and up must not be where it looks."""
-    values = check_table(value, path, CAMERA)
-    view = [b - a for a, b in zip(values["position"], values["focal_point"])]
-    if not any(view):
-        raise fail(member(path, "focal_point"), "must differ from position")
-    up = list(values["view_up"])
-    if math.hypot(*_cross(view, up)) <= 1e-6 * math.hypot(*view) * math.hypot(*up):
-        raise fail(member(path, "view_up"), "must not be parallel to the direction of view")
-    if values["view_angle"] is not None and values["parallel_scale"] is not None:
-        raise fail(member(path, "parallel_scale"), "cannot be given together with view_angle")
-    if values["clipping_range"] is not None and values["clipping_range"][0] <= 0:
-        raise fail(member(path, "clipping_range[0]"), "must be greater than 0")
-    return values
-
-
-SCENE = {
-    "schema": required(choice(SCHEMA)),
-    "name": Field(text),
-    "size": Field(array(integer(minimum=1, maximum=windows.LARGEST), length=2), [512, 512]),
-    "background": Field(color, (0.0, 0.0, 0.0)),
-    "camera": required(_camera),
-    "lights": required(array(lights.check, minimum=1)),
-    "actors": required(array(actors.check, minimum=1)),
-}
 
 
 def check(value: Any) -> dict[str, Any]:
@@ -90,10 +33,7 @@ def check(value: Any) -> dict[str, Any]:
         raise SceneError("not a scene: the file must hold one JSON object")
     if "schema" not in value:
         raise SceneError(f'schema: is missing; a scene file begins with "schema": "{SCHEMA}"')
-    values = check_table(value, "", SCENE)
-    if not any(actor["visible"] for actor in values["actors"]):
-        raise SceneError("actors: none of them is visible")
-    return values
+    return schema.check(value)
 
 
 class Scene:
@@ -169,16 +109,16 @@ def _set_camera(camera: vtkCamera, values: dict[str, Any]) -> None:
     camera.SetPosition(values["position"])
     camera.SetFocalPoint(values["focal_point"])
     camera.SetViewUp(values["view_up"])
-    if values["parallel_scale"] is not None:
+    if "parallel_scale" in values:
         camera.ParallelProjectionOn()
         camera.SetParallelScale(values["parallel_scale"])
     else:
-        camera.SetViewAngle(values["view_angle"] or 30.0)
+        camera.SetViewAngle(values.get("view_angle", 30.0))
 
 
 def _from_document(path: Path, progress: Callable[[int, str], None]) -> Scene:
     values = check(document.read(path))
-    scene = Scene(values["name"] or path.stem, path, tuple(values["size"]))
+    scene = Scene(values.get("name", path.stem), path, tuple(map(int, values["size"])))
     scene.renderer.SetBackground(values["background"])
     for light in values["lights"]:
         lights.add(scene.renderer, light)
@@ -191,12 +131,12 @@ def _from_document(path: Path, progress: Callable[[int, str], None]) -> Scene:
         return known[place]
 
     for index, actor in enumerate(values["actors"]):
-        progress(len(values["actors"]), actor["name"] or f"actor {index}")
+        progress(len(values["actors"]), actor.get("name", f"actor {index}"))
         built = actors.build(actor, f"actors[{index}]", path.parent, read)
-        scene.add_actor(actor["name"], built)
+        scene.add_actor(actor.get("name"), built)
     _check_extent(scene)
     _set_camera(scene.renderer.GetActiveCamera(), values["camera"])
-    if values["camera"]["clipping_range"] is not None:
+    if "clipping_range" in values["camera"]:
         scene.renderer.GetActiveCamera().SetClippingRange(values["camera"]["clipping_range"])
     else:
         scene.renderer.ResetCameraClippingRange()
@@ -224,8 +164,8 @@ def _actor_of_image(scene: Scene, held: vtkImageData) -> vtkActor:
         f"contour of '{found.name}' at {value:g}, half of its range {low:g} to {high:g}; "
         "a scene file can say another value"
     )
-    step = pipeline.check([{"contour": {"array": found.name, "value": value}}], "")[0]
-    return actors.show_surface(pipeline.run(held, step))
+    steps = [{"contour": {"array": found.name, "value": value}}]
+    return actors.show_surface(pipeline.done(held, steps))
 
 
 def _actor_of_file(scene: Scene) -> vtkActor:
@@ -237,7 +177,7 @@ def _actor_of_file(scene: Scene) -> vtkActor:
     if data.is_molecule(scene.path):
         spheres = {"radius": 1.0, "scale_by": "radius", "resolution": 12}
         scene.notes.append("atoms are shown as spheres of their van der Waals radius")
-        surface = pipeline.run(surface, pipeline.check([{"glyph_spheres": spheres}], "")[0])
+        surface = pipeline.done(surface, [{"glyph_spheres": spheres}])
     actor = actors.show_surface(surface)
     for name in (actors.DIRECT_COLORS, "rgb_colors"):
         found = actors.direct_colors(surface, name)
