@@ -3,6 +3,8 @@
 
 import json
 import os
+import subprocess
+import sys
 import unittest
 
 import support
@@ -101,6 +103,17 @@ class CommandLine(support.DirectoryTest):
             "unknown demonstration 'frogs' (did you mean 'frog'?)", "demo", "frogs", *out
         )
         self.assert_error("no such directory", "demo", "-o", self.directory / "none" / "deeper")
+
+    def test_a_missing_package_is_named(self) -> None:
+        code = (
+            "import sys, runpy; sys.modules['tqdm'] = None; "
+            "runpy.run_module('vtkindirect', run_name='__main__')"
+        )
+        result = subprocess.run(
+            [sys.executable, "-B", "-c", code], capture_output=True, text=True, check=False
+        )
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, "^vtk-indirect: error: .* tqdm .*python3-tqdm.*\n$")
 
     def test_help_and_version(self) -> None:
         for words in (["--help"], ["render", "--help"], ["view", "--help"], ["demo", "--help"]):

@@ -7,7 +7,6 @@ import unittest
 import support
 from vtkindirect import (
     cli,
-    colormaps,
     data,
     images,
     lights,
@@ -58,7 +57,7 @@ class SceneFiles(unittest.TestCase):
         self.assertEqual(kinds, [*lights.LIGHTS, "area", "environment"])
 
     def test_names(self) -> None:
-        for name in (*colormaps.NAMES, *data.ENDINGS):
+        for name in ("vivid", *data.ENDINGS):
             self.assertIn(f"`{name}`", self.text)
 
 

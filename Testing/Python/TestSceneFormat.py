@@ -11,7 +11,7 @@ from unittest import mock
 from vtkmodules.vtkCommonCore import VTK_COLOR_MODE_DIRECT_SCALARS
 
 import support
-from vtkindirect import SceneError, UsageError, load_scene, schema
+from vtkindirect import SceneError, UsageError, colormaps, load_scene, schema
 
 
 def _set(document: Any, path: list, value: Any) -> None:
@@ -312,7 +312,10 @@ class Built(support.DirectoryTest):
         self.assertAlmostEqual(red[0], 1.0, places=2)
         for wrong, expected in (
             ({"array": "T"}, "actors[0].scalars.array: no array 'T' (did you mean 't'?)"),
-            ({"array": "t", "map": "jet"}, "actors[0].scalars.map: unknown map 'jet'"),
+            (
+                {"array": "t", "map": "viridos"},
+                "actors[0].scalars.map: unknown map 'viridos' (did you mean 'viridis'?)",
+            ),
             ({"array": "t", "map": "set1"}, "actors[0].scalars.map: is for categories"),
             ({"array": "t", "range": [5, 5]}, "actors[0].scalars.range: the second number"),
         ):
@@ -320,6 +323,30 @@ class Built(support.DirectoryTest):
             with self.subTest(wrong=wrong), self.assertRaises(SceneError) as caught:
                 self.load(document)
             self.assertIn(expected, str(caught.exception))
+
+    def test_maps_by_name(self) -> None:
+        """The first and the last colour of maps, as their authors publish them."""
+        for name, first, last in (
+            ("inferno", "000004", "fcffa4"),
+            ("magma", "000004", "fcfdbf"),
+            ("plasma", "0d0887", "f0f921"),
+            ("viridis", "440154", "fde725"),
+            ("turbo", "30123b", "7a0403"),
+            ("coolwarm", "3b4cc0", "b40426"),
+            ("gray", "000000", "ffffff"),
+            ("set1", "e41a1c", "999999"),
+            ("tab10", "1f77b4", "17becf"),
+            ("vivid", "1a6bff", "96dc14"),
+            ("Set1", "e41a1c", "999999"),
+            ("cividis", "00224e", "fee838"),
+        ):
+            with self.subTest(name=name):
+                table = colormaps.lookup_table(name, (0.0, 1.0), [])
+                for index, color in ((0, first), (table.GetNumberOfTableValues() - 1, last)):
+                    rgb = [round(255 * part) for part in table.GetTableValue(index)[:3]]
+                    self.assertEqual(bytes(rgb).hex(), color)
+                categorical = name.lower() in ("set1", "tab10", "vivid")
+                self.assertEqual(bool(table.GetIndexedLookup()), categorical)
 
     def test_very_small_and_very_far_scenes(self) -> None:
         for scale, offset in ((1e-9, 0.0), (1.0, 1e6)):

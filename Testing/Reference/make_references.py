@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from tqdm import tqdm
 
 import estimates
 import exporter
@@ -67,40 +68,22 @@ def settings_of(name: str) -> Settings:
 
 
 class Meter:
-    """A progress bar for work whose plan may grow on the way, on standard error.
-
-    On a terminal the bar redraws itself and vanishes at the end; elsewhere there is a line for each
-    quarter.
-    """
-
-    WIDTH = 40
+    """A progress bar for work whose plan may grow on the way; there is none but on a terminal."""
 
     def __init__(self, label: str) -> None:
-        self._label = label
-        self._planned = 0.0
-        self._done = 0.0
-        self._quarters = 0
+        self._bar = tqdm(desc=label, total=0.0, leave=False, disable=None)
 
     def plan(self, cost: float) -> None:
         """Add work that is to be done."""
-        self._planned += cost
+        self._bar.total = (self._bar.total or 0.0) + cost
 
     def advance(self, cost: float) -> None:
         """Say that a part of the planned work is done."""
-        self._done += cost
-        fraction = min(1.0, self._done / self._planned)
-        if sys.stderr.isatty():
-            bar = ("#" * int(self.WIDTH * fraction)).ljust(self.WIDTH, ".")
-            print(f"\r{self._label:20} [{bar}] {100 * fraction:3.0f}%", end="", file=sys.stderr)
-        elif int(4 * fraction) > self._quarters:
-            self._quarters = int(4 * fraction)
-            print(f"{self._label}: {25 * self._quarters}%", file=sys.stderr)
-        sys.stderr.flush()
+        self._bar.update(cost)
 
     def clear(self) -> None:
         """Remove the bar."""
-        if sys.stderr.isatty():
-            print("\r" + " " * (self.WIDTH + 30) + "\r", end="", file=sys.stderr, flush=True)
+        self._bar.close()
 
 
 class Work:

@@ -3,6 +3,9 @@
 
 import sys
 
-from vtkindirect.cli import main
+try:
+    from vtkindirect.cli import main
+except ImportError as error:  # such as a package that is missing
+    sys.exit(f"vtk-indirect: error: {error}")
 
 sys.exit(main())

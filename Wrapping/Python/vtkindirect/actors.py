@@ -85,7 +85,7 @@ def _show_scalars(
     if not arrays.finite(found.array):
         raise fail(member(path, "array"), f"array '{found.name}' has values that are not finite")
     distinct: list[float] = []
-    if isinstance(scalars["map"], str) and scalars["map"] in colormaps.CATEGORICAL:
+    if colormaps.is_categorical(scalars["map"]):
         distinct = np.unique(found.numbers()).tolist()
         if len(distinct) > 1024:
             raise fail(

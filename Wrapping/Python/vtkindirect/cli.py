@@ -195,7 +195,7 @@ def _load(path: str) -> Scene:
         scene = load_scene(path, step)
     finally:
         for bar in bars:
-            bar.clear()
+            bar.close()
     for note in scene.notes:
         _note(note)
     return scene

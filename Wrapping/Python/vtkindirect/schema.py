@@ -142,9 +142,9 @@ def _transform(value: Values) -> Wrong:
 def _map(value: Any) -> Wrong:
     from vtkindirect import colormaps
 
-    if isinstance(value, str) and value not in colormaps.NAMES:
-        known = colormaps.NAMES
-        yield (f"unknown map '{value}'{suggestion(value, known)}; known: {', '.join(known)}",)
+    wrong = colormaps.unknown(value) if isinstance(value, str) else None
+    if wrong is not None:
+        yield (wrong,)
 
 
 CHECKS: dict[str, Callable[[Any], Wrong]] = {
