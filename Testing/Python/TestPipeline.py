@@ -8,7 +8,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkMassProperties
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkContourFilter, vtkMassProperties
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkSphereSource
 
 import support
@@ -41,6 +41,16 @@ def sphere(radius=1.0, center=(0, 0, 0), resolution=32):
     source.SetPhiResolution(resolution)
     source.Update()
     return source.GetOutput()
+
+
+def contour_distances(held, values):
+    """Return the distances of the points of VTK's contour."""
+    contour = vtkContourFilter()
+    contour.SetInputData(held)
+    for index, value in enumerate(values):
+        contour.SetValue(index, value)
+    contour.Update()
+    return distances(contour.GetOutput()).tolist()
 
 
 def distances(held, center=(0, 0, 0)):
@@ -209,7 +219,7 @@ class Steps(unittest.TestCase):
         line.Update()
         tube = run(line.GetOutput(), {"tube": {"radius": 0.25, "sides": 32}})
         self.assertTrue(np.allclose(tube.GetBounds(), (0, 3, -0.25, 0.25, -0.25, 0.25), atol=0.01))
-        self.assert_refused(sphere(), {"tube": {"radius": 1}}, "p[0].tube: the data has no lines")
+        self.assert_refused(sphere(), {"tube": {"radius": 1}}, "p[0].tube: leaves nothing")
 
     def test_stream_tracer(self):
         swirl = image(lambda x, y, z: x)
@@ -297,6 +307,59 @@ class Steps(unittest.TestCase):
         still = {"transform": {"rotate": [10, 0, 0, 0]}}
         self.assert_refused(sphere(), still, "transform.rotate: the axis must not be the zero")
         self.assert_refused(BALL, {"transform": {"scale": 2}}, "needs points or cells")
+
+    def test_any_filter_by_its_class(self):
+        plane = {"vtkPlane": {"Origin": [0, 0, 0.5], "Normal": [0, 0, 1]}}
+        top = run(sphere(), {"vtkClipPolyData": {"ClipFunction": plane}})
+        same = run(sphere(), {"clip": {"origin": [0, 0, 0.5], "normal": [0, 0, 1]}})
+        self.assertEqual(top.GetBounds(), same.GetBounds())
+        low = run(sphere(), {"vtkClipPolyData": {"ClipFunction": plane, "InsideOut": True}})
+        self.assertAlmostEqual(low.GetBounds()[5], 0.5, places=5)
+        shells = {"InputArrayToProcess": "f", "Value": [0.5, 1.5]}
+        found = distances(run(BALL, {"vtkContourFilter": shells}))
+        self.assertEqual(found.tolist(), contour_distances(BALL, [0.5, 1.5]))
+        cones = {"vtkConeSource": {"Height": 0.1, "Resolution": 5}}
+        glyphs = run(sphere(resolution=8), {"vtkGlyph3D": {"SourceConnection": cones}})
+        self.assertGreater(glyphs.GetNumberOfCells(), 200)
+        # The surface of cells is taken for a filter of surfaces, as for the short names.
+        cells = run(BALL, {"threshold": {"upper": 1}}, {"vtkTriangleFilter": {}})
+        self.assertEqual(cells.GetClassName(), "vtkPolyData")
+
+    def test_mistakes_in_classes_and_properties(self):
+        for step, expected in (
+            ({"vtkClipPolydata": {}}, "p[0].vtkClipPolydata: VTK has no filter or source"),
+            ({"vtkClipPolydata": {}}, "(did you mean 'vtkClipPolyData'?)"),
+            ({"vtkXMLPolyDataWriter": {}}, "VTK has no filter or source 'vtkXMLPolyDataWriter'"),
+            ({"vtkImplicitFunction": {}}, "vtkImplicitFunction is abstract"),
+            ({"vtkPlane": {}}, "p[0].vtkPlane: vtkPlane is no filter"),
+            ({"vtkConeSource": {}}, "vtkConeSource is no filter"),
+            ({"vtkTubeFilter": {"Radios": 1}}, "vtkTubeFilter.Radios: vtkTubeFilter has no such"),
+            ({"vtkTubeFilter": {"Radios": 1}}, "property (did you mean 'Radius'?)"),
+            ({"vtkTubeFilter": {"InputData": 1}}, "vtkTubeFilter has no such property"),
+            ({"vtkTubeFilter": {"Radius": "big"}}, "Radius: must be a number, not 'big'"),
+            ({"vtkTubeFilter": {"Radius": "1"}}, "Radius: must be a number, not '1'"),
+            ({"vtkTubeFilter": {"Radius": [1, 2]}}, "p[0].vtkTubeFilter.Radius: must be a number"),
+            ({"vtkTubeFilter": {"Radius": None}}, "p[0].vtkTubeFilter.Radius: must be a number"),
+            ({"vtkTubeFilter": {"Radius": -1}}, "Radius: -1 is out of range"),
+            ({"vtkTubeFilter": {"NumberOfSides": 3.5}}, "NumberOfSides: must be a whole number"),
+            ({"vtkTubeFilter": {"Capping": "maybe"}}, "Capping: must be true, false"),
+            ({"vtkWarpVector": {"InputArrayToProcess": "w"}}, "InputArrayToProcess: no array 'w'"),
+            ({"vtkWarpVector": 3}, "p[0].vtkWarpVector: must be an object, not 3"),
+            ({"vtkCutter": {"CutFunction": {}}}, "CutFunction: must hold exactly one class"),
+            ({"vtkCutter": {"CutFunction": {"vtkPlane": 1}}}, "vtkPlane: must be an object"),
+            ({"vtkCutter": {"CutFunction": {"vtkCone": {"Angle": "a"}}}}, "vtkCone.Angle: must be"),
+            ({"vtkCutter": {"CutFunction": {"vtkConeSource": {}}}}, "cannot be a vtkConeSource"),
+            ({"vtkCutter": {"CutFunction": 7}}, "p[0].vtkCutter.CutFunction: holds an object"),
+            ({"vtkContourFilter": {"Value": "a"}}, "p[0].vtkContourFilter.Value: cannot be set"),
+            ({"vtkProbeFilter": {}}, "p[0].vtkProbeFilter: vtkProbeFilter: Input port 1"),
+            ({"vtkImageThreshold": {}}, "p[0].vtkImageThreshold: needs image data, not vtkPolyD"),
+            ({"surface": {}, "vtkCutter": {}}, "p[0]: must hold exactly one step, not 2"),
+        ):
+            with self.subTest(step=step):
+                self.assert_refused(sphere(), step, expected)
+                with self.assertRaises(SceneError) as caught:
+                    run(sphere(), step)
+                self.assertNotIn("\n", str(caught.exception))
 
     def test_every_step_is_tested_here(self):
         tested = {name.removeprefix("test_") for name in dir(self)}

@@ -8,13 +8,13 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties, vtkTriangleFilter
 
-from vtkindirect import SceneError, schema
-from vtkindirect.sources import SOURCES
+from vtkindirect import SceneError, schema, sources
 
 
 def make(name, **values):
     part = "cylinder" if name == "ring" else name
-    return SOURCES[name](schema.check(values, "actors[0]", part))
+    schema.check(values, "actors[0]", part)
+    return sources.build({"source": name, **values}, "actors[0]")
 
 
 def triangles(data):
@@ -82,6 +82,20 @@ class Sources(unittest.TestCase):
                 self.assertTrue(np.allclose(corners @ unit, 0, atol=1e-6))
         with self.assertRaisesRegex(SceneError, r"actors\[0\]\.inner: must be less than outer"):
             make("disk", inner=2, outer=1)
+
+    def test_any_source_by_its_class(self):
+        cone = {"vtkConeSource": {"Height": 3, "Direction": [0, 1, 0], "Resolution": 7}}
+        data = sources.build({"source": cone}, "actors[0]")
+        self.assert_bounds(data, (data.GetBounds()[0], data.GetBounds()[1], -1.5, 1.5))
+        self.assertEqual(data.GetNumberOfCells(), 8)
+        for source, expected in (
+            ({"vtkConSource": {}}, "vtkConSource: VTK has no filter or source 'vtkConSource' (did"),
+            ({"vtkTubeFilter": {}}, "actors[0].source.vtkTubeFilter: vtkTubeFilter is no source"),
+            ({"vtkConeSource": {"Hight": 1}}, "source.vtkConeSource.Hight: vtkConeSource has no"),
+        ):
+            with self.subTest(source=source), self.assertRaises(SceneError) as caught:
+                sources.build({"source": source}, "actors[0]")
+            self.assertIn(expected, str(caught.exception))
 
     def test_cylinder_and_ring(self):
         for axis in ([0, 1, 0], [0, -1, 0], [1, 0, 0], [1, 1, 1]):

@@ -12,10 +12,9 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
 
-from vtkindirect import arrays, colormaps, pipeline
+from vtkindirect import arrays, colormaps, objects, pipeline, sources
 from vtkindirect.errors import SceneError, UsageError
 from vtkindirect.schema import fail, member, optional
-from vtkindirect.sources import SOURCES
 
 Values = dict[str, Any]
 Read = Callable[[Path], vtkDataSet]
@@ -26,14 +25,14 @@ DIRECT_COLORS = "RGB"
 def _geometry(values: Values, path: str, directory: Path, read: Read) -> vtkPolyData:
     """Read or make the geometry of an actor and take it through its pipeline."""
     if values["source"] is not None:
-        data = SOURCES[values["source"]](values)
+        data = sources.build(values, path)
     else:
         try:
             data = read(directory / values["file"])
         except UsageError as error:
             raise SceneError(f"{member(path, 'file')}: {error}") from None
     data = pipeline.run(data, values["pipeline"], member(path, "pipeline"))
-    surface = pipeline.surface_of(data, path)
+    surface = objects.surface_of(data, path)
     if surface.GetNumberOfCells() == 0:
         raise fail(path, "has points but no cells to show: put glyph_spheres in its pipeline")
     check_finite(surface, path)

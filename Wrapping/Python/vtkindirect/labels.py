@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -41,15 +41,41 @@ class Labels:
     values: list[float]
 
 
-def _neighbours(grid: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+def _neighbours(values: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Yield views of an image and of itself moved by a voxel, along each axis."""
     for axis in range(3):
-        moved = np.moveaxis(grid, axis, 0)
+        moved = np.moveaxis(values, axis, 0)
         yield moved[1:], moved[:-1]
 
 
-def _grid(image: vtkImageData, found: arrays.Found) -> np.ndarray:
+def grid(image: vtkImageData, found: arrays.Found) -> np.ndarray:
+    """Return an array of one component by z, y, x."""
     return found.numbers().reshape(image.GetDimensions()[::-1])
+
+
+def box(inside: np.ndarray, margin: int = 0) -> tuple[tuple[slice, ...], list[int]]:
+    """Return the part of an image that holds all that is inside, and its first voxel x, y, z."""
+    part = []
+    for axis in range(3):
+        others = tuple(other for other in range(3) if other != axis)
+        (where,) = np.nonzero(inside.any(axis=others))
+        last = min(inside.shape[axis], int(where[-1]) + margin + 1)
+        part.append(slice(max(0, int(where[0]) - margin), last))
+    return tuple(part), [one.start for one in reversed(part)]
+
+
+def part_of(image: vtkImageData, values: np.ndarray, first: Sequence[int]) -> vtkImageData:
+    """Return an image of values by z, y, x that begins at voxel `first` of another image."""
+    made = vtkImageData()
+    made.SetDimensions(values.shape[::-1])
+    made.SetSpacing(image.GetSpacing())
+    made.SetDirectionMatrix(image.GetDirectionMatrix())
+    corner = [0.0, 0.0, 0.0]
+    start = image.GetExtent()[::2]
+    image.TransformIndexToPhysicalPoint(*(a + b for a, b in zip(start, first)), corner)
+    made.SetOrigin(corner)
+    made.GetPointData().SetScalars(numpy_to_vtk(values.ravel(), deep=True))
+    return made
 
 
 def find(image: vtkImageData, found: arrays.Found) -> Labels | None:
@@ -70,9 +96,9 @@ def find(image: vtkImageData, found: arrays.Found) -> Labels | None:
     if not np.isfinite(values).all() or (values != np.rint(values)).any():
         return None
     background = 0 if (values == 0).any() else values[np.argmax(counts)]
-    grid = _grid(image, found)
+    whole = grid(image, found)
     pairs = equal = jumps = 0
-    for one, other in _neighbours(grid):
+    for one, other in _neighbours(whole):
         inside = (one != background) | (other != background)
         unequal = one != other
         pairs += int(inside.sum())
@@ -85,24 +111,6 @@ def find(image: vtkImageData, found: arrays.Found) -> Labels | None:
     if values.size > FEW_LABELS and jumps < LEAST_JUMPS * (pairs - equal):
         return None
     return Labels(float(background), [float(value) for value in values if value != background])
-
-
-def _mask(image: vtkImageData, inside: np.ndarray, first: tuple[int, int, int]) -> vtkImageData:
-    """Return a part of an image that begins at voxel `first`, 1 inside, with a margin of 0.
-
-    With it surfaces are closed, at the image's border as well.
-    """
-    padded = np.pad(inside.astype(np.uint8), 1)
-    mask = vtkImageData()
-    mask.SetDimensions(padded.shape[::-1])
-    mask.SetSpacing(image.GetSpacing())
-    mask.SetDirectionMatrix(image.GetDirectionMatrix())
-    corner = [0.0, 0.0, 0.0]
-    start = image.GetExtent()[::2]
-    image.TransformIndexToPhysicalPoint(*(a + b - 1 for a, b in zip(start, first)), corner)
-    mask.SetOrigin(corner)
-    mask.GetPointData().SetScalars(numpy_to_vtk(padded.ravel(), deep=True))
-    return mask
 
 
 def _surface_of_one(mask: vtkImageData, value: float) -> vtkPolyData:
@@ -128,17 +136,14 @@ def _surface_of_one(mask: vtkImageData, value: float) -> vtkPolyData:
 
 def surface(image: vtkImageData, found: arrays.Found, labels: Labels) -> vtkPolyData:
     """Return the surfaces of all labels, each closed, with the array `NAME` at their points."""
-    grid = _grid(image, found)
+    whole = grid(image, found)
     every = vtkAppendPolyData()
     for value in labels.values:
-        inside = grid == value
-        part, first = [], []
-        for axis in range(3):
-            others = tuple(other for other in range(3) if other != axis)
-            (where,) = np.nonzero(inside.any(axis=others))
-            part.append(slice(int(where[0]), int(where[-1]) + 1))
-            first.insert(0, int(where[0]))
-        mask = _mask(image, inside[tuple(part)], tuple(first))
+        inside = whole == value
+        part, first = box(inside)
+        # With a margin of 0 surfaces are closed, at the image's border as well.
+        padded = np.pad(inside[part].astype(np.uint8), 1)
+        mask = part_of(image, padded, [index - 1 for index in first])
         every.AddInputData(_surface_of_one(mask, value))
     every.Update()
     return every.GetOutput()

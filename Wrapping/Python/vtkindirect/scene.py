@@ -21,7 +21,18 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow,
 )
 
-from vtkindirect import actors, arrays, data, document, labels, lights, pipeline, schema, windows
+from vtkindirect import (
+    actors,
+    arrays,
+    data,
+    document,
+    labels,
+    lights,
+    objects,
+    pipeline,
+    schema,
+    windows,
+)
 from vtkindirect.errors import SceneError, UsageError, check_text
 
 SCHEMA = "vtkindirect.scene/1"
@@ -173,7 +184,7 @@ def _actor_of_file(scene: Scene) -> vtkActor:
     held = data.read(scene.path)
     if isinstance(held, vtkImageData):
         return _actor_of_image(scene, held)
-    surface = pipeline.surface_of(held, "")
+    surface = objects.surface_of(held, "")
     if data.is_molecule(scene.path):
         spheres = {"radius": 1.0, "scale_by": "radius", "resolution": 12}
         scene.notes.append("atoms are shown as spheres of their van der Waals radius")

@@ -10,6 +10,7 @@ from __future__ import annotations
 import copy
 import json
 import math
+import re
 from collections import defaultdict
 from collections.abc import Callable, Iterator
 from functools import cache
@@ -263,13 +264,16 @@ def _sentence(error: Any) -> tuple[list[Any], str] | None:
         return [*place, missing], "is missing"
     if error.validator in ("additionalProperties", "unevaluatedProperties"):
         known = known_keys(rule, value)
-        extra = next((key for key in value if key not in known), None)
+        patterns = rule.get("patternProperties", ())
+        unknown = (key for key in value if key not in known)
+        extra = next((k for k in unknown if not any(re.search(p, k) for p in patterns)), None)
         if extra is None:
             return None
         some = f"{suggestion(extra, known)}; known: {', '.join(known) or 'none'}"
         return [*place, extra], f"unknown key{some}"
     if error.validator in ("minProperties", "maxProperties"):
-        return place, f"must hold exactly one step, not {len(value)}"
+        what = "step" if "properties" in rule else "class of VTK"
+        return place, f"must hold exactly one {what}, not {len(value)}"
     if error.validator == "minLength":
         return place, "must not be empty"
     if error.validator == "pattern":

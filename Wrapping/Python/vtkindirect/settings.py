@@ -133,7 +133,7 @@ def _shown(value: Any) -> str:
     return f"{value:g}" if isinstance(value, float) else str(value)
 
 
-def _set(target: vtkObjectBase, name: str, value: Any) -> None:
+def set_property(target: vtkObjectBase, name: str, value: Any) -> None:
     """Set one property of an object that has it."""
     get, set_ = getattr(target, f"Get{name}"), getattr(target, f"Set{name}")
     named = choices(target, name)
@@ -212,7 +212,7 @@ def apply(targets: Sequence[vtkObjectBase], values: dict[str, Any]) -> dict[str,
     before = [getattr(target, f"Get{name}")() for target, name in places]
     try:
         for place, value in zip(places, values.values()):
-            _set(*place, value)
+            set_property(*place, value)
     except UsageError:
         for (target, name), value in zip(places, before):
             getattr(target, f"Set{name}")(value)
