@@ -42,7 +42,9 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 import vtkindirect
-from vtkindirect import frames, images, load_scene, methods, metrics, references, windows
+from vtkindirect import frames, images, load_scene, methods, references, windows
+
+import orbit
 
 SCENES = Path(__file__).resolve().parent.parent / "Scenes"
 LIGHTS = 256
@@ -466,7 +468,7 @@ def part_flicker(rounds: int, size: int) -> None:
             for way, estimator in (("gather", bench.gather), ("splatting", bench.splatting)):
                 bench.use(estimator)()
                 shown = [bench.irradiance() for _ in path(bench, moves)]
-                found[way] = metrics.error_flicker(shown, truth, masks)
+                found[way] = orbit.error_flicker(shown, truth, masks)
             rows.append((name, moves, f"{found['gather']:.4f}", f"{found['splatting']:.4f}",
                          f"{found['splatting'] / found['gather']:.2f}"))  # fmt: skip
         bench.window.Finalize()

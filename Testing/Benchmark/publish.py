@@ -2,7 +2,7 @@
 """Puts comparisons and benchmarks into the documentation: publish.py REPORTS [DOCUMENTATION].
 
 REPORTS is the directory that Testing/Benchmark/report fills: ``all``, ``hints`` and ``occupancy`` are
-comparisons by ``vtk-indirect compare``, ``*.md`` are tables that benchmarks printed.
+comparisons by ``comparison.py``, ``*.md`` are tables that benchmarks printed.
 """
 
 from __future__ import annotations

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import unittest
-from unittest import mock
 
 import numpy as np
 
@@ -110,78 +109,6 @@ class Compare(unittest.TestCase):
         for image, against, mask in cases:
             with self.assertRaises(metrics.MetricError):
                 metrics.compare(image, against, mask)
-
-
-class Flicker(unittest.TestCase):
-    """Change from frame to frame beyond the reference's own."""
-
-    def test_moving_reference_is_no_flicker(self) -> None:
-        frames = [1.0 + noise((20, 20), seed) for seed in range(4)]
-        self.assertAlmostEqual(metrics.flicker(frames, frames), 0.0, places=14)
-
-    def test_alternating_image(self) -> None:
-        references = [np.ones((20, 20))] * 4
-        images = [np.full((20, 20), 1.0 + 0.1 * (i % 2)) for i in range(4)]
-        self.assertAlmostEqual(metrics.flicker(images, references), 0.1, places=12)
-
-    def test_one_frame_is_an_error(self) -> None:
-        with self.assertRaises(metrics.MetricError):
-            metrics.flicker([np.ones((2, 2))], [np.ones((2, 2))])
-
-
-class ErrorFlicker(unittest.TestCase):
-    """Change of the error from frame to frame."""
-
-    def test_moving_reference_and_constant_error_are_none(self) -> None:
-        frames = [1.0 + noise((20, 20), seed) for seed in range(4)]
-        self.assertEqual(metrics.error_flicker(frames, frames), 0.0)
-        brighter = [frame + 0.25 for frame in frames]
-        self.assertAlmostEqual(metrics.error_flicker(brighter, frames), 0.0, places=14)
-
-    def test_what_flicker_lets_cancel_counts(self) -> None:
-        references = [np.ones((2, 20)) for _ in range(4)]
-        images = [np.ones((2, 20)) for _ in range(4)]
-        for i in range(4):
-            references[i][0] += 0.1 * (i % 2)  # one half of the truth changes,
-            images[i][1] += 0.1 * (i % 2)  # the other half of the image
-        self.assertAlmostEqual(metrics.flicker(images, references), 0.0, places=14)
-        expected = 3 * 0.1 / sum(float(image.mean()) for image in references[:3])
-        self.assertAlmostEqual(metrics.error_flicker(images, references), expected, places=14)
-
-    def test_one_frame_is_an_error(self) -> None:
-        with self.assertRaises(metrics.MetricError):
-            metrics.error_flicker([np.ones((2, 2))], [np.ones((2, 2))])
-
-
-class Change(unittest.TestCase):
-    """Change from frame to frame, whatever its cause."""
-
-    def test_alternating_image(self) -> None:
-        images = [np.full((20, 20), 1.0 + 0.1 * (i % 2)) for i in range(4)]
-        self.assertAlmostEqual(metrics.change(images), 0.1 / 1.05, places=12)
-        self.assertEqual(metrics.change(images[:1] * 3), 0.0)
-
-    def test_mask_of_both_frames_counts(self) -> None:
-        images = [np.ones((4, 4)), np.ones((4, 4))]
-        images[1][:2] = 3.0
-        below = np.zeros((4, 4), dtype=bool)
-        below[2:] = True
-        everywhere = np.ones((4, 4), dtype=bool)
-        self.assertEqual(metrics.change(images, [everywhere, below]), 0.0)
-        self.assertGreater(metrics.change(images, [everywhere, everywhere]), 0.4)
-
-    def test_one_frame_is_an_error(self) -> None:
-        with self.assertRaises(metrics.MetricError):
-            metrics.change([np.ones((2, 2))])
-
-
-class Flip(unittest.TestCase):
-    """What needs no FLIP; the rest is in Testing/Reference."""
-
-    def test_without_the_package_it_is_an_error(self) -> None:
-        with mock.patch.dict("sys.modules", {"flip_evaluator": None}):
-            with self.assertRaisesRegex(metrics.MetricError, "flip-evaluator"):
-                metrics.flip(np.ones((4, 4, 3)), np.ones((4, 4, 3)))
 
 
 class ReceiverMask(unittest.TestCase):

@@ -4,10 +4,20 @@
 import unittest
 
 import numpy as np
+import pytest
 
 import support
 import vtkindirect
-from vtkindirect import RenderError, UsageError, frames, images, load_scene, windows
+from vtkindirect import (
+    METHODS,
+    RenderError,
+    UsageError,
+    frames,
+    images,
+    load_scene,
+    windows,
+    wrapped,
+)
 from vtkindirect.frames import Job
 
 WHY_NOT = support.why_no_rendering()
@@ -154,3 +164,29 @@ class Render(unittest.TestCase):
         with self.assertRaisesRegex(UsageError, "this OpenGL driver goes up to"):
             windows.check_size(window, (10**6, 8))
         self.assertIsNone(scene.render_window)
+
+
+@pytest.mark.parametrize("method", ["gather", "multiresolution", "hints", "reference"])
+def test_an_estimator_alone_draws_the_whole_frame(method: str) -> None:
+    """As a renderer's pass it is the illumination pass with that estimator."""
+    if WHY_NOT:
+        pytest.skip(WHY_NOT)
+    pictures = []
+    for how in ("off", "estimator", "illumination"):
+        scene = load_scene(support.SCENES / "cornell_box.json")
+        window = frames.open_window(scene, (64, 48))
+        estimator = wrapped.get(METHODS[method].estimator)()
+        if how == "estimator":
+            scene.renderer.SetPass(estimator)
+        elif how == "illumination":
+            illumination = vtkindirect.vtkIndirectIlluminationPass()
+            illumination.SetEstimator(estimator)
+            scene.renderer.SetPass(illumination)
+        window.Render()
+        pictures.append(images.window_bytes(window).astype(int))
+        scene.renderer.SetPass(None)
+        window.Finalize()
+    off, alone, whole = pictures
+    np.testing.assert_array_equal(alone, whole)
+    # Half of what was measured: light that bounces changes this picture by a fifth and more.
+    assert np.abs(alone - off).mean() > 0.1 * off.mean()

@@ -15,8 +15,10 @@ import unittest
 from pathlib import Path
 
 import numpy as np
-from vtkindirect import RenderError, reference_environment, windows, wrapped
+from vtkindirect import RenderError, windows, wrapped
 
+import comparison
+import reference_environment
 import tools
 
 
@@ -131,14 +133,14 @@ class Traced(unittest.TestCase):
                 ' "path_tracer": {"one_bounce": [4, 64], "all_bounces": [4, 64]}}'
             )
             words = [
-                "compare", tools.SCENES / "contact_corner.json", "--sweep", sweep,
+                tools.SCENES / "contact_corner.json", "--sweep", sweep,
                 "--size", "128x128", "--frames", 2, "-o", folder / "report",
                 "--reference-python", tools.tracer_python(),
             ]  # fmt: skip
 
             def run() -> dict[str, dict[str, str]]:
                 done = subprocess.run(
-                    [sys.executable, "-B", "-m", "vtkindirect", *map(str, words)],
+                    [sys.executable, "-B", comparison.__file__, *map(str, words)],
                     env=os.environ, capture_output=True, text=True, timeout=600, check=False,
                 )  # fmt: skip
                 self.assertEqual(done.returncode, 0, done.stderr)

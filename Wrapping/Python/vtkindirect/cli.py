@@ -13,14 +13,14 @@ import os
 import re
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NoReturn
 
 import numpy as np
 
 from vtkindirect import (
-    compare_command,
+    compare,
     demo,
     frames,
     images,
@@ -175,10 +175,9 @@ def commands() -> dict[str, argparse.ArgumentParser]:
         "compare",
         help="measure speed against error",
         description="Render scenes with many methods and settings; write their times and errors as "
-        "a table, plots and a page. A run that was stopped goes on where it was.",
+        "tables.",
     )
-    compare_command.add_arguments(versus, _size, _frames)
-    versus.set_defaults(run=lambda arguments: compare_command.run(arguments, _load))
+    compare.add_arguments(versus, _size, _frames)
     return {PROGRAM: parser, **known.choices}
 
 
@@ -308,23 +307,28 @@ def _versions() -> str:
     return f"{PROGRAM} {__version__} with VTK {vtkVersion.GetVTKVersion()}{without}"
 
 
-def _dispatch(words: Sequence[str]) -> None:
+Comparison = Callable[[argparse.Namespace, Callable[[str], Scene]], None]
+
+
+def _dispatch(words: Sequence[str], comparison: Comparison) -> None:
     arguments = commands()[PROGRAM].parse_args(words)
     if arguments.version:
         print(_versions())
     elif arguments.command is None:
         raise UsageError("a command is needed: render, view, demo or compare (see --help)")
+    elif arguments.command == "compare":
+        comparison(arguments, _load)
     else:
         arguments.run(arguments)
 
 
-def main(words: Sequence[str] | None = None) -> int:
-    """Run the command line; returns the exit code."""
+def main(words: Sequence[str] | None = None, comparison: Comparison = compare.run) -> int:
+    """Run the command line; returns the exit code. `comparison` does the command ``compare``."""
     os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # what EGL tries is told in our own error
     try:
         with warnings.catch_warnings():
             warnings.showwarning = _note_warning  # type: ignore[assignment]
-            _dispatch(sys.argv[1:] if words is None else words)
+            _dispatch(sys.argv[1:] if words is None else words, comparison)
     except UsageError as error:
         code, text = 2, str(error)
     except (RenderError, ImportError) as error:

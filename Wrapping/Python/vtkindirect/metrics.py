@@ -10,9 +10,7 @@ without light), because a number would be taken for a result.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import asdict, dataclass
-from typing import Any
 
 import numpy as np
 
@@ -24,9 +22,6 @@ TRIMMED_SHARE = 0.001
 
 LEAK_FLOOR = 1e-3
 """A pixel whose reference is below this share of the reference's mean counts as unlit."""
-
-PIXELS_PER_DEGREE = 67.0
-"""Viewing condition of FLIP: a 0.7 m wide 4K monitor from 0.7 m."""
 
 
 class MetricError(ValueError):
@@ -59,7 +54,7 @@ class Errors:
         return asdict(self)
 
 
-def _pair(
+def pair(
     image: np.ndarray, reference: np.ndarray, mask: np.ndarray | None
 ) -> tuple[np.ndarray, np.ndarray, float]:
     """Masked pixels as (n, channels) in double precision, and the reference's mean."""
@@ -94,7 +89,7 @@ def compare(
     image: np.ndarray, reference: np.ndarray, mask: np.ndarray | None = None
 ) -> Errors:
     """All errors of an image against a reference."""
-    image, reference, mean = _pair(image, reference, mask)
+    image, reference, mean = pair(image, reference, mask)
     difference = image - reference
     squared = difference**2
     relative = squared / (reference**2 + RELATIVE_FLOOR * mean**2)
@@ -118,120 +113,6 @@ def compare(
         scale=scale,
         leak=leak,
     )
-
-
-def _steps(
-    images: list[np.ndarray],
-    references: list[np.ndarray],
-    masks: list[np.ndarray] | None,
-) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, float]]:
-    """Yield each frame and the next, at pixels that count in both, and their reference's mean.
-
-    Image, reference, next image, next reference, mean of the reference.
-    """
-    if len(images) != len(references) or len(images) < 2:
-        raise MetricError("flicker needs two or more frames, and a reference for each")
-    for i in range(len(images) - 1):
-        mask = None if masks is None else np.asarray(masks[i]) & np.asarray(masks[i + 1])
-        first, first_reference, mean = _pair(images[i], references[i], mask)
-        second, second_reference, _ = _pair(images[i + 1], references[i + 1], mask)
-        yield first, first_reference, second, second_reference, mean
-
-
-def error_flicker(
-    images: list[np.ndarray],
-    references: list[np.ndarray],
-    masks: list[np.ndarray] | None = None,
-) -> float:
-    """Mean change of the error from frame to frame, over the reference's mean; never negative.
-
-    `flicker` is blind to a change that the image lacks elsewhere; here nothing cancels. An error
-    that stays where it is on a surface moves over the screen with it and counts too, so this is to
-    be compared with that of another method with the same lights, not with nothing.
-    """
-    total = 0.0
-    light = 0.0
-    for first, first_reference, second, second_reference, mean in _steps(images, references, masks):
-        error = (second - second_reference) - (first - first_reference)
-        total += float(np.abs(error).mean())
-        light += mean
-    return total / light
-
-
-def change(images: list[np.ndarray], masks: list[np.ndarray] | None = None) -> float:
-    """Mean change from frame to frame over the mean of the frames, whatever its cause.
-
-    The list holds the frames of one camera or light path, in order; at least two.
-    """
-    if len(images) < 2:
-        raise MetricError("a change needs two or more frames")
-    total = 0.0
-    light = 0.0
-    for i in range(len(images) - 1):
-        mask = None if masks is None else np.asarray(masks[i]) & np.asarray(masks[i + 1])
-        first, second, mean = _pair(images[i], images[i + 1], mask)
-        total += float(np.abs(second - first).mean())
-        light += 0.5 * (float(first.mean()) + mean)
-    return total / light
-
-
-def flicker(
-    images: list[np.ndarray],
-    references: list[np.ndarray],
-    masks: list[np.ndarray] | None = None,
-) -> float:
-    """Mean change from frame to frame beyond the reference's own, over the reference's mean.
-
-    The lists hold the frames of one camera or light path, in order; at least two.
-    """
-    total = 0.0
-    light = 0.0
-    for first, first_reference, second, second_reference, mean in _steps(images, references, masks):
-        total += float(np.abs(second - first).mean())
-        total -= float(np.abs(second_reference - first_reference).mean())
-        light += mean
-    return total / light
-
-
-def flip(image: np.ndarray, reference: np.ndarray, mask: np.ndarray | None = None) -> float:
-    """HDR-FLIP: the difference that an eye sees when flipping between the two, from 0 to 1.
-
-    Mean over the pixels that count. Others are made equal to the reference, so that what lies
-    behind a silhouette does not reach over it, and take no part in the choice of exposures. Needs
-    the package flip-evaluator, which only the reference environment has.
-    """
-    try:
-        import flip_evaluator
-    except ImportError:
-        raise MetricError("HDR-FLIP needs the package flip-evaluator") from None
-    counted, expected, _ = _pair(image, reference, mask)
-    if counted.shape[1] != 3:
-        raise MetricError("HDR-FLIP needs three channels")
-    if mask is None:
-        mask = np.ones(np.asarray(image).shape[:2], dtype=bool)
-    shown = np.maximum(np.asarray(reference, dtype=np.float32), 0.0)
-    test = shown.copy()
-    test[mask] = np.maximum(counted, 0.0)
-
-    def evaluate(first: np.ndarray, second: np.ndarray, **parameters: Any) -> Any:
-        return flip_evaluator.evaluate(
-            first,
-            second,
-            "HDR",
-            applyMagma=False,
-            parameters={"ppd": PIXELS_PER_DEGREE, **parameters},
-        )
-
-    # FLIP takes its exposures from the median and the largest luminance of the reference: with a
-    # dark background the median would be that. It is asked about three pixels that have those of
-    # the receivers.
-    order = expected[np.argsort(expected @ (0.2126, 0.7152, 0.0722))].astype(np.float32)
-    middle, brightest = order[len(order) // 2], order[-1]
-    few = np.stack([middle, middle, brightest])[np.newaxis]
-    chosen = evaluate(few, few)[2]
-    names = ("startExposure", "stopExposure", "numExposures")
-    errors = evaluate(shown, test, **{name: chosen[name] for name in names})[0]
-    return float(np.asarray(errors)[..., 0][mask].mean(dtype=np.float64))
 
 
 def receiver_mask(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks JSON values against ``scene.schema.json``: defaults are filled in, a mistake is one line.
+"""Checks JSON values against ``*.schema.json``: defaults are filled in, a mistake is one line.
 
 What a schema cannot say, such as that two points differ, is a function of `CHECKS`; the schema
 names it with the keyword ``x-check``. These run when everything else is right.
@@ -140,6 +140,11 @@ def _transform(value: Values) -> Wrong:
         yield "cannot be given together with matrix", given[0]
 
 
+def _square(value: int) -> Wrong:
+    if math.isqrt(int(value)) ** 2 != value:  # what the sampler stratifies as it is told
+        yield (f"must be a square, not {value}",)
+
+
 def _map(value: Any) -> Wrong:
     from vtkindirect import colormaps
 
@@ -161,6 +166,7 @@ CHECKS: dict[str, Callable[[Any], Wrong]] = {
     "matrix": _matrix,
     "plane": _plane,
     "rotation": _rotation,
+    "square": _square,
     "threshold": _threshold,
     "transform": _transform,
     "visible": _visible,
@@ -171,9 +177,9 @@ CHECKS: dict[str, Callable[[Any], Wrong]] = {
 
 
 @cache
-def schema() -> Values:
-    """Return the schema of scene files."""
-    return json.loads(Path(__file__).with_name("scene.schema.json").read_text(encoding="utf-8"))
+def schema(of: str = "scene") -> Values:
+    """Return a schema: that of scene files, or ``"sweep"``."""
+    return json.loads(Path(__file__).with_name(f"{of}.schema.json").read_text(encoding="utf-8"))
 
 
 @cache
@@ -225,7 +231,7 @@ def _shown(value: Any) -> str:
 
 
 def known_keys(part: Values, instance: Any) -> list[str]:
-    """Return the keys that a part of the schema knows for an object."""
+    """Return the keys that a part of the schema of scene files knows for an object."""
     if "$ref" in part:
         part = schema()["$defs"][part["$ref"].rpartition("/")[2]]
     names = list(part.get("properties", ()))
@@ -288,18 +294,19 @@ def _path(start: str, place: list[Any]) -> str:
     return path
 
 
-def check(value: Any, path: str = "", part: str | None = None) -> Any:
-    """Check a value at `path` against the schema, or a part of it; defaults are filled in in place.
+def check(value: Any, path: str = "", part: str | None = None, of: str = "scene") -> Any:
+    """Check a value at `path` against a schema, or a part of it; defaults are filled in in place.
 
     Raises the `SceneError` of the innermost mistake: a wrong key makes the object around it wrong.
+    With another format than the schema's nothing else matters.
     """
-    whole = schema()
+    whole = schema(of)
     if part is not None:
         whole = {"$ref": f"#/$defs/{part}", "$defs": whole["$defs"]}
     for kind in _validators():
         found = [said for said in map(_sentence, kind(whole).iter_errors(value)) if said]
         if found:
-            place, text = max(found, key=lambda said: len(said[0]))
+            place, text = max(found, key=lambda said: (said[0] == ["schema"], len(said[0])))
             raise fail(_path(path, place), text)
     return value
 

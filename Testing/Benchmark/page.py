@@ -8,7 +8,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from vtkindirect import compare_plot, images
+from vtkindirect import images
+
+import plot
 
 Result = dict[str, Any]
 
@@ -211,7 +213,7 @@ def write(results: Sequence[Result], directory: Path) -> list[Path]:
     plots = {
         scene: f"{scene}.png"
         for scene, rows in _scenes(results).items()
-        if compare_plot.draw(rows, directory / f"{scene}.png")
+        if plot.draw(rows, directory / f"{scene}.png")
     }
     written = [directory / "index.md", directory / "index.html"]
     images.write_text(written[0], _markdown(results, plots))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The reference environment: another Python, with a path tracer and HDR-FLIP.
 
-Testing/Reference/make_environment makes it; this package never imports what is in it. Both are
+Testing/Reference/make_environment makes it; nothing in it is imported here. Both are
 programs that are run beside this one, and a comparison without them says that they are left out,
 and why.
 """
@@ -20,24 +20,16 @@ from typing import Any
 
 import numpy as np
 
-from vtkindirect import locations
+from vtkindirect import metrics
 from vtkindirect.errors import IndirectError, RenderError, UsageError
 
 VARIABLE = "VTKINDIRECT_REFERENCE_PYTHON"
 NONE = "none"
+SOURCES = Path(__file__).resolve().parents[1]
 
 
 class LeftOut(IndirectError):
     """Something that a comparison goes without; the text says why."""
-
-
-def _sources() -> Path | None:
-    """The folder with the tools of the references; there is none beside an installed package."""
-    try:
-        found = locations.scene_directory().parent / "Reference"
-    except UsageError:
-        return None
-    return found if (found / "trace_rows.py").is_file() else None
 
 
 def find_python(given: str | None) -> Path:
@@ -54,33 +46,23 @@ def find_python(given: str | None) -> Path:
             where = "--reference-python" if given else VARIABLE
             raise UsageError(f"{where}: {named}: is no program")
         return Path(named)
-    sources = _sources()
-    if sources is not None:
-        python = sources.parent.parent / "build" / "reference-venv" / "bin" / "python"
-        if python.exists():
-            return python
+    python = SOURCES.parent / "build" / "reference-venv" / "bin" / "python"
+    if python.exists():
+        return python
     raise LeftOut(
         "there is no reference environment; Testing/Reference/make_environment makes it, "
         "--reference-python names another"
     )
 
 
-def tracer_tools() -> Path:
-    """The folder with the tools that trace; raises `LeftOut` when there is none."""
-    sources = _sources()
-    if sources is None:
-        raise LeftOut("the tools that trace are in the project's sources, not in an installation")
-    return sources
-
-
 class Flip:
     """HDR-FLIP by a process that is started once and asked for each image."""
 
     def __init__(self, python: Path) -> None:
-        here = Path(__file__).resolve().parent
+        worker = SOURCES / "Benchmark" / "flip_worker.py"
         self._folder = tempfile.TemporaryDirectory(prefix="vtkindirect-")
         self._process = subprocess.Popen(
-            [str(python), "-I", "-B", str(here / "flip_worker.py"), str(here / "metrics.py")],
+            [str(python), "-I", "-B", str(worker), metrics.__file__],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -92,7 +74,7 @@ class Flip:
             raise LeftOut(f"{python}: {self.close()}")
 
     def error(self, image: np.ndarray, reference: np.ndarray, mask: np.ndarray) -> float:
-        """HDR-FLIP of an image; see `metrics.flip`."""
+        """HDR-FLIP of an image; see `flip_worker.flip`."""
         path = Path(self._folder.name) / "images.npz"
         np.savez(path, image=image, reference=reference, mask=mask)
         assert self._process.stdin is not None and self._process.stdout is not None
@@ -134,14 +116,12 @@ def trace(
 ) -> Iterator[Traced]:
     """Trace a scene file for each row ({"name", "samples", "depth"}), in order.
 
-    Raises `LeftOut` where the tools are not there, `RenderError` when tracing fails; rows that were
-    yielded before that are good.
+    Raises `RenderError` when tracing fails; rows that were yielded before that are good.
     """
-    sources = tracer_tools()
     with tempfile.TemporaryDirectory(prefix="vtkindirect-") as name:
-        places = [str(Path(__file__).resolve().parents[1]), os.environ.get("PYTHONPATH", "")]
+        places = [str(Path(metrics.__file__).resolve().parents[1]), os.environ.get("PYTHONPATH", "")]
         with subprocess.Popen(
-            [sys.executable, "-B", str(sources / "trace_rows.py"), str(scene.resolve()), name],
+            [sys.executable, "-B", str(SOURCES / "Reference" / "trace_rows.py"), str(scene.resolve()), name],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,

@@ -16,8 +16,9 @@ from dataclasses import dataclass
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from vtkindirect import images, messages, methods, metrics, references
+from vtkindirect import images, messages, methods, references
 from vtkindirect.errors import RenderError
+from vtkindirect.metrics import MetricError, pair
 from vtkindirect.scene import Scene
 
 FRAMES = 8
@@ -94,11 +95,84 @@ def truth(scene: Scene, size: tuple[int, int]) -> Truth:
         window.SetSize(*size)
 
 
+def _steps(
+    images: list[np.ndarray],
+    references: list[np.ndarray],
+    masks: list[np.ndarray] | None,
+) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, float]]:
+    """Yield each frame and the next, at pixels that count in both, and their reference's mean.
+
+    Image, reference, next image, next reference, mean of the reference.
+    """
+    if len(images) != len(references) or len(images) < 2:
+        raise MetricError("flicker needs two or more frames, and a reference for each")
+    for i in range(len(images) - 1):
+        mask = None if masks is None else np.asarray(masks[i]) & np.asarray(masks[i + 1])
+        first, first_reference, mean = pair(images[i], references[i], mask)
+        second, second_reference, _ = pair(images[i + 1], references[i + 1], mask)
+        yield first, first_reference, second, second_reference, mean
+
+
+def error_flicker(
+    images: list[np.ndarray],
+    references: list[np.ndarray],
+    masks: list[np.ndarray] | None = None,
+) -> float:
+    """Mean change of the error from frame to frame, over the reference's mean; never negative.
+
+    `flicker` is blind to a change that the image lacks elsewhere; here nothing cancels. An error
+    that stays where it is on a surface moves over the screen with it and counts too, so this is to
+    be compared with that of another method with the same lights, not with nothing.
+    """
+    total = 0.0
+    light = 0.0
+    for first, first_reference, second, second_reference, mean in _steps(images, references, masks):
+        error = (second - second_reference) - (first - first_reference)
+        total += float(np.abs(error).mean())
+        light += mean
+    return total / light
+
+
+def change(images: list[np.ndarray], masks: list[np.ndarray] | None = None) -> float:
+    """Mean change from frame to frame over the mean of the frames, whatever its cause.
+
+    The list holds the frames of one camera or light path, in order; at least two.
+    """
+    if len(images) < 2:
+        raise MetricError("a change needs two or more frames")
+    total = 0.0
+    light = 0.0
+    for i in range(len(images) - 1):
+        mask = None if masks is None else np.asarray(masks[i]) & np.asarray(masks[i + 1])
+        first, second, mean = pair(images[i], images[i + 1], mask)
+        total += float(np.abs(second - first).mean())
+        light += 0.5 * (float(first.mean()) + mean)
+    return total / light
+
+
+def flicker(
+    images: list[np.ndarray],
+    references: list[np.ndarray],
+    masks: list[np.ndarray] | None = None,
+) -> float:
+    """Mean change from frame to frame beyond the reference's own, over the reference's mean.
+
+    The lists hold the frames of one camera or light path, in order; at least two.
+    """
+    total = 0.0
+    light = 0.0
+    for first, first_reference, second, second_reference, mean in _steps(images, references, masks):
+        total += float(np.abs(second - first).mean())
+        total -= float(np.abs(second_reference - first_reference).mean())
+        light += mean
+    return total / light
+
+
 def judge(scene: Scene, against: Truth) -> dict[str, float]:
     """Flicker of the pass that is on and of its error, and how much its image changes at all."""
     found = frames(scene, against.factor)
     return {
-        "flicker": metrics.flicker(found, against.frames, against.masks),
-        "flicker_error": metrics.error_flicker(found, against.frames, against.masks),
-        "change": metrics.change(found, against.masks),
+        "flicker": flicker(found, against.frames, against.masks),
+        "flicker_error": error_flicker(found, against.frames, against.masks),
+        "change": change(found, against.masks),
     }

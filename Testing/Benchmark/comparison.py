@@ -1,0 +1,360 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Speed against error in full: ``vtk-indirect compare`` with yardsticks, plots and a page.
+
+    PYTHONPATH=build/lib/python3.11/site-packages python3 Testing/Benchmark/comparison.py SCENE...
+
+Yardsticks of the same run are plain VTK, VTK's screen-space ambient occlusion, and where there is a
+reference environment a path tracer at rising numbers of samples and HDR-FLIP. Finished rows are
+kept in a journal, so that a run that was stopped goes on where it was.
+"""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import json
+import statistics
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from vtkindirect import cli, compare, frames, images, methods, references
+from vtkindirect.compare import Result
+from vtkindirect.errors import RenderError
+from vtkindirect.progress import Progress
+from vtkindirect.scene import Scene
+from vtkindirect.sweep import Row, Sweep
+
+import orbit
+import page
+import plot
+import reference_environment
+from reference_environment import Flip, Traced
+
+YARDSTICKS = (compare.NOTHING, "ssao")
+TRACER = "mitsuba"
+CURVES = {"one_bounce": "one bounce", "all_bounces": "all bounces"}
+"""The path tracer's curves: it converges to R2 and to R3."""
+
+
+@dataclass
+class Comparison:
+    """What to run and where the results go."""
+
+    sweep: Sweep
+    directory: Path
+    frames: int = compare.FRAMES
+    stored: Path | None = None
+    """Stored references (R2, R3): a directory of one file a scene, a scene's file, or None."""
+    size: tuple[int, int] | None = None
+    python: Path | None = None
+    """Python of the reference environment, or None."""
+    flip: Flip | None = None
+    left_out: dict[str, str] = field(default_factory=dict)
+    """Why there is no HDR-FLIP or no path tracer, by its name."""
+
+    @property
+    def journal(self) -> Path:
+        """One JSON object a line: finished rows, so that a run that was stopped goes on."""
+        return self.directory / "rows.jsonl"
+
+
+def commit(directory: Path) -> str:
+    """The commit that a directory is checked out from; empty outside a checkout."""
+    try:
+        done = subprocess.run(
+            ["git", "-C", str(directory), "rev-parse", "--short=12", "HEAD"],
+            capture_output=True,
+            text=True,
+            timeout=10,
+            check=False,
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return ""
+    return done.stdout.strip() if done.returncode == 0 else ""
+
+
+def record_of(stored: Path | None) -> dict[str, Any]:
+    """What is recorded of a stored reference; empty when there is no record."""
+    path = stored.with_suffix(".json") if stored is not None else None
+    if path is None or not path.exists():
+        return {}
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def difference_image(irradiance: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """Where an image is too bright (red) and too dark (blue); full colour at half the mean."""
+    signed = (irradiance - reference).mean(axis=-1) / (0.5 * reference.mean())
+    strength = np.clip(np.abs(signed), 0.0, 1.0)[..., np.newaxis]
+    towards = np.where(signed[..., np.newaxis] > 0.0, (0.75, 0.05, 0.05), (0.05, 0.15, 0.75))
+    return (1.0 - strength) + strength * towards
+
+
+def shown(irradiance: np.ndarray, scale: float) -> np.ndarray:
+    """Irradiance for the eye: scaled, clamped and encoded with gamma 2.2."""
+    return np.clip(irradiance * scale, 0.0, 1.0) ** (1.0 / 2.2)
+
+
+class Run(compare.Run):
+    """One comparison of one scene; rows that the journal holds already are not run again."""
+
+    def __init__(self, comparison: Comparison, scene: Scene) -> None:
+        super().__init__(scene, comparison.frames, comparison.stored, comparison.size)
+        self.comparison = comparison
+        self.missing |= comparison.left_out
+        self.record = record_of(self.stored)
+        vtk = self.common.pop("vtk")
+        self.common |= {
+            "commit": commit(scene.path.parent),
+            "vtk": vtk,
+            "flip": comparison.flip.version if comparison.flip else "",
+            **{
+                f"noise_{name.lower()}": self.record.get(name, {}).get("noise_relmse")
+                for name in references.STORED
+            },
+        }
+        self._truth: orbit.Truth | Exception | None = None
+
+    def _key(self, row: Row) -> str:
+        identity = {k: v for k, v in self.common.items() if k != "schema"}
+        identity["flicker"] = self.comparison.sweep.flicker
+        return json.dumps([identity, row.key()], sort_keys=True)
+
+    def finished(self) -> dict[str, Result]:
+        """Rows of earlier runs by key, failures left out so that they are tried again."""
+        found: dict[str, Result] = {}
+        if self.comparison.journal.exists():
+            for line in self.comparison.journal.read_text(encoding="utf-8").splitlines():
+                try:
+                    entry = json.loads(line)
+                except json.JSONDecodeError:
+                    continue  # the last line of a run that was stopped while writing
+                if not entry["result"].get("error"):
+                    found[entry["key"]] = entry["result"]
+        return found
+
+    def _record(self, key: str, result: Result) -> None:
+        with self.comparison.journal.open("a", encoding="utf-8") as stream:
+            stream.write(json.dumps({"key": key, "result": result}) + "\n")
+
+    def references(self) -> references.References:
+        """The same, and their pictures."""
+        first = self._references is None
+        found = super().references()
+        if first:
+            scale = 0.5 / float(found.images["R1"].mean())
+            for name, image in found.images.items():
+                self._write(name, shown(image, scale))
+        return found
+
+    def truth(self) -> orbit.Truth:
+        """The reference along the camera's path, made on first use like `references`."""
+        if self._truth is None:
+            try:
+                self._truth = orbit.truth(self.scene, self.size)
+            except Exception as error:
+                self._truth = error
+        if isinstance(self._truth, Exception):
+            raise self._truth
+        return self._truth
+
+    def _write(self, label: str, picture: np.ndarray) -> str:
+        safe = "".join(c if c.isalnum() or c in "-=._" else "_" for c in label)
+        path = self.comparison.directory / f"{self.scene.name}-{safe}.png"
+        images.write_png(path, picture)
+        return path.name
+
+    def judge(self, irradiance: np.ndarray) -> Result:
+        """Errors of an image against each reference, HDR-FLIP included."""
+        result = super().judge(irradiance)
+        if self.comparison.flip is not None:
+            for name, pair in self.references().pairs(irradiance):
+                result[f"flip_{name.lower()}"] = self.comparison.flip.error(*pair)
+        return result
+
+    def _pictures(self, row: Row, irradiance: np.ndarray) -> Result:
+        first = self.references().images["R1"]
+        return {
+            "image": self._write(row.label, shown(irradiance, 0.5 / float(first.mean()))),
+            "difference": self._write(
+                f"{row.label}-difference", difference_image(irradiance, first)
+            ),
+        }
+
+    def ssao(self, row: Row) -> Result:
+        """VTK's screen-space ambient occlusion; it darkens the light that is there, no more."""
+        renderer = self.scene.renderer
+        low_high = self.scene.bounds
+        diagonal = sum((low_high[2 * i + 1] - low_high[2 * i]) ** 2 for i in range(3)) ** 0.5
+        # Usual choices for these: a tenth and a thousandth of the scene.
+        renderer.SetSSAORadius(0.1 * diagonal)
+        renderer.SetSSAOBias(0.001 * diagonal)
+        renderer.SetSSAOKernelSize(32)
+        renderer.SSAOBlurOn()
+        renderer.UseSSAOOn()
+        try:
+            return self.timed(Row(row.label, "off")) | {"indirect_ms": None}
+        finally:
+            renderer.UseSSAOOff()
+
+    def method(self, row: Row) -> Result:
+        """Times, errors and pictures of a row."""
+        result = super().method(row)
+        if row.method != "off" and self.comparison.sweep.flicker:
+            result.update(self._flicker(row))
+        return result
+
+    def judged(self, row: Row, irradiance: np.ndarray) -> Result:
+        """Errors of an image and its pictures."""
+        return self.judge(irradiance) | self._pictures(row, irradiance)
+
+    def _flicker(self, row: Row) -> Result:
+        truth = self.truth()
+        methods.enable(self.scene.renderer, row.method, row.sampler, **row.settings)
+        return orbit.judge(self.scene, truth)
+
+    def attempt(self, row: Row, work: Callable[[], Result]) -> Result:
+        """The same, kept in the journal."""
+        result = super().attempt(row, work)
+        self._record(self._key(row), result)
+        return result
+
+    def traced_rows(self) -> list[Row]:
+        """Rows of the path tracer, or none, with the reason in `missing`."""
+        if self.comparison.python is None or TRACER in self.missing:
+            return []
+        bounces = {"one_bounce": 1, "all_bounces": self.record.get("R3", {}).get("bounces")}
+        rows = []
+        for curve, samples in self.comparison.sweep.path_tracer.items():
+            if samples and bounces[curve] is None:
+                self.missing[f"{TRACER} {CURVES[curve]}"] = (
+                    "there is no record of a stored R3 that says how many bounces to follow"
+                )
+                continue
+            rows += [
+                Row(
+                    f"{TRACER} {CURVES[curve]} {number} spp",
+                    TRACER,
+                    settings={"samples": number, "bounces": bounces[curve]},
+                )
+                for number in samples
+            ]
+        return rows
+
+    def _traced(self, row: Row, traced: Traced) -> Result:
+        times = [1000.0 * seconds for seconds in traced.seconds]
+        result: Result = {
+            "frames": len(times),
+            "indirect_ms": statistics.median(times),
+            "indirect_p95_ms": frames.percentile_95(times),
+        }
+        result.update(self.judged(row, traced.image))
+        return result
+
+    def _trace(self, rows: list[Row], step: Callable[[Row], None]) -> Iterator[Result]:
+        """Results of the path tracer's rows, by one process for all of them."""
+        wanted = [{"name": str(index), **row.settings} for index, row in enumerate(rows)]
+        for entry in wanted:
+            entry["depth"] = entry.pop("bounces")
+        failed: Exception | None = None
+        found = reference_environment.trace(
+            self.comparison.python, self.scene.path, self.size, wanted
+        )
+        for row in rows:
+            step(row)
+            traced: Traced | None = None
+            if failed is None:
+                try:
+                    traced = next(found)
+                except Exception as error:
+                    failed = error if not isinstance(error, StopIteration) else RenderError(
+                        "the path tracer ended too early"
+                    )
+
+            def work(row: Row = row, traced: Traced | None = traced) -> Result:
+                if traced is None:
+                    assert failed is not None
+                    raise failed
+                return self._traced(row, traced)
+
+            yield self.attempt(row, work)
+        found.close()
+
+    def run(self, rows: list[Row], step: Callable[[str], None]) -> list[Result]:
+        """All rows of the scene, yardsticks first, the path tracer last.
+
+        `step` is called before each.
+        """
+        finished = self.finished()
+        frames.open_window(self.scene, self.size)
+        results = []
+        kinds = {compare.NOTHING: self.nothing, "ssao": self.ssao}
+        for row in (*(Row(name, name) for name in YARDSTICKS), *rows):
+            step(f"{self.scene.name}: {row.label}")
+            work = kinds.get(row.method, self.method)
+            known = finished.get(self._key(row))
+            results.append(known or self.attempt(row, lambda row=row, work=work: work(row)))
+        traced = self.traced_rows()
+        made = self._trace(
+            [row for row in traced if self._key(row) not in finished],
+            lambda row: step(f"{self.scene.name}: {row.label}"),
+        )
+        for row in traced:
+            known = finished.get(self._key(row))
+            results.append(known or next(made))
+        for result in results:
+            result["missing"] = self.missing
+        self.scene.render_window.Finalize()
+        return results
+
+
+def _outside(comparison: Comparison, given: str | None) -> None:
+    """Find the reference environment, or note why the comparison goes without."""
+    names = ("HDR-FLIP", TRACER)
+    try:
+        comparison.python = reference_environment.find_python(given)
+    except reference_environment.LeftOut as reason:
+        comparison.left_out = dict.fromkeys(names, str(reason))
+        return
+    try:
+        comparison.flip = reference_environment.Flip(comparison.python)
+    except reference_environment.LeftOut as reason:
+        comparison.left_out["HDR-FLIP"] = str(reason)
+
+
+def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
+    """Run the comparison, print the paths of its page and its table."""
+    what = compare.sweep_of(arguments)
+    what = dataclasses.replace(what, flicker=what.flicker or arguments.flicker)
+    plot.require_plots()
+    directory, stored = compare.check_inputs(arguments)
+    comparison = Comparison(
+        sweep=what,
+        directory=directory,
+        frames=max(2, arguments.frames),
+        stored=stored,
+        size=arguments.size,
+    )
+    _outside(comparison, arguments.reference_python)
+    rows = len(what.rows) + len(YARDSTICKS)
+    if comparison.python is not None:
+        rows += sum(map(len, what.path_tracer.values()))
+    results: list[Result] = []
+    try:
+        with Progress("comparing", rows * len(arguments.scenes)) as bar:
+            for name in arguments.scenes:
+                results += Run(comparison, load(name)).run(what.rows, bar.step)
+    finally:
+        if comparison.flip is not None:
+            comparison.flip.close()
+    written = compare.write(results, directory)
+    compare.say(results, [*written, *page.write(results, directory)])
+
+
+if __name__ == "__main__":
+    sys.exit(cli.main(["compare", *sys.argv[1:]], run))

@@ -1,0 +1,359 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The whole comparison: flicker, plots, the page, the reference environment, the program."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import subprocess
+import sys
+import unittest
+from typing import Any
+from unittest import mock
+
+import numpy as np
+from vtkindirect import UsageError, frames, load_scene, methods, metrics, references, sweep
+
+import comparison
+import orbit
+import page
+import plot
+import reference_environment
+import support
+from support import DirectoryTest, small_scene, why_no_rendering
+
+
+def program(*words: Any) -> subprocess.CompletedProcess[str]:
+    """Run the program in a process of its own."""
+    return subprocess.run(
+        [sys.executable, "-B", comparison.__file__, *map(str, words)],
+        capture_output=True, text=True, timeout=240, check=False,
+    )  # fmt: skip
+
+
+def sweep_of(*rows: dict[str, Any]) -> dict[str, Any]:
+    """A sweep document with these rows."""
+    return {"schema": sweep.SCHEMA, "rows": list(rows)}
+
+
+def noise(shape: tuple[int, ...], seed: int = 1) -> np.ndarray:
+    """Uniform values in [0, 1), the same on every machine."""
+    count = int(np.prod(shape))
+    state = (np.arange(count, dtype=np.uint64) + np.uint64(seed * 7919)) * np.uint64(
+        0x9E3779B97F4A7C15
+    )
+    state ^= state >> np.uint64(31)
+    state *= np.uint64(0xBF58476D1CE4E5B9)
+    state ^= state >> np.uint64(29)
+    return ((state >> np.uint64(11)).astype(np.float64) / 2.0**53).reshape(shape)
+
+
+class Flicker(unittest.TestCase):
+    """Change from frame to frame beyond the reference's own."""
+
+    def test_moving_reference_is_no_flicker(self) -> None:
+        frames = [1.0 + noise((20, 20), seed) for seed in range(4)]
+        self.assertAlmostEqual(orbit.flicker(frames, frames), 0.0, places=14)
+
+    def test_alternating_image(self) -> None:
+        references = [np.ones((20, 20))] * 4
+        images = [np.full((20, 20), 1.0 + 0.1 * (i % 2)) for i in range(4)]
+        self.assertAlmostEqual(orbit.flicker(images, references), 0.1, places=12)
+
+    def test_one_frame_is_an_error(self) -> None:
+        with self.assertRaises(metrics.MetricError):
+            orbit.flicker([np.ones((2, 2))], [np.ones((2, 2))])
+
+
+class ErrorFlicker(unittest.TestCase):
+    """Change of the error from frame to frame."""
+
+    def test_moving_reference_and_constant_error_are_none(self) -> None:
+        frames = [1.0 + noise((20, 20), seed) for seed in range(4)]
+        self.assertEqual(orbit.error_flicker(frames, frames), 0.0)
+        brighter = [frame + 0.25 for frame in frames]
+        self.assertAlmostEqual(orbit.error_flicker(brighter, frames), 0.0, places=14)
+
+    def test_what_flicker_lets_cancel_counts(self) -> None:
+        references = [np.ones((2, 20)) for _ in range(4)]
+        images = [np.ones((2, 20)) for _ in range(4)]
+        for i in range(4):
+            references[i][0] += 0.1 * (i % 2)  # one half of the truth changes,
+            images[i][1] += 0.1 * (i % 2)  # the other half of the image
+        self.assertAlmostEqual(orbit.flicker(images, references), 0.0, places=14)
+        expected = 3 * 0.1 / sum(float(image.mean()) for image in references[:3])
+        self.assertAlmostEqual(orbit.error_flicker(images, references), expected, places=14)
+
+    def test_one_frame_is_an_error(self) -> None:
+        with self.assertRaises(metrics.MetricError):
+            orbit.error_flicker([np.ones((2, 2))], [np.ones((2, 2))])
+
+
+class Change(unittest.TestCase):
+    """Change from frame to frame, whatever its cause."""
+
+    def test_alternating_image(self) -> None:
+        images = [np.full((20, 20), 1.0 + 0.1 * (i % 2)) for i in range(4)]
+        self.assertAlmostEqual(orbit.change(images), 0.1 / 1.05, places=12)
+        self.assertEqual(orbit.change(images[:1] * 3), 0.0)
+
+    def test_mask_of_both_frames_counts(self) -> None:
+        images = [np.ones((4, 4)), np.ones((4, 4))]
+        images[1][:2] = 3.0
+        below = np.zeros((4, 4), dtype=bool)
+        below[2:] = True
+        everywhere = np.ones((4, 4), dtype=bool)
+        self.assertEqual(orbit.change(images, [everywhere, below]), 0.0)
+        self.assertGreater(orbit.change(images, [everywhere, everywhere]), 0.4)
+
+    def test_one_frame_is_an_error(self) -> None:
+        with self.assertRaises(metrics.MetricError):
+            orbit.change([np.ones((2, 2))])
+
+
+class DifferenceImage(unittest.TestCase):
+    """Red where too bright, blue where too dark, white where right."""
+
+    def test_colours(self) -> None:
+        reference = np.ones((1, 3, 3))
+        image = reference * np.array([1.0, 1.6, 0.4]).reshape(1, 3, 1)
+        shown = comparison.difference_image(image, reference)
+        self.assertTrue((shown[0, 0] == 1.0).all())
+        self.assertGreater(shown[0, 1, 0], shown[0, 1, 2] + 0.5)
+        self.assertGreater(shown[0, 2, 2], shown[0, 2, 0] + 0.5)
+
+
+class Plot(DirectoryTest):
+    """Which points stand where."""
+
+    ROWS = (
+        {"label": "vtk", "method": "vtk", "frame_ms": 2.0, "relmse_r2": 1.0},
+        {"label": "gather N=64", "method": "gather", "indirect_ms": 20.0, "relmse_r2": 0.1},
+        {"label": "gather N=16", "method": "gather", "indirect_ms": 10.0, "relmse_r2": 0.3},
+        {"label": "mitsuba one bounce 4 spp", "method": "mitsuba", "indirect_ms": 30.0,
+         "relmse_r2": 0.2, "relmse_r3": 0.4},
+        {"label": "gather N=1", "method": "gather", "error": "failed", "indirect_ms": None},
+    )
+
+    def test_series(self) -> None:
+        found = {one.name: one for one in plot.series(self.ROWS, "r2")}
+        self.assertEqual(
+            found["gather"].points, [(10.0, 0.3, "16"), (20.0, 0.1, "64")]
+        )
+        self.assertEqual(found["mitsuba one bounce"].points, [(30.0, 0.2, "4")])
+        self.assertEqual(plot.series(self.ROWS, "r1"), [])
+        # One bounce does not converge to R3.
+        self.assertEqual(plot.series(self.ROWS, "r3"), [])
+
+    def test_nothing_to_draw_is_no_file(self) -> None:
+        path = self.directory / "plot.png"
+        rows = [{"scene": "s", "width": 1, "height": 1, **row} for row in self.ROWS]
+        self.assertFalse(plot.draw(rows[:1], path))
+        self.assertFalse(path.exists())
+        self.assertTrue(plot.draw(rows, path))
+        self.assertTrue(path.read_bytes().startswith(b"\x89PNG"))
+
+
+class Page(unittest.TestCase):
+    """What is left out or failed is said; what is a number is one."""
+
+    def test_left_out_and_failed(self) -> None:
+        common = {"scene": "s", "width": 3, "height": 3, "frames": 10, "vtk": "9",
+                  "missing": {"HDR-FLIP": "of a reason"}}
+        rows = [
+            {**common, "label": "a", "method": "gather", "error": "", "relmse_r2": 0.25,
+             "leak_r2": 0.125},
+            {**common, "label": "b|c", "method": "gather", "error": "it broke <here>"},
+        ]
+        for text in (page._markdown(rows, {}), page._html(rows, {})):
+            self.assertIn("Left out: HDR-FLIP, because of a reason.", text)
+            self.assertIn("0.2500", text)
+            self.assertIn("12.50 %", text)
+            self.assertNotIn("FLIP R1", text)
+        self.assertIn("failed: it broke <here>", page._markdown(rows, {}))
+        self.assertIn("b\\|c", page._markdown(rows, {}))
+        self.assertIn("failed: it broke &lt;here&gt;", page._html(rows, {}))
+
+
+class ReferenceEnvironment(DirectoryTest):
+    """Which Python is taken, and what is said when there is none."""
+
+    def test_none_is_left_out_and_a_wrong_name_is_an_error(self) -> None:
+        with self.assertRaisesRegex(reference_environment.LeftOut, "asked"):
+            reference_environment.find_python("none")
+        with self.assertRaisesRegex(UsageError, "is no program"):
+            reference_environment.find_python(str(self.directory / "python"))
+        with self.assertRaisesRegex(UsageError, "is no program"):
+            reference_environment.find_python(str(self.directory))
+
+    def test_variable_and_default(self) -> None:
+        python = self.write("python", "")
+        python.chmod(0o755)
+        variable = reference_environment.VARIABLE
+        with mock.patch.dict("os.environ", {variable: str(python)}):
+            self.assertEqual(reference_environment.find_python(None), python)
+        with mock.patch.dict("os.environ", {variable: ""}):
+            with mock.patch.object(reference_environment, "SOURCES", self.directory / "Testing"):
+                with self.assertRaisesRegex(reference_environment.LeftOut, "make_environment"):
+                    reference_environment.find_python(None)
+                made = self.directory / "build" / "reference-venv" / "bin"
+                made.mkdir(parents=True)
+                (made / "python").touch()
+                self.assertEqual(reference_environment.find_python(None), made / "python")
+
+    def test_a_python_without_the_packages_is_left_out_with_its_reason(self) -> None:
+        python = self.write("python", "#!/bin/sh\necho 'no such module' >&2\nexit 1\n")
+        python.chmod(0o755)
+        with self.assertRaisesRegex(reference_environment.LeftOut, "no such module"):
+            reference_environment.Flip(python)
+
+
+@unittest.skipIf(why_no_rendering() is not None, f"{why_no_rendering()}")
+class Orbit(DirectoryTest):
+    """The path of the camera that flicker is measured along."""
+
+    def scene(self, size: tuple[int, int]) -> Any:
+        scene = load_scene(self.write("small.json", small_scene()))
+        frames.open_window(scene, size)
+        self.addCleanup(scene.render_window.Finalize)
+        return scene
+
+    def test_how_far_images_are_thinned_out(self) -> None:
+        for size, expected in (
+            ((768, 768), 3), ((768, 384), 3), ((512, 512), 1), ((64, 48), 1), ((960, 960), 5),
+            ((864, 864), 9),
+        ):
+            self.assertEqual(orbit.factor(size), expected, size)
+        image = np.arange(81).reshape(9, 9)
+        self.assertEqual(orbit.thin(image, 3).tolist(), [[10, 13, 16], [37, 40, 43], [64, 67, 70]])
+
+    def test_the_camera_turns_and_comes_back(self) -> None:
+        scene = self.scene((64, 48))
+        camera = scene.renderer.GetActiveCamera()
+
+        def state() -> tuple[Any, ...]:
+            return camera.GetPosition(), camera.GetViewUp(), camera.GetClippingRange()
+
+        before = state()
+        places = [camera.GetPosition() for _ in orbit._frames(scene)]
+        self.assertEqual(len(set(places)), orbit.FRAMES)
+        steps = np.linalg.norm(np.diff(np.array(places), axis=0), axis=1)
+        radius = np.linalg.norm(np.subtract(before[0], camera.GetFocalPoint()))
+        self.assertAlmostEqual(steps.max() / radius, np.radians(orbit.STEP), delta=1e-3)
+        self.assertEqual(state(), before)
+
+    def test_the_reference_does_not_flicker_and_changing_lights_do(self) -> None:
+        scene = self.scene((96, 96))
+        truth = orbit.truth(scene, (96, 96))
+        self.assertGreater(orbit.change(truth.frames, truth.masks), 0.0)
+        size = orbit.MAP_TEXELS
+        methods.enable(scene.renderer, "reference", ReflectiveShadowMapResolution=size)
+        itself = orbit.judge(scene, truth)
+        self.assertEqual((itself["flicker"], itself["flicker_error"]), (0.0, 0.0))
+        # Light that blinks by a tenth changes the image by that from frame to frame.
+        light = scene.lights[0]
+        blinking = []
+        for index, _ in enumerate(orbit._frames(scene)):
+            blinking.append(references.images.copy_buffer(scene.renderer, "irradiance"))
+            light.SetIntensity(1.1 if index % 2 == 0 else 1.0)
+        light.SetIntensity(1.0)
+        self.assertGreater(orbit.flicker(blinking, truth.frames, truth.masks), 0.05)
+
+
+@unittest.skipIf(why_no_rendering() is not None, f"{why_no_rendering()}")
+class Command(DirectoryTest):
+    """The whole command on a small scene."""
+
+    def compare(self, *words: Any) -> list[dict[str, str]]:
+        """Run the comparison; its rows."""
+        scene = self.write("small.json", small_scene())
+        done = program(
+            scene, "-o", self.directory / "report", "--frames", 2, "--reference-python", "none",
+            *words,
+        )
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        self.said = done.stdout
+        table = (self.directory / "report" / "rows.csv").read_text()
+        return list(csv.DictReader(io.StringIO(table)))
+
+    def test_rows_errors_and_page(self) -> None:
+        path = self.write(
+            "sweep.json",
+            sweep_of(
+                {"method": "reference", "settings": {"ReflectiveShadowMapResolution": 256}},
+                {"method": "gather", "settings": {"NumberOfLights": [16, 1024],
+                                                  "Interpolation": False}},
+            ),
+        )
+        rows = {row["label"]: row for row in self.compare("--sweep", path)}
+        self.assertEqual(
+            list(rows),
+            ["vtk", "ssao", "reference", "gather NumberOfLights=16", "gather NumberOfLights=1024"],
+        )
+        # The reference against itself: nothing but the same sum twice.
+        self.assertEqual(float(rows["reference"]["nrmse_r1"]), 0.0)
+        few, many = (float(rows[f"gather NumberOfLights={n}"]["nrmse_r1"]) for n in (16, 1024))
+        self.assertGreater(few, 2.0 * many)
+        self.assertGreater(many, 0.0)
+        for row in rows.values():
+            self.assertEqual(row["error"], "")
+            self.assertGreater(float(row["frame_ms"]), 0.0)
+        # Having no indirect light is an error of one in these measures.
+        self.assertAlmostEqual(float(rows["vtk"]["bias_r1"]), -1.0, places=12)
+        self.assertEqual(rows["ssao"]["relmse_r1"], "")
+        names = {path.name for path in (self.directory / "report").iterdir()}
+        self.assertLessEqual({"index.md", "index.html", "rows.json", "small.png"}, names)
+        page = (self.directory / "report" / "index.html").read_text()
+        for name in ("HDR-FLIP", "mitsuba"):
+            self.assertIn(f"left out: {name}, because it was asked", self.said)
+            self.assertIn(f"Left out: {name}, because it was asked", page)
+        self.assertIn("left out: R2, because there is no stored reference", self.said)
+
+    def test_flicker_is_measured_when_asked(self) -> None:
+        self.assertNotIn("flicker", self.compare("--methods", "gather")[-1])
+        row = self.compare("--methods", "gather", "--flicker")[-1]
+        self.assertGreater(float(row["change"]), 0.0)
+        self.assertLess(abs(float(row["flicker"])), float(row["change"]))
+
+    def test_the_command_of_the_package_runs_it_where_it_is_needed(self) -> None:
+        scene = self.write("small.json", small_scene())
+        done = support.command_line(
+            "compare", scene, "--flicker", "-o", self.directory / "report", "--frames", 2,
+            VTKINDIRECT_SCENES=str(support.SCENES),
+        )
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertTrue((self.directory / "report" / "index.html").exists())
+
+    def test_a_path_tracer_that_fails_is_failed_rows(self) -> None:
+        scene = load_scene(self.write("small.json", small_scene()))
+        python = self.write("python", "#!/bin/sh\necho broken >&2\nexit 3\n")
+        python.chmod(0o755)
+        what = sweep.Sweep([sweep.Row("gather", "gather")])
+        wanted = comparison.Comparison(what, self.directory, frames=1, python=python)
+        results = {row["label"]: row for row in comparison.Run(wanted, scene).run(what.rows, lambda _: None)}
+        self.assertEqual(results["gather"]["error"], "")
+        traced = [row for label, row in results.items() if label.startswith("mitsuba")]
+        self.assertEqual(len(traced), len(sweep.PATH_TRACER["one_bounce"]))
+        for row in traced:
+            self.assertIn("the path tracer failed", row["error"])
+            self.assertIn("exit code 3", row["error"])
+        # Without a stored R3 nobody knows how many bounces all of them are.
+        self.assertIn("no record", results["gather"]["missing"]["mitsuba all bounces"])
+
+    def test_finished_rows_are_not_run_again(self) -> None:
+        self.compare("--methods", "gather")
+        journal = self.directory / "report" / "rows.jsonl"
+        before = journal.read_text()
+        # A line cut short by a run that was stopped is ignored.
+        journal.write_text(before + '{"key": "cut')
+        self.compare("--methods", "gather")
+        self.assertEqual(journal.read_text(), before + '{"key": "cut')
+        for line in before.splitlines():
+            self.assertIn("result", json.loads(line))
+
+    def test_wrong_words_are_one_line(self) -> None:
+        scene = self.write("small.json", small_scene())
+        done = program(scene, "--reference-python", self.directory / "py", "-o", self.directory)
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
+        self.assertIn("--reference-python", done.stderr)
