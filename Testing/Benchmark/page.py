@@ -13,6 +13,8 @@ from vtkindirect import images
 import plot
 
 Result = dict[str, Any]
+NOTHING = "vtk"
+"""The method of the row without indirect light."""
 
 _COLUMNS = (
     ("method", "label", "{}"),
@@ -73,6 +75,32 @@ def _first(results: Sequence[Result], key: str) -> str:
     return next((str(result[key]) for result in results if result.get(key)), "")
 
 
+def provenance(results: Sequence[Result]) -> str:
+    """What was run and on what: versions, commit, shaders, OpenGL."""
+    return (
+        f"vtk-indirect {_first(results, 'version')} "
+        f"(commit {_first(results, 'commit') or 'unknown'}, "
+        f"shaders {_first(results, 'shader_hash')[:12]}), VTK {_first(results, 'vtk')}, "
+        f"{_first(results, 'gl')}, OpenGL {_first(results, 'gl_version')}."
+    )
+
+
+def worse_than_nothing(rows: Sequence[Result]) -> str:
+    """Name the rows of a scene that are further from R2 than no indirect light at all."""
+    limits = [row.get("relmse_r2") for row in rows if row["method"] == NOTHING]
+    if not limits or limits[0] is None:
+        return ""
+    worse = [row for row in rows if (row.get("relmse_r2") or 0.0) > limits[0]]
+    ours = [row["label"] for row in worse if row["method"] != "mitsuba"]
+    if not ours:
+        return "No row of ours is further from R2 than no indirect light at all."
+    said = f"Further from R2 than no indirect light at all, by relMSE: {'; '.join(ours)}."
+    if any(row["method"] == "auto" for row in worse):
+        return f"{said} The default is one of them."
+    measured = any(row["method"] == "auto" for row in rows)
+    return f"{said} The default is not one of them." if measured else said
+
+
 def _introduction(results: Sequence[Result]) -> list[str]:
     """Paragraphs on what was run, on what, and how to read it."""
     frames = max(
@@ -80,20 +108,19 @@ def _introduction(results: Sequence[Result]) -> list[str]:
         default=results[0]["frames"],
     )
     said = [
-        f"vtk-indirect {_first(results, 'version')} "
-        f"(commit {_first(results, 'commit') or 'unknown'}, "
-        f"shaders {_first(results, 'shader_hash')[:12]}), VTK {_first(results, 'vtk')}, "
-        f"{_first(results, 'gl')}.",
+        provenance(results),
         f"Times are medians of {frames} frames with nothing reused between them, by wall clock; "
         "compare them within one run only. 95th percentiles, the time of each stage and all other "
         "columns are in rows.csv. Yardsticks of the same run: vtk is the frame without any pass, "
         "and the error of having no indirect light; ssao the same with VTK's screen-space ambient "
         "occlusion (kernel 32, blur), which darkens and adds nothing, so it has a time and no "
         "error.",
-        "Errors are of indirect irradiance with the albedo divided out, on receivers away from "
-        "silhouettes, over the reference's mean. R1: every texel of 256 x 256 maps, no occlusion; "
-        "R2: one bounce with visibility, path traced; R3: all bounces. leak: part of the light "
-        "that is where R2 has none.",
+        "Errors are of indirect irradiance with the albedo divided out, over the reference's mean. "
+        "R1: every texel of 256 x 256 maps, no occlusion, on all pixels with a surface; R2: one "
+        "bounce with visibility, path traced; R3: all bounces. R2 and R3 count receivers, away "
+        "from silhouettes and creases, which a path tracer puts in other pixels; what share of the "
+        "pixels that leaves out is said at each scene. leak: part of the light that is where R2 "
+        "has none.",
     ]
     if any(row["method"] == "mitsuba" for row in results):
         said.append(
@@ -128,6 +155,18 @@ def _left_out(rows: Sequence[Result]) -> list[str]:
     return [f"Left out: {name}, because {why}." for name, why in rows[0].get("missing", {}).items()]
 
 
+def _notes(rows: Sequence[Result]) -> list[str]:
+    """Sentences beside a scene's table."""
+    notes = _left_out(rows)
+    share = next((row["masked_share"] for row in rows if row.get("masked_share") is not None), None)
+    if share is not None:
+        notes.append(
+            f"R2 and R3 leave out {100.0 * share:.1f} % of the pixels with a surface; R1 none."
+        )
+    worse = worse_than_nothing(rows)
+    return [*notes, worse] if worse else notes
+
+
 def _markdown(results: Sequence[Result], plots: dict[str, str]) -> str:
     columns = _columns(results)
     lines = ["# Speed against error"]
@@ -137,7 +176,7 @@ def _markdown(results: Sequence[Result], plots: dict[str, str]) -> str:
         lines += ["", f"## {scene}, {rows[0]['width']} x {rows[0]['height']}", ""]
         if scene in plots:
             lines += [f"![error against time]({plots[scene]})", ""]
-        for sentence in _left_out(rows):
+        for sentence in _notes(rows):
             lines += [sentence, ""]
         lines.append("| " + " | ".join(title for title, _, _ in columns) + " |")
         lines.append("|" + "|".join("---" if i == 0 else "---:" for i in range(len(columns))) + "|")
@@ -178,7 +217,7 @@ def _html(results: Sequence[Result], plots: dict[str, str]) -> str:
         parts.append(f"<h2>{html.escape(scene)}, {rows[0]['width']} x {rows[0]['height']}</h2>")
         if scene in plots:
             parts.append(f"<img class='plot' src='{plots[scene]}' alt='error against time'>")
-        parts += [f"<p class='left-out'>{html.escape(line)}</p>" for line in _left_out(rows)]
+        parts += [f"<p class='left-out'>{html.escape(line)}</p>" for line in _notes(rows)]
         parts.append("<table><tr>" + "".join(f"<th>{t}</th>" for t, _, _ in columns) + "</tr>")
         for row in rows:
             cells = [html.escape(cell) for cell in _cells(row, columns)]

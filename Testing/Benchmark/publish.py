@@ -11,7 +11,9 @@ import json
 import shutil
 import sys
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+from page import provenance
 
 DOCUMENTATION = Path(__file__).resolve().parent.parent.parent / "Documentation"
 
@@ -23,21 +25,26 @@ Regenerate this page and its siblings with one command, which also writes differ
 """
 
 ALL = """
-Siblings: [each switch of radiance hints](speed-vs-error/hints.md), [occupancy](speed-vs-error/occupancy.md),
+Siblings: [radiance hints and their paper](speed-vs-error/hints.md), [occupancy](speed-vs-error/occupancy.md),
 [multiresolution splatting and hints against the gather, SSAO and their papers](speed-vs-error/benchmarks.md).
 
 How to read it: R1 is what the method converges to as virtual lights grow, so the columns R1 are its sampling
 error, most of it where surfaces meet. R2 adds what ignoring visibility between sender and receiver costs: the
 bias turns positive. R3 adds the bounces that one bounce leaves out: the bias is negative. In closed, pale rooms
 (the apartment) more than half of all indirect light is beyond the first bounce. The relMSE divides by the
-reference at each pixel, so light where there should be none weighs most: behind the thin wall of two_rooms a
-method that does not test visibility is further from the truth than no indirect light at all.
+reference at each pixel, so light where there should be none weighs most: where something stands between sender and
+receiver a method that does not test visibility can be further from the truth than no indirect light at all. Each
+scene names the rows that are, and whether the default is one of them.
+
+The rows of papers: gather-paper takes 1020, 308 and 156 samples of Dachsbacher and Stamminger 2005 (Figure 6 there:
+14, 44 and 82 frames a second at 512 x 512) at every twelfth pixel, 64 along an edge of 768 as theirs of 512;
+multiresolution-paper splits as Nichols and Wyman 2009 do, their figures are among the
+[benchmarks](speed-vs-error/benchmarks.md).
 """
 
 HINTS = """
-The paper's version, then one cure at a time added to it, all of them, and all but one; see
-[radiance hints](../methods/radiance-hints.md). What halves the paper's relMSE R3, and what a switch costs,
-is read down its column.
+The paper's version (`Preset` `paper`) and ours (`all`), by bounces, by the six grids and numbers of samples of the
+paper's Table 2, and with single properties changed; see [radiance hints](../methods/radiance-hints.md).
 """
 
 OCCUPANCY = """
@@ -51,6 +58,10 @@ Ratios within one run, frames of what is compared alternating on one window, so 
 alike. See [multiresolution splatting](../methods/multiresolution-splatting.md) and
 [radiance hints](../methods/radiance-hints.md).
 """
+
+
+OF_PAPER = ("Preset", "NumberOfSamples")
+"""What the paper's version has and ours has not."""
 
 
 class Page(NamedTuple):
@@ -84,15 +95,22 @@ PAGES = {
 }
 
 
+def read(report: Path) -> list[dict[str, Any]]:
+    """Return the rows of a comparison."""
+    return json.loads((report / "rows.json").read_text(encoding="utf-8"))
+
+
 def publish(report: Path, page: Page, documentation: Path) -> None:
     """Write a comparison's page, table and plots."""
-    results = json.loads((report / "rows.json").read_text(encoding="utf-8"))
+    results = read(report)
     shutil.copy(report / "rows.csv", documentation / f"{page.figures}rows.csv")
     for scene in dict.fromkeys(result["scene"] for result in results):
         if (report / f"{scene}.png").is_file():
             shutil.copy(report / f"{scene}.png", documentation / f"{page.figures}{scene}.png")
     table = f"The rows with all their columns: [rows.csv]({page.link}rows.csv)."
     preface = "\n\n".join(text.strip() for text in (HOW, table, page.preface))
+    if report.name == "hints":
+        preface += "\n\n" + equals(results)
     lines: list[str] = []
     for line in (report / "index.md").read_text(encoding="utf-8").splitlines():
         if " | ![" in line or line == "---|---":
@@ -107,9 +125,51 @@ def publish(report: Path, page: Page, documentation: Path) -> None:
     (documentation / page.file).write_text(text, encoding="utf-8")
 
 
+def equals(results: list[dict[str, Any]]) -> str:
+    """A table of the paper's rows against ours with equal bounces, order and grid."""
+
+    def key(row: dict[str, Any]) -> str:
+        settings = {k: v for k, v in row["settings"].items() if k not in OF_PAPER}
+        settings.setdefault("Order", 2)
+        return json.dumps([row["scene"], settings], sort_keys=True)
+
+    rows = [row for row in results if row["method"] == "hints" and not row.get("error")]
+    theirs = [row for row in rows if row["settings"].get("Preset") == "paper"
+              and "Occupancy" not in row["settings"]]  # fmt: skip
+    ours = {key(row): row for row in rows if "Preset" not in row["settings"]}
+    lines = [
+        "## Paper against ours, equal bounces, order and grid",
+        "",
+        "Automatic grids are equal too: both follow `ErrorTolerance`.",
+        "",
+        "| scene | paper | ours | relMSE R3: paper | ours | paper over ours | indirect ms: paper "
+        "| ours |",
+        "|---|---|---|---:|---:|---:|---:|---:|",
+    ]
+    for row in theirs:
+        mine = ours.get(key(row))
+        if mine is None or row.get("relmse_r3") is None:
+            continue
+        lines.append(
+            f"| {row['scene']} | {row['label']} | {mine['label']} | {row['relmse_r3']:.4f} "
+            f"| {mine['relmse_r3']:.4f} | {row['relmse_r3'] / mine['relmse_r3']:.1f} "
+            f"| {row['indirect_ms']:.1f} | {mine['indirect_ms']:.1f} |"
+        )
+    return "\n".join(lines)
+
+
+def mixed(results: list[dict[str, Any]]) -> str:
+    """What differs between rows that one run has made; empty: nothing."""
+    for name in ("commit", "shader_hash", "vtk", "gl"):
+        values = {row[name] for row in results if row.get(name)}
+        if len(values) > 1:
+            return f"rows of several runs: {name} is {' and '.join(sorted(values))}"
+    return ""
+
+
 def publish_tables(reports: Path, documentation: Path) -> None:
-    """Write the page of what the benchmarks printed."""
-    texts = [BENCHMARKS, HOW]
+    """Write the page of what the benchmarks printed, in the run that made the rows."""
+    texts = [BENCHMARKS, provenance(read(reports / "all")), HOW]
     texts += [file.read_text(encoding="utf-8") for file in sorted(reports.glob("*.md"))]
     text = "\n\n".join(part.strip() for part in texts) + "\n"
     (documentation / "speed-vs-error" / "benchmarks.md").write_text(text, encoding="utf-8")
@@ -123,6 +183,10 @@ def main() -> int:
         print("usage: publish.py REPORTS [DOCUMENTATION] (REPORTS/all, hints and occupancy have "
               "rows.json)", file=sys.stderr)  # fmt: skip
         return 2
+    every = [row for name in PAGES for row in read(reports / name)]
+    if mixed(every):
+        print(f"publish.py: {mixed(every)}; remove {reports} and run it again", file=sys.stderr)
+        return 1
     documentation = Path(sys.argv[2]) if len(sys.argv) == 3 else DOCUMENTATION
     figures = documentation / "speed-vs-error"
     figures.mkdir(exist_ok=True)

@@ -19,6 +19,7 @@ import comparison
 import orbit
 import page
 import plot
+import publish
 import reference_environment
 import support
 from support import DirectoryTest, small_scene, why_no_rendering
@@ -174,6 +175,55 @@ class Page(unittest.TestCase):
         self.assertIn("failed: it broke <here>", page._markdown(rows, {}))
         self.assertIn("b\\|c", page._markdown(rows, {}))
         self.assertIn("failed: it broke &lt;here&gt;", page._html(rows, {}))
+
+
+class WhatTheTextNames(unittest.TestCase):
+    """What a page says of its rows in words."""
+
+    def test_rows_that_are_worse_than_nothing(self) -> None:
+        def row(label: str, method: str, error: float | None) -> dict[str, Any]:
+            return {"label": label, "method": method, "relmse_r2": error}
+
+        rows = [row("vtk", "vtk", 0.9), row("default", "auto", 0.5), row("bad", "gather", 1.5)]
+        said = page.worse_than_nothing(rows)
+        self.assertIn("bad. The default is not one of them.", said)
+        rows[1]["relmse_r2"] = 1.0
+        self.assertIn("default; bad. The default is one of them.", page.worse_than_nothing(rows))
+        self.assertNotIn("default", page.worse_than_nothing([rows[0], rows[2]]))
+        self.assertIn("No row", page.worse_than_nothing([rows[0]]))
+        self.assertEqual(page.worse_than_nothing([row("vtk", "vtk", None)]), "")
+
+    def test_masked_share_and_the_pixels_of_r1(self) -> None:
+        surfaces = np.ones((4, 4), dtype=bool)
+        surfaces[0] = False
+        receivers = np.zeros((4, 4), dtype=bool)
+        receivers[1:, :3] = True
+        flat = np.ones((4, 4, 3))
+        held = references.References(receivers, {"R1": flat, "R2": flat}, {}, surfaces)
+        self.assertAlmostEqual(held.masked_share(), 1 / 4)
+        image = flat.copy()
+        image[1:, 3] = 3.0  # at a silhouette
+        errors = held.errors(image)
+        self.assertEqual(errors["R2"].nrmse, 0.0)
+        self.assertAlmostEqual(errors["R1"].nrmse, (4 * 3 / 12) ** 0.5)
+
+    def test_rows_of_several_runs_are_not_published(self) -> None:
+        rows = [{"commit": "a", "gl": "x"}, {"commit": "a", "gl": ""}]
+        self.assertEqual(publish.mixed(rows), "")
+        self.assertIn("commit is a and b", publish.mixed([*rows, {"commit": "b"}]))
+
+    def test_paper_against_ours(self) -> None:
+        def row(label: str, error: float, **settings: Any) -> dict[str, Any]:
+            return {"scene": "s", "method": "hints", "label": label, "relmse_r3": error,
+                    "indirect_ms": 1.0, "settings": settings}  # fmt: skip
+
+        text = publish.equals([
+            row("paper 2", 3.0, Preset="paper", NumberOfBounces=2, NumberOfSamples=50),
+            row("paper 4", 9.0, Preset="paper", NumberOfBounces=4),
+            row("ours 2", 1.5, NumberOfBounces=2, Order=2),
+        ])  # fmt: skip
+        self.assertIn("| s | paper 2 | ours 2 | 3.0000 | 1.5000 | 2.0 | 1.0 | 1.0 |", text)
+        self.assertNotIn("paper 4", text)
 
 
 class ReferenceEnvironment(DirectoryTest):

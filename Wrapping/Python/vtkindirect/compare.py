@@ -68,7 +68,7 @@ def _one_line(error: Exception) -> str:
 
 
 def _times(report: dict[str, Any]) -> Result:
-    """The times of a report, and what else tells of its frames."""
+    """The times of a report, and what else it says of its frames."""
     result: Result = {}
     stages = report.get("stages", {})
     for stage in dict.fromkeys((*STAGES, *(name for name in stages if name != "delegate"))):
@@ -82,6 +82,7 @@ def _times(report: dict[str, Any]) -> Result:
     result["bytes"] = report.get("bytes")
     result["shader_hash"] = report.get("shader_hash", "")
     result["gl"] = report.get("gl", {}).get("renderer", "")
+    result["gl_version"] = report.get("gl", {}).get("version", "")
     result["version"] = report.get("version", "")
     return result
 
@@ -129,6 +130,7 @@ class Run:
         for name, errors in self.references().errors(irradiance).items():
             values = errors.as_dict()
             result.update({f"{metric}_{name.lower()}": values[metric] for metric in METRICS})
+        result["masked_share"] = self.references().masked_share()
         return result
 
     def timed(self, row: Row) -> Result:

@@ -36,14 +36,25 @@ class References:
     """References of one scene at one image size, with the receivers that count."""
 
     mask: np.ndarray
+    """Receivers: pixels in which a path tracer sees the same surface."""
     images: dict[str, np.ndarray] = field(default_factory=dict)
     missing: dict[str, str] = field(default_factory=dict)
     """Why a reference is not there, by its name."""
+    surfaces: np.ndarray | None = None
+    """All pixels with a surface, which R1 counts: it comes from the very same pixels."""
+
+    def masked_share(self) -> float | None:
+        """Share of the pixels with a surface that are no receivers: silhouettes and creases."""
+        if self.surfaces is None or not self.surfaces.any():
+            return None
+        return 1.0 - float((self.mask & self.surfaces).sum() / self.surfaces.sum())
 
     def pairs(self, irradiance: np.ndarray) -> Iterator[tuple[str, tuple[np.ndarray, ...]]]:
         """For each reference its name, and image, reference and mask at the reference's pixels."""
         for name, reference in self.images.items():
             image, mask = irradiance, self.mask
+            if name == "R1" and self.surfaces is not None:
+                mask = self.surfaces
             factor = image.shape[0] // reference.shape[0]
             if factor > 1:
                 centre = slice(factor // 2, None, factor)
@@ -147,7 +158,9 @@ def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> Referen
     try:
         scene.render_window.Render()
         receivers = mask(scene)
+        normal = images.copy_buffer(scene.renderer, "normal")
     finally:
         methods.disable(scene.renderer)
     images_found, missing = stored_images(stored, size)
-    return References(receivers, {"R1": first, **images_found}, missing)
+    surfaces = np.linalg.norm(normal, axis=-1) > 0.5
+    return References(receivers, {"R1": first, **images_found}, missing, surfaces)
