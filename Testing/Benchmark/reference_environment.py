@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The reference environment: another Python, with a path tracer and HDR-FLIP.
 
-Testing/Reference/make_environment makes it; nothing in it is imported here. Both are
-programs that are run beside this one, and a comparison without them says that they are left out,
-and why.
+Testing/Reference/make_environment makes it; nothing in it is imported here. Both are programs that
+are run beside this one, and a comparison without them says that they are left out, and why.
 """
 
 from __future__ import annotations

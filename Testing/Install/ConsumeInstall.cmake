@@ -73,6 +73,7 @@ import os, vtkindirect
 from vtkindirect.vtkRenderingIndirect import vtkIndirectIlluminationPass
 assert os.path.samefile(os.path.dirname(vtkindirect.__path__[0]), r'${prefix}/${PYTHON_PATH}')
 print(vtkIndirectIlluminationPass().GetClassName())
+vtkindirect.load_scene(r'${prefix}/share/vtkindirect/Scenes/protein.json')
 ")
   if (EXISTS "${BUILD_DIR}/bin/vtk-indirect")
     require_file("${prefix}/bin/vtk-indirect")

@@ -335,6 +335,8 @@ class Steps(unittest.TestCase):
             ({"vtkConeSource": {}}, "vtkConeSource is no filter"),
             ({"vtkTubeFilter": {"Radios": 1}}, "vtkTubeFilter.Radios: vtkTubeFilter has no such"),
             ({"vtkTubeFilter": {"Radios": 1}}, "property (did you mean 'Radius'?)"),
+            ({"vtkSliceCubes": {"FileName": "a"}}, "vtkSliceCubes is no filter"),
+            ({"vtkParticleTracer": {"ParticleFileName": "a"}}, "vtkParticleTracer has no such"),
             ({"vtkTubeFilter": {"InputData": 1}}, "vtkTubeFilter has no such property"),
             ({"vtkTubeFilter": {"Radius": "big"}}, "Radius: must be a number, not 'big'"),
             ({"vtkTubeFilter": {"Radius": "1"}}, "Radius: must be a number, not '1'"),

@@ -104,7 +104,7 @@ class Windows(unittest.TestCase):
             windows.start(window)
 
     def test_idle_card_on_the_command_line(self) -> None:
-        with mock.patch.object(cli, "_dispatch", lambda _: windows.start(IdleCard())):
+        with mock.patch.object(cli, "_dispatch", lambda *_: windows.start(IdleCard())):
             with contextlib.redirect_stderr(io.StringIO()) as said:
                 self.assertEqual(cli.main([]), 0)
         self.assertEqual(said.getvalue(), f"vtk-indirect: note: {IdleCard.text}\n")

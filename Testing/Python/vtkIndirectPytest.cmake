@@ -9,7 +9,7 @@ function (vtk_indirect_add_pytest name file label timeout)
   set_tests_properties("${name}" PROPERTIES
     LABELS "${label}"
     SKIP_RETURN_CODE 125
-    SKIP_REGULAR_EXPRESSION "No module named '?pytest;Missing required plugins"
+    SKIP_REGULAR_EXPRESSION "No module named '?pytest"
     TIMEOUT "${timeout}"
     ENVIRONMENT "PYTHONPATH=${vtk_indirect_package_parent};${ARGN}")
 endfunction ()

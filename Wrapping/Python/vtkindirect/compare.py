@@ -54,7 +54,7 @@ Result = dict[str, Any]
 
 
 def fingerprint(path: Path | None) -> str:
-    """What tells the content of a file from others; empty when there is none."""
+    """Return a short hash of a file; empty when there is none."""
     if path is None or not path.exists():
         return ""
     return hashlib.sha256(path.read_bytes()).hexdigest()[:12]
@@ -68,7 +68,7 @@ def _one_line(error: Exception) -> str:
 
 
 def _times(report: dict[str, Any]) -> Result:
-    """The times of a report, and what else it says of its frames."""
+    """Return the times of a report, and what else it says of its frames."""
     result: Result = {}
     stages = report.get("stages", {})
     for stage in dict.fromkeys((*STAGES, *(name for name in stages if name != "delegate"))):

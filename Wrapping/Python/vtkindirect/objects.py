@@ -26,7 +26,7 @@ from vtkindirect.schema import fail, member
 ARRAY = "InputArrayToProcess"
 
 _MODULES = ("vtkFilters", "vtkImaging", "vtkCommonDataModel", "vtkCommonTransforms")
-"""Modules whose classes a scene file may name begin so; nothing in them reads or writes files."""
+"""Modules whose classes a scene file may name begin so."""
 
 _LIKELY = ("vtkFiltersCore", "vtkFiltersGeneral", "vtkFiltersSources", "vtkCommonDataModel")
 
@@ -70,12 +70,13 @@ def _create(name: str, path: str) -> Any:
 
 
 def _property_names(target: vtkObjectBase) -> list[str]:
-    names = [name[3:] for name in dir(target) if name.startswith("Set") and len(name) > 3]
-    return [name for name in names if f"Set{name}" not in _INHERITED]
+    """Return what can be set; a step neither reads files of its own nor writes any."""
+    names = [name for name in dir(target) if name.startswith("Set") and len(name) > 3]
+    return [name[3:] for name in names if name not in _INHERITED and "File" not in name]
 
 
 def _set_unreadable(target: vtkObjectBase, name: str, value: Any) -> None:
-    """Set a property whose value VTK does not tell, or one of many values by their index."""
+    """Set a property that VTK has no getter for, or each of its values by an index."""
     set_ = getattr(target, f"Set{name}")
     try:
         set_(value)

@@ -38,7 +38,7 @@ class Row:
     settings: dict[str, Any] = field(default_factory=dict)
 
     def key(self) -> str:
-        """What tells this row from others, as text."""
+        """Return text that only this row has."""
         return json.dumps([self.method, self.sampler, self.settings], sort_keys=True)
 
 
