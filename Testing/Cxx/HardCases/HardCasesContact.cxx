@@ -15,9 +15,10 @@ using namespace vtkIndirectTest;
 VTK_INDIRECT_TEST(Corner)
 {
   const double radiance = 0.75 / std::sqrt(3.0);
-  const int texels = 256;
   for (double width : { 1.0, 1e-3, 1e-6 })
   {
+    // Where outlines are in view, whole texels of them count.
+    const int texels = width == 1.0 ? 256 : 128;
     char name[64];
     std::snprintf(name, sizeof(name), "a corner, %g of it in view", width);
     HardCase scene(name, 33, 25);
@@ -136,7 +137,7 @@ VTK_INDIRECT_TEST(OnePlane)
 // behind it receives it.
 VTK_INDIRECT_TEST(Grazing)
 {
-  const int texels = 256;
+  const int texels = 128;
   for (double sine : { 0.5, 0.1, 1e-2, 1e-3, 1e-6, 0.0 })
   {
     char name[64];

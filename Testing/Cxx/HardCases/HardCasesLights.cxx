@@ -261,7 +261,7 @@ VTK_INDIRECT_TEST(FarLight)
   sun.AddCorner(Albedo);
   sun.AddSphere({ 0.6, 0.25, 0.5 }, 0.2, 48, Albedo);
   sun.AddDirectional(-there)->SetIntensity(intensity);
-  sun.Pass->SetReflectiveShadowMapResolution(128);
+  sun.Pass->SetReflectiveShadowMapResolution(64);
   const Image expected = sun.CheckEstimators(1);
   const Image direct = sun.Copy("direct");
   CheckAtLeast("mean irradiance", expected.Mean(), 1e-3, "the test's own power");
@@ -279,7 +279,7 @@ VTK_INDIRECT_TEST(FarLight)
       vtkLight* light =
         scene.AddSpot(place, glm::dvec3(0.45), cone, 0, { 0, 0, 1.0 / (distance * distance) });
       light->SetIntensity(intensity);
-      scene.Pass->SetReflectiveShadowMapResolution(128);
+      scene.Pass->SetReflectiveShadowMapResolution(64);
       const Image truth = scene.CheckEstimators(1);
       const double tolerance = 2.0 / distance + 0.01;
       const char* const origin = "size over distance, in falloff and direction; outlines";

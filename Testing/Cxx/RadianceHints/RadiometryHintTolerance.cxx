@@ -10,8 +10,8 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// Of the finest grid: 40 hints along the longest edge, where the tolerances' have 8 to 25.
-constexpr double Converged = 0.0075;
+// Of the finest grid: 35 hints along the longest edge, where the tolerances' have 8 to 25.
+constexpr double Converged = 0.01;
 
 // A ball in the middle of a room that its walls light: no sender is nearer to it than a quarter of
 // the room, which is what the number of hints is derived for.
@@ -85,9 +85,9 @@ VTK_INDIRECT_TEST(HintsTolerance)
     corner.Pass->GetReport().find("nearer light is interpolated with a larger error") !=
       std::string::npos);
   CheckAtMost(
-    "corner: error at 0.02", errors.back(), 0.13, "measured 0.112, the report makes no promise");
+    "corner: error at 0.02", errors.back(), 0.13, "measured 0.106, the report makes no promise");
   TwoRooms rooms(true, 64, 32);
   errors = Measure("two rooms", rooms, tolerances);
   CheckAtMost("two rooms: error at 0.02", errors.back(), 0.055,
-    "measured 0.045, the report makes no promise");
+    "measured 0.040, the report makes no promise");
 }

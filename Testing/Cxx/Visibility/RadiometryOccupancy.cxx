@@ -315,7 +315,7 @@ VTK_INDIRECT_TEST(OccupancyManyLights)
   // More than a shader of any OpenGL can ask for in one draw: sums of several.
   VisibilityScene scene(48, 36);
   AddBlocks(scene, 1.0, glm::dvec3(0.0));
-  scene.Sampler->SetNumberOfLights(5000);
+  scene.Sampler->SetNumberOfLights(2500);
   const Image expected = scene.Measure(scene.Reference, true);
   const double open = scene.Measure(scene.Reference, false).Mean();
   CheckAtLeast("light without Occupancy over that with it", open / expected.Mean(), 1.1,
@@ -325,7 +325,7 @@ VTK_INDIRECT_TEST(OccupancyManyLights)
     const Image image = scene.Measure(estimator, true);
     CheckAtMost(name + ": RMSE over the mean", RootMeanSquare(image, expected), most,
       "segments that graze voxels go either way by rounding");
-    CheckEqual(name + ": lights", scene.ReadReport("virtual_lights"), 5000);
+    CheckEqual(name + ": lights", scene.ReadReport("virtual_lights"), 2500);
   };
   check("gather", scene.Gather, 0.005);
   for (const auto renderer : { vtkIndirectSubsplatDetails::POINTS,
