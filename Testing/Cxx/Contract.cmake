@@ -32,24 +32,3 @@ set_property(TEST Contract.PathsOpenGL32 Contract.ReportClocksOpenGL32 Contract.
   APPEND PROPERTY ENVIRONMENT "MESA_GL_VERSION_OVERRIDE=3.2")
 set_property(TEST Contract.ReportClocksNone
   APPEND PROPERTY ENVIRONMENT "MESA_EXTENSION_OVERRIDE=-GL_ARB_timer_query")
-
-# Pictures against baselines in Testing/Data/Baseline: composition as a whole. What the light is
-# worth in numbers is for the other tests.
-vtk_add_test_cxx(TestImages image_tests
-  NO_DATA
-  ImageComposition.cxx
-  ImageDensity.cxx
-  ImageNormal.cxx
-  ImageRoom.cxx)
-vtk_test_cxx_executable(TestImages image_tests RENDERING_FACTORY
-  Harness/vtkIndirectContractScenes.cxx
-  Harness/vtkIndirectImageUtilities.cxx)
-target_link_libraries(TestImages PRIVATE VTK::IndirectHeadless)
-target_include_directories(TestImages PRIVATE Harness)
-vtk_indirect_compile_options(TestImages)
-foreach (test IN LISTS image_tests)
-  get_filename_component(test "${test}" NAME_WE)
-  set_tests_properties("${_vtk_build_test}Cxx-${test}" PROPERTIES
-    LABELS image
-    ENVIRONMENT "DISPLAY=;WAYLAND_DISPLAY=")
-endforeach ()

@@ -45,6 +45,7 @@ NOT_RUN = {
     ("CONTRIBUTING.md", "cmake --preset dev"): "it builds the project a second time",
     ("CONTRIBUTING.md", "sudo Testing/Compatibility/run"): "it installs another Debian",
     ("CONTRIBUTING.md", "Testing/Benchmark/gpu pack"): PACK,
+    ("CONTRIBUTING.md", "Testing/Images/renew"): "it renders what ctest -L image compares",
     ("CONTRIBUTING.md", "LD_PRELOAD="): "it runs tests; Drivers.garbage runs some of them so",
     ("Documentation/architecture.md", "scene ─▶ Plan"): "a drawing",
     ("Documentation/architecture.md", "VTK_INDIRECT_PATHS="): "Contract.PathsTake sets each of them",

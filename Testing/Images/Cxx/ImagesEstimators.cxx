@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What each estimator and each sampler makes of the same room.
+#include "ImagePicture.h"
+
+#include "vtkActorCollection.h"
+
+#include "vtkMultiresolutionSplattingPass.h"
+#include "vtkRSMReferencePass.h"
+#include "vtkRadianceHintsPass.h"
+
+namespace
+{
+// The sphere reflects the walls and the floor in a Phong lobe.
+void MakeSpecular(images::Picture& picture)
+{
+  vtkProperty* property = picture.Renderer->GetActors()->GetLastActor()->GetProperty();
+  property->SetDiffuse(0.1);
+  property->SetSpecular(0.9);
+  property->SetSpecularPower(20);
+  images::SetIntensity(picture, 0.6);
+}
+}
+
+VTK_INDIRECT_IMAGE(EstimatorAllTexels)
+{
+  images::AddRoom(picture);
+  picture.Pass->SetReflectiveShadowMapResolution(64);
+  picture.Gather->SetModeToAllTexels();
+}
+
+VTK_INDIRECT_IMAGE(EstimatorVirtualLights)
+{
+  images::AddRoom(picture);
+}
+
+VTK_INDIRECT_IMAGE(EstimatorNeighborhood)
+{
+  images::AddRoom(picture);
+  picture.Gather->SetModeToNeighborhood();
+}
+
+VTK_INDIRECT_IMAGE(EstimatorInterpolationOff)
+{
+  images::AddRoom(picture);
+  picture.Gather->InterpolationOff();
+}
+
+// What stands between keeps light away: the dark place is behind the sphere as seen from where the
+// spot falls.
+VTK_INDIRECT_IMAGE(EstimatorOccupancy)
+{
+  images::AddRoom(picture);
+  picture.Gather->OccupancyOn();
+}
+
+VTK_INDIRECT_IMAGE(EstimatorGlossy)
+{
+  images::AddRoom(picture);
+  MakeSpecular(picture);
+  picture.Buffers.push_back({ "glossy", picture.Pass, "glossy" });
+}
+
+VTK_INDIRECT_IMAGE(EstimatorMultiresolution)
+{
+  images::AddRoom(picture);
+  picture.Pass->SetEstimator(vtkNew<vtkMultiresolutionSplattingPass>());
+}
+
+VTK_INDIRECT_IMAGE(EstimatorMultiresolutionGlossy)
+{
+  images::AddRoom(picture);
+  MakeSpecular(picture);
+  picture.Pass->SetEstimator(vtkNew<vtkMultiresolutionSplattingPass>());
+  picture.Buffers.push_back({ "glossy", picture.Pass, "glossy" });
+}
+
+// The paper's own tests.
+VTK_INDIRECT_IMAGE(EstimatorMultiresolutionPaper)
+{
+  images::AddRoom(picture);
+  vtkNew<vtkMultiresolutionSplattingPass> splatting;
+  splatting->SetPresetToPaper();
+  picture.Pass->SetEstimator(splatting);
+}
+
+VTK_INDIRECT_IMAGE(EstimatorHints)
+{
+  images::AddRoom(picture);
+  picture.Pass->SetEstimator(vtkNew<vtkRadianceHintsPass>());
+}
+
+// Brighter than EstimatorHints where light comes by more than one way.
+VTK_INDIRECT_IMAGE(EstimatorHintsBounces)
+{
+  images::AddRoom(picture);
+  picture.Pass->SetEstimator(vtkNew<vtkRadianceHintsPass>());
+  picture.Pass->SetNumberOfBounces(4);
+}
+
+VTK_INDIRECT_IMAGE(EstimatorReference)
+{
+  images::AddRoom(picture);
+  vtkNew<vtkRSMReferencePass> reference;
+  reference->SetModeToVirtualLights();
+  picture.Pass->SetEstimator(reference);
+}
+
+VTK_INDIRECT_IMAGE(EstimatorAutomatic)
+{
+  images::AddRoom(picture);
+  picture.Pass->SetEstimator(nullptr);
+  picture.Pass->SetSampler(nullptr);
+}
+
+// An estimator that is set on the renderer by itself.
+VTK_INDIRECT_IMAGE(EstimatorAsPass)
+{
+  images::AddRoom(picture);
+  picture.Buffers.clear();
+  picture.AddBuffers("", picture.Gather->GetIlluminationPass());
+  picture.Renderer->SetPass(picture.Gather);
+}
+
+// So few lights that each shows.
+VTK_INDIRECT_IMAGE(SamplerUniformFew)
+{
+  images::AddRoom(picture);
+  picture.Sampler->SetNumberOfLights(9);
+}
+
+VTK_INDIRECT_IMAGE(SamplerUniformGrid)
+{
+  images::AddRoom(picture);
+  picture.Sampler->SetNumberOfLights(16);
+  picture.Sampler->SetPatternToGrid();
+}
+
+VTK_INDIRECT_IMAGE(SamplerUniformJittered)
+{
+  images::AddRoom(picture);
+  picture.Sampler->SetNumberOfLights(16);
+  picture.Sampler->SetPatternToJittered();
+}
+
+VTK_INDIRECT_IMAGE(SamplerAutomatic)
+{
+  images::AddRoom(picture);
+  picture.Pass->SetSampler(nullptr);
+}
+
+// A headlight alone: virtual lights are places that the eye sees.
+VTK_INDIRECT_IMAGE(SamplerHeadlight)
+{
+  images::AddRoomSurfaces(picture);
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToHeadlight();
+  light->SetIntensity(0.6);
+  picture.Renderer->AddLight(light);
+}
