@@ -27,7 +27,7 @@ void main()
   level.rgb *= vtkiIrradianceUnit;
   if (vtkiView == 0 && leaf)
   {
-    gl_FragData[0] = vec4(float(vtkiLevel), 0.0f, 0.0f, 1.0f);
+    gl_FragData[0] = vec4(vec3(float(vtkiLevel)), 1.0f);
   }
   else if (vtkiView == 1 && leaf)
   {
