@@ -2,6 +2,7 @@
 // Times of stages by the GPU's clock, where OpenGL has one.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
+#include "vtkIndirectDetails.h"
 
 #if __has_include("vtk_glad.h")
 #include "vtk_glad.h"
@@ -23,6 +24,7 @@ void CheckClocks(bool expected)
 {
   vtkNew<vtkRSMGatherPass> gather;
   vtkNew<vtkRadianceHintsPass> hints;
+  SET_DETAIL(hints, NumberOfRays, 16); // stages count, not what they find
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   // Its voxels begin and end the stage of visibility, within the frame.
   splatting->OccupancyOn();

@@ -106,6 +106,7 @@ VTK_INDIRECT_TEST(ReportTolerance)
   const std::string asked = "ErrorTolerance 0.02";
   {
     vtkNew<vtkRadianceHintsPass> hints;
+    SET_DETAIL(hints, NumberOfRays, 16); // hints are counted, not looked at
     ReportView view(hints);
     // Hints along the longest axis: sqrt(12 / tolerance); the room is a cube.
     auto check = [&](double pass, double expected, int along)
@@ -271,6 +272,7 @@ void CheckInLocale()
 {
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   vtkNew<vtkRadianceHintsPass> hints;
+  SET_DETAIL(hints, NumberOfRays, 16);
   for (vtkIndirectEstimatorPass* estimator :
     std::initializer_list<vtkIndirectEstimatorPass*>{ splatting, hints })
   {

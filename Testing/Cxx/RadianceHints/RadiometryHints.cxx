@@ -317,6 +317,7 @@ VTK_INDIRECT_TEST(HintsGrids)
   // Two grids are as right as one, also where they fade.
   ClosedSphere scene;
   scene.SetGrid(8);
+  SET_DETAIL(scene.Hints, NumberOfRays, 144);
   scene.Hints->SetNumberOfGrids(2);
   scene.Hints->SetFineGridExtent(0.6);
   CheckAbsolute("two grids, E1 over albedo E0", scene.Measure(0, 1), 1.0, 0.03, SphereOrigin);
