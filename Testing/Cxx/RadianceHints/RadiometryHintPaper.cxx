@@ -21,8 +21,8 @@ namespace
 {
 constexpr int MapEdge = 32;
 constexpr int Layers = 7;         // a spot's and the six of a point light
-constexpr int Samples = 40;       // of all layers together, by SetToPaper
-constexpr int BounceSamples = 32; // by SetToPaper
+constexpr int Samples = 40;       // of all layers together, of the preset
+constexpr int BounceSamples = 32; // of the preset
 constexpr int Grid[3] = { 6, 5, 4 };
 const glm::dvec3 Extent(4.0, 3.0, 2.0); // of the room, which has a corner at the origin
 const glm::dvec3 Albedo(0.8, 0.5, 0.3);
