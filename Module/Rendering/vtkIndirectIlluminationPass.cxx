@@ -349,7 +349,8 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
   }
   if (!known)
   {
-    vtkErrorMacro("'" << name << "' is no buffer; known are " << this->GetChannelNames() << ".");
+    vtkErrorMacro("'" << name << "' is no buffer; known are " << this->GetChannelNames()
+                      << ", lights.");
     return false;
   }
   const std::string why = this->Internal->Pipeline.CopyChannel(name, image);

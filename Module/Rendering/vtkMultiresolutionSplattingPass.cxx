@@ -432,6 +432,9 @@ void vtkMultiresolutionSplattingPass::AddToReport(vtkIndirectReport& report) con
         std::to_string(static_cast<int>(in.NumberOfLights * ratio * ratio) + 1) +
         " lights would meet it");
   }
+  report.LeftOut.emplace_back(name,
+    "the error of interpolating over what is narrower than a subsplat is not estimated, and nor is "
+    "that of sampling beyond what halves of the lights differ by");
 }
 
 //------------------------------------------------------------------------------

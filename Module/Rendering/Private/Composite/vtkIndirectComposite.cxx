@@ -200,13 +200,13 @@ std::string vtkIndirectComposite::GetChannelNames()
   std::string names;
   for (const Shown& channel : FrameChannels)
   {
-    names += std::string(channel.Name) + ", ";
+    names += (names.empty() ? "" : ", ") + std::string(channel.Name);
   }
   for (const Shown& channel : MapChannels)
   {
-    names += "rsm<i>." + std::string(channel.Name) + ", ";
+    names += ", rsm<i>." + std::string(channel.Name);
   }
-  return names + "lights";
+  return names;
 }
 
 //------------------------------------------------------------------------------
