@@ -32,6 +32,3 @@ set_property(TEST Contract.PathsOpenGL32 Contract.ReportClocksOpenGL32 Contract.
   APPEND PROPERTY ENVIRONMENT "MESA_GL_VERSION_OVERRIDE=3.2")
 set_property(TEST Contract.ReportClocksNone
   APPEND PROPERTY ENVIRONMENT "MESA_EXTENSION_OVERRIDE=-GL_ARB_timer_query")
-
-# Every kernel in every mode a second time: the longest of these tests.
-set_property(TEST Contract.PathsKernels APPEND PROPERTY LABELS nightly)
