@@ -36,8 +36,9 @@ reference at each pixel, so light where there should be none weighs most: where 
 receiver a method that does not test visibility can be further from the truth than no indirect light at all. Each
 scene names the rows that are, and whether the default is one of them.
 
-The rows of papers: gather-paper takes 1020, 308 and 156 samples of Dachsbacher and Stamminger 2005 (Figure 6 there:
-14, 44 and 82 frames a second at 512 x 512) at every twelfth pixel, 64 along an edge of 768 as theirs of 512;
+The rows of papers: gather-paper is the method of Dachsbacher and Stamminger 2005 with 1020, 308 and 156 samples, for
+which their paper of 2006 gives 14, 44 and 82 frames a second at 512 x 512, without the maps; here as there the
+sums are taken at 64 pixels along an edge, every twelfth of 768;
 multiresolution-paper splits as Nichols and Wyman 2009 do, their figures are among the
 [benchmarks](speed-vs-error/benchmarks.md).
 """
