@@ -63,14 +63,12 @@ struct vtkMultiresolutionSplattingPass::Internals
   std::string WhyGlossyIsGathered;
 };
 
-namespace
+//------------------------------------------------------------------------------
+double vtkMultiresolutionSplattingPass::Threshold::Scale(double tolerance) const
 {
-// A threshold that the user has not set goes with the tolerance.
-void Scale(double& threshold, double standard, double tolerance, double most)
-{
-  threshold =
-    threshold == standard ? vtkIndirectPlan::ScaleThreshold(standard, tolerance, most) : threshold;
-}
+  return this->IsSet || !(tolerance > 0.0)
+    ? this->Value
+    : vtkIndirectPlan::ScaleThreshold(this->Value, tolerance, this->Most);
 }
 
 //------------------------------------------------------------------------------
@@ -89,9 +87,9 @@ void vtkMultiresolutionSplattingPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Preset: " << (set.Preset == PAPER ? "Paper" : "Robust") << "\n";
   os << indent << "FinestLevel: "
      << (set.FinestLevel == FULL_RESOLUTION ? "FullResolution" : "HalfResolution") << "\n";
-  os << indent << "DepthThreshold: " << set.DepthThreshold << "\n";
-  os << indent << "PlaneThreshold: " << set.PlaneThreshold << "\n";
-  os << indent << "NormalThreshold: " << set.NormalThreshold << "\n";
+  os << indent << "DepthThreshold: " << set.DepthThreshold.Value << "\n";
+  os << indent << "PlaneThreshold: " << set.PlaneThreshold.Value << "\n";
+  os << indent << "NormalThreshold: " << set.NormalThreshold.Value << "\n";
   os << indent << "SurfaceDetail: " << set.SurfaceDetail << "\n";
 }
 
@@ -105,6 +103,36 @@ void vtkMultiresolutionSplattingPass::SetPreset(int preset)
     this->SetDetails(
       preset == PAPER ? vtkIndirectSubsplatDetails::OfPaper() : vtkIndirectSubsplatDetails());
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiresolutionSplattingPass::SetThreshold(Threshold& threshold, double value)
+{
+  value = value >= 0.0 ? std::min(value, threshold.Most) : 0.0;
+  if (!threshold.IsSet || threshold.Value != value)
+  {
+    threshold.IsSet = true;
+    threshold.Value = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiresolutionSplattingPass::SetDepthThreshold(double threshold)
+{
+  this->SetThreshold(this->Settings.DepthThreshold, threshold);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiresolutionSplattingPass::SetPlaneThreshold(double threshold)
+{
+  this->SetThreshold(this->Settings.PlaneThreshold, threshold);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiresolutionSplattingPass::SetNormalThreshold(double threshold)
+{
+  this->SetThreshold(this->Settings.NormalThreshold, threshold);
 }
 
 //------------------------------------------------------------------------------
@@ -131,19 +159,18 @@ size_t vtkMultiresolutionSplattingPass::GetBytes() const
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkMultiresolutionSplattingPass::FindOwnThresholds() const
 {
-  const SettingsType standard;
   const SettingsType& set = this->Settings;
   const bool depthRange = this->Internal->Details.DepthRange;
   std::vector<std::string> names;
-  if (depthRange && set.DepthThreshold != standard.DepthThreshold)
+  if (depthRange && set.DepthThreshold.IsSet)
   {
     names.emplace_back("DepthThreshold");
   }
-  if (!depthRange && set.PlaneThreshold != standard.PlaneThreshold)
+  if (!depthRange && set.PlaneThreshold.IsSet)
   {
     names.emplace_back("PlaneThreshold");
   }
-  if (set.NormalThreshold != standard.NormalThreshold)
+  if (set.NormalThreshold.IsSet)
   {
     names.emplace_back("NormalThreshold");
   }
@@ -177,23 +204,14 @@ bool vtkMultiresolutionSplattingPass::MakeSettings(
     : vtkIndirectSubsplatIllumination::Fragments;
   static_cast<Details&>(settings) = details;
   settings.HalfResolution = this->Settings.FinestLevel == HALF_RESOLUTION;
-  settings.PlaneThreshold = this->Settings.PlaneThreshold;
-  settings.DepthThreshold = this->Settings.DepthThreshold;
-  settings.NormalThreshold = this->Settings.NormalThreshold;
   settings.SurfaceDetail = this->Settings.SurfaceDetail;
   const double tolerance = this->FindErrorTolerance(input.Plan.ErrorTolerance);
-  if (tolerance > 0.0)
-  {
-    const SettingsType standard;
-    Scale(settings.PlaneThreshold, standard.PlaneThreshold, tolerance, 100.0);
-    Scale(settings.DepthThreshold, standard.DepthThreshold, tolerance, 1.0);
-    Scale(settings.NormalThreshold, standard.NormalThreshold, tolerance, 2.0);
-    Scale(settings.LightingThreshold, Details().LightingThreshold, tolerance, 1.0);
-  }
-  if (input.Plan.ErrorTolerance > 0.0)
-  {
-    Scale(settings.GlossyThreshold, Details().GlossyThreshold, input.Plan.ErrorTolerance, 1.0);
-  }
+  settings.PlaneThreshold = this->Settings.PlaneThreshold.Scale(tolerance);
+  settings.DepthThreshold = this->Settings.DepthThreshold.Scale(tolerance);
+  settings.NormalThreshold = this->Settings.NormalThreshold.Scale(tolerance);
+  settings.LightingThreshold = Threshold{ details.LightingThreshold, 1.0 }.Scale(tolerance);
+  settings.GlossyThreshold =
+    Threshold{ details.GlossyThreshold, 1.0 }.Scale(input.Plan.ErrorTolerance);
   settings.StorageScale = settings.HalfFloats ? 1.0 / input.Plan.IrradianceUnit : 1.0;
   settings.HasCompute = hasCompute && renderer != vtkIndirectSubsplatIllumination::Fragments;
   settings.ReportsError = tolerance > 0.0;

@@ -31,8 +31,8 @@
  * of the paper); the report says where all lights are summed at every pixel instead, and why.
  *
  * With vtkIndirectIlluminationPass::ErrorTolerance the thresholds are chosen by the pass: in
- * proportion, the defaults for 0.02. One that differs from its default is the user's, and stays;
- * the report then says which.
+ * proportion, the defaults for 0.02. One that the user has set stays, whatever its value; the
+ * report then says which.
  *
  * Memory: at most 24 bytes a pixel.
  */
@@ -98,7 +98,8 @@ public:
    * PAPER: largest difference between depths in a subsplat, as a fraction of the diagonal of
    * the scene's bounds. Default 0.02, range 0 to 1. 0 splits everything.
    */
-  vtkIndirectClampMacro(DepthThreshold, double, 0.0, 1.0);
+  virtual void SetDepthThreshold(double threshold);
+  double GetDepthThreshold() const { return this->Settings.DepthThreshold.Value; }
   ///@}
 
   ///@{
@@ -106,7 +107,8 @@ public:
    * ROBUST: farthest that a subsplat's surface may lie from its mean tangent plane, as a fraction
    * of the subsplat's width. Default 0.25, range 0 to 100. 0 splits everything.
    */
-  vtkIndirectClampMacro(PlaneThreshold, double, 0.0, 100.0);
+  virtual void SetPlaneThreshold(double threshold);
+  double GetPlaneThreshold() const { return this->Settings.PlaneThreshold.Value; }
   ///@}
 
   ///@{
@@ -114,7 +116,8 @@ public:
    * Largest difference between a subsplat's unit normals and their mean; PAPER: range of each of
    * their components. Default 0.2, range 0 to 2. 0 splits everything.
    */
-  vtkIndirectClampMacro(NormalThreshold, double, 0.0, 2.0);
+  virtual void SetNormalThreshold(double threshold);
+  double GetNormalThreshold() const { return this->Settings.NormalThreshold.Value; }
   ///@}
 
   ///@{
@@ -143,13 +146,21 @@ protected:
   vtkMultiresolutionSplattingPass();
   ~vtkMultiresolutionSplattingPass() override;
 
+  /** One that the user has set stays as it is; others go with the pass's ErrorTolerance. */
+  struct Threshold
+  {
+    double Value;
+    double Most;
+    bool IsSet = false;
+    double Scale(double tolerance) const;
+  };
   struct SettingsType
   {
     int Preset = ROBUST;
     int FinestLevel = FULL_RESOLUTION;
-    double DepthThreshold = 0.02;
-    double PlaneThreshold = 0.25;
-    double NormalThreshold = 0.2;
+    Threshold DepthThreshold = { 0.02, 1.0 };
+    Threshold PlaneThreshold = { 0.25, 100.0 };
+    Threshold NormalThreshold = { 0.2, 2.0 };
     double SurfaceDetail = 0.0;
   };
   SettingsType Settings;
@@ -159,6 +170,7 @@ private:
   void operator=(const vtkMultiresolutionSplattingPass&) = delete;
 
 #ifndef __VTK_WRAP__
+  void SetThreshold(Threshold& threshold, double value);
   bool MakeSettings(const Input& input, vtkIndirectSubsplatSettings& settings, int& renderer);
   bool Fill(const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer,
     vtkIndirectTarget& pixels);

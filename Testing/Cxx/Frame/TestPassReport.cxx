@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <locale>
+#include <tuple>
 
 using namespace contract;
 
@@ -143,40 +144,62 @@ VTK_INDIRECT_TEST(ReportTolerance)
 }
 
 //------------------------------------------------------------------------------
-// A threshold that the user has set stays, whatever the tolerance: the frame is the one in which
-// the others are set by hand.
+// A threshold that the user has set stays, whatever the tolerance and its value: the frame is the
+// one in which the others are set by hand.
 VTK_INDIRECT_TEST(ToleranceKeepsThresholds)
 {
-  vtkNew<vtkMultiresolutionSplattingPass> splatting;
-  ReportView view(splatting);
-  auto render = [&](double plane, double normal, double lighting, double tolerance)
+  // Levels of the subsplats, and the report, with thresholds that are not negative set.
+  using Pass = vtkMultiresolutionSplattingPass;
+  auto render =
+    [&](double tolerance, double lighting, double plane, double normal, double depth = -1.0)
   {
-    splatting->SetPlaneThreshold(plane);
-    splatting->SetNormalThreshold(normal);
+    vtkNew<Pass> splatting;
+    ReportView view(splatting);
     SET_DETAIL(splatting, LightingThreshold, lighting);
+    if (depth >= 0.0)
+    {
+      splatting->SetPresetToPaper();
+      splatting->SetDepthThreshold(depth);
+    }
+    if (plane >= 0.0)
+    {
+      splatting->SetPlaneThreshold(plane);
+    }
+    if (normal >= 0.0)
+    {
+      splatting->SetNormalThreshold(normal);
+    }
     view.Pass->SetErrorTolerance(tolerance);
     view.Grab();
-    return Read(view.Pass, "subsplat.level");
+    const Report report(view.Pass);
+    return std::make_tuple(Read(view.Pass, "subsplat.level"),
+      report.GetNumber("settings.ErrorTolerance"),
+      report.FindReason("left_out", "ErrorTolerance 0.04"));
   };
-  const double lighting = splatting->GetDetails().LightingThreshold;
-  const Floats defaults = render(0.25, 0.2, lighting, 0.0);
+  auto levels = [](const auto& rendered) { return std::get<0>(rendered); };
+  constexpr double standard = 0.0015;
+  const auto defaults = render(0.0, standard, -1.0, -1.0);
   // Twice the standard tolerance doubles what is not set.
-  const Floats doubled = render(0.5, 0.4, 2.0 * lighting, 0.0);
-  CONTRACT_CHECK(Compare(defaults, doubled).Max > 0.0, "the test's own power");
-  CONTRACT_CHECK(Compare(doubled, render(0.25, 0.2, lighting, 0.04)).Max == 0.0, "all are scaled");
-  CONTRACT_CHECK(Report(view.Pass).GetNumber("settings.ErrorTolerance") == 0.04, "in force");
-  const Floats byHand = render(0.01, 0.4, 2.0 * lighting, 0.0);
-  CONTRACT_CHECK(Compare(doubled, byHand).Max > 0.0, "the test's own power");
-  CONTRACT_CHECK(
-    Compare(byHand, render(0.01, 0.2, lighting, 0.04)).Max == 0.0, "one is the user's");
-  const std::string why = Report(view.Pass).FindReason("left_out", "ErrorTolerance 0.04");
-  CONTRACT_CHECK(why.find("PlaneThreshold") != std::string::npos, why);
+  const auto byHand = render(0.0, 2.0 * standard, 0.5, 0.4);
+  CONTRACT_CHECK(Compare(levels(defaults), levels(byHand)).Max > 0.0, "the test's own power");
+  const auto scaled = render(0.04, standard, -1.0, -1.0);
+  CONTRACT_CHECK(Compare(levels(byHand), levels(scaled)).Max == 0.0, "all are scaled");
+  CONTRACT_CHECK(std::get<1>(scaled) == 0.04, "in force");
+  const auto finer = render(0.0, 2.0 * standard, 0.01, 0.4);
+  CONTRACT_CHECK(Compare(levels(byHand), levels(finer)).Max > 0.0, "the test's own power");
+  const auto own = render(0.04, standard, 0.01, -1.0);
+  CONTRACT_CHECK(Compare(levels(finer), levels(own)).Max == 0.0, "one is the user's");
+  CONTRACT_CHECK(std::get<2>(own).find("PlaneThreshold") != std::string::npos, std::get<2>(own));
+  // Also when it is what it would be anyway.
+  const auto usual = render(0.0, 2.0 * standard, 0.25, 0.4);
+  CONTRACT_CHECK(Compare(levels(byHand), levels(usual)).Max > 0.0, "the test's own power");
+  const auto kept = render(0.04, standard, 0.25, -1.0);
+  CONTRACT_CHECK(Compare(levels(usual), levels(kept)).Max == 0.0, "the default, set by the user");
   // The paper's refinement does not look at the lighting.
-  splatting->SetPresetToPaper();
-  splatting->SetDepthThreshold(0.01);
-  const Floats own = render(0.25, 0.1, 0.0, 0.0);
-  CONTRACT_CHECK(Compare(own, render(0.25, 0.1, 0.0, 0.04)).Max == 0.0, "all are the user's");
-  CONTRACT_CHECK(Report(view.Pass).GetNumber("settings.ErrorTolerance") == 0.0, "not in force");
+  const auto paper = render(0.0, standard, -1.0, 0.1, 0.01);
+  const auto all = render(0.04, standard, -1.0, 0.1, 0.01);
+  CONTRACT_CHECK(Compare(levels(paper), levels(all)).Max == 0.0, "all are the user's");
+  CONTRACT_CHECK(std::get<1>(all) == 0.0, "not in force");
 }
 
 //------------------------------------------------------------------------------
