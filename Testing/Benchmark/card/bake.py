@@ -135,7 +135,7 @@ def bake(name: str, folder: Path) -> None:
 
 
 def name_pack() -> str:
-    """Return the version, and the commit where there is one: what results can be told apart by."""
+    """Return the version, and the commit where there is one: which distinguish results."""
     git = shutil.which("git")
     commit = ""
     if git is not None:

@@ -15,7 +15,7 @@ FOLDER, which must exist, gets:
                             and the versions that are asked of it
 
 Left out are glibc and all that belongs to drivers. Libraries of GLX are replaced by one that is
-made here (libGL.c). Nothing in FOLDER needs a glibc newer than VERSION, 2.34 unless told: for what
+made here (libGL.c). Nothing in FOLDER needs a glibc newer than VERSION, 2.34 by default: for what
 libraries of newer systems ask beyond, there is glibc.c. Needs readelf, strip, patchelf, ldd, and
 the compilers with which BUILD was configured.
 """

@@ -132,7 +132,7 @@ VTK_INDIRECT_TEST(HintsCells)
     CheckAtMost(what + "pixels that differ", differ, 1e-3 * lit, "rounding at the tolerances");
     CheckAtMost(what + "indirect light against albedo times it", composite, 1e-5 * mean, "floats");
     CheckAtLeast(
-      what + "pixels amid their own surface", cells.Whole, 0.3 * lit, "the test's power");
+      what + "pixels surrounded by their own surface", cells.Whole, 0.3 * lit, "the test's power");
     CheckAtLeast(what + "pixels at an edge", cells.Mixed, 0.02 * lit, "the test's power");
     CheckAtLeast(what + "pixels without a sample", cells.Alone, 1, "the test's power");
   }

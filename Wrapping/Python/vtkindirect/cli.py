@@ -324,7 +324,7 @@ def _dispatch(words: Sequence[str], comparison: Comparison) -> None:
 
 def main(words: Sequence[str] | None = None, comparison: Comparison = compare.run) -> int:
     """Run the command line; returns the exit code. `comparison` does the command ``compare``."""
-    os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # what EGL tries is told in our own error
+    os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # what EGL tries is in our own error
     try:
         with warnings.catch_warnings():
             warnings.showwarning = _note_warning  # type: ignore[assignment]

@@ -62,7 +62,7 @@ def check() -> None:
     try:
         configuration = importlib.import_module("vtkindirect._configuration")
         vtk = importlib.import_module("vtkmodules.vtkCommonCore")
-    except ImportError:  # no build, or no VTK: nothing to load, or told when it is needed
+    except ImportError:  # no build, or no VTK: nothing to load, or an error when it is needed
         return
     reason = problem(configuration, vtk)
     if reason is not None:
