@@ -22,7 +22,7 @@ import plot
 import publish
 import reference_environment
 import support
-from support import DirectoryTest, small_scene, why_no_rendering
+from support import DirectoryTest, noise, small_scene, sweep_of, why_no_rendering
 
 
 def program(*words: Any) -> subprocess.CompletedProcess[str]:
@@ -31,23 +31,6 @@ def program(*words: Any) -> subprocess.CompletedProcess[str]:
         [sys.executable, "-B", comparison.__file__, *map(str, words)],
         capture_output=True, text=True, timeout=240, check=False,
     )  # fmt: skip
-
-
-def sweep_of(*rows: dict[str, Any]) -> dict[str, Any]:
-    """A sweep document with these rows."""
-    return {"schema": sweep.SCHEMA, "rows": list(rows)}
-
-
-def noise(shape: tuple[int, ...], seed: int = 1) -> np.ndarray:
-    """Uniform values in [0, 1), the same on every machine."""
-    count = int(np.prod(shape))
-    state = (np.arange(count, dtype=np.uint64) + np.uint64(seed * 7919)) * np.uint64(
-        0x9E3779B97F4A7C15
-    )
-    state ^= state >> np.uint64(31)
-    state *= np.uint64(0xBF58476D1CE4E5B9)
-    state ^= state >> np.uint64(29)
-    return ((state >> np.uint64(11)).astype(np.float64) / 2.0**53).reshape(shape)
 
 
 class Flicker(unittest.TestCase):

@@ -11,7 +11,7 @@ from typing import Any
 from unittest import mock
 
 import numpy as np
-from support import DirectoryTest, command_line, small_scene, why_no_rendering
+from support import DirectoryTest, command_line, small_scene, sweep_of, why_no_rendering
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
@@ -25,11 +25,6 @@ from vtkindirect import (
     sweep,
     wrapped,
 )
-
-
-def sweep_of(*rows: dict[str, Any]) -> dict[str, Any]:
-    """A sweep document with these rows."""
-    return {"schema": sweep.SCHEMA, "rows": list(rows)}
 
 
 class SweepFile(DirectoryTest):

@@ -7,19 +7,8 @@ import unittest
 
 import numpy as np
 
+from support import noise
 from vtkindirect import metrics
-
-
-def noise(shape: tuple[int, ...], seed: int = 1) -> np.ndarray:
-    """Uniform values in [0, 1), the same on every machine."""
-    count = int(np.prod(shape))
-    state = (np.arange(count, dtype=np.uint64) + np.uint64(seed * 7919)) * np.uint64(
-        0x9E3779B97F4A7C15
-    )
-    state ^= state >> np.uint64(31)
-    state *= np.uint64(0xBF58476D1CE4E5B9)
-    state ^= state >> np.uint64(29)
-    return ((state >> np.uint64(11)).astype(np.float64) / 2.0**53).reshape(shape)
 
 
 class Compare(unittest.TestCase):

@@ -14,6 +14,8 @@ import unittest
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 TESTING = Path(__file__).resolve().parent.parent
 SOURCE = TESTING.parent
 DATA = TESTING / "Data"
@@ -114,3 +116,22 @@ def why_no_pyvista() -> str | None:
     except Exception as error:  # one that is older or newer than VTK fails in any way
         return f"PyVista cannot be imported ({error}); ./bootstrap test fetches it for the tests"
     return None
+
+
+def noise(shape: tuple[int, ...], seed: int = 1) -> np.ndarray:
+    """Uniform values in [0, 1), the same on every machine."""
+    count = int(np.prod(shape))
+    state = (np.arange(count, dtype=np.uint64) + np.uint64(seed * 7919)) * np.uint64(
+        0x9E3779B97F4A7C15
+    )
+    state ^= state >> np.uint64(31)
+    state *= np.uint64(0xBF58476D1CE4E5B9)
+    state ^= state >> np.uint64(29)
+    return ((state >> np.uint64(11)).astype(np.float64) / 2.0**53).reshape(shape)
+
+
+def sweep_of(*rows: dict[str, Any]) -> dict[str, Any]:
+    """A sweep document with these rows."""
+    from vtkindirect import sweep
+
+    return {"schema": sweep.SCHEMA, "rows": list(rows)}
