@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkEnvironmentLight.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkTexture.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkEnvironmentLight);
+vtkCxxSetObjectMacro(vtkEnvironmentLight, Image, vtkImageData);
+vtkCxxSetObjectMacro(vtkEnvironmentLight, Texture, vtkTexture);
+
+namespace
+{
+// Cells of the whole sky: 1.4 degrees across at the horizon.
+constexpr int Columns = 256;
+constexpr int Rows = 128;
+
+// Columns: right, up, and behind the middle of the image. Falls back to VTK's axes where Up has no
+// length, and to any right where Right is along it.
+glm::dmat3 MakeFrame(const double up[3], const double right[3])
+{
+  glm::dvec3 y(up[0], up[1], up[2]);
+  const double length = glm::length(y);
+  y = length > 0.0 && std::isfinite(length) ? y / length : glm::dvec3(0.0, 1.0, 0.0);
+  glm::dvec3 x(right[0], right[1], right[2]);
+  x -= glm::dot(x, y) * y;
+  if (!(glm::length(x) > 1e-12 * std::max(1.0, std::abs(right[0]))))
+  {
+    const glm::dvec3 helper =
+      std::abs(y.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+    x = helper - glm::dot(helper, y) * y;
+  }
+  x = glm::normalize(x);
+  return { x, y, glm::cross(x, y) };
+}
+
+// The pixels of an image as radiances.
+class Pixels
+{
+public:
+  Pixels(vtkImageData* image, bool encoded)
+    : Encoded(encoded)
+  {
+    const int* size = image->GetDimensions();
+    this->Size[0] = size[0];
+    this->Size[1] = size[1];
+    this->Values = image->GetPointData()->GetScalars();
+    this->Components = this->Values->GetNumberOfComponents();
+    this->Unit = this->Values->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
+  }
+
+  glm::dvec3 Get(int column, int row)
+  {
+    const vtkIdType tuple = static_cast<vtkIdType>(row) * this->Size[0] + column;
+    glm::dvec3 value;
+    for (int c = 0; c < 3; ++c)
+    {
+      double v = this->Unit * this->Values->GetComponent(tuple, this->Components < 3 ? 0 : c);
+      if (!(v >= 0.0) || !std::isfinite(v))
+      {
+        ++this->NumberOfInvalid;
+        v = 0.0;
+      }
+      // The transfer function of sRGB (IEC 61966-2-1).
+      value[c] = !this->Encoded ? v : v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    }
+    return value;
+  }
+
+  int Size[2];
+  vtkIdType NumberOfInvalid = 0;
+
+private:
+  vtkDataArray* Values;
+  int Components;
+  double Unit;
+  bool Encoded;
+};
+
+// Direction of a place in an equirectangular image: longitude from the middle to the right,
+// latitude.
+glm::dvec3 ToDirection(double longitude, double latitude)
+{
+  const double c = std::cos(latitude);
+  return { c * std::sin(longitude), std::sin(latitude), -c * std::cos(longitude) };
+}
+}
+
+//------------------------------------------------------------------------------
+vtkEnvironmentLight::vtkEnvironmentLight() = default;
+
+vtkEnvironmentLight::~vtkEnvironmentLight()
+{
+  this->SetImage(nullptr);
+  this->SetTexture(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkEnvironmentLight::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  auto print = [&](const char* name, const double v[3])
+  { os << indent << name << ": (" << v[0] << ", " << v[1] << ", " << v[2] << ")\n"; };
+  print("Radiance", this->Radiance);
+  os << indent << "Image: " << this->Image << "\n";
+  os << indent << "Texture: " << this->Texture << "\n";
+  os << indent << "Scale: " << this->Scale << "\n";
+  print("Up", this->Up);
+  print("Right", this->Right);
+}
+
+//------------------------------------------------------------------------------
+void vtkEnvironmentLight::SetRadiance(double red, double green, double blue)
+{
+  const double values[3] = { red, green, blue };
+  for (const double value : values)
+  {
+    if (!(value >= 0.0) || !std::isfinite(value))
+    {
+      vtkErrorMacro("Radiance (" << red << ", " << green << ", " << blue
+                                 << ") is not set: it must be finite and not negative.");
+      return;
+    }
+  }
+  if (!std::equal(values, values + 3, this->Radiance))
+  {
+    std::copy(values, values + 3, this->Radiance);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkEnvironmentLight::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->Image)
+  {
+    return std::max(time, this->Image->GetMTime());
+  }
+  if (this->Texture)
+  {
+    time = std::max(time, this->Texture->GetMTime());
+    vtkImageData* input = this->Texture->GetInput();
+    time = input ? std::max(time, input->GetMTime()) : time;
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkEnvironmentLight::FindImage()
+{
+  if (this->Image || !this->Texture)
+  {
+    return this->Image;
+  }
+  this->Texture->Update();
+  return this->Texture->GetInput();
+}
+
+//------------------------------------------------------------------------------
+void vtkEnvironmentLight::GetRadianceFrom(const double direction[3], double radiance[3])
+{
+  glm::dvec3 result(this->Radiance[0], this->Radiance[1], this->Radiance[2]);
+  vtkImageData* image = this->FindImage();
+  if (image && image->GetPointData()->GetScalars() && image->GetNumberOfPoints() > 0)
+  {
+    Pixels pixels(image, !this->Image && this->Texture->GetUseSRGBColorSpace());
+    const glm::dvec3 d = glm::transpose(MakeFrame(this->Up, this->Right)) *
+      glm::dvec3(direction[0], direction[1], direction[2]);
+    const double u = 0.5 * std::atan2(d.x, -d.z) / vtkMath::Pi() + 0.5;
+    const double v = std::atan2(d.y, std::hypot(d.x, d.z)) / vtkMath::Pi() + 0.5;
+    result = pixels.Get(std::min(static_cast<int>(u * pixels.Size[0]), pixels.Size[0] - 1),
+      std::min(static_cast<int>(v * pixels.Size[1]), pixels.Size[1] - 1));
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    radiance[c] = this->Scale * result[c];
+  }
+}
+
+//------------------------------------------------------------------------------
+const std::vector<vtkEnvironmentLight::Cell>& vtkEnvironmentLight::GetCells()
+{
+  vtkImageData* image = this->FindImage();
+  const vtkMTimeType time = this->GetMTime();
+  if (time == this->CellsTime)
+  {
+    return this->Cells;
+  }
+  this->CellsTime = time;
+  this->Cells.clear();
+  if (image &&
+    (image->GetDimensions()[2] != 1 || !image->GetPointData()->GetScalars() ||
+      image->GetNumberOfPoints() < 1))
+  {
+    vtkErrorMacro("The environment's image is not used: it must be of one slice, with point "
+                  "scalars. No light comes from it.");
+    return this->Cells;
+  }
+  this->MakeCells();
+  return this->Cells;
+}
+
+//------------------------------------------------------------------------------
+void vtkEnvironmentLight::MakeCells()
+{
+  struct Sum
+  {
+    glm::dvec3 Light{ 0.0 };
+    glm::dvec3 Direction{ 0.0 };
+  };
+  std::vector<Sum> sums(static_cast<size_t>(Columns) * Rows);
+  vtkImageData* image = this->FindImage();
+  const double pi = vtkMath::Pi();
+  auto add = [&](int columns, int rows, auto getRadiance)
+  {
+    for (int j = 0; j < rows; ++j)
+    {
+      const double below = pi * (static_cast<double>(j) / rows - 0.5);
+      const double above = pi * (static_cast<double>(j + 1) / rows - 0.5);
+      const double solidAngle = 2.0 * pi / columns * (std::sin(above) - std::sin(below));
+      const int row = std::min(static_cast<int>((j + 0.5) / rows * Rows), Rows - 1);
+      for (int i = 0; i < columns; ++i)
+      {
+        const glm::dvec3 light = this->Scale * solidAngle * getRadiance(i, j);
+        const double strength = light.x + light.y + light.z;
+        if (strength > 0.0)
+        {
+          const int column = std::min(static_cast<int>((i + 0.5) / columns * Columns), Columns - 1);
+          Sum& sum = sums[static_cast<size_t>(row) * Columns + column];
+          sum.Light += light;
+          sum.Direction +=
+            strength * ToDirection(2.0 * pi * ((i + 0.5) / columns - 0.5), 0.5 * (below + above));
+        }
+      }
+    }
+  };
+  if (image)
+  {
+    Pixels pixels(image, !this->Image && this->Texture->GetUseSRGBColorSpace());
+    // Pixels that are wider than a cell are cut into pieces.
+    const int across = (Columns + pixels.Size[0] - 1) / pixels.Size[0];
+    const int upward = (Rows + pixels.Size[1] - 1) / pixels.Size[1];
+    add(across * pixels.Size[0], upward * pixels.Size[1],
+      [&](int i, int j) { return pixels.Get(i / across, j / upward); });
+    const vtkIdType invalid = pixels.NumberOfInvalid / (across * upward);
+    if (invalid > 0)
+    {
+      vtkWarningMacro(<< invalid << " value(s) of the environment's image are "
+                      << "negative or not finite, and count as zero.");
+    }
+  }
+  else
+  {
+    const glm::dvec3 radiance(this->Radiance[0], this->Radiance[1], this->Radiance[2]);
+    add(Columns, Rows, [&](int, int) { return radiance; });
+  }
+  const glm::dmat3 frame = MakeFrame(this->Up, this->Right);
+  for (const Sum& sum : sums)
+  {
+    if (sum.Light == glm::dvec3(0.0))
+    {
+      continue;
+    }
+    const glm::dvec3 d = frame * glm::normalize(sum.Direction);
+    this->Cells.push_back({ { d.x, d.y, d.z }, { sum.Light.x, sum.Light.y, sum.Light.z } });
+  }
+}

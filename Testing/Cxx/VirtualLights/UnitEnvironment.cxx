@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What an environment sends, in total and by direction, against integrals over the sphere.
+#include "VirtualLights/vtkIndirectDirections.h"
+#include "vtkEnvironmentLight.h"
+#include "vtkImageData.h"
+#include "vtkIndirectTestUtilities.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+glm::dvec3 SumLight(vtkEnvironmentLight* environment)
+{
+  glm::dvec3 sum(0.0);
+  for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+  {
+    sum += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
+  }
+  return sum;
+}
+
+void MakeImage(vtkImageData* image, int columns, int rows, float value)
+{
+  image->SetDimensions(columns, rows, 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  auto* p = static_cast<float*>(image->GetScalarPointer());
+  std::fill(p, p + 3 * columns * rows, value);
+}
+}
+
+VTK_INDIRECT_TEST(EnvironmentIsAllOfTheSphere)
+{
+  vtkNew<vtkEnvironmentLight> environment;
+  environment->SetRadiance(1.0, 2.0, 0.5);
+  environment->SetScale(3.0);
+  const glm::dvec3 sum = SumLight(environment);
+  const double pi = vtkMath::Pi();
+  CheckRelative("red over the sphere", sum.x, 4.0 * pi * 3.0, 1e-12, "rounding of a sum");
+  CheckRelative("green over the sphere", sum.y, 4.0 * pi * 6.0, 1e-12, "rounding of a sum");
+
+  vtkNew<vtkImageData> image;
+  MakeImage(image, 3, 2, 2.0f);
+  environment->SetImage(image);
+  CheckRelative("six pixels", SumLight(environment).x, 4.0 * pi * 6.0, 1e-12, "rounding of a sum");
+  for (const int count : { 16, 64, 256, 1024 })
+  {
+    const std::vector<glm::dvec3> lattice = vtkIndirectDirections::MakeLattice(count);
+    const std::vector<glm::dvec3> light = vtkIndirectDirections::Project(environment, lattice);
+    glm::dvec3 total(0.0);
+    double irradiance[3] = { 0.0, 0.0, 0.0 };
+    for (size_t i = 0; i < lattice.size(); ++i)
+    {
+      total += light[i];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        irradiance[axis] += light[i].x / 6.0 * std::max(lattice[i][axis], 0.0) / pi;
+      }
+    }
+    CheckRelative("light of " + std::to_string(count) + " directions", total.x, 4.0 * pi * 6.0,
+      1e-12, "all of it goes somewhere");
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // Found: 0.0018 for 64 and 0.0006 for 256.
+      CheckRelative("irradiance of an open plane", irradiance[axis], 1.0,
+        count == 16     ? 0.03
+          : count == 64 ? 0.005
+                        : 0.002,
+        "quadrature by so many directions");
+    }
+  }
+}
+
+VTK_INDIRECT_TEST(EnvironmentLiesAsASkyboxDoes)
+{
+  // One bright pixel of 64 x 32; column, row, and where it shines from.
+  struct Case
+  {
+    int Column;
+    int Row;
+    glm::dvec3 From;
+  };
+  const Case cases[] = { { 32, 16, { 0, 0, -1 } }, { 48, 16, { 1, 0, 0 } },
+    { 16, 16, { -1, 0, 0 } }, { 0, 16, { 0, 0, 1 } }, { 32, 31, { 0, 1, 0 } },
+    { 32, 0, { 0, -1, 0 } } };
+  for (const Case& c : cases)
+  {
+    vtkNew<vtkImageData> image;
+    MakeImage(image, 64, 32, 0.0f);
+    auto* pixel = static_cast<float*>(image->GetScalarPointer(c.Column, c.Row, 0));
+    pixel[0] = pixel[1] = pixel[2] = 1e6f;
+    vtkNew<vtkEnvironmentLight> environment;
+    environment->SetImage(image);
+    glm::dvec3 mean(0.0);
+    for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+    {
+      mean += cell.Light[0] * glm::dvec3(cell.Direction[0], cell.Direction[1], cell.Direction[2]);
+    }
+    const std::string name = std::to_string(c.Column) + ", " + std::to_string(c.Row);
+    // The middle of the pixel is half of it, 2.8 degrees, beside each axis.
+    CheckAtLeast("pixel " + name + " shines from where it is seen",
+      glm::dot(glm::normalize(mean), c.From), std::cos(glm::radians(4.0)), "half a pixel");
+    double radiance[3];
+    const double direction[3] = { mean.x, mean.y, mean.z };
+    environment->GetRadianceFrom(direction, radiance);
+    CheckRelative("radiance from there", radiance[0], 1e6, 1e-12, "the pixel itself");
+    // Turned: what was up is now along x, what was right along y.
+    environment->SetUp(2.0, 0.0, 0.0);
+    environment->SetRight(0.0, 3.0, 0.0);
+    const glm::dvec3 turned = c.From.x * glm::dvec3(0, 1, 0) + c.From.y * glm::dvec3(1, 0, 0) +
+      c.From.z * glm::cross(glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0));
+    glm::dvec3 after(0.0);
+    for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+    {
+      after += cell.Light[0] * glm::dvec3(cell.Direction[0], cell.Direction[1], cell.Direction[2]);
+    }
+    CheckAtLeast("and turns with Up and Right", glm::dot(glm::normalize(after), turned),
+      std::cos(glm::radians(4.0)), "half a pixel");
+  }
+}
+
+VTK_INDIRECT_TEST(EnvironmentSunLosesNothing)
+{
+  vtkNew<vtkImageData> image;
+  MakeImage(image, 2048, 1024, 0.25f);
+  auto* pixel = static_cast<float*>(image->GetScalarPointer(700, 800, 0));
+  pixel[0] = pixel[1] = pixel[2] = 5e4f;
+  vtkNew<vtkEnvironmentLight> environment;
+  environment->SetImage(image);
+  const double pi = vtkMath::Pi();
+  const double sun = 2.0 * pi / 2048.0 *
+    (std::sin(pi * (801.0 / 1024.0 - 0.5)) - std::sin(pi * (800.0 / 1024.0 - 0.5)));
+  CheckRelative("sky and sun", SumLight(environment).x, pi + (5e4 - 0.25) * sun, 1e-9,
+    "rounding of a sum of two million");
+}
+
+VTK_INDIRECT_TEST(EnvironmentRefusesWhatIsNoRadiance)
+{
+  vtkNew<vtkImageData> image;
+  MakeImage(image, 8, 4, 1.0f);
+  auto* p = static_cast<float*>(image->GetScalarPointer());
+  p[0] = std::nanf("");
+  p[4] = -1.0f;
+  p[8] = HUGE_VALF;
+  vtkNew<vtkEnvironmentLight> environment;
+  environment->SetImage(image);
+  const glm::dvec3 sum = SumLight(environment);
+  Check("what is left is finite", std::isfinite(sum.x + sum.y + sum.z) && sum.x > 0.0);
+  vtkNew<vtkEnvironmentLight> dark;
+  dark->SetRadiance(0.0, 0.0, 0.0);
+  Check("a dark sky has no cells", dark->GetCells().empty());
+}
