@@ -98,16 +98,20 @@ vtkIndirectAbilities vtkIndirectEstimatorPass::GetAbilities(double tolerance) co
   abilities.MaximumNumberOfBounces = this->GetMaximumNumberOfBounces();
   abilities.ComputesGlossy = this->ComputesGlossy();
   abilities.SpecularTransport = this->SpecularTransport;
+  abilities.Occupancy = this->Occupancy;
+  abilities.TakesLightMaps = this->TakesLightMaps();
   abilities.ErrorTolerance = this->FindErrorTolerance(tolerance);
   return abilities;
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectVisibilityNeeds vtkIndirectEstimatorPass::GetVisibilityNeeds(
-  const vtkIndirectPlan&) const
+  const vtkIndirectPlan& plan) const
 {
   vtkIndirectVisibilityNeeds needs;
-  needs.Senders = needs.Segments = this->Occupancy;
+  needs.Maps = plan.Visibility == vtkIndirectVisibilityMaps;
+  needs.Senders = needs.Maps || plan.Visibility == vtkIndirectVisibilityVoxels;
+  needs.Segments = needs.Senders && !needs.Maps;
   needs.Resolution = this->OccupancyResolution;
   return needs;
 }

@@ -70,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Whether what stands between senders and receivers is looked up in voxels of the scene. Without
-   * it light passes through everything on its second way. Default off, of radiance hints on.
+   * Whether what stands between senders and receivers is looked up in voxels of the scene, where
+   * vtkIndirectIlluminationPass::Visibility is automatic. Default off, of radiance hints on.
    */
   vtkSetMacro(Occupancy, bool);
   vtkGetMacro(Occupancy, bool);
@@ -95,7 +95,12 @@ public:
 
   /** What the plan has to know of it, where the pass asks for an error tolerance. */
   vtkIndirectAbilities GetAbilities(double tolerance) const;
-  /** What it needs of the visibility stage. Default: Occupancy hides senders from receivers. */
+  /** Whether it can ask whether a light of the table is seen, by its number. Default: no. */
+  virtual bool TakesLightMaps() const
+  {
+    return false;
+  }
+  /** What it needs of the visibility stage. Default: what the plan has chosen. */
   virtual vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const;
   /**
    * The sampler whose lights this estimator reads: the user's, one of its own, or null when it

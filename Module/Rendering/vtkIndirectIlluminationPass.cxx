@@ -10,6 +10,7 @@
 #include "Frame/vtkIndirectView.h"
 #include "OpenGL/vtkIndirectContextGuard.h"
 #include "Pipeline/vtkIndirectPipeline.h"
+#include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkIndirectEstimatorPass.h"
 #include "vtkLightsPass.h"
@@ -31,6 +32,7 @@
 
 vtkStandardNewMacro(vtkIndirectIlluminationPass);
 vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Estimator, vtkIndirectEstimatorPass);
+vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Environment, vtkEnvironmentLight);
 vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Sampler, vtkVirtualLightSampler);
 
 //------------------------------------------------------------------------------
@@ -80,6 +82,7 @@ vtkIndirectIlluminationPass::~vtkIndirectIlluminationPass()
 {
   this->SetEstimator(nullptr);
   this->SetSampler(nullptr);
+  this->SetEnvironment(nullptr);
   this->SetDelegatePass(nullptr);
 }
 
@@ -91,7 +94,10 @@ void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Estimator: " << this->Estimator << (this->Estimator ? "" : " (automatic)")
      << "\n";
   os << indent << "Sampler: " << this->Sampler << (this->Sampler ? "" : " (automatic)") << "\n";
+  os << indent << "Environment: " << this->Environment << "\n";
   os << indent << "DelegatePass: " << this->DelegatePass << "\n";
+  static const char* const visibilities[] = { "Auto", "None", "Voxels", "Maps" };
+  os << indent << "Visibility: " << visibilities[this->Settings.Visibility] << "\n";
   os << indent << "Shadows: " << flag(this->Settings.Shadows) << "\n";
   os << indent << "ReflectiveShadowMapResolution: " << this->GetReflectiveShadowMapResolution()
      << "\n";
@@ -240,6 +246,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   request.HoldEstimator = request.Estimator != in.Borrowed;
   request.Sampler = this->GetActiveSampler();
   request.Delegate = this->DelegatePass ? this->DelegatePass : in.DefaultDelegate.Get();
+  request.Environment = this->Environment;
   in.Pipeline.Prepare(s, request);
   std::string why = in.Pipeline.GetPlan().WhyDelegate;
   in.Delegate.Begin();
@@ -349,8 +356,8 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
   }
   if (!known)
   {
-    vtkErrorMacro("'" << name << "' is no buffer; known are " << this->GetChannelNames()
-                      << ", lights.");
+    vtkErrorMacro(
+      "'" << name << "' is no buffer; known are " << this->GetChannelNames() << ", lights.");
     return false;
   }
   const std::string why = this->Internal->Pipeline.CopyChannel(name, image);

@@ -35,6 +35,7 @@
 #include <memory> // for the internals
 #include <string> // for names and reports
 
+class vtkEnvironmentLight;
 class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkIndirectEstimatorPass;
@@ -71,6 +72,16 @@ public:
 
   ///@{
   /**
+   * Light from all around. Default null: none. Its direct part is summed over directions that are
+   * fixed in the world, hidden by depth maps of the scene, and stands in the buffer `sky`; a frame
+   * with an environment needs no vtkLight.
+   */
+  virtual void SetEnvironment(vtkEnvironmentLight* environment);
+  vtkGetObjectMacro(Environment, vtkEnvironmentLight);
+  ///@}
+
+  ///@{
+  /**
    * The opaque part of the picture. Default null: VTK's lights pass, then its opaque pass. It must
    * draw the props into the framebuffer that it is given: of a pass that draws them into one of its
    * own, such as vtkSSAOPass or vtkShadowMapPass, no surfaces can be had, and after one error only
@@ -93,6 +104,30 @@ public:
    * without shadows would not match the indirect light.
    */
   vtkIndirectFlagMacro(Shadows);
+  ///@}
+
+  enum VisibilityType
+  {
+    AUTO = vtkIndirectVisibilityAutomatic,
+    NONE = vtkIndirectVisibilityNone,
+    VOXELS = vtkIndirectVisibilityVoxels,
+    MAPS = vtkIndirectVisibilityMaps
+  };
+
+  ///@{
+  /**
+   * What tells whether a sender of indirect light is seen from a receiver. NONE: light passes
+   * through whatever stands between them, and is too bright. VOXELS: the scene's voxels
+   * (vtkIndirectEstimatorPass::OccupancyResolution), for all estimators. MAPS: a depth map of each
+   * virtual light, drawn by VTK's mappers and kept while the camera moves, for estimators that sum
+   * virtual lights; others take voxels. AUTO (default): voxels where the estimator's Occupancy
+   * is on, else none.
+   */
+  vtkIndirectClampMacro(Visibility, int, AUTO, MAPS);
+  void SetVisibilityToAuto() { this->SetVisibility(AUTO); }
+  void SetVisibilityToNone() { this->SetVisibility(NONE); }
+  void SetVisibilityToVoxels() { this->SetVisibility(VOXELS); }
+  void SetVisibilityToMaps() { this->SetVisibility(MAPS); }
   ///@}
 
   ///@{
@@ -181,7 +216,8 @@ public:
   /**
    * Copies a channel of the last frame, floats, bottom row first, vectors in world coordinates,
    * lengths in world units, background 0: `final`, `direct`, `indirect` (albedo E + glossy),
-   * `irradiance` (E in VTK's units), `glossy`, `albedo`, `normal`, `depth` (along the view axis),
+   * `irradiance` (E in VTK's units: all that the pass adds to VTK's own direct light) and its parts
+   * `sky` and `bounce`, `glossy`, `albedo`, `normal`, `depth` (along the view axis),
    * `specular` (reflectance, power of the lobe);
    * `rsm<i>.depth`, `rsm<i>.normal`, `rsm<i>.density` (the faces of a map in a row); `lights` (four
    * components, one row a virtual light: position, area; normal, lobe exponent; B A, source).
@@ -232,6 +268,7 @@ protected:
 
   vtkIndirectEstimatorPass* Estimator = nullptr;
   vtkVirtualLightSampler* Sampler = nullptr;
+  vtkEnvironmentLight* Environment = nullptr;
   vtkRenderPass* DelegatePass = nullptr;
   vtkReflectiveShadowMapPass* ReflectiveShadowMaps; // of the pipeline
   vtkIndirectSettings Settings;

@@ -50,10 +50,20 @@
     this->Set##name(false);                                                                        \
   }
 
+/** What hides senders from receivers; of vtkIndirectIlluminationPass. */
+enum vtkIndirectVisibilityType
+{
+  vtkIndirectVisibilityAutomatic = 0,
+  vtkIndirectVisibilityNone,
+  vtkIndirectVisibilityVoxels,
+  vtkIndirectVisibilityMaps
+};
+
 /** What the user has set on vtkIndirectIlluminationPass, by the names of its properties. */
 struct vtkIndirectSettings
 {
   bool Shadows = true;
+  int Visibility = vtkIndirectVisibilityAutomatic;
   int NumberOfBounces = 1;
   double IndirectScale = 1.0;
   double ErrorTolerance = 0.0;

@@ -247,7 +247,7 @@ vtkIndirectEstimate vtkMultiresolutionSplattingPass::Estimate(const Input& input
   vtkIndirectFullScreenState fullScreenState(window);
 
   in.NumberOfLights = input.Lights->GetNumberOfLights();
-  const bool batches = input.Visibility.HidesSenders() &&
+  const bool batches = input.Visibility.WalksSegments() &&
     in.NumberOfLights > vtkIndirectVisibility::MaximumNumberOfSegments;
   bool done = false;
   if (batches)
@@ -385,7 +385,7 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
     }
     else if (input.Visibility.HidesSenders())
     {
-      in.WhyGlossyIsGathered = "Occupancy is on, and lists do not look what stands between";
+      in.WhyGlossyIsGathered = "lists do not look what stands between";
     }
     else if (input.Lights->HasDirections())
     {

@@ -129,6 +129,10 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
+  bool TakesLightMaps() const override
+  {
+    return true;
+  }
   vtkIndirectEstimate Estimate(const Input& input) override;
   size_t GetBytes() const override;
   double FindErrorTolerance(double asked) const override;

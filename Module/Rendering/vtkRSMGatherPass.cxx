@@ -164,11 +164,11 @@ bool vtkRSMGatherPass::Sum(const Input& input)
     ? "NeighborhoodRadius is " + vtkIndirectReport::Number(this->Settings.NeighborhoodRadius) +
       "; the result is too dark"
     : "";
-  const bool hides = input.Visibility.HidesSenders();
+  const bool walks = input.Visibility.WalksSegments();
   const int rows = neighborhood ? 1 : input.Lights->GetNumberOfRows();
   const int rowsOfSegments = MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength;
-  const int rowsPerDraw = hides ? rowsOfSegments : RowsPerDraw;
-  if (hides && neighborhood &&
+  const int rowsPerDraw = walks ? rowsOfSegments : RowsPerDraw;
+  if (walks && neighborhood &&
     this->Settings.NumberOfSamples * input.Maps.GetNumberOfLayers() > MaximumNumberOfSegments)
   {
     vtkErrorMacro("Mode NEIGHBORHOOD with Occupancy takes at most "
@@ -177,7 +177,7 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   }
   // Pixels that interpolation leaves are summed in one go, so more rows are taken everywhere.
   const bool interpolate = this->Settings.Interpolation && this->Settings.Mode != ALL_TEXELS &&
-    !(hides && rows > rowsOfSegments);
+    !(walks && rows > rowsOfSegments);
   const int step = interpolate ? this->Settings.InterpolationStep : 1;
   const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
     (frame.Size[1] + 2 * step - 2) / step };

@@ -89,6 +89,10 @@ public:
 #ifndef __VTK_WRAP__
   vtkVirtualLightSampler* ChooseSampler(
     vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
+  bool TakesLightMaps() const override
+  {
+    return this->Settings.Mode == VIRTUAL_LIGHTS;
+  }
   vtkIndirectEstimate Estimate(const Input& input) override;
   size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;

@@ -215,10 +215,10 @@ vtkIndirectVisibilityNeeds vtkRadianceHintsPass::GetVisibilityNeeds(
 {
   const vtkIndirectHintDetails& details = this->Internal->Details;
   vtkIndirectVisibilityNeeds needs;
-  needs.Senders = this->Occupancy;
+  needs.Senders = plan.Visibility == vtkIndirectVisibilityVoxels;
   needs.Volume = details.SkipEmptyCells || plan.NumberOfBounces > 1;
   needs.Triangles =
-    this->Occupancy || (plan.NumberOfBounces > 1 && (!details.FromHints || details.AlbedoVolume));
+    needs.Senders || (plan.NumberOfBounces > 1 && (!details.FromHints || details.AlbedoVolume));
   needs.Resolution = this->OccupancyResolution;
   return needs;
 }
@@ -272,7 +272,7 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   regions.HasFine = this->Settings.NumberOfGrids > 1;
   regions.FineExtent = this->Settings.FineGridExtent;
   settings.Regions = regions.Find(frame);
-  settings.Masks = this->Occupancy;
+  settings.Masks = needs.Senders;
   settings.SkipEmpty = in.Details.SkipEmptyCells;
   settings.Reach = in.Details.NumberOfLookups > 1 ? 1.5 * std::sqrt(3.0) : 1.0;
   settings.NumberOfRays = needs.Triangles ? in.Details.NumberOfRays : 0;

@@ -30,6 +30,7 @@ ROOMS = [
 PUBLIC = {
     "vtkIndirectSettings": "Frame",
     "vtkReflectiveShadowMapPass": "LightMaps",
+    "vtkEnvironmentLight": "VirtualLights",
     "vtkVirtualLightSampler": "VirtualLights",
     "vtkMapLightSampler": "VirtualLights",
     "vtkUniformLightSampler": "VirtualLights",

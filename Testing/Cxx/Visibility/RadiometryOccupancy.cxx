@@ -437,5 +437,6 @@ VTK_INDIRECT_TEST(OccupancyNothing)
   }
   scene.Measure(scene.Gather, false);
   Check("the report says what is left out",
-    scene.Pass->GetReport().find("Occupancy is off or nothing has polygons") != std::string::npos);
+    scene.Pass->GetReport().find("Visibility is none or nothing has polygons") !=
+      std::string::npos);
 }

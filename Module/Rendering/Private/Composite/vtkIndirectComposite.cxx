@@ -41,8 +41,12 @@ const Shown FrameChannels[] = {
   { "direct", "VTK's own shading, shadowed", "VTK radiance", VTKI_CHANNEL_DIRECT, 3, 1.0f, 0.0f },
   { "indirect", "albedo E + glossy, what the pass adds", "VTK radiance", VTKI_CHANNEL_INDIRECT, 3,
     1.0f, 0.0f },
-  { "irradiance", "E, indirect irradiance", "VTK irradiance, physical over pi",
-    VTKI_CHANNEL_IRRADIANCE, 3, 1.0f, 0.0f },
+  { "irradiance", "E, all irradiance that the pass adds: sky and bounce",
+    "VTK irradiance, physical over pi", VTKI_CHANNEL_IRRADIANCE, 3, 1.0f, 0.0f },
+  { "sky", "its part that comes directly from the environment", "VTK irradiance", VTKI_CHANNEL_SKY,
+    3, 1.0f, 0.0f },
+  { "bounce", "its part that surfaces reflect", "VTK irradiance", VTKI_CHANNEL_BOUNCE, 3, 1.0f,
+    0.0f },
   { "glossy", "what receivers reflect specularly", "VTK radiance", VTKI_CHANNEL_GLOSSY, 3, 1.0f,
     0.0f },
   { "albedo", "diffuse reflectance, of PBR times 1 - metallic", "1", VTKI_CHANNEL_ALBEDO, 3, 1.0f,
@@ -83,15 +87,15 @@ struct vtkIndirectComposite::Internals
   static vtkShaderProgram* Use(
     vtkIndirectFullScreenProgram& kernel, const Input& input, const std::string& definitions)
   {
-    const bool coarse = input.Estimate && input.Estimate->Coarse;
-    kernel.SetGather(
-      coarse ? "vtkIndirectIrradianceCoarse.glsl" : "vtkIndirectIrradianceTexture.glsl");
+    kernel.SetGather(!input.Estimate ? "vtkIndirectIrradianceNone.glsl"
+        : input.Estimate->Coarse     ? "vtkIndirectIrradianceCoarse.glsl"
+                                     : "vtkIndirectIrradianceTexture.glsl");
     kernel.SetDefinitions(input.Geometry.GetAlbedoDefinitions() +
-      std::string(HasGlossy(input) ? "#define VTKI_GLOSSY\n" : "") + definitions);
+      std::string(HasGlossy(input) ? "#define VTKI_GLOSSY\n" : "") +
+      (input.Sky ? "#define VTKI_SKY\n" : "") + definitions);
     return kernel.Use(input.Frame.Window);
   }
 
-  // Without an estimate the sampler reads the surface and the result is multiplied by zero.
   static void ActivateFrame(vtkShaderProgram* program, const Input& input)
   {
     const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
@@ -101,11 +105,6 @@ struct vtkIndirectComposite::Internals
     if (estimate)
     {
       estimate->Irradiance->Activate(0, program, "vtkiIrradiance");
-    }
-    else
-    {
-      program->SetUniformi("vtkiIrradiance",
-        geometry.GetTexture(vtkIndirectGeometryBuffer::Surface)->GetTextureUnit());
     }
     if (estimate && estimate->Coarse)
     {
@@ -119,10 +118,14 @@ struct vtkIndirectComposite::Internals
       geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
       estimate->Glossy->Activate(0, program);
     }
+    if (input.Sky)
+    {
+      input.Sky->Activate(0, program);
+    }
     vtkIndirectSetEyeUniforms(program, input.Frame);
     program->SetUniform2i("vtkiSize", input.Frame.Size);
     program->SetUniformf(
-      "vtkiIndirectScale", estimate ? static_cast<float>(input.IndirectScale) : 0.0f);
+      "vtkiIndirectScale", estimate || input.Sky ? static_cast<float>(input.IndirectScale) : 0.0f);
     program->SetUniformf(
       "vtkiIrradianceUnit", estimate ? static_cast<float>(estimate->Unit) : 0.0f);
   }
@@ -130,6 +133,10 @@ struct vtkIndirectComposite::Internals
   static void DeactivateFrame(const Input& input)
   {
     input.Geometry.GetTarget().Deactivate();
+    if (input.Sky)
+    {
+      input.Sky->Deactivate();
+    }
     if (!input.Estimate)
     {
       return;

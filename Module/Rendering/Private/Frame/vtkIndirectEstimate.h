@@ -17,6 +17,7 @@ struct vtkIndirectVisibilityNeeds
 {
   bool Senders = false;   // what stands between receivers and senders hides them
   bool Segments = false;  // shaders ask for it, segment by segment
+  bool Maps = false;      // of the senders, in place of voxels
   bool Volume = false;    // the voxels for something else, too
   bool Triangles = false; // kept by voxel, for rays that find which surface they meet
   int Resolution = 128;   // voxels along the longest edge of the scene, 16 to 128

@@ -17,7 +17,8 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.ErrorTolerance = settings.ErrorTolerance;
   plan.IndirectScale = settings.IndirectScale;
   plan.NumberOfBounces = std::min(settings.NumberOfBounces, estimator.MaximumNumberOfBounces);
-  const int emitters = static_cast<int>(frame.Lights.size()) + circumstances.NumberOfOtherEmitters;
+  const int emitters = static_cast<int>(frame.Lights.size()) + circumstances.NumberOfOtherEmitters +
+    (circumstances.Environment ? 1 : 0);
   plan.WhyDelegate = settings.IndirectScale == 0.0 && !settings.Shadows
     ? "IndirectScale is 0 and Shadows are off"
     : frame.Size[0] < 1 || frame.Size[1] < 1 ? "the viewport is empty"
@@ -31,6 +32,8 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   }
 
   plan.FindSenders(frame);
+  plan.FindVisibility(settings, estimator);
+  plan.FindSky(settings, circumstances);
   plan.FindUnit(frame);
   plan.Shadows = settings.Shadows && plan.Senders == MAPS;
   const bool sent = plan.Senders != NO_SENDERS || circumstances.NumberOfOtherEmitters > 0;
@@ -70,6 +73,43 @@ void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame)
     this->MapLights.push_back(static_cast<int>(i));
   }
   this->Senders = this->MapLights.empty() ? NO_SENDERS : MAPS;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPlan::FindVisibility(
+  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator)
+{
+  this->Visibility = settings.Visibility;
+  if (settings.Visibility == vtkIndirectVisibilityAutomatic)
+  {
+    this->Visibility =
+      estimator.Occupancy ? vtkIndirectVisibilityVoxels : vtkIndirectVisibilityNone;
+  }
+  else if (settings.Visibility == vtkIndirectVisibilityMaps && !estimator.TakesLightMaps)
+  {
+    this->Visibility = vtkIndirectVisibilityVoxels;
+    this->EstimateLeftOut.emplace_back("maps of virtual lights",
+      estimator.Name + " does not sum single lights; visibility is looked up in voxels");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPlan::FindSky(
+  const vtkIndirectSettings& settings, const vtkIndirectCircumstances& circumstances)
+{
+  this->Sky = circumstances.Environment && settings.IndirectScale > 0.0;
+  this->SkyIsShadowed = settings.Visibility != vtkIndirectVisibilityNone;
+  if (!this->Sky)
+  {
+    return;
+  }
+  this->LeftOut.emplace_back(
+    "bounces of light from the sky", "surfaces do not reflect it further; the result is too dark");
+  if (!this->SkyIsShadowed)
+  {
+    this->LeftOut.emplace_back(
+      "what hides the sky", "Visibility is none; the result is too bright");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -141,7 +181,8 @@ std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) cons
 {
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
     static_cast<double>(frame.Size[1]), static_cast<double>(this->Senders),
-    static_cast<double>(this->NumberOfBounces), this->ErrorTolerance };
+    static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
+    this->ErrorTolerance, this->Sky ? 1.0 : 0.0 };
   frame.AppendTo(key);
   return key;
 }

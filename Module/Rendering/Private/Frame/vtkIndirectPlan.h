@@ -20,6 +20,8 @@ struct vtkIndirectAbilities
   int MaximumNumberOfBounces = 1;
   bool ComputesGlossy = false;
   bool SpecularTransport = true;
+  bool Occupancy = false;      // asks for voxels where the user has chosen nothing
+  bool TakesLightMaps = false; // can look visibility up in a map of each virtual light
   /** The tolerance that its parameters follow when so much is asked for; 0: none does. */
   double ErrorTolerance = 0.0;
 };
@@ -30,6 +32,7 @@ struct vtkIndirectCircumstances
   bool OwnDelegate = false;      // what the user's own delegate draws is not known
   std::string DelegateIsRefused; // why no surfaces can be had of it; empty: they can
   int NumberOfOtherEmitters = 0; // sources of light that are no vtkLight
+  bool Environment = false;      // light comes from all around
 };
 
 struct vtkIndirectPlan
@@ -54,6 +57,14 @@ struct vtkIndirectPlan
   /** Whether there is irradiance to estimate; else WhyNoIrradiance. */
   bool Irradiance = false;
   std::string WhyNoIrradiance;
+  int Visibility = vtkIndirectVisibilityNone; // of senders from receivers; never automatic
+  ///@{
+  /** Light that comes directly from the environment; in how many directions, maps of what size. */
+  bool Sky = false;
+  bool SkyIsShadowed = true;
+  int NumberOfSkyDirections = 256;
+  int SkyTileTexels = 128;
+  ///@}
   int NumberOfBounces = 1;     // those that the estimator computes
   double ErrorTolerance = 0.0; // as asked for
   bool Caching = true;
@@ -90,6 +101,8 @@ struct vtkIndirectPlan
 
 private:
   void FindSenders(const vtkIndirectFrame& frame);
+  void FindVisibility(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
+  void FindSky(const vtkIndirectSettings& settings, const vtkIndirectCircumstances& circumstances);
   void FindUnit(const vtkIndirectFrame& frame);
   void LeaveOut(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
 };

@@ -42,9 +42,10 @@ JSON GetTimes(const vtkIndirectStageTimer& timer, int stage)
 
 // Everything beyond the delegate, the geometry buffer and the lights' maps.
 constexpr unsigned int IndirectStages = 1u << vtkIndirectStageTimer::Lights |
-  1u << vtkIndirectStageTimer::Visibility | 1u << vtkIndirectStageTimer::Inject |
-  1u << vtkIndirectStageTimer::Bounces | 1u << vtkIndirectStageTimer::Estimate |
-  1u << vtkIndirectStageTimer::Upsample | 1u << vtkIndirectStageTimer::Composite;
+  1u << vtkIndirectStageTimer::Visibility | 1u << vtkIndirectStageTimer::Sky |
+  1u << vtkIndirectStageTimer::Inject | 1u << vtkIndirectStageTimer::Bounces |
+  1u << vtkIndirectStageTimer::Estimate | 1u << vtkIndirectStageTimer::Upsample |
+  1u << vtkIndirectStageTimer::Composite;
 }
 
 //------------------------------------------------------------------------------

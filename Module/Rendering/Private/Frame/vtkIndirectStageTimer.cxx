@@ -56,7 +56,7 @@ vtkIndirectStageTimer::~vtkIndirectStageTimer()
 const char* vtkIndirectStageTimer::GetName(int stage)
 {
   static const char* const names[NumberOfStages] = { "delegate", "rsm", "geometry", "lights",
-    "visibility", "inject", "bounces", "estimate", "upsample", "composite", "frame" };
+    "visibility", "sky", "inject", "bounces", "estimate", "upsample", "composite", "frame" };
   return names[stage];
 }
 

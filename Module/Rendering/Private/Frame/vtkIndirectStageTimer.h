@@ -27,6 +27,7 @@ public:
     Geometry,
     Lights,
     Visibility,
+    Sky,
     Inject,
     Bounces,
     Estimate,

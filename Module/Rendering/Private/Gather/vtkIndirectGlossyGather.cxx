@@ -28,7 +28,7 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimateInput& input, vtkIndi
   vtkIndirectFullScreenProgram& kernel = input.Lights ? this->Lights : this->Neighbors;
   kernel.SetDefinitions(std::string(visibility.GetDefinitions()) +
     (input.Lights ? input.Lights->GetDefinitions() : ""));
-  const int rowsPerDraw = visibility.HidesSenders()
+  const int rowsPerDraw = visibility.WalksSegments()
     ? vtkIndirectVisibility::MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength
     : RowsPerDraw;
   const int rows = input.Lights ? input.Lights->GetNumberOfRows() : 1;

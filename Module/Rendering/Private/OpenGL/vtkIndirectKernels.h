@@ -59,6 +59,7 @@ namespace
 #include "vtkIndirectLibHarmonics.glsl"
 #include "vtkIndirectLibOccupancy.glsl"
 #include "vtkIndirectLibDistanceField.glsl"
+#include "vtkIndirectLibDepthTile.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

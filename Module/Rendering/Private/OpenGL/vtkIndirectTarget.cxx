@@ -172,7 +172,7 @@ bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int hei
   {
     this->Framebuffer->AddDepthAttachment(this->Depth ? this->Depth.Get() : shared);
   }
-  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->Textures.size()));
+  this->ActivateChannels();
   const char* reason = "";
   const bool complete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
     vtkOpenGLFramebufferObject::GetDrawMode(), reason);
@@ -229,13 +229,25 @@ double vtkIndirectTarget::GetDepthStep() const
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectTarget::ActivateChannels()
+{
+  if (!this->Textures.empty())
+  {
+    this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->Textures.size()));
+    return;
+  }
+  unsigned int none = GL_NONE;
+  this->Window->GetState()->vtkglDrawBuffers(1, &none);
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectTarget::Begin()
 {
   vtkOpenGLState* state = this->Window->GetState();
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
-  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->Textures.size()));
-  if (!this->SharedDepth)
+  this->ActivateChannels();
+  if (!this->SharedDepth && !this->Textures.empty())
   {
     // Insists on attachments of one size.
     this->Framebuffer->StartNonOrtho(this->Width, this->Height);

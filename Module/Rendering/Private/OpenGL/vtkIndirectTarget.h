@@ -21,7 +21,7 @@ class vtkIndirectTarget
 {
 public:
   /** channels: table ended by InternalFormat 0; depth: whether a depth texture comes too, of 32-bit
-   * floats or 16 bits. */
+   * floats or 16 bits, or alone where the table is empty. */
   vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth, int depthBits = 32);
   ~vtkIndirectTarget();
 
@@ -93,6 +93,8 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  void ActivateChannels();
+
   const vtkIndirectChannel* Channels;
   bool WithDepth;
   int DepthBits;

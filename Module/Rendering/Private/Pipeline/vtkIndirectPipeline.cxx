@@ -8,6 +8,7 @@
 #include "Frame/vtkIndirectReport.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
+#include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkMapLightSampler.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -18,13 +19,14 @@
 void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& request)
 {
   this->Renderer = s->GetRenderer();
-  this->BuffersAreThere = this->IrradianceIsThere = false;
+  this->BuffersAreThere = this->IrradianceIsThere = this->SkyIsThere = false;
   this->Estimator = request.Estimator;
   this->HeldEstimator = request.HoldEstimator ? request.Estimator : nullptr;
   this->Frame = vtkIndirectFrame();
   this->Frame.Build(s);
   vtkIndirectCircumstances circumstances = request.Circumstances;
   circumstances.NumberOfOtherEmitters = static_cast<int>(this->OtherSamplers.size());
+  circumstances.Environment = request.Environment && !request.Environment->GetCells().empty();
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
     request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
 }
@@ -72,6 +74,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
   this->TargetIsClear = clear;
   this->ChooseSamplers(request.Sampler);
   this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
+  this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
   this->Composite.Composite(this->MakeCompositeInput());
   this->Timer.End(vtkIndirectStageTimer::Composite);
@@ -142,7 +145,9 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   {
     this->Timer.Begin(vtkIndirectStageTimer::Visibility);
   }
-  this->Visibility.Update(this->Frame, needs, caching);
+  const bool visible = this->Visibility.Update(
+    { this->Frame, this->Samplers.empty() ? nullptr : &this->Lights, this->Capture, caching },
+    needs);
   if (timed)
   {
     this->Timer.End(vtkIndirectStageTimer::Visibility);
@@ -151,7 +156,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
     this->Samplers.empty() ? nullptr : &this->Lights, this->Visibility, still, this->Timer };
   this->Estimator->HoldContext(this->Frame.Window);
-  this->Estimate = sampled ? this->Estimator->Estimate(input) : vtkIndirectEstimate();
+  this->Estimate = sampled && visible ? this->Estimator->Estimate(input) : vtkIndirectEstimate();
   if (this->Estimate.State == vtkIndirectEstimate::FAILED)
   {
     this->FailedKey = key;
@@ -160,6 +165,31 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   this->EstimateKey = key;
   ++this->NumberOfEstimates;
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPipeline::UpdateSky(const Request& request)
+{
+  const vtkIndirectSkyGather::Input input = { this->Frame, this->Plan, this->Geometry,
+    this->Capture, request.Environment };
+  this->Timer.Begin(vtkIndirectStageTimer::Visibility);
+  const bool visible = this->Sky.UpdateMaps(input);
+  this->Timer.End(vtkIndirectStageTimer::Visibility);
+  std::vector<double> key = this->Plan.MakeKey(this->Frame);
+  key.push_back(static_cast<double>(this->Sky.GetContentTime()));
+  if (request.Settings.Caching && key == this->SkyKey)
+  {
+    return true;
+  }
+  this->SkyKey.clear();
+  this->Timer.Begin(vtkIndirectStageTimer::Sky);
+  const bool summed = visible && this->Sky.Sum(input);
+  this->Timer.End(vtkIndirectStageTimer::Sky);
+  if (summed)
+  {
+    this->SkyKey = key;
+  }
+  return summed;
 }
 
 //------------------------------------------------------------------------------
@@ -174,7 +204,8 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
 {
   const bool maps = this->Plan.Senders == vtkIndirectPlan::MAPS;
   return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr, this->GetEstimate(),
-    this->Plan.IndirectScale, this->TargetIsClear };
+    this->SkyIsThere ? &this->Sky.GetIrradiance() : nullptr, this->Plan.IndirectScale,
+    this->TargetIsClear };
 }
 
 //------------------------------------------------------------------------------
@@ -200,8 +231,9 @@ bool vtkIndirectPipeline::ShowChannel(const std::string& name)
 //------------------------------------------------------------------------------
 void vtkIndirectPipeline::Forget(const std::string& why)
 {
-  this->BuffersAreThere = this->IrradianceIsThere = false;
+  this->BuffersAreThere = this->IrradianceIsThere = this->SkyIsThere = false;
   this->EstimateKey.clear();
+  this->SkyKey.clear();
   this->WhyNoBuffers = why;
 }
 
@@ -289,6 +321,10 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   {
     report.LeftOut.emplace_back("indirect light", "its estimator had an error");
   }
+  if (this->SkyIsThere)
+  {
+    this->Sky.AddToReport(report);
+  }
   if (this->IsInWindow())
   {
     this->Frame.Window->MakeCurrent();
@@ -315,6 +351,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Samplers.clear();
   this->Lights.Release(window);
   this->Visibility.Release(window);
+  this->Sky.Release(window);
   this->DefaultEstimator->ReleaseGraphicsResources(window);
   if (this->Estimator)
   {

@@ -13,6 +13,7 @@
 #include "Frame/vtkIndirectPlan.h"                     // for members
 #include "Frame/vtkIndirectReport.h"                   // for members
 #include "Frame/vtkIndirectStageTimer.h"               // for members
+#include "Gather/vtkIndirectSkyGather.h"               // for members
 #include "VirtualLights/vtkIndirectHeadlightSampler.h" // for members
 #include "VirtualLights/vtkIndirectVirtualLights.h"    // for members
 #include "Visibility/vtkIndirectVisibility.h"          // for members
@@ -27,6 +28,7 @@
 #include <string> // for names
 #include <vector> // for samplers
 
+class vtkEnvironmentLight;
 class vtkImageData;
 class vtkRenderPass;
 
@@ -42,6 +44,7 @@ public:
     bool HoldEstimator = true; // else it may go at any time
     vtkVirtualLightSampler* Sampler = nullptr;
     vtkRenderPass* Delegate = nullptr;
+    vtkEnvironmentLight* Environment = nullptr;
   };
 
   /** Reads the scene and plans the frame; nothing of the last one can be read from here on. */
@@ -90,6 +93,7 @@ private:
   void ChooseSamplers(vtkVirtualLightSampler* users);
   std::vector<double> MakeKey(vtkVirtualLightSampler* users) const;
   bool UpdateIrradiance(const Request& request);
+  bool UpdateSky(const Request& request);
   const vtkIndirectEstimate* GetEstimate() const;
   vtkIndirectComposite::Input MakeCompositeInput() const;
   bool RenderChannel(const std::string& name);
@@ -99,6 +103,7 @@ private:
   vtkNew<vtkIndirectHeadlightSampler> HeadlightSampler;
   vtkIndirectVirtualLights Lights;
   vtkIndirectVisibility Visibility;
+  vtkIndirectSkyGather Sky;
   vtkIndirectComposite Composite;
 
   // The last frame.
@@ -107,6 +112,7 @@ private:
   vtkWeakPointer<vtkRenderer> Renderer; // guards Frame's pointers
   bool BuffersAreThere = false;
   bool IrradianceIsThere = false;
+  bool SkyIsThere = false;
   long long NumberOfEstimates = 0;
   std::string WhyNoBuffers = "no frame has been rendered yet";
   vtkIndirectEstimate Estimate;
@@ -119,6 +125,7 @@ private:
 
   // What the irradiance was computed from; empty when there is none.
   std::vector<double> EstimateKey;
+  std::vector<double> SkyKey;
   // What the estimator could not work with, and has said so: not asked again before it changes.
   std::vector<double> FailedKey;
 };

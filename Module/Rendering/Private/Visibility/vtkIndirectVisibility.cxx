@@ -2,9 +2,18 @@
 #include "Visibility/vtkIndirectVisibility.h"
 
 #include "Frame/vtkIndirectReport.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "vtkOpenGLRenderWindow.h"
+
+#include <algorithm>
+
+namespace
+{
+// Along an edge of a virtual light's tile.
+constexpr int TexelsOfLights = 64;
+}
 
 //------------------------------------------------------------------------------
 vtkIndirectVisibility::vtkIndirectVisibility()
@@ -15,51 +24,96 @@ vtkIndirectVisibility::vtkIndirectVisibility()
 vtkIndirectVisibility::~vtkIndirectVisibility() = default;
 
 //------------------------------------------------------------------------------
-void vtkIndirectVisibility::Update(const vtkIndirectFrame& frame, const Needs& needs, bool caching)
+bool vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
 {
-  const bool used = needs.Senders || needs.Volume;
-  const bool wasUsed = this->Current.Senders || this->Current.Volume;
+  const vtkIndirectFrame& frame = input.Frame;
+  const bool hadVolume = (this->Current.Senders && !this->Current.Maps) || this->Current.Volume;
+  const bool lookedUp = this->LooksUpMaps();
   this->Current = needs;
-  if (!used)
+  const bool volume = (needs.Senders && !needs.Maps) || needs.Volume;
+  if (lookedUp && !this->LooksUpMaps())
   {
-    if (wasUsed)
+    this->Maps.Release(frame.Window);
+    this->EmittersTime = 0;
+  }
+  if (!volume && hadVolume)
+  {
+    this->Volume->Release(frame.Window);
+    this->Volume = std::make_unique<vtkIndirectOccupancyVolume>();
+  }
+  if (volume)
+  {
+    if (!input.Caching)
     {
-      this->Volume->Release(frame.Window);
-      this->Volume = std::make_unique<vtkIndirectOccupancyVolume>();
+      this->Volume->Forget();
     }
-    return;
+    if (needs.Triangles)
+    {
+      this->Volume->KeepTriangles();
+    }
+    this->NumberOfUpdates += this->Volume->Update(frame, needs.Resolution) ? 1 : 0;
+    if (needs.Segments && this->WalksSegments())
+    {
+      this->Volume->GetDistanceField();
+    }
   }
-  if (!caching)
-  {
-    this->Volume->Forget();
-  }
-  if (needs.Triangles)
-  {
-    this->Volume->KeepTriangles();
-  }
-  this->NumberOfUpdates += this->Volume->Update(frame, needs.Resolution) ? 1 : 0;
-  if (needs.Segments && this->HidesSenders())
-  {
-    this->Volume->GetDistanceField();
-  }
+  return !this->LooksUpMaps() || this->UpdateMaps(input);
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectVisibility::HidesSenders() const
+bool vtkIndirectVisibility::UpdateMaps(const Input& input)
 {
-  return this->Current.Senders && !this->Volume->IsEmpty();
+  const vtkIndirectVirtualLights* lights = input.Lights;
+  const size_t count = lights ? static_cast<size_t>(lights->GetNumberOfLights()) : 0;
+  if (count == 0)
+  {
+    this->Current.Maps = false;
+    return true;
+  }
+  if (this->EmittersTime != lights->GetContentTime() || this->Emitters.size() != count)
+  {
+    const vtkIndirectTarget& table = lights->GetTable();
+    const auto position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
+    const auto normal = table.ReadBack(vtkVirtualLightSampler::NormalExponent);
+    const auto density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
+    this->Emitters.resize(count);
+    for (size_t i = 0; i < count; ++i)
+    {
+      const float* p = &position[4 * i];
+      const float* n = &normal[4 * i];
+      const float* d = &density[4 * i];
+      vtkIndirectDepthAtlas::Emitter& emitter = this->Emitters[i];
+      emitter.Sends = p[3] > 0.0f && std::max({ d[0], d[1], d[2] }) > 0.0f;
+      emitter.Tile = vtkIndirectDepthTile::FromPlace({ p[0], p[1], p[2] }, { n[0], n[1], n[2] });
+    }
+    this->EmittersTime = lights->GetContentTime();
+  }
+  return this->Maps.Update(
+    input.Frame, input.Capture, this->Emitters, TexelsOfLights, input.Caching);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectVisibility::WalksSegments() const
+{
+  return this->Current.Senders && !this->Current.Maps && !this->Volume->IsEmpty();
 }
 
 //------------------------------------------------------------------------------
 const char* vtkIndirectVisibility::GetDefinitions() const
 {
-  return this->HidesSenders() ? "#define VTKI_OCCUPANCY\n" : "";
+  return this->LooksUpMaps() ? "#define VTKI_VISIBILITY\n#define VTKI_DEPTH_TILES\n"
+    : this->WalksSegments()  ? "#define VTKI_VISIBILITY\n#define VTKI_SEGMENTS\n"
+                             : "";
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectVisibility::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
 {
-  if (this->HidesSenders())
+  if (this->LooksUpMaps())
+  {
+    this->Maps.Activate(program);
+  }
+  else if (this->WalksSegments())
   {
     this->Volume->GetDistanceField().Activate(window, program);
   }
@@ -68,7 +122,11 @@ void vtkIndirectVisibility::Activate(vtkOpenGLRenderWindow* window, vtkShaderPro
 //------------------------------------------------------------------------------
 void vtkIndirectVisibility::Deactivate() const
 {
-  if (this->HidesSenders())
+  if (this->LooksUpMaps())
+  {
+    this->Maps.Deactivate();
+  }
+  else if (this->WalksSegments())
   {
     this->Volume->GetDistanceField().Deactivate();
   }
@@ -80,10 +138,20 @@ void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
   report.Bytes += this->GetBytes();
   report.MainMemoryBytes += this->GetMainMemoryBytes();
   const char* const name = "visibility between sender and receiver";
-  if (!this->HidesSenders())
+  if (this->LooksUpMaps())
+  {
+    report.Modelled.emplace_back(name,
+      "depth maps of " + std::to_string(this->Maps.GetNumberOfTiles()) + " virtual lights, " +
+        std::to_string(this->Maps.GetTexels()) + " texels squared");
+    report.LeftOut.emplace_back("what stands between near the horizon of senders",
+      "a map ends 72 degrees from the sender's normal, beyond are 8 % of its light; the result is "
+      "too bright");
+    return;
+  }
+  if (!this->WalksSegments())
   {
     report.LeftOut.emplace_back(
-      name, "Occupancy is off or nothing has polygons; the result is too bright");
+      name, "Visibility is none or nothing has polygons; the result is too bright");
     return;
   }
   report.Modelled.emplace_back(name,
@@ -98,7 +166,7 @@ void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 size_t vtkIndirectVisibility::GetBytes() const
 {
-  return this->Volume->GetBytes();
+  return this->Volume->GetBytes() + this->Maps.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -111,4 +179,6 @@ size_t vtkIndirectVisibility::GetMainMemoryBytes() const
 void vtkIndirectVisibility::Release(vtkWindow* window)
 {
   this->Volume->Release(window);
+  this->Maps.Release(window);
+  this->EmittersTime = 0;
 }

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a virtual light is seen from a receiver: the answer that estimators ask for. Nothing, or
-// voxels of the scene.
+// Whether a virtual light is seen from a receiver: the answer that estimators ask for. Nothing,
+// voxels of the scene, or depth maps of the lights.
 #ifndef vtkIndirectVisibility_h
 #define vtkIndirectVisibility_h
 
-#include "Frame/vtkIndirectEstimate.h" // for what is needed
+#include "Frame/vtkIndirectEstimate.h"        // for what is needed
+#include "Visibility/vtkIndirectDepthAtlas.h" // for a member
 
 #include <cstddef> // for size_t
 #include <memory>  // for the volume
+#include <vector>  // for emitters
 
 class vtkIndirectOccupancyVolume;
+class vtkIndirectVirtualLights;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
+class vtkSurfaceCapturePass;
 class vtkWindow;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
@@ -32,11 +36,26 @@ public:
   vtkIndirectVisibility();
   ~vtkIndirectVisibility();
 
-  /** Brings it up to date; without caching from nothing. What is not needed is released. */
-  void Update(const vtkIndirectFrame& frame, const Needs& needs, bool caching);
+  /** From what it is made. */
+  struct Input
+  {
+    const vtkIndirectFrame& Frame;
+    const vtkIndirectVirtualLights* Lights; // null where the frame has none
+    vtkSurfaceCapturePass* Capture;
+    bool Caching;
+  };
 
-  /** Whether senders can be hidden: it was asked for, and voxels are occupied. */
-  bool HidesSenders() const;
+  /**
+   * Brings it up to date; without caching from nothing. What is not needed is released. Returns
+   * false, after an error, when OpenGL refuses.
+   */
+  bool Update(const Input& input, const Needs& needs);
+
+  /** Whether senders can be hidden: it was asked for, and something can hide them. */
+  bool HidesSenders() const { return this->WalksSegments() || this->LooksUpMaps(); }
+  /** Whether shaders walk from place to place, which bounds how often they can ask. */
+  bool WalksSegments() const;
+  bool LooksUpMaps() const { return this->Current.Senders && this->Current.Maps; }
   /** Definitions of shaders that ask vtkIndirectVisibility.glsl; empty where nothing hides. */
   const char* GetDefinitions() const;
   ///@{
@@ -56,9 +75,14 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  bool UpdateMaps(const Input& input);
+
   Needs Current;
   std::unique_ptr<vtkIndirectOccupancyVolume> Volume;
   size_t NumberOfUpdates = 0;
+  vtkIndirectDepthAtlas Maps; // of virtual lights, a tile each
+  std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
+  vtkMTimeType EmittersTime = 0; // of the lights that they were read from
 };
 
 #endif

@@ -11,6 +11,9 @@
 uniform sampler2D vtkiSpecular;
 uniform sampler2D vtkiGlossy;
 #endif
+#ifdef VTKI_SKY
+uniform sampler2D vtkiSky;
+#endif
 uniform ivec2 vtkiOrigin;
 uniform float vtkiIndirectScale;
 uniform float vtkiIrradianceUnit;
@@ -26,8 +29,13 @@ void main()
   bool lit = vtkiSurfaceIsLit(surface);
   vec3 direct = texelFetch(vtkiLit, pixel, 0).rgb;
   vec3 albedo = lit ? vtkiFetchAlbedo(pixel) : vec3(0.0f);
-  vec3 irradiance =
+  vec3 bounce =
     lit ? vtkiFetchIrradiance(vec2(pixel) + 0.5f) * vtkiIrradianceUnit : vec3(0.0f);
+  vec3 sky = vec3(0.0f);
+#ifdef VTKI_SKY
+  sky = lit ? texelFetch(vtkiSky, pixel, 0).rgb : vec3(0.0f);
+#endif
+  vec3 irradiance = bounce + sky;
   vec4 specular = vec4(0.0f);
   vec3 glossy = vec3(0.0f);
 #ifdef VTKI_GLOSSY
@@ -54,6 +62,14 @@ void main()
   else if (vtkiChannel == VTKI_CHANNEL_IRRADIANCE)
   {
     value = irradiance;
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_SKY)
+  {
+    value = sky;
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_BOUNCE)
+  {
+    value = bounce;
   }
   else if (vtkiChannel == VTKI_CHANNEL_GLOSSY)
   {

@@ -2,7 +2,7 @@
 #include "vtkIndirectMapTexel.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"
 #include "vtkIndirectLibSampling.glsl"
-#ifdef VTKI_OCCUPANCY
+#ifdef VTKI_VISIBILITY
 #include "vtkIndirectVisibility.glsl"
 #endif
 
@@ -57,7 +57,7 @@ vtkiMapSample vtkiSampleOnCube(int layer, vec4 map, vec3 direction, vec3 pattern
 vec3 vtkiGather(vec3 position, vec3 normal)
 {
   vec3 total = vec3(0.0f);
-#ifdef VTKI_OCCUPANCY
+#ifdef VTKI_VISIBILITY
   vec3 open = vtkiOpenPlace(position, normal);
 #endif
   for (int layer = 0; layer < vtkiLayerCount; ++layer)
@@ -93,7 +93,7 @@ vec3 vtkiGather(vec3 position, vec3 normal)
       {
         float weight =
           vtkiVirtualLightWeight(light.position - position, light.normal, normal, light.area);
-#ifdef VTKI_OCCUPANCY
+#ifdef VTKI_VISIBILITY
         bool seen =
           vtkiIsVisible(open, position, normal, light.position, light.normal, weight > 0.0f);
         weight = seen ? weight : 0.0f;

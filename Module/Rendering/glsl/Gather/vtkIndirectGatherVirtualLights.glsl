@@ -1,7 +1,7 @@
 // Sum over a block of virtual lights.
-// VTKI_OCCUPANCY: those that the receiver sees.
+// VTKI_VISIBILITY: those that the receiver sees.
 #include "vtkIndirectLightRow.glsl"
-#ifdef VTKI_OCCUPANCY
+#ifdef VTKI_VISIBILITY
 #include "vtkIndirectVisibility.glsl"
 #endif
 
@@ -14,7 +14,7 @@ uniform int vtkiLightCount;
 vec3 vtkiGather(vec3 position, vec3 normal)
 {
   vec3 total = vec3(0.0f);
-#ifdef VTKI_OCCUPANCY
+#ifdef VTKI_VISIBILITY
   vec3 open = vtkiOpenPlace(position, normal);
 #endif
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y; ++row)
@@ -26,13 +26,14 @@ vec3 vtkiGather(vec3 position, vec3 normal)
     {
       ivec2 at = ivec2(column, row);
       vec4 sender = texelFetch(vtkiLightPosition, at, 0);
-#ifdef VTKI_OCCUPANCY
+#ifdef VTKI_VISIBILITY
       vec3 density = texelFetch(vtkiLightDensity, at, 0).rgb;
       vec3 senderNormal = texelFetch(vtkiLightNormal, at, 0).xyz;
       float weight =
         vtkiSenderWeight(vtkiToSender(sender, position), senderNormal, normal, sender.w);
       bool lit = weight > 0.0f && max(max(density.r, density.g), density.b) > 0.0f;
-      bool seen = vtkiIsSenderVisible(open, position, normal, sender, senderNormal, lit);
+      bool seen = vtkiIsSenderVisible(
+        row * VTKI_ROW_LENGTH + column, open, position, normal, sender, senderNormal, lit);
       partial += seen ? density * weight : vec3(0.0f);
 #else
       partial += texelFetch(vtkiLightDensity, at, 0).rgb *

@@ -27,7 +27,7 @@ void vtkiStoreLeaf(ivec2 texel, vec3 normal, vec3 irradiance, vec3 vectorIrradia
 #endif
 }
 
-#ifdef VTKI_OCCUPANCY
+#ifdef VTKI_SEGMENTS
 // One at a time: the ways to the lights are what takes time, and differ.
 void vtkiEvaluateChild(ivec2 block, int child, bool exists)
 {
@@ -67,7 +67,7 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     vec3 density = vtkiBlockDensity[light].rgb;
     for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
     {
-      vtkiAddLight(position[i], normal[i], position[i], sender, senderNormal, density, irradiance[i],
+      vtkiAddLight(position[i], normal[i], position[i], vtkiFirstLight + light, sender, senderNormal, density, irradiance[i],
         vectorIrradiance[i]);
     }
   }
@@ -79,7 +79,7 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     vtkiFetchLight(light, sender, senderNormal, density);
     for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
     {
-      vtkiAddLight(position[i], normal[i], position[i], sender, senderNormal, density, irradiance[i],
+      vtkiAddLight(position[i], normal[i], position[i], vtkiFirstLight + light, sender, senderNormal, density, irradiance[i],
         vectorIrradiance[i]);
     }
   }

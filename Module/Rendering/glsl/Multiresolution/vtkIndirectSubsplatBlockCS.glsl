@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// One invocation for VTKI_BLOCKS split texels: evaluates the four below each. With VTKI_OCCUPANCY each of the
+// One invocation for VTKI_BLOCKS split texels: evaluates the four below each. With VTKI_SEGMENTS each of the
 // four has an invocation of its own.
 #include "vtkIndirectSubsplatStorage.glsl"
 #include "vtkIndirectSubsplatBlock.glsl"
@@ -11,7 +11,7 @@ ivec2 vtkiListedTexel(uint place, out bool listed)
   return ivec2(int(entry & 0xffffu), int(entry >> 16));
 }
 
-#ifdef VTKI_OCCUPANCY
+#ifdef VTKI_SEGMENTS
 layout(local_size_x = VTKI_GROUP, local_size_y = 4) in;
 
 void main()

@@ -2,7 +2,7 @@
 #include "vtkIndirectLightRow.glsl"
 #include "vtkIndirectLibSubsplat.glsl"
 #include "vtkIndirectLightUniforms.glsl"
-#ifdef VTKI_OCCUPANCY
+#ifdef VTKI_VISIBILITY
 #include "vtkIndirectVisibility.glsl"
 #else
 vec3 vtkiOpenPlace(vec3 position, vec3 normal)
@@ -26,17 +26,17 @@ void vtkiFetchLight(int i, out vec4 sender, out vec3 senderNormal, out vec3 dens
   density = texelFetch(vtkiLightDensity, at, 0).rgb;
 }
 
-// open: see vtkiOpenPlace; of no meaning without VTKI_OCCUPANCY.
-void vtkiAddLight(vec3 position, vec3 normal, vec3 open, vec4 sender, vec3 senderNormal, vec3 density,
+// open: see vtkiOpenPlace; light: its number in the table; both of no meaning without VTKI_VISIBILITY.
+void vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec3 senderNormal, vec3 density,
   inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
   vec3 toSender = vtkiToSender(sender, position);
   float cosine = dot(normal, toSender);
   float strength =
     cosine > 0.0f ? vtkiSenderStrength(toSender, senderNormal, sender.w) : 0.0f;
-#ifdef VTKI_OCCUPANCY
+#ifdef VTKI_VISIBILITY
   bool lit = strength > 0.0f && max(max(density.r, density.g), density.b) > 0.0f;
-  strength = vtkiIsSenderVisible(open, position, normal, sender, senderNormal, lit) ? strength : 0.0f;
+  strength = vtkiIsSenderVisible(light, open, position, normal, sender, senderNormal, lit) ? strength : 0.0f;
 #endif
   irradiance += (strength * cosine) * density;
   vectorIrradiance += (strength * vtkiLuminance(density)) * toSender;
@@ -52,7 +52,7 @@ void vtkiEvaluateSubsplat(
   int count = wanted ? vtkiBlockCount : 0;
   for (int i = 0; i < count; ++i)
   {
-    vtkiAddLight(position, normal, open, vtkiBlockPosition[i], vtkiBlockNormal[i].xyz,
+    vtkiAddLight(position, normal, open, vtkiFirstLight + i, vtkiBlockPosition[i], vtkiBlockNormal[i].xyz,
       vtkiBlockDensity[i].rgb, irradiance, vectorIrradiance);
   }
   count = wanted ? vtkiLightCount : 0;
@@ -62,6 +62,6 @@ void vtkiEvaluateSubsplat(
     vec3 senderNormal;
     vec3 density;
     vtkiFetchLight(i, sender, senderNormal, density);
-    vtkiAddLight(position, normal, open, sender, senderNormal, density, irradiance, vectorIrradiance);
+    vtkiAddLight(position, normal, open, vtkiFirstLight + i, sender, senderNormal, density, irradiance, vectorIrradiance);
   }
 }

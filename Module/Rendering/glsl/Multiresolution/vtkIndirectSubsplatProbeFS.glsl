@@ -19,12 +19,12 @@ struct vtkiProbeSums
   vec4 normal;     // normal; luminance of density times area
 };
 
-void vtkiAddToProbe(inout vtkiProbeSums sums, vec3 position, vec3 normal, vec3 open, vec4 sender,
+void vtkiAddToProbe(inout vtkiProbeSums sums, vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
   vec3 senderNormal, vec3 density)
 {
   vec3 irradiance = vec3(0.0f);
   vec3 unused = vec3(0.0f);
-  vtkiAddLight(position, normal, open, sender, senderNormal, density, irradiance, unused);
+  vtkiAddLight(position, normal, open, light, sender, senderNormal, density, irradiance, unused);
   float luminance = vtkiLuminance(irradiance);
   sums.sum += luminance;
   sums.difference += sums.sign * luminance;
@@ -55,7 +55,7 @@ void main()
   int count = lit ? vtkiBlockCount : 0;
   for (int i = 0; i < count; ++i)
   {
-    vtkiAddToProbe(sums, position, normal, open, vtkiBlockPosition[i], vtkiBlockNormal[i].xyz,
+    vtkiAddToProbe(sums, position, normal, open, vtkiFirstLight + i, vtkiBlockPosition[i], vtkiBlockNormal[i].xyz,
       vtkiBlockDensity[i].rgb);
   }
   count = lit ? vtkiLightCount : 0;
@@ -65,7 +65,7 @@ void main()
     vec3 senderNormal;
     vec3 density;
     vtkiFetchLight(i, sender, senderNormal, density);
-    vtkiAddToProbe(sums, position, normal, open, sender, senderNormal, density);
+    vtkiAddToProbe(sums, position, normal, open, vtkiFirstLight + i, sender, senderNormal, density);
   }
   gl_FragData[0] = vec4(sums.sum * vtkiStorageScale, sums.difference * vtkiStorageScale,
     0.0f, lit ? 1.0f : 0.0f);

@@ -1,4 +1,20 @@
-// Whether a sender is visible from a receiver, by the distance field of the scene's voxels.
+// Whether a sender is visible from a receiver: by the distance field of the scene's voxels, or, with
+// VTKI_DEPTH_TILES, by the sender's own depth map.
+#ifdef VTKI_DEPTH_TILES
+#include "vtkIndirectDepthTiles.glsl"
+
+vec3 vtkiOpenPlace(vec3 position, vec3 normal)
+{
+  return position;
+}
+
+// light: its number, that of its tile. A direction has none.
+bool vtkiIsSenderVisible(
+  int light, vec3 start, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
+{
+  return sender.w < 0.0f || vtkiIsSeenInTile(light, sender.xyz, senderNormal, position, normal);
+}
+#else
 #include "vtkIndirectLibDistanceField.glsl"
 
 uniform usampler3D vtkiDistanceField;  // voxels to the nearest occupied one
@@ -73,7 +89,8 @@ bool vtkiIsVisible(vec3 start, vec3 position, vec3 normal, vec3 sender, vec3 sen
 
 // The same of a virtual light: a place, or with VTKI_DIRECTIONS a direction, which is seen where
 // nothing stands on the way out of the scene.
-bool vtkiIsSenderVisible(vec3 start, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
+bool vtkiIsSenderVisible(
+  int light, vec3 start, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
 {
   vec3 place = sender.xyz;
 #ifdef VTKI_DIRECTIONS
@@ -92,3 +109,4 @@ bool vtkiIsSenderVisible(vec3 start, vec3 position, vec3 normal, vec4 sender, ve
 #endif
   return vtkiIsVisible(start, position, normal, place, senderNormal, test);
 }
+#endif

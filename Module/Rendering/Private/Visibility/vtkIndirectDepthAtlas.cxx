@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Visibility/vtkIndirectDepthAtlas.h"
+
+#include "Capture/vtkIndirectDarkLight.h"
+#include "Capture/vtkIndirectShadowMaps.h"
+#include "Capture/vtkSurfaceCapturePass.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectRendererAccess.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace
+{
+const vtkIndirectChannel NoChannels[] = { { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectDepthAtlas::vtkIndirectDepthAtlas()
+  : Depths(NoChannels, true)
+  , Camera(vtkSmartPointer<vtkOpenGLCamera>::New())
+{
+}
+
+vtkIndirectDepthAtlas::~vtkIndirectDepthAtlas() = default;
+
+//------------------------------------------------------------------------------
+// Tiles that can see what has come, gone or changed since they were drawn.
+void vtkIndirectDepthAtlas::ForgetWhatChanged(const vtkIndirectFrame& frame)
+{
+  if (frame.SceneScale != this->SceneScale || frame.SceneCenter != this->SceneCenter)
+  {
+    this->SceneScale = frame.SceneScale;
+    this->SceneCenter = frame.SceneCenter;
+    this->Drawn.clear();
+  }
+  std::vector<Caster> now;
+  now.reserve(frame.Casters.size());
+  for (const vtkIndirectCaster& caster : frame.Casters)
+  {
+    Caster entry = { caster.Prop, caster.RedrawMTime, {} };
+    std::copy(caster.Bounds, caster.Bounds + 6, entry.Bounds);
+    now.push_back(entry);
+  }
+  std::unordered_map<vtkProp*, const Caster*> before;
+  for (const Caster& caster : this->Casters)
+  {
+    before[caster.Prop] = &caster;
+  }
+  std::vector<const double*> changed;
+  for (const Caster& caster : now)
+  {
+    const auto found = before.find(caster.Prop);
+    if (found == before.end())
+    {
+      changed.push_back(caster.Bounds);
+      continue;
+    }
+    const Caster& last = *found->second;
+    if (last.RedrawMTime != caster.RedrawMTime ||
+      !std::equal(caster.Bounds, caster.Bounds + 6, last.Bounds))
+    {
+      changed.push_back(caster.Bounds);
+      changed.push_back(last.Bounds);
+    }
+    before.erase(found);
+  }
+  for (const auto& gone : before)
+  {
+    changed.push_back(gone.second->Bounds);
+  }
+  for (Drawing& drawing : this->Drawn)
+  {
+    for (size_t i = 0; drawing.Valid && i < changed.size(); ++i)
+    {
+      drawing.Valid = !drawing.Tile.CanSee(frame, changed[i]);
+    }
+  }
+  this->Casters = std::move(now);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
+  const std::vector<Emitter>& emitters, int texels, bool caching)
+{
+  const int count = static_cast<int>(emitters.size());
+  const int edge = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count)))));
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  if (!caching || texels != this->Texels || edge != this->Edge)
+  {
+    this->Forget();
+  }
+  this->Texels = texels;
+  this->Edge = edge;
+  if (!this->Depths.Resize(frame.Window, edge * texels, edge * texels))
+  {
+    this->Forget();
+    return false;
+  }
+  this->ForgetWhatChanged(frame);
+  this->Drawn.resize(emitters.size());
+  std::vector<int> stale;
+  for (int i = 0; i < count; ++i)
+  {
+    Drawing& drawing = this->Drawn[static_cast<size_t>(i)];
+    const Emitter& emitter = emitters[static_cast<size_t>(i)];
+    if (emitter.Sends && !(drawing.Valid && drawing.Tile == emitter.Tile))
+    {
+      drawing = { emitter.Tile, true };
+      stale.push_back(i);
+    }
+  }
+  if (stale.empty())
+  {
+    return true;
+  }
+  this->Depths.Begin();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDisable(GL_BLEND);
+  vtkCamera*& active = vtkIndirectRendererAccess::Camera(frame.Renderer);
+  vtkCamera* const eye = active;
+  active = this->Camera;
+  const vtkIndirectDarkLight dark(frame);
+  capture->Attach(frame);
+  for (const int tile : stale)
+  {
+    this->Draw(frame, capture, tile);
+  }
+  capture->Detach();
+  active = eye;
+  this->Depths.End();
+  this->NumberOfTilesDrawn += stale.size();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthAtlas::Draw(
+  const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture, int number)
+{
+  const vtkIndirectDepthTile& tile = this->Drawn[static_cast<size_t>(number)].Tile;
+  vtkOpenGLState* state = frame.Window->GetState();
+  const int x = number % this->Edge * this->Texels;
+  const int y = number / this->Edge * this->Texels;
+  state->vtkglViewport(x, y, this->Texels, this->Texels);
+  state->vtkglScissor(x, y, this->Texels, this->Texels);
+  this->Depths.ClearDepth();
+  tile.SetUp(this->Camera, frame);
+  const double width = 2.0 * std::max(tile.HalfWidth.x, tile.HalfWidth.y) / this->Texels;
+  capture->BeginMap(frame, { !tile.Parallel, tile.Parallel, tile.Near, tile.Far, width });
+  for (const vtkIndirectCaster& caster : frame.Casters)
+  {
+    if (tile.CanSee(frame, caster.Bounds))
+    {
+      capture->BeginCaster(false);
+      caster.Prop->RenderOpaqueGeometry(frame.Renderer);
+    }
+  }
+  capture->EndStage();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthAtlas::Activate(vtkShaderProgram* program) const
+{
+  this->Depths.ActivateDepth(program, "vtkiDepthTiles");
+  vtkIndirectSetUniform(program, "vtkiTileShape", glm::vec2(this->Edge, this->Texels));
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthAtlas::Deactivate() const
+{
+  this->Depths.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthAtlas::Release(vtkWindow* window)
+{
+  this->Depths.Release(window);
+  this->Forget();
+  this->Casters.clear();
+  this->Edge = this->Texels = 0;
+}

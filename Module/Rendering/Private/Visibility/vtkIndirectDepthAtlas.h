@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Depth maps of any number of emitters, tiles of one texture. VTK's mappers draw them through the
+// capture, so that glyphs, impostors and textures cast the shadows that they draw. They are kept
+// while the camera moves: a tile is drawn again only when its emitter, or something that it can
+// see, has changed.
+#ifndef vtkIndirectDepthAtlas_h
+#define vtkIndirectDepthAtlas_h
+
+#include "OpenGL/vtkIndirectTarget.h"        // for a member
+#include "Visibility/vtkIndirectDepthTile.h" // for tiles
+#include "vtkSmartPointer.h"                 // for a member
+#include "vtkType.h"                         // for times
+
+#include <cstddef> // for size_t
+#include <vector>  // for tiles
+
+class vtkOpenGLCamera;
+class vtkProp;
+class vtkSurfaceCapturePass;
+
+class vtkIndirectDepthAtlas
+{
+public:
+  vtkIndirectDepthAtlas();
+  ~vtkIndirectDepthAtlas();
+
+  /** An emitter's tile, and whether it sends anything: others are left as they are. */
+  struct Emitter
+  {
+    vtkIndirectDepthTile Tile;
+    bool Sends = true;
+  };
+
+  /**
+   * Brings the tiles of these emitters up to date, each of so many texels along an edge; without
+   * caching all of them. Returns false, after an error, when OpenGL refuses.
+   */
+  bool Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
+    const std::vector<Emitter>& emitters, int texels, bool caching);
+
+  /** Says that nothing of it is to be kept. */
+  void Forget() { this->Drawn.clear(); }
+
+  /** Binds the depths and sets vtkiDepthTiles and vtkiTileShape; pair. */
+  void Activate(vtkShaderProgram* program) const;
+  void Deactivate() const;
+
+  int GetNumberOfTiles() const { return static_cast<int>(this->Drawn.size()); }
+  int GetTexels() const { return this->Texels; }
+  int GetTilesAlongEdge() const { return this->Edge; }
+  /** How many were drawn, since construction. */
+  size_t GetNumberOfTilesDrawn() const { return this->NumberOfTilesDrawn; }
+  size_t GetBytes() const { return this->Depths.GetBytes(); }
+  void Release(vtkWindow* window);
+
+private:
+  // A tile as it was drawn.
+  struct Drawing
+  {
+    vtkIndirectDepthTile Tile;
+    bool Valid = false;
+  };
+  struct Caster
+  {
+    vtkProp* Prop;
+    vtkMTimeType RedrawMTime;
+    double Bounds[6];
+  };
+
+  void ForgetWhatChanged(const vtkIndirectFrame& frame);
+  void Draw(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture, int tile);
+
+  vtkIndirectTarget Depths;
+  vtkSmartPointer<vtkOpenGLCamera> Camera;
+  std::vector<Drawing> Drawn;
+  std::vector<Caster> Casters; // when they were
+  double SceneScale = 0.0;
+  glm::dvec3 SceneCenter{ 0.0 };
+  int Texels = 0;
+  int Edge = 0; // tiles
+  size_t NumberOfTilesDrawn = 0;
+};
+
+#endif

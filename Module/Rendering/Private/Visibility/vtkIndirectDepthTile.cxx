@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Visibility/vtkIndirectDepthTile.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLCamera.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+glm::dvec3 ToScene(const vtkIndirectFrame& frame, const double bounds[6], int corner)
+{
+  const glm::dvec3 p(
+    bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)], bounds[4 + ((corner >> 2) & 1)]);
+  return (p - frame.SceneCenter) * frame.SceneScale;
+}
+
+// Two axes across a unit vector, rounded as in shaders.
+void FrameAlong(const glm::dvec3& n, glm::dvec3& x, glm::dvec3& y)
+{
+  glm::vec3 first;
+  glm::vec3 second;
+  vtkIndirectKernels::vtkiFrameAlong(glm::vec3(n), first, second);
+  x = first;
+  y = second;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectDepthTile vtkIndirectDepthTile::FromPlace(
+  const glm::dvec3& place, const glm::dvec3& normal)
+{
+  using namespace vtkIndirectKernels;
+  vtkIndirectDepthTile tile;
+  tile.Place = place;
+  tile.Forward = normal;
+  // Seen along the normal, the second axis is to the right of the first one.
+  FrameAlong(normal, tile.Up, tile.Right);
+  tile.HalfWidth = glm::dvec2(VTKI_TILE_TANGENT);
+  tile.Near = VTKI_TILE_NEAR;
+  tile.Far = VTKI_TILE_FAR;
+  return tile;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
+  const vtkIndirectFrame& frame, const glm::dvec3& toLight)
+{
+  vtkIndirectDepthTile tile;
+  tile.Parallel = true;
+  tile.Forward = -toLight;
+  FrameAlong(toLight, tile.Right, tile.Up);
+  glm::dvec3 lower(std::numeric_limits<double>::infinity());
+  glm::dvec3 upper = -lower;
+  for (const vtkIndirectCaster& caster : frame.Casters)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      const glm::dvec3 corner = ToScene(frame, caster.Bounds, i);
+      const glm::dvec3 p(
+        glm::dot(corner, tile.Right), glm::dot(corner, tile.Up), glm::dot(corner, toLight));
+      lower = glm::min(lower, p);
+      upper = glm::max(upper, p);
+    }
+  }
+  // A margin keeps the outermost from falling on the edge; what is flat has an extent, too.
+  constexpr double margin = 1.01;
+  const glm::dvec3 half = glm::max(0.5 * margin * (upper - lower), glm::dvec3(1e-3));
+  const glm::dvec3 middle = 0.5 * (lower + upper);
+  tile.HalfWidth = glm::dvec2(half);
+  tile.Far = 2.0 * half.z;
+  tile.Place = middle.x * tile.Right + middle.y * tile.Up + (middle.z + half.z) * toLight;
+  return tile;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectDepthTile::CanSee(const vtkIndirectFrame& frame, const double bounds[6]) const
+{
+  unsigned int outsideAll = 0x1f;
+  for (int i = 0; i < 8 && outsideAll; ++i)
+  {
+    const glm::dvec3 d = ToScene(frame, bounds, i) - this->Place;
+    const double x = glm::dot(d, this->Right);
+    const double y = glm::dot(d, this->Up);
+    const double z = glm::dot(d, this->Forward);
+    const glm::dvec2 w = this->HalfWidth * (this->Parallel ? 1.0 : z);
+    unsigned int outside = 0;
+    outside |= x > w.x ? 1u : 0u;
+    outside |= x < -w.x ? 2u : 0u;
+    outside |= y > w.y ? 4u : 0u;
+    outside |= y < -w.y ? 8u : 0u;
+    outside |= z < this->Near ? 16u : 0u;
+    outsideAll &= outside;
+  }
+  return outsideAll == 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthTile::SetUp(vtkOpenGLCamera* camera, const vtkIndirectFrame& frame) const
+{
+  const double n = this->Near / frame.SceneScale;
+  const double f = this->Far / frame.SceneScale;
+  const glm::dvec3 position = this->Place / frame.SceneScale + frame.SceneCenter;
+  const glm::dvec3 focal = position + this->Forward * f;
+  camera->SetPosition(position.x, position.y, position.z);
+  camera->SetFocalPoint(focal.x, focal.y, focal.z);
+  camera->SetViewUp(this->Up.x, this->Up.y, this->Up.z);
+  camera->SetParallelProjection(frame.Parallel ? 1 : 0);
+  vtkNew<vtkMatrix4x4> projection;
+  projection->Zero();
+  if (this->Parallel)
+  {
+    projection->SetElement(0, 0, frame.SceneScale / this->HalfWidth.x);
+    projection->SetElement(1, 1, frame.SceneScale / this->HalfWidth.y);
+    projection->SetElement(2, 2, -2.0 / (f - n));
+    projection->SetElement(2, 3, -(f + n) / (f - n));
+    projection->SetElement(3, 3, 1.0);
+  }
+  else
+  {
+    projection->SetElement(0, 0, 1.0 / this->HalfWidth.x);
+    projection->SetElement(1, 1, 1.0 / this->HalfWidth.y);
+    projection->SetElement(2, 2, -(f + n) / (f - n));
+    projection->SetElement(2, 3, -2.0 * f * n / (f - n));
+    projection->SetElement(3, 2, -1.0);
+  }
+  camera->SetClippingRange(std::max(n, 1e-6 * f), f);
+  camera->SetExplicitProjectionTransformMatrix(projection);
+  camera->UseExplicitProjectionTransformMatrixOn();
+  camera->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectDepthTile::operator==(const vtkIndirectDepthTile& other) const
+{
+  return this->Parallel == other.Parallel && this->Place == other.Place &&
+    this->Forward == other.Forward && this->HalfWidth == other.HalfWidth &&
+    this->Near == other.Near && this->Far == other.Far;
+}

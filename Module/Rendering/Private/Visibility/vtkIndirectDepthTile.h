@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What one tile of the depth atlas sees: the camera of an emitter.
+#ifndef vtkIndirectDepthTile_h
+#define vtkIndirectDepthTile_h
+
+#include <glm/glm.hpp> // for the camera
+
+class vtkOpenGLCamera;
+struct vtkIndirectFrame;
+
+struct vtkIndirectDepthTile
+{
+  bool Parallel = false;
+  glm::dvec3 Place{ 0.0 }; // scene units: the emitter's, or the middle of the near plane
+  glm::dvec3 Right{ 1.0, 0.0, 0.0 };
+  glm::dvec3 Up{ 0.0, 1.0, 0.0 };
+  glm::dvec3 Forward{ 0.0, 0.0, -1.0 };
+  glm::dvec2 HalfWidth{ 1.0 }; // tangents (perspective) or scene units (parallel)
+  double Near = 0.0;           // scene units along Forward
+  double Far = 1.0;
+
+  /** The tile of a place that sends light along its normal, as shaders look it up. */
+  static vtkIndirectDepthTile FromPlace(const glm::dvec3& place, const glm::dvec3& normal);
+  /** The tile of light that comes from a direction, fitted to what casts shadows. */
+  static vtkIndirectDepthTile FromDirection(
+    const vtkIndirectFrame& frame, const glm::dvec3& toLight);
+
+  /** Whether it can see any of these bounds, in world coordinates. */
+  bool CanSee(const vtkIndirectFrame& frame, const double bounds[6]) const;
+
+  /** Sets up a camera that keeps the eye's ParallelProjection flag; see vtkIndirectLightMap. */
+  void SetUp(vtkOpenGLCamera* camera, const vtkIndirectFrame& frame) const;
+
+  bool operator==(const vtkIndirectDepthTile& other) const;
+};
+
+#endif

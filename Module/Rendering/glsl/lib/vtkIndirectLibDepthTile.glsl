@@ -1,0 +1,63 @@
+// Depth maps of single emitters, tiles of one atlas: where a receiver falls in a tile, and at what depth
+// its own plane would be there. Lengths are scene units (diagonal = 1).
+#ifndef vtkIndirectLibDepthTile
+#define vtkIndirectLibDepthTile
+#include "vtkIndirectLibPortable.glsl"
+
+// Tangent of the half angle that the tile of a virtual light sees about its normal. The square holds 92 %
+// of what a diffuse sender sends.
+const float VTKI_TILE_TANGENT = 3.0f;
+// Near and far end of such a tile: a scene is one across, and nothing reaches farther.
+const float VTKI_TILE_NEAR = 1.0f / 2048.0f;
+const float VTKI_TILE_FAR = 1.0f;
+// Facets stand for curved surfaces: a concave one rises over its neighbour's plane by less than this
+// share of a texel as long as they meet at less than 16 degrees (half a texel times the sine).
+const float VTKI_TILE_ROUGHNESS = 0.14f;
+
+// Beyond the border what is to the side is compared: a texel there is 6 % of its distance wide.
+const float VTKI_TILE_BORDER = 0.06f;
+
+/* Two axes across a unit vector n: x, y, n are right-handed. Without a branch, and continuous but for one
+ * direction (Duff, Burgess, Christensen, Hery, Kensler, Liani, Villemin 2017, "Building an orthonormal
+ * basis, revisited"). */
+void vtkiFrameAlong(vec3 n, VTKI_OUT(vec3) x, VTKI_OUT(vec3) y)
+{
+  float s = n.z >= 0.0f ? 1.0f : -1.0f;
+  float a = -1.0f / (s + n.z);
+  float b = n.x * n.y * a;
+  x = vec3(1.0f + s * n.x * n.x * a, s * b, -s * n.x);
+  y = vec3(b, s + n.y * n.y * a, -n.y);
+}
+
+/* Depth along a perspective tile's axis that a stored value stands for. */
+float vtkiTileLinearDepth(float stored)
+{
+  return VTKI_TILE_NEAR * VTKI_TILE_FAR /
+    (VTKI_TILE_FAR - stored * (VTKI_TILE_FAR - VTKI_TILE_NEAR));
+}
+
+/* Depth along the axis at which the plane through p with normal n lies on the ray through tangents t; both
+ * in the tile's axes, the third pointing away from the emitter. Not beyond p, so that a plane that runs
+ * away from the emitter does not reach behind what ends the surface; p where the plane does not face it. */
+float vtkiTilePlaneDepth(vec3 p, vec3 n, vec2 t)
+{
+  float facing = dot(n, p);
+  float along = n.x * t.x + n.y * t.y + n.z;
+  return facing < 0.0f && along < 0.0f ? min(facing / along, p.z) : p.z;
+}
+
+/* The depth of a parallel tile, [0,1], that a receiver is seen at: that of its own plane at the centre of the
+ * texel, less a bias. depth, cosine: of the receiver, towards the emitter; slope: components of its normal
+ * in the tile's image, times the half widths squared; toCentre: to the texel's centre, in the tile's image;
+ * shape: half widths squared, range of depth. Not beyond the receiver's own depth, so that a plane that runs
+ * away from the emitter does not reach behind what ends the surface; nor beyond the end of the map, where
+ * nothing is. */
+float vtkiParallelTileDepth(
+  float depth, float cosine, vec2 slope, vec2 toCentre, float texels, vec4 shape)
+{
+  float across = slope.x * toCentre.x + slope.y * toCentre.y;
+  float plane = cosine > 0.0f ? min(across / (cosine * shape.z), 0.0f) : 0.0f;
+  float bias = VTKI_TILE_ROUGHNESS * 2.0f * sqrt(max(shape.x, shape.y)) / (texels * shape.z);
+  return min(depth + plane - bias, 1.0f);
+}
+#endif
