@@ -14,6 +14,7 @@
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "Visibility/vtkIndirectSightLines.h"
 #include "Visibility/vtkIndirectVisibility.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 vtkStandardNewMacro(vtkRSMReferencePass);
@@ -126,34 +128,65 @@ void SumLobe(
   }
 }
 
-// The senders as ends of segments, block by block.
-using SenderEnds = std::vector<std::array<vtkIndirectDistanceField::End, Lanes>>;
-
-SenderEnds FindEnds(const std::vector<SenderBlock>& blocks, const vtkIndirectDistanceField& field)
+// Whether two points on surfaces see each other, in three ways (with vtkIndirectSightLines) of one
+// form: a kind of End, FindEnd(position, normal) and IsVisible(End, End). This one asks voxels.
+struct VoxelLines
 {
-  SenderEnds ends(blocks.size());
+  using End = vtkIndirectDistanceField::End;
+  const vtkIndirectDistanceField& Field;
+
+  End FindEnd(const glm::dvec3& position, const glm::dvec3& normal) const
+  {
+    return this->Field.FindEnd(glm::vec3(position), glm::vec3(normal));
+  }
+  bool IsVisible(const End& a, const End& b) const { return this->Field.IsVisible(a, b); }
+};
+
+// Nothing hides anything.
+struct OpenLines
+{
+  struct End
+  {
+  };
+  End FindEnd(const glm::dvec3&, const glm::dvec3&) const { return {}; }
+  bool IsVisible(const End&, const End&) const { return true; }
+};
+
+// The senders as ends of segments, block by block.
+template <typename Lines>
+using SenderEnds = std::vector<std::array<typename Lines::End, Lanes>>;
+
+template <typename Lines>
+SenderEnds<Lines> FindEnds(const std::vector<SenderBlock>& blocks, const Lines& lines)
+{
+  SenderEnds<Lines> ends(blocks.size());
   for (size_t b = 0; b < blocks.size(); ++b)
   {
     const SenderBlock& s = blocks[b];
     for (size_t i = 0; i < Lanes; ++i)
     {
-      ends[b][i] =
-        field.FindEnd(glm::vec3(glm::dvec3(s.Position[0][i], s.Position[1][i], s.Position[2][i])),
-          glm::vec3(glm::dvec3(s.Normal[0][i], s.Normal[1][i], s.Normal[2][i])));
+      ends[b][i] = lines.FindEnd({ s.Position[0][i], s.Position[1][i], s.Position[2][i] },
+        { s.Normal[0][i], s.Normal[1][i], s.Normal[2][i] });
     }
   }
   return ends;
 }
 
+template <typename Lines>
+typename Lines::End FindEnd(const Receiver& receiver, const Lines& lines)
+{
+  const double* p = receiver.Position;
+  const double* n = receiver.Normal;
+  return lines.FindEnd({ p[0], p[1], p[2] }, { n[0], n[1], n[2] });
+}
+
 // The senders without those that the receiver does not see.
-void FindVisible(const std::vector<SenderBlock>& blocks, const SenderEnds& ends,
-  const vtkIndirectDistanceField& field, const Receiver& receiver,
+template <typename Lines>
+void FindVisible(const std::vector<SenderBlock>& blocks, const SenderEnds<Lines>& ends,
+  const Lines& lines, const Receiver& receiver, const typename Lines::End& end,
   std::vector<SenderBlock>& visibleBlocks)
 {
   visibleBlocks = blocks;
-  const vtkIndirectDistanceField::End end = field.FindEnd(
-    glm::vec3(glm::dvec3(receiver.Position[0], receiver.Position[1], receiver.Position[2])),
-    glm::vec3(glm::dvec3(receiver.Normal[0], receiver.Normal[1], receiver.Normal[2])));
   for (size_t b = 0; b < blocks.size(); ++b)
   {
     SenderBlock& visible = visibleBlocks[b];
@@ -166,7 +199,7 @@ void FindVisible(const std::vector<SenderBlock>& blocks, const SenderEnds& ends,
         facing[0] -= visible.Normal[c][i] * toSender;
         facing[1] += receiver.Normal[c] * toSender;
       }
-      if (facing[0] > 0.0 && facing[1] > 0.0 && !field.IsVisible(end, ends[b][i]))
+      if (facing[0] > 0.0 && facing[1] > 0.0 && !lines.IsVisible(end, ends[b][i]))
       {
         visible.DensityArea[0][i] = visible.DensityArea[1][i] = visible.DensityArea[2][i] = 0.0;
       }
@@ -183,8 +216,9 @@ struct DirectionLight
 
 // Adds what comes from directions to the irradiance, and to what a lobe of that power reflects;
 // power < 0: there is none.
-void SumDirections(const std::vector<DirectionLight>& directions,
-  const vtkIndirectDistanceField* field, const Receiver& receiver, double power, double* total,
+template <typename Lines>
+void SumDirections(const std::vector<DirectionLight>& directions, const Lines& lines,
+  const Receiver& receiver, const typename Lines::End& end, double power, double* total,
   double* reflected)
 {
   constexpr double pi = 3.14159265358979323846;
@@ -192,19 +226,12 @@ void SumDirections(const std::vector<DirectionLight>& directions,
   const glm::dvec3 normal(receiver.Normal[0], receiver.Normal[1], receiver.Normal[2]);
   const glm::dvec3 toEye(receiver.ToEye[0], receiver.ToEye[1], receiver.ToEye[2]);
   const glm::dvec3 mirror = 2.0 * glm::dot(normal, toEye) * normal - toEye;
-  vtkIndirectDistanceField::End end{};
-  if (field)
-  {
-    end = field->FindEnd(glm::vec3(position), glm::vec3(normal));
-  }
   for (const DirectionLight& light : directions)
   {
     const double cosine = glm::dot(normal, light.ToLight);
     // Twice the diagonal of the scene away nothing stands any more.
     if (!(cosine > 0.0) ||
-      (field &&
-        !field->IsVisible(end,
-          field->FindEnd(glm::vec3(position + 2.0 * light.ToLight), glm::vec3(-light.ToLight)))))
+      !lines.IsVisible(end, lines.FindEnd(position + 2.0 * light.ToLight, -light.ToLight)))
     {
       continue;
     }
@@ -288,6 +315,64 @@ bool MakeReceiver(
   }
   return true;
 }
+
+// What a frame's sums are made of, and where they go; four values a pixel.
+struct Sums
+{
+  const vtkIndirectFrame& Frame;
+  const std::vector<float>& Surfaces;
+  const std::vector<float>& Specular; // empty where nothing reflects specularly
+  std::vector<SenderBlock> Senders;
+  std::vector<DirectionLight> Directions;
+  std::vector<float> Irradiance;
+  std::vector<float> Glossy;
+
+  template <typename Lines>
+  void Make(const Lines& lines)
+  {
+    constexpr bool hides = !std::is_same<Lines, OpenLines>::value;
+    const SenderEnds<Lines> ends = FindEnds(this->Senders, lines);
+    this->Irradiance.assign(this->Surfaces.size(), 0.0f);
+    this->Glossy.assign(this->Specular.size(), 0.0f);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Surfaces.size() / 4),
+      [&](vtkIdType begin, vtkIdType finish)
+      {
+        std::vector<SenderBlock> visible;
+        for (vtkIdType p = begin; p < finish; ++p)
+        {
+          Receiver receiver;
+          double total[3] = { 0.0, 0.0, 0.0 };
+          if (MakeReceiver(this->Frame, &this->Surfaces[4 * p],
+                static_cast<int>(p % this->Frame.Size[0]),
+                static_cast<int>(p / this->Frame.Size[0]), receiver))
+          {
+            const typename Lines::End end = FindEnd(receiver, lines);
+            if (hides)
+            {
+              FindVisible(this->Senders, ends, lines, receiver, end, visible);
+            }
+            const std::vector<SenderBlock>& blocks = hides ? visible : this->Senders;
+            Sum(blocks.data(), blocks.size(), receiver, total);
+            const float* lobe = this->Specular.empty() ? nullptr : &this->Specular[4 * p];
+            const bool mirrors = lobe && std::max({ lobe[0], lobe[1], lobe[2] }) > 0.0f;
+            double reflected[3] = { 0.0, 0.0, 0.0 };
+            SumDirections(
+              this->Directions, lines, receiver, end, mirrors ? lobe[3] : -1.0, total, reflected);
+            if (mirrors)
+            {
+              SumLobe(blocks.data(), blocks.size(), receiver, lobe[3], reflected);
+              std::copy(reflected, reflected + 3, &this->Glossy[4 * p]);
+            }
+          }
+          for (int c = 0; c < 3; ++c)
+          {
+            this->Irradiance[4 * p + c] = static_cast<float>(total[c]);
+          }
+          this->Irradiance[4 * p + 3] = 1.0f;
+        }
+      });
+  }
+};
 }
 
 //------------------------------------------------------------------------------
@@ -308,6 +393,8 @@ void vtkRSMReferencePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << (this->Mode == ALL_TEXELS ? "AllTexels" : "VirtualLights") << "\n";
+  static const char* const visibilities[] = { "None", "Voxels", "Exact" };
+  os << indent << "Visibility: " << visibilities[this->Visibility] << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -324,6 +411,16 @@ vtkVirtualLightSampler* vtkRSMReferencePass::ChooseSampler(
 }
 
 //------------------------------------------------------------------------------
+vtkIndirectVisibilityNeeds vtkRSMReferencePass::GetVisibilityNeeds(
+  const vtkIndirectPlan& plan) const
+{
+  vtkIndirectVisibilityNeeds needs = this->Superclass::GetVisibilityNeeds(plan);
+  needs.Exact = this->Visibility == EXACT;
+  needs.Senders = needs.Segments = !needs.Exact && (this->Occupancy || this->Visibility == VOXELS);
+  return needs;
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectEstimate vtkRSMReferencePass::Estimate(const Input& input)
 {
   vtkIndirectStageTimer& timer = input.Timer;
@@ -334,57 +431,30 @@ vtkIndirectEstimate vtkRSMReferencePass::Estimate(const Input& input)
     return {};
   }
   timer.Begin(vtkIndirectStageTimer::Estimate);
-  std::vector<DirectionLight> directions;
-  const std::vector<SenderBlock> senders = ReadSenders(*input.Lights, directions);
-  const vtkIndirectDistanceField* const field =
-    input.Visibility.HidesSenders() ? &input.Visibility.GetVolume().GetDistanceField() : nullptr;
-  const SenderEnds ends = field ? FindEnds(senders, *field) : SenderEnds();
   const std::vector<float> surfaces =
     input.Geometry.GetTarget().ReadBack(vtkIndirectGeometryBuffer::Surface);
-  const size_t pixels = surfaces.size() / 4;
   const std::vector<float> specular = this->HasGlossy
     ? input.Geometry.GetTarget().ReadBack(vtkIndirectGeometryBuffer::Specular)
     : std::vector<float>();
-  std::vector<float> irradiance(surfaces.size(), 0.0f);
-  std::vector<float> glossy(specular.size(), 0.0f);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(pixels),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      std::vector<SenderBlock> visible;
-      for (vtkIdType p = begin; p < end; ++p)
-      {
-        Receiver receiver;
-        double total[3] = { 0.0, 0.0, 0.0 };
-        if (MakeReceiver(frame, &surfaces[4 * p], static_cast<int>(p % frame.Size[0]),
-              static_cast<int>(p / frame.Size[0]), receiver))
-        {
-          if (field)
-          {
-            FindVisible(senders, ends, *field, receiver, visible);
-          }
-          const SenderBlock* blocks = field ? visible.data() : senders.data();
-          Sum(blocks, senders.size(), receiver, total);
-          const float* lobe = this->HasGlossy ? &specular[4 * p] : nullptr;
-          const bool mirrors = lobe && std::max({ lobe[0], lobe[1], lobe[2] }) > 0.0f;
-          double reflected[3] = { 0.0, 0.0, 0.0 };
-          SumDirections(directions, field, receiver, mirrors ? lobe[3] : -1.0, total, reflected);
-          if (mirrors)
-          {
-            SumLobe(blocks, senders.size(), receiver, lobe[3], reflected);
-            std::copy(reflected, reflected + 3, &glossy[4 * p]);
-          }
-        }
-        for (int c = 0; c < 3; ++c)
-        {
-          irradiance[4 * p + c] = static_cast<float>(total[c]);
-        }
-        irradiance[4 * p + 3] = 1.0f;
-      }
-    });
-  this->Irradiance->Write(0, irradiance);
+  Sums sums = { input.Frame, surfaces, specular, {}, {}, {}, {} };
+  sums.Senders = ReadSenders(*input.Lights, sums.Directions);
+  const vtkIndirectVisibility& visibility = input.Visibility;
+  if (visibility.IsExact())
+  {
+    sums.Make(vtkIndirectSightLines(visibility.GetVolume().GetTree()));
+  }
+  else if (visibility.HidesSenders())
+  {
+    sums.Make(VoxelLines{ visibility.GetVolume().GetDistanceField() });
+  }
+  else
+  {
+    sums.Make(OpenLines());
+  }
+  this->Irradiance->Write(0, sums.Irradiance);
   if (this->HasGlossy)
   {
-    this->Glossy->Write(0, glossy);
+    this->Glossy->Write(0, sums.Glossy);
   }
   timer.End(vtkIndirectStageTimer::Estimate);
   return this->MakeResult();

@@ -3,9 +3,9 @@
  * @class vtkRSMReferencePass
  * @brief The sum over senders at every pixel, in double precision on the CPU
  *
- * The oracle for estimators that promise to converge to one unoccluded diffuse bounce: it reads the
- * geometry buffer and the virtual lights back and evaluates, in double precision and with code of
- * its own,
+ * The oracle for estimators that promise to converge to one diffuse bounce, with or without
+ * visibility: it reads the geometry buffer and the virtual lights back and evaluates, in double
+ * precision and with code of its own,
  *
  *     E(x) = sum over senders p of B_p A_p cosS cosR / (pi r^2 + A_p)
  *
@@ -16,6 +16,9 @@
  * In mode ALL_TEXELS the senders are all texels of all maps:
  * with maps of 256 texels squared that is the reference called R1. In mode VIRTUAL_LIGHTS they are
  * the sampler's lights, which isolates the arithmetic of a shader from its sampling.
+ *
+ * Visibility says which senders a pixel sees: all, those that voxels of the scene do not hide, or
+ * those that none of its triangles hides (Documentation/methods/occupancy.md).
  *
  * Cost: pixels times senders, about 10^9 terms a second on two cores. It uses VTK's threads.
  *
@@ -53,7 +56,31 @@ public:
   void SetModeToVirtualLights() { this->SetMode(VIRTUAL_LIGHTS); }
   ///@}
 
+  enum VisibilityType
+  {
+    NONE = 0,
+    VOXELS = 1,
+    EXACT = 2
+  };
+
+  ///@{
+  /**
+   * What hides senders from receivers. NONE: nothing, unless Occupancy is on, which then means the
+   * same as VOXELS. VOXELS: occupied voxels, as with Occupancy. EXACT: the triangles of all props
+   * that cast shadows, by a segment from each pixel to each sender that faces it; both sides of a
+   * triangle block. What mappers draw without polygons that the processor can read blocks nothing;
+   * the report names such props. Surfaces hide no light from what is nearer to them than 1e-5 of
+   * the scene's diagonal. Default NONE.
+   */
+  vtkSetClampMacro(Visibility, int, NONE, EXACT);
+  vtkGetMacro(Visibility, int);
+  void SetVisibilityToNone() { this->SetVisibility(NONE); }
+  void SetVisibilityToVoxels() { this->SetVisibility(VOXELS); }
+  void SetVisibilityToExact() { this->SetVisibility(EXACT); }
+  ///@}
+
 #ifndef __VTK_WRAP__
+  vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
   vtkVirtualLightSampler* ChooseSampler(
     vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
   vtkIndirectEstimate Estimate(const Input& input) override;
@@ -65,6 +92,7 @@ protected:
   ~vtkRSMReferencePass() override;
 
   int Mode = ALL_TEXELS;
+  int Visibility = NONE;
 
 private:
   vtkRSMReferencePass(const vtkRSMReferencePass&) = delete;

@@ -120,6 +120,7 @@ VTK_INDIRECT_TEST(PrintSettings)
   vtkNew<vtkRSMReferencePass> reference;
   CheckLine(reference, "MethodName: reference", true);
   CHECK_PRINT(reference, Mode, 1, "VirtualLights");
+  CHECK_PRINT(reference, Visibility, vtkRSMReferencePass::EXACT, "Exact");
   vtkNew<vtkReflectiveShadowMapPass> maps;
   CHECK_PRINT(maps, Resolution, 77, "77");
   pass->SetDelegatePass(nullptr);

@@ -20,7 +20,12 @@ struct vtkIndirectVisibilityNeeds
   bool Maps = false;      // of the senders, in place of voxels
   bool Volume = false;    // the voxels for something else, too
   bool Triangles = false; // kept by voxel, for rays that find which surface they meet
+  bool Exact = false;     // the triangles themselves hide senders, on the processor
   int Resolution = 128;   // voxels along the longest edge of the scene, 16 to 128
+
+  bool IsAny() const { return this->Senders || this->Volume || this->Exact; }
+  /** The voxels, or what is read with them. */
+  bool HasVolume() const { return (this->Senders && !this->Maps) || this->Volume || this->Exact; }
 };
 
 /** All of it is valid for this frame, and read only. */

@@ -140,7 +140,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   this->Timer.End(vtkIndirectStageTimer::Lights);
 
   const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(this->Plan);
-  const bool timed = needs.Senders || needs.Volume;
+  const bool timed = needs.IsAny();
   if (timed)
   {
     this->Timer.Begin(vtkIndirectStageTimer::Visibility);

@@ -105,6 +105,7 @@ void vtkIndirectOccupancyVolume::Clear(
   }
   this->Columns.assign(static_cast<size_t>(this->Size.x) * this->Size.y, glm::uvec4(0u));
   this->Triangles.Clear(this->Size);
+  this->Tree.Clear();
   this->Area = 0.0;
   this->MeanAlbedo = glm::dvec3(0.0);
   this->NumberOfTriangles = 0;
@@ -138,6 +139,10 @@ void vtkIndirectOccupancyVolume::AddTriangle(const glm::dvec3 corners[3], const 
     }
   }
   ++this->NumberOfTriangles;
+  if (this->TreeIsKept)
+  {
+    this->Tree.Add(corners);
+  }
   const glm::dvec3 doubled = glm::cross(v[1] - v[0], v[2] - v[0]);
   const glm::dvec3 size = glm::abs(doubled);
   const int w = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
@@ -204,6 +209,24 @@ void vtkIndirectOccupancyVolume::KeepTriangles()
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectOccupancyVolume::KeepTree(bool keep)
+{
+  if (this->TreeIsKept == keep)
+  {
+    return;
+  }
+  this->TreeIsKept = keep;
+  if (keep)
+  {
+    this->Forget();
+  }
+  else
+  {
+    this->Tree.Clear();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectOccupancyVolume::Finish()
 {
   this->MeanAlbedo /= this->Area > 0.0 ? this->Area : 1.0;
@@ -211,6 +234,7 @@ void vtkIndirectOccupancyVolume::Finish()
   {
     this->Triangles.Finish();
   }
+  this->Tree.Finish();
 }
 
 //------------------------------------------------------------------------------
@@ -543,7 +567,7 @@ size_t vtkIndirectOccupancyVolume::GetBytes() const
 size_t vtkIndirectOccupancyVolume::GetMainMemoryBytes() const
 {
   return this->Columns.size() * sizeof(glm::uvec4) + this->Triangles.GetBytes() +
-    (this->DistanceField ? this->DistanceField->GetMainMemoryBytes() : 0);
+    this->Tree.GetBytes() + (this->DistanceField ? this->DistanceField->GetMainMemoryBytes() : 0);
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 
 #include "Frame/vtkIndirectFrame.h"             // for casters
 #include "Visibility/vtkIndirectTriangleGrid.h" // for members
+#include "Visibility/vtkIndirectTriangleTree.h" // for members
 #include "vtkSmartPointer.h"                    // for members
 
 #include <glm/glm.hpp> // for vectors
@@ -42,6 +43,9 @@ public:
   /** From the next Update on triangles are kept, for rays; this costs their memory. */
   void KeepTriangles();
   const vtkIndirectTriangleGrid& GetTriangles() const { return this->Triangles; }
+  /** From the next Update on all triangles are in a tree too, in scene units, or no longer. */
+  void KeepTree(bool keep);
+  const vtkIndirectTriangleTree& GetTree() const { return this->Tree; }
 
   /** Makes the next Update start anew. */
   void Forget() { this->Key.clear(); }
@@ -110,6 +114,8 @@ private:
   std::vector<glm::uvec4> Columns; // by x + Size.x y
   bool TrianglesAreKept = false;
   vtkIndirectTriangleGrid Triangles;
+  bool TreeIsKept = false;
+  vtkIndirectTriangleTree Tree;
   double Area = 0.0; // voxels squared
   glm::dvec3 MeanAlbedo{ 0.0 };
   std::vector<glm::ivec3> Touched; // by the triangle at hand

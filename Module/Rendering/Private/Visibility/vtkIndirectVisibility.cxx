@@ -27,10 +27,10 @@ vtkIndirectVisibility::~vtkIndirectVisibility() = default;
 bool vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  const bool hadVolume = (this->Current.Senders && !this->Current.Maps) || this->Current.Volume;
+  const bool hadVolume = this->Current.HasVolume();
   const bool lookedUp = this->LooksUpMaps();
   this->Current = needs;
-  const bool volume = (needs.Senders && !needs.Maps) || needs.Volume;
+  const bool volume = needs.HasVolume();
   if (lookedUp && !this->LooksUpMaps())
   {
     this->Maps.Release(frame.Window);
@@ -51,6 +51,7 @@ bool vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
     {
       this->Volume->KeepTriangles();
     }
+    this->Volume->KeepTree(needs.Exact);
     this->NumberOfUpdates += this->Volume->Update(frame, needs.Resolution) ? 1 : 0;
     if (needs.Segments && this->WalksSegments())
     {
@@ -96,6 +97,12 @@ bool vtkIndirectVisibility::UpdateMaps(const Input& input)
 bool vtkIndirectVisibility::WalksSegments() const
 {
   return this->Current.Senders && !this->Current.Maps && !this->Volume->IsEmpty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectVisibility::IsExact() const
+{
+  return this->Current.Exact && this->Volume->GetTree().GetNumberOfTriangles() > 0;
 }
 
 //------------------------------------------------------------------------------
@@ -148,15 +155,24 @@ void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
       "too bright");
     return;
   }
-  if (!this->WalksSegments())
+  if (this->IsExact())
+  {
+    report.Modelled.emplace_back(name,
+      "segments against all " + std::to_string(this->Volume->GetTree().GetNumberOfTriangles()) +
+        " triangles");
+  }
+  else if (this->WalksSegments())
+  {
+    report.Modelled.emplace_back(name,
+      std::to_string(this->Volume->GetNumberOfOccupiedVoxels()) + " occupied voxels of " +
+        std::to_string(this->Current.Resolution) + " along the longest edge");
+  }
+  else
   {
     report.LeftOut.emplace_back(
       name, "Visibility is none or nothing has polygons; the result is too bright");
     return;
   }
-  report.Modelled.emplace_back(name,
-    std::to_string(this->Volume->GetNumberOfOccupiedVoxels()) + " occupied voxels of " +
-      std::to_string(this->Current.Resolution) + " along the longest edge");
   for (const auto& entry : this->Volume->GetLeftOut())
   {
     report.LeftOut.push_back(entry);

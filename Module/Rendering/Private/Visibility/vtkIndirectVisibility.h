@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether a virtual light is seen from a receiver: the answer that estimators ask for. Nothing,
-// voxels of the scene, or depth maps of the lights.
+// voxels of the scene, its triangles, or depth maps of the lights.
 #ifndef vtkIndirectVisibility_h
 #define vtkIndirectVisibility_h
 
@@ -56,6 +56,8 @@ public:
   /** Whether shaders walk from place to place, which bounds how often they can ask. */
   bool WalksSegments() const;
   bool LooksUpMaps() const { return this->Current.Senders && this->Current.Maps; }
+  /** Whether triangles can hide senders: it was asked for, and there are some. */
+  bool IsExact() const;
   /** Definitions of shaders that ask vtkIndirectVisibility.glsl; empty where nothing hides. */
   const char* GetDefinitions() const;
   ///@{

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether a segment meets any of the scene's triangles, and which of them a point lies on: a tree
+// of boxes (bounding volume hierarchy), split by the surface-area heuristic in bins (Wald 2007, "On
+// fast construction of SAH-based bounding volume hierarchies").
+//
+// Corners are kept in double precision, as they were given. The test of a triangle is watertight
+// (Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection"): edges that two triangles
+// share get the same numbers with the other sign, so a segment through an edge or a corner meets at
+// least one of them. Boxes are wider than their triangles by more than all rounding, so the tree
+// finds what a loop over all triangles would.
+#ifndef vtkIndirectTriangleTree_h
+#define vtkIndirectTriangleTree_h
+
+#include <cstdint>     // for indices
+#include <glm/glm.hpp> // for vectors
+#include <vector>      // for triangles
+
+class vtkIndirectTriangleTree
+{
+public:
+  /** The plane of a triangle that a point lies on. */
+  struct Facet
+  {
+    glm::dvec3 Normal{ 0.0 }; // unit, to the side of the normal that was asked with
+    double Height = 0.0;      // of the point over the plane, to that side
+    double Distance = 0.0;    // from the point to the triangle
+  };
+
+  void Clear();
+  /** Corners in any unit. A triangle without area blocks nothing and is left out. */
+  void Add(const glm::dvec3 corners[3]);
+  /** Makes the tree after the last triangle. */
+  void Finish();
+
+  /**
+   * Whether a triangle crosses the segment between its ends; one that an end lies on does not
+   * count. Both sides of a triangle block.
+   */
+  bool IsBlocked(const glm::dvec3& start, const glm::dvec3& end) const;
+
+  /**
+   * The triangle that a point of this shading normal lies on: of those within reach the nearest,
+   * where a right angle between its plane's normal and the given one counts as much as the reach.
+   * Returns false where there is none.
+   */
+  bool FindFacet(
+    const glm::dvec3& point, const glm::dvec3& normal, double reach, Facet& facet) const;
+
+  size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
+  size_t GetBytes() const
+  {
+    return this->Triangles.size() * sizeof(Triangle) + this->Nodes.size() * sizeof(Node);
+  }
+
+private:
+  struct Triangle
+  {
+    glm::dvec3 Corners[3];
+  };
+  // Boxes about the tree's centre, side by side in vectors' lanes. Two cache lines.
+  static constexpr int Width = 4;
+  struct alignas(64) Node
+  {
+    float Bounds[2][3][Width]; // lower and upper; of what is not there from infinity to minus that
+    uint32_t First[Width];     // child, or triangle of a leaf
+    uint32_t Count[Width];     // of a leaf's triangles; 0: no leaf
+  };
+  struct Builder;
+  struct Line;
+  struct Ray;
+
+  std::vector<Triangle> Triangles; // by leaf after Finish
+  std::vector<Node> Nodes;
+  glm::dvec3 Lower{ 0.0 }; // of all boxes
+  glm::dvec3 Upper{ 0.0 };
+};
+
+#endif
