@@ -47,7 +47,12 @@ _ROWS = (
     ),
     Method("hints", "vtkRadianceHintsPass", None, "light sampled in a grid of the space"),
     Method("proxies", "vtkProxyAccumulationPass", None, "sphere proxies under an environment"),
-    Method("reference", "vtkRSMReferencePass", None, "sum over all texels, on the CPU: exact, slow"),
+    Method(
+        "reference",
+        "vtkRSMReferencePass",
+        "vtkUniformLightSampler",
+        "sum over all texels or virtual lights, on the CPU: exact, slow",
+    ),
 )
 
 METHODS = {method.name: method for method in _ROWS}
