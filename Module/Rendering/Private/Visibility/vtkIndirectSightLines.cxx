@@ -3,6 +3,9 @@
 
 #include "Visibility/vtkIndirectTriangleTree.h"
 
+#include <algorithm>
+#include <cmath>
+
 //------------------------------------------------------------------------------
 vtkIndirectSightLines::End vtkIndirectSightLines::FindEnd(
   const glm::dvec3& position, const glm::dvec3& normal) const
@@ -11,7 +14,21 @@ vtkIndirectSightLines::End vtkIndirectSightLines::FindEnd(
   vtkIndirectTriangleTree::Facet facet;
   end.OnSurface = this->Tree.FindFacet(position, normal, Reach, facet);
   end.Normal = end.OnSurface ? facet.Normal : normal;
-  end.Position = position + (end.OnSurface ? Lift - facet.Height : Lift) * end.Normal;
+  if (!end.OnSurface)
+  {
+    end.Position = position + Lift * normal;
+    return end;
+  }
+  glm::dvec3 foot = position - facet.Height * facet.Normal;
+  // A rasterizer moves corners to a grid of its own, and edges with them: a point past the
+  // triangle's edge may lie behind the wall that begins there. It goes to the triangle, and off
+  // that edge.
+  if (facet.Distance > std::abs(facet.Height) + 1e-3 * Lift)
+  {
+    const glm::dvec3 inwards = facet.Centre - facet.Nearest;
+    foot = facet.Nearest + std::min(1.0, 4.0 * Lift / glm::length(inwards)) * inwards;
+  }
+  end.Position = foot + Lift * facet.Normal;
   return end;
 }
 

@@ -3,9 +3,9 @@
 // approximate visibility. Lengths are scene units (diagonal = 1).
 //
 // Points come from buffers and lie beside their triangles, by up to 1e-4 where depth is taken from
-// a depth buffer. Each is therefore brought back to its triangle's plane, in double precision, and
-// then lifted off it along the triangle's own normal. A segment between two ends that lie in front
-// of both planes crosses neither, so no surface hides its own light. An end in front of whose plane
+// a depth buffer. Each is therefore brought back to its triangle, in double precision, and then
+// lifted off it along the triangle's own normal. A segment between two ends that lie in front of
+// both planes crosses neither, so no surface hides its own light. An end in front of whose plane
 // the other is not does not see it, also where a smooth normal would.
 //
 // What that loses: nothing nearer to a surface than Lift hides light from it.

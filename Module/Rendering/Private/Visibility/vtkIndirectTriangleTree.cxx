@@ -535,7 +535,8 @@ bool vtkIndirectTriangleTree::FindFacet(
       for (uint32_t i = node.First[child]; i < node.First[child] + node.Count[child]; ++i)
       {
         const glm::dvec3* v = this->Triangles[i].Corners;
-        const double distance = glm::distance(point, FindNearestPoint(v, point));
+        const glm::dvec3 nearest = FindNearestPoint(v, point);
+        const double distance = glm::distance(point, nearest);
         const glm::dvec3 n = glm::normalize(glm::cross(v[1] - v[0], v[2] - v[0]));
         const double cosine = glm::dot(n, normal);
         const double penalty = distance + reach * (1.0 - std::abs(cosine));
@@ -545,6 +546,8 @@ bool vtkIndirectTriangleTree::FindFacet(
           facet.Normal = cosine < 0.0 ? -n : n;
           facet.Height = glm::dot(point - v[0], facet.Normal);
           facet.Distance = distance;
+          facet.Nearest = nearest;
+          facet.Centre = (v[0] + v[1] + v[2]) / 3.0;
         }
       }
     }

@@ -21,9 +21,11 @@ public:
   /** The plane of a triangle that a point lies on. */
   struct Facet
   {
-    glm::dvec3 Normal{ 0.0 }; // unit, to the side of the normal that was asked with
-    double Height = 0.0;      // of the point over the plane, to that side
-    double Distance = 0.0;    // from the point to the triangle
+    glm::dvec3 Normal{ 0.0 };  // unit, to the side of the normal that was asked with
+    double Height = 0.0;       // of the point over the plane, to that side
+    double Distance = 0.0;     // from the point to the triangle
+    glm::dvec3 Nearest{ 0.0 }; // point of the triangle
+    glm::dvec3 Centre{ 0.0 };  // of the triangle
   };
 
   void Clear();
