@@ -416,7 +416,7 @@ vtkIndirectVisibilityNeeds vtkRSMReferencePass::GetVisibilityNeeds(
 {
   vtkIndirectVisibilityNeeds needs = this->Superclass::GetVisibilityNeeds(plan);
   needs.Exact = this->Visibility == EXACT;
-  needs.Senders = needs.Segments = !needs.Exact && (this->Occupancy || this->Visibility == VOXELS);
+  needs.Senders = needs.Segments = !needs.Exact && (needs.Senders || this->Visibility == VOXELS);
   return needs;
 }
 

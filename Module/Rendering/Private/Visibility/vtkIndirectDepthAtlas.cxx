@@ -131,45 +131,92 @@ bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapt
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDisable(GL_BLEND);
-  vtkCamera*& active = vtkIndirectRendererAccess::Camera(frame.Renderer);
-  vtkCamera* const eye = active;
-  active = this->Camera;
-  const vtkIndirectDarkLight dark(frame);
-  capture->Attach(frame);
   for (const int tile : stale)
   {
-    this->Draw(frame, capture, tile);
+    this->Use(frame, tile);
+    this->Depths.ClearDepth();
   }
-  capture->Detach();
-  active = eye;
+  const std::vector<const vtkIndirectCaster*> others = this->DrawPlain(frame, stale);
+  if (!others.empty())
+  {
+    this->DrawOthers(frame, capture, stale, others);
+  }
   this->Depths.End();
   this->NumberOfTilesDrawn += stale.size();
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDepthAtlas::Draw(
-  const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture, int number)
+void vtkIndirectDepthAtlas::Use(const vtkIndirectFrame& frame, int tile)
 {
-  const vtkIndirectDepthTile& tile = this->Drawn[static_cast<size_t>(number)].Tile;
   vtkOpenGLState* state = frame.Window->GetState();
-  const int x = number % this->Edge * this->Texels;
-  const int y = number / this->Edge * this->Texels;
+  const int x = tile % this->Edge * this->Texels;
+  const int y = tile / this->Edge * this->Texels;
   state->vtkglViewport(x, y, this->Texels, this->Texels);
   state->vtkglScissor(x, y, this->Texels, this->Texels);
-  this->Depths.ClearDepth();
-  tile.SetUp(this->Camera, frame);
-  const double width = 2.0 * std::max(tile.HalfWidth.x, tile.HalfWidth.y) / this->Texels;
-  capture->BeginMap(frame, { !tile.Parallel, tile.Parallel, tile.Near, tile.Far, width });
+}
+
+//------------------------------------------------------------------------------
+// Prop by prop, all tiles of one. Returns those that only their mappers can draw.
+std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
+  const vtkIndirectFrame& frame, const std::vector<int>& tiles)
+{
+  std::vector<const vtkIndirectCaster*> others;
+  std::vector<glm::dmat4> toClip;
+  for (const int tile : tiles)
+  {
+    toClip.push_back(this->Drawn[static_cast<size_t>(tile)].Tile.GetWorldToClip(frame));
+  }
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    if (tile.CanSee(frame, caster.Bounds))
+    if (!vtkIndirectDepthDrawer::CanDraw(caster.Prop) ||
+      !this->Drawer.Begin(frame.Window, caster.Prop))
     {
-      capture->BeginCaster(false);
-      caster.Prop->RenderOpaqueGeometry(frame.Renderer);
+      others.push_back(&caster);
+      continue;
     }
+    for (size_t i = 0; i < tiles.size(); ++i)
+    {
+      if (this->Drawn[static_cast<size_t>(tiles[i])].Tile.CanSee(frame, caster.Bounds))
+      {
+        this->Use(frame, tiles[i]);
+        this->Drawer.Draw(toClip[i]);
+      }
+    }
+    this->Drawer.End();
   }
-  capture->EndStage();
+  return others;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthAtlas::DrawOthers(const vtkIndirectFrame& frame,
+  vtkSurfaceCapturePass* capture, const std::vector<int>& tiles,
+  const std::vector<const vtkIndirectCaster*>& casters)
+{
+  vtkCamera*& active = vtkIndirectRendererAccess::Camera(frame.Renderer);
+  vtkCamera* const eye = active;
+  active = this->Camera;
+  const vtkIndirectDarkLight dark(frame);
+  capture->Attach(frame);
+  for (const int number : tiles)
+  {
+    const vtkIndirectDepthTile& tile = this->Drawn[static_cast<size_t>(number)].Tile;
+    this->Use(frame, number);
+    tile.SetUp(this->Camera, frame);
+    const double width = 2.0 * std::max(tile.HalfWidth.x, tile.HalfWidth.y) / this->Texels;
+    capture->BeginMap(frame, { !tile.Parallel, tile.Parallel, tile.Near, tile.Far, width });
+    for (const vtkIndirectCaster* caster : casters)
+    {
+      if (tile.CanSee(frame, caster->Bounds))
+      {
+        capture->BeginCaster(false);
+        caster->Prop->RenderOpaqueGeometry(frame.Renderer);
+      }
+    }
+    capture->EndStage();
+  }
+  capture->Detach();
+  active = eye;
 }
 
 //------------------------------------------------------------------------------
@@ -189,6 +236,7 @@ void vtkIndirectDepthAtlas::Deactivate() const
 void vtkIndirectDepthAtlas::Release(vtkWindow* window)
 {
   this->Depths.Release(window);
+  this->Drawer.Release(window);
   this->Forget();
   this->Casters.clear();
   this->Edge = this->Texels = 0;

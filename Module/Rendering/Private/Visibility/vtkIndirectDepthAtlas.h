@@ -6,6 +6,7 @@
 #ifndef vtkIndirectDepthAtlas_h
 #define vtkIndirectDepthAtlas_h
 
+#include "Capture/vtkIndirectDepthDrawer.h"  // for a member
 #include "OpenGL/vtkIndirectTarget.h"        // for a member
 #include "Visibility/vtkIndirectDepthTile.h" // for tiles
 #include "vtkSmartPointer.h"                 // for a member
@@ -17,6 +18,7 @@
 class vtkOpenGLCamera;
 class vtkProp;
 class vtkSurfaceCapturePass;
+struct vtkIndirectCaster;
 
 class vtkIndirectDepthAtlas
 {
@@ -68,9 +70,14 @@ private:
   };
 
   void ForgetWhatChanged(const vtkIndirectFrame& frame);
-  void Draw(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture, int tile);
+  void Use(const vtkIndirectFrame& frame, int tile);
+  std::vector<const vtkIndirectCaster*> DrawPlain(
+    const vtkIndirectFrame& frame, const std::vector<int>& tiles);
+  void DrawOthers(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
+    const std::vector<int>& tiles, const std::vector<const vtkIndirectCaster*>& casters);
 
   vtkIndirectTarget Depths;
+  vtkIndirectDepthDrawer Drawer;
   vtkSmartPointer<vtkOpenGLCamera> Camera;
   std::vector<Drawing> Drawn;
   std::vector<Caster> Casters; // when they were

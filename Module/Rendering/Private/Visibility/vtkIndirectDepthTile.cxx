@@ -100,6 +100,25 @@ bool vtkIndirectDepthTile::CanSee(const vtkIndirectFrame& frame, const double bo
 }
 
 //------------------------------------------------------------------------------
+glm::dmat4 vtkIndirectDepthTile::GetWorldToClip(const vtkIndirectFrame& frame) const
+{
+  const double n = this->Near;
+  const double f = this->Far;
+  glm::dmat4 projection(0.0); // of scene units
+  projection[0][0] = 1.0 / this->HalfWidth.x;
+  projection[1][1] = 1.0 / this->HalfWidth.y;
+  projection[2][2] = this->Parallel ? -2.0 / (f - n) : -(f + n) / (f - n);
+  projection[3][2] = this->Parallel ? -(f + n) / (f - n) : -2.0 * f * n / (f - n);
+  projection[2][3] = this->Parallel ? 0.0 : -1.0;
+  projection[3][3] = this->Parallel ? 1.0 : 0.0;
+  const glm::dmat3 rotation =
+    glm::transpose(glm::dmat3(this->Right, this->Up, -this->Forward)) * frame.SceneScale;
+  glm::dmat4 view(rotation);
+  view[3] = glm::dvec4(-(rotation * (frame.SceneCenter + this->Place / frame.SceneScale)), 1.0);
+  return projection * view;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectDepthTile::SetUp(vtkOpenGLCamera* camera, const vtkIndirectFrame& frame) const
 {
   const double n = this->Near / frame.SceneScale;

@@ -28,6 +28,8 @@ struct vtkIndirectDepthTile
   /** Whether it can see any of these bounds, in world coordinates. */
   bool CanSee(const vtkIndirectFrame& frame, const double bounds[6]) const;
 
+  /** From world to clip coordinates. */
+  glm::dmat4 GetWorldToClip(const vtkIndirectFrame& frame) const;
   /** Sets up a camera that keeps the eye's ParallelProjection flag; see vtkIndirectLightMap. */
   void SetUp(vtkOpenGLCamera* camera, const vtkIndirectFrame& frame) const;
 

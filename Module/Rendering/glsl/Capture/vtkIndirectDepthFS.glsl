@@ -1,0 +1,5 @@
+//VTK::System::Dec
+// Depth comes by itself.
+void main()
+{
+}

@@ -1,0 +1,9 @@
+//VTK::System::Dec
+// Positions alone, for depth maps.
+in vec4 vertexMC;
+uniform mat4 vtkiToClip;
+
+void main()
+{
+  gl_Position = vtkiToClip * vertexMC;
+}
