@@ -2,8 +2,9 @@
 """What VTK draws of a scene, as numbers: the only thing that the two sides of a reference share.
 
 VTK writes a description (`exporter.py`, the system's Python) and Mitsuba reads it (`tracer.py`, an
-environment of its own), so that no process needs both. A description is a folder with `scene.json`
-and `surface.npz`. Lengths are in scene units, light strengths in VTK's units.
+environment of its own), so that no process needs both. A description is a folder with `scene.json`,
+`surface.npz` and, where there is light from all around, `environment.npz`. Lengths are in scene units,
+light strengths in VTK's units.
 """
 
 from __future__ import annotations
@@ -75,6 +76,39 @@ class Light:
 
 
 @dataclass
+class Environment:
+    """Light from all around: radiance in VTK's units, (rows, columns, 3), the nadir's row first.
+
+    `image` is equirectangular, each pixel of one colour; a single pixel is the same radiance from
+    everywhere. `right`, `up`, `back`: unit vectors in world coordinates. The image's middle lies
+    opposite of `back`, its right half to the right, its upper edge above.
+    """
+
+    image: np.ndarray
+    right: np.ndarray
+    up: np.ndarray
+    back: np.ndarray
+
+    def directions(self, row: np.ndarray, column: np.ndarray) -> np.ndarray:
+        """Return unit directions in world coordinates to places in the image, in pixels.
+
+        `row`, `column` of the same shape: 0 is the edge of the first pixel, 0.5 its centre.
+        """
+        latitude = np.pi * (np.asarray(row) / self.image.shape[0] - 0.5)
+        longitude = 2.0 * np.pi * (np.asarray(column) / self.image.shape[1] - 0.5)
+        flat = np.cos(latitude)
+        parts = flat * np.sin(longitude), np.sin(latitude), -flat * np.cos(longitude)
+        axes = (self.right, self.up, self.back)
+        return sum(part[..., None] * axis for part, axis in zip(parts, axes))
+
+    def solid_angles(self) -> np.ndarray:
+        """Return the solid angle of a pixel of each row, in steradians."""
+        rows, columns = self.image.shape[:2]
+        heights = np.sin(np.pi * (np.arange(rows + 1) / rows - 0.5))
+        return 2.0 * np.pi / columns * np.diff(heights)
+
+
+@dataclass
 class Surface:
     """Triangles: `points`, `normals` (unit, of either side) and `albedo` at vertices, `faces`.
 
@@ -115,6 +149,7 @@ class Description:
     lights: list[Light]
     surface: Surface
     left_out: list[dict[str, str]] = field(default_factory=list)
+    environment: Environment | None = None
 
     @property
     def center(self) -> np.ndarray:
@@ -138,6 +173,9 @@ class Description:
             albedo=surface.albedo.astype(np.float32),
             faces=surface.faces.astype(np.uint32),
         )
+        (directory / "environment.npz").unlink(missing_ok=True)
+        if self.environment is not None:
+            np.savez(directory / "environment.npz", **asdict(self.environment))
         values: dict[str, Any] = {
             "schema": SCHEMA,
             "name": self.name,
@@ -156,6 +194,10 @@ def load(directory: Path) -> Description:
         raise ValueError(f"{directory}: schema {values['schema']}, not {SCHEMA}")
     with np.load(directory / "surface.npz") as arrays:
         surface = Surface(*(arrays[key] for key in ("points", "normals", "albedo", "faces")))
+    environment = None
+    if (directory / "environment.npz").exists():
+        with np.load(directory / "environment.npz") as arrays:
+            environment = Environment(**arrays)
     return Description(
         values["name"],
         tuple(values["size"]),
@@ -163,6 +205,7 @@ def load(directory: Path) -> Description:
         [Light(**light) for light in values["lights"]],
         surface,
         values["left_out"],
+        environment,
     )
 
 

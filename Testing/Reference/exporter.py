@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -24,7 +25,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
 )
 
-from description import Camera, Description, Light, Surface
+from description import Camera, Description, Environment, Light, Surface
 
 # vtkMapper's scalar modes, by number in VTK's headers.
 _DEFAULT, _POINT, _CELL, _POINT_FIELD, _CELL_FIELD = range(5)
@@ -89,6 +90,36 @@ def export_light(light: vtkLight) -> Light:
         cone,
         light.GetExponent() if cone is not None else 0.0,
     )
+
+
+def _axes(up: tuple[float, ...], right: tuple[float, ...]) -> list[np.ndarray]:
+    """Return the unit vectors right, up, back of an environment whose axes are given."""
+    y = np.array(up) / np.linalg.norm(up)
+    x = np.array(right) - (np.array(right) @ y) * y
+    if not np.linalg.norm(x) > 1e-9 * np.linalg.norm(right):
+        raise ExportError("the environment's Right is along its Up")
+    x /= np.linalg.norm(x)
+    return [x, y, np.cross(x, y)]
+
+
+def export_environment(light: Any) -> Environment:
+    """Return what a vtkEnvironmentLight sends, from its image, its texture or its radiance."""
+    image, encoded = light.GetImage(), False
+    if image is None and light.GetTexture() is not None:
+        light.GetTexture().Update()
+        image, encoded = light.GetTexture().GetInput(), light.GetTexture().GetUseSRGBColorSpace()
+    if image is None:
+        values = np.array(light.GetRadiance()).reshape(1, 1, 3)
+    else:
+        width, height, _ = image.GetDimensions()
+        pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)
+        values = pixels.astype(np.float64) / (255.0 if pixels.dtype == np.uint8 else 1.0)
+        values = values[..., :3] if values.shape[2] >= 3 else np.repeat(values[..., :1], 3, axis=2)
+        values = np.where(np.isfinite(values) & (values >= 0.0), values, 0.0)
+        if encoded:  # the transfer function of sRGB, IEC 61966-2-1
+            low = values <= 0.04045
+            values = np.where(low, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+    return Environment(light.GetScale() * values, *_axes(light.GetUp(), light.GetRight()))
 
 
 # Surfaces -----------------------------------------------------------------------------------------
@@ -259,8 +290,12 @@ def export_renderer(
     name: str,
     size: tuple[int, int],
     actors: Iterable[tuple[str, vtkActor]],
+    environment: Any = None,
 ) -> Description:
-    """Return what a renderer draws of its actors at `size` pixels."""
+    """Return what a renderer draws of its actors at `size` pixels.
+
+    `environment`: the vtkEnvironmentLight around them, or None.
+    """
     renderer.UpdateLightsGeometryToFollowCamera()
     left_out: list[dict[str, str]] = []
     parts: list[Surface] = []
@@ -286,4 +321,5 @@ def export_renderer(
         [export_light(light) for light in lights if light.GetSwitch()],
         Surface.join(parts),
         left_out,
+        None if environment is None else export_environment(environment),
     )

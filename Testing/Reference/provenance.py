@@ -41,7 +41,8 @@ def scene_hash(path: Path) -> str:
 def data_hashes(path: Path) -> dict[str, str]:
     """Return the SHA-256 of each data file that a scene file names, by the name that it uses."""
     values = json.loads(path.read_text(encoding="utf-8-sig"))
-    names = sorted({actor["file"] for actor in values["actors"] if "file" in actor})
+    named = [*values["actors"], *values["lights"]]
+    names = sorted({part["file"] for part in named if "file" in part})
     return {name: file_hash(path.parent / name) for name in names}
 
 

@@ -43,7 +43,9 @@ def describe(path: Path) -> Description:
     import vtkindirect
 
     scene = vtkindirect.load_scene(path)
-    return exporter.export_renderer(scene.renderer, scene.name, scene.size, scene.actors.items())
+    return exporter.export_renderer(
+        scene.renderer, scene.name, scene.size, scene.actors.items(), scene.environment
+    )
 
 
 def trace(

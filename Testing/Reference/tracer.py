@@ -3,24 +3,19 @@
 
     python tracer.py DESCRIPTION_FOLDER job.json
 
-A job names what to compute, see `JOBS`; results are .npz files beside the description. All images
+A job names what to compute, see `run`; results are .npz files beside the description. All images
 are (height, width, ...), bottom row first, irradiance in VTK's units: outgoing = albedo * E.
-
-Side and shading are VTK's: the winding of a triangle decides which side a ray sees, the vertices'
-normal is turned to that side, and light counts by its cosine to that normal when it comes from that
-side of the triangle. A surface that is lit from behind is dark.
 """
 
 from __future__ import annotations
 
-import ctypes.util
 import hashlib
 import json
 import math
-import os
 import sys
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -28,30 +23,10 @@ import mitsuba as mi
 import numpy as np
 
 import description
+from shading import SCALAR, VARIANT, albedo_at, direct, first_hit, make_scene, ray_origin, sides, take
+from sky import Sky
 
-
-def _choose_variant() -> str:
-    """Take the vectorising variant, or the scalar one with a note when there is no LLVM."""
-    forced = os.environ.get("VTKINDIRECT_MITSUBA_VARIANT")
-    if forced:
-        return forced
-    known = ["LLVM-19", "LLVM-20", "LLVM-18", "LLVM-17", "LLVM"]
-    if os.environ.get("DRJIT_LIBLLVM_PATH") or any(map(ctypes.util.find_library, known)):
-        return "llvm_ad_rgb"
-    print(
-        "note: no LLVM was found, so the slow variant scalar_rgb is used; "
-        "on Debian: apt-get install libllvm19",
-        file=sys.stderr,
-        flush=True,
-    )
-    return "scalar_rgb"
-
-
-VARIANT = _choose_variant()
-mi.set_variant(VARIANT)
-SCALAR = VARIANT.startswith("scalar")
-
-import drjit as dr  # noqa: E402  needs the variant
+import drjit as dr  # isort: skip  needs the variant that shading chooses
 
 # Samples that are traced at once; about 1 kB of memory each with several bounces.
 LANES = 1 << 20
@@ -60,222 +35,78 @@ LANES = 1 << 20
 LONG_ENOUGH = 2.0
 
 
-# The scene ----------------------------------------------------------------------------------------
+# Light -----------------------------------------------------------------------------------------------
 
 
-class VTKLight(mi.Emitter):
-    """A positional light of VTK that no built-in emitter equals.
+# What an estimator needs to know of a receiver.
+RECEIVER = ("point", "back", "facet", "normal")
 
-    Its irradiance on a surface that faces it is `irradiance` times cos^exponent inside a cone with
-    a hard edge, divided by c + l d + q d^2.
+
+@dataclass
+class World:
+    """What rays meet: the scene, and beyond it the sky where there is one."""
+
+    scene: mi.Scene
+    sky: Sky | None = None
+
+
+def _numbers(sampler: mi.Sampler, lane: Any) -> Any:
+    """Return two random numbers for each of the lanes that are left."""
+    numbers = sampler.next_2d()
+    return numbers if SCALAR else take(numbers, lane)
+
+
+def sky_at(world: World, receiver: dict[str, Any], sampler: mi.Sampler, lane: Any) -> Any:
+    """Return one sample of the irradiance that comes directly from the sky, in VTK's units.
+
+    E = 1/pi times the integral of radiance times cosine over the directions in which no surface is
+    met. One direction is drawn by the cosine and, unless the sky is the same everywhere, one by the
+    radiance. Weighted by the balance heuristic (Veach 1997, section 9.2) each of them counts
+    radiance * p / (p + q), p and q the two densities at it.
     """
-
-    def __init__(self, properties: mi.Properties) -> None:
-        mi.Emitter.__init__(self, properties)
-        self.position = mi.ScalarPoint3f(properties["position"])
-        self.direction = mi.ScalarVector3f(properties["direction"])
-        self.irradiance = mi.ScalarColor3f(properties["irradiance"])
-        self.attenuation = list(mi.ScalarVector3f(properties["attenuation"]))
-        self.cutoff = float(properties["cutoff"])
-        self.exponent = float(properties["exponent"])
-        self.m_flags = mi.EmitterFlags.DeltaPosition
-
-    def sample_direction(self, reference: Any, _sample: Any, active: Any = True) -> tuple[Any, Any]:
-        offset = mi.Point3f(self.position) - reference.p
-        distance = dr.norm(offset)
-        sample = mi.DirectionSample3f() if SCALAR else dr.zeros(mi.DirectionSample3f)
-        sample.p = mi.Point3f(self.position)
-        sample.dist = distance
-        sample.d = offset / distance
-        sample.n = -sample.d
-        sample.time = reference.time
-        sample.pdf = 1.0
-        sample.delta = True
-        constant, linear, quadratic = self.attenuation
-        cosine = -dr.dot(sample.d, mi.Vector3f(self.direction))
-        value = 1.0 / (constant + distance * (linear + distance * quadratic))
-        if self.exponent > 0.0:
-            value *= dr.power(dr.maximum(cosine, 0.0), self.exponent)
-        value = dr.select(active & (cosine >= self.cutoff), value, 0.0)
-        return sample, mi.Color3f(self.irradiance) * value
-
-    # A ray never meets a point.
-
-    def eval(self, _interaction: Any, _active: Any = True) -> Any:
-        return mi.Color3f(0.0)
-
-    def eval_direction(self, _reference: Any, _sample: Any, _active: Any = True) -> Any:
-        return mi.Color3f(0.0)
-
-    def pdf_direction(self, _reference: Any, _sample: Any, _active: Any = True) -> Any:
-        return mi.Float(0.0)
-
-    def bbox(self) -> mi.ScalarBoundingBox3f:
-        return mi.ScalarBoundingBox3f(self.position)
-
-
-mi.register_emitter("vtk_light", VTKLight)
-
-
-def make_emitter(values: dict[str, Any]) -> dict[str, Any]:
-    """Return Mitsuba's dictionary for an emitter of `description.emitter`."""
-
-    def rgb(key: str) -> dict[str, Any]:
-        return {"type": "rgb", "value": values[key]}
-
-    kind = values["type"]
-    if kind == "directional":
-        return {"type": kind, "direction": values["direction"], "irradiance": rgb("irradiance")}
-    if kind == "point":
-        return {"type": kind, "position": values["position"], "intensity": rgb("intensity")}
-    if kind == "spot":
-        x, y, z = np.abs(values["direction"])
-        up = [1.0, 0.0, 0.0] if x < max(y, z) else [0.0, 1.0, 0.0]
-        target = [p + d for p, d in zip(values["position"], values["direction"])]
-        look = mi.ScalarTransform4f().look_at(values["position"], target, up)
-        return {
-            "type": kind,
-            "to_world": look,
-            "intensity": rgb("intensity"),
-            "cutoff_angle": values["cone"],
-            "beam_width": values["cone"],
-        }
-    cone = values["cone"]
-    return {
-        "type": kind,
-        "position": mi.ScalarVector3f(values["position"]),
-        "direction": mi.ScalarVector3f(values["direction"]),
-        "irradiance": mi.ScalarVector3f(values["irradiance"]),
-        "attenuation": mi.ScalarVector3f(values["attenuation"]),
-        "cutoff": -2.0 if cone is None else math.cos(math.radians(cone)),
-        "exponent": values["exponent"],
-    }
-
-
-def make_scene(scene: description.Description) -> mi.Scene:
-    """Return the Mitsuba scene of a description, in tracer coordinates."""
-    surface = scene.surface
-    properties = mi.Properties()
-    properties["mesh_bsdf"] = mi.load_dict(
-        {
-            "type": "twosided",
-            "material": {
-                "type": "diffuse",
-                "reflectance": {"type": "mesh_attribute", "name": "vertex_color"},
-            },
-        }
-    )
-    mesh = mi.Mesh(
-        scene.name,
-        vertex_count=len(surface.points),
-        face_count=len(surface.faces),
-        has_vertex_normals=True,
-        has_vertex_texcoords=False,
-        props=properties,
-    )
-    mesh.add_attribute("vertex_color", 3, surface.albedo.astype(np.float32).ravel())
-    parameters = mi.traverse(mesh)
-    points = (surface.points - scene.center) * scene.scale
-    parameters["faces"] = surface.faces.astype(np.uint32).ravel()
-    parameters["vertex_positions"] = points.astype(np.float32).ravel()
-    parameters["vertex_normals"] = surface.normals.astype(np.float32).ravel()
-    parameters.update()
-    objects: dict[str, Any] = {"type": "scene", "surface": mesh}
-    for index, light in enumerate(scene.lights):
-        emitted = description.emitter(light, scene.center, scene.scale)
-        objects[f"light{index}"] = make_emitter(emitted)
-    return mi.load_dict(objects)
-
-
-# Light --------------------------------------------------------------------------------------------
-
-
-def _origin(point: Any, facet: Any, back: Any) -> Any:
-    """Return where rays from a surface start: off its facet, and back towards where it was seen.
-
-    The way to the eye is free, so `back` keeps a point in a corner from ending up behind the other
-    wall.
-    """
-    return point + (facet + back) * ((1.0 + dr.max(dr.abs(point))) * mi.math.RayEpsilon)
-
-
-def _sides(hit: Any, direction: Any) -> tuple[Any, Any, Any]:
-    """Return the facet's and the shading normal at hits, on the side that the ray sees, and where.
-
-    Where there is none (normals of opposite signs that cancel, slivers without area) the surface is
-    drawn but takes no part in lighting, as in the passes.
-    """
-    front = dr.dot(hit.n, direction) < 0.0
-    facet, normal = hit.n, hit.sh_frame.n
-    # False for NaN too.
-    there = (dr.dot(facet, facet) > 0.5) & (dr.dot(normal, normal) > 0.5)
-    sign = dr.select(front, 1.0, -1.0)
-    anything = mi.Normal3f(0.0, 0.0, 1.0)
-    return (
-        dr.select(there, facet * sign, anything),
-        dr.select(there, normal * sign, anything),
-        there,
-    )
-
-
-def _albedo(hit: Any, there: Any) -> Any:
-    """Return the diffuse reflectance at hits, black where there is none.
-
-    Interpolation in a triangle that is all but a line gives numbers that are no colours.
-    """
-    value = hit.bsdf().eval_diffuse_reflectance(hit, there)
-    return dr.select(there & dr.all((value >= 0.0) & (value < 2.0)), value, 0.0)
-
-
-def direct(scene: mi.Scene, point: Any, back: Any, facet: Any, normal: Any, active: Any) -> Any:
-    """Return the direct irradiance at a point in VTK's units, shadowed; see `_origin`."""
-    total = mi.Color3f(0.0)
-    reference = mi.Interaction3f() if SCALAR else dr.zeros(mi.Interaction3f)
-    reference.p = point
-    reference.n = facet
-    origin = _origin(point, facet, back)
-    for emitter in scene.emitters():
-        sample, weight = emitter.sample_direction(reference, mi.Point2f(0.5, 0.5), active)
-        cosine = dr.dot(normal, sample.d)
-        lit = active & (cosine > 0.0) & (dr.dot(facet, sample.d) > 0.0)
-        lit &= dr.max(weight) > 0.0
-        way = sample.p - origin
-        length = dr.norm(way)
-        ray = mi.Ray3f(origin, way / length, length * (1.0 - mi.math.ShadowEpsilon), 0.0, [])
-        lit &= ~scene.ray_test(ray, lit)
-        total += dr.select(lit, weight * (cosine * dr.inv_pi), 0.0)
+    facet, normal = receiver["facet"], receiver["normal"]
+    start = ray_origin(receiver["point"], facet, receiver["back"])
+    local = mi.warp.square_to_cosine_hemisphere(_numbers(sampler, lane))
+    directions = [mi.Frame3f(normal).to_world(local)]
+    if not world.sky.is_uniform:
+        directions.append(world.sky.sample(_numbers(sampler, lane)))
+    total = mi.Color3f(0.0) if SCALAR else dr.zeros(mi.Color3f, dr.width(start))
+    for direction in directions:
+        cosine = dr.dot(normal, direction)
+        free = receiver["active"] & (cosine > 0.0) & (dr.dot(facet, direction) > 0.0)
+        free &= ~world.scene.ray_test(mi.Ray3f(start, direction), free)
+        radiance = world.sky.radiance(direction)
+        density = cosine * dr.inv_pi
+        weight = density / (density + world.sky.density(radiance))
+        total += dr.select(free, radiance * weight, 0.0)
     return total
 
 
-def first_hit(scene: mi.Scene, ray: mi.Ray3f) -> dict[str, Any]:
-    """Return what rays from the eye meet: receivers, and their albedo and direct irradiance."""
-    hit = scene.ray_intersect(ray)
-    valid = hit.is_valid()
-    if SCALAR and not valid:
-        zero = [0.0, 0.0, 0.0]
-        names = ("point", "back", "facet", "normal", "albedo", "direct")
-        return {"valid": False, **{name: zero for name in names}}
-    facet, normal, there = _sides(hit, ray.d)
-    valid &= there
-    return {
-        "valid": valid,
-        "point": hit.p,
-        "back": -ray.d,
-        "facet": facet,
-        "normal": normal,
-        "albedo": _albedo(hit, valid),
-        "direct": direct(scene, hit.p, -ray.d, facet, normal, valid),
-    }
+def sky(
+    world: World, start: dict[str, Any], sampler: mi.Sampler, _depth: int
+) -> Iterator[tuple[Any, Any]]:
+    """Yield one sample of the irradiance at receivers that comes directly from the sky."""
+    lane = None if SCALAR else dr.arange(mi.UInt32, dr.width(start["point"]))
+    light = sky_at(world, {**start, "active": mi.Bool(True)}, sampler, lane)
+    if not SCALAR:
+        dr.eval(light, lane)
+    yield light, lane
 
 
 def bounces(
-    scene: mi.Scene, start: dict[str, Any], sampler: mi.Sampler, depth: int
+    world: World,
+    start: dict[str, Any],
+    sampler: mi.Sampler,
+    depth: int,
+    with_sky: bool = False,
 ) -> Iterator[tuple[Any, Any]]:
     """Yield the incident irradiance at receivers by bounce 1, 2, ... `depth`, one sample each.
 
-    Each is the light and the lanes that it belongs to; other lanes have none. There is no Russian
-    roulette: a path ends where it leaves the scene, or at `depth`.
+    It is light of the lights, and of the sky where that is asked for. Each is the light and the
+    lanes that it belongs to; other lanes have none. There is no Russian roulette: a path ends where
+    it leaves the scene, or at `depth`.
     """
+    scene = world.scene
     point, back = start["point"], start["back"]
     facet, normal = start["facet"], start["normal"]
     throughput = mi.Color3f(1.0)
@@ -286,7 +117,7 @@ def bounces(
             local = dr.gather(mi.Vector3f, local, lane)
         direction = mi.Frame3f(normal).to_world(local)
         active = dr.dot(direction, facet) > 0.0
-        hit = scene.ray_intersect(mi.Ray3f(_origin(point, facet, back), direction), active)
+        hit = scene.ray_intersect(mi.Ray3f(ray_origin(point, facet, back), direction), active)
         active &= hit.is_valid()
         if SCALAR:
             if not active:
@@ -297,30 +128,42 @@ def bounces(
             alive = dr.compress(active)
             if dr.width(alive) == 0:
                 return
-            hit, direction = dr.gather(type(hit), hit, alive), _take(direction, alive)
-            throughput, lane = _take(throughput, alive), _take(lane, alive)
+            hit, direction = dr.gather(type(hit), hit, alive), take(direction, alive)
+            throughput, lane = take(throughput, alive), take(lane, alive)
         point, back = hit.p, -direction
-        facet, normal, there = _sides(hit, direction)
-        throughput = throughput * _albedo(hit, there)
-        light = throughput * direct(scene, point, back, facet, normal, there)
+        facet, normal, there = sides(hit, direction)
+        throughput = throughput * albedo_at(hit, there)
+        light = direct(scene, point, back, facet, normal, there)
+        if with_sky:
+            receiver = dict(zip(RECEIVER, (point, back, facet, normal)), active=there)
+            light += sky_at(world, receiver, sampler, lane)
+        light = throughput * light
         dr.eval(light, point, back, facet, normal, throughput, lane)
         yield light, lane
 
 
+def all_bounces(
+    world: World, start: dict[str, Any], sampler: mi.Sampler, depth: int
+) -> Iterator[tuple[Any, Any]]:
+    """Yield the same as `bounces`, of the lights and of the sky."""
+    return bounces(world, start, sampler, depth, with_sky=world.sky is not None)
+
+
 def through_everything(
-    scene: mi.Scene, start: dict[str, Any], sampler: mi.Sampler, layers: int
+    world: World, start: dict[str, Any], sampler: mi.Sampler, layers: int
 ) -> Iterator[tuple[Any, Any]]:
     """Yield one sample of the irradiance by one bounce that nothing stands in the way of.
 
     The way from light to sender is shadowed, that from sender to receiver is not: a ray counts all
     surfaces along it, at most `layers`. Each surface is yielded by itself, and all are one bounce.
     """
+    scene = world.scene
     point = start["point"]
     local = mi.warp.square_to_cosine_hemisphere(sampler.next_2d())
     direction = mi.Frame3f(start["normal"]).to_world(local)
     lane = None if SCALAR else dr.arange(mi.UInt32, dr.width(point))
     for _ in range(layers):
-        hit = scene.ray_intersect(mi.Ray3f(_origin(point, direction, 0.0), direction))
+        hit = scene.ray_intersect(mi.Ray3f(ray_origin(point, direction, 0.0), direction))
         active = hit.is_valid()
         if SCALAR:
             if not active:
@@ -330,28 +173,26 @@ def through_everything(
             alive = dr.compress(active)
             if dr.width(alive) == 0:
                 return
-            hit, direction = dr.gather(type(hit), hit, alive), _take(direction, alive)
-            lane = _take(lane, alive)
+            hit, direction = dr.gather(type(hit), hit, alive), take(direction, alive)
+            lane = take(lane, alive)
         point = hit.p
-        facet, normal, there = _sides(hit, direction)
+        facet, normal, there = sides(hit, direction)
         light = direct(scene, point, -direction, facet, normal, there)
-        light = light * _albedo(hit, there)
+        light = light * albedo_at(hit, there)
         dr.eval(light, point, direction, lane)
         yield light, lane
 
 
-def _take(values: Any, where: Any) -> Any:
-    return dr.gather(type(values), values, where)
-
-
 # Jobs ---------------------------------------------------------------------------------------------
 
-# What an estimator needs to know of a receiver.
-RECEIVER = ("point", "back", "facet", "normal")
+Estimator = Callable[[World, dict[str, Any], mi.Sampler, int], Iterator[tuple[Any, Any]]]
 
-Estimator = Callable[[mi.Scene, dict[str, Any], mi.Sampler, int], Iterator[tuple[Any, Any]]]
-
-ESTIMATORS: dict[str, Estimator] = {"bounces": bounces, "open": through_everything}
+ESTIMATORS: dict[str, Estimator] = {
+    "bounces": bounces,
+    "all": all_bounces,
+    "sky": sky,
+    "open": through_everything,
+}
 
 
 def seed_of(*parts: Any) -> int:
@@ -370,15 +211,15 @@ def _sampler(samples: int, seed: int, lanes: int) -> mi.Sampler:
 
 
 def _average(
-    scene: mi.Scene, start: dict[str, Any], samples: int, seed: int, depth: int, what: Estimator
+    world: World, start: dict[str, Any], samples: int, seed: int, depth: int, what: Estimator
 ) -> np.ndarray:
     """Return the mean of `samples` samples at receivers, in lanes: (receivers, depth, 3)."""
     count = dr.width(start["point"])
     index = dr.arange(mi.UInt32, count * samples) // samples
-    lanes = {key: _take(value, index) for key, value in start.items()}
+    lanes = {key: take(value, index) for key, value in start.items()}
     result = np.zeros((count, depth, 3))
     sampler = _sampler(samples, seed, count * samples)
-    for bounce, (light, lane) in enumerate(what(scene, lanes, sampler, depth)):
+    for bounce, (light, lane) in enumerate(what(world, lanes, sampler, depth)):
         # Sums in fixed order, so that the same seed gives the same bits.
         each = dr.zeros(mi.Color3f, count * samples)
         dr.scatter(each, light, lane)
@@ -388,7 +229,7 @@ def _average(
 
 
 def _average_scalar(
-    scene: mi.Scene, start: dict[str, Any], samples: int, seed: int, depth: int, what: Estimator
+    world: World, start: dict[str, Any], samples: int, seed: int, depth: int, what: Estimator
 ) -> np.ndarray:
     """Return the same as `_average`, one sample after the other."""
     points, backs, facets, normals = (_columns(start[key]) for key in RECEIVER)
@@ -403,7 +244,7 @@ def _average_scalar(
             "normal": mi.Normal3f(normal),
         }
         for _ in range(samples):
-            for bounce, (light, _none) in enumerate(what(scene, lane, sampler, depth)):
+            for bounce, (light, _none) in enumerate(what(world, lane, sampler, depth)):
                 result[i, bounce] += np.array(light)
     return result / samples
 
@@ -449,13 +290,16 @@ class Tracer:
     def __init__(self, folder: Path, size: tuple[int, int]) -> None:
         self.description = description.load(folder)
         self.size = size
-        self.scene = make_scene(self.description)
+        environment = self.description.environment
+        self.world = World(
+            make_scene(self.description), None if environment is None else Sky(environment)
+        )
         camera = self.description.camera
         origins, directions = (v.reshape(-1, 3) for v in camera.rays(*size))
         scale = self.description.scale
         lengths = (camera.far - camera.near) / (directions @ np.array(camera.forward)) * scale
         origins = (origins - self.description.center) * scale
-        self.start = _first_hits(self.scene, origins, directions, lengths)
+        self.start = _first_hits(self.world.scene, origins, directions, lengths)
 
     def surfaces(self) -> dict[str, np.ndarray]:
         """Return what the eye sees: valid, depth (scene units), normal, albedo, direct."""
@@ -483,7 +327,9 @@ class Tracer:
     ) -> dict[str, np.ndarray]:
         """Return `image`, the irradiance by bounces `first` to `depth`, (height, width, 3).
 
-        `kind`: "bounces", or "open" for one bounce with nothing in the way and `depth` layers.
+        `kind`: "bounces" of the lights, "all" for those of lights and sky, "sky" for what comes
+        directly from the sky (`depth` is 1), or "open" for one bounce with nothing in the way and
+        `depth` layers.
         `most`: how many receivers to trace, the others stay black; default: all of them.
         `means` are those of each bounce over the receivers, (bounces, 3).
         """
@@ -498,10 +344,10 @@ class Tracer:
                 average = _average_scalar
             else:
                 index = mi.UInt32(part.astype(np.uint32))
-                start = {key: _take(self.start[key], index) for key in RECEIVER}
+                start = {key: take(self.start[key], index) for key in RECEIVER}
                 average = _average
             own = seed_of(*seed, begin)
-            found[part] = average(self.scene, start, samples, own, depth, ESTIMATORS[kind])
+            found[part] = average(self.world, start, samples, own, depth, ESTIMATORS[kind])
             progress(len(part) / len(receivers))
         if not np.isfinite(found).all():
             raise FloatingPointError(f"{np.isnan(found).sum()} values are not numbers")
@@ -510,7 +356,10 @@ class Tracer:
 
 
 def _path_means(folder: Path, size: tuple[int, int], samples: int) -> dict[str, list[float]]:
-    """Return the mean radiance of bounces 1 and 2 by Mitsuba's own path integrator."""
+    """Return the mean radiance of bounces 0, 1 and 2 by Mitsuba's own path integrator.
+
+    The sky is Mitsuba's own emitter there. Bounce 0 is what it shows of lights and sky on surfaces.
+    """
     if SCALAR:
         raise ValueError("needs a vectorising variant")
     scene = description.load(folder)
@@ -534,13 +383,13 @@ def _path_means(folder: Path, size: tuple[int, int], samples: int) -> dict[str, 
             "sampler": {"type": "multijitter", "sample_count": samples},
         }
     )
-    made = make_scene(scene)
+    made = make_scene(scene, with_sky=True)
     images = []
-    for depth in (2, 3, 4):
+    for depth in (1, 2, 3, 4):
         integrator = mi.load_dict({"type": "path", "max_depth": depth, "rr_depth": 1000})
         image = mi.render(made, sensor=sensor, integrator=integrator, seed=1, spp=samples)
         images.append(np.array(image)[..., :3].mean(axis=(0, 1)))
-    return {f"bounce{i + 1}": (images[i + 1] - images[i]).tolist() for i in range(2)}
+    return {f"bounce{i}": (images[i + 1] - images[i]).tolist() for i in range(3)}
 
 
 def run(folder: Path, job: dict[str, Any]) -> None:

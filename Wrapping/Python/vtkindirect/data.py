@@ -29,7 +29,12 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandD
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 from vtkmodules.vtkIOChemistry import vtkPDBReader
 from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader, vtkSTLReader
-from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader
+from vtkmodules.vtkIOImage import (
+    vtkHDRReader,
+    vtkImageReader2Factory,
+    vtkMetaImageReader,
+    vtkNIFTIImageReader,
+)
 from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import (
@@ -41,7 +46,7 @@ from vtkmodules.vtkIOXML import (
     vtkXMLUnstructuredGridReader,
 )
 
-from vtkindirect import messages
+from vtkindirect import messages, wrapped
 from vtkindirect.errors import UsageError
 
 
@@ -341,3 +346,42 @@ def read(path: str | os.PathLike[str]) -> vtkDataSet:
     if not isinstance(data, (vtkImageData, vtkPolyData)) and data.GetNumberOfCells() == 0:
         raise _nothing_to_show(path, "it holds no cells")
     return data
+
+
+# Images -------------------------------------------------------------------------------------------
+
+
+def _image_reader(path: Path) -> vtkAlgorithm:
+    """Return the reader for an image: this project's for .exr, else the one of VTK's that knows it.
+
+    VTK's are asked by the file's beginning, and .hdr files by their name: others begin alike.
+    """
+    ending = path.suffix.lower()
+    if ending == ".exr":
+        return wrapped.get("vtkOpenEXRReader")()
+    if ending == ".hdr":
+        return vtkHDRReader()
+    reader = vtkImageReader2Factory.CreateImageReader2(os.fspath(path))
+    if reader is None:
+        raise UsageError(f"{path}: is not an image that VTK reads")
+    return reader
+
+
+def read_image(path: str | os.PathLike[str]) -> vtkImageData:
+    """Return the picture in an image file, bottom row first, with the values of the file.
+
+    Every way in which that fails is a `UsageError`, but that of an .exr file where OpenEXR was not
+    built, which is an `ImportError`.
+    """
+    path = Path(path)
+    readable(path)
+    try:
+        with messages.capture() as said:
+            reader = _image_reader(path)
+            image = _read_with(reader, path, path, said)
+    except _Damaged as error:
+        raise UsageError(f"{path}: cannot be read: {error}") from None
+    width, height, slices = image.GetDimensions()
+    if slices != 1 or width * height == 0 or image.GetPointData().GetScalars() is None:
+        raise UsageError(f"{path}: is not a picture, it has {width} x {height} x {slices} pixels")
+    return image

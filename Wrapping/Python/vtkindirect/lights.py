@@ -4,9 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from vtkmodules.vtkRenderingCore import vtkLight, vtkLightKit, vtkRenderer
+
+from vtkindirect import environments
+from vtkindirect.errors import SceneError, UsageError
+from vtkindirect.schema import member
 
 Values = dict[str, Any]
 
@@ -71,15 +76,28 @@ def _light_kit(renderer: vtkRenderer, values: Values) -> None:
     add_light_kit(renderer, values["intensity"])
 
 
+def _environment(renderer: vtkRenderer, values: Values) -> None:
+    environments.attach(renderer, environments.build(values))
+
+
 LIGHTS: dict[str, Callable[[vtkRenderer, Values], None]] = {
     "spot": _spot,
     "point": _point,
     "directional": _directional,
     "headlight": _headlight,
     "light_kit": _light_kit,
+    "environment": _environment,
 }
 
 
-def add(renderer: vtkRenderer, values: Values) -> None:
-    """Add a checked light to a renderer."""
-    LIGHTS[values["type"]](renderer, values)
+def add(renderer: vtkRenderer, values: Values, path: str, directory: Path) -> None:
+    """Add a checked light to a renderer. Files are relative to `directory`.
+
+    `path` is the light's place in the scene file, for the error of a file that cannot be read.
+    """
+    if "file" in values:
+        values = {**values, "file": directory / values["file"]}
+    try:
+        LIGHTS[values["type"]](renderer, values)
+    except UsageError as error:
+        raise SceneError(f"{member(path, 'file')}: {error}") from None

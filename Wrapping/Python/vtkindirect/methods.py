@@ -17,7 +17,7 @@ from typing import Any
 from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from vtkindirect import chain, widgets, wrapped
+from vtkindirect import chain, environments, widgets, wrapped
 from vtkindirect import settings as properties
 from vtkindirect.errors import UsageError, check_text, unknown
 
@@ -267,10 +267,21 @@ def _explain_owner(name: str, method: Method) -> None:
                 )
 
 
-def enable(target: Any, method: str = "auto", sampler: str | None = None, **settings: Any) -> Any:
+KEEP: Any = object()
+"""The environment that is there already: the pass's, or for a new pass the renderer's."""
+
+
+def enable(
+    target: Any,
+    method: str = "auto",
+    sampler: str | None = None,
+    *,
+    environment: Any = KEEP,
+    **settings: Any,
+) -> Any:
     """Switch indirect light on; returns the vtkIndirectIlluminationPass.
 
-    `target` is a vtkRenderer, a vtkRenderWindow or a PyVista plotter. For a window with several
+    `target` is a vtkRenderer, a vtkRenderWindow, a `Scene` or a PyVista plotter. For a window with several
     renderers the result is a list of passes. `method` is one of `METHODS` ("off" is `disable`, and
     gives None), `sampler` one of `SAMPLERS`; None keeps the method's own.
 
@@ -279,6 +290,10 @@ def enable(target: Any, method: str = "auto", sampler: str | None = None, **sett
     are names: ``mode="all_texels"``. A value that is out of range is an error.
 
     With the method "auto" these are the estimator and sampler that the pass has chosen.
+
+    `environment` is the light of the sky: a vtkEnvironmentLight, the path of an equirectangular
+    image, a radiance of three numbers, or None for none. Left out, it is that of the scene file
+    from which the renderer was loaded.
 
     Calling again changes the method and the settings that are given and keeps the others, where the
     method has them. After an error everything is as it was.
@@ -290,10 +305,12 @@ def enable(target: Any, method: str = "auto", sampler: str | None = None, **sett
     """
     row = check_method(method)
     if row.name == "off":
-        if settings or sampler:
-            raise UsageError(f"method 'off' has no property '{[*settings, 'sampler'][0]}'")
+        given = [*settings, *(["environment"] if environment is not KEEP else []), "sampler"]
+        if sampler or len(given) > 1:
+            raise UsageError(f"method 'off' has no property '{given[0]}'")
         disable(target)
         return None
+    wanted = KEEP if environment is KEEP else environments.from_value(environment)
     passes = []
     for renderer in renderers_of(target):
         there = _settled(renderer)
@@ -301,6 +318,10 @@ def enable(target: Any, method: str = "auto", sampler: str | None = None, **sett
         if record is None or record.indirect is not there:
             record = _Record(there or wrapped.get("vtkIndirectIlluminationPass")())
         _configure(record, row, sampler, settings)
+        if wanted is not KEEP:
+            record.indirect.SetEnvironment(wanted)
+        elif there is None and environments.attached(renderer) is not None:
+            record.indirect.SetEnvironment(environments.attached(renderer))
         _keep(renderer, record)
         if there is None:
             _weave(renderer, record)

@@ -26,6 +26,7 @@ from vtkindirect import (
     arrays,
     data,
     document,
+    environments,
     labels,
     lights,
     objects,
@@ -70,6 +71,11 @@ class Scene:
         """The lights of the renderer."""
         found = self.renderer.GetLights()
         return [found.GetItemAsObject(i) for i in range(found.GetNumberOfItems())]
+
+    @property
+    def environment(self) -> Any:
+        """The light of the sky, a vtkEnvironmentLight that `enable` gives to the pass, or None."""
+        return environments.attached(self.renderer)
 
     @property
     def bounds(self) -> tuple[float, ...]:
@@ -131,8 +137,8 @@ def _from_document(path: Path, progress: Callable[[int, str], None]) -> Scene:
     values = check(document.read(path))
     scene = Scene(values.get("name", path.stem), path, tuple(map(int, values["size"])))
     scene.renderer.SetBackground(values["background"])
-    for light in values["lights"]:
-        lights.add(scene.renderer, light)
+    for index, light in enumerate(values["lights"]):
+        lights.add(scene.renderer, light, f"lights[{index}]", path.parent)
     known: dict[Path, vtkDataSet] = {}
 
     def read(file: Path) -> vtkDataSet:

@@ -88,10 +88,29 @@ def _camera(value: Values) -> Wrong:
 
 
 def _light(value: Values) -> Wrong:
-    if value["type"] in ("area", "environment"):
-        yield f"lights of type '{value['type']}' are not built in this version", "type"
+    if value["type"] == "area":
+        yield "lights of type 'area' are not built in this version", "type"
     if value["type"] == "spot" and value["focal_point"] == value["position"]:
         yield "must differ from position", "focal_point"
+    if value["type"] == "environment":
+        yield from _environment(value)
+
+
+def _environment(value: Values) -> Wrong:
+    if ("file" in value) == ("radiance" in value):
+        yield ("must have either file or radiance",)
+    for key in ("up", "right"):
+        if "radiance" in value and key in value:
+            yield "cannot be given together with radiance, which is the same from everywhere", key
+    up = value.get("up", [0, 1, 0])
+    if "right" in value and any(up) and not _area(up, value["right"]) > 1e-6:
+        yield "must not be parallel to up", "right"
+
+
+def _lights(value: list[Values]) -> Wrong:
+    places = [i for i, light in enumerate(value) if light["type"] == "environment"]
+    for place in places[1:]:
+        yield f"is a second environment beside lights[{places[0]}]; there can be one", place
 
 
 def _attenuation(value: list[float]) -> Wrong:
@@ -162,6 +181,7 @@ CHECKS: dict[str, Callable[[Any], Wrong]] = {
     "disk": _disk,
     "interval": _interval,
     "light": _light,
+    "lights": _lights,
     "map": _map,
     "matrix": _matrix,
     "plane": _plane,
