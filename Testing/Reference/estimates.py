@@ -28,6 +28,11 @@ class Estimate:
             return 0.0
         return float((self.error[valid].astype(np.float64) ** 2 / (reference**2 + floor)).mean())
 
+    def rmse_over_mean(self, valid: np.ndarray) -> float:
+        """Return the root mean square of the standard error over the receivers, by their mean."""
+        mean = float(self.image[valid].mean())
+        return float(np.sqrt((self.error[valid] ** 2).mean())) / mean if mean > 0.0 else 0.0
+
     def mean(self) -> np.ndarray:
         """Return the mean over the receivers, for each colour."""
         return self.batch_means.mean(axis=0)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the references R2 and R3 of scenes: path traced indirect irradiance, with its error.
+"""Makes the references R2, R3, S1, S3 of scenes: path traced indirect irradiance, with its error.
 
     make_references.py [SCENE...] [--quick] [--force] [--list]
 
@@ -36,12 +36,17 @@ DEMOS = ("cornell_box", "room_fire", "apartment_living", "frog", "protein", "bra
 # Small procedural scenes, each of one thing that is hard for some method.
 HARD = ("contact_corner", "grazing_light", "two_rooms", "folded_sheet", "many_objects")
 
-SCENES = (*DEMOS, *HARD)
+# Scenes under a sky: things as they are, and four whose answer is known.
+SKY = ("sky_statue", "sky_terrain", "sky_courtyard", "sky_machine")
+SKY_KNOWN = ("sky_plane", "sky_wall", "sky_disk", "sky_groove")
+
+SCENES = (*DEMOS, *HARD, *SKY, *SKY_KNOWN)
 
 
 @dataclass(frozen=True)
 class Settings:
-    """How large and how good. `noise`: the relMSE that the noise of R2 may make, `deep_noise` R3's.
+    """How large and how good. `noise`: the relMSE that the noise of R2 may make, `deep_noise` that
+    of R3 and S3, `sky_noise` S1's, for which 1e-4 is 1 % of a typical pixel.
 
     Samples are those of one batch; there are `least` to `most` batches. `tail`: the part of the
     light that bounces beyond the last may hold; `deepest` caps them where that is out of reach.
@@ -54,6 +59,7 @@ class Settings:
     most: int = 16
     noise: float = 3e-4
     deep_noise: float = 1e-3
+    sky_noise: float = 1e-4
     pilot_samples: int = 16
     tail: float = 1e-3
     deepest: int = 32
@@ -63,8 +69,8 @@ QUICK = Settings(width=96, samples=256, deep_samples=64, least=2, most=2, pilot_
 
 
 def settings_of(name: str) -> Settings:
-    """The settings of a scene's stored reference; the hard ones need fewer pixels to be judged."""
-    return Settings(width=128) if name in HARD else Settings()
+    """The settings of a scene's stored reference; simple ones need fewer pixels to be judged."""
+    return Settings(width=128) if name in (*HARD, *SKY_KNOWN) else Settings()
 
 
 class Meter:
@@ -84,6 +90,15 @@ class Meter:
     def clear(self) -> None:
         """Remove the bar."""
         self._bar.close()
+
+
+@dataclass(frozen=True)
+class Part:
+    """What batches are traced for: their label, the tracer's kind, and the first bounce."""
+
+    label: str
+    kind: str
+    first: int = 1
 
 
 class Work:
@@ -129,11 +144,12 @@ class Work:
         self.seconds += sum(float(found["seconds"]) for found in arrays)
         return arrays
 
-    def batch(self, label: str, index: int, samples: int, depth: int, first: int) -> dict[str, Any]:
+    def batch(self, part: Part, index: int, samples: int, depth: int) -> dict[str, Any]:
         """Return the description of a batch; its seed depends on scene, label and index only."""
+        label, kind, first = part.label, part.kind, part.first
         return {
             "file": f"{label}-{samples}-{depth}-{index}.npz",
-            "kind": "bounces",
+            "kind": kind,
             "samples": samples,
             "depth": depth,
             "first": first,
@@ -147,9 +163,9 @@ class Work:
             return dict(loaded)
 
     def estimate(
-        self, label: str, samples: int, depth: int, first: int, of: Estimate | None
+        self, part: Part, samples: int, depth: int, limit: float, of: Estimate | None = None
     ) -> tuple[Estimate, np.ndarray, list[list[Any]]]:
-        """Trace batches until the noise is low enough.
+        """Trace batches until the noise is at most `limit`.
 
         Returns the estimate, the mean light of each bounce and the seeds. `of`: what the estimate
         will be added to, and its noise compared with.
@@ -159,7 +175,7 @@ class Work:
             count = len(batches)
             more = self.settings.least if count == 0 else 2
             batches += [
-                self.batch(label, index, samples, depth, first)
+                self.batch(part, index, samples, depth)
                 for index in range(count, min(count + more, self.settings.most))
             ]
             if count:
@@ -168,7 +184,6 @@ class Work:
             valid = self.surfaces["valid"] > 0
             result = estimates.combine([arrays["image"] for arrays in found], valid)
             whole = result if of is None else of + result
-            limit = self.settings.noise if of is None else self.settings.deep_noise
             done = len(batches) >= self.settings.most
             if done or whole.noise(valid) <= limit:
                 means = np.mean([arrays["means"] for arrays in found], axis=0)
@@ -183,6 +198,85 @@ def _summary(estimate: Estimate, valid: np.ndarray) -> dict[str, Any]:
         "standard_error_of_mean": estimate.error_of_mean().tolist(),
         "noise_relmse": estimate.noise(valid),
     }
+
+
+@dataclass(frozen=True)
+class Pair:
+    """The two references of some light: its first part, and all of it.
+
+    `pilot` finds how many bounces matter. `one` is traced well, `rest` is what is added to it.
+    """
+
+    names: tuple[str, str]
+    pilot: Part
+    one: Part
+    rest: Part
+
+
+LIGHTS = Pair(
+    ("R2", "R3"), Part("pilot", "bounces"), Part("one", "bounces"), Part("rest", "bounces", first=2)
+)
+SKY_LIGHT = Pair(
+    ("S1", "S3"), Part("sky-pilot", "all"), Part("sky", "sky"), Part("sky-rest", "all")
+)
+
+
+@dataclass
+class Made:
+    """The two estimates of a `Pair`, and what the record says of them."""
+
+    one: Estimate
+    everything: Estimate
+    record: dict[str, dict[str, Any]]
+
+
+def trace_pair(work: Work, pair: Pair) -> Made:
+    """Trace both references of a pair."""
+    settings, meter = work.settings, work.meter
+    likely = settings.deepest // 2
+    meter.plan(settings.pilot_samples * settings.deepest)
+    meter.plan(settings.least * (settings.samples + settings.deep_samples * likely))
+    first = work.batch(pair.pilot, 0, settings.pilot_samples, settings.deepest)
+    pilot = work.trace([first])[0]["means"].mean(axis=1)
+    depth = estimates.depth_for(pilot, settings.tail)
+    meter.plan(settings.least * settings.deep_samples * (depth - likely))
+    limit = settings.sky_noise if pair is SKY_LIGHT else settings.noise
+    one, _, seeds = work.estimate(pair.one, settings.samples, 1, limit)
+    rest, means, deep_seeds = work.estimate(
+        pair.rest, settings.deep_samples, depth, settings.deep_noise, one
+    )
+    everything = one + rest
+    valid = work.surfaces["valid"] > 0
+    whole = means.mean(axis=1)
+    first_record = {
+        "samples": settings.samples * len(seeds),
+        "batches": len(seeds),
+        "seeds": seeds,
+        "bounces": pair.rest.first - 1,
+        **_summary(one, valid),
+    }
+    count, batches = settings.deep_samples * len(deep_seeds), len(deep_seeds)
+    if pair is SKY_LIGHT:
+        first_record["rmse_over_mean"] = one.rmse_over_mean(valid)
+        sampled = {"samples_of_bounces": count, "batches_of_bounces": batches}
+    else:
+        sampled = {"samples_beyond_first_bounce": count, "batches_beyond_first_bounce": batches}
+    return Made(
+        one,
+        everything,
+        {
+            pair.names[0]: first_record,
+            pair.names[1]: {
+                **sampled,
+                "seeds": deep_seeds,
+                "bounces": depth,
+                "capped": depth == settings.deepest,
+                "left_out_by_depth": estimates.tail(whole, depth),
+                "fraction_of_bounce": (whole / whole.sum()).tolist() if whole.sum() else [],
+                **_summary(everything, valid),
+            },
+        },
+    )
 
 
 def _vtk_image(values: np.ndarray) -> Any:
@@ -231,34 +325,27 @@ def make(path: Path, settings: Settings, directory: Path) -> dict[str, Any]:
     began = time.perf_counter()
     meter = Meter(path.stem)
     work = Work(path, settings, meter)
-    likely = settings.deepest // 2
-    meter.plan(settings.pilot_samples * settings.deepest)
-    meter.plan(settings.least * (settings.samples + settings.deep_samples * likely))
-    first = work.batch("pilot", 0, settings.pilot_samples, settings.deepest, 1)
-    pilot = work.trace([first])[0]["means"].mean(axis=1)
-    depth = estimates.depth_for(pilot, settings.tail)
-    meter.plan(settings.least * settings.deep_samples * (depth - likely))
-    one, _, seeds = work.estimate("one", settings.samples, 1, 1, None)
-    rest, means, deep_seeds = work.estimate("rest", settings.deep_samples, depth, 2, one)
-    everything = one + rest
+    # Without lights there is nothing in R2 and R3, without a sky nothing in S1 and S3.
+    pairs = [LIGHTS] if work.scene.lights or work.scene.environment is None else []
+    pairs += [SKY_LIGHT] if work.scene.environment is not None else []
+    made = {pair.names: trace_pair(work, pair) for pair in pairs}
     meter.clear()
 
     seen = work.surfaces
     valid = seen["valid"] > 0
     mask = valid[..., None]
-    picture = seen["albedo"] * (seen["direct"] + everything.image)
+    shown = made[pairs[-1].names].everything
+    picture = seen["albedo"] * (seen["direct"] + shown.image)
     image, record = provenance.paths(path, directory)
-    layers = {
-        "R2": one.image,
-        "R3": everything.image,
-        "R2_error": np.sqrt((one.error**2).mean(axis=-1, keepdims=True)),
-        "R3_error": np.sqrt((everything.error**2).mean(axis=-1, keepdims=True)),
-        "albedo": seen["albedo"],
-        "direct": seen["direct"],
-        "depth": seen["depth"][..., None],
-    }
+    layers: dict[str, np.ndarray] = {}
+    for names, pair in made.items():
+        for name, found in zip(names, (pair.one, pair.everything)):
+            layers[name] = found.image
+            layers[f"{name}_error"] = np.sqrt((found.error**2).mean(axis=-1, keepdims=True))
+    layers.update(
+        {"albedo": seen["albedo"], "direct": seen["direct"], "depth": seen["depth"][..., None]}
+    )
     write_image(image, np.concatenate([picture * mask, mask], axis=-1), layers)
-    whole = means.mean(axis=1)
     values: dict[str, Any] = {
         "schema": provenance.SCHEMA,
         "method": provenance.METHOD,
@@ -267,23 +354,7 @@ def make(path: Path, settings: Settings, directory: Path) -> dict[str, Any]:
         "image": {"file": image.name, "size": list(work.size)},
         "settings": asdict(settings),
         "receivers": int(valid.sum()),
-        "R2": {
-            "samples": settings.samples * len(seeds),
-            "batches": len(seeds),
-            "seeds": seeds,
-            "bounces": 1,
-            **_summary(one, valid),
-        },
-        "R3": {
-            "samples_beyond_first_bounce": settings.deep_samples * len(deep_seeds),
-            "batches_beyond_first_bounce": len(deep_seeds),
-            "seeds": deep_seeds,
-            "bounces": depth,
-            "capped": depth == settings.deepest,
-            "left_out_by_depth": estimates.tail(whole, depth),
-            "fraction_of_bounce": (whole / whole.sum()).tolist() if whole.sum() else [],
-            **_summary(everything, valid),
-        },
+        **{key: part for pair in made.values() for key, part in pair.record.items()},
         "geometry": _geometry(work.scene),
         "versions": {
             **work.versions,
@@ -300,20 +371,26 @@ def make(path: Path, settings: Settings, directory: Path) -> dict[str, Any]:
     return values
 
 
-def _row(values: dict[str, Any]) -> str:
-    one, every = values["R2"], values["R3"]
+def rows(values: dict[str, Any]) -> list[str]:
+    """Return a line for each pair of references that a record holds."""
+    lines = []
     size = "x".join(map(str, values["image"]["size"]))
-    return (
-        f"{values['scene']['name']:20} {size:>9} "
-        f"{np.mean(one['mean']):9.5f} {one['noise_relmse']:9.1e} "
-        f"{np.mean(every['mean']):9.5f} {every['noise_relmse']:9.1e} {every['bounces']:7d} "
-        f"{every['left_out_by_depth']:9.1e} {values['seconds']['tracing']:7.1f}"
-    )
+    for names in (LIGHTS.names, SKY_LIGHT.names):
+        if names[0] not in values:
+            continue
+        one, every = (values[name] for name in names)
+        lines.append(
+            f"{values['scene']['name']:20} {'+'.join(names)} {size:>9} "
+            f"{np.mean(one['mean']):9.5f} {one['noise_relmse']:9.1e} "
+            f"{np.mean(every['mean']):9.5f} {every['noise_relmse']:9.1e} {every['bounces']:7d} "
+            f"{every['left_out_by_depth']:9.1e} {values['seconds']['tracing']:7.1f}"
+        )
+    return lines
 
 
 HEADER = (
-    f"{'scene':20} {'size':>9} {'R2 mean':>9} {'noise':>9} {'R3 mean':>9} {'noise':>9} "
-    f"{'bounces':>7} {'left out':>9} {'s':>7}"
+    f"{'scene':20} {'what':5} {'size':>9} {'1st mean':>9} {'noise':>9} {'all mean':>9} "
+    f"{'noise':>9} {'bounces':>7} {'left out':>9} {'s':>7}"
 )
 
 
@@ -344,7 +421,7 @@ def main() -> int:
             if options.force or provenance.why_stale(name, directory) is not None:
                 settings = QUICK if options.quick else settings_of(name)
                 make(provenance.scene_file(name), settings, directory)
-            print(_row(provenance.read(name, directory)), flush=True)
+            print("\n".join(rows(provenance.read(name, directory))), flush=True)
     except (tools.ToolError, exporter.ExportError) as error:
         return tools.fail(error)
     return 0
