@@ -12,7 +12,12 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import make_references
 import provenance
 
-LAYERS = ("R2", "R3", "R2_error", "R3_error", "albedo", "direct", "depth")
+PAIRS = (("R2", "R3"), ("S1", "S3"))
+
+
+def pairs_of(record: dict) -> list[tuple[str, str]]:
+    """Return the pairs of references that a record holds: the first part, and all of it."""
+    return [pair for pair in PAIRS if pair[0] in record]
 
 
 def read_layer(path: str, layer: str) -> np.ndarray:
@@ -38,9 +43,15 @@ class Stored(unittest.TestCase):
         for name in make_references.SCENES:
             with self.subTest(name):
                 record = provenance.read(name)
-                self.assertLessEqual(record["R2"]["noise_relmse"], 2 * settings.noise)
-                self.assertLessEqual(record["R3"]["noise_relmse"], 2 * settings.deep_noise)
-                self.assertLessEqual(record["R3"]["left_out_by_depth"], 2 * settings.tail)
+                self.assertTrue(pairs_of(record))
+                for one, every in pairs_of(record):
+                    limit = settings.sky_noise if one == "S1" else settings.noise
+                    self.assertLessEqual(record[one]["noise_relmse"], 2 * limit)
+                    self.assertLessEqual(record[every]["noise_relmse"], 2 * settings.deep_noise)
+                    self.assertLessEqual(record[every]["left_out_by_depth"], 2 * settings.tail)
+                if "S1" in record:
+                    self.assertLessEqual(record["S1"]["rmse_over_mean"], 0.01)
+                    self.assertGreaterEqual(record["S1"]["samples"], 1024)
 
     @unittest.skipUnless(wrapped.has("vtkOpenEXRReader"), "built without OpenEXR")
     def test_images_hold_what_the_records_say(self) -> None:
@@ -48,18 +59,21 @@ class Stored(unittest.TestCase):
             with self.subTest(name):
                 record = provenance.read(name)
                 path = str(provenance.paths(name)[0])
-                layers = {layer: read_layer(path, layer) for layer in LAYERS}
+                names = [name for pair in pairs_of(record) for name in pair]
+                wanted = [*names, *(f"{name}_error" for name in names), "albedo", "direct", "depth"]
+                layers = {layer: read_layer(path, layer) for layer in wanted}
                 seen = read_layer(path, "")[..., 3] > 0.5
                 self.assertEqual(seen.shape, tuple(record["image"]["size"][::-1]))
                 self.assertEqual(int(seen.sum()), record["receivers"])
                 for layer, values in layers.items():
                     self.assertTrue(np.isfinite(values).all(), layer)
                     self.assertTrue((values >= 0.0).all(), layer)
-                for layer in ("R2", "R3"):
+                for layer in names:
                     mean = layers[layer][seen].mean(axis=0)
                     self.assertTrue(np.allclose(mean, record[layer]["mean"], rtol=2e-3), layer)
-                beyond = layers["R3"] - layers["R2"]
-                self.assertTrue((beyond >= -1e-3 * layers["R3"].max()).all())
+                for one, every in pairs_of(record):
+                    beyond = layers[every] - layers[one]
+                    self.assertTrue((beyond >= -1e-3 * layers[every].max()).all())
 
     def test_they_are_small(self) -> None:
         size = sum(path.stat().st_size for path in provenance.DATA.iterdir())
