@@ -63,12 +63,13 @@ def tail(means: np.ndarray, depth: int) -> float:
     """Return what bounces beyond `depth` add, as a fraction of all bounces.
 
     `means`: light by bounce 1, 2, ... Beyond the last one that is known each bounce is thought to
-    hold the same part of the one before, at most 0.99, taken from the last half of those known.
+    hold the same part of the one before, at most 0.99, taken from the last half of those known: of
+    two pairs at least, because light between two surfaces comes in turns.
     """
     total = float(means.sum())
     if total <= 0.0 or len(means) < 2:
         return 0.0
-    span = max(1, len(means) // 4)
+    span = max(min(2, len(means) // 2), len(means) // 4)
     recent, earlier = float(means[-span:].sum()), float(means[-2 * span : -span].sum())
     ratio = min(0.99, (recent / earlier) ** (1.0 / span)) if earlier > 0.0 else 0.0
     beyond = float(means[-1]) * ratio / (1.0 - ratio)

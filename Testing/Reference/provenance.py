@@ -41,7 +41,7 @@ def scene_hash(path: Path) -> str:
 def data_hashes(path: Path) -> dict[str, str]:
     """Return the SHA-256 of each data file that a scene file names, by the name that it uses."""
     values = json.loads(path.read_text(encoding="utf-8-sig"))
-    named = [*values["actors"], *values["lights"]]
+    named = [*values["actors"], *values.get("lights", [])]
     names = sorted({part["file"] for part in named if "file" in part})
     return {name: file_hash(path.parent / name) for name in names}
 
