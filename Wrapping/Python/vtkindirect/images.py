@@ -30,6 +30,8 @@ BUFFERS = (
     "direct",
     "indirect",
     "irradiance",
+    "sky",
+    "bounce",
     "glossy",
     "albedo",
     "normal",
