@@ -99,6 +99,7 @@ void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
   static const char* const visibilities[] = { "Auto", "None", "Voxels", "Maps" };
   os << indent << "Visibility: " << visibilities[this->Settings.Visibility] << "\n";
   os << indent << "Shadows: " << flag(this->Settings.Shadows) << "\n";
+  os << indent << "Antialiasing: " << flag(this->Settings.Antialiasing) << "\n";
   os << indent << "ReflectiveShadowMapResolution: " << this->GetReflectiveShadowMapResolution()
      << "\n";
   os << indent << "NumberOfBounces: " << this->Settings.NumberOfBounces << "\n";
@@ -238,6 +239,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   vtkIndirectPipeline::Request request;
   request.Settings = this->Settings;
   request.Circumstances.OwnDelegate = this->DelegatePass != nullptr;
+  request.Circumstances.FXAA = this->Settings.RemainingGeometry && in.View.HasFXAA(s);
   if (in.Delegate.IsRefused(this->DelegatePass))
   {
     request.Circumstances.DelegateIsRefused = vtkIndirectDelegateGuard::Why;
@@ -376,6 +378,7 @@ std::string vtkIndirectIlluminationPass::GetReport()
   const double tolerance =
     this->GetFrameEstimator()->FindErrorTolerance(this->Settings.ErrorTolerance); // in force
   report.Settings = { { "Shadows", this->Settings.Shadows },
+    { "Antialiasing", this->Settings.Antialiasing },
     { "ReflectiveShadowMapResolution", this->GetReflectiveShadowMapResolution() },
     { "NumberOfBounces", this->Settings.NumberOfBounces },
     { "IndirectScale", this->Settings.IndirectScale }, { "ErrorTolerance", tolerance },

@@ -16,8 +16,8 @@
  * With IndirectScale 1 the result agrees with a path tracer's single diffuse bounce without
  * visibility between sender and receiver unless the estimator has Occupancy on.
  *
- * Multisampling has no effect on what this pass draws: its targets are float textures. Use FXAA
- * (vtkRenderer::SetUseFXAA) or vtkSSAAPass around it.
+ * Multisampling has no effect on what this pass draws: its targets are float textures. Edges are
+ * antialiased by their shapes instead (Antialiasing). vtkSSAAPass around the pass samples more.
  *
  * @code
  * vtkNew<vtkIndirectIlluminationPass> pass;
@@ -128,6 +128,18 @@ public:
   void SetVisibilityToNone() { this->SetVisibility(NONE); }
   void SetVisibilityToVoxels() { this->SetVisibility(VOXELS); }
   void SetVisibilityToMaps() { this->SetVisibility(MAPS); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether edges of the picture of the opaque props are antialiased, silhouettes against whatever
+   * lies behind included. Default on. Off, or where the renderer's FXAA is on and takes its place,
+   * pixels are as they were shaded, bitwise. Buffers of CopyBuffer and depth are not filtered.
+   * Reshetov 2009, Jimenez et al. 2012 (SMAA): steps of an outline that are up to 63 pixels long
+   * are replaced by the line that they stand for; what is thinner than a pixel stays broken, for
+   * which vtkSSAAPass is there.
+   */
+  vtkIndirectFlagMacro(Antialiasing);
   ///@}
 
   ///@{

@@ -64,6 +64,7 @@ struct vtkIndirectSettings
 {
   bool Shadows = true;
   int Visibility = vtkIndirectVisibilityAutomatic;
+  bool Antialiasing = true;
   int NumberOfBounces = 1;
   double IndirectScale = 1.0;
   double ErrorTolerance = 0.0;

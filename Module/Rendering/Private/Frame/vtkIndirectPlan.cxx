@@ -45,6 +45,13 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
     estimator.SpecularTransport && frame.Specular;
   // With specular reflectance beside it the albedo has an image of its own in any case.
   plan.AlbedoInAlpha = frame.CoversFully && !circumstances.OwnDelegate && !plan.Specular;
+  // Twice is too much: edges that FXAA finds would no longer be those of the picture.
+  plan.Antialiasing = settings.Antialiasing && !circumstances.FXAA;
+  (plan.Antialiasing ? plan.Modelled : plan.LeftOut)
+    .emplace_back("antialiased edges",
+      plan.Antialiasing          ? "by the shapes of what is shown; multisampling cannot reach them"
+        : !settings.Antialiasing ? "Antialiasing is off"
+                                 : "the renderer has FXAA on, which does it in their place");
   plan.LeaveOut(settings, estimator);
   return plan;
 }

@@ -33,6 +33,7 @@ struct vtkIndirectCircumstances
   std::string DelegateIsRefused; // why no surfaces can be had of it; empty: they can
   int NumberOfOtherEmitters = 0; // sources of light that are no vtkLight
   bool Environment = false;      // light comes from all around
+  bool FXAA = false;             // the renderer's follows
 };
 
 struct vtkIndirectPlan
@@ -54,6 +55,7 @@ struct vtkIndirectPlan
   bool Shadows = false;       // mappers look shadows up in these maps
   bool Specular = false;      // the geometry buffer has what is needed for specular reflection
   bool AlbedoInAlpha = false; // alpha says nothing, and the albedo has its place
+  bool Antialiasing = false;  // edges of the composed picture are antialiased
   /** Whether there is irradiance to estimate; else WhyNoIrradiance. */
   bool Irradiance = false;
   std::string WhyNoIrradiance;

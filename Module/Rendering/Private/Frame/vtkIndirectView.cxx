@@ -67,6 +67,12 @@ bool vtkIndirectView::Begin(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectView::HasFXAA(const vtkRenderState* s)
+{
+  return s->GetRenderer()->GetUseFXAA() && !s->GetFrameBuffer();
+}
+
+//------------------------------------------------------------------------------
 int vtkIndirectView::RenderRemaining(const vtkRenderState* s)
 {
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
@@ -79,7 +85,7 @@ int vtkIndirectView::RenderRemaining(const vtkRenderState* s)
   {
     renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer());
   }
-  if (renderer->GetUseFXAA() && !s->GetFrameBuffer())
+  if (HasFXAA(s))
   {
     if (!this->FXAA)
     {

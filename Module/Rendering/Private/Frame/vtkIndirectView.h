@@ -23,6 +23,9 @@ public:
    */
   bool Begin(const vtkRenderState* s);
 
+  /** Whether RenderRemaining runs the renderer's FXAA. */
+  static bool HasFXAA(const vtkRenderState* s);
+
   /**
    * Translucent props, FXAA when the renderer asks for it, volumes and overlays, as
    * vtkOpenGLRenderer::UpdateGeometry. Returns how many props were drawn.

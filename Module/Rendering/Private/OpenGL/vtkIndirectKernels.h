@@ -45,6 +45,7 @@ namespace
 #include "vtkIndirectLibPortable.glsl"
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibAlbedo.glsl"
+#include "vtkIndirectLibAntialiasing.glsl"
 #include "vtkIndirectLibChannel.glsl"
 #include "vtkIndirectLibPlane.glsl"
 #include "vtkIndirectLibLightMap.glsl"

@@ -30,6 +30,8 @@ const Format Formats[] = {
   { GL_RG32F, GL_RG, GL_FLOAT, 2, VTK_FLOAT, 8 },
   { GL_R32F, GL_RED, GL_FLOAT, 1, VTK_FLOAT, 4 },
   { GL_RG16F, GL_RG, GL_HALF_FLOAT, 2, VTK_FLOAT, 4 },
+  { GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4, VTK_UNSIGNED_CHAR, 4 },
+  { GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 4, VTK_UNSIGNED_INT, 16 },
 };
 
 const Format& FindFormat(unsigned int internalFormat)
@@ -211,6 +213,59 @@ bool vtkIndirectTarget::CopyDepth(const int origin[2]) const
   // A driver may report the size of what it holds rather than the name of the format.
   this->DepthRefused = glGetError() != GL_NO_ERROR;
   return !this->DepthRefused;
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkIndirectTarget::FindBoundColorFormat()
+{
+  GLint name = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name);
+  GLint buffer = GL_NONE;
+  glGetIntegerv(GL_DRAW_BUFFER, &buffer);
+  if (name == 0 || buffer == GL_NONE)
+  {
+    return GL_RGBA8;
+  }
+  auto get = [buffer](GLenum parameter)
+  {
+    GLint value = GL_NONE;
+    glGetFramebufferAttachmentParameteriv(
+      GL_DRAW_FRAMEBUFFER, static_cast<GLenum>(buffer), parameter, &value);
+    return value;
+  };
+  if (get(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) != GL_FLOAT)
+  {
+    return get(GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE) <= 8 ? GL_RGBA8 : GL_RGBA32F;
+  }
+  return get(GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE) <= 16 ? GL_RGBA16F : GL_RGBA32F;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectTarget::CopyBoundColor(const int origin[2])
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  GLint name = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name);
+  GLint buffer = GL_NONE;
+  glGetIntegerv(GL_DRAW_BUFFER, &buffer);
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(name));
+  GLint before = GL_NONE;
+  glGetIntegerv(GL_READ_BUFFER, &before);
+  state->vtkglReadBuffer(static_cast<unsigned int>(buffer));
+  this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
+  this->Framebuffer->ActivateDrawBuffers(1);
+  state->vtkglBlitFramebuffer(origin[0], origin[1], origin[0] + this->Width,
+    origin[1] + this->Height, 0, 0, this->Width, this->Height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  state->vtkglReadBuffer(static_cast<unsigned int>(before));
+  state->PopFramebufferBindings();
+  const bool copied = glGetError() == GL_NO_ERROR;
+  if (!copied)
+  {
+    vtkErrorWithObjectMacro(
+      this->Window, "The picture cannot be copied for antialiasing; set Antialiasing off.");
+  }
+  return copied;
 }
 
 //------------------------------------------------------------------------------

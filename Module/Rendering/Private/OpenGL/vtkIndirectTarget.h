@@ -48,6 +48,17 @@ public:
    */
   bool CopyDepth(const int origin[2]) const;
 
+  /**
+   * The format, among those of targets, that holds what the first colour buffer of the framebuffer
+   * that is bound for drawing has.
+   */
+  static unsigned int FindBoundColorFormat();
+  /**
+   * Copies that buffer, from `origin` on, to the first channel; of several samples their mean.
+   * Returns false, after an error, when OpenGL refuses.
+   */
+  bool CopyBoundColor(const int origin[2]);
+
   /** Distance between two depths near one. */
   double GetDepthStep() const;
 

@@ -35,6 +35,10 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
 // The maps come first because visibility belongs to each light: it goes into VTK's own shading.
 bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& request)
 {
+  if (!this->Plan.Antialiasing)
+  {
+    this->Antialiasing.Release(this->Frame.Window);
+  }
   this->Paths = vtkIndirectPaths::GetAll();
   this->Capture->SetDelegatePass(request.Delegate);
   this->Capture->SetShadows(request.Settings.Shadows && this->Plan.Senders != vtkIndirectPlan::EYE);
@@ -76,7 +80,11 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
   this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
   this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
-  this->Composite.Composite(this->MakeCompositeInput());
+  const bool composed = this->Composite.Composite(this->MakeCompositeInput());
+  if (composed && this->Plan.Antialiasing)
+  {
+    this->Antialiasing.Apply(this->Frame, this->Geometry);
+  }
   this->Timer.End(vtkIndirectStageTimer::Composite);
 }
 
@@ -294,7 +302,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   auto add = [](vtkIndirectReport::Entries& to, const vtkIndirectPlan::Entries& entries)
   { to.insert(to.end(), entries.begin(), entries.end()); };
   report.Paths = this->Paths;
-  report.Bytes = this->Geometry.GetTarget().GetBytes();
+  report.Bytes = this->Geometry.GetTarget().GetBytes() + this->Antialiasing.GetBytes();
   add(report.Modelled, this->Plan.Modelled);
   add(report.LeftOut, this->Plan.LeftOut);
   if (this->Plan.Senders != vtkIndirectPlan::EYE)
@@ -360,6 +368,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Estimator = nullptr;
   this->HeldEstimator = nullptr;
   this->Composite.Release(window);
+  this->Antialiasing.Release(window);
   this->Timer.Release();
   this->FailedKey.clear();
   this->Forget("its resources have been released");

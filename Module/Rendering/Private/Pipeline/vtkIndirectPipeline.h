@@ -7,6 +7,7 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"         // for members
 #include "Capture/vtkSurfaceCapturePass.h"             // for members
+#include "Composite/vtkIndirectAntialiasing.h"         // for members
 #include "Composite/vtkIndirectComposite.h"            // for members
 #include "Frame/vtkIndirectEstimate.h"                 // for members
 #include "Frame/vtkIndirectFrame.h"                    // for members
@@ -105,6 +106,7 @@ private:
   vtkIndirectVisibility Visibility;
   vtkIndirectSkyGather Sky;
   vtkIndirectComposite Composite;
+  vtkIndirectAntialiasing Antialiasing;
 
   // The last frame.
   vtkIndirectFrame Frame;

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Composite/vtkIndirectAntialiasing.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectFullScreenProgram.h"
+#include "OpenGL/vtkIndirectTarget.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+
+#include <algorithm>
+
+namespace
+{
+// The picture comes in the format of the framebuffer that it is copied from: eight bits, or floats,
+// where what is brighter than white must stay so.
+const vtkIndirectChannel Pictures[][2] = {
+  { { "antialiasing.picture", "vtkiPicture", "the picture before", GL_RGBA8, "view",
+      "VTK radiance" },
+    { nullptr, nullptr, nullptr, 0, nullptr, nullptr } },
+  { { "antialiasing.picture", "vtkiPicture", "the picture before", GL_RGBA16F, "view",
+      "VTK radiance" },
+    { nullptr, nullptr, nullptr, 0, nullptr, nullptr } },
+  { { "antialiasing.picture", "vtkiPicture", "the picture before", GL_RGBA32F, "view",
+      "VTK radiance" },
+    { nullptr, nullptr, nullptr, 0, nullptr, nullptr } },
+};
+
+const vtkIndirectChannel EdgeChannels[] = {
+  { "antialiasing.edges", "vtkiEdges", "edges of rows and columns, 32 in a word", GL_RGBA32UI, "-",
+    "bits" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+}
+
+//------------------------------------------------------------------------------
+struct vtkIndirectAntialiasing::Internals
+{
+  std::unique_ptr<vtkIndirectTarget> Picture;
+  unsigned int Format = 0; // of OpenGL, of the picture
+  vtkIndirectTarget Edges{ EdgeChannels, false };
+  vtkIndirectFullScreenProgram FindEdges{ "vtkIndirectEdgesFS.glsl" };
+  vtkIndirectFullScreenProgram Blend{ "vtkIndirectBlendEdgesFS.glsl" };
+
+  // A copy of the frame's part of the framebuffer that is bound for drawing.
+  bool Copy(const vtkIndirectFrame& frame)
+  {
+    const unsigned int format = vtkIndirectTarget::FindBoundColorFormat();
+    if (this->Picture && format != this->Format)
+    {
+      this->Picture->Release(frame.Window);
+      this->Picture = nullptr;
+    }
+    if (!this->Picture)
+    {
+      this->Format = format;
+      this->Picture = std::make_unique<vtkIndirectTarget>(Pictures[format == GL_RGBA8 ? 0
+                                                              : format == GL_RGBA16F  ? 1
+                                                                                      : 2],
+        false);
+    }
+    return this->Picture->Resize(frame.Window, frame.Size[0], frame.Size[1]) &&
+      this->Picture->CopyBoundColor(frame.Origin);
+  }
+};
+
+vtkIndirectAntialiasing::vtkIndirectAntialiasing()
+  : Internal(new Internals)
+{
+}
+
+vtkIndirectAntialiasing::~vtkIndirectAntialiasing() = default;
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAntialiasing::Apply(
+  const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
+{
+  Internals& in = *this->Internal;
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  const int words = (std::max(frame.Size[0], frame.Size[1]) + 31) / 32 + 2;
+  const int rows = frame.Size[1] + 1;
+  if (!in.Copy(frame) || !in.Edges.Resize(frame.Window, words, rows + frame.Size[0] + 1))
+  {
+    return false;
+  }
+  {
+    vtkOpenGLState::ScopedglScissor scissor(state);
+    vtkIndirectFullScreenState kernelState(frame.Window);
+    vtkShaderProgram* program = in.FindEdges.Use(frame.Window);
+    if (!program)
+    {
+      return false;
+    }
+    in.Edges.Begin();
+    in.Picture->Activate(0, program);
+    geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
+    program->SetUniform2i("vtkiSize", frame.Size);
+    program->SetUniformi("vtkiRows", rows);
+    in.FindEdges.Draw();
+    geometry.GetTarget().Deactivate();
+    in.Picture->Deactivate();
+    in.Edges.End();
+  }
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkShaderProgram* program = in.Blend.Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  // Without the test no depth is written.
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglViewport(frame.Origin[0], frame.Origin[1], frame.Size[0], frame.Size[1]);
+  in.Picture->Activate(0, program);
+  in.Edges.Activate(0, program);
+  program->SetUniform2i("vtkiSize", frame.Size);
+  program->SetUniform2i("vtkiOrigin", frame.Origin);
+  program->SetUniformi("vtkiRows", rows);
+  in.Blend.Draw();
+  in.Edges.Deactivate();
+  in.Picture->Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectAntialiasing::GetBytes() const
+{
+  const Internals& in = *this->Internal;
+  return in.Edges.GetBytes() + (in.Picture ? in.Picture->GetBytes() : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectAntialiasing::Release(vtkWindow* window)
+{
+  Internals& in = *this->Internal;
+  if (in.Picture)
+  {
+    in.Picture->Release(window);
+    in.Picture = nullptr;
+  }
+  in.Edges.Release(window);
+  in.FindEdges.Release();
+  in.Blend.Release();
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Antialiased edges: morphological antialiasing of the picture that has been composed.
+//
+// Reshetov 2009, "Morphological antialiasing"; Jimenez, Echevarria, Sousa, Gutierrez 2012, "SMAA:
+// Enhanced subpixel morphological antialiasing". Edges are where neighbours differ as they are
+// shown, the background included, and one of them is this frame's own. Their runs are found in
+// words of 32 bits, and areas are computed rather than looked up. Pixels without an edge are not
+// written, and depth is not either.
+
+#ifndef vtkIndirectAntialiasing_h
+#define vtkIndirectAntialiasing_h
+
+#include <cstddef> // for size_t
+#include <memory>  // for the internals
+
+class vtkIndirectGeometryBuffer;
+class vtkWindow;
+struct vtkIndirectFrame;
+
+class vtkIndirectAntialiasing
+{
+public:
+  vtkIndirectAntialiasing();
+  ~vtkIndirectAntialiasing();
+
+  /**
+   * Works on the frame's part of the framebuffer that is bound for drawing, where the opaque props
+   * have been composed. Returns false, after an error and with that picture left as it is, where
+   * OpenGL refuses.
+   */
+  bool Apply(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
+
+  size_t GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,105 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Blends pixels on either side of the picture's edges; others are left as they were drawn. Where edges are is in
+// vtkIndirectEdgesFS.glsl's words.
+#include "vtkIndirectLibAntialiasing.glsl"
+
+uniform sampler2D vtkiPicture;
+uniform usampler2D vtkiEdges;
+uniform ivec2 vtkiSize;
+uniform ivec2 vtkiOrigin;
+uniform int vtkiRows;
+
+// Of a line and the word of a position, which may be one before the picture's first or behind its last.
+uvec4 vtkiFetchEdges(int position, int line)
+{
+  return texelFetch(vtkiEdges, ivec2((position + 32) >> 5, line), 0);
+}
+
+// Four bits from that position on, of a channel each.
+uvec3 vtkiFetchFour(int position, int line)
+{
+  uvec3 lower = vtkiFetchEdges(position, line).rgb;
+  uvec3 upper = vtkiFetchEdges(position + 3, line).rgb;
+  int first = position & 31;
+  return uvec3(vtkiBitWindow(lower.r, upper.r, first), vtkiBitWindow(lower.g, upper.g, first),
+           vtkiBitWindow(lower.b, upper.b, first)) & 15u;
+}
+
+// At a run's end, which is at that position of lines that begin at `lines`; the crossing lines begin at `others`.
+float vtkiFetchRunEnd(int position, int line, int others, bool first)
+{
+  // Edges of the run's direction are the crossing ones there.
+  uvec3 four = vtkiFetchFour(line - 2, others + position);
+  return vtkiRunEnd(four.r, four.g, four.b, first);
+}
+
+// The areas of vtkiRunAreas at an edge.
+vec2 vtkiFetchAreas(int position, int line, int lines, int others)
+{
+  int bit = position & 31;
+  uvec4 before = vtkiFetchEdges(position - 32, lines + line);
+  uvec4 here = vtkiFetchEdges(position, lines + line);
+  uvec4 behind = vtkiFetchEdges(position + 32, lines + line);
+  int forward = vtkiRunForward(vtkiBitWindow(here.r, behind.r, bit),
+    vtkiBitWindow(here.g & here.b, behind.g & behind.b, bit));
+  int next = (bit + 1) & 31;
+  bool last = bit == 31;
+  uint ending = last ? here.r : vtkiBitWindow(before.r, here.r, next);
+  uint endingBreaks =
+    last ? here.g & here.b : vtkiBitWindow(before.g & before.b, here.g & here.b, next);
+  int backward = vtkiRunBackward(ending, endingBreaks);
+  float firstEnd = backward < VTKI_EDGE_REACH
+    ? vtkiFetchRunEnd(position - backward, line, others, true) : 0.0f;
+  float lastEnd = forward < VTKI_EDGE_REACH
+    ? vtkiFetchRunEnd(position + forward + 1, line, others, false) : 0.0f;
+  return vtkiRunAreas(backward, forward, firstEnd, lastEnd);
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - vtkiOrigin;
+  uint row = uint(pixel.x & 31);
+  uint column = uint(pixel.y & 31);
+  // Bits: below, above, left, right.
+  uint sides = ((vtkiFetchEdges(pixel.x, pixel.y).r >> row) & 1u) |
+    (((vtkiFetchEdges(pixel.x, pixel.y + 1).r >> row) & 1u) << 1u) |
+    (((vtkiFetchEdges(pixel.y, vtkiRows + pixel.x).r >> column) & 1u) << 2u) |
+    (((vtkiFetchEdges(pixel.y, vtkiRows + pixel.x + 1).r >> column) & 1u) << 3u);
+  if (sides == 0u)
+  {
+    discard;
+  }
+  vec2 texel = 1.0f / vec2(vtkiSize);
+  vec2 place = (vec2(pixel) + 0.5f) * texel;
+  vec4 color = textureLod(vtkiPicture, place, 0.0f);
+  vec4 shown = clamp(color, 0.0f, 1.0f);
+  vec4 areas = vec4(0.0f);
+  while (sides != 0u)
+  {
+    uint side = sides & (~sides + 1u);
+    bool columns = side > 2u;
+    bool far = (side & 10u) != 0u; // the neighbour is behind this pixel, not before it
+    int line = (columns ? pixel.x : pixel.y) + (far ? 1 : 0);
+    vec2 cut = vtkiFetchAreas(columns ? pixel.y : pixel.x, line, columns ? vtkiRows : 0,
+      columns ? 0 : vtkiRows);
+    vec2 step = (columns ? vec2(texel.x, 0.0f) : vec2(0.0f, texel.y)) * (far ? 1.0f : -1.0f);
+    vec4 neighbor = clamp(textureLod(vtkiPicture, place + step, 0.0f), 0.0f, 1.0f);
+    float area = (far ? cut.y : cut.x) * vtkiEdgeStrength(vtkiContrast(shown, neighbor));
+    areas += vec4(side == 1u ? area : 0.0f, side == 2u ? area : 0.0f, side == 4u ? area : 0.0f,
+      side == 8u ? area : 0.0f);
+    sides ^= side;
+  }
+  // Both directions have found the same outline where they are about to blend both: the one that sees more of it
+  // is the one along which it runs.
+  bool alongRows = max(areas.x, areas.y) >= max(areas.z, areas.w);
+  vec2 shares = alongRows ? vtkiNeighborShares(areas.x, areas.y) : vtkiNeighborShares(areas.z, areas.w);
+  if (shares.x + shares.y == 0.0f)
+  {
+    discard;
+  }
+  vec2 step = alongRows ? vec2(0.0f, texel.y) : vec2(texel.x, 0.0f);
+  gl_FragData[0] = color +
+    shares.x * (textureLod(vtkiPicture, place - step, 0.0f) - color) +
+    shares.y * (textureLod(vtkiPicture, place + step, 0.0f) - color);
+}

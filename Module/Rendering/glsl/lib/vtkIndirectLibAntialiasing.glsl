@@ -1,0 +1,122 @@
+// Morphological antialiasing (Reshetov 2009; Jimenez, Echevarria, Sousa, Gutierrez 2012): the outline that a
+// row of equal steps between pixels is made of is drawn anew as a line, and each pixel gets the share of its
+// neighbour's colour that the line cuts off.
+//
+// Edges are bits, 32 positions of a row in a word, so that the ends of a run are found by arithmetic and not
+// step by step. "Line" is a row of pixels, "position" the place along it; the same holds of columns. An edge of
+// line l and position s lies between pixels (s, l - 1) and (s, l); a crossing edge of line l at position s
+// between (s - 1, l) and (s, l).
+#ifndef vtkIndirectLibAntialiasing
+#define vtkIndirectLibAntialiasing
+#include "vtkIndirectLibPortable.glsl"
+
+/* Contrast from which there is an edge, and from which its pixels are blended in full: the eye sees steps of
+ * 5 %, and a ramp keeps an edge whose contrast passes the first from flashing up. */
+const float VTKI_EDGE_CONTRAST = 0.05f;
+const float VTKI_EDGE_FULL_CONTRAST = 0.1f;
+/* An edge is dropped where one that it meets has so many times its contrast: textures and shading that end at an
+ * outline. */
+const float VTKI_EDGE_DOMINANCE = 4.0f;
+/* How far the ends of a run are searched for on either side, positions. */
+const int VTKI_EDGE_REACH = 31;
+
+/* The greatest difference of a channel, of colours as they are shown. */
+float vtkiContrast(vec4 a, vec4 b)
+{
+  vec4 d = abs(a - b);
+  return max(max(d.x, d.y), max(d.z, d.w));
+}
+
+/* How much of an edge of that contrast is blended. */
+float vtkiEdgeStrength(float contrast)
+{
+  return min(max((contrast - VTKI_EDGE_CONTRAST) *
+                 (1.0f / (VTKI_EDGE_FULL_CONTRAST - VTKI_EDGE_CONTRAST)),
+               0.0f),
+    1.0f);
+}
+
+/* Number of the lowest bit and of the highest of a word that is not zero: the exponent of a float that has no
+ * other bit, or none next to it that it could be rounded up by. */
+int vtkiLowestBit(uint word)
+{
+  return int(floatBitsToUint(float(word & (~word + 1u))) >> 23u) - 127;
+}
+
+int vtkiHighestBit(uint word)
+{
+  return int(floatBitsToUint(float(word & ~(word >> 1u))) >> 23u) - 127;
+}
+
+/* 32 bits of two words in a row, from bit `first` (0 to 31) of the lower one on. */
+uint vtkiBitWindow(uint lower, uint upper, int first)
+{
+  return first == 0 ? lower : (lower >> uint(first)) | (upper << uint(32 - first));
+}
+
+/* How many positions behind the one of bit 0 belong to its run: up to VTKI_EDGE_REACH, which says that its
+ * end is farther away. edges, breaks: windows from that position on; a break at a position parts it from the
+ * one before. */
+int vtkiRunForward(uint edges, uint breaks)
+{
+  return vtkiLowestBit(~((edges & ~breaks) >> 1u));
+}
+
+/* The same before the position of bit 31, of windows that end with it. */
+int vtkiRunBackward(uint edges, uint breaks)
+{
+  return 31 - vtkiHighestBit(~((edges & ~(breaks >> 1u)) << 1u));
+}
+
+/* Where the outline goes at the end of a run: half a pixel to the side of the greater lines, half a pixel to
+ * the other side (negative), or on (0).
+ * across: edges that cross the end, of the lines l - 2 to l + 1 in bits 0 to 3, for a run between the lines
+ * l - 1 and l. before, behind: the edges of the positions before and behind the end, between lines l - 3 and
+ * l - 2 in bit 0, to l and l + 1 in bit 3. first: whether the run begins at this end. */
+float vtkiRunEnd(uint across, uint before, uint behind, bool first)
+{
+  bool up = (across & 4u) != 0u;
+  bool down = (across & 2u) != 0u;
+  if (up && down)
+  {
+    // Where outlines cross, one pair of pixels that face each other across the corner belongs together: the
+    // pair of what is one pixel thin.
+    bool crossing = (before & behind & 4u) != 0u;
+    bool rising = (before & 2u) != 0u || (behind & 8u) != 0u;
+    bool falling = (before & 8u) != 0u || (behind & 2u) != 0u;
+    float side = crossing && rising != falling ? (rising ? 0.5f : -0.5f) : 0.0f;
+    return first ? -side : side;
+  }
+  // A step of a line is one pixel high; what is higher is a corner, which stays sharp.
+  return up && (across & 8u) == 0u ? 0.5f : (down && (across & 1u) == 0u ? -0.5f : 0.0f);
+}
+
+/* Area that a triangle cuts off the part from a to b of a run: its height is `height` at 0 and 0 at `length`. */
+float vtkiCutArea(float height, float length, float a, float b)
+{
+  float end = min(b, length);
+  return end > a ? height * (end - a) * (1.0f - 0.5f * (a + end) / length) : 0.0f;
+}
+
+/* What the outline of a run leaves of the pixels at one of its positions, with `backward` positions of the run
+ * before it and `forward` behind: the share that the pixel of the greater line loses to its neighbour, and the
+ * other way round. firstEnd, lastEnd: of vtkiRunEnd. From each end the outline reaches the pixels' border in
+ * the middle of the run; where both ends turn to different sides it is one straight line. */
+vec2 vtkiRunAreas(int backward, int forward, float firstEnd, float lastEnd)
+{
+  float s = float(backward);
+  float t = float(forward);
+  float middle = 0.5f * (s + t + 1.0f);
+  float a = vtkiCutArea(firstEnd, middle, s, s + 1.0f);
+  float b = vtkiCutArea(lastEnd, middle, t, t + 1.0f);
+  return vec2(max(a, 0.0f) + max(b, 0.0f), max(-a, 0.0f) + max(-b, 0.0f));
+}
+
+/* The share of two neighbours on opposite sides that a pixel takes on, from the areas that either has of it:
+ * their mean with the areas for weights, so that what is one pixel large does not vanish. */
+vec2 vtkiNeighborShares(float area1, float area2)
+{
+  float sum = area1 + area2;
+  return sum > 0.0f ? vec2(area1 * area1 / sum, area2 * area2 / sum) : vec2(0.0f);
+}
+#endif
