@@ -6,6 +6,7 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
+#include "OpenGL/vtkIndirectPointProgram.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 
@@ -32,6 +33,15 @@ const vtkIndirectChannel EdgeChannels[] = {
     "bits" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+
+const vtkIndirectChannel TileChannels[] = {
+  { "antialiasing.tiles", "vtkiTiles", "1 where a tile has edges", GL_R32F, "-", "1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+// Pixels along an edge of a tile, a divisor of 32: smaller ones leave more pixels alone, larger
+// ones are fewer points.
+constexpr int Tile = 8;
 }
 
 //------------------------------------------------------------------------------
@@ -41,7 +51,9 @@ struct vtkIndirectAntialiasing::Internals
   unsigned int Format = 0; // of OpenGL, of the picture
   vtkIndirectTarget Edges{ EdgeChannels, false };
   vtkIndirectFullScreenProgram FindEdges{ "vtkIndirectEdgesFS.glsl" };
-  vtkIndirectFullScreenProgram Blend{ "vtkIndirectBlendEdgesFS.glsl" };
+  vtkIndirectTarget Tiles{ TileChannels, false };
+  vtkIndirectFullScreenProgram FindTiles{ "vtkIndirectEdgeTilesFS.glsl" };
+  vtkIndirectPointProgram Blend{ "vtkIndirectBlendEdgesVS.glsl", "vtkIndirectBlendEdgesFS.glsl" };
 
   // A copy of the frame's part of the framebuffer that is bound for drawing.
   bool Copy(const vtkIndirectFrame& frame)
@@ -81,7 +93,9 @@ bool vtkIndirectAntialiasing::Apply(
   vtkOpenGLState::ScopedglViewport viewport(state);
   const int words = (std::max(frame.Size[0], frame.Size[1]) + 31) / 32 + 2;
   const int rows = frame.Size[1] + 1;
-  if (!in.Copy(frame) || !in.Edges.Resize(frame.Window, words, rows + frame.Size[0] + 1))
+  const int tiles[2] = { (frame.Size[0] + Tile - 1) / Tile, (frame.Size[1] + Tile - 1) / Tile };
+  if (!in.Copy(frame) || !in.Edges.Resize(frame.Window, words, rows + frame.Size[0] + 1) ||
+    !in.Tiles.Resize(frame.Window, tiles[0], tiles[1]))
   {
     return false;
   }
@@ -102,10 +116,22 @@ bool vtkIndirectAntialiasing::Apply(
     geometry.GetTarget().Deactivate();
     in.Picture->Deactivate();
     in.Edges.End();
+    program = in.FindTiles.Use(frame.Window);
+    if (!program)
+    {
+      return false;
+    }
+    in.Tiles.Begin();
+    in.Edges.Activate(0, program);
+    program->SetUniformi("vtkiRows", rows);
+    program->SetUniformi("vtkiTile", Tile);
+    in.FindTiles.Draw();
+    in.Edges.Deactivate();
+    in.Tiles.End();
   }
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkShaderProgram* program = in.Blend.Use(frame.Window);
+  vtkShaderProgram* program = in.Blend.Use(frame.Window, "");
   if (!program)
   {
     return false;
@@ -113,13 +139,17 @@ bool vtkIndirectAntialiasing::Apply(
   // Without the test no depth is written.
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_BLEND);
-  state->vtkglViewport(frame.Origin[0], frame.Origin[1], frame.Size[0], frame.Size[1]);
+  // All tiles; the scissor of the frame leaves out what is not the frame's.
+  state->vtkglViewport(frame.Origin[0], frame.Origin[1], tiles[0] * Tile, tiles[1] * Tile);
   in.Picture->Activate(0, program);
   in.Edges.Activate(0, program);
+  in.Tiles.Activate(0, program);
+  program->SetUniform2i("vtkiTileCount", tiles);
   program->SetUniform2i("vtkiSize", frame.Size);
   program->SetUniform2i("vtkiOrigin", frame.Origin);
   program->SetUniformi("vtkiRows", rows);
-  in.Blend.Draw();
+  in.Blend.Draw(tiles[0] * tiles[1], Tile);
+  in.Tiles.Deactivate();
   in.Edges.Deactivate();
   in.Picture->Deactivate();
   return true;
@@ -129,7 +159,7 @@ bool vtkIndirectAntialiasing::Apply(
 size_t vtkIndirectAntialiasing::GetBytes() const
 {
   const Internals& in = *this->Internal;
-  return in.Edges.GetBytes() + (in.Picture ? in.Picture->GetBytes() : 0);
+  return in.Edges.GetBytes() + in.Tiles.GetBytes() + (in.Picture ? in.Picture->GetBytes() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -143,5 +173,7 @@ void vtkIndirectAntialiasing::Release(vtkWindow* window)
   }
   in.Edges.Release(window);
   in.FindEdges.Release();
+  in.Tiles.Release(window);
+  in.FindTiles.Release();
   in.Blend.Release();
 }

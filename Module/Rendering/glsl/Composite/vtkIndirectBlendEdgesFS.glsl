@@ -6,9 +6,8 @@
 
 uniform sampler2D vtkiPicture;
 uniform usampler2D vtkiEdges;
-uniform ivec2 vtkiSize;
-uniform ivec2 vtkiOrigin;
-uniform int vtkiRows;
+flat in vec2 vtkiTexel;
+flat in ivec3 vtkiPlaces; // the viewport's origin, and the first line of columns
 
 // Of a line and the word of a position, which may be one before the picture's first or behind its last.
 uvec4 vtkiFetchEdges(int position, int line)
@@ -58,19 +57,20 @@ vec2 vtkiFetchAreas(int position, int line, int lines, int others)
 
 void main()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy) - vtkiOrigin;
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - vtkiPlaces.xy;
+  int rows = vtkiPlaces.z;
   uint row = uint(pixel.x & 31);
   uint column = uint(pixel.y & 31);
   // Bits: below, above, left, right.
   uint sides = ((vtkiFetchEdges(pixel.x, pixel.y).r >> row) & 1u) |
     (((vtkiFetchEdges(pixel.x, pixel.y + 1).r >> row) & 1u) << 1u) |
-    (((vtkiFetchEdges(pixel.y, vtkiRows + pixel.x).r >> column) & 1u) << 2u) |
-    (((vtkiFetchEdges(pixel.y, vtkiRows + pixel.x + 1).r >> column) & 1u) << 3u);
+    (((vtkiFetchEdges(pixel.y, rows + pixel.x).r >> column) & 1u) << 2u) |
+    (((vtkiFetchEdges(pixel.y, rows + pixel.x + 1).r >> column) & 1u) << 3u);
   if (sides == 0u)
   {
     discard;
   }
-  vec2 texel = 1.0f / vec2(vtkiSize);
+  vec2 texel = vtkiTexel;
   vec2 place = (vec2(pixel) + 0.5f) * texel;
   vec4 color = textureLod(vtkiPicture, place, 0.0f);
   vec4 shown = clamp(color, 0.0f, 1.0f);
@@ -81,8 +81,8 @@ void main()
     bool columns = side > 2u;
     bool far = (side & 10u) != 0u; // the neighbour is behind this pixel, not before it
     int line = (columns ? pixel.x : pixel.y) + (far ? 1 : 0);
-    vec2 cut = vtkiFetchAreas(columns ? pixel.y : pixel.x, line, columns ? vtkiRows : 0,
-      columns ? 0 : vtkiRows);
+    vec2 cut = vtkiFetchAreas(columns ? pixel.y : pixel.x, line, columns ? rows : 0,
+      columns ? 0 : rows);
     vec2 step = (columns ? vec2(texel.x, 0.0f) : vec2(0.0f, texel.y)) * (far ? 1.0f : -1.0f);
     vec4 neighbor = clamp(textureLod(vtkiPicture, place + step, 0.0f), 0.0f, 1.0f);
     float area = (far ? cut.y : cut.x) * vtkiEdgeStrength(vtkiContrast(shown, neighbor));

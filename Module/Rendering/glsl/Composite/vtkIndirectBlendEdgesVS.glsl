@@ -1,0 +1,22 @@
+//VTK::System::Dec
+// A point as large as a tile for each tile that has an edge: other pixels are not looked at.
+uniform sampler2D vtkiTiles;
+uniform ivec2 vtkiTileCount;
+uniform ivec2 vtkiSize;
+uniform ivec2 vtkiOrigin;
+uniform int vtkiRows;
+flat out vec2 vtkiTexel;
+flat out ivec3 vtkiPlaces; // the viewport's origin, and the first line of columns
+
+void main()
+{
+  // As floats, which hold all numbers of tiles: integers are divided one by one in software.
+  float row = floor((float(gl_VertexID) + 0.5f) / float(vtkiTileCount.x));
+  vec2 tile = vec2(float(gl_VertexID) - row * float(vtkiTileCount.x), row);
+  vec2 at = (tile + 0.5f) / vec2(vtkiTileCount);
+  bool hasEdges = textureLod(vtkiTiles, at, 0.0f).r > 0.0f;
+  vtkiTexel = 1.0f / vec2(vtkiSize);
+  vtkiPlaces = ivec3(vtkiOrigin, vtkiRows);
+  // The viewport is as large as all tiles, of which the last may reach over the picture.
+  gl_Position = hasEdges ? vec4(2.0f * at - 1.0f, 0.0f, 1.0f) : vec4(2.0f, 2.0f, 2.0f, 1.0f);
+}
