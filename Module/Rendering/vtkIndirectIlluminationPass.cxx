@@ -239,7 +239,8 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   vtkIndirectPipeline::Request request;
   request.Settings = this->Settings;
   request.Circumstances.OwnDelegate = this->DelegatePass != nullptr;
-  request.Circumstances.FXAA = this->Settings.RemainingGeometry && in.View.HasFXAA(s);
+  request.Circumstances.OtherAntialiasing =
+    vtkIndirectView::FindAntialiasing(s, this->Settings.RemainingGeometry);
   if (in.Delegate.IsRefused(this->DelegatePass))
   {
     request.Circumstances.DelegateIsRefused = vtkIndirectDelegateGuard::Why;

@@ -133,11 +133,11 @@ public:
   ///@{
   /**
    * Whether edges of the picture of the opaque props are antialiased, silhouettes against whatever
-   * lies behind included. Default on. Off, or where the renderer's FXAA is on and takes its place,
-   * pixels are as they were shaded, bitwise. Buffers of CopyBuffer and depth are not filtered.
-   * Reshetov 2009, Jimenez et al. 2012 (SMAA): steps of an outline that are up to 63 pixels long
-   * are replaced by the line that they stand for; what is thinner than a pixel stays broken, for
-   * which vtkSSAAPass is there.
+   * lies behind included. Default on. Off, or where the renderer's FXAA, vtkOpenGLFXAAPass or
+   * vtkSSAAPass takes its place, pixels are as they were shaded, bitwise. Buffers of CopyBuffer and
+   * depth are not filtered. Reshetov 2009, Jimenez et al. 2012 (SMAA): steps of an outline that are
+   * up to 63 pixels long are replaced by the line that they stand for; what is thinner than a pixel
+   * stays broken, for which vtkSSAAPass is there.
    */
   vtkIndirectFlagMacro(Antialiasing);
   ///@}

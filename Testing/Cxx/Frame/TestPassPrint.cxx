@@ -52,6 +52,7 @@ VTK_INDIRECT_TEST(PrintSettings)
 {
   vtkNew<vtkIndirectIlluminationPass> pass;
   CHECK_PRINT(pass, Shadows, false, "Off");
+  CHECK_PRINT(pass, Antialiasing, false, "Off");
   CHECK_PRINT(pass, ReflectiveShadowMapResolution, 77, "77");
   CHECK_PRINT(pass, NumberOfBounces, 3, "3");
   CHECK_PRINT(pass, IndirectScale, 0.5, "0.5");

@@ -54,6 +54,38 @@ std::string Find(const vtkIndirectPlan::Entries& entries, const std::string& wha
 }
 }
 
+// One filter at most works on edges: the renderer's where the user has chosen it.
+VTK_INDIRECT_TEST(PlanAntialiasing)
+{
+  const vtkIndirectFrame frame = MakeFrame({ MakeLight() });
+  const std::string what = "antialiased edges";
+  vtkIndirectSettings settings;
+  vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, settings, {}, {});
+  Check("by default", plan.Antialiasing);
+  Check(
+    "the report says so", !Find(plan.Modelled, what).empty() && Find(plan.LeftOut, what).empty());
+  vtkIndirectCircumstances circumstances;
+  circumstances.OtherAntialiasing = "the renderer's FXAA";
+  plan = vtkIndirectPlan::Make(frame, settings, {}, circumstances);
+  Check("not beside the renderer's FXAA", !plan.Antialiasing && Find(plan.Modelled, what).empty());
+  Check("which is the reason", Find(plan.LeftOut, what).find("FXAA") != std::string::npos);
+  settings.Antialiasing = false;
+  for (const char* other : { "", "vtkSSAAPass" })
+  {
+    circumstances.OtherAntialiasing = other;
+    plan = vtkIndirectPlan::Make(frame, settings, {}, circumstances);
+    Check("not where it is off", !plan.Antialiasing && Find(plan.Modelled, what).empty());
+    Check("which is the reason", Find(plan.LeftOut, what) == "Antialiasing is off");
+  }
+  // What the irradiance was computed from is the same.
+  Check("no part of the key",
+    plan.MakeKey(frame) == vtkIndirectPlan::Make(frame, {}, {}, {}).MakeKey(frame));
+  settings = vtkIndirectSettings();
+  plan = vtkIndirectPlan::Make(MakeFrame({}), settings, {}, {});
+  Check("not where the delegate alone draws",
+    !plan.Antialiasing && Find(plan.Modelled, what).empty() && Find(plan.LeftOut, what).empty());
+}
+
 VTK_INDIRECT_TEST(PlanDelegateAlone)
 {
   const vtkIndirectFrame frame = MakeFrame({ MakeLight() });

@@ -3,7 +3,7 @@
 #ifndef ShaderKernels
 #define ShaderKernels
 
-const int VTKI_KERNEL_COUNT = 28;
+const int VTKI_KERNEL_COUNT = 29;
 
 mat3 vtkiTestMatrix(vec4 a, vec4 b, float c)
 {
@@ -164,6 +164,21 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
   if (kernel == 26)
   {
     return vec4(vtkiUnpackAlbedo(vtkiPackAlbedo(a3)), 0.0f);
+  }
+  if (kernel == 27)
+  {
+    // Words of many ones, so that runs are of all lengths.
+    uint bit = 1u << uint(int(31.0f * a.w));
+    uint edges = floatBitsToUint(a.x) | 0xf0fff0ffu;
+    uint breaks = floatBitsToUint(a.y) & floatBitsToUint(b.x) & floatBitsToUint(b.y) & bit;
+    int forward = vtkiRunForward(edges | 1u, breaks);
+    int backward = vtkiRunBackward(edges | 0x80000000u, breaks);
+    uint across = floatBitsToUint(c.x) & 15u;
+    float end = vtkiRunEnd(across, bit & 15u, floatBitsToUint(c.y) & 15u, c.w > 0.0f);
+    vec2 areas = vtkiRunAreas(backward, forward, end, c.w > 0.0f ? 0.5f : -0.5f);
+    vec2 shares = vtkiNeighborShares(areas.x, areas.y);
+    return vec4(areas.x + float(forward), areas.y + float(backward),
+      shares.x + vtkiEdgeStrength(0.2f * b.w), shares.y);
   }
   return vec4(VTKI_PI, VTKI_GAMMA, float(VTKI_MAP_CAMERA), VTKI_SURFACE_UNLIT);
 }

@@ -53,7 +53,7 @@ struct vtkIndirectAntialiasing::Internals
   vtkIndirectFullScreenProgram FindEdges{ "vtkIndirectEdgesFS.glsl" };
   vtkIndirectTarget Tiles{ TileChannels, false };
   vtkIndirectFullScreenProgram FindTiles{ "vtkIndirectEdgeTilesFS.glsl" };
-  vtkIndirectPointProgram Blend{ "vtkIndirectBlendEdgesVS.glsl", "vtkIndirectBlendEdgesFS.glsl" };
+  vtkIndirectPointProgram Blend{ "vtkIndirectEdgePointVS.glsl", "vtkIndirectEdgePointFS.glsl" };
 
   // A copy of the frame's part of the framebuffer that is bound for drawing.
   bool Copy(const vtkIndirectFrame& frame)

@@ -45,13 +45,14 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
     estimator.SpecularTransport && frame.Specular;
   // With specular reflectance beside it the albedo has an image of its own in any case.
   plan.AlbedoInAlpha = frame.CoversFully && !circumstances.OwnDelegate && !plan.Specular;
-  // Twice is too much: edges that FXAA finds would no longer be those of the picture.
-  plan.Antialiasing = settings.Antialiasing && !circumstances.FXAA;
+  // Twice is too much, and what the user has chosen wins.
+  const std::string& other = circumstances.OtherAntialiasing;
+  plan.Antialiasing = settings.Antialiasing && other.empty();
   (plan.Antialiasing ? plan.Modelled : plan.LeftOut)
     .emplace_back("antialiased edges",
-      plan.Antialiasing          ? "by the shapes of what is shown; multisampling cannot reach them"
+      plan.Antialiasing          ? "by their shapes: what the pass draws has no samples to average"
         : !settings.Antialiasing ? "Antialiasing is off"
-                                 : "the renderer has FXAA on, which does it in their place");
+                                 : other + " antialiases the picture");
   plan.LeaveOut(settings, estimator);
   return plan;
 }

@@ -34,6 +34,7 @@ struct vtkIndirectCircumstances
   int NumberOfOtherEmitters = 0; // sources of light that are no vtkLight
   bool Environment = false;      // light comes from all around
   bool FXAA = false;             // the renderer's follows
+  std::string OtherAntialiasing; // what antialiases the picture after the pass; empty: nothing
 };
 
 struct vtkIndirectPlan

@@ -4,6 +4,7 @@
 #include "Frame/vtkIndirectView.h"
 
 #include "vtkCamera.h"
+#include "vtkImageProcessingPass.h"
 #include "vtkLightsPass.h"
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -27,6 +28,12 @@ public:
     camera->*(&StereoCamera::Stereo) = window->GetStereoRender();
   }
 };
+
+// Whether the renderer's FXAA runs: not in framebuffers of other passes.
+bool HasFXAA(const vtkRenderState* s)
+{
+  return s->GetRenderer()->GetUseFXAA() && !s->GetFrameBuffer();
+}
 }
 
 vtkIndirectView::vtkIndirectView() = default;
@@ -67,9 +74,22 @@ bool vtkIndirectView::Begin(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectView::HasFXAA(const vtkRenderState* s)
+std::string vtkIndirectView::FindAntialiasing(const vtkRenderState* s, bool remaining)
 {
-  return s->GetRenderer()->GetUseFXAA() && !s->GetFrameBuffer();
+  if (remaining && HasFXAA(s))
+  {
+    return "the renderer's FXAA";
+  }
+  for (vtkRenderPass* pass = s->GetRenderer()->GetPass(); pass;)
+  {
+    if (pass->IsA("vtkOpenGLFXAAPass") || pass->IsA("vtkSSAAPass"))
+    {
+      return pass->GetClassName();
+    }
+    auto* around = vtkImageProcessingPass::SafeDownCast(pass);
+    pass = around ? around->GetDelegatePass() : nullptr;
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------

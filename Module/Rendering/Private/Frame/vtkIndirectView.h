@@ -6,6 +6,8 @@
 #include "vtkNew.h"          // for members
 #include "vtkSmartPointer.h" // for members
 
+#include <string> // for names
+
 class vtkLightsPass;
 class vtkOpenGLFXAAFilter;
 class vtkRenderState;
@@ -23,8 +25,11 @@ public:
    */
   bool Begin(const vtkRenderState* s);
 
-  /** Whether RenderRemaining runs the renderer's FXAA. */
-  static bool HasFXAA(const vtkRenderState* s);
+  /**
+   * What antialiases the picture after this pass, or empty: the renderer's FXAA, if RenderRemaining
+   * follows, or a pass that the renderer's chain of passes begins with.
+   */
+  static std::string FindAntialiasing(const vtkRenderState* s, bool remaining);
 
   /**
    * Translucent props, FXAA when the renderer asks for it, volumes and overlays, as

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Kernels of antialiasing against what they stand for: runs bit by bit, areas by quadrature.
+#include "vtkIndirectTestUtilities.h"
+
+#include "OpenGL/vtkIndirectKernels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace vtkIndirectTest;
+using namespace vtkIndirectKernels;
+
+namespace
+{
+// Words in which runs of all lengths are likely.
+uint MakeWord(Random& random)
+{
+  uint word = random.NextBits();
+  for (double more = random.Next(0.0, 5.0); more >= 1.0; more -= 1.0)
+  {
+    word |= random.NextBits();
+  }
+  return word;
+}
+
+// Height of the outline over a run's border at a place of it.
+double FindHeight(double place, double length, double firstEnd, double lastEnd)
+{
+  const double middle = 0.5 * length;
+  return place < middle ? firstEnd * (1.0 - place / middle) : lastEnd * (place / middle - 1.0);
+}
+}
+
+VTK_INDIRECT_TEST(AntialiasingBits)
+{
+  Random random(7);
+  int wrong = 0;
+  std::array<int, 32> lengths{};
+  for (int i = 0; i < 100000; ++i)
+  {
+    const uint lower = MakeWord(random);
+    const uint upper = MakeWord(random);
+    const uint breaks = random.NextBits() & random.NextBits() & random.NextBits();
+    const int first = static_cast<int>(random.NextBits() & 31u);
+    const uint edges = vtkiBitWindow(lower, upper, first);
+    for (int bit = 0; bit < 32; ++bit)
+    {
+      const int at = first + bit;
+      const uint expected = at < 32 ? lower >> at : upper >> (at - 32);
+      wrong += ((edges >> bit) & 1u) != (expected & 1u);
+    }
+    int forward = 0;
+    while (forward < 31 && ((edges >> (forward + 1)) & 1u) && !((breaks >> (forward + 1)) & 1u))
+    {
+      ++forward;
+    }
+    int backward = 0;
+    while (
+      backward < 31 && ((edges >> (30 - backward)) & 1u) && !((breaks >> (31 - backward)) & 1u))
+    {
+      ++backward;
+    }
+    wrong += vtkiRunForward(edges | 1u, breaks) != forward;
+    wrong += vtkiRunBackward(edges | 0x80000000u, breaks) != backward;
+    ++lengths[static_cast<size_t>(forward)];
+    const uint word = 1u << (random.NextBits() & 31u);
+    wrong += (1u << vtkiLowestBit(word)) != word || (1u << vtkiHighestBit(word)) != word;
+  }
+  CheckEqual("bits and runs that are wrong", wrong, 0);
+  wrong = vtkiHighestBit(0xffffffffu) != 31 || vtkiLowestBit(0xffffffffu) != 0;
+  CheckEqual("a word of ones", wrong, 0);
+  CheckEqual("a run beyond the reach", vtkiRunForward(0xffffffffu, 0u), VTKI_EDGE_REACH);
+  CheckEqual("a run beyond the reach, before", vtkiRunBackward(0xffffffffu, 0u), VTKI_EDGE_REACH);
+  CheckAtLeast("lengths of runs that occurred",
+    static_cast<double>(std::count_if(lengths.begin(), lengths.end(), [](int n) { return n > 0; })),
+    20, "the test's own power");
+}
+
+VTK_INDIRECT_TEST(AntialiasingEnds)
+{
+  // Bits: lines l - 2 to l + 1.
+  CheckEqual("a step up", vtkiRunEnd(4u, 4u, 0u, true), 0.5);
+  CheckEqual("a step down", vtkiRunEnd(2u, 4u, 0u, true), -0.5);
+  CheckEqual("no step", vtkiRunEnd(0u, 4u, 0u, true), 0.0);
+  CheckEqual("a corner up stays sharp", vtkiRunEnd(12u, 4u, 0u, true), 0.0);
+  CheckEqual("a corner down stays sharp", vtkiRunEnd(3u, 4u, 0u, false), 0.0);
+  CheckEqual("an outline that ends at another", vtkiRunEnd(6u, 0u, 4u, true), 0.0);
+  // A line of one pixel, lower before the end and higher behind it, seen from its upper border (the
+  // run ends) and from its lower one (the run begins).
+  CheckEqual("a thin line that rises", vtkiRunEnd(6u, 6u, 12u, false), 0.5);
+  CheckEqual("and from below", vtkiRunEnd(6u, 6u, 12u, true), -0.5);
+  CheckEqual("a thin line that falls", vtkiRunEnd(6u, 12u, 6u, false), -0.5);
+  CheckEqual("and from below", vtkiRunEnd(6u, 12u, 6u, true), 0.5);
+  CheckEqual("a board of squares", vtkiRunEnd(6u, 4u, 4u, true), 0.0);
+  CheckEqual("a board of pixels", vtkiRunEnd(15u, 15u, 15u, true), 0.0);
+  // The mirror image swaps what is before the end and behind it, and upside down the bits.
+  int wrong = 0;
+  auto turn = [](uint four)
+  { return ((four & 1u) << 3u) | ((four & 2u) << 1u) | ((four & 4u) >> 1u) | ((four & 8u) >> 3u); };
+  // Edges lie between lines: turned about that of the run, bit 2.
+  auto turnEdges = [](uint four)
+  { return ((four & 2u) << 2u) | (four & 4u) | ((four & 8u) >> 2u); };
+  for (uint i = 0; i < 16 * 16 * 16; ++i)
+  {
+    const uint across = i & 15u;
+    const uint before = (i >> 4u) & 15u;
+    const uint behind = i >> 8u;
+    wrong += vtkiRunEnd(across, before, behind, true) != vtkiRunEnd(across, behind, before, false);
+    wrong += vtkiRunEnd(turn(across), turnEdges(before), turnEdges(behind), true) !=
+      -vtkiRunEnd(across, before, behind, true);
+  }
+  CheckEqual("ends that a mirror changes", wrong, 0);
+}
+
+VTK_INDIRECT_TEST(AntialiasingAreas)
+{
+  double worst = 0.0;
+  double asymmetry = 0.0;
+  for (int backward = 0; backward <= VTKI_EDGE_REACH; ++backward)
+  {
+    for (int forward = 0; forward <= VTKI_EDGE_REACH; ++forward)
+    {
+      for (float firstEnd : { -0.5f, 0.0f, 0.5f })
+      {
+        for (float lastEnd : { -0.5f, 0.0f, 0.5f })
+        {
+          const vec2 areas = vtkiRunAreas(backward, forward, firstEnd, lastEnd);
+          const double length = backward + forward + 1;
+          auto side = [&](double sign)
+          {
+            auto cut = [&](double place)
+            { return std::max(sign * FindHeight(place, length, firstEnd, lastEnd), 0.0); };
+            // Linear on either side of the middle, which is a place of a panel's end.
+            return Integrate(backward, backward + 0.5, cut, 1) +
+              Integrate(backward + 0.5, backward + 1, cut, 1);
+          };
+          worst =
+            std::max({ worst, std::abs(areas.x - side(1.0)), std::abs(areas.y - side(-1.0)) });
+          const vec2 mirrored = vtkiRunAreas(forward, backward, lastEnd, firstEnd);
+          const vec2 turned = vtkiRunAreas(backward, forward, -firstEnd, -lastEnd);
+          asymmetry = std::max<double>({ asymmetry, std::abs(areas.x - mirrored.x),
+            std::abs(areas.y - mirrored.y), std::abs(areas.x - turned.y) });
+        }
+      }
+    }
+  }
+  CheckAtMost("areas, worst", worst, 1e-6, "rounding of floats of order one");
+  CheckEqual("areas that a mirror changes", asymmetry, 0.0);
+  // A line of slope 1/8 through the middles of its steps: exactly what it covers.
+  const vec2 slope = vtkiRunAreas(0, 7, 0.5f, -0.5f);
+  CheckAbsolute("the first pixel of eight", slope.x, 0.5 * (0.5 + 0.375), 1e-6, "rounding");
+  const vec2 none = vtkiNeighborShares(0.0f, 0.0f);
+  CheckEqual("no area, no share", none.x + none.y, 0.0);
+  const vec2 both = vtkiNeighborShares(0.25f, 0.25f);
+  CheckAbsolute("of two equal areas their mean", both.x + both.y, 0.25, 1e-7, "rounding");
+  CheckEqual("a faint edge is left", vtkiEdgeStrength(VTKI_EDGE_CONTRAST), 0.0);
+  CheckEqual("a clear one is blended in full", vtkiEdgeStrength(0.11f), 1.0);
+}
