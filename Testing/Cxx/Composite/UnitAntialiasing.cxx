@@ -80,11 +80,14 @@ VTK_INDIRECT_TEST(AntialiasingBits)
 VTK_INDIRECT_TEST(AntialiasingEnds)
 {
   // Bits: lines l - 2 to l + 1.
-  CheckEqual("a step up", vtkiRunEnd(4u, 4u, 0u, true), 0.5);
-  CheckEqual("a step down", vtkiRunEnd(2u, 4u, 0u, true), -0.5);
-  CheckEqual("no step", vtkiRunEnd(0u, 4u, 0u, true), 0.0);
-  CheckEqual("a corner up stays sharp", vtkiRunEnd(12u, 4u, 0u, true), 0.0);
+  CheckEqual("a step up", vtkiRunEnd(4u, 8u, 4u, true), 0.5);
+  CheckEqual("a step down", vtkiRunEnd(2u, 2u, 4u, true), -0.5);
+  CheckEqual("a step down at the other end", vtkiRunEnd(2u, 4u, 2u, false), -0.5);
+  CheckEqual("no step", vtkiRunEnd(0u, 0u, 4u, true), 0.0);
+  CheckEqual("a corner up stays sharp", vtkiRunEnd(12u, 0u, 4u, true), 0.0);
   CheckEqual("a corner down stays sharp", vtkiRunEnd(3u, 4u, 0u, false), 0.0);
+  CheckEqual("the end of a thin line does", vtkiRunEnd(2u, 0u, 6u, true), 0.0);
+  CheckEqual("a thin line's step does not", vtkiRunEnd(3u, 2u, 6u, true), -0.5);
   CheckEqual("an outline that ends at another", vtkiRunEnd(6u, 0u, 4u, true), 0.0);
   // A line of one pixel, lower before the end and higher behind it, seen from its upper border (the
   // run ends) and from its lower one (the run begins).

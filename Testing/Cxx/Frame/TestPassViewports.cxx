@@ -191,6 +191,7 @@ VTK_INDIRECT_TEST(LayersOver)
     view.Renderer->RemoveAllViewProps();
     addOver(view.Renderer);
     vtkNew<vtkIndirectIlluminationPass> pass;
+    pass->AntialiasingOff(); // each pixel is one layer's
     view.Renderer->SetPass(pass);
     alone = view.Grab();
   }
@@ -199,6 +200,7 @@ VTK_INDIRECT_TEST(LayersOver)
   AddRoom(view.Renderer);
   vtkNew<vtkIndirectIlluminationPass> first;
   vtkNew<vtkIndirectIlluminationPass> second;
+  second->AntialiasingOff();
   view.Renderer->SetPass(first);
   vtkNew<vtkRenderer> over;
   over->SetLayer(1);
@@ -425,6 +427,7 @@ VTK_INDIRECT_TEST(StereoEyes)
       }
       const Pixels plain = view.Grab();
       vtkNew<vtkIndirectIlluminationPass> pass;
+      pass->AntialiasingOff(); // the same pixels as without the pass
       vtkNew<vtkRSMGatherPass> gather;
       gather->InterpolationOff(); // it follows the pixels, so that no two pictures differ by it
       pass->SetEstimator(gather);

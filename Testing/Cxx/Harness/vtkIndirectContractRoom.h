@@ -24,6 +24,7 @@ struct Room
     AddRoom(this->Window.Renderer);
     this->Gather->InterpolationOff();
     this->Pass->SetEstimator(this->Gather);
+    this->Pass->AntialiasingOff(); // it follows the neighbouring pixels, too
   }
   vtkRenderer* GetRenderer() { return this->Window.Renderer; }
   Pixels Grab(bool indirect)

@@ -156,6 +156,7 @@ VTK_INDIRECT_TEST(LightSettings)
     stage.Add(spot);
     stage.Add(other);
     stage.Pass->ShadowsOff();
+    stage.Pass->AntialiasingOff();
     // Something, so that the capture draws; too little to be seen.
     stage.Pass->SetIndirectScale(1e-9);
     if (!indirect)

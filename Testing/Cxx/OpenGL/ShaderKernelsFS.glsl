@@ -2,6 +2,7 @@
 //VTK::Output::Dec
 // Test stage: one kernel, three texels of input a pixel.
 #include "vtkIndirectLibAlbedo.glsl"
+#include "vtkIndirectLibAntialiasing.glsl"
 #include "vtkIndirectLibColor.glsl"
 #include "vtkIndirectLibGlossy.glsl"
 #include "vtkIndirectLibHarmonics.glsl"

@@ -103,6 +103,8 @@ Picture::Picture(int width, int height)
 {
   this->Pass->SetEstimator(this->Gather);
   this->Pass->SetSampler(this->Sampler);
+  // Cases of its own show it: steps of edges tell more of what the others are about.
+  this->Pass->AntialiasingOff();
   this->AddBuffers("", this->Pass);
 }
 

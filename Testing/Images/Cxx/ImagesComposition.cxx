@@ -176,6 +176,7 @@ VTK_INDIRECT_IMAGE(CompositionLayers)
   above->ResetCameraClippingRange();
   vtkNew<vtkIndirectIlluminationPass> pass;
   pass->SetEstimator(vtkNew<vtkRSMGatherPass>());
+  pass->AntialiasingOff();
   above->SetPass(pass);
   picture.Window->SetNumberOfLayers(2);
   picture.Window->AddRenderer(above);
@@ -200,6 +201,7 @@ VTK_INDIRECT_IMAGE(CompositionViewports)
   vtkNew<vtkIndirectIlluminationPass> pass;
   pass->SetEstimator(vtkNew<vtkMultiresolutionSplattingPass>());
   pass->SetSampler(vtkNew<vtkUniformLightSampler>());
+  pass->AntialiasingOff();
   right->SetPass(pass);
   picture.Window->AddRenderer(right);
   vtkNew<vtkRenderer> empty;
@@ -207,6 +209,18 @@ VTK_INDIRECT_IMAGE(CompositionViewports)
   empty->SetBackground(0.1, 0.3, 0.1);
   picture.Window->AddRenderer(empty);
   picture.AddBuffers("right.", pass);
+}
+
+// Silhouettes, shadows and steps of the light, against a gradient.
+VTK_INDIRECT_IMAGE(CompositionAntialiasing)
+{
+  LookAtCourt(picture);
+  picture.Renderer->GetActiveCamera()->Zoom(0.6);
+  picture.Renderer->GetActiveCamera()->Roll(7);
+  picture.Renderer->SetBackground(0.1, 0.1, 0.2);
+  picture.Renderer->SetBackground2(0.5, 0.6, 0.8);
+  picture.Renderer->GradientBackgroundOn();
+  picture.Pass->AntialiasingOn();
 }
 
 VTK_INDIRECT_IMAGE(CompositionFXAA)

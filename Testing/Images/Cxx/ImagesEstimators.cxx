@@ -118,6 +118,7 @@ VTK_INDIRECT_IMAGE(EstimatorAsPass)
   images::AddRoom(picture);
   picture.Buffers.clear();
   picture.AddBuffers("", picture.Gather->GetIlluminationPass());
+  picture.Gather->GetIlluminationPass()->AntialiasingOff();
   picture.Renderer->SetPass(picture.Gather);
 }
 

@@ -87,8 +87,10 @@ float vtkiRunEnd(uint across, uint before, uint behind, bool first)
     float side = crossing && rising != falling ? (rising ? 0.5f : -0.5f) : 0.0f;
     return first ? -side : side;
   }
-  // A step of a line is one pixel high; what is higher is a corner, which stays sharp.
-  return up && (across & 8u) == 0u ? 0.5f : (down && (across & 1u) == 0u ? -0.5f : 0.0f);
+  // A step is one pixel high, and the outline goes on outwards behind it. Where it does not there is a corner or
+  // the end of a line, which stays sharp.
+  uint outside = first ? before : behind;
+  return up && (outside & 8u) != 0u ? 0.5f : (down && (outside & 2u) != 0u ? -0.5f : 0.0f);
 }
 
 /* Area that a triangle cuts off the part from a to b of a run: its height is `height` at 0 and 0 at `length`. */
