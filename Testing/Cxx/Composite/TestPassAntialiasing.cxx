@@ -296,9 +296,14 @@ VTK_INDIRECT_TEST(AntialiasingConstant)
     for (int i = 0; i < 5; ++i)
     {
       const double lower = (-40 + 14 * i) * pixel;
-      const double upper = lower + (2 + 2 * i) * pixel;
+      const double upper = lower + (1 + 2 * i) * pixel;
       other.AddFlat(
         MakeQuad({ lower, lower, 0 }, { upper, lower, 0 }, { lower, upper, 0 }, { 1, 1, 1 }));
+      // A line of one pixel and one of two, which end in the picture.
+      const double width = (1 + i % 2) * pixel;
+      other.AddFlat(
+        MakeQuad({ upper + 2 * pixel, lower, 0 }, { upper + 2 * pixel + width, lower, 0 },
+          { upper + 2 * pixel, lower + 11 * pixel, 0 }, { 1, 1, 1 }));
     }
     squares[on] = other.Grab();
   }

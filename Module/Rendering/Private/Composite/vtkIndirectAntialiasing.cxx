@@ -55,6 +55,9 @@ struct vtkIndirectAntialiasing::Internals
   vtkIndirectFullScreenProgram FindTiles{ "vtkIndirectEdgeTilesFS.glsl" };
   vtkIndirectPointProgram Blend{ "vtkIndirectEdgePointVS.glsl", "vtkIndirectEdgePointFS.glsl" };
 
+  bool Refused = false; // something has been, and an error has said so
+
+  bool Apply(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
   // A copy of the frame's part of the framebuffer that is bound for drawing.
   bool Copy(const vtkIndirectFrame& frame)
   {
@@ -85,53 +88,60 @@ vtkIndirectAntialiasing::vtkIndirectAntialiasing()
 vtkIndirectAntialiasing::~vtkIndirectAntialiasing() = default;
 
 //------------------------------------------------------------------------------
-bool vtkIndirectAntialiasing::Apply(
+void vtkIndirectAntialiasing::Apply(
   const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
 {
   Internals& in = *this->Internal;
+  in.Refused = in.Refused || !in.Apply(frame, geometry);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAntialiasing::Internals::Apply(
+  const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
+{
   vtkOpenGLState* state = frame.Window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   const int words = (std::max(frame.Size[0], frame.Size[1]) + 31) / 32 + 2;
   const int rows = frame.Size[1] + 1;
   const int tiles[2] = { (frame.Size[0] + Tile - 1) / Tile, (frame.Size[1] + Tile - 1) / Tile };
-  if (!in.Copy(frame) || !in.Edges.Resize(frame.Window, words, rows + frame.Size[0] + 1) ||
-    !in.Tiles.Resize(frame.Window, tiles[0], tiles[1]))
+  if (!this->Copy(frame) || !this->Edges.Resize(frame.Window, words, rows + frame.Size[0] + 1) ||
+    !this->Tiles.Resize(frame.Window, tiles[0], tiles[1]))
   {
     return false;
   }
   {
     vtkOpenGLState::ScopedglScissor scissor(state);
     vtkIndirectFullScreenState kernelState(frame.Window);
-    vtkShaderProgram* program = in.FindEdges.Use(frame.Window);
+    vtkShaderProgram* program = this->FindEdges.Use(frame.Window);
     if (!program)
     {
       return false;
     }
-    in.Edges.Begin();
-    in.Picture->Activate(0, program);
+    this->Edges.Begin();
+    this->Picture->Activate(0, program);
     geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
     program->SetUniform2i("vtkiSize", frame.Size);
     program->SetUniformi("vtkiRows", rows);
-    in.FindEdges.Draw();
+    this->FindEdges.Draw();
     geometry.GetTarget().Deactivate();
-    in.Picture->Deactivate();
-    in.Edges.End();
-    program = in.FindTiles.Use(frame.Window);
+    this->Picture->Deactivate();
+    this->Edges.End();
+    program = this->FindTiles.Use(frame.Window);
     if (!program)
     {
       return false;
     }
-    in.Tiles.Begin();
-    in.Edges.Activate(0, program);
+    this->Tiles.Begin();
+    this->Edges.Activate(0, program);
     program->SetUniformi("vtkiRows", rows);
     program->SetUniformi("vtkiTile", Tile);
-    in.FindTiles.Draw();
-    in.Edges.Deactivate();
-    in.Tiles.End();
+    this->FindTiles.Draw();
+    this->Edges.Deactivate();
+    this->Tiles.End();
   }
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkShaderProgram* program = in.Blend.Use(frame.Window, "");
+  vtkShaderProgram* program = this->Blend.Use(frame.Window, "");
   if (!program)
   {
     return false;
@@ -141,17 +151,17 @@ bool vtkIndirectAntialiasing::Apply(
   state->vtkglDisable(GL_BLEND);
   // All tiles; the scissor of the frame leaves out what is not the frame's.
   state->vtkglViewport(frame.Origin[0], frame.Origin[1], tiles[0] * Tile, tiles[1] * Tile);
-  in.Picture->Activate(0, program);
-  in.Edges.Activate(0, program);
-  in.Tiles.Activate(0, program);
+  this->Picture->Activate(0, program);
+  this->Edges.Activate(0, program);
+  this->Tiles.Activate(0, program);
   program->SetUniform2i("vtkiTileCount", tiles);
   program->SetUniform2i("vtkiSize", frame.Size);
   program->SetUniform2i("vtkiOrigin", frame.Origin);
   program->SetUniformi("vtkiRows", rows);
-  in.Blend.Draw(tiles[0] * tiles[1], Tile);
-  in.Tiles.Deactivate();
-  in.Edges.Deactivate();
-  in.Picture->Deactivate();
+  this->Blend.Draw(tiles[0] * tiles[1], Tile);
+  this->Tiles.Deactivate();
+  this->Edges.Deactivate();
+  this->Picture->Deactivate();
   return true;
 }
 
@@ -166,6 +176,7 @@ size_t vtkIndirectAntialiasing::GetBytes() const
 void vtkIndirectAntialiasing::Release(vtkWindow* window)
 {
   Internals& in = *this->Internal;
+  in.Refused = false;
   if (in.Picture)
   {
     in.Picture->Release(window);

@@ -25,10 +25,10 @@ public:
 
   /**
    * Works on the frame's part of the framebuffer that is bound for drawing, where the opaque props
-   * have been composed. Returns false, after an error and with that picture left as it is, where
-   * OpenGL refuses.
+   * have been composed. Where OpenGL refuses, that picture is left as it is, and after one error
+   * nothing is tried again before Release.
    */
-  bool Apply(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
+  void Apply(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
 
   size_t GetBytes() const;
   void Release(vtkWindow* window);
