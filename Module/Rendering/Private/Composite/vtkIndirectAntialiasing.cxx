@@ -11,6 +11,7 @@
 #include "OpenGL/vtkIndirectUniforms.h"
 
 #include <algorithm>
+#include <string>
 
 namespace
 {
@@ -109,21 +110,20 @@ bool vtkIndirectAntialiasing::Internals::Apply(
   {
     return false;
   }
+  const std::string definitions = this->Format == GL_RGBA8 ? "" : "#define VTKI_FLOATS\n";
   {
     vtkOpenGLState::ScopedglScissor scissor(state);
     vtkIndirectFullScreenState kernelState(frame.Window);
-    vtkShaderProgram* program = this->FindEdges.Use(frame.Window);
+    vtkShaderProgram* program = this->FindEdges.Use(frame.Window, definitions);
     if (!program)
     {
       return false;
     }
     this->Edges.Begin();
     this->Picture->Activate(0, program);
-    geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
     program->SetUniform2i("vtkiSize", frame.Size);
     program->SetUniformi("vtkiRows", rows);
     this->FindEdges.Draw();
-    geometry.GetTarget().Deactivate();
     this->Picture->Deactivate();
     this->Edges.End();
     program = this->FindTiles.Use(frame.Window);
@@ -141,7 +141,7 @@ bool vtkIndirectAntialiasing::Internals::Apply(
   }
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkShaderProgram* program = this->Blend.Use(frame.Window, "");
+  vtkShaderProgram* program = this->Blend.Use(frame.Window, definitions);
   if (!program)
   {
     return false;
@@ -152,6 +152,7 @@ bool vtkIndirectAntialiasing::Internals::Apply(
   // All tiles; the scissor of the frame leaves out what is not the frame's.
   state->vtkglViewport(frame.Origin[0], frame.Origin[1], tiles[0] * Tile, tiles[1] * Tile);
   this->Picture->Activate(0, program);
+  geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
   this->Edges.Activate(0, program);
   this->Tiles.Activate(0, program);
   program->SetUniform2i("vtkiTileCount", tiles);
@@ -160,6 +161,7 @@ bool vtkIndirectAntialiasing::Internals::Apply(
   program->SetUniformi("vtkiRows", rows);
   this->Blend.Draw(tiles[0] * tiles[1], Tile);
   this->Tiles.Deactivate();
+  geometry.GetTarget().Deactivate();
   this->Edges.Deactivate();
   this->Picture->Deactivate();
   return true;

@@ -1,10 +1,11 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Blends pixels on either side of the picture's edges; others are left as they were drawn. Where edges are is in
-// vtkIndirectEdgesFS.glsl's words.
-#include "vtkIndirectLibAntialiasing.glsl"
+// vtkIndirectEdgesFS.glsl's words. Backgrounds and what earlier layers have drawn stay as they are: one of the two
+// pixels is this frame's.
+#include "vtkIndirectShown.glsl"
 
-uniform sampler2D vtkiPicture;
+uniform sampler2D vtkiDepth;
 uniform usampler2D vtkiEdges;
 flat in vec2 vtkiTexel;
 flat in ivec3 vtkiPlaces; // the viewport's origin, and the first line of columns
@@ -73,7 +74,8 @@ void main()
   vec2 texel = vtkiTexel;
   vec2 place = (vec2(pixel) + 0.5f) * texel;
   vec4 color = textureLod(vtkiPicture, place, 0.0f);
-  vec4 shown = clamp(color, 0.0f, 1.0f);
+  vec4 shown = vtkiToShown(color);
+  bool drawn = textureLod(vtkiDepth, place, 0.0f).r < 1.0f;
   vec4 areas = vec4(0.0f);
   while (sides != 0u)
   {
@@ -84,8 +86,9 @@ void main()
     vec2 cut = vtkiFetchAreas(columns ? pixel.y : pixel.x, line, columns ? rows : 0,
       columns ? 0 : rows);
     vec2 step = (columns ? vec2(texel.x, 0.0f) : vec2(0.0f, texel.y)) * (far ? 1.0f : -1.0f);
-    vec4 neighbor = clamp(textureLod(vtkiPicture, place + step, 0.0f), 0.0f, 1.0f);
-    float area = (far ? cut.y : cut.x) * vtkiEdgeStrength(vtkiContrast(shown, neighbor));
+    bool counts = drawn || textureLod(vtkiDepth, place + step, 0.0f).r < 1.0f;
+    float area = counts
+      ? (far ? cut.y : cut.x) * vtkiEdgeStrength(vtkiContrast(shown, vtkiShown(place + step))) : 0.0f;
     areas += vec4(side == 1u ? area : 0.0f, side == 2u ? area : 0.0f, side == 4u ? area : 0.0f,
       side == 8u ? area : 0.0f);
     sides ^= side;

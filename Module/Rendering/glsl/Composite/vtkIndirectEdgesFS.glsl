@@ -4,24 +4,12 @@
 // whoever reads runs needs no borders; pixels beyond the picture equal those of its border.
 // r: edges of this line. g, b: crossing edges of the line before and of this one. See
 // vtkIndirectLibAntialiasing.glsl.
-#include "vtkIndirectLibAntialiasing.glsl"
+#include "vtkIndirectShown.glsl"
 
-uniform sampler2D vtkiPicture;
-uniform sampler2D vtkiDepth;
 uniform ivec2 vtkiSize;
 uniform int vtkiRows;
 
 out uvec4 vtkiEdges;
-
-vec4 vtkiShown(vec2 place)
-{
-  return clamp(textureLod(vtkiPicture, place, 0.0f), 0.0f, 1.0f);
-}
-
-bool vtkiIsDrawn(vec2 place)
-{
-  return textureLod(vtkiDepth, place, 0.0f).r < 1.0f;
-}
 
 void main()
 {
@@ -61,20 +49,6 @@ void main()
     strongest = next;
     before = here;
     beforeBelow = below;
-  }
-  // Backgrounds and what earlier layers have drawn stay as they are: an edge has a pixel of this frame's on one
-  // side at least.
-  uint all = edges | crossing | crossingBelow;
-  while (all != 0u)
-  {
-    uint lowest = all & (~all + 1u);
-    vec2 place = begin + float(vtkiLowestBit(all)) * along;
-    bool here = vtkiIsDrawn(place);
-    bool below = vtkiIsDrawn(place - across);
-    edges &= here || below ? 0xffffffffu : ~lowest;
-    crossing &= here || vtkiIsDrawn(place - along) ? 0xffffffffu : ~lowest;
-    crossingBelow &= below || vtkiIsDrawn(place - along - across) ? 0xffffffffu : ~lowest;
-    all ^= lowest;
   }
   vtkiEdges = uvec4(edges, crossingBelow, crossing, 0u);
 }

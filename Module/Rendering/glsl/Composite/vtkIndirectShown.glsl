@@ -1,0 +1,19 @@
+// The picture before antialiasing, and as it is shown: with VTKI_FLOATS it may be darker than black and brighter
+// than white.
+#include "vtkIndirectLibAntialiasing.glsl"
+
+uniform sampler2D vtkiPicture;
+
+vec4 vtkiToShown(vec4 color)
+{
+#ifdef VTKI_FLOATS
+  return clamp(color, 0.0f, 1.0f);
+#else
+  return color;
+#endif
+}
+
+vec4 vtkiShown(vec2 place)
+{
+  return vtkiToShown(textureLod(vtkiPicture, place, 0.0f));
+}
