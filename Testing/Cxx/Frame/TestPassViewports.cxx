@@ -286,11 +286,12 @@ VTK_INDIRECT_TEST(LayersPreserve)
 // vtkWindowToImageFilter renders large images in tiles.
 VTK_INDIRECT_TEST(Tiles)
 {
-  auto grab = [](int width, int height, int scale, bool withPass)
+  auto grab = [](int width, int height, int scale, bool withPass, bool antialiasing = false)
   {
     View view(width, height);
     AddRoom(view.Renderer);
     vtkNew<vtkIndirectIlluminationPass> pass;
+    pass->SetAntialiasing(antialiasing);
     if (withPass)
     {
       view.Renderer->SetPass(pass);
@@ -342,6 +343,33 @@ VTK_INDIRECT_TEST(Tiles)
     // Interpolation ends at a tile's edge, so up to half a step of 255 is its due.
     CONTRACT_CHECK(seam[k] < reference[k] + 0.5, "a seam");
   }
+
+  // What antialiasing does is the same but for outlines that a seam cuts: a tile does not see where
+  // they go on, and looks 31 pixels along them.
+  const Pixels smoothTiled = grab(128, 128, 2, true, true);
+  const Pixels smoothWhole = grab(256, 256, 1, true, true);
+  size_t smooth = 0;
+  size_t cut = 0;
+  size_t wrong = 0;
+  for (int y = 0; y < 256; ++y)
+  {
+    for (int x = 0; x < 256; ++x)
+    {
+      const bool near = std::min(std::abs(2 * x - 255), std::abs(2 * y - 255)) <= 2 * 32;
+      const int added = smoothTiled.Get(x, y, 0) - tiled.Get(x, y, 0);
+      const int expected = smoothWhole.Get(x, y, 0) - whole.Get(x, y, 0);
+      smooth += std::abs(expected) > 8 ? 1 : 0;
+      // Lights summed at other pixels move contrasts by a few of 255.
+      const bool differs = std::abs(added - expected) > 8;
+      cut += near && differs ? 1 : 0;
+      wrong += !near && differs ? 1 : 0;
+    }
+  }
+  std::cout << smooth << " antialiased pixels, " << cut << " of them cut by a seam, " << wrong
+            << " wrong elsewhere\n";
+  CONTRACT_CHECK(smooth > 500, "no edge was antialiased");
+  CONTRACT_CHECK(10 * cut < smooth, cut << " pixels are cut by a seam");
+  CONTRACT_CHECK(wrong == 0, wrong << " pixels away from seams");
 
   // Averaged down it is close to the picture without tiles.
   const Pixels small = grab(128, 128, 1, true);
