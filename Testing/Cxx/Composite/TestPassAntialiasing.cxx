@@ -7,6 +7,7 @@
 #include "vtkOpenGLFXAAPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkSSAAPass.h"
+#include "vtkToneMappingPass.h"
 
 #include <algorithm>
 #include <set>
@@ -409,7 +410,7 @@ VTK_INDIRECT_TEST(AntialiasingOthers)
 }
 
 //------------------------------------------------------------------------------
-// Windows of several samples, and floats of a pass around, whose light may be brighter than white.
+// Windows of several samples, and the floats of a pass around.
 VTK_INDIRECT_TEST(AntialiasingSamples)
 {
   Board plain;
@@ -421,4 +422,19 @@ VTK_INDIRECT_TEST(AntialiasingSamples)
   const Difference difference = Compare(expected, board.Grab());
   // Samples of a pixel are equal; their mean may be rounded.
   CONTRACT_CHECK(difference.Max <= 1.0, difference);
+
+  // In floats a clamp with exposure 1 shows what a window of eight bits does.
+  Board floats;
+  floats.AddHalfPlane(10.0, 0.0137);
+  vtkNew<vtkToneMappingPass> outer;
+  outer->SetToneMappingType(vtkToneMappingPass::Clamp);
+  outer->SetDelegatePass(floats.Pass);
+  floats.Renderer->SetPass(outer);
+  const Pixels mapped = floats.Grab();
+  const Difference other = Compare(expected, mapped);
+  std::cout << "in floats: " << other << "\n";
+  // Tone mapping decodes and encodes colours: a rounding each.
+  CONTRACT_CHECK(other.Max <= 2.0, other);
+  outer->ReleaseGraphicsResources(floats.Window);
+  floats.Renderer->SetPass(nullptr);
 }
