@@ -33,7 +33,6 @@ struct vtkIndirectCircumstances
   std::string DelegateIsRefused; // why no surfaces can be had of it; empty: they can
   int NumberOfOtherEmitters = 0; // sources of light that are no vtkLight
   bool Environment = false;      // light comes from all around
-  bool FXAA = false;             // the renderer's follows
   std::string OtherAntialiasing; // what antialiases the picture after the pass; empty: nothing
 };
 

@@ -26,6 +26,11 @@ const vtkIndirectChannel Channels[] = {
 // As in vtkIndirectSkyFS.glsl.
 constexpr size_t BlockSize = 200;
 constexpr size_t RowsPerDirection = 5;
+
+// From this share of all light on a direction's shadow is seen by itself: eight grey levels of 256
+// where it is hidden from a surface that faces it. At most 32 directions have so much.
+constexpr double StrongShare = 1.0 / 32.0;
+constexpr int StrongTexels = 1024;
 }
 
 //------------------------------------------------------------------------------
@@ -48,12 +53,22 @@ void vtkIndirectSkyGather::UpdateDirections(const Input& input)
   this->Light = vtkIndirectDirections::Project(input.Environment, this->Directions);
   this->Projected = input.Environment;
   this->ProjectedTime = time;
-  this->Lit.clear();
+  double total = 0.0;
+  for (const glm::dvec3& light : this->Light)
+  {
+    total += light.x + light.y + light.z;
+  }
+  for (Group& group : this->Groups)
+  {
+    group.Members.clear();
+    group.Emitters.clear();
+  }
   for (size_t i = 0; i < count; ++i)
   {
-    if (this->Light[i] != glm::dvec3(0.0))
+    const double light = this->Light[i].x + this->Light[i].y + this->Light[i].z;
+    if (light > 0.0)
     {
-      this->Lit.push_back(i);
+      this->Groups[light > StrongShare * total ? Strong : Others].Members.push_back(i);
     }
   }
   ++this->ContentTime;
@@ -68,16 +83,20 @@ void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
   {
     key.insert(key.end(), caster.Bounds, caster.Bounds + 6);
   }
-  const bool fits = key == this->FitKey && this->Emitters.size() == this->Directions.size();
+  const bool fits = key == this->FitKey;
   this->FitKey = std::move(key);
-  this->Emitters.resize(this->Directions.size());
-  for (size_t i = 0; i < this->Directions.size(); ++i)
+  for (Group& group : this->Groups)
   {
-    if (!fits)
+    if (fits && group.Emitters.size() == group.Members.size())
     {
-      this->Emitters[i].Tile = vtkIndirectDepthTile::FromDirection(frame, this->Directions[i]);
+      continue;
     }
-    this->Emitters[i].Sends = this->Light[i] != glm::dvec3(0.0);
+    group.Emitters.resize(group.Members.size());
+    for (size_t k = 0; k < group.Members.size(); ++k)
+    {
+      group.Emitters[k].Tile =
+        vtkIndirectDepthTile::FromDirection(frame, this->Directions[group.Members[k]]);
+    }
   }
 }
 
@@ -87,34 +106,40 @@ bool vtkIndirectSkyGather::UpdateMaps(const Input& input)
   const vtkIndirectFrame& frame = input.Frame;
   this->UpdateDirections(input);
   this->Visible = input.Plan.SkyIsShadowed;
-  if (!this->Visible)
-  {
-    this->Atlas.Release(frame.Window);
-  }
   this->FitTiles(frame);
-  const size_t drawn = this->Atlas.GetNumberOfTilesDrawn();
-  const bool done = !this->Visible ||
-    this->Atlas.Update(
-      frame, input.Capture, this->Emitters, input.Plan.SkyTileTexels, input.Plan.Caching);
-  this->ContentTime += this->Atlas.GetNumberOfTilesDrawn() - drawn;
+  this->Groups[Strong].Texels = StrongTexels;
+  this->Groups[Strong].Filtered = true;
+  this->Groups[Others].Texels = input.Plan.SkyTileTexels;
+  const size_t drawn = this->GetNumberOfTilesDrawn();
+  bool done = true;
+  for (Group& group : this->Groups)
+  {
+    if (!this->Visible || group.Members.empty())
+    {
+      group.Atlas.Release(frame.Window);
+      continue;
+    }
+    done = done &&
+      group.Atlas.Update(frame, input.Capture, group.Emitters, group.Texels, input.Plan.Caching);
+  }
+  this->ContentTime += this->GetNumberOfTilesDrawn() - drawn;
   return done;
 }
 
 //------------------------------------------------------------------------------
 std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
-  const vtkIndirectFrame& frame, size_t first, size_t count) const
+  const Group& group, size_t first, size_t count) const
 {
   std::vector<glm::vec4> block(BlockSize * RowsPerDirection, glm::vec4(0.0f));
-  const int edge = std::max(1, this->Atlas.GetTilesAlongEdge());
+  const int edge = std::max(1, group.Atlas.GetTilesAlongEdge());
   for (size_t k = 0; k < count; ++k)
   {
-    const size_t i = this->Lit[first + k];
-    const vtkIndirectDepthTile& tile = this->Emitters[i].Tile;
+    const vtkIndirectDepthTile& tile = group.Emitters[first + k].Tile;
     const double range = tile.Far - tile.Near;
     auto row = [&](const glm::dvec3& axis, double unit)
     { return glm::vec4(glm::dvec4(axis / unit, -glm::dot(axis, tile.Place) / unit)); };
-    const glm::dvec3 light = this->Light[i] / vtkMath::Pi();
-    const int number = static_cast<int>(i);
+    const glm::dvec3 light = this->Light[group.Members[first + k]] / vtkMath::Pi();
+    const int number = static_cast<int>(first + k);
     block[k] = row(tile.Right, tile.HalfWidth.x);
     block[BlockSize + k] = row(tile.Up, tile.HalfWidth.y);
     block[2 * BlockSize + k] = row(tile.Forward, range);
@@ -139,13 +164,9 @@ bool vtkIndirectSkyGather::Sum(const Input& input)
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
-  this->Kernel.SetDefinitions(this->Visible ? "#define VTKI_VISIBILITY\n" : "");
-  const bool adds = this->Lit.size() > BlockSize;
-  vtkShaderProgram* program = this->Kernel.Use(frame.Window, this->Irradiance, adds);
-  if (!program)
-  {
-    return false;
-  }
+  // One draw writes, several add up.
+  const bool adds =
+    !this->Groups[Strong].Members.empty() || this->Groups[Others].Members.size() > BlockSize;
   this->Irradiance.Begin();
   if (adds)
   {
@@ -153,57 +174,101 @@ bool vtkIndirectSkyGather::Sum(const Input& input)
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFunc(GL_ONE, GL_ONE);
   }
+  bool done = true;
+  for (Group& group : this->Groups)
+  {
+    done = done && (group.Members.empty() || this->SumGroup(input, group, adds));
+  }
+  state->vtkglDisable(GL_BLEND);
+  this->Irradiance.End();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::SumGroup(const Input& input, Group& group, bool adds)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  group.Kernel.SetDefinitions(std::string(this->Visible ? "#define VTKI_VISIBILITY\n" : "") +
+    (group.Filtered ? "#define VTKI_FILTERED\n" : ""));
+  vtkShaderProgram* program = group.Kernel.Use(frame.Window, this->Irradiance, adds);
+  if (!program)
+  {
+    return false;
+  }
   vtkIndirectSetEyeUniforms(program, frame);
   program->SetUniform2i("vtkiSize", frame.Size);
   input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
   if (this->Visible)
   {
-    this->Atlas.Activate(program);
+    group.Atlas.Activate(program);
   }
-  for (size_t first = 0; first < this->Lit.size(); first += BlockSize)
+  for (size_t first = 0; first < group.Members.size(); first += BlockSize)
   {
-    const size_t count = std::min(BlockSize, this->Lit.size() - first);
-    const std::vector<glm::vec4> block = this->MakeBlock(frame, first, count);
+    const size_t count = std::min(BlockSize, group.Members.size() - first);
+    const std::vector<glm::vec4> block = this->MakeBlock(group, first, count);
     this->Block.Update(frame.Window, block.data(), block.size() * sizeof(glm::vec4));
     this->Block.Activate(program);
     program->SetUniformi("vtkiSkyCount", static_cast<int>(count));
-    this->Kernel.Draw();
+    group.Kernel.Draw();
     glFlush();
   }
-  state->vtkglDisable(GL_BLEND);
-  this->Irradiance.End();
   input.Geometry.GetTarget().Deactivate();
   if (this->Visible)
   {
-    this->Atlas.Deactivate();
+    group.Atlas.Deactivate();
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
+size_t vtkIndirectSkyGather::GetNumberOfTilesDrawn() const
+{
+  size_t drawn = 0;
+  for (const Group& group : this->Groups)
+  {
+    drawn += group.Atlas.GetNumberOfTilesDrawn();
+  }
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
 size_t vtkIndirectSkyGather::GetBytes() const
 {
-  return this->Irradiance.GetBytes() + this->Atlas.GetBytes() + this->Block.GetBytes();
+  size_t bytes = this->Irradiance.GetBytes() + this->Block.GetBytes();
+  for (const Group& group : this->Groups)
+  {
+    bytes += group.Atlas.GetBytes();
+  }
+  return bytes;
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
 {
   report.Bytes += this->GetBytes();
+  std::string maps;
+  for (const Group& group : this->Groups)
+  {
+    if (this->Visible && !group.Members.empty())
+    {
+      maps += (maps.empty() ? "; depth maps: " : ", ") + std::to_string(group.Members.size()) +
+        " of " + std::to_string(group.Texels) + " texels squared";
+    }
+  }
+  const size_t lit = this->Groups[Strong].Members.size() + this->Groups[Others].Members.size();
   report.Modelled.emplace_back("light from the sky",
-    std::to_string(this->Lit.size()) + " of " + std::to_string(this->Directions.size()) +
-      " directions" +
-      (this->Visible
-          ? ", depth maps of " + std::to_string(this->Atlas.GetTexels()) + " texels squared"
-          : std::string()));
+    std::to_string(lit) + " of " + std::to_string(this->Directions.size()) + " directions" + maps);
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectSkyGather::Release(vtkWindow* window)
 {
   this->Irradiance.Release(window);
-  this->Atlas.Release(window);
   this->Block.Release();
-  this->Kernel.Release();
+  for (Group& group : this->Groups)
+  {
+    group.Atlas.Release(window);
+    group.Kernel.Release();
+  }
   this->Projected = nullptr;
 }

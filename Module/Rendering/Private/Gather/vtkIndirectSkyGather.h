@@ -3,6 +3,9 @@
 // are fixed in the world, each with a depth map of the scene. Turning or changing the environment
 // changes weights alone; maps are kept while the camera moves.
 //
+// A direction that much of the light comes from, such as that of a sun, has a finer map and
+// filtered edges of its shadows.
+//
 // What it ignores: directions between those of the lattice (bias of either sign, less than 0.2 % of
 // an open plane for 64), surfaces finer than a tile's texel (too dark in relief, too bright at
 // contacts).
@@ -48,25 +51,40 @@ public:
   /** Irradiance in VTK's units, a value for every pixel. */
   const vtkIndirectTarget& GetIrradiance() const { return this->Irradiance; }
 
-  size_t GetNumberOfTilesDrawn() const { return this->Atlas.GetNumberOfTilesDrawn(); }
+  size_t GetNumberOfTilesDrawn() const;
   size_t GetBytes() const;
   void AddToReport(vtkIndirectReport& report) const;
   void Release(vtkWindow* window);
 
 private:
+  // Directions that are summed alike, their maps and the program.
+  struct Group
+  {
+    std::vector<size_t> Members; // numbers of directions
+    std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
+    int Texels = 0;
+    bool Filtered = false;
+    vtkIndirectDepthAtlas Atlas;
+    vtkIndirectFullScreenProgram Kernel{ "vtkIndirectSkyFS.glsl" };
+  };
+
   void UpdateDirections(const Input& input);
   void FitTiles(const vtkIndirectFrame& frame);
-  std::vector<glm::vec4> MakeBlock(const vtkIndirectFrame& frame, size_t first, size_t count) const;
+  std::vector<glm::vec4> MakeBlock(const Group& group, size_t first, size_t count) const;
+  bool SumGroup(const Input& input, Group& group, bool adds);
 
   vtkIndirectTarget Irradiance;
-  vtkIndirectDepthAtlas Atlas;
+  enum GroupType
+  {
+    Strong,
+    Others,
+    NumberOfGroups
+  };
+  Group Groups[NumberOfGroups];
   vtkIndirectUniformBlock Block{ "vtkiSkyBlock" };
-  vtkIndirectFullScreenProgram Kernel{ "vtkIndirectSkyFS.glsl" };
 
-  std::vector<glm::dvec3> Directions; // the lattice
-  std::vector<glm::dvec3> Light;      // radiance times solid angle, a value for each
-  std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
-  std::vector<size_t> Lit;                  // numbers of those that send anything
+  std::vector<glm::dvec3> Directions;       // the lattice
+  std::vector<glm::dvec3> Light;            // radiance times solid angle, a value for each
   vtkEnvironmentLight* Projected = nullptr; // whose light that is, and its time
   vtkMTimeType ProjectedTime = 0;
   std::vector<double> FitKey; // what the tiles are fitted to

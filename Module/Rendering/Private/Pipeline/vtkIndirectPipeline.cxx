@@ -292,6 +292,8 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   report.Counters = { { "shader_builds", this->Capture->GetNumberOfShaderBuilds() },
     { "faces_drawn", this->Maps->GetNumberOfFacesDrawn() },
     { "voxel_updates", static_cast<long long>(this->Visibility.GetNumberOfUpdates()) },
+    { "tiles_drawn", static_cast<long long>(this->Visibility.GetNumberOfTilesDrawn() +
+        this->Sky.GetNumberOfTilesDrawn()) },
     { "estimates", this->NumberOfEstimates } };
   this->Frame.AddToReport(report);
   if (!this->BuffersAreThere)

@@ -70,6 +70,8 @@ public:
   const vtkIndirectOccupancyVolume& GetVolume() const { return *this->Volume; }
   /** Grows when they have changed: what was derived from them is stale. */
   size_t GetNumberOfUpdates() const { return this->NumberOfUpdates; }
+  /** Depth maps of virtual lights, since construction. */
+  size_t GetNumberOfTilesDrawn() const { return this->Maps.GetNumberOfTilesDrawn(); }
 
   void AddToReport(vtkIndirectReport& report) const;
   size_t GetBytes() const;
