@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Depth maps of single emitters: their axes, their depths, and the planes of receivers in them.
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "Visibility/vtkIndirectDepthTile.h"
+#include "vtkIndirectTestUtilities.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vtkIndirectTest;
+using namespace vtkIndirectKernels;
+
+namespace
+{
+vtkIndirectFrame MakeFrame(double scale)
+{
+  vtkIndirectFrame frame;
+  frame.SceneScale = 1.0 / scale;
+  frame.SceneCenter = glm::dvec3(3.0, -2.0, 5.0) * scale;
+  vtkIndirectCaster caster;
+  for (int i = 0; i < 3; ++i)
+  {
+    caster.Bounds[2 * i] = frame.SceneCenter[i] - 0.2 * (i + 1) * scale;
+    caster.Bounds[2 * i + 1] = frame.SceneCenter[i] + 0.2 * (i + 1) * scale;
+  }
+  frame.Casters.push_back(caster);
+  return frame;
+}
+}
+
+VTK_INDIRECT_TEST(DepthTileAxes)
+{
+  Random random(7);
+  double worst = 0.0;
+  for (int i = 0; i < 10000; ++i)
+  {
+    glm::dvec3 n = random.NextDirection();
+    n = i < 6 ? glm::dvec3(0.0) : n;
+    if (i < 6)
+    {
+      n[i % 3] = i < 3 ? 1.0 : -1.0;
+    }
+    glm::vec3 x;
+    glm::vec3 y;
+    vtkiFrameAlong(glm::vec3(n), x, y);
+    const glm::dvec3 right(x);
+    const glm::dvec3 up(y);
+    worst = std::max({ worst, std::abs(glm::dot(right, n)), std::abs(glm::dot(up, n)),
+      std::abs(glm::dot(right, up)), std::abs(glm::length(right) - 1.0),
+      glm::length(glm::cross(right, up) - n) });
+  }
+  CheckAtMost("axes are unit, at right angles and right-handed", worst, 1e-6, "rounding of floats");
+}
+
+VTK_INDIRECT_TEST(DepthTileDepths)
+{
+  double worst = 0.0;
+  for (double depth = VTKI_TILE_NEAR; depth <= VTKI_TILE_FAR; depth *= 1.1)
+  {
+    const float stored =
+      vtkiDepthToBuffer(static_cast<float>(depth), VTKI_TILE_NEAR, VTKI_TILE_FAR, false);
+    worst = std::max(worst, std::abs(vtkiTileLinearDepth(stored) - depth) / depth);
+  }
+  // Half a step of a float near one, 3e-8, times far over near.
+  CheckAtMost("depths come back from the buffer", worst, 1.3e-4, "steps of a float times 2048");
+}
+
+VTK_INDIRECT_TEST(DepthTilePlanes)
+{
+  Random random(11);
+  double worst = 0.0;
+  int count = 0;
+  int wrong = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const glm::dvec3 p(random.Next(-0.5, 0.5), random.Next(-0.5, 0.5), random.Next(0.1, 0.9));
+    const glm::dvec3 n = random.NextDirection();
+    const glm::dvec2 t(random.Next(-3.0, 3.0), random.Next(-3.0, 3.0));
+    const glm::dvec3 ray(t.x, t.y, 1.0);
+    const double facing = glm::dot(n, p);
+    const double along = glm::dot(n, ray);
+    const float found = vtkiTilePlaneDepth(glm::vec3(p), glm::vec3(n), glm::vec2(t));
+    if (facing >= 0.0 || along >= 0.0)
+    {
+      wrong += std::abs(found - p.z) < 1e-6 || std::max(facing, along) < 1e-6 ? 0 : 1;
+      continue;
+    }
+    const double expected = std::min(facing / along, p.z);
+    worst = std::max(worst, std::abs(found - expected) * std::min(1.0, std::abs(along)));
+    ++count;
+  }
+  Check("planes are seen", count > 1000);
+  CheckEqual("where one is not, the receiver's depth does not hold", wrong, 0);
+  CheckAtMost("depth of the receiver's plane", worst, 1e-5, "rounding of floats");
+}
+
+VTK_INDIRECT_TEST(DepthTileOfADirection)
+{
+  Random random(13);
+  for (const double scale : { 1e-9, 1.0, 1e6 })
+  {
+    const vtkIndirectFrame frame = MakeFrame(scale);
+    double worst = 0.0;
+    int unseen = 0;
+    int seenBeside = 0;
+    for (int i = 0; i < 200; ++i)
+    {
+      const vtkIndirectDepthTile tile =
+        vtkIndirectDepthTile::FromDirection(frame, random.NextDirection());
+      unseen += tile.CanSee(frame, frame.Casters[0].Bounds) ? 0 : 1;
+      const glm::dmat4 toClip = tile.GetWorldToClip(frame);
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const double* b = frame.Casters[0].Bounds;
+        const glm::dvec4 p = toClip *
+          glm::dvec4(b[corner & 1], b[2 + ((corner >> 1) & 1)], b[4 + ((corner >> 2) & 1)], 1.0);
+        worst = std::max({ worst, std::abs(p.x / p.w), std::abs(p.y / p.w), std::abs(p.z / p.w) });
+      }
+      double beside[6];
+      for (int k = 0; k < 6; ++k)
+      {
+        const glm::dvec3 shift = 3.0 * scale * tile.Right;
+        beside[k] = frame.Casters[0].Bounds[k] + shift[k / 2];
+      }
+      seenBeside += tile.CanSee(frame, beside) ? 1 : 0;
+    }
+    CheckEqual("tiles that do not see what they are fitted to", unseen, 0);
+    CheckEqual("tiles that see what is beside them", seenBeside, 0);
+    CheckAtMost("all of it is in the image", worst, 1.0, "by construction");
+    CheckAtLeast("which it fills", worst, 0.95, "the margin is a hundredth");
+  }
+}
