@@ -3,6 +3,7 @@
 #include "vtkIndirectContractUtilities.h"
 #include "vtkIndirectDetails.h"
 
+#include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMGatherPass.h"
@@ -142,6 +143,9 @@ VTK_INDIRECT_TEST(ViewsShowBuffers)
   view.Renderer->ResetCameraClippingRange();
   vtkNew<vtkIndirectIlluminationPass> pass;
   pass->SetReflectiveShadowMapResolution(96);
+  vtkNew<vtkEnvironmentLight> sky;
+  sky->SetRadiance(0.1, 0.15, 0.2);
+  pass->SetEnvironment(sky);
   view.Renderer->SetPass(pass);
   vtkNew<vtkRSMGatherPass> gather;
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
@@ -159,7 +163,7 @@ VTK_INDIRECT_TEST(ViewsShowBuffers)
       const bool isMap = name.compare(0, 3, "rsm") == 0;
       // Those that do not depend on the estimator are looked at once.
       const bool own = name == "final" || name == "indirect" || name == "irradiance" ||
-        name == "glossy" || name.compare(0, 8, "subsplat") == 0;
+        name == "bounce" || name == "glossy" || name.compare(0, 8, "subsplat") == 0;
       if (name == "lights" || (estimator != gather && (isMap || !own)) ||
         (estimator == hints && name == "glossy"))
       {
