@@ -12,7 +12,7 @@
 namespace
 {
 // Along an edge of a virtual light's tile.
-constexpr int TexelsOfLights = 64;
+constexpr int TexelsOfLights = 128;
 }
 
 //------------------------------------------------------------------------------
