@@ -443,7 +443,7 @@ vtkIndirectEstimate vtkRSMReferencePass::Estimate(const Input& input)
   {
     sums.Make(vtkIndirectSightLines(visibility.GetVolume().GetTree()));
   }
-  else if (visibility.HidesSenders())
+  else if (visibility.WalksSegments())
   {
     sums.Make(VoxelLines{ visibility.GetVolume().GetDistanceField() });
   }

@@ -24,38 +24,41 @@
 namespace
 {
 // What mappers and props keep to themselves.
-class Mapper : public vtkOpenGLPolyDataMapper
+class MapperAccess : public vtkOpenGLPolyDataMapper
 {
 public:
   static vtkOpenGLVertexBufferObject* GetPositions(vtkOpenGLPolyDataMapper* mapper)
   {
-    return (mapper->*(&Mapper::VBOs))->GetVBO("vertexMC");
+    return (mapper->*(&MapperAccess::VBOs))->GetVBO("vertexMC");
   }
   static int CountPositions(vtkOpenGLPolyDataMapper* mapper)
   {
-    return (mapper->*(&Mapper::VBOs))->GetNumberOfTuples("vertexMC");
+    return (mapper->*(&MapperAccess::VBOs))->GetNumberOfTuples("vertexMC");
   }
   static vtkMTimeType GetBuildTime(vtkOpenGLPolyDataMapper* mapper)
   {
-    return (mapper->*(&Mapper::VBOBuildTime)).GetMTime();
+    return (mapper->*(&MapperAccess::VBOBuildTime)).GetMTime();
   }
   static vtkOpenGLIndexBufferObject* GetIndices(vtkOpenGLPolyDataMapper* mapper, int primitive)
   {
-    return (mapper->*(&Mapper::Primitives))[primitive].IBO;
+    return (mapper->*(&MapperAccess::Primitives))[primitive].IBO;
   }
   static constexpr int Kinds[2] = { PrimitiveTris, PrimitiveTriStrips };
 };
 
-class Prop : public vtkProp
+class PropAccess : public vtkProp
 {
 public:
   // Asking the prop for it would make one.
-  static vtkShaderProperty* GetShaders(vtkProp* prop) { return prop->*(&Prop::ShaderProperty); }
+  static vtkShaderProperty* GetShaders(vtkProp* prop)
+  {
+    return prop->*(&PropAccess::ShaderProperty);
+  }
 };
 
 bool HasShaders(vtkProp* prop)
 {
-  vtkShaderProperty* shaders = Prop::GetShaders(prop);
+  vtkShaderProperty* shaders = PropAccess::GetShaders(prop);
   return shaders &&
     (shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
       shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0);
@@ -98,16 +101,16 @@ bool vtkIndirectDepthDrawer::CanDraw(vtkProp* prop)
     return false;
   }
   vtkPolyData* input = mapper->GetInput();
-  vtkOpenGLVertexBufferObject* positions = Mapper::GetPositions(mapper);
-  const vtkMTimeType built = Mapper::GetBuildTime(mapper);
-  return input && positions && Mapper::CountPositions(mapper) > 0 && built > mapper->GetMTime() &&
-    built > input->GetMTime() && positions->GetHandle() != 0;
+  vtkOpenGLVertexBufferObject* positions = MapperAccess::GetPositions(mapper);
+  const vtkMTimeType built = MapperAccess::GetBuildTime(mapper);
+  return input && positions && MapperAccess::CountPositions(mapper) > 0 &&
+    built > mapper->GetMTime() && built > input->GetMTime() && positions->GetHandle() != 0;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectDepthDrawer::Begin(vtkOpenGLRenderWindow* window, vtkProp* prop)
 {
-  this->Prop = prop;
+  this->Mapper = FindMapper(prop);
   this->Program = window->GetShaderCache()->ReadyShaderProgram(
     vtkIndirectShaderLibrary::GetText("vtkIndirectDepthVS.glsl").c_str(),
     vtkIndirectShaderLibrary::GetText("vtkIndirectDepthFS.glsl").c_str(), "");
@@ -115,7 +118,7 @@ bool vtkIndirectDepthDrawer::Begin(vtkOpenGLRenderWindow* window, vtkProp* prop)
   {
     return false;
   }
-  vtkOpenGLVertexBufferObject* positions = Mapper::GetPositions(FindMapper(prop));
+  vtkOpenGLVertexBufferObject* positions = MapperAccess::GetPositions(this->Mapper);
   this->ToWorld = vtkIndirectFrame::ToGLM(static_cast<vtkActor*>(prop)->GetMatrix());
   if (positions->GetCoordShiftAndScaleEnabled())
   {
@@ -138,12 +141,11 @@ bool vtkIndirectDepthDrawer::Begin(vtkOpenGLRenderWindow* window, vtkProp* prop)
 //------------------------------------------------------------------------------
 void vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip)
 {
-  vtkOpenGLPolyDataMapper* mapper = FindMapper(this->Prop);
   vtkIndirectSetUniform(this->Program, "vtkiToClip", glm::mat4(worldToClip * this->ToWorld));
-  const auto last = static_cast<GLuint>(Mapper::CountPositions(mapper) - 1);
-  for (const int kind : Mapper::Kinds)
+  const auto last = static_cast<GLuint>(MapperAccess::CountPositions(this->Mapper) - 1);
+  for (const int kind : MapperAccess::Kinds)
   {
-    vtkOpenGLIndexBufferObject* indices = Mapper::GetIndices(mapper, kind);
+    vtkOpenGLIndexBufferObject* indices = MapperAccess::GetIndices(this->Mapper, kind);
     if (indices->IndexCount)
     {
       indices->Bind();
@@ -158,7 +160,7 @@ void vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip)
 void vtkIndirectDepthDrawer::End()
 {
   this->Vertices->Release();
-  this->Prop = nullptr;
+  this->Mapper = nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -108,7 +108,6 @@ bool vtkIndirectSkyGather::UpdateMaps(const Input& input)
   this->Visible = input.Plan.SkyIsShadowed;
   this->FitTiles(frame);
   this->Groups[Strong].Texels = StrongTexels;
-  this->Groups[Strong].Filtered = true;
   this->Groups[Others].Texels = input.Plan.SkyTileTexels;
   const size_t drawn = this->GetNumberOfTilesDrawn();
   bool done = true;
@@ -189,7 +188,7 @@ bool vtkIndirectSkyGather::SumGroup(const Input& input, Group& group, bool adds)
 {
   const vtkIndirectFrame& frame = input.Frame;
   group.Kernel.SetDefinitions(std::string(this->Visible ? "#define VTKI_VISIBILITY\n" : "") +
-    (group.Filtered ? "#define VTKI_FILTERED\n" : ""));
+    (&group == &this->Groups[Strong] ? "#define VTKI_FILTERED\n" : ""));
   vtkShaderProgram* program = group.Kernel.Use(frame.Window, this->Irradiance, adds);
   if (!program)
   {

@@ -63,7 +63,6 @@ private:
     std::vector<size_t> Members; // numbers of directions
     std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
     int Texels = 0;
-    bool Filtered = false;
     vtkIndirectDepthAtlas Atlas;
     vtkIndirectFullScreenProgram Kernel{ "vtkIndirectSkyFS.glsl" };
   };

@@ -198,29 +198,42 @@ vtkOpenGLCamera* vtkIndirectLightMap::GetCamera(int face, bool eyeIsParallel)
 
   const double n = this->Near / this->SceneScale;
   const double f = this->Far / this->SceneScale;
-  vtkNew<vtkMatrix4x4> projection;
-  projection->Zero();
-  if (this->Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL)
-  {
-    projection->SetElement(0, 0, this->SceneScale / this->HalfWidth);
-    projection->SetElement(1, 1, this->SceneScale / this->HalfWidth);
-    projection->SetElement(2, 2, -2.0 / (f - n));
-    projection->SetElement(2, 3, -(f + n) / (f - n));
-    projection->SetElement(3, 3, 1.0);
-  }
-  else
-  {
-    projection->SetElement(0, 0, 1.0 / this->HalfWidth);
-    projection->SetElement(1, 1, 1.0 / this->HalfWidth);
-    projection->SetElement(2, 2, -(f + n) / (f - n));
-    projection->SetElement(2, 3, -2.0 * f * n / (f - n));
-    projection->SetElement(3, 2, -1.0);
-  }
+  const bool parallel = this->Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL;
+  const double halfWidth = parallel ? this->HalfWidth / this->SceneScale : this->HalfWidth;
   camera->SetClippingRange(std::max(n, 1e-6 * f), f);
-  camera->SetExplicitProjectionTransformMatrix(projection);
-  camera->UseExplicitProjectionTransformMatrixOn();
+  SetProjection(camera, MakeProjection(parallel, glm::dvec2(halfWidth), n, f));
   camera->Modified();
   return camera;
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkIndirectLightMap::MakeProjection(
+  bool parallel, const glm::dvec2& halfWidth, double nearPlane, double farPlane)
+{
+  const double depth = farPlane - nearPlane;
+  glm::dmat4 projection(0.0);
+  projection[0][0] = 1.0 / halfWidth.x;
+  projection[1][1] = 1.0 / halfWidth.y;
+  projection[2][2] = -(parallel ? 2.0 : farPlane + nearPlane) / depth;
+  projection[3][2] = -(parallel ? farPlane + nearPlane : 2.0 * farPlane * nearPlane) / depth;
+  projection[2][3] = parallel ? 0.0 : -1.0;
+  projection[3][3] = parallel ? 1.0 : 0.0;
+  return projection;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightMap::SetProjection(vtkOpenGLCamera* camera, const glm::dmat4& projection)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      matrix->SetElement(row, column, projection[column][row]);
+    }
+  }
+  camera->SetExplicitProjectionTransformMatrix(matrix);
+  camera->UseExplicitProjectionTransformMatrixOn();
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,15 @@ public:
   /** Sets up the camera of a face; it keeps the eye's ParallelProjection flag (see the source). */
   vtkOpenGLCamera* GetCamera(int face, bool eyeIsParallel);
 
+  /**
+   * From view to clip coordinates, of a map or a tile. halfWidth: tangents, or for a parallel
+   * projection lengths in the unit of near and far.
+   */
+  static glm::dmat4 MakeProjection(
+    bool parallel, const glm::dvec2& halfWidth, double nearPlane, double farPlane);
+  /** Gives a camera that projection, whatever its flag ParallelProjection is. */
+  static void SetProjection(vtkOpenGLCamera* camera, const glm::dmat4& projection);
+
   /** Whether a face can see any of these bounds. */
   bool CanSee(int face, const double bounds[6]) const;
 

@@ -49,6 +49,10 @@ void vtkIndirectDepthAtlas::ForgetWhatChanged(const vtkIndirectFrame& frame)
     std::copy(caster.Bounds, caster.Bounds + 6, entry.Bounds);
     now.push_back(entry);
   }
+  if (now == this->Casters)
+  {
+    return;
+  }
   std::unordered_map<vtkProp*, const Caster*> before;
   for (const Caster& caster : this->Casters)
   {
@@ -64,8 +68,7 @@ void vtkIndirectDepthAtlas::ForgetWhatChanged(const vtkIndirectFrame& frame)
       continue;
     }
     const Caster& last = *found->second;
-    if (last.RedrawMTime != caster.RedrawMTime ||
-      !std::equal(caster.Bounds, caster.Bounds + 6, last.Bounds))
+    if (!(last == caster))
     {
       changed.push_back(caster.Bounds);
       changed.push_back(last.Bounds);

@@ -12,8 +12,9 @@
 #include "vtkSmartPointer.h"                 // for a member
 #include "vtkType.h"                         // for times
 
-#include <cstddef> // for size_t
-#include <vector>  // for tiles
+#include <algorithm> // for comparison
+#include <cstddef>   // for size_t
+#include <vector>    // for tiles
 
 class vtkOpenGLCamera;
 class vtkProp;
@@ -67,6 +68,11 @@ private:
     vtkProp* Prop;
     vtkMTimeType RedrawMTime;
     double Bounds[6];
+    bool operator==(const Caster& other) const
+    {
+      return this->Prop == other.Prop && this->RedrawMTime == other.RedrawMTime &&
+        std::equal(this->Bounds, this->Bounds + 6, other.Bounds);
+    }
   };
 
   void ForgetWhatChanged(const vtkIndirectFrame& frame);

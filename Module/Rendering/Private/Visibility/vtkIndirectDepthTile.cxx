@@ -2,9 +2,8 @@
 #include "Visibility/vtkIndirectDepthTile.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkOpenGLCamera.h"
 
 #include <algorithm>
@@ -102,20 +101,13 @@ bool vtkIndirectDepthTile::CanSee(const vtkIndirectFrame& frame, const double bo
 //------------------------------------------------------------------------------
 glm::dmat4 vtkIndirectDepthTile::GetWorldToClip(const vtkIndirectFrame& frame) const
 {
-  const double n = this->Near;
-  const double f = this->Far;
-  glm::dmat4 projection(0.0); // of scene units
-  projection[0][0] = 1.0 / this->HalfWidth.x;
-  projection[1][1] = 1.0 / this->HalfWidth.y;
-  projection[2][2] = this->Parallel ? -2.0 / (f - n) : -(f + n) / (f - n);
-  projection[3][2] = this->Parallel ? -(f + n) / (f - n) : -2.0 * f * n / (f - n);
-  projection[2][3] = this->Parallel ? 0.0 : -1.0;
-  projection[3][3] = this->Parallel ? 1.0 : 0.0;
   const glm::dmat3 rotation =
     glm::transpose(glm::dmat3(this->Right, this->Up, -this->Forward)) * frame.SceneScale;
   glm::dmat4 view(rotation);
   view[3] = glm::dvec4(-(rotation * (frame.SceneCenter + this->Place / frame.SceneScale)), 1.0);
-  return projection * view;
+  return vtkIndirectLightMap::MakeProjection(
+           this->Parallel, this->HalfWidth, this->Near, this->Far) *
+    view;
 }
 
 //------------------------------------------------------------------------------
@@ -129,27 +121,11 @@ void vtkIndirectDepthTile::SetUp(vtkOpenGLCamera* camera, const vtkIndirectFrame
   camera->SetFocalPoint(focal.x, focal.y, focal.z);
   camera->SetViewUp(this->Up.x, this->Up.y, this->Up.z);
   camera->SetParallelProjection(frame.Parallel ? 1 : 0);
-  vtkNew<vtkMatrix4x4> projection;
-  projection->Zero();
-  if (this->Parallel)
-  {
-    projection->SetElement(0, 0, frame.SceneScale / this->HalfWidth.x);
-    projection->SetElement(1, 1, frame.SceneScale / this->HalfWidth.y);
-    projection->SetElement(2, 2, -2.0 / (f - n));
-    projection->SetElement(2, 3, -(f + n) / (f - n));
-    projection->SetElement(3, 3, 1.0);
-  }
-  else
-  {
-    projection->SetElement(0, 0, 1.0 / this->HalfWidth.x);
-    projection->SetElement(1, 1, 1.0 / this->HalfWidth.y);
-    projection->SetElement(2, 2, -(f + n) / (f - n));
-    projection->SetElement(2, 3, -2.0 * f * n / (f - n));
-    projection->SetElement(3, 2, -1.0);
-  }
   camera->SetClippingRange(std::max(n, 1e-6 * f), f);
-  camera->SetExplicitProjectionTransformMatrix(projection);
-  camera->UseExplicitProjectionTransformMatrixOn();
+  const glm::dvec2 halfWidth =
+    this->Parallel ? this->HalfWidth / frame.SceneScale : this->HalfWidth;
+  vtkIndirectLightMap::SetProjection(
+    camera, vtkIndirectLightMap::MakeProjection(this->Parallel, halfWidth, n, f));
   camera->Modified();
 }
 

@@ -151,8 +151,9 @@ void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
       "depth maps of " + std::to_string(this->Maps.GetNumberOfTiles()) + " virtual lights, " +
         std::to_string(this->Maps.GetTexels()) + " texels squared");
     report.LeftOut.emplace_back("what stands between near the horizon of senders",
-      "a map ends 72 degrees from the sender's normal, beyond are 8 % of its light; the result is "
-      "too bright");
+      "a map ends 72 degrees from the sender's normal; what its border sees decides over the 8 % "
+      "of "
+      "the light beyond");
     return;
   }
   if (this->IsExact())

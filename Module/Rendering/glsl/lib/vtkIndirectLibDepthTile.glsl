@@ -14,7 +14,7 @@ const float VTKI_TILE_FAR = 1.0f;
 // share of a texel as long as they meet at less than 16 degrees (half a texel times the sine).
 const float VTKI_TILE_ROUGHNESS = 0.14f;
 
-// Beyond the border what is to the side is compared: a texel there is 6 % of its distance wide.
+// Beyond the border what is to the side is compared, less this share of it: four texels there.
 const float VTKI_TILE_BORDER = 0.06f;
 
 /* Two axes across a unit vector n: x, y, n are right-handed. Without a branch, and continuous but for one
