@@ -16,6 +16,9 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.Caching = settings.Caching;
   plan.ErrorTolerance = settings.ErrorTolerance;
   plan.IndirectScale = settings.IndirectScale;
+  plan.FrameSeconds = circumstances.FrameSeconds;
+  // Who asks for a picture a second or more is not waiting for this one alone.
+  plan.Interactive = circumstances.FrameSeconds <= 1.0;
   plan.NumberOfBounces = std::min(settings.NumberOfBounces, estimator.MaximumNumberOfBounces);
   const int emitters = static_cast<int>(frame.Lights.size()) + circumstances.NumberOfOtherEmitters +
     (circumstances.Environment ? 1 : 0);

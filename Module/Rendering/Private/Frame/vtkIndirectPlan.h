@@ -34,6 +34,8 @@ struct vtkIndirectCircumstances
   int NumberOfOtherEmitters = 0; // sources of light that are no vtkLight
   bool Environment = false;      // light comes from all around
   std::string OtherAntialiasing; // what antialiases the picture after the pass; empty: nothing
+  /** What the window gives a frame: 1 / DesiredUpdateRate, by default that of a still picture. */
+  double FrameSeconds = 10000.0;
 };
 
 struct vtkIndirectPlan
@@ -66,6 +68,11 @@ struct vtkIndirectPlan
   bool SkyIsShadowed = true;
   int NumberOfSkyDirections = 256;
   int SkyTileTexels = 128;
+  ///@}
+  ///@{
+  /** The time that there is for the frame; whether another is awaited, as while a camera turns. */
+  double FrameSeconds = 10000.0;
+  bool Interactive = false;
   ///@}
   int NumberOfBounces = 1;     // those that the estimator computes
   double ErrorTolerance = 0.0; // as asked for
