@@ -100,6 +100,7 @@ vtkIndirectAbilities vtkIndirectEstimatorPass::GetAbilities(double tolerance) co
   abilities.SpecularTransport = this->SpecularTransport;
   abilities.Occupancy = this->Occupancy;
   abilities.TakesLightMaps = this->TakesLightMaps();
+  abilities.IgnoresVisibility = this->IgnoresVisibility();
   abilities.ErrorTolerance = this->FindErrorTolerance(tolerance);
   return abilities;
 }

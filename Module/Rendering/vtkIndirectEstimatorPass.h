@@ -100,6 +100,11 @@ public:
   {
     return false;
   }
+  /** Whether nothing hides senders unless the user asks for it, as in a paper. Default: no. */
+  virtual bool IgnoresVisibility() const
+  {
+    return false;
+  }
   /** What it needs of the visibility stage. Default: what the plan has chosen. */
   virtual vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const;
   /**

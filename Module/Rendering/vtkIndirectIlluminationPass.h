@@ -120,8 +120,10 @@ public:
    * through whatever stands between them, and is too bright. VOXELS: the scene's voxels
    * (vtkIndirectEstimatorPass::OccupancyResolution), for all estimators. MAPS: a depth map of each
    * virtual light, drawn by VTK's mappers and kept while the camera moves, for estimators that sum
-   * virtual lights; others take voxels. AUTO (default): voxels where the estimator's Occupancy
-   * is on, else none.
+   * virtual lights; others take voxels. A frame draws as many as it has time for
+   * (vtkRenderWindow::SetDesiredUpdateRate; three seconds in a still picture); until all are there
+   * lights share them, and the report says so. AUTO (default): voxels where the estimator's
+   * Occupancy is on, else maps where the estimator can take them, else none.
    */
   vtkIndirectClampMacro(Visibility, int, AUTO, MAPS);
   void SetVisibilityToAuto() { this->SetVisibility(AUTO); }

@@ -247,8 +247,7 @@ vtkIndirectEstimate vtkMultiresolutionSplattingPass::Estimate(const Input& input
   vtkIndirectFullScreenState fullScreenState(window);
 
   in.NumberOfLights = input.Lights->GetNumberOfLights();
-  const bool batches = input.Visibility.WalksSegments() &&
-    in.NumberOfLights > vtkIndirectVisibility::MaximumNumberOfSegments;
+  const bool batches = in.NumberOfLights > input.Visibility.GetMaximumNumberOfSenders();
   bool done = false;
   if (batches)
   {
@@ -383,9 +382,9 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
     {
       in.WhyGlossyIsGathered = "lists are off";
     }
-    else if (input.Visibility.HidesSenders())
+    else if (input.Visibility.WalksSegments())
     {
-      in.WhyGlossyIsGathered = "lists do not look what stands between";
+      in.WhyGlossyIsGathered = "lists do not walk through voxels";
     }
     else if (input.Lights->HasDirections())
     {

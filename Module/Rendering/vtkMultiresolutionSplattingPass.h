@@ -68,8 +68,8 @@ public:
   /**
    * How the method is carried out. ROBUST splits where a subsplat's surface leaves its plane or its
    * light bends, balances the subsplats, and follows each pixel's own normal. PAPER splits as
-   * Nichols and Wyman do, by min-max pyramids of depth and normal from 16 texels on. Default
-   * ROBUST.
+   * Nichols and Wyman do, by min-max pyramids of depth and normal from 16 texels on, and nothing
+   * hides senders where the pass's Visibility is automatic. Default ROBUST.
    */
   virtual void SetPreset(int preset);
   int GetPreset() const { return this->Settings.Preset; }
@@ -132,6 +132,10 @@ public:
   bool TakesLightMaps() const override
   {
     return true;
+  }
+  bool IgnoresVisibility() const override
+  {
+    return this->Settings.Preset == PAPER;
   }
   vtkIndirectEstimate Estimate(const Input& input) override;
   size_t GetBytes() const override;

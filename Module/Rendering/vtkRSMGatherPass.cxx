@@ -177,7 +177,7 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   }
   // Pixels that interpolation leaves are summed in one go, so more rows are taken everywhere.
   const bool interpolate = this->Settings.Interpolation && this->Settings.Mode != ALL_TEXELS &&
-    !(walks && rows > rowsOfSegments);
+    rows * vtkVirtualLightSampler::RowLength <= input.Visibility.GetMaximumNumberOfSenders();
   const int step = interpolate ? this->Settings.InterpolationStep : 1;
   const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
     (frame.Size[1] + 2 * step - 2) / step };

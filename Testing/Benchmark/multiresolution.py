@@ -65,7 +65,7 @@ class Bench:
     def __init__(self, renderer: vtkRenderer, window: Any) -> None:
         self.renderer = renderer
         self.window = window
-        self.indirect = methods.enable(renderer, "gather", Caching=False)
+        self.indirect = methods.enable(renderer, "gather", Caching=False, Visibility="none")
         self.sampler = self.indirect.GetSampler()
         self.gather = vtkindirect.vtkRSMGatherPass()
         self.gather.InterpolationOff()

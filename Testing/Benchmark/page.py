@@ -20,6 +20,7 @@ _COLUMNS = (
     ("method", "label", "{}"),
     ("frame ms", "frame_ms", "{:.1f}"),
     ("indirect ms", "indirect_ms", "{:.1f}"),
+    ("first ms", "first_ms", "{:.0f}"),
     ("nRMSE R1", "nrmse_r1", "{:.4f}"),
     ("bias R1", "bias_r1", "{:+.4f}"),
     ("99 % R1", "p99_r1", "{:.3f}"),
@@ -109,7 +110,7 @@ def _introduction(results: Sequence[Result]) -> list[str]:
     )
     said = [
         provenance(results),
-        f"Times are medians of {frames} frames with nothing reused between them, by wall clock; "
+        f"Times are medians of {frames} frames of a camera that turns by less than a pixel, by wall clock; "
         "compare them within one run only. 95th percentiles, the time of each stage and all other "
         "columns are in rows.csv. Yardsticks of the same run: vtk is the frame without any pass, "
         "and the error of having no indirect light; ssao the same with VTK's screen-space ambient "

@@ -28,13 +28,15 @@ ALL = """
 Siblings: [radiance hints and their paper](speed-vs-error/hints.md), [occupancy](speed-vs-error/occupancy.md),
 [multiresolution splatting and hints against the gather, SSAO and their papers](speed-vs-error/benchmarks.md).
 
-How to read it: R1 is what the method converges to as virtual lights grow, so the columns R1 are its sampling
-error, most of it where surfaces meet. R2 adds what ignoring visibility between sender and receiver costs: the
-bias turns positive. R3 adds the bounces that one bounce leaves out: the bias is negative. In closed, pale rooms
-(the apartment) more than half of all indirect light is beyond the first bounce. The relMSE divides by the
-reference at each pixel, so light where there should be none weighs most: where something stands between sender and
-receiver a method that does not test visibility can be further from the truth than no indirect light at all. Each
-scene names the rows that are, and whether the default is one of them.
+How to read it: times are of a camera that turns in a scene that stands still; first ms is the frame that makes what
+later ones keep (light maps, depth maps, hints, shaders). R1 is what a method without visibility (-open, and the
+papers') converges to as virtual lights grow, so there the columns R1 are its sampling error, most of it where surfaces
+meet. R2 adds what stands between sender and receiver: what ignores it is too bright. exact-256 has the lights of the
+default, at every pixel, each segment tested against all triangles: what the default's depth maps lose shows beside it.
+R3 adds the bounces that one bounce leaves out: the bias is negative. In closed, pale rooms (the apartment) more than
+half of all indirect light is beyond the first bounce. The relMSE divides by the reference at each pixel, so light where
+there should be none weighs most. Each scene names the rows that are further from the truth than no indirect light at
+all, and whether the default is one of them.
 
 The rows of papers: gather-paper is the method of Dachsbacher and Stamminger 2005 with 1020, 308 and 156 samples, for
 which their paper of 2006 gives 14, 44 and 82 frames a second at 512 x 512, without the maps; here as there the
@@ -45,7 +47,8 @@ multiresolution-paper splits as Nichols and Wyman 2009 do, their figures are amo
 
 HINTS = """
 The paper's version (`Preset` `paper`) and ours (`all`), by bounces, by the six grids and numbers of samples of the
-paper's Table 2, and with single properties changed; see [radiance hints](../methods/radiance-hints.md).
+paper's Table 2, and with single properties changed; nothing is reused between frames. See
+[radiance hints](../methods/radiance-hints.md).
 """
 
 OCCUPANCY = """

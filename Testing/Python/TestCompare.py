@@ -121,7 +121,7 @@ class Command(DirectoryTest):
             sweep_of(
                 {"method": "reference", "settings": {"ReflectiveShadowMapResolution": 256}},
                 {"method": "gather", "settings": {"NumberOfLights": [16, 1024],
-                                                  "Interpolation": False}},
+                                                  "Interpolation": False, "Visibility": "none"}},
             ),
         )
         rows = {row["label"]: row for row in self.compare("--sweep", path)}

@@ -48,11 +48,15 @@ class Occupancy(unittest.TestCase):
             with self.subTest(method=method):
                 means = {}
                 for occupancy in (False, True):
+                    # The reference has a visibility of its own.
+                    own = method == "reference"
+                    visibility = "auto" if occupancy and not own else "none"
                     # The lights of a map of this size are few enough for the processor.
                     indirect = vtkindirect.enable(
                         loaded.renderer,
                         method,
                         occupancy=occupancy,
+                        visibility=visibility,
                         occupancy_resolution=64,
                         reflective_shadow_map_resolution=32,
                     )

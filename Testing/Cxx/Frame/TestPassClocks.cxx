@@ -163,7 +163,7 @@ VTK_INDIRECT_TEST(ReleaseQueries)
   pass->ReleaseGraphicsResources(view.Window);
   const int after = CountQueries(view.Window);
   std::cout << during << " queries in a frame, " << after << " after it\n";
-  CONTRACT_CHECK(during == after + 14, "six stages and the frame");
+  CONTRACT_CHECK(during == after + 16, "seven stages and the frame");
 
   // Not of another context.
   view.Grab();

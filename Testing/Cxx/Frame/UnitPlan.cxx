@@ -193,6 +193,53 @@ VTK_INDIRECT_TEST(PlanBuffers)
   Check("IndirectScale 0", !vtkIndirectPlan::Make(frame, settings, glossy, {}).Specular);
 }
 
+// Maps where single lights are summed, voxels where the estimator asks for them.
+VTK_INDIRECT_TEST(PlanVisibility)
+{
+  const vtkIndirectFrame frame = MakeFrame({ MakeLight() });
+  vtkIndirectSettings settings;
+  vtkIndirectAbilities estimator;
+  auto visibility = [&]()
+  { return vtkIndirectPlan::Make(frame, settings, estimator, {}).Visibility; };
+  CheckEqual("of an estimator without lights", visibility(), vtkIndirectVisibilityNone);
+  estimator.TakesLightMaps = true;
+  CheckEqual("of one that sums lights", visibility(), vtkIndirectVisibilityMaps);
+  estimator.IgnoresVisibility = true;
+  CheckEqual("of a paper's that does not", visibility(), vtkIndirectVisibilityNone);
+  estimator.Occupancy = true;
+  CheckEqual("of one that asks for voxels", visibility(), vtkIndirectVisibilityVoxels);
+  settings.Visibility = vtkIndirectVisibilityNone;
+  CheckEqual("where the user wants none", visibility(), vtkIndirectVisibilityNone);
+  settings.Visibility = vtkIndirectVisibilityMaps;
+  CheckEqual("where he wants maps", visibility(), vtkIndirectVisibilityMaps);
+  estimator.TakesLightMaps = false;
+  CheckEqual("which cannot be", visibility(), vtkIndirectVisibilityVoxels);
+}
+
+// How many maps a frame has time for.
+VTK_INDIRECT_TEST(PlanTiles)
+{
+  const double still = 10000.0;
+  const double moving = 1.0 / 15.0;
+  auto tiles = [](double triangles, double seconds)
+  { return vtkIndirectPlan::FindTilesPerFrame(triangles, 1.0, seconds); };
+  CheckAtLeast("of 100,000 triangles, still", tiles(1e5, still), 256, "one a light by default");
+  CheckEqual("of ever so many, still", tiles(1e9, still), 64);
+  CheckEqual("of ever so many, moving", tiles(1e9, moving), 8);
+  CheckAtLeast("of few, moving", tiles(1e3, moving), 64, "0.35 ms each, half of 67 ms");
+  Check("more props, fewer tiles",
+    vtkIndirectPlan::FindTilesPerFrame(1e3, 1000.0, moving) < tiles(1e3, moving));
+  Check("more time, more tiles", tiles(1e5, 0.5) > tiles(1e5, 0.25));
+  vtkIndirectFrame frame = MakeFrame({ MakeLight() });
+  frame.Casters[0].Triangles = 1e9;
+  vtkIndirectCircumstances circumstances;
+  vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, {}, {}, circumstances);
+  Check("a window that has all time", !plan.Interactive && plan.TilesPerFrame == 64);
+  circumstances.FrameSeconds = moving;
+  plan = vtkIndirectPlan::Make(frame, {}, {}, circumstances);
+  Check("one in which a camera turns", plan.Interactive && plan.TilesPerFrame == 8);
+}
+
 VTK_INDIRECT_TEST(PlanLimits)
 {
   const vtkIndirectFrame frame = MakeFrame({ MakeLight() });

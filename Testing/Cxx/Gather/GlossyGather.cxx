@@ -183,10 +183,10 @@ VTK_INDIRECT_TEST(Hidden)
   for (vtkIndirectEstimatorPass* estimator : estimators)
   {
     scene.Pass->SetEstimator(estimator);
-    estimator->OccupancyOff();
+    scene.Pass->SetVisibilityToNone();
     scene.Render();
     const Image open = scene.Copy("glossy");
-    estimator->OccupancyOn();
+    scene.Pass->SetVisibilityToVoxels();
     scene.Render();
     const Image hidden = scene.Copy("glossy");
     const std::string what = std::string(estimator->GetClassName()) + ": ";
@@ -414,6 +414,7 @@ VTK_INDIRECT_TEST(OnlyWhereNeeded)
   // An estimator that cannot says so.
   vtkNew<vtkRadianceHintsPass> hints;
   scene.Pass->SetEstimator(hints);
+  scene.Pass->SetVisibilityToAuto();
   scene.Render();
   CheckEqual("hints: glossy", Largest(scene.Copy("glossy")), 0.0);
   Check("hints: the report says that it is left out",

@@ -65,6 +65,7 @@ void SetSky(Scene& scene, vtkEnvironmentLight* environment)
 VTK_INDIRECT_TEST(SkyOverAnOpenPlane)
 {
   Scene scene(48, 48);
+  scene.Pass->SetVisibilityToAuto();
   scene.AddQuad({ -1, 0, 1 }, { 1, 0, 1 }, { -1, 0, -1 }, White);
   scene.SetEye({ 0, 3, 0.01 }, { 0, 0, 0 }, { 0, 0, -1 }, 36, 0.1, 10);
   vtkNew<vtkEnvironmentLight> sky;
@@ -101,6 +102,7 @@ VTK_INDIRECT_TEST(SkyBesideAWall)
 {
   const Polygon wall = { { 0, 0, -2 }, { 0, 0, 2 }, { 0, 2, 2 }, { 0, 2, -2 } };
   Scene scene(96, 96);
+  scene.Pass->SetVisibilityToAuto();
   scene.AddQuad({ 0, 0, 2 }, { 2, 0, 2 }, { 0, 0, -2 }, White);
   scene.AddQuad({ 0, 0, 2 }, { 0, 0, -2 }, { 0, 2, 2 }, White);
   scene.SetEye({ 1, 6, 0.01 }, { 1, 0, 0 }, { 0, 0, -1 }, 18, 0.1, 10);
@@ -123,6 +125,7 @@ VTK_INDIRECT_TEST(SkyUnderADisk)
     disk.emplace_back(std::cos(angle), 0.6, std::sin(angle));
   }
   Scene scene(96, 96);
+  scene.Pass->SetVisibilityToAuto();
   scene.AddQuad({ -2, 0, 2 }, { 2, 0, 2 }, { -2, 0, -2 }, White);
   scene.AddDisk({ 0, 0.6, 0 }, { 0, 1, 0 }, 1.0, 128, White);
   // From below the disk, all around.
@@ -143,6 +146,7 @@ VTK_INDIRECT_TEST(SkyInAGroove)
   const double s = std::sqrt(0.5);
   const Polygon left = { { -s, s, -1 }, { -s, s, 1 }, { 0, 0, 1 }, { 0, 0, -1 } };
   Scene scene(96, 96);
+  scene.Pass->SetVisibilityToAuto();
   scene.AddQuad({ -s, s, 1 }, { 0, 0, 1 }, { -s, s, -1 }, White);
   scene.AddQuad({ 0, 0, 1 }, { s, s, 1 }, { 0, 0, -1 }, White);
   scene.SetEye({ 0, 5, 0.01 }, { 0, 0, 0 }, { 0, 0, -1 }, 16, 0.1, 10);

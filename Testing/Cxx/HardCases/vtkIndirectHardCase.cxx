@@ -160,6 +160,25 @@ void HardCase::CheckBuffersFit()
 }
 
 //------------------------------------------------------------------------------
+// With depth maps of the lights, after a frame without: each light counts or does not.
+void HardCase::CheckMaps(int numberOfMaps)
+{
+  const Image open = this->Copy("irradiance");
+  this->Pass->SetVisibilityToMaps();
+  this->Render();
+  this->CheckBuffers(numberOfMaps);
+  this->CheckBuffersFit();
+  const Image seen = this->Copy("irradiance");
+  int brighter = 0;
+  for (size_t i = 0; this->NormalsAreDefined && i < open.Values.size(); ++i)
+  {
+    brighter += seen.Values[i] <= open.Values[i] * (1.0f + 1e-5f) ? 0 : 1;
+  }
+  CheckEqual("values that are larger where lights can be hidden", brighter, 0);
+  this->Pass->SetVisibilityToNone();
+}
+
+//------------------------------------------------------------------------------
 Image HardCase::CheckEstimators(
   int numberOfMaps, const std::function<void(const EstimatorEntry&)>& more)
 {
@@ -199,6 +218,10 @@ Image HardCase::CheckEstimators(
     if (more)
     {
       more(estimator);
+    }
+    if (estimator.Sum == EstimatorEntry::LIGHTS)
+    {
+      this->CheckMaps(numberOfMaps);
     }
   }
   return truth;

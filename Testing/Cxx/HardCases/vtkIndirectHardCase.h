@@ -44,6 +44,7 @@ struct HardCase : Scene
 private:
   Image Sum(int mode);
   void CheckBuffersFit();
+  void CheckMaps(int numberOfMaps);
 
   std::string Name;
 };

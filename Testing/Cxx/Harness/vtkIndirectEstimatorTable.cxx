@@ -20,6 +20,7 @@ void InstallSampler(vtkIndirectIlluminationPass* pass, int pattern, int numberOf
   sampler->SetNumberOfLights(numberOfLights);
   pass->SetSampler(sampler);
   pass->SetErrorTolerance(0.0);
+  pass->SetVisibilityToNone();
 }
 
 template <int Mode, int Pattern, bool Interpolated>
@@ -59,6 +60,7 @@ void InstallHints(vtkIndirectIlluminationPass* pass, int)
   SET_DETAIL(hints, NumberOfRays, Finer ? 144 : 64);
   hints->SetOccupancyResolution(64);
   pass->SetEstimator(hints);
+  pass->SetVisibilityToAuto(); // the grid knows by its voxels where it has room
 }
 }
 

@@ -255,6 +255,8 @@ Scene::Scene(int width, int height)
   this->Gather->InterpolationOff();
   this->Pass->SetEstimator(this->Gather);
   this->Pass->SetSampler(this->Sampler);
+  // Closed forms and sums in double precision know nothing of what stands between.
+  this->Pass->SetVisibilityToNone();
 }
 
 Scene::~Scene()

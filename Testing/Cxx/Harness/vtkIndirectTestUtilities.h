@@ -120,9 +120,9 @@ public:
 
   vtkNew<vtkRenderer> Renderer;
   vtkSmartPointer<vtkRenderWindow> Window;
-  vtkNew<vtkIndirectIlluminationPass> Pass;
-  vtkNew<vtkRSMGatherPass> Gather;        // set as the pass's estimator, all texels
-  vtkNew<vtkUniformLightSampler> Sampler; // set as the pass's sampler
+  vtkNew<vtkIndirectIlluminationPass> Pass; // nothing hides senders
+  vtkNew<vtkRSMGatherPass> Gather;          // set as the pass's estimator, all texels
+  vtkNew<vtkUniformLightSampler> Sampler;   // set as the pass's sampler
 
   /** Parallelogram; its normal is (point1 - origin) x (point2 - origin). */
   vtkActor* AddQuad(const glm::dvec3& origin, const glm::dvec3& point1, const glm::dvec3& point2,

@@ -120,6 +120,29 @@ VTK_INDIRECT_TEST(ListsConverge)
   }
 }
 
+// What hides a light from a pixel, by the depth map of the light, hides it from lists too.
+VTK_INDIRECT_TEST(ListsHidden)
+{
+  ListedRoom scene(131, 97, 25.0);
+  scene.AddQuad({ 0.2, 0.2, 0.1 }, { 0.2, 0.8, 0.1 }, { 0.2, 0.2, 0.6 }, glm::dvec3(0.5));
+  RequireLists(scene);
+  const Image open = scene.GatherAll();
+  scene.Pass->SetVisibilityToMaps();
+  const Image exact = scene.GatherAll();
+  const double without = RootMeanSquare(open, exact);
+  CheckAtLeast(
+    "what maps change, over the mean", without / Mean(exact), 0.1, "the test's own power");
+  SET_DETAIL(scene.Splatting, GlossyThreshold, 1e-9);
+  CheckAtMost("threshold 1e-9: RMSE over what maps change",
+    RootMeanSquare(scene.Splat(), exact) / without, 0.02,
+    "rounding moves a receiver past the edge of a texel");
+  CheckAtLeast(
+    "evaluations over pixels times lights", GetShare(scene), 0.2, "they came from lists");
+  SET_DETAIL(scene.Splatting, GlossyThreshold, 0.02);
+  CheckAtMost("at the default threshold: RMSE of the mean",
+    RootMeanSquare(scene.Splat(), exact) / Mean(exact), 0.05, "as without maps, in ListsThreshold");
+}
+
 VTK_INDIRECT_TEST(ListsThreshold)
 {
   for (double power : { 3.0, 25.0, 128.0 })
@@ -166,8 +189,7 @@ VTK_INDIRECT_TEST(ListsFallBack)
   CheckAtMost("LEAF_FRAGMENTS: worst difference to the gather over the brightest",
     Difference(scene.Splat(), exact) / Largest(exact), 1e-5, "the same sum");
   Check("the report says that all lights are summed, and why",
-    GetLists(scene).find("because lists are off") != std::string::npos,
-    GetLists(scene));
+    GetLists(scene).find("because lists are off") != std::string::npos, GetLists(scene));
   // The renderers that have lists have the same ones.
   RequireLists(scene);
   SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::COMPUTE);

@@ -81,6 +81,7 @@ VTK_INDIRECT_TEST(HintsCells)
   Scene scene(width, height);
   vtkNew<vtkRadianceHintsPass> hints;
   scene.Pass->SetEstimator(hints);
+  scene.Pass->SetVisibilityToAuto();
   scene.AddQuad({ 0, 0, 0 }, { 0, 0, 2 }, { 2, 0, 0 }, { 0.8, 0.8, 0.8 });
   scene.AddQuad({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 2 }, { 0.8, 0.2, 0.2 });
   scene.AddQuad({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, { 0.2, 0.8, 0.2 });

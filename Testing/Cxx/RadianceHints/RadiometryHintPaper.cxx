@@ -105,6 +105,7 @@ struct PaperRoom : HintScene
     this->Render();
     this->Texels = this->CopyLights();
     this->Pass->SetEstimator(this->Hints);
+    this->Pass->SetVisibilityToAuto();
     this->Hints->SetPresetToPaper();
     this->Hints->SetGridResolution(Grid[0], Grid[1], Grid[2]);
     this->Hints->SetInterpolationStep(1);

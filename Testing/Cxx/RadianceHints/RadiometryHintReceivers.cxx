@@ -119,6 +119,7 @@ struct BallScene : Scene
     : Scene(64, 64)
   {
     this->Pass->SetEstimator(this->Hints);
+    this->Pass->SetVisibilityToAuto();
     this->Hints->SetOccupancy(occupancy);
     this->Pass->SetReflectiveShadowMapResolution(128);
     this->AddQuad({ -2, -2, 0 }, { 2, -2, 0 }, { -2, 2, 0 }, glm::dvec3(0.8));
@@ -227,6 +228,7 @@ VTK_INDIRECT_TEST(HintsManyRays)
     Scene scene(48, 48);
     vtkNew<vtkRadianceHintsPass> hints;
     scene.Pass->SetEstimator(hints);
+    scene.Pass->SetVisibilityToAuto();
     hints->SetGridResolution(64, 64, 64);
     scene.Pass->SetReflectiveShadowMapResolution(128);
     // Where the last axis is large; the rest of the space is empty.

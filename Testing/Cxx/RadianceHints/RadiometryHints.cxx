@@ -195,6 +195,7 @@ VTK_INDIRECT_TEST(HintsField)
   scene.Render();
   const std::vector<VirtualLight> lights = scene.CopyLights();
   scene.Pass->SetEstimator(scene.Hints);
+  scene.Pass->SetVisibilityToAuto();
   scene.Hints->SetGridResolution(8, 6, 4);
   SET_DETAIL(scene.Hints, BlocksPerEdge, 128);
   SET_DETAIL(scene.Hints, Deringing, false);

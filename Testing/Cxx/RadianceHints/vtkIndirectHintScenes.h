@@ -17,6 +17,7 @@ struct HintScene : Scene
     : Scene(width, height)
   {
     this->Pass->SetEstimator(this->Hints);
+    this->Pass->SetVisibilityToAuto();
   }
   ~HintScene() { this->Pass->SetEstimator(nullptr); }
 

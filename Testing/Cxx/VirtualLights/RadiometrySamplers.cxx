@@ -90,6 +90,8 @@ struct SkyScene : Scene
   {
     estimator->SetOccupancy(occupancy);
     this->Pass->SetEstimator(estimator);
+    this->Pass->SetVisibility(
+      occupancy ? vtkIndirectIlluminationPass::AUTO : vtkIndirectIlluminationPass::NONE);
     this->Render();
     return this->Copy("irradiance");
   }

@@ -8,9 +8,12 @@
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRSMReferencePass.h"
+#include "vtkRenderWindow.h"
 #include "vtkUniformLightSampler.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 using namespace vtkIndirectTest;
 
@@ -69,6 +72,133 @@ VTK_INDIRECT_TEST(DepthMapsHideAsTrianglesDo)
   scene.Render();
   CheckAtMost("and without maps what the open sum says",
     FindRelativeError(scene.Copy("irradiance"), open, normal), 2e-3, "half floats");
+}
+
+// A square sender that a straight edge hides half of: what is left of its form factor.
+VTK_INDIRECT_TEST(DepthMapsMakePenumbrae)
+{
+  Scene scene(48, 36);
+  const double half = 0.2;
+  const glm::dvec3 black(0.0);
+  scene.AddQuad({ -half, -half, 0 }, { half, -half, 0 }, { -half, half, 0 }, glm::dvec3(0.8));
+  scene.AddQuad({ -1.0, -0.5, 0.5 }, { 0, -0.5, 0.5 }, { -1.0, 0.5, 0.5 }, black);
+  scene.AddQuad({ -0.5, -0.5, 1 }, { -0.5, 0.5, 1 }, { 0.5, -0.5, 1 }, glm::dvec3(0.5));
+  // From far below the edge, so that it shines on the sender evenly and on nothing else that sends.
+  const glm::dvec3 way = glm::normalize(glm::dvec3(0.0, -5.0, 2.0));
+  scene.AddSpot(40.0 * way, { 0, 0, 0 }, 0.42, 0.0, { 1, 0, 0 });
+  scene.SetEye({ 0, 0, 0.55 }, { 0, 0, 1 }, { 0, 1, 0 }, 80, 0.01, 4);
+  scene.Pass->SetReflectiveShadowMapResolution(256);
+  scene.Pass->ShadowsOff();
+  scene.Sampler->SetNumberOfLights(1024);
+  scene.Gather->SetModeToVirtualLights();
+  scene.Pass->SetVisibilityToMaps();
+  scene.Render();
+  const Image irradiance = scene.Copy("irradiance");
+  const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
+  const double radiosity = 0.8 * way.z;
+  double measured = 0.0;
+  double expected = 0.0;
+  double shift = 0.0; // of the penumbra, by what it leaves to the left and to the right
+  double whole = 0.0;
+  for (size_t i = 0; i < receivers.size(); ++i)
+  {
+    const glm::dvec3 p = receivers[i].Position;
+    if (!receivers[i].Lit || p.z < 0.99)
+    {
+      continue;
+    }
+    const double left = std::max(-half, -p.x);
+    const double e = left < half ? radiosity *
+        PolygonFormFactor(p, { 0, 0, -1 },
+          { { left, -half, 0 }, { half, -half, 0 }, { half, half, 0 }, { left, half, 0 } })
+                                 : 0.0;
+    const double open = radiosity *
+      PolygonFormFactor(p, { 0, 0, -1 },
+        { { -half, -half, 0 }, { half, -half, 0 }, { half, half, 0 }, { -half, half, 0 } });
+    measured += irradiance.Values[3 * i];
+    expected += e;
+    // Where the mean step from nothing to all lies.
+    shift += std::abs(p.x) < half ? irradiance.Values[3 * i] / open - e / open : 0.0;
+    whole += std::abs(p.x) < half ? 1.0 : 0.0;
+  }
+  CheckAtLeast("receivers in the penumbra", whole, 100.0, "the test's own power");
+  CheckRelative("light under the edge", measured, expected, 0.02,
+    "1024 lights, of which a quarter falls on the sender; a texel of a tile is 0.012 across");
+  CheckAbsolute("where the penumbra lies, over its width", shift / whole, 0.0, 0.02, "as before");
+}
+
+// A frame that has no time for all maps shares what there is; in the end nothing shows that it did.
+VTK_INDIRECT_TEST(DepthMapsArriveOverFrames)
+{
+  Scene scene(64, 48);
+  BuildRooms(scene);
+  // What has so many triangles that a moving frame has time for eight maps.
+  scene.AddSphere({ 0.4, 0.2, 0.4 }, 0.1, 200, White);
+  scene.Gather->SetModeToVirtualLights();
+  scene.Gather->InterpolationOff();
+  scene.Render();
+  const Image open = scene.Copy("irradiance");
+  const Image normal = scene.Copy("normal");
+  scene.Pass->SetVisibilityToMaps();
+  scene.Render();
+  const double all = scene.ReadReport("tiles_drawn");
+  const Image whole = scene.Copy("irradiance");
+  const double without = FindRelativeError(open, whole, normal);
+
+  scene.Pass->SetVisibilityToNone();
+  scene.Render();
+  scene.Pass->SetVisibilityToMaps();
+  scene.Window->SetDesiredUpdateRate(15.0);
+  double drawn = all;
+  Image last = open;
+  int frames = 0;
+  for (; drawn < 2.0 * all && frames < 100; ++frames)
+  {
+    scene.Render();
+    const double now = scene.ReadReport("tiles_drawn");
+    CheckAtMost("maps drawn in a frame", now - drawn, 8.0, "a sphere of 80,000 triangles");
+    CheckAtLeast("and at least", now - drawn, 1.0, "all are asked for");
+    drawn = now;
+    const Image image = scene.Copy("irradiance");
+    const double error = FindRelativeError(image, whole, normal) / without;
+    const double step = FindRelativeError(image, last, normal) / without;
+    std::printf("       %g maps: error %.3f, step %.3f\n", drawn - all, error, step);
+    CheckAtMost("error over that of no visibility", error, frames < 7 ? 1.0 : 0.2,
+      "shared maps are never worse; 64 of them leave a tenth");
+    CheckAtMost("step from the last frame over that error", step, frames < 7 ? 1.0 : 0.1,
+      "an eighth of the lights that have maps changes");
+    last = image;
+  }
+  CheckEqual("maps drawn in the end", drawn, 2.0 * all);
+  CheckEqual("and then all is as if drawn at once", FindRelativeError(last, whole, normal), 0.0);
+  scene.Render();
+  CheckEqual("no more are drawn", scene.ReadReport("tiles_drawn"), drawn);
+}
+
+// More lights than there is memory for maps: neighbours share.
+VTK_INDIRECT_TEST(DepthMapsAreBounded)
+{
+  Scene scene(64, 48);
+  BuildRooms(scene);
+  scene.Sampler->SetNumberOfLights(4096);
+  scene.Gather->SetModeToVirtualLights();
+  scene.Gather->InterpolationOff();
+  scene.Render();
+  const Image open = scene.Copy("irradiance");
+  scene.Pass->SetVisibilityToMaps();
+  scene.Render();
+  CheckAtMost("maps", scene.ReadReport("tiles_drawn"), 1024.0, "64 MB");
+  const Image seen = scene.Copy("irradiance");
+  vtkNew<vtkRSMReferencePass> reference;
+  reference->SetModeToVirtualLights();
+  reference->SetVisibilityToExact();
+  scene.Pass->SetEstimator(reference);
+  scene.Render();
+  const Image exact = scene.Copy("irradiance");
+  const Image normal = scene.Copy("normal");
+  CheckAtMost("RMS error of shared maps over the mean, by that of no visibility",
+    FindRelativeError(seen, exact, normal) / FindRelativeError(open, exact, normal), 0.15,
+    "that of a map a light, in DepthMapsHideAsTrianglesDo");
 }
 
 VTK_INDIRECT_TEST(DepthMapsAreKept)

@@ -30,6 +30,7 @@ struct ExactScene : Scene
   {
     this->Reference->SetModeToVirtualLights();
     this->Pass->SetEstimator(this->Reference);
+    this->Pass->SetVisibilityToAuto(); // Occupancy decides
     this->Sampler->SetNumberOfLights(256);
     this->Pass->SetReflectiveShadowMapResolution(128);
   }

@@ -48,6 +48,8 @@ struct VisibilityScene : Scene
   {
     estimator->SetOccupancy(occupancy);
     this->Pass->SetEstimator(estimator);
+    this->Pass->SetVisibility(
+      occupancy ? vtkIndirectIlluminationPass::AUTO : vtkIndirectIlluminationPass::NONE);
     this->Render();
     return this->Copy("irradiance");
   }

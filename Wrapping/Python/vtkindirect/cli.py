@@ -135,8 +135,8 @@ def commands() -> dict[str, argparse.ArgumentParser]:
         type=_frames,
         default=1,
         metavar="N",
-        help="frames to render and measure, after one to warm up if N > 1, nothing reused between "
-        "them unless Caching=on is set (default: 1)",
+        help="frames to render and measure, after one to warm up if N > 1, while the camera turns by "
+        "less than a pixel; Caching=off measures all work in each (default: 1)",
     )
     render.add_argument(
         "--report", metavar="FILE", help="write decisions and times to a .json file"

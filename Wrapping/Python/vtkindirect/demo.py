@@ -68,12 +68,12 @@ def run(
     """Render a scene twice and write its files; returns the line that tells of them.
 
     Both halves of the picture have shadows, so that they differ in indirect light alone. The times
-    are those of VTK without the pass, and of the pass with nothing reused from the frame before.
+    are those of VTK without the pass, and of the pass while the camera turns.
     """
     scene.size = size or scene.size
     window = frames.open_window(scene, scene.size)
     off = frames.render(scene, window, Job(method="off", frames=FRAMES), step)
-    on = frames.render(scene, window, Job(frames=FRAMES, settings={"Caching": False}), step)
+    on = frames.render(scene, window, Job(frames=FRAMES), step)
     light = images.copy_buffer(scene.renderer, images.FINAL)
     right = _captioned(scene, window, "with indirect light")
     methods.enable(scene.renderer, IndirectScale=0)

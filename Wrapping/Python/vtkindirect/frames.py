@@ -17,6 +17,8 @@ from vtkindirect.errors import RenderError
 from vtkindirect.scene import Scene
 
 REPORT_SCHEMA = "vtkindirect.report/1"
+_TURN = 1e-6
+"""Degrees that the camera turns from frame to frame while frames are timed."""
 DELEGATE_ALONE = "the delegate alone"
 """What a report says to be modelled when the pass left the picture to VTK."""
 NO_INDIRECT_LIGHT = "indirect light"
@@ -74,22 +76,30 @@ def render(
     """Render a scene in its window; returns the report, in the form ``vtkindirect.report/1``.
 
     `step` is called before each frame. An error that VTK reports while rendering, such as a shader
-    that does not compile, is a `RenderError`.
+    that does not compile, is a `RenderError`. Several frames are those of a camera that turns in a
+    scene that stands still, the first one, which makes all that is kept, apart (``first_ms``): it
+    turns by so little that no pixel changes, and ends where it was.
     """
-    values = dict(job.settings)
-    if job.frames > 1 and job.method != "off":
-        # Frames that reuse the last one's work would time nothing.
-        values.setdefault("Caching", False)
-    indirect = methods.enable(scene.renderer, job.method, job.sampler, **values)
+    indirect = methods.enable(scene.renderer, job.method, job.sampler, **job.settings)
     times: list[float] = []
+    first: float | None = None
+    camera = scene.renderer.GetActiveCamera()
+    place, up = camera.GetPosition(), camera.GetViewUp()
     with messages.capture() as said:
         for frame in range(job.all_frames):
             warm_up = job.frames > 1 and frame == 0
             if indirect is not None:
                 indirect.SetTiming(not warm_up)
+            camera.SetPosition(place)
+            camera.SetViewUp(up)
+            left = job.all_frames - 1 - frame
+            if left > 0:
+                camera.Azimuth(_TURN * left)
             step("warming up" if warm_up else f"frame {len(times) + 1} of {job.frames}")
             elapsed = _timed_render(window)
-            if not warm_up:
+            if warm_up:
+                first = elapsed
+            else:
                 times.append(elapsed)
             if said.errors:
                 raise RenderError(f"rendering failed: {said.first_error()}")
@@ -116,6 +126,8 @@ def render(
     result.setdefault("method", job.method)
     result.setdefault("frames", job.frames)
     result["wall_ms"] = {"median_ms": median, "p95_ms": p95}
+    if first is not None:
+        result["first_ms"] = first
     return result
 
 

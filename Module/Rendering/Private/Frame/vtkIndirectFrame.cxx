@@ -192,6 +192,7 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     std::copy(bounds, bounds + 6, caster.Bounds);
     caster.RedrawMTime = prop->GetRedrawMTime();
     caster.SendsLight = ReadKey(prop, vtkIndirectPropKeys::SendsLight(), true);
+    caster.Triangles = kind.DepthTriangles;
     this->AllSendLight = this->AllSendLight && caster.SendsLight;
     this->Casters.push_back(caster);
     box.AddBounds(bounds);

@@ -51,6 +51,7 @@ struct vtkIndirectCaster
   double Bounds[6];
   vtkMTimeType RedrawMTime = 0;
   bool SendsLight = true;
+  double Triangles = 0.0; // about, of its depth
 };
 
 struct vtkIndirectFrame

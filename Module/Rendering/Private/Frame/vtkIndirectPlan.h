@@ -20,8 +20,9 @@ struct vtkIndirectAbilities
   int MaximumNumberOfBounces = 1;
   bool ComputesGlossy = false;
   bool SpecularTransport = true;
-  bool Occupancy = false;      // asks for voxels where the user has chosen nothing
-  bool TakesLightMaps = false; // can look visibility up in a map of each virtual light
+  bool Occupancy = false;         // asks for voxels where the user has chosen nothing
+  bool TakesLightMaps = false;    // can look visibility up in a map of each virtual light
+  bool IgnoresVisibility = false; // where the user has chosen nothing
   /** The tolerance that its parameters follow when so much is asked for; 0: none does. */
   double ErrorTolerance = 0.0;
 };
@@ -74,6 +75,7 @@ struct vtkIndirectPlan
   double FrameSeconds = 10000.0;
   bool Interactive = false;
   ///@}
+  int TilesPerFrame = 1 << 30; // depth maps of virtual lights, or of the sky, to draw at most
   int NumberOfBounces = 1;     // those that the estimator computes
   double ErrorTolerance = 0.0; // as asked for
   bool Caching = true;
@@ -107,6 +109,9 @@ struct vtkIndirectPlan
   static double ScaleThreshold(double standard, double tolerance, double most);
   static int FindGridEdge(double tolerance);
   ///@}
+
+  /** Depth maps of so many triangles in so many props that a frame of so many seconds draws. */
+  static int FindTilesPerFrame(double triangles, double props, double seconds);
 
 private:
   void FindSenders(const vtkIndirectFrame& frame);

@@ -250,6 +250,8 @@ vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
     }
     actor->GetBounds(); // brings the mapper's data up to date
     vtkPolyData* drawn = FindDrawn(actor->GetMapper());
+    // A few glyphs, or one sheet of impostors.
+    kind.DepthTriangles += drawn ? CountTriangles(drawn) : 20000.0;
     kind.Specular =
       kind.Specular || IsSpecular(actor->GetProperty()) || IsSpecular(actor->GetBackfaceProperty());
     kind.Lit = kind.Lit || !IsUnlit(actor->GetProperty(), drawn);

@@ -29,6 +29,8 @@ struct vtkIndirectPropKind
   bool CoversFully = false;
   /** About how many triangles it draws; 1e9 where its mapper alone knows. */
   double NumberOfTriangles = 0.0;
+  /** As many triangles take as long in a depth map; where its mapper alone knows, a guess. */
+  double DepthTriangles = 0.0;
 
   static vtkIndirectPropKind Find(vtkProp* prop);
 };

@@ -6,6 +6,7 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "VirtualLights/vtkIndirectLightBlock.h"
+#include "Visibility/vtkIndirectVisibility.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -276,7 +277,8 @@ bool vtkIndirectGlossySubsplats::Evaluate(
   const bool pixels = number == 0;
   const int count = work.Lights.GetNumberOfLights();
   std::string definitions = std::string("#define VTKI_FORMAT ") +
-    (this->HalfFloats ? "rgba16f\n" : "rgba32f\n") + work.Lights.GetDefinitions();
+    (this->HalfFloats ? "rgba16f\n" : "rgba32f\n") + work.Lights.GetDefinitions() +
+    work.In.Visibility.GetDefinitions();
   definitions += pixels ? "#define VTKI_PIXELS\n" : "";
   definitions += whole ? "" : "#define VTKI_UNDER_SPLIT\n";
   definitions += work.Set.DepthRange ? "#define VTKI_DEPTH_RANGE\n" : "";
@@ -292,6 +294,7 @@ bool vtkIndirectGlossySubsplats::Evaluate(
   this->SetLevelUniforms(program, work, number);
   this->ActivateLevel(program, work, number);
   work.Lights.Activate(program);
+  work.In.Visibility.Activate(window, program);
   this->Lists.Activate(program);
   program->SetUniformi("vtkiList", static_cast<int>(list));
   program->SetUniformi("vtkiListFirst", this->Lists.GetFirst(list));
@@ -323,6 +326,7 @@ bool vtkIndirectGlossySubsplats::Evaluate(
   this->Lists.Deactivate();
   work.Irradiance.Deactivate();
   this->DeactivateLevel(work, number);
+  work.In.Visibility.Deactivate();
   work.Lights.Deactivate();
   return true;
 #else

@@ -130,7 +130,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const std::vector<double> key = this->MakeKey(request.Sampler);
   const bool caching = request.Settings.Caching;
   const bool still = key == this->EstimateKey;
-  if (caching && still && this->Estimate.State == vtkIndirectEstimate::CONVERGED)
+  if (caching && still && this->Estimate.State == vtkIndirectEstimate::CONVERGED &&
+    this->Visibility.IsComplete())
   {
     return true;
   }
@@ -153,16 +154,19 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   {
     this->Timer.Begin(vtkIndirectStageTimer::Visibility);
   }
-  const bool visible = this->Visibility.Update(
-    { this->Frame, this->Samplers.empty() ? nullptr : &this->Lights, this->Capture, caching },
-    needs);
+  const size_t tiles = this->Visibility.GetNumberOfTilesDrawn();
+  const bool visible =
+    this->Visibility.Update({ this->Frame, this->Samplers.empty() ? nullptr : &this->Lights,
+                              this->Capture, caching, this->Plan.TilesPerFrame },
+      needs);
   if (timed)
   {
     this->Timer.End(vtkIndirectStageTimer::Visibility);
   }
 
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
-    this->Samplers.empty() ? nullptr : &this->Lights, this->Visibility, still, this->Timer };
+    this->Samplers.empty() ? nullptr : &this->Lights, this->Visibility,
+    still && this->Visibility.GetNumberOfTilesDrawn() == tiles, this->Timer };
   this->Estimator->HoldContext(this->Frame.Window);
   this->Estimate = sampled && visible ? this->Estimator->Estimate(input) : vtkIndirectEstimate();
   if (this->Estimate.State == vtkIndirectEstimate::FAILED)
@@ -292,8 +296,9 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   report.Counters = { { "shader_builds", this->Capture->GetNumberOfShaderBuilds() },
     { "faces_drawn", this->Maps->GetNumberOfFacesDrawn() },
     { "voxel_updates", static_cast<long long>(this->Visibility.GetNumberOfUpdates()) },
-    { "tiles_drawn", static_cast<long long>(this->Visibility.GetNumberOfTilesDrawn() +
-        this->Sky.GetNumberOfTilesDrawn()) },
+    { "tiles_drawn",
+      static_cast<long long>(
+        this->Visibility.GetNumberOfTilesDrawn() + this->Sky.GetNumberOfTilesDrawn()) },
     { "estimates", this->NumberOfEstimates } };
   this->Frame.AddToReport(report);
   if (!this->BuffersAreThere)

@@ -90,8 +90,68 @@ void vtkIndirectDepthAtlas::ForgetWhatChanged(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
+// Those to draw now. Numbers with their bits reversed are spread over all emitters, however few of
+// them there is time for.
+std::vector<int> vtkIndirectDepthAtlas::ChooseTiles(
+  const std::vector<Emitter>& emitters, size_t most)
+{
+  const size_t count = emitters.size();
+  this->Drawn.resize(count);
+  size_t bits = 0;
+  while ((size_t{ 1 } << bits) < count)
+  {
+    ++bits;
+  }
+  std::vector<int> missing;
+  std::vector<int> stale;
+  for (size_t k = 0; k < size_t{ 1 } << bits; ++k)
+  {
+    size_t i = 0;
+    for (size_t bit = 0; bit < bits; ++bit)
+    {
+      i |= (k >> bit & 1) << (bits - 1 - bit);
+    }
+    if (i >= count)
+    {
+      continue;
+    }
+    Drawing& drawing = this->Drawn[i];
+    drawing.There = drawing.There && drawing.Tile == emitters[i].Tile;
+    if (!emitters[i].Sends)
+    {
+      continue;
+    }
+    if (!drawing.There)
+    {
+      missing.push_back(static_cast<int>(i));
+    }
+    else if (!drawing.Valid)
+    {
+      stale.push_back(static_cast<int>(i));
+    }
+  }
+  std::stable_sort(stale.begin(), stale.end(),
+    [this](int a, int b) {
+      return this->Drawn[static_cast<size_t>(a)].Time < this->Drawn[static_cast<size_t>(b)].Time;
+    });
+  std::vector<int> chosen = missing;
+  chosen.insert(chosen.end(), stale.begin(), stale.end());
+  const size_t all = chosen.size();
+  chosen.resize(std::min(all, most));
+  this->NumberOfMissingTiles =
+    static_cast<int>(missing.size() - std::min(missing.size(), chosen.size()));
+  this->NumberOfStaleTiles = static_cast<int>(all - chosen.size());
+  for (const int i : chosen)
+  {
+    this->Drawn[static_cast<size_t>(i)] = { emitters[static_cast<size_t>(i)].Tile, true, true,
+      ++this->NumberOfTilesDrawn };
+  }
+  return chosen;
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-  const std::vector<Emitter>& emitters, int texels, bool caching)
+  const std::vector<Emitter>& emitters, int texels, bool caching, int most)
 {
   const int count = static_cast<int>(emitters.size());
   const int edge = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count)))));
@@ -113,18 +173,7 @@ bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapt
     return false;
   }
   this->ForgetWhatChanged(frame);
-  this->Drawn.resize(emitters.size());
-  std::vector<int> stale;
-  for (int i = 0; i < count; ++i)
-  {
-    Drawing& drawing = this->Drawn[static_cast<size_t>(i)];
-    const Emitter& emitter = emitters[static_cast<size_t>(i)];
-    if (emitter.Sends && !(drawing.Valid && drawing.Tile == emitter.Tile))
-    {
-      drawing = { emitter.Tile, true };
-      stale.push_back(i);
-    }
-  }
+  const std::vector<int> stale = this->ChooseTiles(emitters, static_cast<size_t>(most));
   if (stale.empty())
   {
     return true;
@@ -145,7 +194,6 @@ bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapt
     this->DrawOthers(frame, capture, stale, others);
   }
   this->Depths.End();
-  this->NumberOfTilesDrawn += stale.size();
   return true;
 }
 

@@ -35,14 +35,24 @@ public:
   };
 
   /**
-   * Brings the tiles of these emitters up to date, each of so many texels along an edge; without
-   * caching all of them. Returns false, after an error, when OpenGL refuses.
+   * Brings tiles of these emitters up to date, each of so many texels along an edge, and not more
+   * of them than `most`: first those that have none, spread over all of them, then those that have
+   * waited longest. Without caching nothing is kept. Returns false, after an error, when OpenGL
+   * refuses.
    */
   bool Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-    const std::vector<Emitter>& emitters, int texels, bool caching);
+    const std::vector<Emitter>& emitters, int texels, bool caching, int most = 1 << 30);
 
   /** Says that nothing of it is to be kept. */
   void Forget() { this->Drawn.clear(); }
+
+  /** Whether there is a map of this emitter; it may show what was there a few frames ago. */
+  bool HasTile(int emitter) const { return this->Drawn[static_cast<size_t>(emitter)].There; }
+  ///@{
+  /** After Update: emitters that have no map; and maps, these included, that are not up to date. */
+  int GetNumberOfMissingTiles() const { return this->NumberOfMissingTiles; }
+  int GetNumberOfStaleTiles() const { return this->NumberOfStaleTiles; }
+  ///@}
 
   /** Binds the depths and sets vtkiDepthTiles and vtkiTileShape; pair. */
   void Activate(vtkShaderProgram* program) const;
@@ -61,7 +71,9 @@ private:
   struct Drawing
   {
     vtkIndirectDepthTile Tile;
-    bool Valid = false;
+    bool There = false; // drawn for this tile
+    bool Valid = false; // and nothing that it can see has changed since
+    size_t Time = 0;    // NumberOfTilesDrawn then
   };
   struct Caster
   {
@@ -76,6 +88,7 @@ private:
   };
 
   void ForgetWhatChanged(const vtkIndirectFrame& frame);
+  std::vector<int> ChooseTiles(const std::vector<Emitter>& emitters, size_t most);
   void Use(const vtkIndirectFrame& frame, int tile);
   std::vector<const vtkIndirectCaster*> DrawPlain(
     const vtkIndirectFrame& frame, const std::vector<int>& tiles);
@@ -91,6 +104,8 @@ private:
   glm::dvec3 SceneCenter{ 0.0 };
   int Texels = 0;
   int Edge = 0; // tiles
+  int NumberOfMissingTiles = 0;
+  int NumberOfStaleTiles = 0;
   size_t NumberOfTilesDrawn = 0;
 };
 

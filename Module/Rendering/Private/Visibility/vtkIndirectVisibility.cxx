@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Visibility/vtkIndirectVisibility.h"
 
+#include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectReport.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
 
 #include <algorithm>
 
@@ -13,6 +16,10 @@ namespace
 {
 // Along an edge of a virtual light's tile.
 constexpr int TexelsOfLights = 128;
+// That have memory: 64 MB. More lights share them.
+constexpr size_t MaximumNumberOfTiles = 1024;
+// Scene units that two opposite directions count as: lights of one tile face the same way first.
+constexpr double DistanceOfTurn = 0.25;
 }
 
 //------------------------------------------------------------------------------
@@ -62,6 +69,34 @@ bool vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectVisibility::ReadEmitters(const vtkIndirectVirtualLights& lights)
+{
+  const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
+  const vtkIndirectTarget& table = lights.GetTable();
+  const auto position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
+  const auto normal = table.ReadBack(vtkVirtualLightSampler::NormalExponent);
+  const auto density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
+  this->Lights.resize(count);
+  for (size_t i = 0; i < count; ++i)
+  {
+    const float* p = &position[4 * i];
+    const float* n = &normal[4 * i];
+    const float* d = &density[4 * i];
+    vtkIndirectDepthAtlas::Emitter& emitter = this->Lights[i];
+    emitter.Sends = p[3] > 0.0f && std::max({ d[0], d[1], d[2] }) > 0.0f;
+    emitter.Tile = vtkIndirectDepthTile::FromPlace({ p[0], p[1], p[2] }, { n[0], n[1], n[2] });
+  }
+  this->Stride = (count + MaximumNumberOfTiles - 1) / MaximumNumberOfTiles;
+  this->Emitters.clear();
+  for (size_t i = 0; i < count; i += this->Stride)
+  {
+    this->Emitters.push_back(this->Lights[i]);
+  }
+  this->EmittersTime = lights.GetContentTime();
+  this->WithDirections = lights.HasDirections();
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectVisibility::UpdateMaps(const Input& input)
 {
   const vtkIndirectVirtualLights* lights = input.Lights;
@@ -71,26 +106,93 @@ bool vtkIndirectVisibility::UpdateMaps(const Input& input)
     this->Current.Maps = false;
     return true;
   }
-  if (this->EmittersTime != lights->GetContentTime() || this->Emitters.size() != count)
+  const bool changed =
+    this->EmittersTime != lights->GetContentTime() || this->Lights.size() != count;
+  if (changed)
   {
-    const vtkIndirectTarget& table = lights->GetTable();
-    const auto position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
-    const auto normal = table.ReadBack(vtkVirtualLightSampler::NormalExponent);
-    const auto density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
-    this->Emitters.resize(count);
-    for (size_t i = 0; i < count; ++i)
-    {
-      const float* p = &position[4 * i];
-      const float* n = &normal[4 * i];
-      const float* d = &density[4 * i];
-      vtkIndirectDepthAtlas::Emitter& emitter = this->Emitters[i];
-      emitter.Sends = p[3] > 0.0f && std::max({ d[0], d[1], d[2] }) > 0.0f;
-      emitter.Tile = vtkIndirectDepthTile::FromPlace({ p[0], p[1], p[2] }, { n[0], n[1], n[2] });
-    }
-    this->EmittersTime = lights->GetContentTime();
+    this->ReadEmitters(*lights);
   }
-  return this->Maps.Update(
-    input.Frame, input.Capture, this->Emitters, TexelsOfLights, input.Caching);
+  const size_t drawn = this->Maps.GetNumberOfTilesDrawn();
+  if (!this->Maps.Update(input.Frame, input.Capture, this->Emitters, TexelsOfLights, input.Caching,
+        input.TilesPerFrame))
+  {
+    return false;
+  }
+  const bool shared = this->Shares;
+  this->Shares = this->Stride > 1 || this->Maps.GetNumberOfMissingTiles() > 0;
+  if (!this->Shares && this->Owners)
+  {
+    this->Owners->ReleaseGraphicsResources(input.Frame.Window);
+    this->Owners = nullptr;
+  }
+  if (this->Shares && (changed || !shared || this->Maps.GetNumberOfTilesDrawn() != drawn))
+  {
+    this->ShareTiles(input.Frame);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// A light without a tile of its own looks up that of the most similar one that has: near, and
+// facing the same way (clustered visibility: Dong, Grosch, Ritschel, Kautz, Seidel 2009). What
+// differs between their places is ignored; where it hides more, the result is too dark.
+void vtkIndirectVisibility::ShareTiles(const vtkIndirectFrame& frame)
+{
+  std::vector<int> there;
+  for (size_t k = 0; k < this->Emitters.size(); ++k)
+  {
+    if (this->Maps.HasTile(static_cast<int>(k)))
+    {
+      there.push_back(static_cast<int>(k));
+    }
+  }
+  constexpr size_t width = vtkVirtualLightSampler::RowLength;
+  const size_t rows = (this->Lights.size() + width - 1) / width;
+  // Place and tile of all lights, then axes of all; a light that sends nothing is not looked up.
+  std::vector<float> owners(8 * width * rows, 0.0f);
+  for (size_t i = 0; i < this->Lights.size(); ++i)
+  {
+    const vtkIndirectDepthTile& light = this->Lights[i].Tile;
+    double best = 0.0;
+    int owner = -1;
+    const bool own =
+      i % this->Stride == 0 && this->Maps.HasTile(static_cast<int>(i / this->Stride));
+    if (own)
+    {
+      owner = static_cast<int>(i / this->Stride);
+    }
+    for (size_t k = 0; !own && this->Lights[i].Sends && k < there.size(); ++k)
+    {
+      const vtkIndirectDepthTile& other = this->Emitters[static_cast<size_t>(there[k])].Tile;
+      const glm::dvec3 apart = other.Place - light.Place;
+      const double turned = DistanceOfTurn * (1.0 - glm::dot(other.Forward, light.Forward));
+      const double distance = glm::dot(apart, apart) + turned * turned;
+      if (owner < 0 || distance < best)
+      {
+        best = distance;
+        owner = there[k];
+      }
+    }
+    const vtkIndirectDepthTile& tile =
+      owner < 0 ? light : this->Emitters[static_cast<size_t>(owner)].Tile;
+    float* place = &owners[4 * i];
+    float* axis = &owners[4 * (width * rows + i)];
+    for (int c = 0; c < 3; ++c)
+    {
+      place[c] = static_cast<float>(tile.Place[c]);
+      axis[c] = static_cast<float>(tile.Forward[c]);
+    }
+    place[3] = static_cast<float>(std::max(owner, 0));
+  }
+  if (!this->Owners)
+  {
+    this->Owners = vtkSmartPointer<vtkTextureObject>::New();
+  }
+  this->Owners->SetContext(frame.Window);
+  this->Owners->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Owners->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->Owners->Create2DFromRaw(static_cast<unsigned int>(width),
+    static_cast<unsigned int>(2 * rows), 4, VTK_FLOAT, owners.data());
 }
 
 //------------------------------------------------------------------------------
@@ -108,9 +210,11 @@ bool vtkIndirectVisibility::IsExact() const
 //------------------------------------------------------------------------------
 const char* vtkIndirectVisibility::GetDefinitions() const
 {
-  return this->LooksUpMaps() ? "#define VTKI_VISIBILITY\n#define VTKI_DEPTH_TILES\n"
-    : this->WalksSegments()  ? "#define VTKI_VISIBILITY\n#define VTKI_SEGMENTS\n"
-                             : "";
+  return this->LooksUpMaps() && this->Shares
+    ? "#define VTKI_VISIBILITY\n#define VTKI_DEPTH_TILES\n#define VTKI_SHARED_TILES\n"
+    : this->LooksUpMaps()   ? "#define VTKI_VISIBILITY\n#define VTKI_DEPTH_TILES\n"
+    : this->WalksSegments() ? "#define VTKI_VISIBILITY\n#define VTKI_SEGMENTS\n"
+                            : "";
 }
 
 //------------------------------------------------------------------------------
@@ -119,6 +223,11 @@ void vtkIndirectVisibility::Activate(vtkOpenGLRenderWindow* window, vtkShaderPro
   if (this->LooksUpMaps())
   {
     this->Maps.Activate(program);
+    if (this->Shares)
+    {
+      this->Owners->Activate();
+      program->SetUniformi("vtkiTileOwners", this->Owners->GetTextureUnit());
+    }
   }
   else if (this->WalksSegments())
   {
@@ -132,6 +241,10 @@ void vtkIndirectVisibility::Deactivate() const
   if (this->LooksUpMaps())
   {
     this->Maps.Deactivate();
+    if (this->Shares)
+    {
+      this->Owners->Deactivate();
+    }
   }
   else if (this->WalksSegments())
   {
@@ -147,9 +260,31 @@ void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
   const char* const name = "visibility between sender and receiver";
   if (this->LooksUpMaps())
   {
+    const int there = this->Maps.GetNumberOfTiles() - this->Maps.GetNumberOfMissingTiles();
     report.Modelled.emplace_back(name,
-      "depth maps of " + std::to_string(this->Maps.GetNumberOfTiles()) + " virtual lights, " +
-        std::to_string(this->Maps.GetTexels()) + " texels squared");
+      "depth maps of " + std::to_string(there) + " of " + std::to_string(this->Lights.size()) +
+        " virtual lights, " + std::to_string(this->Maps.GetTexels()) + " texels squared");
+    if (this->Shares)
+    {
+      report.LeftOut.emplace_back("depth maps of all virtual lights",
+        this->Maps.GetNumberOfMissingTiles() > 0
+          ? "further frames draw them; until then lights share those of their neighbours"
+          : "there is memory for " + std::to_string(MaximumNumberOfTiles) +
+            "; others share those of their neighbours");
+    }
+    if (this->WithDirections)
+    {
+      report.LeftOut.emplace_back(
+        "what hides directions", "depth maps are of places; voxels would be looked up");
+    }
+    if (this->Maps.GetNumberOfStaleTiles() > this->Maps.GetNumberOfMissingTiles())
+    {
+      report.LeftOut.emplace_back("what has just moved, in " +
+          std::to_string(
+            this->Maps.GetNumberOfStaleTiles() - this->Maps.GetNumberOfMissingTiles()) +
+          " depth maps",
+        "further frames draw them again");
+    }
     report.LeftOut.emplace_back("what stands between near the horizon of senders",
       "a map ends 72 degrees from the sender's normal; what its border sees decides over the 8 % "
       "of "
@@ -197,5 +332,10 @@ void vtkIndirectVisibility::Release(vtkWindow* window)
 {
   this->Volume->Release(window);
   this->Maps.Release(window);
+  if (this->Owners)
+  {
+    this->Owners->ReleaseGraphicsResources(window);
+    this->Owners = nullptr;
+  }
   this->EmittersTime = 0;
 }

@@ -6,6 +6,7 @@
 
 #include "Frame/vtkIndirectEstimate.h"        // for what is needed
 #include "Visibility/vtkIndirectDepthAtlas.h" // for a member
+#include "vtkSmartPointer.h"                  // for a member
 
 #include <cstddef> // for size_t
 #include <memory>  // for the volume
@@ -16,6 +17,7 @@ class vtkIndirectVirtualLights;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
+class vtkTextureObject;
 class vtkWindow;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
@@ -32,6 +34,12 @@ public:
    * in several draws.
    */
   static constexpr int MaximumNumberOfSegments = 2048;
+  /** The same where nothing is walked: a round a sender, and what there is besides. */
+  static constexpr int MaximumNumberOfSenders = 16384;
+  int GetMaximumNumberOfSenders() const
+  {
+    return this->WalksSegments() ? MaximumNumberOfSegments : MaximumNumberOfSenders;
+  }
 
   vtkIndirectVisibility();
   ~vtkIndirectVisibility();
@@ -43,6 +51,7 @@ public:
     const vtkIndirectVirtualLights* Lights; // null where the frame has none
     vtkSurfaceCapturePass* Capture;
     bool Caching;
+    int TilesPerFrame; // depth maps of lights to draw at most
   };
 
   /**
@@ -56,6 +65,11 @@ public:
   /** Whether shaders walk from place to place, which bounds how often they can ask. */
   bool WalksSegments() const;
   bool LooksUpMaps() const { return this->Current.Senders && this->Current.Maps; }
+  /** Whether all maps that there will be are there and up to date. */
+  bool IsComplete() const
+  {
+    return !this->LooksUpMaps() || this->Maps.GetNumberOfStaleTiles() == 0;
+  }
   /** Whether triangles can hide senders: it was asked for, and there are some. */
   bool IsExact() const;
   /** Definitions of shaders that ask vtkIndirectVisibility.glsl; empty where nothing hides. */
@@ -70,7 +84,7 @@ public:
   const vtkIndirectOccupancyVolume& GetVolume() const { return *this->Volume; }
   /** Grows when they have changed: what was derived from them is stale. */
   size_t GetNumberOfUpdates() const { return this->NumberOfUpdates; }
-  /** Depth maps of virtual lights, since construction. */
+  /** Depth maps of virtual lights, since construction: what was made of fewer is stale. */
   size_t GetNumberOfTilesDrawn() const { return this->Maps.GetNumberOfTilesDrawn(); }
 
   void AddToReport(vtkIndirectReport& report) const;
@@ -79,14 +93,23 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  void ReadEmitters(const vtkIndirectVirtualLights& lights);
   bool UpdateMaps(const Input& input);
+  void ShareTiles(const vtkIndirectFrame& frame);
 
   Needs Current;
   std::unique_ptr<vtkIndirectOccupancyVolume> Volume;
   size_t NumberOfUpdates = 0;
-  vtkIndirectDepthAtlas Maps; // of virtual lights, a tile each
-  std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
-  vtkMTimeType EmittersTime = 0; // of the lights that they were read from
+  // Depth maps of virtual lights, a tile each for as many as the memory allows.
+  vtkIndirectDepthAtlas Maps;
+  std::vector<vtkIndirectDepthAtlas::Emitter> Lights;   // all
+  std::vector<vtkIndirectDepthAtlas::Emitter> Emitters; // those with a tile
+  size_t Stride = 1;                                    // from one of them to the next
+  vtkMTimeType EmittersTime = 0;                        // of the lights that they were read from
+  bool WithDirections = false;                          // among them
+  // Where some have no tile of their own: whose they look up.
+  bool Shares = false;
+  vtkSmartPointer<vtkTextureObject> Owners;
 };
 
 #endif

@@ -8,6 +8,9 @@
 #include "vtkIndirectGlossyStorage.glsl"
 #include "vtkIndirectLightUniforms.glsl"
 #include "vtkIndirectLibTable.glsl"
+#ifdef VTKI_VISIBILITY
+#include "vtkIndirectVisibility.glsl"
+#endif
 
 layout(local_size_x = 64) in;
 
@@ -56,6 +59,17 @@ float vtkiWeightAt(vtkiPoint point, float power, vec4 sender, vec3 senderNormal)
 {
   return vtkiGlossyWeight(
     sender.xyz - point.position, senderNormal, point.normal, point.mirror, power, sender.w);
+}
+
+// light: its number in the table.
+bool vtkiSeesLight(vtkiPoint point, int light, vec4 sender, vec3 senderNormal)
+{
+#ifdef VTKI_VISIBILITY
+  return vtkiIsSenderVisible(
+    light, point.position, point.position, point.normal, sender, senderNormal, true);
+#else
+  return true;
+#endif
 }
 
 void main()
@@ -172,18 +186,40 @@ void main()
       senderNormal = vtkiBlockNormal[light].xyz;
       density = vtkiBlockDensity[light].rgb;
 #endif
+      // What the samples would get of it if nothing hid it, and which of them see it.
+      float open = 0.0f;
+      bool someSee = false;
+      bool someDoNot = false;
 #ifndef VTKI_UNDER_SPLIT
       float above[9];
       for (int i = 0; i < 9; ++i)
       {
         above[i] = vtkiWeightAt(coarse[i], coarsePower, sender, senderNormal);
+        if (above[i] > 0.0f)
+        {
+          bool sees = vtkiSeesLight(coarse[i], light, sender, senderNormal);
+          open = max(open, above[i]);
+          someSee = someSee || sees;
+          someDoNot = someDoNot || !sees;
+          above[i] = sees ? above[i] : 0.0f;
+        }
       }
 #endif
       float value[4];
       float greatest = 0.0f;
       for (int i = 0; i < 4; ++i)
       {
-        value[i] = vtkiWeightAt(child[i], power[i], sender, senderNormal);
+        value[i] = state[i] == VTKI_GLOSSY_NONE
+          ? 0.0f
+          : vtkiWeightAt(child[i], power[i], sender, senderNormal);
+        if (value[i] > 0.0f)
+        {
+          bool sees = vtkiSeesLight(child[i], light, sender, senderNormal);
+          open = max(open, value[i]);
+          someSee = someSee || sees;
+          someDoNot = someDoNot || !sees;
+          value[i] = sees ? value[i] : 0.0f;
+        }
 #ifndef VTKI_UNDER_SPLIT
         int x = i & 1;
         int y = i >> 1;
@@ -195,6 +231,8 @@ void main()
       }
 #ifndef VTKI_PIXELS
       float brightness = vtkiLuminance(density);
+      // A shadow's edge runs between the samples: none of them stands for the others.
+      float atEdge = someSee && someDoNot ? open * brightness : 0.0f;
       for (int i = 0; i < 4; ++i)
       {
         bool mixed = radius[i] > 1.0e5f;
@@ -212,6 +250,7 @@ void main()
         bool resolved = horizon > 0.0f && power[i] * 4.0f * shift * shift < 1.0f;
         further = further && !(resolved && 0.5f * greatest * brightness <= limit[i]);
 #endif
+        further = further || atEdge > limit[i];
         kept[i] |= further ? 1u << uint(bit) : 0u;
       }
 #endif

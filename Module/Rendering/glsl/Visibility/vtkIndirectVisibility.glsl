@@ -8,11 +8,27 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal)
   return position;
 }
 
-// light: its number, that of its tile. A direction has none.
+#ifdef VTKI_SHARED_TILES
+#include "vtkIndirectLibTable.glsl"
+
+// Whose tile each light looks up: place and tile in the upper half, axis in the lower one.
+uniform sampler2D vtkiTileOwners;
+#endif
+
+// light: its number, which is that of its tile unless tiles are shared. A direction has none.
 bool vtkiIsSenderVisible(
   int light, vec3 start, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
 {
-  return sender.w < 0.0f || vtkiIsSeenInTile(light, sender.xyz, senderNormal, position, normal);
+#ifdef VTKI_SHARED_TILES
+  ivec2 at = vtkiTableTexel(light);
+  vec4 owner = texelFetch(vtkiTileOwners, at, 0);
+  int rows = textureSize(vtkiTileOwners, 0).y / 2;
+  vec3 axis = texelFetch(vtkiTileOwners, at + ivec2(0, rows), 0).xyz;
+  bool seen = vtkiIsSeenInTile(int(owner.w + 0.5f), owner.xyz, axis, position, normal);
+#else
+  bool seen = vtkiIsSeenInTile(light, sender.xyz, senderNormal, position, normal);
+#endif
+  return seen || sender.w < 0.0f;
 }
 #else
 #include "vtkIndirectLibDistanceField.glsl"
