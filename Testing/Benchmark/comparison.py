@@ -34,12 +34,18 @@ import orbit
 import page
 import plot
 import reference_environment
+import ssao
 from reference_environment import Flip, Traced
 
 YARDSTICKS = (compare.NOTHING, "ssao")
 TRACER = "mitsuba"
 CURVES = {"one_bounce": "one bounce", "all_bounces": "all bounces"}
 """The path tracer's curves: it converges to R2 and to R3."""
+NO_SKY = {
+    TRACER: "its rows trace VTK's lights only",
+    "flicker": "the path's reference R1 knows VTK's lights only",
+}
+"""Why something is not measured in a scene with an environment."""
 
 
 @dataclass
@@ -50,7 +56,7 @@ class Comparison:
     directory: Path
     frames: int = compare.FRAMES
     stored: Path | None = None
-    """Stored references (R2, R3): a directory of one file a scene, a scene's file, or None."""
+    """Stored references: a directory of one file a scene, a scene's file, or None."""
     size: tuple[int, int] | None = None
     python: Path | None = None
     """Python of the reference environment, or None."""
@@ -119,6 +125,13 @@ class Run(compare.Run):
             },
         }
         self._truth: orbit.Truth | Exception | None = None
+        if scene.environment is not None:
+            traced = comparison.python is not None
+            asked = {
+                TRACER: traced and any(comparison.sweep.path_tracer.values()),
+                "flicker": comparison.sweep.flicker,
+            }
+            self.missing |= {name: why for name, why in NO_SKY.items() if asked[name]}
 
     def _key(self, row: Row) -> str:
         identity = {k: v for k, v in self.common.items() if k != "schema"}
@@ -146,8 +159,8 @@ class Run(compare.Run):
         """The same, and their pictures."""
         first = self._references is None
         found = super().references()
-        if first:
-            scale = 0.5 / float(found.images["R1"].mean())
+        if first and found.main is not None:
+            scale = 0.5 / float(found.images[found.main].mean())
             for name, image in found.images.items():
                 self._write(name, shown(image, scale))
         return found
@@ -169,49 +182,41 @@ class Run(compare.Run):
         images.write_png(path, picture)
         return path.name
 
-    def judge(self, irradiance: np.ndarray) -> Result:
+    def judge(self, irradiance: np.ndarray, sky: np.ndarray | None = None) -> Result:
         """Errors of an image against each reference, HDR-FLIP included."""
-        result = super().judge(irradiance)
+        result = super().judge(irradiance, sky)
         if self.comparison.flip is not None:
-            for name, pair in self.references().pairs(irradiance):
+            for name, pair in self.references().pairs(irradiance, sky):
                 result[f"flip_{name.lower()}"] = self.comparison.flip.error(*pair)
         return result
 
-    def _pictures(self, row: Row, irradiance: np.ndarray) -> Result:
-        first = self.references().images["R1"]
+    def _pictures(self, row: Row, irradiance: np.ndarray, sky: np.ndarray | None) -> Result:
+        main = self.references().main
+        if main is None:
+            return {}
+        image, reference, _ = dict(self.references().pairs(irradiance, sky))[main]
         return {
-            "image": self._write(row.label, shown(irradiance, 0.5 / float(first.mean()))),
+            "image": self._write(row.label, shown(irradiance, 0.5 / float(reference.mean()))),
             "difference": self._write(
-                f"{row.label}-difference", difference_image(irradiance, first)
+                f"{row.label}-difference", difference_image(image, reference)
             ),
         }
 
     def ssao(self, row: Row) -> Result:
         """VTK's screen-space ambient occlusion; it darkens the light that is there, no more."""
-        renderer = self.scene.renderer
-        low_high = self.scene.bounds
-        diagonal = sum((low_high[2 * i + 1] - low_high[2 * i]) ** 2 for i in range(3)) ** 0.5
-        # Usual choices for these: a tenth and a thousandth of the scene.
-        renderer.SetSSAORadius(0.1 * diagonal)
-        renderer.SetSSAOBias(0.001 * diagonal)
-        renderer.SetSSAOKernelSize(32)
-        renderer.SSAOBlurOn()
-        renderer.UseSSAOOn()
-        try:
+        with ssao.used(self.scene.renderer):
             return self.timed(Row(row.label, "off")) | {"indirect_ms": None}
-        finally:
-            renderer.UseSSAOOff()
 
     def method(self, row: Row) -> Result:
         """Times, errors and pictures of a row."""
         result = super().method(row)
-        if row.method != "off" and self.comparison.sweep.flicker:
+        if row.method != "off" and self.comparison.sweep.flicker and "flicker" not in self.missing:
             result.update(self._flicker(row))
         return result
 
-    def judged(self, row: Row, irradiance: np.ndarray) -> Result:
+    def judged(self, row: Row, irradiance: np.ndarray, sky: np.ndarray | None = None) -> Result:
         """Errors of an image and its pictures."""
-        return self.judge(irradiance) | self._pictures(row, irradiance)
+        return self.judge(irradiance, sky) | self._pictures(row, irradiance, sky)
 
     def _flicker(self, row: Row) -> Result:
         truth = self.truth()

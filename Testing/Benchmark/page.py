@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from vtkindirect import images
+from vtkindirect import frames, images, references
 
 import plot
 
@@ -33,6 +33,15 @@ _COLUMNS = (
     ("bias R3", "bias_r3", "{:+.3f}"),
     ("shape R3", "shape_r3", "{:.3f}"),
     ("FLIP R3", "flip_r3", "{:.4f}"),
+    ("first ms", "first_ms", "{:.0f}"),
+    ("nRMSE S1", "nrmse_s1", "{:.4f}"),
+    ("bias S1", "bias_s1", "{:+.4f}"),
+    ("relMSE S1", "relmse_s1", "{:.4f}"),
+    ("FLIP S1", "flip_s1", "{:.4f}"),
+    ("nRMSE S3", "nrmse_s3", "{:.4f}"),
+    ("bias S3", "bias_s3", "{:+.4f}"),
+    ("relMSE S3", "relmse_s3", "{:.4f}"),
+    ("FLIP S3", "flip_s3", "{:.4f}"),
     ("flicker", "flicker", "{:+.4f}"),
     ("error flicker", "flicker_error", "{:.4f}"),
     ("MB", "megabytes", "{:.1f}"),
@@ -102,27 +111,60 @@ def worse_than_nothing(rows: Sequence[Result]) -> str:
     return f"{said} The default is not one of them." if measured else said
 
 
+def main_of(rows: Sequence[Result]) -> str | None:
+    """The reference that a scene's pictures of differences were made with."""
+    return next(
+        (name for name in references.MAIN if any(f"nrmse_{name.lower()}" in row for row in rows)),
+        None,
+    )
+
+
+_OF_LIGHTS = (
+    "Errors are of indirect irradiance with the albedo divided out, over the reference's mean. "
+    "R1: every texel of 256 x 256 maps, no occlusion, on all pixels with a surface; R2: one "
+    "bounce with visibility, path traced; R3: all bounces. R2 and R3 count receivers, away "
+    "from silhouettes and creases, which a path tracer puts in other pixels; what share of the "
+    "pixels that leaves out is said at each scene. leak: part of the light that is where R2 "
+    "has none."
+)
+_OF_SKY = (
+    "Errors are of irradiance with the albedo divided out, on receivers away from silhouettes and "
+    "creases. S1: what comes directly from the sky, against the buffer sky; S3: all bounces of sky "
+    "and lights, against irradiance; both path traced. nRMSE is the RMS error over the "
+    "reference's mean, bias the mean error over it."
+)
+_OF_PACES = (
+    f"Rows at a pace keep maps and tiles from frame to frame, and those are there before any frame "
+    f"is measured: first ms is the very first frame, in which they are made. moving: the camera "
+    f"turns by {frames.TURN:g} degrees a frame and the window asks for "
+    f"{frames.INTERACTIVE_RATE:g} frames a second; still: it turns likewise, and each frame has "
+    f"all the time of one that stands; standing: the image after {frames.STANDING_SECONDS:g} s "
+    f"without a change, and the median of the frames meanwhile. The error is the last frame's."
+)
+
+
 def _introduction(results: Sequence[Result]) -> list[str]:
     """Paragraphs on what was run, on what, and how to read it."""
-    frames = max(
-        (row["frames"] for row in results if row["method"] != "mitsuba"),
+    count = max(
+        (r["frames"] for r in results if r["method"] != "mitsuba" and not r.get("pace")),
         default=results[0]["frames"],
     )
     said = [
         provenance(results),
-        f"Times are medians of {frames} frames of a camera that turns by less than a pixel, by wall clock; "
+        f"Times are medians of {count} frames of a camera that turns by less than a pixel, by wall "
+        "clock; "
         "compare them within one run only. 95th percentiles, the time of each stage and all other "
         "columns are in rows.csv. Yardsticks of the same run: vtk is the frame without any pass, "
         "and the error of having no indirect light; ssao the same with VTK's screen-space ambient "
         "occlusion (kernel 32, blur), which darkens and adds nothing, so it has a time and no "
         "error.",
-        "Errors are of indirect irradiance with the albedo divided out, over the reference's mean. "
-        "R1: every texel of 256 x 256 maps, no occlusion, on all pixels with a surface; R2: one "
-        "bounce with visibility, path traced; R3: all bounces. R2 and R3 count receivers, away "
-        "from silhouettes and creases, which a path tracer puts in other pixels; what share of the "
-        "pixels that leaves out is said at each scene. leak: part of the light that is where R2 "
-        "has none.",
     ]
+    if any(row.get("nrmse_s1") is not None for row in results):
+        said.append(_OF_SKY)
+    if any(row.get("nrmse_r1") is not None for row in results):
+        said.append(_OF_LIGHTS)
+    if any(row.get("pace") for row in results):
+        said.append(_OF_PACES)
     if any(row["method"] == "mitsuba" for row in results):
         said.append(
             "mitsuba is a path tracer at rising samples a pixel (spp), at the same size, with the "
@@ -161,9 +203,9 @@ def _notes(rows: Sequence[Result]) -> list[str]:
     notes = _left_out(rows)
     share = next((row["masked_share"] for row in rows if row.get("masked_share") is not None), None)
     if share is not None:
-        notes.append(
-            f"R2 and R3 leave out {100.0 * share:.1f} % of the pixels with a surface; R1 none."
-        )
+        sky = main_of(rows) in references.SKY
+        who, rest = ("S1 and S3", "") if sky else ("R2 and R3", "; R1 none")
+        notes.append(f"{who} leave out {100.0 * share:.1f} % of the pixels with a surface{rest}.")
     worse = worse_than_nothing(rows)
     return [*notes, worse] if worse else notes
 
@@ -185,7 +227,8 @@ def _markdown(results: Sequence[Result], plots: dict[str, str]) -> str:
             "| " + " | ".join(cell.replace("|", "\\|") for cell in _cells(row, columns)) + " |"
             for row in rows
         ]
-        lines += ["", f"R1 | ![R1]({scene}-R1.png)", "---|---"]
+        main = main_of(rows)
+        lines += ["", f"{main} | ![{main}]({scene}-{main}.png)", "---|---"] if main else []
         for row in rows:
             if row.get("image"):
                 lines.append(
@@ -229,12 +272,12 @@ def _html(results: Sequence[Result], plots: dict[str, str]) -> str:
             parts.append(f"<tr>{text}</tr>")
         parts.append("</table>")
         parts.append(
-            "<p>Irradiance, and its difference to R1: red too bright, blue too dark, full colour "
-            "at half the mean.</p><div class='pictures'>"
+            f"<p>Irradiance, and its difference to {main_of(rows) or 'a reference'}: red too "
+            "bright, blue too dark, full colour at half the mean.</p><div class='pictures'>"
         )
         parts += [
             f"<figure><img src='{scene}-{name}.png'><figcaption>{name}</figcaption></figure>"
-            for name in ("R1", "R2", "R3")
+            for name in ("R1", *references.STORED)
             if any(row.get(f"relmse_{name.lower()}") is not None for row in rows)
         ]
         parts += [

@@ -17,6 +17,8 @@ PANELS = {
     "r1": "R1: what the method converges to\n(one bounce, nothing in the way)",
     "r2": "R2: one bounce with true visibility",
     "r3": "R3: all bounces",
+    "s1": "S1: light that comes directly from the sky",
+    "s3": "S3: light of the sky, all bounces",
 }
 _TRACED = {"mitsuba one bounce": ("r2",), "mitsuba all bounces": ("r3",)}
 """The panels in which the path tracer's curves stand: those of what they compute."""

@@ -11,7 +11,7 @@ from typing import Any
 from unittest import mock
 
 import numpy as np
-from support import DirectoryTest, command_line, small_scene, sweep_of, why_no_rendering
+from support import SCENES, DirectoryTest, command_line, small_scene, sweep_of, why_no_rendering
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
@@ -19,6 +19,7 @@ from vtkindirect import (
     RenderError,
     UsageError,
     compare,
+    frames,
     load_scene,
     metrics,
     references,
@@ -60,6 +61,7 @@ class SweepFile(DirectoryTest):
                 {**sweep_of({"method": "gather"}), "path_tracer": {"one_bounce": [4, 8]}},
                 "path_tracer.one_bounce[1]: must be a square, not 8",
             ),
+            (sweep_of({"method": "gather", "pace": "slow"}), "rows[0].pace"),
             ([], "must be an object"),
         )
         for content, expected in cases:
@@ -81,6 +83,15 @@ class SweepFile(DirectoryTest):
         self.assertTrue(found.flicker)
         self.assertEqual(found.path_tracer, {"one_bounce": [], "all_bounces": [4, 16]})
 
+    def test_a_pace_is_of_the_row_and_its_key(self) -> None:
+        rows = self.load(
+            sweep_of(*({"label": pace, "method": "auto", "pace": pace} for pace in frames.PACES))
+        )
+        self.assertEqual([row.pace for row in rows], list(frames.PACES))
+        self.assertEqual(len({row.key() for row in rows}), len(rows))
+        (row,) = self.load(sweep_of({"method": "auto"}))
+        self.assertIsNone(row.pace)
+
     def test_methods_that_are_not_built_are_rows(self) -> None:
         rows = self.load(sweep_of({"method": "a method to come", "settings": {"A": [1, 2]}}))
         self.assertEqual([row.method for row in rows], ["a method to come"] * 2)
@@ -98,6 +109,17 @@ class SmallerReferences(unittest.TestCase):
         self.assertTrue((pairs["R2"][0] == 2.0).all() and pairs["R2"][2].all())
         errors = held.errors(image)
         self.assertEqual((errors["R1"].nrmse, errors["R2"].nrmse), (0.0, 0.0))
+
+    def test_s1_judges_the_sky_and_s3_everything(self) -> None:
+        flat = np.ones((3, 3, 3))
+        everywhere = np.ones((3, 3), dtype=bool)
+        held = references.References(everywhere, {"S1": flat, "S3": 2.0 * flat})
+        self.assertEqual(held.main, "S3")
+        errors = held.errors(2.0 * flat, flat)
+        self.assertEqual((errors["S1"].nrmse, errors["S3"].nrmse), (0.0, 0.0))
+        self.assertEqual(list(held.errors(flat)), ["S3"])
+        self.assertEqual(held.errors(flat)["S3"].bias, -0.5)
+        self.assertIsNone(references.References(everywhere).main)
 
 
 @unittest.skipIf(why_no_rendering() is not None, f"{why_no_rendering()}")
@@ -163,6 +185,32 @@ class Command(DirectoryTest):
             self.assertIn("left out: R3, because", self.said)
             shutil.rmtree(self.directory / "report")
         self.assertEqual(*errors)
+
+    @unittest.skipUnless(wrapped.has("vtkOpenEXRReader"), "vtkIndirectOpenEXR was not built")
+    def test_under_a_sky(self) -> None:
+        """S1 and S3 of the open plane, E = L, at every pace; and what plain VTK has of it."""
+        scene = load_scene(SCENES / "sky_plane.json")
+        camera = scene.renderer.GetActiveCamera()
+        position = camera.GetPosition()
+        run = compare.Run(scene, 2, SCENES.parent / "Reference" / "data")
+        rows = [sweep.Row(pace, "auto", pace=pace) for pace in frames.PACES]
+        with mock.patch.object(frames, "STANDING_SECONDS", 0.1):
+            found = {row["label"]: row for row in run.run(rows, lambda _what: None)}
+        self.assertEqual(list(found), ["vtk", *frames.PACES])
+        self.assertEqual({row["error"] for row in found.values()}, {""})
+        self.assertEqual(camera.GetPosition(), position)
+        self.assertEqual((run.size, run.missing.keys()), ((384, 384), {"R1, R2 and R3"}))
+        for name in ("s1", "s3"):
+            self.assertAlmostEqual(found["vtk"][f"bias_{name}"], -1.0, places=12)
+        for pace in frames.PACES:
+            row = found[pace]
+            self.assertEqual(row["pace"], pace)
+            self.assertGreater(row["first_ms"], 0.0)
+            self.assertGreater(row["frame_ms"], 0.0)
+            # Halves store S1 to 5e-4; 64 directions sum a cosine to 2e-3.
+            self.assertLess(row["nrmse_s1"], 5e-3)
+            self.assertLess(row["nrmse_s3"], 5e-3)
+            self.assertNotIn("nrmse_r1", row)
 
     def test_failing_row_is_a_row_and_the_run_goes_on(self) -> None:
         path = self.write(

@@ -22,7 +22,7 @@ from vtkindirect.frames import Job
 
 WHY_NOT = support.why_no_rendering()
 
-STAGES = {"delegate", "geometry", "rsm", "lights", "estimate", "upsample", "composite"}
+STAGES = {"delegate", "visibility", "geometry", "rsm", "lights", "estimate", "upsample", "composite"}
 
 
 class Times(unittest.TestCase):

@@ -78,7 +78,9 @@ def _times(report: dict[str, Any]) -> Result:
     result["indirect_ms"] = report.get("indirect_ms")
     result["frame_ms"] = report["wall_ms"]["median_ms"]
     result["frame_p95_ms"] = report["wall_ms"]["p95_ms"]
-    result["first_ms"] = report.get("first_ms")
+    for name in ("pace", "first_ms"):
+        if name in report:
+            result[name] = report[name]
     result["virtual_lights"] = report.get("virtual_lights")
     result["bytes"] = report.get("bytes")
     result["shader_hash"] = report.get("shader_hash", "")
@@ -101,7 +103,9 @@ class Run:
             stored = stored / f"{scene.name}.exr"
         self.stored = stored
         self.size = size or references.natural_size(stored) or scene.size
-        self.missing = references.stored_images(stored, self.size)[1]
+        self.missing = references.stored_images(stored, self.size, references.names_of(scene))[1]
+        if scene.environment is not None:
+            self.missing["R1, R2 and R3"] = "they know VTK's lights only, S3 knows the sky as well"
         self.common: Result = {
             "schema": SCHEMA,
             "scene": scene.name,
@@ -125,10 +129,10 @@ class Run:
             raise self._references
         return self._references
 
-    def judge(self, irradiance: np.ndarray) -> Result:
-        """Errors of an image against each reference."""
+    def judge(self, irradiance: np.ndarray, sky: np.ndarray | None = None) -> Result:
+        """Errors of an image against each reference; `sky`: the buffer of that name, for S1."""
         result: Result = {}
-        for name, errors in self.references().errors(irradiance).items():
+        for name, errors in self.references().errors(irradiance, sky).items():
             values = errors.as_dict()
             result.update({f"{metric}_{name.lower()}": values[metric] for metric in METRICS})
         result["masked_share"] = self.references().masked_share()
@@ -137,14 +141,15 @@ class Run:
     def timed(self, row: Row) -> Result:
         """Time a method; its image is in the window afterwards."""
         methods.disable(self.scene.renderer)
-        job = Job(row.method, row.sampler, dict(row.settings), self.count)
+        job = Job(row.method, row.sampler, dict(row.settings), self.count, row.pace)
         return _times(frames.render(self.scene, self.scene.render_window, job))
 
     def nothing(self, row: Row) -> Result:
         """The frame without any pass, and the error of leaving indirect light out."""
         result = self.timed(Row(row.label, "off"))
         result["indirect_ms"] = None
-        result.update(self.judge(np.zeros_like(self.references().images["R1"])))
+        nothing = np.zeros((self.size[1], self.size[0], 3))
+        result.update(self.judge(nothing, nothing))
         return result
 
     def method(self, row: Row) -> Result:
@@ -153,12 +158,15 @@ class Run:
         result = self.timed(row)
         if row.method != "off":
             irradiance = images.copy_buffer(self.scene.renderer, "irradiance")
-            result.update(self.judged(row, irradiance))
+            judges = self.references().images
+            wanted = any(name in references.OF_SKY for name in judges)
+            sky = images.copy_buffer(self.scene.renderer, "sky") if wanted else None
+            result.update(self.judged(row, irradiance, sky))
         return result
 
-    def judged(self, _row: Row, irradiance: np.ndarray) -> Result:
+    def judged(self, _row: Row, irradiance: np.ndarray, sky: np.ndarray | None) -> Result:
         """What a row says of its image."""
-        return self.judge(irradiance)
+        return self.judge(irradiance, sky)
 
     def attempt(self, row: Row, work: Callable[[], Result]) -> Result:
         """Do the work of a row; whatever goes wrong becomes the row's error."""
@@ -225,7 +233,7 @@ def add_arguments(
     parser.add_argument(
         "--reference",
         metavar="PATH",
-        help="an .exr file with the layers R2 and R3, or the directory of SCENE.exr "
+        help="an .exr file with the layers R2 and R3, S1 and S3, or the directory of SCENE.exr "
         "(default: beside the scenes, if there)",
     )
     parser.add_argument(

@@ -3,36 +3,56 @@
 
 from __future__ import annotations
 
+import contextlib
 import statistics
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
 from vtkmodules.vtkCommonCore import vtkVersion
-from vtkmodules.vtkRenderingCore import vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderWindow
 
 from vtkindirect import messages, methods, settings, windows
 from vtkindirect.errors import RenderError
 from vtkindirect.scene import Scene
 
 REPORT_SCHEMA = "vtkindirect.report/1"
-_TURN = 1e-6
-"""Degrees that the camera turns from frame to frame while frames are timed."""
 DELEGATE_ALONE = "the delegate alone"
 """What a report says to be modelled when the pass left the picture to VTK."""
 NO_INDIRECT_LIGHT = "indirect light"
 """What a report says to be left out when there is only direct light."""
 
+PACES = ("moving", "still", "standing")
+"""What the camera does while frames are measured, and how long a frame may take.
+
+moving: it turns around its focal point, at the rate that VTK asks for while somebody drags.
+still: it turns likewise, and each frame is rendered as one of a camera that stands.
+standing: it has turned and stands; the image is that of `STANDING_SECONDS` later.
+In all of them what is kept between frames is there before any is measured, and the last frame has
+the camera where the scene has it.
+"""
+INTERACTIVE_RATE, STILL_RATE = 15.0, 0.0001
+"""Frames a second: vtkRenderWindowInteractor's DesiredUpdateRate and StillUpdateRate by default."""
+TURN = 0.5
+"""Degrees between frames of a camera that turns: a few pixels of a picture of usual size."""
+TINY_TURN = 1e-6
+"""The same of a camera that turns by so little that no pixel changes."""
+STANDING_SECONDS = 2.0
+
 
 @dataclass
 class Job:
-    """What to render: a method, its settings and the number of frames to measure."""
+    """What to render: a method, its settings and the number of frames to measure.
+
+    `pace` is one of `PACES`, or None: the camera turns by so little that no pixel changes.
+    """
 
     method: str = "auto"
     sampler: str | None = None
     settings: dict[str, Any] = field(default_factory=dict)
     frames: int = 1
+    pace: str | None = None
 
     @property
     def all_frames(self) -> int:
@@ -67,6 +87,67 @@ def _timed_render(window: vtkRenderWindow) -> float:
     return 1000.0 * (time.perf_counter() - begin)
 
 
+def _stand() -> Iterator[None]:
+    """Yield before each frame of a camera that stands, for `STANDING_SECONDS`, twice at least."""
+    begin, count = time.perf_counter(), 0
+    while count < 2 or time.perf_counter() - begin < STANDING_SECONDS:
+        yield
+        count += 1
+
+
+def _tiny_turns(scene: Scene, job: Job) -> Iterator[bool]:
+    """Yield before each frame whether it is one to warm up; the last one has the scene's camera."""
+    camera = scene.renderer.GetActiveCamera()
+    place, up = camera.GetPosition(), camera.GetViewUp()
+    for frame in range(job.all_frames):
+        camera.SetPosition(place)
+        camera.SetViewUp(up)
+        left = job.all_frames - 1 - frame
+        if left > 0:
+            camera.Azimuth(TINY_TURN * left)
+        yield job.frames > 1 and frame == 0
+
+
+def _steps(scene: Scene, window: vtkRenderWindow, job: Job) -> Iterator[bool]:
+    """Yield before each frame whether it is one to warm up; the camera is then where it should be.
+
+    Camera and rate are as they were afterwards.
+    """
+    if job.pace is None:
+        yield from _tiny_turns(scene, job)
+        return
+    camera, rate = scene.renderer.GetActiveCamera(), window.GetDesiredUpdateRate()
+    before = vtkCamera()
+    before.DeepCopy(camera)
+
+    def turn(steps: int) -> None:
+        camera.DeepCopy(before)
+        if steps:
+            camera.Azimuth(TURN * steps)
+            camera.OrthogonalizeViewUp()
+
+    try:
+        turn(job.frames + 1)
+        window.SetDesiredUpdateRate(STILL_RATE)
+        for _ in _stand():
+            yield True
+        turn(job.frames)
+        window.SetDesiredUpdateRate(STILL_RATE if job.pace == "still" else INTERACTIVE_RATE)
+        yield True
+        if job.pace == "standing":
+            turn(0)
+            window.SetDesiredUpdateRate(STILL_RATE)
+            for _ in _stand():
+                yield False
+        else:
+            for left in reversed(range(job.frames)):
+                turn(left)
+                yield False
+    finally:
+        camera.DeepCopy(before)
+        window.SetDesiredUpdateRate(rate)
+
+
 def render(
     scene: Scene,
     window: vtkRenderWindow,
@@ -83,23 +164,15 @@ def render(
     indirect = methods.enable(scene.renderer, job.method, job.sampler, **job.settings)
     times: list[float] = []
     first: float | None = None
-    camera = scene.renderer.GetActiveCamera()
-    place, up = camera.GetPosition(), camera.GetViewUp()
-    with messages.capture() as said:
-        for frame in range(job.all_frames):
-            warm_up = job.frames > 1 and frame == 0
+    steps = _steps(scene, window, job)
+    with contextlib.closing(steps), messages.capture() as said:
+        for warm_up in steps:
             if indirect is not None:
                 indirect.SetTiming(not warm_up)
-            camera.SetPosition(place)
-            camera.SetViewUp(up)
-            left = job.all_frames - 1 - frame
-            if left > 0:
-                camera.Azimuth(_TURN * left)
             step("warming up" if warm_up else f"frame {len(times) + 1} of {job.frames}")
             elapsed = _timed_render(window)
-            if warm_up:
-                first = elapsed
-            else:
+            first = elapsed if first is None else first
+            if not warm_up:
                 times.append(elapsed)
             if said.errors:
                 raise RenderError(f"rendering failed: {said.first_error()}")
@@ -126,8 +199,10 @@ def render(
     result.setdefault("method", job.method)
     result.setdefault("frames", job.frames)
     result["wall_ms"] = {"median_ms": median, "p95_ms": p95}
-    if first is not None:
+    if job.frames > 1:
         result["first_ms"] = first
+    if job.pace is not None:
+        result["frames"], result["pace"] = len(times), job.pace
     return result
 
 

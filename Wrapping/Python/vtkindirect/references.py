@@ -5,6 +5,9 @@
   Computed on the spot by vtkRSMReferencePass.
 * R2: one diffuse bounce with true visibility, R3: all bounces; path traced beforehand and stored as
   layers of ``<scene>.exr`` (irradiance in VTK's units, albedo divided out).
+* S1: what comes directly from the sky, which is the buffer ``sky``, S3: that and all bounces of sky
+  and lights; stored likewise. They take the place of the others in scenes with an environment,
+  because R1, R2 and R3 know VTK's lights only and an image holds the light of both.
 
 A stored reference may be smaller than the image it judges, by an odd factor: its pixels are then
 the centres of blocks of pixels, and the very same points are compared.
@@ -13,7 +16,7 @@ the centres of blocks of pixels, and the very same points are compared.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -24,7 +27,12 @@ from vtkindirect import images, messages, methods, metrics, wrapped
 from vtkindirect.errors import RenderError, UsageError
 from vtkindirect.scene import Scene
 
-STORED = ("R2", "R3")
+LIGHTS, SKY = ("R2", "R3"), ("S1", "S3")
+STORED = (*LIGHTS, *SKY)
+MAIN = ("R1", "S3", "S1")
+"""The reference that pictures of differences are made with: the first of these that is there."""
+OF_SKY = ("S1",)
+"""References of the buffer ``sky``; all others are of ``irradiance``."""
 MAP_TEXELS = 256
 """Edge of the maps that make R1; at 128 its own relMSE is below 2e-5."""
 FACTOR = 3
@@ -49,10 +57,22 @@ class References:
             return None
         return 1.0 - float((self.mask & self.surfaces).sum() / self.surfaces.sum())
 
-    def pairs(self, irradiance: np.ndarray) -> Iterator[tuple[str, tuple[np.ndarray, ...]]]:
-        """For each reference its name, and image, reference and mask at the reference's pixels."""
+    @property
+    def main(self) -> str | None:
+        """The name of the reference that pictures of differences are made with."""
+        return next((name for name in MAIN if name in self.images), None)
+
+    def pairs(
+        self, irradiance: np.ndarray, sky: np.ndarray | None = None
+    ) -> Iterator[tuple[str, tuple[np.ndarray, ...]]]:
+        """For each reference its name, and image, reference and mask at the reference's pixels.
+
+        `sky` is the buffer of that name; without it nothing is compared with S1.
+        """
         for name, reference in self.images.items():
-            image, mask = irradiance, self.mask
+            image, mask = sky if name in OF_SKY else irradiance, self.mask
+            if image is None:
+                continue
             if name == "R1" and self.surfaces is not None:
                 mask = self.surfaces
             factor = image.shape[0] // reference.shape[0]
@@ -61,9 +81,16 @@ class References:
                 image, mask = image[centre, centre], mask[centre, centre]
             yield name, (image, reference, mask)
 
-    def errors(self, irradiance: np.ndarray) -> dict[str, metrics.Errors]:
-        """Errors of an image against each reference that is there, by its name."""
-        return {name: metrics.compare(*pair) for name, pair in self.pairs(irradiance)}
+    def errors(
+        self, irradiance: np.ndarray, sky: np.ndarray | None = None
+    ) -> dict[str, metrics.Errors]:
+        """Errors of an image against each reference that is there, by its name; as for `pairs`."""
+        return {name: metrics.compare(*pair) for name, pair in self.pairs(irradiance, sky)}
+
+
+def names_of(scene: Scene) -> tuple[str, ...]:
+    """Return the stored references that judge images of a scene."""
+    return SKY if scene.environment is not None else LIGHTS
 
 
 def r1(scene: Scene) -> np.ndarray:
@@ -119,16 +146,16 @@ def natural_size(stored: Path | None) -> tuple[int, int] | None:
 
 
 def stored_images(
-    stored: Path | None, size: tuple[int, int]
+    stored: Path | None, size: tuple[int, int], names: Sequence[str] = LIGHTS
 ) -> tuple[dict[str, np.ndarray], dict[str, str]]:
-    """R2 and R3 of the EXR file `stored`, for images of `size`, and why those are missing that are.
+    """Layers of the EXR file `stored`, for images of `size`, and why those are missing that are.
 
     A file is of no use when its size does not divide the image's by the same odd number, because no
     pixel centres would coincide.
     """
     found: dict[str, np.ndarray] = {}
     missing: dict[str, str] = {}
-    for name in STORED:
+    for name in names:
         if stored is None or not stored.exists():
             missing[name] = "there is no stored reference"
             continue
@@ -151,9 +178,9 @@ def stored_images(
 def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> References:
     """All references of a scene at an image size of (width, height) pixels.
 
-    `stored` is the EXR file with R2 and R3, or None.
+    `stored` is the EXR file with the stored ones, or None.
     """
-    first = r1(scene)
+    first = {"R1": r1(scene)} if scene.environment is None else {}
     methods.enable(scene.renderer, "gather", NumberOfLights=1)
     try:
         scene.render_window.Render()
@@ -161,6 +188,6 @@ def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> Referen
         normal = images.copy_buffer(scene.renderer, "normal")
     finally:
         methods.disable(scene.renderer)
-    images_found, missing = stored_images(stored, size)
+    images_found, missing = stored_images(stored, size, names_of(scene))
     surfaces = np.linalg.norm(normal, axis=-1) > 0.5
-    return References(receivers, {"R1": first, **images_found}, missing, surfaces)
+    return References(receivers, {**first, **images_found}, missing, surfaces)

@@ -8,7 +8,8 @@ A sweep file is one JSON object of the format ``vtkindirect.sweep/1``::
 
 A list of values stands for one row each; several lists make every combination, the last one varying
 fastest. Optional keys of a row: ``sampler``, ``label`` (default: the method and what the lists
-chose). Optional keys of the sweep: ``flicker`` (true: also along a path of the camera),
+chose), ``pace`` (one of `frames.PACES`: what the camera does meanwhile; default: it stands, and
+nothing is reused between frames). Optional keys of the sweep: ``flicker`` (true: also along a path of the camera),
 ``path_tracer`` (samples a pixel for each of its curves, {"one_bounce": […], "all_bounces": […]}).
 """
 
@@ -36,10 +37,12 @@ class Row:
     method: str
     sampler: str | None = None
     settings: dict[str, Any] = field(default_factory=dict)
+    pace: str | None = None
 
     def key(self) -> str:
         """Return text that only this row has."""
-        return json.dumps([self.method, self.sampler, self.settings], sort_keys=True)
+        paced = [] if self.pace is None else [self.pace]
+        return json.dumps([self.method, self.sampler, self.settings, *paced], sort_keys=True)
 
 
 @dataclass(frozen=True)
@@ -70,7 +73,10 @@ def _expand(entry: dict[str, Any]) -> list[Row]:
     for choice in itertools.product(*lists.values()):
         chosen = dict(zip(lists, choice))
         words = [entry.get("label", method), *(f"{n}={_text(v)}" for n, v in chosen.items())]
-        rows.append(Row(" ".join(words), method, entry.get("sampler"), {**settings, **chosen}))
+        settings_of_row = {**settings, **chosen}
+        rows.append(
+            Row(" ".join(words), method, entry.get("sampler"), settings_of_row, entry.get("pace"))
+        )
     return rows
 
 
