@@ -122,6 +122,7 @@ def _steps(scene: Scene, window: vtkRenderWindow, job: Job) -> Iterator[bool]:
 
     def turn(steps: int) -> None:
         camera.DeepCopy(before)
+        camera.Modified()  # a copy alone leaves VTK drawing with the matrices that it has
         if steps:
             camera.Azimuth(TURN * steps)
             camera.OrthogonalizeViewUp()
@@ -144,7 +145,7 @@ def _steps(scene: Scene, window: vtkRenderWindow, job: Job) -> Iterator[bool]:
                 turn(left)
                 yield False
     finally:
-        camera.DeepCopy(before)
+        turn(0)
         window.SetDesiredUpdateRate(rate)
 
 
