@@ -36,8 +36,8 @@ DEMOS = ("cornell_box", "room_fire", "apartment_living", "frog", "protein", "bra
 # Small procedural scenes, each of one thing that is hard for some method.
 HARD = ("contact_corner", "grazing_light", "two_rooms", "folded_sheet", "many_objects")
 
-# Scenes under a sky: a thing as it is, and four whose answer is known.
-SKY = ("sky_machine",)
+# Scenes under a sky: things as they are, and four whose answer is known.
+SKY = ("sky_machine", "sky_statue", "sky_terrain", "sky_courtyard")
 SKY_KNOWN = ("sky_plane", "sky_wall", "sky_disk", "sky_groove")
 
 SCENES = (*DEMOS, *HARD, *SKY, *SKY_KNOWN)
