@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenes as people look at them, made of those of Testing/Scenes: other camera, background, lights.
+
+`Shot.load` gives a scene for the public API; nothing of a scene file is written down twice.
+"""
+
+from __future__ import annotations
+
+import inspect
+import json
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import vtkindirect
+from vtkmodules.vtkRenderingCore import vtkRenderer
+
+SCENES = Path(__file__).resolve().parent.parent / "Scenes"
+WHITE = (1.0, 1.0, 1.0)
+SIZE = (400, 300)
+
+Values = dict[str, Any]
+LIGHT_KIT: Values = {"type": "light_kit"}
+
+HAS_LIGHTING = "lighting" in inspect.signature(vtkindirect.enable).parameters
+NO_LIGHTING = "`vtkindirect.enable` of this version has no `lighting`"
+
+
+class Skipped(Exception):
+    """Something that this version cannot show; the text says why."""
+
+
+@dataclass(frozen=True)
+class Shot:
+    """A scene file with changes.
+
+    `without`: names of its actors to leave out. `ground`: what the object stands on. `changes` take
+    the place of its keys. `sun`: the direction in which light of a single sun travels. `lighting`:
+    the preset that suits it.
+    """
+
+    title: str
+    scene: str
+    sun: tuple[float, float, float]
+    without: tuple[str, ...] = ()
+    ground: tuple[str, ...] = ()
+    changes: Values = field(default_factory=dict)
+    lights: tuple[Values, ...] = (LIGHT_KIT,)
+    lighting: str = "scene"
+
+    def document(self) -> Values:
+        """The scene file with its changes; paths of data files are whole."""
+        path = SCENES / f"{self.scene}.json"
+        values = json.loads(path.read_text(encoding="utf-8"))
+        values |= {"background": WHITE, "size": SIZE, "lights": self.lights, **self.changes}
+        values["actors"] = [
+            actor for actor in values["actors"] if actor.get("name") not in self.without
+        ]
+        for part in (*values["actors"], *values["lights"]):
+            if "file" in part:
+                part["file"] = str((SCENES / part["file"]).resolve())
+        return json.loads(json.dumps(values))
+
+    def load(self, lights: tuple[Values, ...] | None = None, **changes: Any) -> vtkindirect.Scene:
+        """The scene; `lights` in place of its own, and further changes."""
+        values = self.document() | changes
+        if lights is not None:
+            values["lights"] = lights
+        with tempfile.TemporaryDirectory(prefix="vtkindirect-") as name:
+            path = Path(name) / "shot.json"
+            path.write_text(json.dumps(values), encoding="utf-8")
+            return vtkindirect.load_scene(path)
+
+    def alone(self) -> Shot:
+        """The same without what the object stands on."""
+        return replace(self, without=(*self.without, *self.ground))
+
+    def one_sun(self) -> tuple[Values, ...]:
+        """A single parallel light and nothing else."""
+        return ({"type": "directional", "direction": self.sun},)
+
+
+def _isosurface(value: float, color: tuple[float, float, float]) -> Values:
+    """A surface of VTK's wavelet."""
+    return {
+        "name": f"{value:g}",
+        "source": {"vtkRTAnalyticSource": {}},
+        "pipeline": [{"contour": {"array": "RTData", "value": value}}],
+        "color": color,
+    }
+
+
+SHOTS = {
+    "molecule": Shot(
+        "A protein, atoms coloured by chain",
+        "protein",
+        (-0.6, -0.7, -0.4),
+        without=("ground", "wall", "back"),
+        changes={
+            "camera": {
+                "position": [78, 40, 165], "focal_point": [47, 6, 10], "view_angle": 26
+            }
+        },
+        lighting="soft",
+    ),
+    "isosurfaces": Shot(
+        "Isosurfaces of a wavelet",
+        "cornell_box",
+        (-0.5, -0.8, -0.4),
+        changes={
+            "camera": {"position": [25, 18, 38], "focal_point": [0, -1, 0], "view_angle": 36},
+            "actors": [
+                _isosurface(110.0, (0.3, 0.5, 0.85)),
+                _isosurface(160.0, (0.9, 0.75, 0.3)),
+                _isosurface(210.0, (0.85, 0.3, 0.2)),
+            ],
+        },
+        lighting="full",
+    ),
+    "machine": Shot(
+        "A machine part",
+        "sky_machine",
+        (-0.6, -0.7, -0.4),
+        ground=("table",),
+        lighting="full",
+    ),
+    "terrain": Shot(
+        "A terrain under sky and sun",
+        "sky_terrain",
+        (0.7, -0.6, -0.3),
+        changes={
+            "camera": {"position": [2.0, 9.0, 11.5], "focal_point": [0.1, 0, 0.4], "view_angle": 32}
+        },
+        lights=(
+            {
+                "type": "directional", "direction": (0.7, -0.6, -0.3),
+                "color": (1.0, 0.93, 0.8), "intensity": 1.1,
+            },
+            {"type": "environment", "radiance": (0.25, 0.34, 0.5)},
+        ),
+    ),
+    "brain": Shot(
+        "A brain, the contour of an MRI",
+        "brain",
+        (0.5, -0.6, -0.6),
+        without=("ground", "wall"),
+        changes={
+            "camera": {
+                "position": [-215, 340, 180], "focal_point": [92, 105, 72], "view_up": [0, 0, 1],
+                "view_angle": 24,
+            }
+        },
+        lighting="soft",
+    ),
+    "apartment": Shot(
+        "A flat at noon, its roof cut away",
+        "apartment_living",
+        (0.35, -0.8, -0.45),
+        changes={
+            "camera": {
+                "position": [6.9, 17.5, 14.5], "focal_point": [5.85, 0.3, 4.25], "view_angle": 28
+            },
+            "actors": [
+                {
+                    "name": "flat",
+                    "file": "../Data/apartment_2BedroomApartment.vtp",
+                    "pipeline": [
+                        {"threshold": {"array": "is_light", "upper": 0}},
+                        {"clip": {"origin": [0, 2.0, 0], "normal": [0, -1, 0]}},
+                    ],
+                }
+            ],
+        },
+        lights=(
+            {
+                "type": "directional", "direction": (0.35, -0.8, -0.45),
+                "color": (1.0, 0.95, 0.86), "intensity": 0.8,
+            },
+            {"type": "environment", "radiance": (0.3, 0.36, 0.45)},
+        ),
+    ),
+}  # fmt: skip
+
+
+def enable(scene: vtkindirect.Scene, lighting: str) -> None:
+    """Switch the pass on with a preset; raises `Skipped` where there are none.
+
+    `scene`, the lights as they are, is what a version without presets has.
+    """
+    if HAS_LIGHTING:
+        vtkindirect.enable(scene, lighting=lighting)
+    elif lighting == "scene":
+        vtkindirect.enable(scene)
+    else:
+        raise Skipped(NO_LIGHTING)
+
+
+@contextmanager
+def lights_kept(renderer: vtkRenderer) -> Iterator[None]:
+    """Whatever is done to the lights of a renderer meanwhile is undone."""
+    lights = renderer.GetLights()
+    kept = [lights.GetItemAsObject(index) for index in range(lights.GetNumberOfItems())]
+    states = [(light.GetSwitch(), light.GetIntensity()) for light in kept]
+    try:
+        yield
+    finally:
+        renderer.RemoveAllLights()
+        for light, (switch, intensity) in zip(kept, states):
+            light.SetSwitch(switch)
+            light.SetIntensity(intensity)
+            renderer.AddLight(light)
