@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Puts comparisons and benchmarks into the documentation: publish.py REPORTS [DOCUMENTATION].
 
-REPORTS is the directory that Testing/Benchmark/report fills: ``all``, ``hints`` and ``occupancy`` are
-comparisons by ``comparison.py``, ``*.md`` are tables that benchmarks printed.
+REPORTS is the directory that Testing/Benchmark/report fills: ``all``, ``hints``, ``occupancy`` and
+``sky`` are comparisons by ``comparison.py``, ``*.md`` are tables that benchmarks printed.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ Regenerate this page and its siblings with one command, which also writes differ
 """
 
 ALL = """
-Siblings: [radiance hints and their paper](speed-vs-error/hints.md), [occupancy](speed-vs-error/occupancy.md),
-[multiresolution splatting and hints against the gather, SSAO and their papers](speed-vs-error/benchmarks.md).
+Siblings: [light from the sky](speed-vs-error/sky.md), [radiance hints and their paper](speed-vs-error/hints.md),
+[occupancy](speed-vs-error/occupancy.md), [multiresolution splatting and hints against the gather, SSAO and their papers](speed-vs-error/benchmarks.md).
 
 How to read it: times are of a camera that turns in a scene that stands still; first ms is the frame that makes what
 later ones keep (light maps, depth maps, hints, shaders). R1 is what a method without visibility (-open, and the
@@ -54,6 +54,12 @@ paper's Table 2, and with single properties changed; nothing is reused between f
 OCCUPANCY = """
 The estimators that sum over virtual lights, without and with voxels that hide senders from receivers; see
 [occupancy](../methods/occupancy.md). relMSE R2 and leak R2 are what it is for.
+"""
+
+SKY = """
+Scenes under a sky: a machine part and a statue under one that is the same everywhere, a terrain under a blue one with
+a sun of 2 degrees, a courtyard with a lamp under an evening sky that is warm at the horizon, and four whose answer is a
+closed form. See [depth maps](../methods/depth-maps.md) for how it is done, [references](../reference.md) for S1 and S3.
 """
 
 BENCHMARKS = """# Benchmarks
@@ -96,6 +102,13 @@ PAGES = {
         "occupancy-",
         OCCUPANCY,
     ),
+    "sky": Page(
+        "speed-vs-error/sky.md",
+        "Speed against error: light from the sky",
+        "speed-vs-error/sky-",
+        "sky-",
+        SKY,
+    ),
 }
 
 
@@ -113,8 +126,9 @@ def publish(report: Path, page: Page, documentation: Path) -> None:
             shutil.copy(report / f"{scene}.png", documentation / f"{page.figures}{scene}.png")
     table = f"The rows with all their columns: [rows.csv]({page.link}rows.csv)."
     preface = "\n\n".join(text.strip() for text in (HOW, table, page.preface))
-    if report.name == "hints":
-        preface += "\n\n" + equals(results)
+    summaries = {"hints": equals, "sky": light_from_the_sky}
+    if report.name in summaries:
+        preface += "\n\n" + summaries[report.name](results)
     lines: list[str] = []
     for line in (report / "index.md").read_text(encoding="utf-8").splitlines():
         if " | ![" in line or line == "---|---":
@@ -162,6 +176,55 @@ def equals(results: list[dict[str, Any]]) -> str:
     return "\n".join(lines)
 
 
+_SKY_COLUMNS = (
+    ("frame ms", "frame_ms", "{:.0f}"),
+    ("indirect ms", "indirect_ms", "{:.0f}"),
+    ("over what SSAO adds", "over_ssao", "{:.2f}"),
+    ("first ms", "first_ms", "{:.0f}"),
+    ("nRMSE S1", "nrmse_s1", "{:.3f}"),
+    ("bias S1", "bias_s1", "{:+.3f}"),
+    ("relMSE S1", "relmse_s1", "{:.4f}"),
+    ("nRMSE S3", "nrmse_s3", "{:.3f}"),
+    ("bias S3", "bias_s3", "{:+.3f}"),
+    ("relMSE S3", "relmse_s3", "{:.4f}"),
+)
+
+
+def light_from_the_sky(results: list[dict[str, Any]]) -> str:
+    """A table of moving and still frames under a sky: time, and error to S1 and S3 in its row."""
+    lines = [
+        "## Light from the sky",
+        "",
+        "Defaults, at the pace of each row; plain VTK's row is the frame and the error without any "
+        "light of the sky. Indirect: all that the pass adds to surfaces, light maps and VTK's own "
+        "light.",
+        "",
+        "| scene | frame | " + " | ".join(title for title, _, _ in _SKY_COLUMNS) + " |",
+        "|---|---|" + "---:|" * len(_SKY_COLUMNS),
+    ]
+    for scene in dict.fromkeys(row["scene"] for row in results):
+        rows = [row for row in results if row["scene"] == scene]
+        plain, occluded = (
+            next((row.get("frame_ms") or 0.0 for row in rows if row["method"] == name), 0.0)
+            for name in ("vtk", "ssao")
+        )
+        added = occluded - plain if plain and occluded else 0.0
+        for row in rows:
+            if not (row.get("pace") or row["method"] == "vtk"):
+                continue
+            values = dict(row)
+            if added > 0.0 and row.get("indirect_ms"):
+                values["over_ssao"] = row["indirect_ms"] / added
+            cells = [
+                form.format(values[key]) if values.get(key) is not None else ""
+                for _, key, form in _SKY_COLUMNS
+            ]
+            if row.get("error"):
+                cells = [f"failed: {row['error']}".replace("|", "\\|"), *[""] * (len(cells) - 1)]
+            lines.append(f"| {scene} | {row['label']} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
 def mixed(results: list[dict[str, Any]]) -> str:
     """What differs between rows that one run has made; empty: nothing."""
     for name in ("commit", "shader_hash", "vtk", "gl"):
@@ -184,8 +247,9 @@ def main() -> int:
     reports = Path(sys.argv[1]) if len(sys.argv) in (2, 3) else Path()
     missing = [name for name in PAGES if not (reports / name / "rows.json").is_file()]
     if len(sys.argv) not in (2, 3) or missing:
-        print("usage: publish.py REPORTS [DOCUMENTATION] (REPORTS/all, hints and occupancy have "
-              "rows.json)", file=sys.stderr)  # fmt: skip
+        names = ", ".join(PAGES)
+        print(f"usage: publish.py REPORTS [DOCUMENTATION] (each of REPORTS/{{{names}}} has rows.json)",
+              file=sys.stderr)  # fmt: skip
         return 2
     every = [row for name in PAGES for row in read(reports / name)]
     if mixed(every):

@@ -209,6 +209,40 @@ class WhatTheTextNames(unittest.TestCase):
         self.assertNotIn("paper 4", text)
 
 
+class LightFromTheSky(unittest.TestCase):
+    """The table of frames under a sky."""
+
+    def test_time_and_error_are_in_one_row(self) -> None:
+        common = {"scene": "s", "error": ""}
+        rows = [
+            {**common, "label": "vtk", "method": "vtk", "frame_ms": 10.0, "nrmse_s1": 1.0},
+            {**common, "label": "ssao", "method": "ssao", "frame_ms": 110.0},
+            {**common, "label": "moving", "method": "auto", "pace": "moving", "frame_ms": 80.0,
+             "indirect_ms": 50.0, "first_ms": 900.0, "nrmse_s1": 0.125, "bias_s1": -0.01,
+             "relmse_s1": 0.02, "nrmse_s3": 0.25, "bias_s3": -0.1, "relmse_s3": 0.05},
+            {**common, "label": "still", "method": "auto", "pace": "still", "error": "a | b"},
+        ]
+        lines = publish.light_from_the_sky(rows).splitlines()
+        self.assertIn(
+            "| s | moving | 80 | 50 | 0.50 | 900 | 0.125 | -0.010 | 0.0200 | 0.250 | -0.100 "
+            "| 0.0500 |",
+            lines,
+        )
+        self.assertIn("| s | vtk | 10 |  |  |  | 1.000 |  |  |  |  |  |", lines)
+        self.assertTrue(lines[-1].startswith("| s | still | failed: a \\| b |"))
+        self.assertFalse(any("ssao" in line for line in lines))
+
+    def test_the_page_says_what_judges(self) -> None:
+        row = {"scene": "s", "width": 3, "height": 3, "frames": 10, "vtk": "9", "missing": {},
+               "label": "moving", "method": "auto", "pace": "moving", "error": "",
+               "nrmse_s1": 0.5, "nrmse_s3": 0.25, "masked_share": 0.5}  # fmt: skip
+        text = page._markdown([row], {})
+        self.assertIn("S3 | ![S3](s-S3.png)", text)
+        self.assertIn("S1 and S3 leave out 50.0 %", text)
+        self.assertIn("| moving |", text)
+        self.assertNotIn("R1", text)
+
+
 class ReferenceEnvironment(DirectoryTest):
     """Which Python is taken, and what is said when there is none."""
 
