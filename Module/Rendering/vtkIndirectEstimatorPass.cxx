@@ -101,6 +101,7 @@ vtkIndirectAbilities vtkIndirectEstimatorPass::GetAbilities(double tolerance) co
   abilities.Occupancy = this->Occupancy;
   abilities.TakesLightMaps = this->TakesLightMaps();
   abilities.IgnoresVisibility = this->IgnoresVisibility();
+  abilities.ReadsMaps = this->ReadsMaps();
   abilities.ErrorTolerance = this->FindErrorTolerance(tolerance);
   return abilities;
 }

@@ -105,6 +105,13 @@ public:
   {
     return false;
   }
+  /** Whether it sums texels of the lights' maps where there are such, and nothing else. Default:
+   * no.
+   */
+  virtual bool ReadsMaps() const
+  {
+    return false;
+  }
   /** What it needs of the visibility stage. Default: what the plan has chosen. */
   virtual vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const;
   /**

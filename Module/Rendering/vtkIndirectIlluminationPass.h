@@ -73,8 +73,9 @@ public:
   ///@{
   /**
    * Light from all around. Default null: none. Its direct part is summed over directions that are
-   * fixed in the world, hidden by depth maps of the scene, and stands in the buffer `sky`; a frame
-   * with an environment needs no vtkLight.
+   * fixed in the world, hidden by depth maps of the scene, and stands in the buffer `sky`; what
+   * surfaces reflect of it is summed with what they reflect of lights (`bounce`). A frame with an
+   * environment needs no vtkLight.
    */
   virtual void SetEnvironment(vtkEnvironmentLight* environment);
   vtkGetObjectMacro(Environment, vtkEnvironmentLight);

@@ -93,6 +93,10 @@ public:
   {
     return this->Settings.Mode == VIRTUAL_LIGHTS;
   }
+  bool ReadsMaps() const override
+  {
+    return this->Settings.Mode == NEIGHBORHOOD;
+  }
   vtkIndirectEstimate Estimate(const Input& input) override;
   size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;

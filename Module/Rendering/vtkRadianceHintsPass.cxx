@@ -210,6 +210,12 @@ vtkVirtualLightSampler* vtkRadianceHintsPass::ChooseSampler(
 }
 
 //------------------------------------------------------------------------------
+bool vtkRadianceHintsPass::ReadsMaps() const
+{
+  return !this->Internal->Details.Dense;
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectVisibilityNeeds vtkRadianceHintsPass::GetVisibilityNeeds(
   const vtkIndirectPlan& plan) const
 {

@@ -158,6 +158,7 @@ public:
   vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
   vtkVirtualLightSampler* ChooseSampler(
     vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
+  bool ReadsMaps() const override;
   vtkIndirectEstimate Estimate(const Input& input) override;
   size_t GetBytes() const override;
   size_t GetMainMemoryBytes() const override;

@@ -294,6 +294,44 @@ VTK_INDIRECT_TEST(PlanUnit)
   CheckEqual("no light", unit(MakeFrame({ MakeLight(0.0) })), 1.0);
 }
 
+// Surfaces send what the sky gives them, with lights and without.
+VTK_INDIRECT_TEST(PlanSky)
+{
+  const std::string bounces = "bounces of light from the sky";
+  vtkIndirectCircumstances sky;
+  sky.Environment = true;
+  sky.EnvironmentIrradiance = 3.0;
+  vtkIndirectPlan plan = vtkIndirectPlan::Make(MakeFrame({}), {}, {}, sky);
+  CheckEqual("senders of a sky alone", plan.Senders, vtkIndirectPlan::NO_SENDERS);
+  Check("it is reflected", plan.Sky && plan.SkyBounces && plan.Irradiance);
+  Check("nothing of it is left out", Find(plan.LeftOut, bounces).empty());
+  CheckEqual("its unit", plan.IrradianceUnit, 4.0);
+  plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight(20.0) }), {}, {}, sky);
+  Check("beside a light", plan.SkyBounces && plan.Senders == vtkIndirectPlan::MAPS);
+  CheckEqual("the stronger's unit", plan.IrradianceUnit, 32.0);
+  plan = vtkIndirectPlan::Make(MakeFrame({ MakeHeadlight() }), {}, {}, sky);
+  Check("beside a headlight", plan.SkyBounces && plan.Senders == vtkIndirectPlan::EYE);
+  plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight(0.0) }), {}, {}, sky);
+  Check("beside a dark light", plan.SkyBounces && plan.Irradiance);
+
+  vtkIndirectAbilities reader;
+  reader.Name = "it";
+  reader.ReadsMaps = true;
+  plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, reader, sky);
+  Check("not by an estimator that reads the lights' maps",
+    plan.Sky && !plan.SkyBounces && Find(plan.LeftOut, bounces).find("it reads") == 0);
+  CheckEqual("then its unit is the light's", plan.IrradianceUnit, 1.0);
+  Check("which has none where there are no maps",
+    vtkIndirectPlan::Make(MakeFrame({}), {}, reader, sky).SkyBounces);
+
+  vtkIndirectSettings settings;
+  settings.IndirectScale = 0.0;
+  plan = vtkIndirectPlan::Make(MakeFrame({}), settings, {}, sky);
+  Check("not where IndirectScale is 0", !plan.Sky && !plan.SkyBounces && !plan.Irradiance);
+  Check(
+    "not without a sky", !vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, {}, {}).SkyBounces);
+}
+
 VTK_INDIRECT_TEST(PlanKeys)
 {
   const vtkIndirectFrame frame = MakeFrame({ MakeLight() });

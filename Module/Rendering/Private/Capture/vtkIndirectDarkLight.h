@@ -8,6 +8,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkRenderer.h"
 
 class vtkIndirectDarkLight
@@ -22,6 +23,12 @@ public:
       this->Light->SetLightTypeToSceneLight();
       // Not by the renderer, for whom nothing changes.
       this->Renderer->GetLights()->AddItem(this->Light);
+      // Mappers that draw before the eye's lights pass shall know it, too.
+      auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
+      if (renderer)
+      {
+        renderer->UpdateLights();
+      }
     }
   }
   ~vtkIndirectDarkLight()

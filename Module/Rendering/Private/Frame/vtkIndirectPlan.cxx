@@ -43,10 +43,11 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
 
   plan.FindSenders(frame);
   plan.FindVisibility(settings, estimator);
-  plan.FindSky(settings, circumstances);
-  plan.FindUnit(frame);
+  plan.FindSky(settings, estimator, circumstances);
+  plan.FindUnit(frame, circumstances);
   plan.Shadows = settings.Shadows && plan.Senders == MAPS;
-  const bool sent = plan.Senders != NO_SENDERS || circumstances.NumberOfOtherEmitters > 0;
+  const bool sent =
+    plan.Senders != NO_SENDERS || plan.SkyBounces || circumstances.NumberOfOtherEmitters > 0;
   plan.WhyNoIrradiance = settings.IndirectScale == 0.0 ? "IndirectScale is 0"
     : !sent                                            ? "no light emits anything"
                                                        : "";
@@ -114,8 +115,8 @@ void vtkIndirectPlan::FindVisibility(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPlan::FindSky(
-  const vtkIndirectSettings& settings, const vtkIndirectCircumstances& circumstances)
+void vtkIndirectPlan::FindSky(const vtkIndirectSettings& settings,
+  const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances)
 {
   this->Sky = circumstances.Environment && settings.IndirectScale > 0.0;
   this->SkyIsShadowed = settings.Visibility != vtkIndirectVisibilityNone;
@@ -123,8 +124,12 @@ void vtkIndirectPlan::FindSky(
   {
     return;
   }
-  this->LeftOut.emplace_back(
-    "bounces of light from the sky", "surfaces do not reflect it further; the result is too dark");
+  this->SkyBounces = !estimator.ReadsMaps || this->Senders == NO_SENDERS;
+  if (!this->SkyBounces)
+  {
+    this->LeftOut.emplace_back("bounces of light from the sky",
+      estimator.Name + " reads the lights' maps, and nothing beside them; the result is too dark");
+  }
   if (!this->SkyIsShadowed)
   {
     this->LeftOut.emplace_back(
@@ -133,11 +138,13 @@ void vtkIndirectPlan::FindSky(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPlan::FindUnit(const vtkIndirectFrame& frame)
+void vtkIndirectPlan::FindUnit(
+  const vtkIndirectFrame& frame, const vtkIndirectCircumstances& circumstances)
 {
   // What the strongest light gives a surface that faces it in the middle of the scene, so that 1e-7
-  // to 65504 times that can be stored.
-  double unit = 0.0;
+  // to 65504 times that can be stored. Of a sky's light some surface may
+  // have a quarter or more.
+  double unit = this->SkyBounces ? circumstances.EnvironmentIrradiance : 0.0;
   for (const vtkIndirectLight& light : frame.Lights)
   {
     const double color = std::max({ light.Color.x, light.Color.y, light.Color.z });
@@ -202,7 +209,7 @@ std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) cons
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
     static_cast<double>(frame.Size[1]), static_cast<double>(this->Senders),
     static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
-    this->ErrorTolerance, this->Sky ? 1.0 : 0.0 };
+    this->ErrorTolerance, this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0 };
   frame.AppendTo(key);
   return key;
 }

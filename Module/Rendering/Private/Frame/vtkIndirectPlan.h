@@ -23,6 +23,8 @@ struct vtkIndirectAbilities
   bool Occupancy = false;         // asks for voxels where the user has chosen nothing
   bool TakesLightMaps = false;    // can look visibility up in a map of each virtual light
   bool IgnoresVisibility = false; // where the user has chosen nothing
+  /** Sums the texels of lights' maps, where there are such, and no virtual lights beside them. */
+  bool ReadsMaps = false;
   /** The tolerance that its parameters follow when so much is asked for; 0: none does. */
   double ErrorTolerance = 0.0;
 };
@@ -34,6 +36,8 @@ struct vtkIndirectCircumstances
   std::string DelegateIsRefused; // why no surfaces can be had of it; empty: they can
   int NumberOfOtherEmitters = 0; // sources of light that are no vtkLight
   bool Environment = false;      // light comes from all around
+  /** VTK irradiance of a surface that all of its light would fall on at a right angle. */
+  double EnvironmentIrradiance = 0.0;
   std::string OtherAntialiasing; // what antialiases the picture after the pass; empty: nothing
   /** What the window gives a frame: 1 / DesiredUpdateRate, by default that of a still picture. */
   double FrameSeconds = 10000.0;
@@ -70,6 +74,7 @@ struct vtkIndirectPlan
   int NumberOfSkyDirections = 256;
   int SkyTileTexels = 128;
   ///@}
+  bool SkyBounces = false; // surfaces send what the environment gives them
   ///@{
   /** The time that there is for the frame; whether another is awaited, as while a camera turns. */
   double FrameSeconds = 10000.0;
@@ -116,8 +121,9 @@ struct vtkIndirectPlan
 private:
   void FindSenders(const vtkIndirectFrame& frame);
   void FindVisibility(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
-  void FindSky(const vtkIndirectSettings& settings, const vtkIndirectCircumstances& circumstances);
-  void FindUnit(const vtkIndirectFrame& frame);
+  void FindSky(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
+    const vtkIndirectCircumstances& circumstances);
+  void FindUnit(const vtkIndirectFrame& frame, const vtkIndirectCircumstances& circumstances);
   void LeaveOut(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
 };
 

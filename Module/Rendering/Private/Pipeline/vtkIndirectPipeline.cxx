@@ -11,9 +11,26 @@
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkMapLightSampler.h"
+#include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace
+{
+// What falls on a surface that all of an environment's light reaches at a right angle.
+double SumIrradiance(vtkEnvironmentLight* environment)
+{
+  glm::dvec3 sum(0.0);
+  for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+  {
+    sum += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
+  }
+  return std::max({ sum.x, sum.y, sum.z }) / vtkMath::Pi();
+}
+}
 
 //------------------------------------------------------------------------------
 void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& request)
@@ -26,7 +43,9 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   this->Frame.Build(s);
   vtkIndirectCircumstances circumstances = request.Circumstances;
   circumstances.NumberOfOtherEmitters = static_cast<int>(this->OtherSamplers.size());
-  circumstances.Environment = request.Environment && !request.Environment->GetCells().empty();
+  circumstances.EnvironmentIrradiance =
+    request.Environment ? SumIrradiance(request.Environment) : 0.0;
+  circumstances.Environment = circumstances.EnvironmentIrradiance > 0.0;
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
     request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
 }
@@ -52,6 +71,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     drawn = this->Maps->Update(this->Frame, this->Plan, this->Capture);
     this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
   }
+  drawn = drawn && this->UpdateSkyMaps(request);
   this->Timer.Begin(vtkIndirectStageTimer::Geometry);
   vtkIndirectShadowMaps shadows;
   const bool shadowed = drawn && this->Plan.Shadows;
@@ -69,6 +89,21 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   this->Timer.End(vtkIndirectStageTimer::Geometry);
   this->Capture->Detach();
   return drawn && !this->IsRedirected();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
+{
+  if (!this->Plan.SkyBounces)
+  {
+    this->SkySampler->ReleaseGraphicsResources(this->Frame.Window);
+    return true;
+  }
+  this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
+  const bool drawn =
+    this->SkySampler->DrawMaps(this->Frame, this->Plan, this->Capture, request.Environment);
+  this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
+  return drawn;
 }
 
 //------------------------------------------------------------------------------
@@ -94,6 +129,7 @@ void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
 {
   this->Samplers.clear();
   vtkVirtualLightSampler* sampler = this->Estimator->ChooseSampler(users, this->Plan);
+  this->SkySampler->SetNumberOfLightsOf(sampler);
   if (sampler && this->Plan.Senders == vtkIndirectPlan::EYE)
   {
     vtkMapLightSampler* pattern = sampler->GetViewPattern();
@@ -103,6 +139,10 @@ void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
   if (sampler && this->Plan.Senders != vtkIndirectPlan::NO_SENDERS)
   {
     this->Samplers.emplace_back(sampler);
+  }
+  if (this->Plan.SkyBounces)
+  {
+    this->Samplers.emplace_back(this->SkySampler.Get());
   }
   this->Samplers.insert(
     this->Samplers.end(), this->OtherSamplers.begin(), this->OtherSamplers.end());
@@ -121,6 +161,7 @@ std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) 
   }
   key.push_back(static_cast<double>(
     this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0));
+  key.push_back(static_cast<double>(this->Plan.SkyBounces ? this->SkySampler->GetSourceTime() : 0));
   return key;
 }
 
@@ -294,7 +335,8 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
 {
   std::copy(this->Frame.Size, this->Frame.Size + 2, report.Size);
   report.Counters = { { "shader_builds", this->Capture->GetNumberOfShaderBuilds() },
-    { "faces_drawn", this->Maps->GetNumberOfFacesDrawn() },
+    { "faces_drawn",
+      this->Maps->GetNumberOfFacesDrawn() + this->SkySampler->GetNumberOfFacesDrawn() },
     { "voxel_updates", static_cast<long long>(this->Visibility.GetNumberOfUpdates()) },
     { "tiles_drawn",
       static_cast<long long>(
@@ -331,6 +373,10 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     report.EstimatedError = this->Estimate.Error;
     this->Estimator->AddToReport(report);
     this->Visibility.AddToReport(report);
+    if (this->Plan.SkyBounces)
+    {
+      this->SkySampler->AddToReport(report);
+    }
   }
   else if (this->Plan.Irradiance)
   {
@@ -355,6 +401,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Geometry.Release(window);
   this->DefaultSampler->ReleaseGraphicsResources(window);
   this->HeadlightSampler->ReleaseGraphicsResources(window);
+  this->SkySampler->ReleaseGraphicsResources(window);
   for (const auto& sampler : this->OtherSamplers)
   {
     sampler->ReleaseGraphicsResources(window);

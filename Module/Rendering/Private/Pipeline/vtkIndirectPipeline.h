@@ -16,6 +16,7 @@
 #include "Frame/vtkIndirectStageTimer.h"               // for members
 #include "Gather/vtkIndirectSkyGather.h"               // for members
 #include "VirtualLights/vtkIndirectHeadlightSampler.h" // for members
+#include "VirtualLights/vtkIndirectSkySampler.h"       // for members
 #include "VirtualLights/vtkIndirectVirtualLights.h"    // for members
 #include "Visibility/vtkIndirectVisibility.h"          // for members
 #include "vtkIndirectEstimatorPass.h"                  // for members
@@ -95,6 +96,7 @@ private:
   std::vector<double> MakeKey(vtkVirtualLightSampler* users) const;
   bool UpdateIrradiance(const Request& request);
   bool UpdateSky(const Request& request);
+  bool UpdateSkyMaps(const Request& request);
   const vtkIndirectEstimate* GetEstimate() const;
   vtkIndirectComposite::Input MakeCompositeInput() const;
   bool RenderChannel(const std::string& name);
@@ -102,6 +104,7 @@ private:
   vtkNew<vtkSurfaceCapturePass> Capture;
   vtkIndirectGeometryBuffer Geometry;
   vtkNew<vtkIndirectHeadlightSampler> HeadlightSampler;
+  vtkNew<vtkIndirectSkySampler> SkySampler;
   vtkIndirectVirtualLights Lights;
   vtkIndirectVisibility Visibility;
   vtkIndirectSkyGather Sky;

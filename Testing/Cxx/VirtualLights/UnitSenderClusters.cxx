@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Few lights for the texels of many maps, and the sky in few directions: nothing gets lost.
+#include "VirtualLights/vtkIndirectSenderClusters.h"
+#include "VirtualLights/vtkIndirectSkyGroups.h"
+#include "vtkEnvironmentLight.h"
+#include "vtkImageData.h"
+#include "vtkIndirectTestUtilities.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+using Clusters = vtkIndirectSenderClusters;
+
+// A unit square of edge * edge texels across z that each of some maps sees.
+void AddSquare(std::vector<Clusters::Sender>& senders, int edge, int maps, double z, double up,
+  const glm::vec3& albedo)
+{
+  const float area = 1.0f / static_cast<float>(edge * edge);
+  for (int map = 0; map < maps; ++map)
+  {
+    for (int j = 0; j < edge; ++j)
+    {
+      for (int i = 0; i < edge; ++i)
+      {
+        senders.push_back({ glm::vec3((i + 0.5) / edge, (j + 0.5) / edge, z),
+          glm::vec3(0.0, 0.0, up), area, albedo * area, map });
+      }
+    }
+  }
+}
+
+glm::dvec3 SumLight(const std::vector<Clusters::Light>& lights)
+{
+  glm::dvec3 sum(0.0);
+  for (const Clusters::Light& light : lights)
+  {
+    sum += light.DensityArea;
+  }
+  return sum;
+}
+
+bool AreAtSamePlaces(const std::vector<Clusters::Light>& a, const std::vector<Clusters::Light>& b)
+{
+  return a.size() == b.size() &&
+    std::equal(a.begin(), a.end(), b.begin(),
+      [](const Clusters::Light& x, const Clusters::Light& y)
+      { return x.Position == y.Position && x.Normal == y.Normal; });
+}
+
+void MakeImage(vtkImageData* image, int columns, int rows)
+{
+  image->SetDimensions(columns, rows, 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  auto* p = static_cast<float*>(image->GetScalarPointer());
+  std::fill(p, p + 3 * columns * rows, 0.0f);
+}
+}
+
+VTK_INDIRECT_TEST(ClustersKeepTheLight)
+{
+  std::vector<Clusters::Sender> senders;
+  AddSquare(senders, 40, 3, 0.0, 1.0, { 0.5f, 0.25f, 0.125f });
+  const std::vector<glm::dvec3> strengths = { { 1, 1, 1 }, { 0.5, 0.2, 0.3 }, { 2, 1, 0 } };
+  Clusters clusters;
+  clusters.SetSenders(senders);
+  for (const int count : { 1, 7, 100, 256 })
+  {
+    const std::string name = " of " + std::to_string(count) + " lights";
+    const std::vector<Clusters::Light> lights = clusters.MakeLights(strengths, count);
+    CheckEqual("number" + name, static_cast<double>(lights.size()), count);
+    const glm::dvec3 sum = SumLight(lights);
+    CheckRelative("red" + name, sum.x, 0.5 * 3.5, 1e-6, "floats of the senders");
+    CheckRelative("green" + name, sum.y, 0.25 * 2.2, 1e-6, "floats of the senders");
+    CheckRelative("blue" + name, sum.z, 0.125 * 1.3, 1e-6, "floats of the senders");
+    double area = 0.0;
+    for (const Clusters::Light& light : lights)
+    {
+      area += light.Area;
+    }
+    // Not three times: every map sees the same square.
+    CheckRelative("area" + name, area, 1.0, 1e-5, "floats of the senders");
+    double squares = 0.0;
+    for (const Clusters::Sender& sender : senders)
+    {
+      double nearest = 2.0;
+      for (const Clusters::Light& light : lights)
+      {
+        const glm::dvec3 d = light.Position - glm::dvec3(sender.Position);
+        nearest = std::min(nearest, glm::dot(d, d));
+      }
+      squares += nearest;
+    }
+    CheckAtMost("RMS distance to the nearest" + name,
+      std::sqrt(squares / static_cast<double>(senders.size())),
+      std::sqrt(5.0 / 24.0 / count) + 0.5 / 40, "rectangles of one by two, and half a texel");
+  }
+  const std::vector<Clusters::Light> all = clusters.MakeLights(strengths, VTK_INT_MAX);
+  CheckEqual("all are lights", static_cast<double>(all.size()), 3.0 * 1600);
+  CheckRelative("with all the light", SumLight(all).x, 0.5 * 3.5, 1e-6, "floats of the senders");
+  CheckRelative("of their own area", all.back().Area, 1.0 / 1600, 1e-6, "floats of the senders");
+  Check("no senders, no lights", Clusters().MakeLights(strengths, 256).empty());
+  Check("no light, no lights",
+    clusters.MakeLights(std::vector<glm::dvec3>(3, glm::dvec3(0.0)), 256).empty());
+  // A map that is dark has no say.
+  const std::vector<Clusters::Light> one =
+    clusters.MakeLights({ glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.0) }, VTK_INT_MAX);
+  CheckEqual("senders of one map of three", static_cast<double>(one.size()), 1600);
+}
+
+VTK_INDIRECT_TEST(ClustersKeepSidesApart)
+{
+  // A sheet, lit on both sides.
+  std::vector<Clusters::Sender> senders;
+  AddSquare(senders, 20, 1, 0.0, 1.0, glm::vec3(0.25f));
+  AddSquare(senders, 20, 1, 0.0, -1.0, glm::vec3(0.75f));
+  for (Clusters::Sender& sender : senders)
+  {
+    sender.Position *= 0.3f; // scene units: a part of the scene
+  }
+  Clusters clusters;
+  clusters.SetSenders(senders);
+  const std::vector<Clusters::Light> lights = clusters.MakeLights({ glm::dvec3(1.0) }, 64);
+  glm::dvec3 sides[2] = { glm::dvec3(0.0), glm::dvec3(0.0) };
+  for (const Clusters::Light& light : lights)
+  {
+    sides[light.Normal.z > 0.0 ? 0 : 1] += light.DensityArea;
+  }
+  CheckRelative("light of the upper side", sides[0].x, 0.25, 1e-5, "floats of the senders");
+  CheckRelative("light of the lower side", sides[1].x, 0.75, 1e-5, "floats of the senders");
+}
+
+VTK_INDIRECT_TEST(ClustersStay)
+{
+  std::vector<Clusters::Sender> senders;
+  AddSquare(senders, 40, 2, 0.0, 1.0, glm::vec3(0.5f));
+  Clusters clusters;
+  clusters.SetSenders(senders);
+  const std::vector<Clusters::Light> before =
+    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 50);
+  const std::vector<Clusters::Light> brighter =
+    clusters.MakeLights({ glm::dvec3(1e6), glm::dvec3(1.3e6) }, 50);
+  Check("where the sky changes by a part nothing moves", AreAtSamePlaces(before, brighter));
+  CheckRelative("but the light", SumLight(brighter).x, 0.5 * 2.3e6, 1e-6, "floats of the senders");
+  // Another order of the same is the same.
+  const std::vector<Clusters::Light> other =
+    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 30);
+  const std::vector<Clusters::Light> again =
+    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 50);
+  Check("nothing depends on what was asked before",
+    other.size() == 30 && AreAtSamePlaces(before, again));
+}
+
+VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
+{
+  using vtkIndirectSkyGroups::Group;
+  const double pi = vtkMath::Pi();
+  auto total = [](const std::vector<Group>& groups)
+  {
+    glm::dvec3 sum(0.0);
+    for (const Group& group : groups)
+    {
+      sum += group.Strength;
+    }
+    return sum;
+  };
+  vtkNew<vtkEnvironmentLight> environment;
+  environment->SetRadiance(3.0, 1.0, 0.5);
+  std::vector<Group> groups = vtkIndirectSkyGroups::Make(environment);
+  CheckEqual("groups of a uniform sky", static_cast<double>(groups.size()),
+    vtkIndirectSkyGroups::NumberOfDirections);
+  CheckRelative("its light", total(groups).x, 4.0 * 3.0, 1e-12, "rounding of a sum");
+  CheckRelative("in green", total(groups).y, 4.0, 1e-12, "rounding of a sum");
+  Random random(7);
+  double worst = 0.0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const glm::dvec3 normal = random.NextDirection();
+    double irradiance = 0.0;
+    for (const Group& group : groups)
+    {
+      irradiance += group.Strength.y * std::max(glm::dot(group.Direction, normal), 0.0);
+    }
+    worst = std::max(worst, std::abs(irradiance - 1.0));
+  }
+  CheckAtMost("irradiance of an open plane, worst of all normals", worst, 0.04,
+    "quadrature of a cosine by 16 directions");
+
+  // A dark ground, and a sun in the sky.
+  vtkNew<vtkImageData> image;
+  MakeImage(image, 256, 128);
+  for (int row = 64; row < 128; ++row)
+  {
+    for (int column = 0; column < 256; ++column)
+    {
+      auto* pixel = static_cast<float*>(image->GetScalarPointer(column, row, 0));
+      std::fill(pixel, pixel + 3, row == 100 && column == 70 ? 5000.0f : 1.0f);
+    }
+  }
+  environment->SetImage(image);
+  groups = vtkIndirectSkyGroups::Make(environment);
+  // The lowest row of directions but one lies 9 degrees under the horizon: within half a group.
+  CheckAtLeast("directions above the horizon, and the sun", static_cast<double>(groups.size()), 17,
+    "half of 32");
+  CheckAtMost("without those below it", static_cast<double>(groups.size()), 26,
+    "groups reach 20 degrees from their direction");
+  const auto sun = std::max_element(groups.begin(), groups.end(),
+    [](const Group& a, const Group& b) { return a.Strength.x < b.Strength.x; });
+  Check("which stands by itself", sun->Number >= vtkIndirectSkyGroups::NumberOfDirections);
+  const double longitude = 2.0 * pi * (70.5 / 256 - 0.5);
+  const double latitude = pi * (100.5 / 128 - 0.5);
+  const glm::dvec3 from(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
+    -std::cos(latitude) * std::cos(longitude));
+  CheckAtLeast("where it is", glm::dot(sun->Direction, from), std::cos(glm::radians(9.0)),
+    "256 directions lie at most 9 degrees away");
+
+  vtkNew<vtkImageData> black;
+  MakeImage(black, 4, 2);
+  environment->SetImage(black);
+  Check("a black sky has no groups", vtkIndirectSkyGroups::Make(environment).empty());
+}
