@@ -135,6 +135,40 @@ VTK_INDIRECT_TEST(ClustersKeepSidesApart)
   CheckRelative("light of the lower side", sides[1].x, 0.75, 1e-5, "floats of the senders");
 }
 
+// What no surface lies before sends to nobody.
+VTK_INDIRECT_TEST(ClustersLeaveOutTheOutside)
+{
+  // A floor of two sides, and a wall over its middle.
+  std::vector<Clusters::Sender> senders;
+  AddSquare(senders, 20, 1, 0.0, 1.0, glm::vec3(0.5f));
+  AddSquare(senders, 20, 1, 0.0, -1.0, glm::vec3(0.5f));
+  for (int side = -1; side <= 1; side += 2)
+  {
+    const size_t first = senders.size();
+    AddSquare(senders, 20, 1, 0.5, 1.0, glm::vec3(0.5f));
+    for (size_t i = first; i < senders.size(); ++i)
+    {
+      const glm::vec3 p = senders[i].Position;
+      senders[i].Position = { 0.5f, p.y, p.x };
+      senders[i].Normal = { static_cast<float>(side), 0.0f, 0.0f };
+    }
+  }
+  std::vector<glm::vec3> places;
+  for (const Clusters::Sender& sender : senders)
+  {
+    places.push_back(sender.Position);
+  }
+  Clusters::RemoveOutermost(senders, places);
+  CheckEqual("all but the floor's underside", static_cast<double>(senders.size()), 1200);
+  Check("it is gone",
+    std::none_of(senders.begin(), senders.end(),
+      [](const Clusters::Sender& sender) { return sender.Normal.z < 0.0f; }));
+  // A box by itself lights nothing.
+  senders.resize(400);
+  Clusters::RemoveOutermost(senders, { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
+  CheckEqual("of a floor alone", static_cast<double>(senders.size()), 0);
+}
+
 VTK_INDIRECT_TEST(ClustersStay)
 {
   std::vector<Clusters::Sender> senders;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VirtualLights/vtkIndirectSenderClusters.h"
 
+#include "VirtualLights/vtkIndirectDirections.h"
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -35,6 +37,45 @@ std::vector<double> FindWeights(const std::vector<glm::dvec3>& strengths)
   }
   return weights;
 }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSenderClusters::RemoveOutermost(
+  std::vector<Sender>& senders, const std::vector<glm::vec3>& places)
+{
+  // The hull's corners as far as they are the farthest places in one of these directions; of what
+  // is round between them little is lost, nothing of boxes.
+  constexpr int directions = 128;
+  std::vector<glm::vec3> corners;
+  for (const glm::dvec3& exact : vtkIndirectDirections::MakeLattice(directions))
+  {
+    const glm::vec3 direction(exact);
+    float farthest = 0.0f;
+    const glm::vec3* corner = nullptr;
+    for (const glm::vec3& place : places)
+    {
+      const float distance = glm::dot(place, direction);
+      if (!corner || distance > farthest)
+      {
+        farthest = distance;
+        corner = &place;
+      }
+    }
+    if (corner)
+    {
+      corners.push_back(*corner);
+    }
+  }
+  // Steps of packed normals, along a scene of length one.
+  constexpr float rounding = 2.6e-4f;
+  const auto outermost = std::remove_if(senders.begin(), senders.end(),
+    [&](const Sender& sender)
+    {
+      const float height = glm::dot(sender.Normal, sender.Position) + rounding;
+      return std::none_of(corners.begin(), corners.end(),
+        [&](const glm::vec3& corner) { return glm::dot(sender.Normal, corner) > height; });
+    });
+  senders.erase(outermost, senders.end());
 }
 
 //------------------------------------------------------------------------------

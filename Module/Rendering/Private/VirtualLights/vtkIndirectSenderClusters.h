@@ -37,6 +37,12 @@ public:
     glm::dvec3 DensityArea{ 0.0 };
   };
 
+  /**
+   * Leaves out the senders that no surface lies before: those on the outside of all places' convex
+   * hull, such as the underside of a ground.
+   */
+  static void RemoveOutermost(std::vector<Sender>& senders, const std::vector<glm::vec3>& places);
+
   void SetSenders(std::vector<Sender> senders);
   size_t GetNumberOfSenders() const { return this->Senders.size(); }
 

@@ -150,6 +150,7 @@ bool vtkIndirectSkySampler::DrawMaps(const vtkIndirectFrame& frame, const vtkInd
 bool vtkIndirectSkySampler::ReadSenders(const Input& input)
 {
   std::vector<vtkIndirectSenderClusters::Sender> senders;
+  std::vector<glm::vec3> places;
   if (!this->Texels->Update({ input.Frame, *this->Maps, input.Geometry }))
   {
     return false;
@@ -164,6 +165,7 @@ bool vtkIndirectSkySampler::ReadSenders(const Input& input)
     const float* p = &position[4 * i];
     const float* n = &normal[4 * i];
     const float* d = &density[4 * i];
+    places.emplace_back(p[0], p[1], p[2]); // the scene's centre where there is nothing
     if (std::max({ d[0], d[1], d[2] }) > 0.0f)
     {
       senders.push_back({ { p[0], p[1], p[2] }, { n[0], n[1], n[2] }, p[3], { d[0], d[1], d[2] },
@@ -171,6 +173,11 @@ bool vtkIndirectSkySampler::ReadSenders(const Input& input)
     }
   }
   this->Texels->ReleaseGraphicsResources(input.Frame.Window);
+  // Receivers that cast no shadows are in no map.
+  if (input.Frame.NumberOfOtherReceivers == 0)
+  {
+    vtkIndirectSenderClusters::RemoveOutermost(senders, places);
+  }
   this->Clusters.SetSenders(std::move(senders));
   return true;
 }
