@@ -165,7 +165,11 @@ bool vtkIndirectSkySampler::ReadSenders(const Input& input)
     const float* p = &position[4 * i];
     const float* n = &normal[4 * i];
     const float* d = &density[4 * i];
-    places.emplace_back(p[0], p[1], p[2]); // the scene's centre where there is nothing
+    const glm::vec3 place(p[0], p[1], p[2]);
+    if (place != glm::vec3(0.0f)) // the scene's centre, where there is nothing
+    {
+      places.push_back(place);
+    }
     if (std::max({ d[0], d[1], d[2] }) > 0.0f)
     {
       senders.push_back({ { p[0], p[1], p[2] }, { n[0], n[1], n[2] }, p[3], { d[0], d[1], d[2] },
