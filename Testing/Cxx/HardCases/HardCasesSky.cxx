@@ -8,6 +8,7 @@
 #include "vtkIndirectIlluminationPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkLightKit.h"
 #include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -139,6 +140,37 @@ VTK_INDIRECT_TEST(SkyOverNothing)
     scene.Render();
     scene.CheckBuffers(0);
   }
+}
+
+// VTK's light kit beside a sky: what each of them gives adds up.
+VTK_INDIRECT_TEST(SkyBesideALightKit)
+{
+  Image images[3]; // the sky's, the kit's, both
+  for (int which = 0; which < 3; ++which)
+  {
+    HardCase scene("a light kit and a sky");
+    scene.AddCorner(Albedo);
+    vtkNew<vtkEnvironmentLight> sky;
+    scene.Pass->SetEnvironment(which != 1 ? sky.Get() : nullptr);
+    vtkNew<vtkLightKit> kit;
+    if (which != 0)
+    {
+      kit->AddLightsToRenderer(scene.Renderer);
+      kit->Update();
+    }
+    GetEstimators()[3].Install(scene.Pass, 64);
+    scene.Render();
+    scene.CheckBuffers(which != 0 ? 5 : 0);
+    images[which] = scene.Copy("bounce");
+    Check("there is a bounce", images[which].Mean() > 1e-4);
+  }
+  Image sum = images[0];
+  for (size_t i = 0; i < sum.Values.size(); ++i)
+  {
+    sum.Values[i] += images[1].Values[i];
+  }
+  CheckAtMost("share of pixels that are not the sum", GetShareOfDifferent(images[2], sum, 1e-4),
+    0.0, "the order of a sum of floats");
 }
 
 // Another sky in every frame: its light is that of a scene which has never had another.
