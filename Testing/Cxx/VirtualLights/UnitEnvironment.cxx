@@ -154,3 +154,70 @@ VTK_INDIRECT_TEST(EnvironmentRefusesWhatIsNoRadiance)
   dark->SetRadiance(0.0, 0.0, 0.0);
   Check("a dark sky has no cells", dark->GetCells().empty());
 }
+
+// The first ones of a nested order are spread as evenly as a lattice of so many, nearly.
+VTK_INDIRECT_TEST(EnvironmentNestedDirections)
+{
+  Random random(3);
+  std::vector<glm::dvec3> normals;
+  for (int i = 0; i < 4000; ++i)
+  {
+    normals.push_back(random.NextDirection());
+  }
+  vtkNew<vtkEnvironmentLight> uniform;
+  // Error of the irradiance of a uniform sky over all normals.
+  auto measure = [&](const std::vector<glm::dvec3>& directions, double& worst)
+  {
+    const std::vector<glm::dvec3> light = vtkIndirectDirections::Project(uniform, directions);
+    double squares = 0.0;
+    worst = 0.0;
+    for (const glm::dvec3& n : normals)
+    {
+      double sum = 0.0;
+      for (size_t i = 0; i < directions.size(); ++i)
+      {
+        sum += light[i].x / vtkMath::Pi() * std::max(glm::dot(directions[i], n), 0.0);
+      }
+      squares += (sum - 1.0) * (sum - 1.0);
+      worst = std::max(worst, std::abs(sum - 1.0));
+    }
+    return std::sqrt(squares / static_cast<double>(normals.size()));
+  };
+  auto nearest = [](const std::vector<glm::dvec3>& directions)
+  {
+    double most = -1.0;
+    for (size_t i = 0; i < directions.size(); ++i)
+    {
+      for (size_t k = 0; k < i; ++k)
+      {
+        most = std::max(most, glm::dot(directions[i], directions[k]));
+      }
+    }
+    return std::acos(most);
+  };
+  for (const int count : { 256, 1024 })
+  {
+    const std::vector<glm::dvec3> nested = vtkIndirectDirections::MakeNestedLattice(count);
+    std::vector<glm::dvec3> plain = vtkIndirectDirections::MakeLattice(count);
+    std::vector<glm::dvec3> sorted = nested;
+    auto before = [](const glm::dvec3& a, const glm::dvec3& b) { return a.y > b.y; };
+    std::sort(sorted.begin(), sorted.end(), before);
+    std::sort(plain.begin(), plain.end(), before);
+    Check("the same places", sorted == plain);
+    for (int part = count / 4; part >= 16; part /= 4)
+    {
+      const std::vector<glm::dvec3> some(nested.begin(), nested.begin() + part);
+      const std::vector<glm::dvec3> own = vtkIndirectDirections::MakeLattice(part);
+      double worst = 0.0;
+      double ownWorst = 0.0;
+      const double rms = measure(some, worst);
+      const double ownRms = measure(own, ownWorst);
+      const std::string name = std::to_string(part) + " of " + std::to_string(count);
+      CheckAtMost(name + ": RMS error of a uniform sky over all normals", rms, 2.0 * ownRms,
+        "twice that of a lattice of so many");
+      CheckAtMost(name + ": largest", worst, 2.0 * ownWorst, "twice that of a lattice of so many");
+      CheckAtLeast(name + ": nearest neighbours over those of a lattice",
+        nearest(some) / nearest(own), 0.5, "a place moves by less than a quarter of a cell");
+    }
+  }
+}

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VirtualLights/vtkIndirectDirections.h"
 
-#include "vtkEnvironmentLight.h"
 #include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 //------------------------------------------------------------------------------
 std::vector<glm::dvec3> vtkIndirectDirections::MakeLattice(int count)
@@ -25,20 +25,40 @@ std::vector<glm::dvec3> vtkIndirectDirections::MakeLattice(int count)
 }
 
 //------------------------------------------------------------------------------
-std::vector<glm::dvec3> vtkIndirectDirections::Project(
-  vtkEnvironmentLight* environment, const std::vector<glm::dvec3>& directions)
+std::vector<glm::dvec3> vtkIndirectDirections::MakeNestedLattice(int count)
 {
-  std::vector<glm::dvec3> light(directions.size(), glm::dvec3(0.0));
-  if (directions.empty())
+  std::vector<glm::dvec3> nested = MakeLattice(count);
+  for (int coarse = count / 4; coarse >= 16; coarse /= 4)
   {
-    return light;
+    // Each place of a coarser lattice takes the nearest one that is left.
+    const std::vector<glm::dvec3> wanted = MakeLattice(coarse);
+    for (size_t k = 0; k < wanted.size(); ++k)
+    {
+      size_t nearest = k;
+      for (size_t i = k; i < 4 * wanted.size(); ++i)
+      {
+        nearest =
+          glm::dot(wanted[k], nested[i]) > glm::dot(wanted[k], nested[nearest]) ? i : nearest;
+      }
+      std::swap(nested[k], nested[nearest]);
+    }
   }
-  for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+  return nested;
+}
+
+//------------------------------------------------------------------------------
+std::vector<size_t> vtkIndirectDirections::FindNearest(
+  const std::vector<vtkEnvironmentLight::Cell>& cells, const std::vector<glm::dvec3>& directions,
+  size_t count)
+{
+  std::vector<size_t> result;
+  result.reserve(cells.size());
+  for (const vtkEnvironmentLight::Cell& cell : cells)
   {
     const glm::dvec3 d(cell.Direction[0], cell.Direction[1], cell.Direction[2]);
     size_t nearest = 0;
     double most = -2.0;
-    for (size_t i = 0; i < directions.size(); ++i)
+    for (size_t i = 0; i < count; ++i)
     {
       const double cosine = glm::dot(d, directions[i]);
       if (cosine > most)
@@ -47,7 +67,26 @@ std::vector<glm::dvec3> vtkIndirectDirections::Project(
         nearest = i;
       }
     }
-    light[nearest] += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
+    result.push_back(nearest);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec3> vtkIndirectDirections::Project(
+  vtkEnvironmentLight* environment, const std::vector<glm::dvec3>& directions)
+{
+  std::vector<glm::dvec3> light(directions.size(), glm::dvec3(0.0));
+  if (directions.empty())
+  {
+    return light;
+  }
+  const std::vector<vtkEnvironmentLight::Cell>& cells = environment->GetCells();
+  const std::vector<size_t> nearest = FindNearest(cells, directions, directions.size());
+  for (size_t i = 0; i < cells.size(); ++i)
+  {
+    const double* const sent = cells[i].Light;
+    light[nearest[i]] += glm::dvec3(sent[0], sent[1], sent[2]);
   }
   return light;
 }

@@ -3,10 +3,10 @@
 #ifndef vtkIndirectDirections_h
 #define vtkIndirectDirections_h
 
+#include "vtkEnvironmentLight.h" // for its cells
+
 #include <glm/glm.hpp> // for directions
 #include <vector>      // for lists
-
-class vtkEnvironmentLight;
 
 namespace vtkIndirectDirections
 {
@@ -15,6 +15,16 @@ namespace vtkIndirectDirections
  * Fibonacci and latitude-longitude lattices"): places of equal area, fixed in the world.
  */
 std::vector<glm::dvec3> MakeLattice(int count);
+
+/**
+ * The same places in an order of which the first quarter is spread evenly over the sphere, the
+ * first quarter of that again, and so on down to sixteen: those nearest to a lattice of so many.
+ */
+std::vector<glm::dvec3> MakeNestedLattice(int count);
+
+/** For each cell the direction nearest to it, of the first `count`. */
+std::vector<size_t> FindNearest(const std::vector<vtkEnvironmentLight::Cell>& cells,
+  const std::vector<glm::dvec3>& directions, size_t count);
 
 /**
  * What the directions stand for: each cell of the sky goes to the direction nearest to it, so that
