@@ -75,7 +75,9 @@ public:
    * Light from all around. Default null: none. Its direct part is summed over directions that are
    * fixed in the world, hidden by depth maps of the scene, and stands in the buffer `sky`; what
    * surfaces reflect of it is summed with what they reflect of lights (`bounce`). A frame with an
-   * environment needs no vtkLight.
+   * environment needs no vtkLight. While the window gives a frame a second or less
+   * (vtkRenderWindow::SetDesiredUpdateRate), it is summed over a quarter of the directions, of
+   * which neighbouring pixels ask different ones.
    */
   virtual void SetEnvironment(vtkEnvironmentLight* environment);
   vtkGetObjectMacro(Environment, vtkEnvironmentLight);
@@ -174,7 +176,8 @@ public:
   ///@{
   /**
    * Error of the irradiance that is aimed at, RMS over its mean: radiance hints choose their grid
-   * by it, multiresolution splatting its thresholds, and says what error it estimates. What the
+   * by it, multiresolution splatting its thresholds, light from the sky its directions (16 to 1024,
+   * at 0 256; a quarter of them in a moving frame), and says what error it estimates. What the
    * user has set on an estimator stays as it is. The report has the value in force under settings,
    * and under left_out where that is another. Default 0: the estimators' own parameters hold. Range
    * 0 to 1.

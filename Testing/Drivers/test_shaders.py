@@ -22,6 +22,7 @@ TESTS = (
     ("TestPassContract", "PathsKernels"),
     ("TestPassContract", "KindsFull"),
     ("TestPassContract", "PropsTubes"),
+    ("TestPassContract", "SkyPathsSame"),
 )
 """Programs and tests that have all stages compiled between them, as on the processor, as on a card,
 and as compute shaders."""

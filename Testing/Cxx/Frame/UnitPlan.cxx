@@ -355,3 +355,37 @@ VTK_INDIRECT_TEST(PlanKeys)
   settings.ErrorTolerance = 0.02;
   Check("the tolerance", vtkIndirectPlan::Make(frame, settings, {}, {}).MakeKey(frame) != key);
 }
+
+// Moving frames sum a quarter of a still frame's directions, sixteen at a pixel.
+VTK_INDIRECT_TEST(PlanSky)
+{
+  struct Case
+  {
+    double Tolerance;
+    int Still;
+    int Moving;
+    int Block; // of a moving frame
+  };
+  const Case cases[] = { { 0.0, 256, 64, 2 }, { 1.0, 16, 16, 1 }, { 0.25, 64, 16, 1 },
+    { 0.1, 64, 16, 1 }, { 0.05, 256, 64, 2 }, { 0.035, 256, 64, 2 }, { 0.02, 1024, 256, 4 },
+    { 1e-6, 1024, 256, 4 } };
+  vtkIndirectCircumstances circumstances;
+  circumstances.Environment = true;
+  for (const Case& one : cases)
+  {
+    const std::string name = "tolerance " + std::to_string(one.Tolerance);
+    vtkIndirectSettings settings;
+    settings.ErrorTolerance = one.Tolerance;
+    for (const bool moving : { false, true })
+    {
+      circumstances.FrameSeconds = moving ? 1.0 / 15.0 : 10000.0;
+      const vtkIndirectPlan plan =
+        vtkIndirectPlan::Make(MakeFrame({}), settings, {}, circumstances);
+      Check(name + ": a sky", plan.Sky);
+      CheckEqual(
+        name + ": directions", plan.NumberOfSkyDirections, moving ? one.Moving : one.Still);
+      CheckEqual(name + ": of a still frame", plan.NumberOfStillSkyDirections, one.Still);
+      CheckEqual(name + ": block", plan.SkyBlock, moving ? one.Block : 1);
+    }
+  }
+}

@@ -7,6 +7,7 @@
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkRenderWindow.h"
 #include "vtkSphereSource.h"
 
 #include <algorithm>
@@ -59,13 +60,110 @@ bool Any(const Scene::Receiver&)
 void SetSky(Scene& scene, vtkEnvironmentLight* environment)
 {
   scene.Pass->SetEnvironment(environment);
+  scene.Pass->SetVisibilityToAuto();
+}
+
+Polygon MakeDisk()
+{
+  Polygon disk;
+  for (int i = 0; i < 128; ++i)
+  {
+    const double angle = -2.0 * vtkMath::Pi() * i / 128;
+    disk.emplace_back(std::cos(angle), 0.6, std::sin(angle));
+  }
+  return disk;
+}
+
+// Seen from below the disk, all around.
+void AddDiskOverPlane(Scene& scene)
+{
+  scene.AddQuad({ -2, 0, 2 }, { 2, 0, 2 }, { -2, 0, -2 }, White);
+  scene.AddDisk({ 0, 0.6, 0 }, { 0, 1, 0 }, 1.0, 128, White);
+  scene.SetEye({ 0, 0.55, 0 }, { 0, 0, 0 }, { 0, 0, -1 }, 120, 0.01, 10);
+}
+
+bool IsUnderDisk(const Scene::Receiver& r)
+{
+  return r.Normal.y > 0.9 && r.Position.y < 0.1 && glm::length(r.Position) < 1.8;
+}
+
+void SetMoving(Scene& scene)
+{
+  scene.Window->SetDesiredUpdateRate(15.0);
+}
+
+// RMS of what a pixel differs from the mean of its four neighbours, over the mean; inside of what
+// counts.
+double FindRoughness(const Image& image, const std::vector<char>& counts)
+{
+  double squares = 0.0;
+  double sum = 0.0;
+  int count = 0;
+  for (int y = 1; y + 1 < image.Height; ++y)
+  {
+    for (int x = 1; x + 1 < image.Width; ++x)
+    {
+      const size_t i = static_cast<size_t>(y) * image.Width + x;
+      const size_t w = static_cast<size_t>(image.Width);
+      if (!counts[i] || !counts[i - 1] || !counts[i + 1] || !counts[i - w] || !counts[i + w])
+      {
+        continue;
+      }
+      const double mean = 0.25 *
+        (image.Color(x - 1, y).x + image.Color(x + 1, y).x + image.Color(x, y - 1).x +
+          image.Color(x, y + 1).x);
+      squares += (image.Color(x, y).x - mean) * (image.Color(x, y).x - mean);
+      sum += image.Color(x, y).x;
+      ++count;
+    }
+  }
+  return std::sqrt(squares * count) / sum;
+}
+
+// Largest difference between the means of pixels at each place of blocks of so many, of what an
+// image differs from what is expected, over the mean.
+double FindPattern(const Image& image, const std::vector<double>& expected,
+  const std::vector<char>& counts, int edge)
+{
+  std::vector<double> sums(static_cast<size_t>(edge) * edge, 0.0);
+  std::vector<double> numbers(sums.size(), 0.0);
+  double mean = 0.0;
+  // Whole blocks alone, so that each place sees the same parts of the picture.
+  for (int y = 0; y + edge <= image.Height; y += edge)
+  {
+    for (int x = 0; x + edge <= image.Width; x += edge)
+    {
+      bool whole = true;
+      for (int i = 0; i < edge * edge; ++i)
+      {
+        whole = whole && counts[static_cast<size_t>(y + i / edge) * image.Width + x + i % edge];
+      }
+      for (int i = 0; whole && i < edge * edge; ++i)
+      {
+        const int u = x + i % edge;
+        const int v = y + i / edge;
+        const double wanted = expected[static_cast<size_t>(v) * image.Width + u];
+        sums[static_cast<size_t>(i)] += image.Color(u, v).x - wanted;
+        mean += wanted / (edge * edge);
+        numbers[static_cast<size_t>(i)] += 1.0;
+      }
+    }
+  }
+  mean /= numbers[0];
+  double least = 1e30;
+  double most = -1e30;
+  for (size_t i = 0; i < sums.size(); ++i)
+  {
+    least = std::min(least, sums[i] / numbers[i]);
+    most = std::max(most, sums[i] / numbers[i]);
+  }
+  return (most - least) / mean;
 }
 }
 
 VTK_INDIRECT_TEST(SkyOverAnOpenPlane)
 {
   Scene scene(48, 48);
-  scene.Pass->SetVisibilityToAuto();
   scene.AddQuad({ -1, 0, 1 }, { 1, 0, 1 }, { -1, 0, -1 }, White);
   scene.SetEye({ 0, 3, 0.01 }, { 0, 0, 0 }, { 0, 0, -1 }, 36, 0.1, 10);
   vtkNew<vtkEnvironmentLight> sky;
@@ -102,7 +200,6 @@ VTK_INDIRECT_TEST(SkyBesideAWall)
 {
   const Polygon wall = { { 0, 0, -2 }, { 0, 0, 2 }, { 0, 2, 2 }, { 0, 2, -2 } };
   Scene scene(96, 96);
-  scene.Pass->SetVisibilityToAuto();
   scene.AddQuad({ 0, 0, 2 }, { 2, 0, 2 }, { 0, 0, -2 }, White);
   scene.AddQuad({ 0, 0, 2 }, { 0, 0, -2 }, { 0, 2, 2 }, White);
   scene.SetEye({ 1, 6, 0.01 }, { 1, 0, 0 }, { 0, 0, -1 }, 18, 0.1, 10);
@@ -114,30 +211,23 @@ VTK_INDIRECT_TEST(SkyBesideAWall)
   };
   CompareSky(scene, onPlane, expect, 0.01, 0.02,
     "256 directions, each hard; tiles of 128 texels over four units");
+  SetMoving(scene);
+  CompareSky(scene, onPlane, expect, 0.02, 0.06, "64 directions, 64 / 256 to the power -3/4");
 }
 
 VTK_INDIRECT_TEST(SkyUnderADisk)
 {
-  Polygon disk;
-  for (int i = 0; i < 128; ++i)
-  {
-    const double angle = -2.0 * vtkMath::Pi() * i / 128;
-    disk.emplace_back(std::cos(angle), 0.6, std::sin(angle));
-  }
+  const Polygon disk = MakeDisk();
   Scene scene(96, 96);
-  scene.Pass->SetVisibilityToAuto();
-  scene.AddQuad({ -2, 0, 2 }, { 2, 0, 2 }, { -2, 0, -2 }, White);
-  scene.AddDisk({ 0, 0.6, 0 }, { 0, 1, 0 }, 1.0, 128, White);
-  // From below the disk, all around.
-  scene.SetEye({ 0, 0.55, 0 }, { 0, 0, 0 }, { 0, 0, -1 }, 120, 0.01, 10);
+  AddDiskOverPlane(scene);
   vtkNew<vtkEnvironmentLight> sky;
   SetSky(scene, sky);
-  auto onPlane = [](const Scene::Receiver& r)
-  { return r.Normal.y > 0.9 && r.Position.y < 0.1 && glm::length(r.Position) < 1.8; };
   auto expect = [&](const Scene::Receiver& r) {
     return 1.0 - std::abs(PolygonFormFactor(r.Position, { 0, 1, 0 }, disk));
   };
-  CompareSky(scene, onPlane, expect, 0.01, 0.035, "256 directions, each hard");
+  CompareSky(scene, IsUnderDisk, expect, 0.01, 0.035, "256 directions, each hard");
+  SetMoving(scene);
+  CompareSky(scene, IsUnderDisk, expect, 0.02, 0.10, "64 directions, 64 / 256 to the power -3/4");
 }
 
 VTK_INDIRECT_TEST(SkyInAGroove)
@@ -146,7 +236,6 @@ VTK_INDIRECT_TEST(SkyInAGroove)
   const double s = std::sqrt(0.5);
   const Polygon left = { { -s, s, -1 }, { -s, s, 1 }, { 0, 0, 1 }, { 0, 0, -1 } };
   Scene scene(96, 96);
-  scene.Pass->SetVisibilityToAuto();
   scene.AddQuad({ -s, s, 1 }, { 0, 0, 1 }, { -s, s, -1 }, White);
   scene.AddQuad({ 0, 0, 1 }, { s, s, 1 }, { 0, 0, -1 }, White);
   scene.SetEye({ 0, 5, 0.01 }, { 0, 0, 0 }, { 0, 0, -1 }, 16, 0.1, 10);
@@ -157,4 +246,102 @@ VTK_INDIRECT_TEST(SkyInAGroove)
     return 1.0 - std::abs(PolygonFormFactor(r.Position, { -s, s, 0 }, left)) - 0.0;
   };
   CompareSky(scene, counts, expect, 0.01, 0.02, "256 directions, each hard");
+  SetMoving(scene);
+  CompareSky(scene, counts, expect, 0.02, 0.06, "64 directions, 64 / 256 to the power -3/4");
+}
+
+// Pixels of a moving frame ask different directions: none of that may be seen. The sums of a still
+// frame over the same directions have the edges of 64 shadows, and those of a moving one no more.
+VTK_INDIRECT_TEST(SkyLeavesNoPattern)
+{
+  // Of sizes that are no multiples of the blocks.
+  Scene scene(191, 161);
+  AddDiskOverPlane(scene);
+  vtkNew<vtkEnvironmentLight> sky;
+  SetSky(scene, sky);
+  scene.Pass->SetErrorTolerance(0.1);
+  scene.Render();
+  const Polygon disk = MakeDisk();
+  std::vector<char> counts;
+  std::vector<double> expected;
+  for (const Scene::Receiver& r : scene.GetReceivers())
+  {
+    counts.push_back(r.Lit && IsUnderDisk(r));
+    expected.push_back(
+      counts.back() ? 1.0 - std::abs(PolygonFormFactor(r.Position, { 0, 1, 0 }, disk)) : 0.0);
+  }
+  const Image still = scene.Copy("sky");
+  const double rough = FindRoughness(still, counts);
+  const double pattern = FindPattern(still, expected, counts, 4);
+  for (const double tolerance : { 0.0, 0.02 })
+  {
+    scene.Pass->SetErrorTolerance(tolerance);
+    SetMoving(scene);
+    scene.Render();
+    const Image moving = scene.Copy("sky");
+    const std::string name = tolerance > 0.0 ? "blocks of four" : "blocks of two";
+    CheckAtMost(name + ": roughness", FindRoughness(moving, counts), rough,
+      "that of a still frame of 64 directions");
+    CheckAtMost(name + ": differences between places of a block",
+      FindPattern(moving, expected, counts, 4), 0.001 + pattern,
+      "a quarter of a grey level, and what the still frame's shadows have by chance");
+    CheckAtMost(name + ": off the still frame's mean", std::abs(moving.Mean() / still.Mean() - 1.0),
+      0.02, "other directions");
+  }
+}
+
+// What nothing hides is the open sky's, whatever its normals and whichever directions are asked.
+VTK_INDIRECT_TEST(SkyOfAConvexBody)
+{
+  for (const bool moving : { false, true })
+  {
+    Scene scene(121, 91);
+    scene.AddSphere({ 0, 0, 0 }, 1.0, 128, White);
+    scene.SetEye({ 0, 0, 6 }, { 0, 0, 0 }, { 0, 1, 0 }, 22, 0.1, 10);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(64, 32, 1);
+    image->AllocateScalars(VTK_FLOAT, 3);
+    auto* p = static_cast<float*>(image->GetScalarPointer());
+    for (int j = 0; j < 32; ++j)
+    {
+      const double height = std::sin(vtkMath::Pi() * ((j + 0.5) / 32 - 0.5));
+      std::fill(p + 3 * j * 64, p + 3 * (j + 1) * 64, static_cast<float>(1.0 + height));
+    }
+    vtkNew<vtkEnvironmentLight> sky;
+    sky->SetImage(image);
+    SetSky(scene, sky);
+    if (moving)
+    {
+      SetMoving(scene);
+    }
+    // Band 1 of spherical harmonics is weakened to two thirds.
+    CompareSky(
+      scene, Any, [](const Scene::Receiver& r) { return 1.0 + r.Normal.y * 2.0 / 3.0; }, 0.005,
+      0.01, "rows of 5.6 degrees 0.002; facets of 2.8 degrees hide a grazing direction");
+  }
+}
+
+// Things of a pixel's width have no neighbours to ask: what moving frames find of them is right in
+// the mean, and no worse than the few directions that they ask.
+VTK_INDIRECT_TEST(SkyOfThinThings)
+{
+  Scene scene(120, 90);
+  for (int i = 0; i < 30; ++i)
+  {
+    const double x = -1.5 + 0.1 * i;
+    scene.AddBox({ x, -1.0, -0.01 }, { x + 0.03, 1.0, 0.01 }, White);
+  }
+  scene.AddQuad({ -2, -1.5, -0.5 }, { 2, -1.5, -0.5 }, { -2, 1.5, -0.5 }, White);
+  scene.SetEye({ 0, 0, 6 }, { 0, 0, 0 }, { 0, 1, 0 }, 26, 0.1, 10);
+  vtkNew<vtkEnvironmentLight> sky;
+  SetSky(scene, sky);
+  scene.Render();
+  const Image still = scene.Copy("sky");
+  const Image normal = scene.Copy("normal");
+  SetMoving(scene);
+  scene.Render();
+  const Image moving = scene.Copy("sky");
+  CheckRelative("mean of bars and wall", moving.Mean(), still.Mean(), 0.02, "other directions");
+  CheckAtMost("RMS difference to the still frame over its mean",
+    FindRelativeError(moving, still, normal), 0.14, "64 directions, each hard");
 }

@@ -131,3 +131,40 @@ VTK_INDIRECT_TEST(DepthTileOfADirection)
     CheckAtLeast("which it fills", worst, 0.95, "the margin is a hundredth");
   }
 }
+
+// A receiver is seen where what is stored is behind its plane at the texel's centre, in doubles.
+VTK_INDIRECT_TEST(DepthTileSeesOverPlanes)
+{
+  Random random(17);
+  int wrong = 0;
+  int seen = 0;
+  int hidden = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const glm::dvec3 n = random.NextDirection(); // right, up, towards the emitter
+    const double range = random.Next(0.3, 2.0);
+    const glm::dvec2 texel(random.Next(0.005, 0.05), random.Next(0.005, 0.05));
+    const glm::dvec2 shift = glm::dvec2(random.Next(-0.5, 0.5), random.Next(-0.5, 0.5)) * texel;
+    const double depth = random.Next(0.1, 0.9);
+    const double stored = i % 50 == 0 ? 1.0 : depth + random.Next(-0.05, 0.05);
+    if (n.z < 0.05)
+    {
+      continue;
+    }
+    // Depth grows away from the emitter: the plane's at the centre, not beyond the receiver's.
+    const double plane = std::min(glm::dot(glm::dvec2(n), shift) / n.z / range, 0.0);
+    const double margin = stored - (depth + plane);
+    if (std::abs(margin) < 1e-5)
+    {
+      continue;
+    }
+    const glm::dvec2 slope = glm::dvec2(n) / texel * (texel * texel / (range * range));
+    const bool found =
+      vtkiIsSeenInParallelTile(static_cast<float>(stored), static_cast<float>(depth),
+        static_cast<float>(n.z / range), static_cast<float>(glm::dot(slope, shift / texel)));
+    wrong += found == (margin > 0.0 || stored >= 1.0) ? 0 : 1;
+    (found ? seen : hidden) += 1;
+  }
+  CheckEqual("otherwise than the plane says", wrong, 0);
+  Check("of both kinds", seen > 1000 && hidden > 1000);
+}

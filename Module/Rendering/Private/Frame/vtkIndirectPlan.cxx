@@ -130,6 +130,16 @@ void vtkIndirectPlan::FindSky(const vtkIndirectSettings& settings,
     this->LeftOut.emplace_back("bounces of light from the sky",
       estimator.Name + " reads the lights' maps, and nothing beside them; the result is too dark");
   }
+  this->NumberOfStillSkyDirections = FindSkyDirections(settings.ErrorTolerance);
+  this->NumberOfSkyDirections = this->NumberOfStillSkyDirections;
+  if (this->Interactive)
+  {
+    // A quarter of them, and sixteen at a pixel.
+    this->NumberOfSkyDirections = std::max(this->NumberOfStillSkyDirections / 4, 16);
+    this->SkyBlock = this->NumberOfSkyDirections >= 256 ? 4
+      : this->NumberOfSkyDirections >= 64               ? 2
+                                                        : 1;
+  }
   if (!this->SkyIsShadowed)
   {
     this->LeftOut.emplace_back(
@@ -240,4 +250,20 @@ int vtkIndirectPlan::FindTilesPerFrame(double triangles, double props, double se
   const double tiles = time / (perTile + perProp * props + perTriangle * triangles);
   const double least = seconds > 1.0 ? 64.0 : 8.0;
   return static_cast<int>(std::min(std::max(tiles, least), 1e6));
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectPlan::FindSkyDirections(double tolerance)
+{
+  constexpr int standard = 256;
+  if (tolerance <= 0.0)
+  {
+    return standard;
+  }
+  int count = 16;
+  while (count < 1024 && 0.035 * std::pow(static_cast<double>(standard) / count, 0.75) > tolerance)
+  {
+    count *= 4;
+  }
+  return count;
 }

@@ -8,9 +8,8 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
+#include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
-#include "VirtualLights/vtkIndirectDirections.h"
-#include "vtkEnvironmentLight.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -22,56 +21,77 @@ const vtkIndirectChannel Channels[] = {
     "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+const char* const SumMeaning = "what is seen of the directions asked; what they would give";
+const vtkIndirectChannel SumChannels[] = {
+  { "sky.sums", "vtkiSkySums", SumMeaning, GL_RGBA32F, "-", "their unit" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel StillChannels[] = {
+  { "sky.sums0", "vtkiSkySums", SumMeaning, GL_RGBA32F, "-", "their unit" },
+  { "sky.sums1", "vtkiSkySums1", SumMeaning, GL_RGBA32F, "-", "their unit" },
+  { "sky.sums2", "vtkiSkySums2", SumMeaning, GL_RGBA32F, "-", "their unit" },
+  { "sky.sums3", "vtkiSkySums3", SumMeaning, GL_RGBA32F, "-", "their unit" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel OpenChannels[] = {
+  { "sky.open", "vtkiOpenSky", "irradiance by normals if nothing hid the sky; of the directions",
+    GL_RG32F, "world", "their unit" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
 
-// As in vtkIndirectSkyFS.glsl.
-constexpr size_t BlockSize = 200;
+// As in vtkIndirectSkyDirections.glsl.
 constexpr size_t RowsPerDirection = 5;
 
-// From this share of all light on a direction's shadow is seen by itself: eight grey levels of 256
-// where it is hidden from a surface that faces it. At most 32 directions have so much.
-constexpr double StrongShare = 1.0 / 32.0;
+// Directions of a draw, at most 204: 16384 bytes, which every OpenGL has. Long draws stall a
+// desktop.
+constexpr int SumBlock = 128;
+// Those that a pixel asks which its neighbours leave alone: of more, those that come first.
+constexpr int OwnBlock = 64;
+
 constexpr int StrongTexels = 1024;
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectSkyGather::vtkIndirectSkyGather()
   : Irradiance(Channels, false)
+  , Sums{ { StillChannels, false }, { SumChannels, false } }
+  , Rows(SumChannels, false)
+  , OpenSky(OpenChannels, false)
 {
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectSkyGather::UpdateDirections(const Input& input)
 {
-  const size_t count = static_cast<size_t>(input.Plan.NumberOfSkyDirections);
-  const vtkMTimeType time = input.Environment->GetMTime();
-  if (this->Directions.size() == count && this->Projected == input.Environment &&
-    this->ProjectedTime == time)
+  const int still = input.Plan.NumberOfStillSkyDirections;
+  if (!this->Directions.Update(input.Environment, input.Plan.NumberOfSkyDirections, still))
   {
     return;
   }
-  this->Directions = vtkIndirectDirections::MakeLattice(static_cast<int>(count));
-  this->Light = vtkIndirectDirections::Project(input.Environment, this->Directions);
-  this->Projected = input.Environment;
-  this->ProjectedTime = time;
-  double total = 0.0;
-  for (const glm::dvec3& light : this->Light)
-  {
-    total += light.x + light.y + light.z;
-  }
-  for (Group& group : this->Groups)
-  {
-    group.Members.clear();
-    group.Emitters.clear();
-  }
-  for (size_t i = 0; i < count; ++i)
-  {
-    const double light = this->Light[i].x + this->Light[i].y + this->Light[i].z;
-    if (light > 0.0)
-    {
-      this->Groups[light > StrongShare * total ? Strong : Others].Members.push_back(i);
-    }
-  }
   ++this->ContentTime;
+  this->OpenSkyIsThere = false;
+  Group& strong = this->Groups[Strong];
+  std::vector<size_t> numbers;
+  for (const Summand& summand : this->Directions.GetStrong())
+  {
+    numbers.push_back(summand.Number);
+  }
+  if (numbers != strong.Numbers)
+  {
+    strong.Numbers = std::move(numbers);
+    strong.Emitters.clear();
+  }
+  // A place for each, whether light comes from there or not: it may when the environment is turned.
+  Group& others = this->Groups[Others];
+  if (others.Numbers.size() != static_cast<size_t>(still))
+  {
+    others.Numbers.clear();
+    for (int i = 0; i < still; ++i)
+    {
+      others.Numbers.push_back(static_cast<size_t>(i));
+    }
+    others.Emitters.clear();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -87,16 +107,25 @@ void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
   this->FitKey = std::move(key);
   for (Group& group : this->Groups)
   {
-    if (fits && group.Emitters.size() == group.Members.size())
+    if (fits && group.Emitters.size() == group.Numbers.size())
     {
       continue;
     }
-    group.Emitters.resize(group.Members.size());
-    for (size_t k = 0; k < group.Members.size(); ++k)
+    group.Emitters.resize(group.Numbers.size());
+    for (size_t k = 0; k < group.Numbers.size(); ++k)
     {
       group.Emitters[k].Tile =
-        vtkIndirectDepthTile::FromDirection(frame, this->Directions[group.Members[k]]);
+        vtkIndirectDepthTile::FromDirection(frame, this->Directions.GetDirection(group.Numbers[k]));
     }
+  }
+  Group& others = this->Groups[Others];
+  for (vtkIndirectDepthAtlas::Emitter& emitter : others.Emitters)
+  {
+    emitter.Sends = false;
+  }
+  for (const Summand& summand : this->Directions.GetOthers())
+  {
+    others.Emitters[summand.Number].Sends = true;
   }
 }
 
@@ -111,9 +140,12 @@ bool vtkIndirectSkyGather::UpdateMaps(const Input& input)
   this->Groups[Others].Texels = input.Plan.SkyTileTexels;
   const size_t drawn = this->GetNumberOfTilesDrawn();
   bool done = true;
-  for (Group& group : this->Groups)
+  for (int i = 0; i < NumberOfGroups; ++i)
   {
-    if (!this->Visible || group.Members.empty())
+    Group& group = this->Groups[i];
+    const bool empty =
+      (i == Strong ? this->Directions.GetStrong() : this->Directions.GetOthers()).empty();
+    if (!this->Visible || empty)
     {
       group.Atlas.Release(frame.Window);
       continue;
@@ -126,34 +158,94 @@ bool vtkIndirectSkyGather::UpdateMaps(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
-  const Group& group, size_t first, size_t count) const
+vtkIndirectSkyGather::Terms vtkIndirectSkyGather::MakeTerms(
+  const std::vector<Summand>& summands, bool strong) const
 {
-  std::vector<glm::vec4> block(BlockSize * RowsPerDirection, glm::vec4(0.0f));
-  const int edge = std::max(1, group.Atlas.GetTilesAlongEdge());
-  for (size_t k = 0; k < count; ++k)
+  Terms terms;
+  for (size_t k = 0; k < summands.size(); ++k)
   {
-    const vtkIndirectDepthTile& tile = group.Emitters[first + k].Tile;
+    const double unit = strong ? 1.0 : this->Directions.GetUnit();
+    terms.push_back({ strong ? k : summands[k].Number, summands[k].Light / vtkMath::Pi() / unit });
+  }
+  return terms;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
+  const Group& group, const Terms& terms, size_t first, size_t size) const
+{
+  using namespace vtkIndirectKernels;
+  std::vector<glm::vec4> block(size * RowsPerDirection, glm::vec4(0.0f));
+  const double texels = group.Texels;
+  const size_t edge = static_cast<size_t>(std::max(1, group.Atlas.GetTilesAlongEdge()));
+  for (size_t k = 0; k < size && first + k < terms.size(); ++k)
+  {
+    const Term& term = terms[first + k];
+    const vtkIndirectDepthTile& tile = group.Emitters[term.Tile].Tile;
     const double range = tile.Far - tile.Near;
-    auto row = [&](const glm::dvec3& axis, double unit)
-    { return glm::vec4(glm::dvec4(axis / unit, -glm::dot(axis, tile.Place) / unit)); };
-    const glm::dvec3 light = this->Light[group.Members[first + k]] / vtkMath::Pi();
-    const int number = static_cast<int>(first + k);
-    block[k] = row(tile.Right, tile.HalfWidth.x);
-    block[BlockSize + k] = row(tile.Up, tile.HalfWidth.y);
-    block[2 * BlockSize + k] = row(tile.Forward, range);
-    block[3 * BlockSize + k] = glm::vec4(glm::vec3(light), number % edge);
-    block[4 * BlockSize + k] = glm::vec4(tile.HalfWidth.x * tile.HalfWidth.x,
-      tile.HalfWidth.y * tile.HalfWidth.y, range, number / edge);
+    const glm::dvec2 texel = 2.0 / texels * tile.HalfWidth;
+    const double bias = VTKI_TILE_ROUGHNESS * std::max(texel.x, texel.y) / range;
+    auto row = [&](const glm::dvec3& axis, double unit, double origin)
+    { return glm::vec4(glm::dvec4(axis / unit, origin - glm::dot(axis, tile.Place) / unit)); };
+    block[k] = row(tile.Right, texel.x, 0.5 * texels);
+    block[size + k] = row(tile.Up, texel.y, 0.5 * texels);
+    block[2 * size + k] = row(tile.Forward, range, -bias);
+    block[3 * size + k] = glm::vec4(
+      glm::dvec4(range * term.Light, range * (term.Light.x + term.Light.y + term.Light.z)));
+    const glm::dvec2 corner = texels *
+      glm::dvec2(static_cast<double>(term.Tile % edge), static_cast<double>(term.Tile / edge));
+    block[4 * size + k] = glm::vec4(glm::dvec4(corner, texel * texel / (range * range)));
   }
   return block;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSkyGather::SetBlock(const Input& input, vtkShaderProgram* program,
+  const Group& group, const Terms& terms, size_t first, size_t size)
+{
+  const std::vector<glm::vec4> block = this->MakeBlock(group, terms, first, size);
+  this->Block.Update(input.Frame.Window, block.data(), block.size() * sizeof(glm::vec4));
+  this->Block.Activate(program);
+  program->SetUniformi("vtkiSkyCount", static_cast<int>(std::min(terms.size() - first, size)));
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::UpdateOpenSky(const Input& input)
+{
+  constexpr int texels = vtkIndirectKernels::VTKI_OPEN_SKY_TEXELS;
+  const bool there = this->OpenSkyIsThere && this->OpenSky.GetFramebuffer();
+  if (!this->OpenSky.Resize(input.Frame.Window, texels, texels))
+  {
+    return false;
+  }
+  if (!there)
+  {
+    vtkTextureObject* texture = this->OpenSky.GetTexture(0);
+    texture->SetMinificationFilter(vtkTextureObject::Linear);
+    texture->SetMagnificationFilter(vtkTextureObject::Linear);
+    vtkIndirectSkyDirections::OpenSky open = this->Directions.MakeOpenSky();
+    this->OpenSky.Write(0, open.Texels);
+    this->OpenFlux = open.Flux;
+    this->SummedFlux = open.SummedFlux;
+    this->OpenSkyIsThere = true;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSkyGather::Sum(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  if (!this->Irradiance.Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  const int step = this->Step = input.Plan.SkyBlock;
+  // A texel for each of four pixels, or parts of whole blocks.
+  const int part = step > 1 ? step : 2;
+  const int factor = step > 1 ? step : 1;
+  const int size[2] = { (frame.Size[0] + part - 1) / part * factor,
+    (frame.Size[1] + part - 1) / part * factor };
+  if (!this->Irradiance.Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
+    !this->Sums[step > 1].Resize(frame.Window, size[0], size[1]) ||
+    (step > 1 && !this->Rows.Resize(frame.Window, frame.Size[0], frame.Size[1])) ||
+    !this->UpdateOpenSky(input))
   {
     return false;
   }
@@ -163,59 +255,195 @@ bool vtkIndirectSkyGather::Sum(const Input& input)
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
-  // One draw writes, several add up.
-  const bool adds =
-    !this->Groups[Strong].Members.empty() || this->Groups[Others].Members.size() > BlockSize;
-  this->Irradiance.Begin();
-  if (adds)
-  {
-    this->Irradiance.Clear();
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  }
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
   bool done = true;
-  for (Group& group : this->Groups)
+  if (this->Directions.GetOthers().empty())
   {
-    done = done && (group.Members.empty() || this->SumGroup(input, group, adds));
+    this->Irradiance.Begin();
+    this->Irradiance.Clear();
+    this->Irradiance.End();
   }
+  else
+  {
+    done = this->SumOthers(input) && (step == 1 || this->FilterRows(input)) &&
+      this->FilterColumns(input);
+  }
+  done = done && (this->Directions.GetStrong().empty() || this->SumStrong(input));
   state->vtkglDisable(GL_BLEND);
-  this->Irradiance.End();
   return done;
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSkyGather::SumGroup(const Input& input, Group& group, bool adds)
+std::string vtkIndirectSkyGather::GetDefinitions(int block, int step) const
 {
-  const vtkIndirectFrame& frame = input.Frame;
-  group.Kernel.SetDefinitions(std::string(this->Visible ? "#define VTKI_VISIBILITY\n" : "") +
-    (&group == &this->Groups[Strong] ? "#define VTKI_FILTERED\n" : ""));
-  vtkShaderProgram* program = group.Kernel.Use(frame.Window, this->Irradiance, adds);
+  return std::string(this->Visible ? "#define VTKI_VISIBILITY\n" : "") + "#define VTKI_SKY_BLOCK " +
+    std::to_string(block) + "\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSkyGather::Activate(
+  const Input& input, const Group* group, vtkShaderProgram* program)
+{
+  vtkIndirectSetEyeUniforms(program, input.Frame);
+  program->SetUniform2i("vtkiSize", input.Frame.Size);
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  if (group && this->Visible)
+  {
+    group->Atlas.Activate(program);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSkyGather::Deactivate(const Input& input, const Group* group)
+{
+  input.Geometry.GetTarget().Deactivate();
+  if (group && this->Visible)
+  {
+    group->Atlas.Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::SumOthers(const Input& input)
+{
+  const Group& group = this->Groups[Others];
+  const int step = input.Plan.SkyBlock;
+  vtkIndirectTarget& sums = this->Sums[step > 1];
+  const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
+  const size_t size = SumBlock;
+  // Neighbours on the sphere go to different places of a block.
+  Terms terms = this->MakeTerms(this->Directions.GetOthers(), false);
+  std::sort(terms.begin(), terms.end(),
+    [this](const Term& a, const Term& b)
+    { return this->Directions.GetDirection(a.Tile).y > this->Directions.GetDirection(b.Tile).y; });
+  std::vector<Terms> classes(static_cast<size_t>(step) * step);
+  for (size_t k = 0; k < terms.size(); ++k)
+  {
+    classes[k % classes.size()].push_back(terms[k]);
+  }
+  // One draw writes, several add up.
+  const bool adds = std::any_of(classes.begin(), classes.end(),
+    [&](const Terms& list) { return list.empty() || list.size() > size; });
+
+  vtkIndirectFullScreenProgram& kernel = this->SumKernels[step > 1];
+  kernel.SetDefinitions(
+    this->GetDefinitions(SumBlock, step) + (step > 1 ? "" : "#define VTKI_SKY_PIXELS 4\n"));
+  vtkShaderProgram* program =
+    step > 1 ? kernel.Use(input.Frame.Window) : kernel.Use(input.Frame.Window, sums, adds);
   if (!program)
   {
     return false;
   }
-  vtkIndirectSetEyeUniforms(program, frame);
-  program->SetUniform2i("vtkiSize", frame.Size);
-  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-  if (this->Visible)
+  vtkOpenGLState* state = input.Frame.Window->GetState();
+  sums.Begin();
+  if (adds)
   {
-    group.Atlas.Activate(program);
+    sums.Clear();
+    state->vtkglEnable(GL_BLEND);
   }
-  for (size_t first = 0; first < group.Members.size(); first += BlockSize)
+  this->Activate(input, &group, program);
+  for (int i = 0; i < step * step; ++i)
   {
-    const size_t count = std::min(BlockSize, group.Members.size() - first);
-    const std::vector<glm::vec4> block = this->MakeBlock(group, first, count);
-    this->Block.Update(frame.Window, block.data(), block.size() * sizeof(glm::vec4));
-    this->Block.Activate(program);
-    program->SetUniformi("vtkiSkyCount", static_cast<int>(count));
-    group.Kernel.Draw();
-    glFlush();
+    const int place[2] = { i % step, i / step };
+    if (step > 1)
+    {
+      state->vtkglViewport(place[0] * part[0], place[1] * part[1], part[0], part[1]);
+      program->SetUniform2i("vtkiSkyPart", part);
+      program->SetUniform2i("vtkiSkyClass", place);
+    }
+    const Terms& list = classes[static_cast<size_t>(i)];
+    for (size_t first = 0; first < list.size(); first += size)
+    {
+      this->SetBlock(input, program, group, list, first, size);
+      kernel.Draw();
+      glFlush();
+    }
   }
-  input.Geometry.GetTarget().Deactivate();
-  if (this->Visible)
+  this->Deactivate(input, &group);
+  state->vtkglDisable(GL_BLEND);
+  sums.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::FilterRows(const Input& input)
+{
+  const int step = input.Plan.SkyBlock;
+  const vtkIndirectTarget& sums = this->Sums[1];
+  const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
+  this->RowKernel.SetDefinitions(
+    "#define VTKI_SKY_ROWS\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n");
+  vtkShaderProgram* program = this->RowKernel.Use(input.Frame.Window, this->Rows);
+  if (!program)
   {
-    group.Atlas.Deactivate();
+    return false;
   }
+  this->Rows.Begin();
+  this->Activate(input, nullptr, program);
+  sums.Activate(0, program);
+  program->SetUniform2i("vtkiSkyPart", part);
+  this->RowKernel.Draw();
+  sums.Deactivate();
+  this->Deactivate(input, nullptr);
+  this->Rows.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::FilterColumns(const Input& input)
+{
+  const bool moving = input.Plan.SkyBlock > 1;
+  const Group* const group = moving ? &this->Groups[Others] : nullptr;
+  const vtkIndirectTarget& sums = moving ? this->Rows : this->Sums[0];
+  vtkIndirectFullScreenProgram& kernel = this->ColumnKernels[moving];
+  kernel.SetDefinitions(this->GetDefinitions(OwnBlock, input.Plan.SkyBlock));
+  vtkShaderProgram* program = kernel.Use(input.Frame.Window, this->Irradiance);
+  if (!program)
+  {
+    return false;
+  }
+  this->Irradiance.Begin();
+  this->Activate(input, group, program);
+  for (int i = 0; i < sums.GetNumberOfChannels(); ++i)
+  {
+    sums.Activate(i, program);
+  }
+  this->OpenSky.Activate(0, program);
+  vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
+  vtkIndirectSetUniform(program, "vtkiSummedFlux", this->SummedFlux);
+  program->SetUniformf("vtkiSkyUnit", static_cast<float>(this->Directions.GetUnit()));
+  if (moving)
+  {
+    const Terms terms = this->MakeTerms(this->Directions.GetOthers(), false);
+    this->SetBlock(input, program, *group, terms, 0, OwnBlock);
+  }
+  kernel.Draw();
+  this->OpenSky.Deactivate();
+  sums.Deactivate();
+  this->Deactivate(input, group);
+  this->Irradiance.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::SumStrong(const Input& input)
+{
+  const Group& group = this->Groups[Strong];
+  const Terms terms = this->MakeTerms(this->Directions.GetStrong(), true);
+  this->StrongKernel.SetDefinitions(this->GetDefinitions(SumBlock, 1) + "#define VTKI_FILTERED\n");
+  vtkShaderProgram* program = this->StrongKernel.Use(input.Frame.Window, this->Irradiance, true);
+  if (!program)
+  {
+    return false;
+  }
+  this->Irradiance.Begin();
+  input.Frame.Window->GetState()->vtkglEnable(GL_BLEND);
+  this->Activate(input, &group, program);
+  // At most 32 of them.
+  this->SetBlock(input, program, group, terms, 0, SumBlock);
+  this->StrongKernel.Draw();
+  this->Deactivate(input, &group);
+  this->Irradiance.End();
   return true;
 }
 
@@ -233,7 +461,12 @@ size_t vtkIndirectSkyGather::GetNumberOfTilesDrawn() const
 //------------------------------------------------------------------------------
 size_t vtkIndirectSkyGather::GetBytes() const
 {
-  size_t bytes = this->Irradiance.GetBytes() + this->Block.GetBytes();
+  size_t bytes = this->Block.GetBytes();
+  for (const vtkIndirectTarget* target :
+    { &this->Irradiance, &this->Sums[0], &this->Sums[1], &this->Rows, &this->OpenSky })
+  {
+    bytes += target->GetBytes();
+  }
   for (const Group& group : this->Groups)
   {
     bytes += group.Atlas.GetBytes();
@@ -245,29 +478,45 @@ size_t vtkIndirectSkyGather::GetBytes() const
 void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
 {
   report.Bytes += this->GetBytes();
+  const size_t counts[NumberOfGroups] = { this->Directions.GetStrong().size(),
+    this->Directions.GetOthers().size() };
   std::string maps;
-  for (const Group& group : this->Groups)
+  for (int i = 0; i < NumberOfGroups; ++i)
   {
-    if (this->Visible && !group.Members.empty())
+    if (this->Visible && counts[i] > 0)
     {
-      maps += (maps.empty() ? "; depth maps: " : ", ") + std::to_string(group.Members.size()) +
-        " of " + std::to_string(group.Texels) + " texels squared";
+      maps += (maps.empty() ? "; depth maps: " : ", ") + std::to_string(counts[i]) + " of " +
+        std::to_string(this->Groups[i].Texels) + " texels squared";
     }
   }
-  const size_t lit = this->Groups[Strong].Members.size() + this->Groups[Others].Members.size();
-  report.Modelled.emplace_back("light from the sky",
-    std::to_string(lit) + " of " + std::to_string(this->Directions.size()) + " directions" + maps);
+  std::string what = std::to_string(counts[Others]) + " directions";
+  what += this->Step > 1 ? ", a pixel of " + std::to_string(this->Step * this->Step) +
+      " asks each, averaged over its surface"
+                         : "";
+  what += counts[Strong] > 0 ? "; strong ones: " + std::to_string(counts[Strong]) : "";
+  report.Modelled.emplace_back("light from the sky", what + maps);
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectSkyGather::Release(vtkWindow* window)
 {
-  this->Irradiance.Release(window);
+  for (vtkIndirectTarget* target :
+    { &this->Irradiance, &this->Sums[0], &this->Sums[1], &this->Rows, &this->OpenSky })
+  {
+    target->Release(window);
+  }
+  this->OpenSkyIsThere = false;
   this->Block.Release();
   for (Group& group : this->Groups)
   {
     group.Atlas.Release(window);
-    group.Kernel.Release();
   }
-  this->Projected = nullptr;
+  for (int i = 0; i < 2; ++i)
+  {
+    this->SumKernels[i].Release();
+    this->ColumnKernels[i].Release();
+  }
+  this->RowKernel.Release();
+  this->StrongKernel.Release();
+  this->Directions.Forget();
 }

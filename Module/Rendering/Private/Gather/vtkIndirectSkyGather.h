@@ -1,23 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Irradiance that comes directly from an environment: summed at every pixel over directions that
-// are fixed in the world, each with a depth map of the scene. Turning or changing the environment
-// changes weights alone; maps are kept while the camera moves.
+// Irradiance that comes directly from an environment: summed over directions that are fixed in the
+// world, each with a depth map of the scene. Turning or changing the environment changes weights
+// alone; maps are kept while the camera moves.
+//
+// A pixel of a still frame asks all directions. Those of a moving one ask some, the pixels of a
+// block all of them between them (Keller and Heidrich 2001, "Interleaved sampling"), in pieces of
+// the image that ask the same (Segovia, Iehl, Mitanchey, Peroche 2006, "Non-interleaved deferred
+// shading of interleaved sample patterns"), and are then averaged over neighbours on their surface.
+//
+// What directions find hidden is a share of what they stand for: the irradiance is that share of
+// the sky's where nothing hides it, which is known. So directions whose number or place a frame
+// cannot choose, such as those that neighbours have asked, change what is hidden alone.
 //
 // A direction that much of the light comes from, such as that of a sun, has a finer map and
-// filtered edges of its shadows.
+// filtered edges of its shadows, at every pixel.
 //
-// What it ignores: directions between those of the lattice (bias of either sign, less than 0.2 % of
-// an open plane for 64), surfaces finer than a tile's texel (too dark in relief, too bright at
-// contacts).
+// What it ignores: shadows between those of the directions, surfaces finer than a tile's texel (too
+// dark in relief, too bright at contacts).
 #ifndef vtkIndirectSkyGather_h
 #define vtkIndirectSkyGather_h
 
+#include "Gather/vtkIndirectSkyDirections.h"     // for a member
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
 #include "OpenGL/vtkIndirectTarget.h"            // for a member
 #include "OpenGL/vtkIndirectUniformBlock.h"      // for a member
 #include "Visibility/vtkIndirectDepthAtlas.h"    // for a member
 
-#include <glm/glm.hpp> // for directions
+#include <glm/glm.hpp> // for blocks
+#include <string>      // for definitions
 #include <vector>      // for lists
 
 class vtkEnvironmentLight;
@@ -57,22 +67,44 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  // Directions that are summed alike, their maps and the program.
+  using Summand = vtkIndirectSkyDirections::Summand;
+
+  // Directions whose maps are alike.
   struct Group
   {
-    std::vector<size_t> Members; // numbers of directions
+    std::vector<size_t> Numbers; // of directions that have a place in the atlas
     std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
     int Texels = 0;
     vtkIndirectDepthAtlas Atlas;
-    vtkIndirectFullScreenProgram Kernel{ "vtkIndirectSkyFS.glsl" };
   };
+  // A direction that is summed: its place in its group's atlas, and its light.
+  struct Term
+  {
+    size_t Tile;
+    glm::dvec3 Light; // irradiance of a surface that faces it
+  };
+  using Terms = std::vector<Term>;
 
   void UpdateDirections(const Input& input);
   void FitTiles(const vtkIndirectFrame& frame);
-  std::vector<glm::vec4> MakeBlock(const Group& group, size_t first, size_t count) const;
-  bool SumGroup(const Input& input, Group& group, bool adds);
+  Terms MakeTerms(const std::vector<Summand>& summands, bool strong) const;
+  std::vector<glm::vec4> MakeBlock(
+    const Group& group, const Terms& terms, size_t first, size_t size) const;
+  void SetBlock(const Input& input, vtkShaderProgram* program, const Group& group,
+    const Terms& terms, size_t first, size_t size);
+  bool UpdateOpenSky(const Input& input);
+  std::string GetDefinitions(int block, int step) const;
+  void Activate(const Input& input, const Group* group, vtkShaderProgram* program);
+  void Deactivate(const Input& input, const Group* group);
+  bool SumOthers(const Input& input);
+  bool FilterRows(const Input& input);
+  bool FilterColumns(const Input& input);
+  bool SumStrong(const Input& input);
 
   vtkIndirectTarget Irradiance;
+  vtkIndirectTarget Sums[2]; // of what pixels have asked themselves; of still and moving frames
+  vtkIndirectTarget Rows;    // over neighbours in the row
+  vtkIndirectTarget OpenSky;
   enum GroupType
   {
     Strong,
@@ -80,14 +112,23 @@ private:
     NumberOfGroups
   };
   Group Groups[NumberOfGroups];
+  vtkIndirectSkyDirections Directions;
   vtkIndirectUniformBlock Block{ "vtkiSkyBlock" };
 
-  std::vector<glm::dvec3> Directions;       // the lattice
-  std::vector<glm::dvec3> Light;            // radiance times solid angle, a value for each
-  vtkEnvironmentLight* Projected = nullptr; // whose light that is, and its time
-  vtkMTimeType ProjectedTime = 0;
+  // Of still and of moving frames, which follow each other too often to be built anew.
+  vtkIndirectFullScreenProgram SumKernels[2]{ { "vtkIndirectSkyFS.glsl" },
+    { "vtkIndirectSkyFS.glsl" } };
+  vtkIndirectFullScreenProgram ColumnKernels[2]{ { "vtkIndirectSkyFilterFS.glsl" },
+    { "vtkIndirectSkyFilterFS.glsl" } };
+  vtkIndirectFullScreenProgram RowKernel{ "vtkIndirectSkyFilterFS.glsl" };
+  vtkIndirectFullScreenProgram StrongKernel{ "vtkIndirectSkyFS.glsl" };
+
   std::vector<double> FitKey; // what the tiles are fitted to
+  bool OpenSkyIsThere = false;
+  glm::vec3 OpenFlux{ 0.0f };
+  glm::vec3 SummedFlux{ 0.0f };
   bool Visible = false;
+  int Step = 1; // of the last frame: edge of the blocks of pixels that share directions
   size_t ContentTime = 0;
 };
 

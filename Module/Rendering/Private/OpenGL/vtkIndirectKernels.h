@@ -61,6 +61,7 @@ namespace
 #include "vtkIndirectLibOccupancy.glsl"
 #include "vtkIndirectLibDistanceField.glsl"
 #include "vtkIndirectLibDepthTile.glsl"
+#include "vtkIndirectLibSky.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

@@ -230,6 +230,8 @@ bool vtkIndirectPipeline::UpdateSky(const Request& request)
   this->Timer.End(vtkIndirectStageTimer::Visibility);
   std::vector<double> key = this->Plan.MakeKey(this->Frame);
   key.push_back(static_cast<double>(this->Sky.GetContentTime()));
+  key.push_back(this->Plan.NumberOfSkyDirections);
+  key.push_back(this->Plan.SkyBlock);
   if (request.Settings.Caching && key == this->SkyKey)
   {
     return true;

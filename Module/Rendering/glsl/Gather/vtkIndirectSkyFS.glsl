@@ -1,90 +1,63 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Irradiance that comes directly from the sky: the sum over its directions of those that the receiver
-// sees, each by a parallel depth map of its own. VTKI_FILTERED: of few strong directions, whose shadows
-// have edges that are seen.
-#include "vtkIndirectReceiver.glsl"
-#include "vtkIndirectLibDepthTile.glsl"
+// What comes directly from the sky: the sum over a block's directions of those that the receiver sees, each by
+// a parallel depth map of its own. VTKI_SKY_STEP: edge of a block of pixels of which each sums other
+// directions; those of one place in their blocks lie together in a part of the target, and are drawn together.
+// VTKI_SKY_PIXELS: 1, or 4 pixels of a square, each into an image of its own: what software spends most of its
+// time with is to fetch the directions, which is then done once for four.
+#ifndef VTKI_SKY_STEP
+#define VTKI_SKY_STEP 2
+#define VTKI_SKY_BLOCK 16
+#endif
+#ifndef VTKI_SKY_PIXELS
+#define VTKI_SKY_PIXELS 1
+#endif
+#include "vtkIndirectSkyDirections.glsl"
 
-// Directions in a block: 16000 of the 16384 bytes that every OpenGL has.
-const int VTKI_SKY_BLOCK = 200;
-layout(std140) uniform vtkiSkyBlock
-{
-  vec4 vtkiSkyRight[VTKI_SKY_BLOCK]; // rows of the matrix from scene to the tile's image, [-1,1]
-  vec4 vtkiSkyUp[VTKI_SKY_BLOCK];
-  vec4 vtkiSkyDepth[VTKI_SKY_BLOCK]; // and to what the depth buffer holds, [0,1]
-  vec4 vtkiSkyLight[VTKI_SKY_BLOCK]; // radiance times solid angle over pi, column of the tile
-  vec4 vtkiSkyShape[VTKI_SKY_BLOCK]; // half widths squared, range of depth, row of the tile
-};
-uniform int vtkiSkyCount;
-#ifdef VTKI_VISIBILITY
-uniform sampler2D vtkiDepthTiles;
-uniform vec2 vtkiTileShape; // tiles along an edge of the atlas, texels along an edge of a tile
-
-struct vtkiSkyPlace
-{
-  vec2 place; // in the tile's image, [-1,1]
-  float depth;
-  vec2 slope; // of the receiver's plane, see vtkiParallelTileDepth
-};
-
-vtkiSkyPlace vtkiFindSkyPlace(int i, vec3 position, vec3 normal)
-{
-  vec4 right = vtkiSkyRight[i];
-  vec4 up = vtkiSkyUp[i];
-  vec4 down = vtkiSkyDepth[i];
-  vec4 shape = vtkiSkyShape[i];
-  return vtkiSkyPlace(
-    vec2(dot(right.xyz, position) + right.w, dot(up.xyz, position) + up.w),
-    dot(down.xyz, position) + down.w,
-    vec2(dot(normal, right.xyz) * shape.x, dot(normal, up.xyz) * shape.y));
-}
-
-// Whether the sky is seen over one texel of a direction's tile.
-bool vtkiIsSkySeen(int i, vtkiSkyPlace at, vec2 texel, float cosine)
-{
-  vec4 shape = vtkiSkyShape[i];
-  float texels = vtkiTileShape.y;
-  // Nothing casts beyond the tile's border.
-  vec2 held = clamp(texel, vec2(0.0f), vec2(texels - 1.0f));
-  vec2 toCentre = (2.0f * held + 1.0f) / texels - 1.0f - at.place;
-  // A look-up at a texel's centre is exact, and in software faster than a fetch.
-  vec2 corner = vec2(vtkiSkyLight[i].w, shape.w) * texels;
-  float stored =
-    textureLod(vtkiDepthTiles, (corner + held + 0.5f) / (vtkiTileShape.x * texels), 0.0f).r;
-  return texel != held ||
-    stored >= vtkiParallelTileDepth(at.depth, cosine, at.slope, toCentre, texels, shape);
-}
+uniform int vtkiSkyCount; // of the block's directions
+#if VTKI_SKY_STEP > 1
+uniform ivec2 vtkiSkyPart;  // pixels of a part
+uniform ivec2 vtkiSkyClass; // place in a block
 #endif
 
 void main()
 {
-  vtkiReceiver receiver;
-  bool lit = vtkiFetchReceiver(ivec2(gl_FragCoord.xy), receiver);
-  vec3 sum = vec3(0.0f);
-  int count = lit ? vtkiSkyCount : 0;
+  ivec2 place = ivec2(gl_FragCoord.xy);
+#if VTKI_SKY_STEP > 1
+  place = (place - vtkiSkyClass * vtkiSkyPart) * VTKI_SKY_STEP + vtkiSkyClass;
+#endif
+  vec3 position[VTKI_SKY_PIXELS];
+  vec3 normal[VTKI_SKY_PIXELS];
+  bool lit[VTKI_SKY_PIXELS];
+  vec4 sum[VTKI_SKY_PIXELS];
+  bool any = false;
+  for (int k = 0; k < VTKI_SKY_PIXELS; ++k)
+  {
+#if VTKI_SKY_PIXELS > 1
+    ivec2 pixel = 2 * place + ivec2(k & 1, k >> 1);
+#else
+    ivec2 pixel = place;
+#endif
+    vtkiReceiver receiver;
+    lit[k] = vtkiFetchReceiver(pixel, receiver);
+    position[k] = receiver.position;
+    normal[k] = receiver.normal;
+    sum[k] = vec4(0.0f);
+    any = any || lit[k];
+  }
+  int count = any ? vtkiSkyCount : 0;
   for (int i = 0; i < count; ++i)
   {
-    float cosine = -dot(receiver.normal, vtkiSkyDepth[i].xyz) * vtkiSkyShape[i].z;
-    float seen = 1.0f;
-#ifdef VTKI_VISIBILITY
-    vtkiSkyPlace at = vtkiFindSkyPlace(i, receiver.position, receiver.normal);
-    vec2 texel = (0.5f + 0.5f * at.place) * vtkiTileShape.y;
-#ifdef VTKI_FILTERED
-    // The four nearest texels, so that the edge of a shadow is as wide as one of them.
-    vec2 first = floor(texel - 0.5f);
-    vec2 blend = texel - 0.5f - first;
-    vec4 four = vec4(vtkiIsSkySeen(i, at, first, cosine),
-      vtkiIsSkySeen(i, at, first + vec2(1.0f, 0.0f), cosine),
-      vtkiIsSkySeen(i, at, first + vec2(0.0f, 1.0f), cosine),
-      vtkiIsSkySeen(i, at, first + 1.0f, cosine));
-    vec2 rows = mix(four.xz, four.yw, blend.x);
-    seen = mix(rows.x, rows.y, blend.y);
-#else
-    seen = vtkiIsSkySeen(i, at, floor(texel), cosine) ? 1.0f : 0.0f;
-#endif
-#endif
-    sum += max(cosine, 0.0f) * seen * vtkiSkyLight[i].rgb;
+    vtkiSkyDirection sky = vtkiFetchSkyDirection(i);
+    for (int k = 0; k < VTKI_SKY_PIXELS; ++k)
+    {
+      sum[k] += vtkiFromSky(sky, position[k], normal[k]);
+    }
   }
-  gl_FragData[0] = vec4(sum, 1.0f);
+  gl_FragData[0] = lit[0] ? sum[0] : vec4(0.0f);
+#if VTKI_SKY_PIXELS > 1
+  gl_FragData[1] = lit[1] ? sum[1] : vec4(0.0f);
+  gl_FragData[2] = lit[2] ? sum[2] : vec4(0.0f);
+  gl_FragData[3] = lit[3] ? sum[3] : vec4(0.0f);
+#endif
 }

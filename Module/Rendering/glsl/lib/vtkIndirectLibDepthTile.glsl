@@ -46,18 +46,14 @@ float vtkiTilePlaneDepth(vec3 p, vec3 n, vec2 t)
   return facing < 0.0f && along < 0.0f ? min(facing / along, p.z) : p.z;
 }
 
-/* The depth of a parallel tile, [0,1], that a receiver is seen at: that of its own plane at the centre of the
- * texel, less a bias. depth, cosine: of the receiver, towards the emitter; slope: components of its normal
- * in the tile's image, times the half widths squared; toCentre: to the texel's centre, in the tile's image;
- * shape: half widths squared, range of depth. Not beyond the receiver's own depth, so that a plane that runs
- * away from the emitter does not reach behind what ends the surface; nor beyond the end of the map, where
- * nothing is. */
-float vtkiParallelTileDepth(
-  float depth, float cosine, vec2 slope, vec2 toCentre, float texels, vec4 shape)
+/* Whether a parallel tile lets a receiver see its emitter: what is stored at a texel's centre, [0,1], is
+ * compared with the depth of the receiver's own plane there. depth: the receiver's, less the bias; facing: its
+ * cosine towards the emitter over the range of depth; rise: how much nearer to the emitter, over that range,
+ * the plane runs from the receiver to the texel's centre, times facing. The plane counts where it comes
+ * nearer: one that runs away from the emitter does not reach behind what ends the surface. At the end of the map
+ * nothing is. Without a division, because a sky has hundreds of these at a pixel. */
+bool vtkiIsSeenInParallelTile(float stored, float depth, float facing, float rise)
 {
-  float across = slope.x * toCentre.x + slope.y * toCentre.y;
-  float plane = cosine > 0.0f ? min(across / (cosine * shape.z), 0.0f) : 0.0f;
-  float bias = VTKI_TILE_ROUGHNESS * 2.0f * sqrt(max(shape.x, shape.y)) / (texels * shape.z);
-  return min(depth + plane - bias, 1.0f);
+  return stored >= 1.0f || (stored - depth) * facing >= min(rise, 0.0f);
 }
 #endif

@@ -1,0 +1,77 @@
+// Directions of the sky, as a block has them, and what a receiver gets from one.
+// VTKI_SKY_BLOCK: directions in the block, at most 204: 16384 bytes, which every OpenGL has.
+// VTKI_VISIBILITY: if nothing hides it; VTKI_FILTERED: of few strong directions, whose shadows have edges that
+// are seen.
+#include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectLibDepthTile.glsl"
+
+layout(std140) uniform vtkiSkyBlock
+{
+  vec4 vtkiSkyRight[VTKI_SKY_BLOCK]; // rows of the matrix from scene to texels of the tile
+  vec4 vtkiSkyUp[VTKI_SKY_BLOCK];
+  vec4 vtkiSkyDepth[VTKI_SKY_BLOCK]; // and to what the depth buffer holds, [0,1], less the bias
+  vec4 vtkiSkyLight[VTKI_SKY_BLOCK]; // irradiance of what faces it, times the range of depth; sum over colours
+  vec4 vtkiSkyPlace[VTKI_SKY_BLOCK]; // first texel of the tile; a texel's width over the range, squared
+};
+
+struct vtkiSkyDirection
+{
+  vec4 right;
+  vec4 up;
+  vec4 down;
+  vec4 light;
+  vec4 place;
+};
+
+vtkiSkyDirection vtkiFetchSkyDirection(int i)
+{
+  return vtkiSkyDirection(
+    vtkiSkyRight[i], vtkiSkyUp[i], vtkiSkyDepth[i], vtkiSkyLight[i], vtkiSkyPlace[i]);
+}
+
+#ifdef VTKI_VISIBILITY
+uniform sampler2D vtkiDepthTiles;
+uniform vec2 vtkiTileShape; // tiles along an edge of the atlas, texels along an edge of a tile
+
+// Whether the sky is seen over one texel of a direction's tile. first: the tile's first texel; at: the
+// receiver's place, centre: the texel's, in the tile; slope: how the receiver's plane runs, see
+// vtkiIsSeenInParallelTile.
+bool vtkiIsSkySeen(vec2 first, vec2 at, vec2 centre, float depth, float facing, vec2 slope)
+{
+  // A look-up at a texel's centre is exact, and in software faster than a fetch.
+  float stored = textureLod(vtkiDepthTiles,
+    (first + centre) * (1.0f / (vtkiTileShape.x * vtkiTileShape.y)), 0.0f).r;
+  // Nothing casts beyond the tile's border.
+  vec2 beyond = abs(centre - 0.5f * vtkiTileShape.y);
+  return max(beyond.x, beyond.y) > 0.5f * vtkiTileShape.y ||
+    vtkiIsSeenInParallelTile(stored, depth, facing, dot(slope, centre - at));
+}
+#endif
+
+// Irradiance, and in the fourth component its sum over the colours if nothing hid it.
+vec4 vtkiFromSky(vtkiSkyDirection sky, vec3 position, vec3 normal)
+{
+  float facing = max(-dot(normal, sky.down.xyz), 0.0f);
+  float seen = 1.0f;
+#ifdef VTKI_VISIBILITY
+  vec2 at = vec2(
+    dot(sky.right.xyz, position) + sky.right.w, dot(sky.up.xyz, position) + sky.up.w);
+  float depth = dot(sky.down.xyz, position) + sky.down.w;
+  vec2 slope = vec2(dot(normal, sky.right.xyz), dot(normal, sky.up.xyz)) * sky.place.zw;
+  vec2 tile = sky.place.xy;
+#ifdef VTKI_FILTERED
+  // The four nearest texels, so that the edge of a shadow is as wide as one of them.
+  vec2 first = floor(at - 0.5f) + 0.5f;
+  vec2 blend = at - first;
+  vec4 four = vec4(vtkiIsSkySeen(tile, at, first, depth, facing, slope),
+    vtkiIsSkySeen(tile, at, first + vec2(1.0f, 0.0f), depth, facing, slope),
+    vtkiIsSkySeen(tile, at, first + vec2(0.0f, 1.0f), depth, facing, slope),
+    vtkiIsSkySeen(tile, at, first + 1.0f, depth, facing, slope));
+  vec2 rows = mix(four.xz, four.yw, blend.x);
+  seen = mix(rows.x, rows.y, blend.y);
+#else
+  seen = vtkiIsSkySeen(tile, at, floor(at) + 0.5f, depth, facing, slope) ? 1.0f : 0.0f;
+#endif
+#endif
+  return vec4((facing * seen) * sky.light.rgb, facing * sky.light.w);
+}

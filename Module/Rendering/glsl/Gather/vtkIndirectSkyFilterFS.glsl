@@ -1,0 +1,120 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Irradiance from the sky, of sums over the directions that a pixel and its neighbours have asked.
+// VTKI_SKY_STEP: edge of the blocks of pixels that have asked all of them between them. First with VTKI_SKY_ROWS
+// along rows, then along columns, weights fall linearly over a block's edge to either side: those of the
+// pixels that asked the same add up to one, so that each direction's shadow is interpolated between the
+// pixels that asked it, and no pattern of blocks stays. Neighbours on other surfaces take no part.
+#ifndef VTKI_SKY_STEP
+#define VTKI_SKY_STEP 2
+#define VTKI_SKY_BLOCK 16
+#endif
+#define VTKI_STEP VTKI_SKY_STEP
+#include "vtkIndirectStep.glsl"
+#include "vtkIndirectLibInterpolation.glsl"
+#include "vtkIndirectLibSky.glsl"
+#if VTKI_SKY_STEP > 1 && !defined(VTKI_SKY_ROWS)
+#include "vtkIndirectSkyDirections.glsl"
+
+uniform int vtkiSkyCount; // of the block's directions
+
+// Of what all directions give, what neighbours must have found between them: of a corner of a surface less than
+// nine sixteenths are within reach, and its pixels have asked all of them still.
+const float VTKI_SKY_COVERAGE = 0.55f;
+#endif
+
+uniform sampler2D vtkiSkySums;
+#if VTKI_SKY_STEP == 1
+uniform sampler2D vtkiSkySums1; // of the squares' other pixels: right, above, right above
+uniform sampler2D vtkiSkySums2;
+uniform sampler2D vtkiSkySums3;
+#endif
+#ifdef VTKI_SKY_ROWS
+uniform ivec2 vtkiSkyPart; // pixels of a part, which those of one place in their blocks lie in
+#else
+uniform sampler2D vtkiOpenSky; // irradiance if nothing hid any of the sky; what all directions give then
+uniform vec3 vtkiOpenFlux;     // the odd halves of these, see vtkIndirectLibSky.glsl
+uniform vec3 vtkiSummedFlux;
+uniform float vtkiSkyUnit;
+#endif
+
+#ifdef VTKI_SKY_ROWS
+const int VTKI_AXIS = 0;
+#else
+const int VTKI_AXIS = 1;
+#endif
+
+vec4 vtkiFetchSum(ivec2 pixel)
+{
+#ifdef VTKI_SKY_ROWS
+  ivec2 texel = (pixel & (VTKI_SKY_STEP - 1)) * vtkiSkyPart + pixel / VTKI_SKY_STEP;
+  return textureLod(vtkiSkySums, (vec2(texel) + 0.5f) / vec2(VTKI_SKY_STEP * vtkiSkyPart), 0.0f);
+#elif VTKI_SKY_STEP == 1
+  // Squares of four pixels, one in each image.
+  vec2 at = (vec2(pixel / 2) + 0.5f) / vec2((vtkiSize + 1) / 2);
+  vec4 lower = (pixel.x & 1) == 0 ? textureLod(vtkiSkySums, at, 0.0f) : textureLod(vtkiSkySums1, at, 0.0f);
+  vec4 upper = (pixel.x & 1) == 0 ? textureLod(vtkiSkySums2, at, 0.0f) : textureLod(vtkiSkySums3, at, 0.0f);
+  return (pixel.y & 1) == 0 ? lower : upper;
+#else
+  return textureLod(vtkiSkySums, (vec2(pixel) + 0.5f) / vec2(vtkiSize), 0.0f);
+#endif
+}
+
+// Over the pixel's neighbours along the axis that lie on its surface.
+vec4 vtkiSumAlong(ivec2 pixel, vtkiReceiver receiver)
+{
+#if VTKI_SKY_STEP == 1
+  return vtkiFetchSum(pixel);
+#else
+  // Height of a neighbour over the receiver's plane: affine in the pixel's offset and in its depth.
+  float pixelWidth = 2.0f / float(vtkiSize[VTKI_AXIS]);
+  vec3 ndc = vec3(2.0f * (vec2(pixel) + 0.5f) / vec2(vtkiSize) - 1.0f, 1.0f);
+  float along = dot(receiver.normalVC, vtkiRayDirection * ndc);
+  float originStep = dot(receiver.normalVC, vtkiRayOrigin[VTKI_AXIS]) * pixelWidth;
+  float directionStep = dot(receiver.normalVC, vtkiRayDirection[VTKI_AXIS]) * pixelWidth;
+  float tolerance = VTKI_INTERPOLATION_DISTANCE * vtkiSampleDistance(receiver.depth);
+  vec4 sum = vec4(0.0f);
+  for (int i = 1 - VTKI_SKY_STEP; i < VTKI_SKY_STEP; ++i)
+  {
+    ivec2 at = pixel;
+    at[VTKI_AXIS] += i;
+    bool inside = at[VTKI_AXIS] >= 0 && at[VTKI_AXIS] < vtkiSize[VTKI_AXIS];
+    vec4 surface = textureLod(vtkiSurface, (vec2(at) + 0.5f) / vec2(vtkiSize), 0.0f);
+    float depth = vtkiSurfaceDepth(surface);
+    float height =
+      float(i) * (originStep + depth * directionStep) + (depth - receiver.depth) * along;
+    bool same = inside && vtkiSurfaceIsLit(surface) && abs(height) <= tolerance &&
+      dot(receiver.normalVC, vtkiSurfaceNormal(surface)) >= VTKI_INTERPOLATION_COSINE;
+    float weight = 1.0f - abs(float(i)) / float(VTKI_SKY_STEP);
+    sum += same ? weight * vtkiFetchSum(at) : vec4(0.0f);
+  }
+  return sum;
+#endif
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vtkiReceiver receiver;
+  bool lit = vtkiFetchReceiver(pixel, receiver);
+  vec4 sum = vtkiSumAlong(pixel, receiver);
+#ifdef VTKI_SKY_ROWS
+  gl_FragData[0] = lit ? sum : vec4(0.0f);
+#else
+  vec2 open = textureLod(vtkiOpenSky, vtkiOpenSkyPlace(receiver.normal), 0.0f).rg +
+    vec2(dot(vtkiOpenFlux, receiver.normal), dot(vtkiSummedFlux, receiver.normal));
+#if VTKI_SKY_STEP > 1
+  // Thin and small things have too few neighbours: their pixels ask for themselves.
+  bool covered = !lit || sum.w >= VTKI_SKY_COVERAGE * open.g;
+  vec4 own = vec4(0.0f);
+  int count = covered ? 0 : vtkiSkyCount;
+  for (int i = 0; i < count; ++i)
+  {
+    own += vtkiFromSky(vtkiFetchSkyDirection(i), receiver.position, receiver.normal);
+  }
+  sum = covered ? sum : own;
+#endif
+  vec3 irradiance = vtkiSkyUnit * vtkiSkyIrradiance(sum.rgb, sum.w, max(open.r, 0.0f));
+  gl_FragData[0] = vec4(lit ? irradiance : vec3(0.0f), 1.0f);
+#endif
+}
