@@ -112,6 +112,7 @@ void vtkEnvironmentLight::PrintSelf(ostream& os, vtkIndent indent)
   print("Radiance", this->Radiance);
   os << indent << "Image: " << this->Image << "\n";
   os << indent << "Texture: " << this->Texture << "\n";
+  os << indent << "Encoded: " << (this->Encoded ? "On" : "Off") << "\n";
   os << indent << "Scale: " << this->Scale << "\n";
   print("Up", this->Up);
   print("Right", this->Right);
@@ -166,13 +167,19 @@ vtkImageData* vtkEnvironmentLight::FindImage()
 }
 
 //------------------------------------------------------------------------------
+bool vtkEnvironmentLight::IsEncoded() const
+{
+  return this->Encoded || (!this->Image && this->Texture && this->Texture->GetUseSRGBColorSpace());
+}
+
+//------------------------------------------------------------------------------
 void vtkEnvironmentLight::GetRadianceFrom(const double direction[3], double radiance[3])
 {
   glm::dvec3 result(this->Radiance[0], this->Radiance[1], this->Radiance[2]);
   vtkImageData* image = this->FindImage();
   if (image && image->GetPointData()->GetScalars() && image->GetNumberOfPoints() > 0)
   {
-    Pixels pixels(image, !this->Image && this->Texture->GetUseSRGBColorSpace());
+    Pixels pixels(image, this->IsEncoded());
     const glm::dvec3 d = glm::transpose(MakeFrame(this->Up, this->Right)) *
       glm::dvec3(direction[0], direction[1], direction[2]);
     const double u = 0.5 * std::atan2(d.x, -d.z) / vtkMath::Pi() + 0.5;
@@ -245,7 +252,7 @@ void vtkEnvironmentLight::MakeCells()
   };
   if (image)
   {
-    Pixels pixels(image, !this->Image && this->Texture->GetUseSRGBColorSpace());
+    Pixels pixels(image, this->IsEncoded());
     // Pixels that are wider than a cell are cut into pieces.
     const int across = (Columns + pixels.Size[0] - 1) / pixels.Size[0];
     const int upward = (Rows + pixels.Size[1] - 1) / pixels.Size[1];

@@ -10,8 +10,8 @@
  * all of it turned by Up and Right. Its rows go from the nadir to the zenith, bottom row first, as
  * VTK's readers return them.
  *
- * Values are radiances in VTK's units. Images of bytes are divided by 255; where a texture says so
- * (vtkTexture::SetUseSRGBColorSpace) they are decoded. Values that are negative or not finite count
+ * Values are radiances in VTK's units. Images of bytes are divided by 255; with Encoded on, or
+ * where a texture says so, values are decoded. Values that are negative or not finite count
  * as zero, and one warning tells how many there were.
  *
  * @code
@@ -62,6 +62,17 @@ public:
   /** A texture whose input is such an image. Default null. */
   virtual void SetTexture(vtkTexture* texture);
   vtkGetObjectMacro(Texture, vtkTexture);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the values of an image are encoded by the transfer function of sRGB (IEC 61966-2-1), as
+   * those of photographs in bytes are. Default off. Those of a texture that says so
+   * (vtkTexture::SetUseSRGBColorSpace) are decoded in any case.
+   */
+  vtkSetMacro(Encoded, bool);
+  vtkGetMacro(Encoded, bool);
+  vtkBooleanMacro(Encoded, bool);
   ///@}
 
   ///@{
@@ -116,6 +127,7 @@ protected:
   double Radiance[3] = { 1.0, 1.0, 1.0 };
   vtkImageData* Image = nullptr;
   vtkTexture* Texture = nullptr;
+  bool Encoded = false;
   double Scale = 1.0;
   double Up[3] = { 0.0, 1.0, 0.0 };
   double Right[3] = { 1.0, 0.0, 0.0 };
@@ -125,6 +137,7 @@ private:
   void operator=(const vtkEnvironmentLight&) = delete;
 
   vtkImageData* FindImage();
+  bool IsEncoded() const;
   void MakeCells();
 
   std::vector<Cell> Cells;

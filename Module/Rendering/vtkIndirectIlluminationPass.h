@@ -72,12 +72,14 @@ public:
 
   ///@{
   /**
-   * Light from all around. Default null: none. Its direct part is summed over directions that are
-   * fixed in the world, hidden by depth maps of the scene, and stands in the buffer `sky`; what
-   * surfaces reflect of it is summed with what they reflect of lights (`bounce`). A frame with an
-   * environment needs no vtkLight. While the window gives a frame a second or less
-   * (vtkRenderWindow::SetDesiredUpdateRate), it is summed over a quarter of the directions, of
-   * which neighbouring pixels ask different ones.
+   * Light from all around. Default null: the renderer's environment texture where it uses
+   * image-based lighting, unless that is a cube map; else none. The diffuse light that VTK's
+   * physically based shading adds of that texture, which nothing hides, is left out then. The
+   * direct part is summed over directions that are fixed in the world, hidden by depth maps of the
+   * scene, and stands in the buffer `sky`; what surfaces reflect of it is summed with what they
+   * reflect of lights (`bounce`). A frame with an environment needs no vtkLight. While the window
+   * gives a frame a second or less (vtkRenderWindow::SetDesiredUpdateRate), it is summed over a
+   * quarter of the directions, of which neighbouring pixels ask different ones.
    */
   virtual void SetEnvironment(vtkEnvironmentLight* environment);
   vtkGetObjectMacro(Environment, vtkEnvironmentLight);

@@ -356,6 +356,31 @@ VTK_INDIRECT_TEST(PlanKeys)
   Check("the tolerance", vtkIndirectPlan::Make(frame, settings, {}, {}).MakeKey(frame) != key);
 }
 
+// What VTK adds of the renderer's texture is replaced, not doubled.
+VTK_INDIRECT_TEST(PlanImageBasedLighting)
+{
+  for (const bool environment : { false, true })
+  {
+    for (const bool images : { false, true })
+    {
+      for (const double scale : { 0.0, 1.0 })
+      {
+        vtkIndirectCircumstances circumstances;
+        circumstances.Environment = environment;
+        circumstances.ImageBasedLighting = images;
+        vtkIndirectSettings settings;
+        settings.IndirectScale = scale;
+        const vtkIndirectPlan plan =
+          vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), settings, {}, circumstances);
+        const bool replaced = environment && images && scale > 0.0;
+        Check("replaced", plan.ReplacesImageLight == replaced);
+        Check("said", Find(plan.LeftOut, "specular environment light").empty() != replaced);
+        Check("left out", Find(plan.LeftOut, "environment light").empty() == (!images || replaced));
+      }
+    }
+  }
+}
+
 // Moving frames sum a quarter of a still frame's directions, sixteen at a pixel.
 VTK_INDIRECT_TEST(PlanSky)
 {

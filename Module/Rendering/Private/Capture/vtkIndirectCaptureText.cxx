@@ -121,6 +121,12 @@ void vtkIndirectCaptureText::Add(
   {
     declarations += "uniform int vtkiParallel;\n";
   }
+  // What the sky replaces: PBR's diffuse light of the renderer's environment texture.
+  if (Contains(fragmentShader, "envMatrix") && Contains(fragmentShader, "vec3 irradiance = "))
+  {
+    ReplaceAll(fragmentShader, "vec3 irradiance = ", "vec3 irradiance = vtkiImageLight * ");
+    declarations += "uniform float vtkiImageLight;\n";
+  }
   std::string albedo = "diffuseColor";
   if (pbr)
   {

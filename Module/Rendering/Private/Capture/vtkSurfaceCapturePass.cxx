@@ -159,6 +159,7 @@ void vtkSurfaceCapturePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DelegatePass: " << this->DelegatePass << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "On" : "Off") << "\n";
   os << indent << "Specular: " << (this->Specular ? "On" : "Off") << "\n";
+  os << indent << "ImageLight: " << (this->ImageLight ? "On" : "Off") << "\n";
   os << indent << "NumberOfShaderBuilds: " << this->NumberOfShaderBuilds << "\n";
 }
 
@@ -424,6 +425,10 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   {
     program->SetUniformf("vtkiEncoded", 1.0f);
     in.Encoded = true;
+  }
+  if (program->IsUniformUsed("vtkiImageLight"))
+  {
+    program->SetUniformf("vtkiImageLight", this->ImageLight ? 1.0f : 0.0f);
   }
   if (program->IsUniformUsed("vtkiParallel"))
   {

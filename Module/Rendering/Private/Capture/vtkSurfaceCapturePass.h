@@ -15,8 +15,9 @@
  * Visibility enters VTK's shading by a local variable that shadows the uniform lightColorN, and
  * what the frame's lights and materials make needless (cones, powers and lobes that none of them
  * has) leaves it the same way: by constants that a compiler folds. Of VTK's own code only the
- * cosine of a cone's angle and the width of faces' edges are matched as text, and where these are
- * not found nothing changes, so every material of VTK keeps working.
+ * cosine of a cone's angle, the width of faces' edges and the declaration of an environment's
+ * irradiance are matched as text, and where these are not found nothing changes, so every material
+ * of VTK keeps working.
  *
  * Approximations: PBR's diffuse part is taken as albedo (1 - metallic) / pi, without VTK's (1 - F):
  * high by the Fresnel reflectance, about 4 %. Specular reflection sends no light.
@@ -85,6 +86,16 @@ public:
   vtkBooleanMacro(Specular, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether VTK's physically based shading adds diffuse light of the renderer's environment
+   * texture, which nothing hides. Default on.
+   */
+  vtkSetMacro(ImageLight, bool);
+  vtkGetMacro(ImageLight, bool);
+  vtkBooleanMacro(ImageLight, bool);
+  ///@}
+
   vtkMTimeType GetShaderStageMTime() override { return this->SourceTime.GetMTime(); }
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
@@ -138,6 +149,7 @@ protected:
   vtkIdType NumberOfShaderBuilds = 0;
   bool Shadows = true;
   bool Specular = false;
+  bool ImageLight = true;
   vtkTimeStamp SourceTime; // of the last change to injected text
 
 private:

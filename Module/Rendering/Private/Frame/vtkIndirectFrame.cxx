@@ -85,12 +85,6 @@ void vtkIndirectFrame::Build(const vtkRenderState* state)
   }
   this->CollectLights();
   this->CollectProps();
-  if (this->Renderer->GetUseImageBasedLighting())
-  {
-    this->LeaveOut("environment light",
-      "VTK lights physically based props with the renderer's environment texture, without shadows; "
-      "none of it is reflected further");
-  }
   if (this->Size[0] > 0 && this->Size[1] > 0 && !this->Casters.empty())
   {
     this->SetUpEye();

@@ -120,6 +120,18 @@ void vtkIndirectPlan::FindSky(const vtkIndirectSettings& settings,
 {
   this->Sky = circumstances.Environment && settings.IndirectScale > 0.0;
   this->SkyIsShadowed = settings.Visibility != vtkIndirectVisibilityNone;
+  this->ReplacesImageLight = this->Sky && circumstances.ImageBasedLighting;
+  if (this->ReplacesImageLight)
+  {
+    this->LeftOut.emplace_back("specular environment light",
+      "VTK adds that of the renderer's environment texture, without shadows");
+  }
+  else if (circumstances.ImageBasedLighting)
+  {
+    this->LeftOut.emplace_back("environment light",
+      "VTK lights physically based props with the renderer's environment texture, without shadows; "
+      "none of it is reflected further");
+  }
   if (!this->Sky)
   {
     return;

@@ -38,7 +38,8 @@ struct vtkIndirectCircumstances
   bool Environment = false;      // light comes from all around
   /** VTK irradiance of a surface that all of its light would fall on at a right angle. */
   double EnvironmentIrradiance = 0.0;
-  std::string OtherAntialiasing; // what antialiases the picture after the pass; empty: nothing
+  bool ImageBasedLighting = false; // VTK adds that of the renderer's texture, which nothing hides
+  std::string OtherAntialiasing;   // what antialiases the picture after the pass; empty: nothing
   /** What the window gives a frame: 1 / DesiredUpdateRate, by default that of a still picture. */
   double FrameSeconds = 10000.0;
 };
@@ -74,6 +75,7 @@ struct vtkIndirectPlan
    */
   bool Sky = false;
   bool SkyIsShadowed = true;
+  bool ReplacesImageLight = false; // the diffuse light that VTK adds of the renderer's texture
   int NumberOfSkyDirections = 256;
   int NumberOfStillSkyDirections = 256;
   int SkyBlock = 1;

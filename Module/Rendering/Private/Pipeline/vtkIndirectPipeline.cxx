@@ -8,13 +8,15 @@
 #include "Frame/vtkIndirectReport.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
-#include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkMapLightSampler.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRIrradianceTexture.h"
+#include "vtkPointData.h"
 #include "vtkRenderState.h"
-#include "vtkRenderer.h"
+#include "vtkTexture.h"
 
 #include <algorithm>
 
@@ -43,11 +45,43 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   this->Frame.Build(s);
   vtkIndirectCircumstances circumstances = request.Circumstances;
   circumstances.NumberOfOtherEmitters = static_cast<int>(this->OtherSamplers.size());
-  circumstances.EnvironmentIrradiance =
-    request.Environment ? SumIrradiance(request.Environment) : 0.0;
+  this->Environment =
+    request.Environment ? request.Environment : this->FindImageLight(this->Frame.Renderer);
+  circumstances.EnvironmentIrradiance = this->Environment ? SumIrradiance(this->Environment) : 0.0;
   circumstances.Environment = circumstances.EnvironmentIrradiance > 0.0;
+  circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
     request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
+}
+
+//------------------------------------------------------------------------------
+// The texture that the renderer lights physically based props with, as light from all around; null
+// where there is none that can be read.
+vtkEnvironmentLight* vtkIndirectPipeline::FindImageLight(vtkRenderer* renderer)
+{
+  vtkTexture* texture =
+    renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
+  vtkImageData* image = nullptr;
+  if (texture && !texture->GetCubeMap())
+  {
+    texture->Update();
+    image = texture->GetInput();
+  }
+  if (!image || !image->GetPointData()->GetScalars() || image->GetDimensions()[2] != 1)
+  {
+    this->ImageLight->SetTexture(nullptr);
+    return nullptr;
+  }
+  this->ImageLight->SetTexture(texture);
+  // VTK's shaders of PBR look the texture's middle up to the right, a quarter of a turn from where
+  // its skybox has it.
+  double front[3];
+  vtkMath::Cross(renderer->GetEnvironmentRight(), renderer->GetEnvironmentUp(), front);
+  this->ImageLight->SetUp(renderer->GetEnvironmentUp());
+  this->ImageLight->SetRight(front);
+  auto* opengl = vtkOpenGLRenderer::SafeDownCast(renderer);
+  this->ImageLight->SetEncoded(opengl && opengl->GetEnvMapIrradiance()->GetConvertToLinear());
+  return this->ImageLight;
 }
 
 //------------------------------------------------------------------------------
@@ -60,8 +94,11 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   }
   this->Paths = vtkIndirectPaths::GetAll();
   this->Capture->SetDelegatePass(request.Delegate);
-  this->Capture->SetShadows(request.Settings.Shadows && this->Plan.Senders != vtkIndirectPlan::EYE);
+  // What stands for a light where there is none has no map that could be looked up.
+  this->Capture->SetShadows(request.Settings.Shadows &&
+    this->Plan.Senders != vtkIndirectPlan::EYE && !this->Frame.Lights.empty());
   this->Capture->SetSpecular(this->Plan.Specular);
+  this->Capture->SetImageLight(!this->Plan.ReplacesImageLight);
   this->Capture->Attach(this->Frame);
   const vtkIndirectDarkLight dark(this->Frame);
   bool drawn = true;
@@ -101,7 +138,7 @@ bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
   }
   this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
   const bool drawn =
-    this->SkySampler->DrawMaps(this->Frame, this->Plan, this->Capture, request.Environment);
+    this->SkySampler->DrawMaps(this->Frame, this->Plan, this->Capture, this->Environment);
   this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
   return drawn;
 }
@@ -224,7 +261,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
 bool vtkIndirectPipeline::UpdateSky(const Request& request)
 {
   const vtkIndirectSkyGather::Input input = { this->Frame, this->Plan, this->Geometry,
-    this->Capture, request.Environment };
+    this->Capture, this->Environment };
   this->Timer.Begin(vtkIndirectStageTimer::Visibility);
   const bool visible = this->Sky.UpdateMaps(input);
   this->Timer.End(vtkIndirectStageTimer::Visibility);

@@ -19,6 +19,7 @@
 #include "VirtualLights/vtkIndirectSkySampler.h"       // for members
 #include "VirtualLights/vtkIndirectVirtualLights.h"    // for members
 #include "Visibility/vtkIndirectVisibility.h"          // for members
+#include "vtkEnvironmentLight.h"                       // for members
 #include "vtkIndirectEstimatorPass.h"                  // for members
 #include "vtkMultiresolutionSplattingPass.h"           // for members
 #include "vtkNew.h"                                    // for members
@@ -30,7 +31,6 @@
 #include <string> // for names
 #include <vector> // for samplers
 
-class vtkEnvironmentLight;
 class vtkImageData;
 class vtkRenderPass;
 
@@ -92,6 +92,7 @@ public:
   std::vector<vtkSmartPointer<vtkVirtualLightSampler>> OtherSamplers;
 
 private:
+  vtkEnvironmentLight* FindImageLight(vtkRenderer* renderer);
   void ChooseSamplers(vtkVirtualLightSampler* users);
   std::vector<double> MakeKey(vtkVirtualLightSampler* users) const;
   bool UpdateIrradiance(const Request& request);
@@ -108,6 +109,7 @@ private:
   vtkIndirectVirtualLights Lights;
   vtkIndirectVisibility Visibility;
   vtkIndirectSkyGather Sky;
+  vtkNew<vtkEnvironmentLight> ImageLight; // of the renderer's texture
   vtkIndirectComposite Composite;
   vtkIndirectAntialiasing Antialiasing;
 
@@ -115,6 +117,7 @@ private:
   vtkIndirectFrame Frame;
   vtkIndirectPlan Plan;
   vtkWeakPointer<vtkRenderer> Renderer; // guards Frame's pointers
+  vtkEnvironmentLight* Environment = nullptr;
   bool BuffersAreThere = false;
   bool IrradianceIsThere = false;
   bool SkyIsThere = false;
