@@ -5,6 +5,7 @@
 
 #include "Composite/vtkIndirectComposite.h"
 #include "Frame/vtkIndirectDelegateGuard.h"
+#include "Frame/vtkIndirectLightKeys.h"
 #include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectView.h"
@@ -13,6 +14,7 @@
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkIndirectEstimatorPass.h"
+#include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -30,6 +32,20 @@
 #include <algorithm>
 #include <vector>
 
+namespace
+{
+void SetLightSize(vtkLight* light, vtkInformationDoubleKey* key, double size, double most)
+{
+  if (!light)
+  {
+    vtkErrorWithObjectMacro(
+      static_cast<vtkObject*>(nullptr), "A light's size needs a light to belong to.");
+    return;
+  }
+  vtkIndirectLightKeys::Set(light, key, size, most);
+}
+}
+
 vtkStandardNewMacro(vtkIndirectIlluminationPass);
 vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Estimator, vtkIndirectEstimatorPass);
 vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Environment, vtkEnvironmentLight);
@@ -45,6 +61,30 @@ vtkInformationIntegerKey* vtkIndirectIlluminationPass::CASTS_SHADOWS()
 vtkInformationIntegerKey* vtkIndirectIlluminationPass::SENDS_LIGHT()
 {
   return vtkIndirectPropKeys::SendsLight();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::SetLightRadius(vtkLight* light, double radius)
+{
+  SetLightSize(light, vtkIndirectLightKeys::Radius(), radius, VTK_DOUBLE_MAX);
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectIlluminationPass::GetLightRadius(vtkLight* light)
+{
+  return vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Radius());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::SetLightAngle(vtkLight* light, double degrees)
+{
+  SetLightSize(light, vtkIndirectLightKeys::Angle(), degrees, 90.0);
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectIlluminationPass::GetLightAngle(vtkLight* light)
+{
+  return vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Angle());
 }
 
 //------------------------------------------------------------------------------

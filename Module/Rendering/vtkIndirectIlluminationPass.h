@@ -39,6 +39,7 @@ class vtkEnvironmentLight;
 class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkIndirectEstimatorPass;
+class vtkLight;
 class vtkReflectiveShadowMapPass;
 class vtkVirtualLightSampler;
 
@@ -156,6 +157,26 @@ public:
    */
   void SetReflectiveShadowMapResolution(int texels);
   int GetReflectiveShadowMapResolution();
+  ///@}
+
+  ///@{
+  /**
+   * A light's own size, for the penumbrae of its shadows: LightRadius, in world units, of a
+   * positional light, a sphere; LightAngle, the angular radius in degrees, of a directional one
+   * (the sun's is 0.27). Defaults 0: the light is a point, its shadows are hard. Ranges 0 to
+   * VTK_DOUBLE_MAX and 0 to 90; what is no number is 0. It belongs to the light: every pass that
+   * the light is drawn by sees it, and it goes when the light goes.
+   *
+   * Visibility is the mean over 32 points of the light, each with depth maps of its own, at most as
+   * fine as ReflectiveShadowMapResolution says and kept while the camera moves. Only shadows become
+   * soft: cosines, highlights, falloff and bounces are those of VTK's light, a point, with no bias
+   * where nothing is in the way. A sphere that the scene reaches into is taken as any other; what
+   * of it lies beyond the scene's middle, and more than the scene's diagonal away, is cut off.
+   */
+  static void SetLightRadius(vtkLight* light, double radius);
+  static double GetLightRadius(vtkLight* light);
+  static void SetLightAngle(vtkLight* light, double degrees);
+  static double GetLightAngle(vtkLight* light);
   ///@}
 
   ///@{

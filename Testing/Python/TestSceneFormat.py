@@ -11,7 +11,7 @@ from unittest import mock
 from vtkmodules.vtkCommonCore import VTK_COLOR_MODE_DIRECT_SCALARS
 
 import support
-from vtkindirect import SceneError, UsageError, colormaps, load_scene, schema
+from vtkindirect import SceneError, UsageError, colormaps, load_scene, schema, wrapped
 
 
 def _set(document: Any, path: list, value: Any) -> None:
@@ -91,6 +91,14 @@ MISTAKES = [
     (["lights", 0, "attenuation"], [1, -1, 0], "lights[0].attenuation[1]: must be at least 0"),
     (["lights", 0, "focal_point"], [1.5, 1.5, 1.5], "lights[0].focal_point: must differ"),
     (["lights", 0, "direction"], [0, 0, 1], "lights[0].direction: unknown key"),
+    (["lights", 0, "radius"], -0.1, "lights[0].radius: must be at least 0, not -0.1"),
+    (["lights", 0, "radius"], "big", "lights[0].radius: must be a number, not 'big'"),
+    (["lights", 0, "angle"], 0.27, "lights[0].angle: unknown key"),
+    (
+        ["lights", 0],
+        {"type": "directional", "direction": [0, -1, 0], "angle": 91},
+        "lights[0].angle: must be at most 90, not 91",
+    ),
     (["actors"], _set, "actors: is missing"),
     (["actors"], [], "actors: must have at least 1 item"),
     (["actors", 0], 3, "actors[0]: must be an object, not 3"),
@@ -291,6 +299,22 @@ class Built(support.DirectoryTest):
         self.assertTrue(head.LightTypeIsHeadlight())
         document["lights"] = [{"type": "light_kit"}]
         self.assertEqual(len(self.load(document).lights), 5)
+
+    @unittest.skipUnless(
+        wrapped.has("vtkIndirectIlluminationPass"), "the module vtkRenderingIndirect was not built"
+    )
+    def test_light_sizes(self) -> None:
+        document = support.small_scene()
+        document["lights"][0]["radius"] = 0.25
+        document["lights"] += [
+            {"type": "point", "position": [0, 1, 0]},
+            {"type": "directional", "direction": [0, -1, 0], "angle": 0.27},
+        ]
+        size = wrapped.get("vtkIndirectIlluminationPass")
+        spot, point, sun = self.load(document).lights
+        self.assertEqual(size.GetLightRadius(spot), 0.25)
+        self.assertEqual(size.GetLightRadius(point), 0.0)
+        self.assertEqual((size.GetLightAngle(sun), size.GetLightRadius(sun)), (0.27, 0.0))
 
     def test_material(self) -> None:
         document = support.small_scene()

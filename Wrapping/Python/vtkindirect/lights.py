@@ -9,11 +9,13 @@ from typing import Any
 
 from vtkmodules.vtkRenderingCore import vtkLight, vtkLightKit, vtkRenderer
 
-from vtkindirect import environments
+from vtkindirect import environments, wrapped
 from vtkindirect.errors import SceneError, UsageError
 from vtkindirect.schema import member
 
 Values = dict[str, Any]
+
+_PASS = "vtkIndirectIlluminationPass"
 
 # VTK takes a cone angle of 90 degrees or more for a light without a cone.
 _NO_CONE = 180.0
@@ -27,8 +29,16 @@ def _light(values: Values) -> vtkLight:
     return light
 
 
+def _set_size(light: vtkLight, name: str, size: float) -> None:
+    """Give a light its own size, which is kept with it; VTK has none."""
+    # Without the module nothing draws shadows that a size could soften.
+    if size > 0.0 and wrapped.has(_PASS):
+        getattr(wrapped.get(_PASS), f"SetLight{name}")(light, size)
+
+
 def _positional(values: Values) -> vtkLight:
     light = _light(values)
+    _set_size(light, "Radius", values["radius"])
     light.PositionalOn()
     light.SetPosition(values["position"])
     light.SetAttenuationValues(values["attenuation"])
@@ -56,6 +66,7 @@ def _directional(renderer: vtkRenderer, values: Values) -> None:
     light.PositionalOff()
     light.SetPosition(0.0, 0.0, 0.0)
     light.SetFocalPoint(values["direction"])
+    _set_size(light, "Angle", values["angle"])
     renderer.AddLight(light)
 
 

@@ -24,19 +24,29 @@ void vtkIndirectCaptureLights::Update(
     return;
   }
   const glm::dmat4 viewToWorld = glm::inverse(frame.WorldToView);
-  for (const vtkIndirectShadowMap& map : shadows->Maps)
+  auto set = [&](const vtkIndirectShadowMap& map, int texels)
   {
     glm::dmat4 m = map.WorldToLight * viewToWorld;
     m *= frame.SceneScale;
     Light& light = this->Lights[map.Light];
     light.ViewToLight = glm::mat4(m);
-    light.ShadowMap = glm::vec4(map.FirstLayer, map.Projection, map.HalfWidth, shadows->Texels);
+    light.ShadowMap = glm::vec4(map.FirstLayer, map.Projection, map.HalfWidth, texels);
     light.ShadowDepth = glm::vec4(map.Near, map.Far, map.Attenuation, map.NumberOfFaces);
+  };
+  for (const vtkIndirectShadowMap& map : shadows->Maps)
+  {
+    set(map, shadows->Texels);
+  }
+  for (const vtkIndirectPenumbraMap& penumbra : shadows->Penumbrae)
+  {
+    set(penumbra.Map, shadows->TileTexels);
+    this->Lights[penumbra.Map.Light].Size =
+      glm::vec4(penumbra.Size, penumbra.HoldsAll ? 1.0 : 0.0, shadows->TilesAlongEdge, 0.0);
   }
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIndirectCaptureLights::GetDeclarations(int light, bool shadows)
+std::string vtkIndirectCaptureLights::GetDeclarations(int light, bool shadows, bool penumbra)
 {
   const std::string n = std::to_string(light);
   std::string text = "uniform float " + GetConeCosine(light) + ";\n";
@@ -48,6 +58,10 @@ std::string vtkIndirectCaptureLights::GetDeclarations(int light, bool shadows)
       text += "uniform vec4 " + (name + n) + ";\n";
     }
   }
+  if (shadows && penumbra)
+  {
+    text += "uniform vec4 vtkiLightSize" + n + ";\n";
+  }
   return text;
 }
 
@@ -58,11 +72,11 @@ std::string vtkIndirectCaptureLights::GetConeCosine(int light)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIndirectCaptureLights::GetArguments(int light)
+std::string vtkIndirectCaptureLights::GetArguments(int light, bool penumbra)
 {
   const std::string n = std::to_string(light);
   return "mat3x4(vtkiToLightX" + n + ", vtkiToLightY" + n + ", vtkiToLightZ" + n +
-    "), vtkiShadowMap" + n + ", vtkiShadowDepth" + n;
+    "), vtkiShadowMap" + n + ", vtkiShadowDepth" + n + (penumbra ? ", vtkiLightSize" + n : "");
 }
 
 //------------------------------------------------------------------------------
@@ -88,6 +102,11 @@ void vtkIndirectCaptureLights::SetUniforms(vtkShaderProgram* program) const
       set("vtkiToLightZ" + n, rows[2]);
       set(map, light.ShadowMap);
       set("vtkiShadowDepth" + n, light.ShadowDepth);
+    }
+    const std::string size = "vtkiLightSize" + n;
+    if (program->IsUniformUsed(size.c_str()))
+    {
+      set(size, light.Size);
     }
   }
 }

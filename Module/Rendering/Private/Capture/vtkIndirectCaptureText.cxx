@@ -93,8 +93,10 @@ void vtkIndirectCaptureText::Add(
       vtkIndirectCaptureLights::GetConeCosine(lights));
     if (lit && this->Shadows)
     {
-      visibility += "  vec3 lightColor" + n + " = lightColor" + n + " * vtkiVisibility(" +
-        vtkIndirectCaptureLights::GetArguments(lights) + ", " +
+      const bool penumbra = this->LightConstants.HasPenumbra(lights);
+      visibility += "  vec3 lightColor" + n + " = lightColor" + n + " * " +
+        (penumbra ? "vtkiPenumbra(" : "vtkiVisibility(") +
+        vtkIndirectCaptureLights::GetArguments(lights, penumbra) + ", " +
         std::to_string(this->LightConstants.GetProjection(lights)) +
         ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC);\n";
     }
@@ -113,9 +115,14 @@ void vtkIndirectCaptureText::Add(
 
   std::string declarations = (this->Shadows ? "#define VTKI_SHADOWS\n" : "") +
     vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureDecFS.glsl");
+  if (this->Shadows && this->LightConstants.HasPenumbrae())
+  {
+    declarations += vtkIndirectShaderLibrary::GetText("vtkIndirectPenumbra.glsl");
+  }
   for (int light = 0; light < lights; ++light)
   {
-    declarations += vtkIndirectCaptureLights::GetDeclarations(light, this->Shadows);
+    declarations += vtkIndirectCaptureLights::GetDeclarations(
+      light, this->Shadows, this->LightConstants.HasPenumbra(light));
   }
   if (!Contains(fragmentShader, "uniform int vtkiParallel"))
   {

@@ -3,11 +3,14 @@
 
 #include "Frame/vtkIndirectFrame.h"
 
+#include <algorithm>
+
 //------------------------------------------------------------------------------
 bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame, bool shadows)
 {
   std::vector<Constant> constants;
   std::vector<int> projections;
+  std::vector<bool> penumbrae;
   auto add = [&constants](
                const std::string& type, const std::string& name, int light, const char* value)
   {
@@ -20,6 +23,7 @@ bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame, bool shado
     if (shadows)
     {
       projections.push_back(light.FindMapProjection());
+      penumbrae.push_back(light.Size > 0.0);
     }
     add("int", "lightPositional", n, light.Positional ? "1" : "0");
     if (!light.Positional)
@@ -36,11 +40,18 @@ bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame, bool shado
     }
   }
   const bool changed = constants != this->Constants || projections != this->Projections ||
-    frame.Specular != this->Specular;
+    penumbrae != this->Penumbrae || frame.Specular != this->Specular;
   this->Projections = std::move(projections);
+  this->Penumbrae = std::move(penumbrae);
   this->Constants = std::move(constants);
   this->Specular = frame.Specular;
   return changed;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectLightConstants::HasPenumbrae() const
+{
+  return std::find(this->Penumbrae.begin(), this->Penumbrae.end(), true) != this->Penumbrae.end();
 }
 
 //------------------------------------------------------------------------------

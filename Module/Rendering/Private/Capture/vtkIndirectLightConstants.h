@@ -17,7 +17,8 @@ public:
   /**
    * Reads the frame's lights and materials; shadows: whether shadows are looked up. Returns whether
    * a text has changed since the last call: shaders that have it must be built anew. A light that
-   * moves, turns or changes its colour, attenuation or cone changes none.
+   * moves, turns or changes its colour, attenuation, cone or size changes none, one that gets a
+   * size does.
    */
   bool Update(const vtkIndirectFrame& frame, bool shadows);
 
@@ -34,6 +35,13 @@ public:
     return static_cast<size_t>(light) < this->Projections.size() ? this->Projections[light] : 0;
   }
 
+  /** Whether a light's shadows have penumbrae. */
+  bool HasPenumbra(int light) const
+  {
+    return static_cast<size_t>(light) < this->Penumbrae.size() && this->Penumbrae[light];
+  }
+  bool HasPenumbrae() const;
+
 private:
   struct Constant
   {
@@ -43,6 +51,7 @@ private:
   };
   std::vector<Constant> Constants;
   std::vector<int> Projections; // empty without shadows
+  std::vector<bool> Penumbrae;  // the same
   bool Specular = true;
 };
 

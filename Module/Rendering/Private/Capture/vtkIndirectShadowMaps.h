@@ -31,11 +31,27 @@ struct vtkIndirectShadowMap
   double Attenuation = 1.0; // vtkLight::ShadowAttenuation
 };
 
+/** The maps of a light that has a size, one from each of its points: tiles of one texture. */
+struct vtkIndirectPenumbraMap
+{
+  vtkIndirectShadowMap Map; // of all of them; the first layer is a tile
+  double Size = 0.0; // radius in scene units of a positional light, else sine of its angular radius
+  bool HoldsAll = true; // whether nothing casts shadows beyond the maps
+};
+
 struct vtkIndirectShadowMaps
 {
   std::vector<vtkIndirectShadowMap> Maps;
   int Texels = 0; // along an edge of a map
   int Unit = -1;  // texture unit that the rows of depths are bound to; -1 where there are none
+
+  ///@{
+  /** In place of those maps, of lights that have a size. */
+  std::vector<vtkIndirectPenumbraMap> Penumbrae;
+  int TileTexels = 0; // along an edge of a tile
+  int TilesAlongEdge = 1;
+  int TileUnit = -1; // texture unit of their depths
+  ///@}
 };
 
 #endif

@@ -55,6 +55,8 @@ struct vtkSurfaceCapturePass::Internals
   vtkIndirectCaptureLights Lights;
   int ShadowUnit = -1;
   bool OwnsUnit = false;
+  int TileUnit = -1;
+  bool OwnsTileUnit = false;
 
   // The geometry buffer.
   vtkOpenGLFramebufferObject* Framebuffer = nullptr;
@@ -93,6 +95,16 @@ struct vtkSurfaceCapturePass::Internals
   {
     this->ShadowUnit = this->Window->GetState()->GetTextureUnitManager()->Allocate();
     this->OwnsUnit = true;
+    this->ReserveTileUnit();
+  }
+  // The same for the depths of penumbrae, where shaders have their sampler.
+  void ReserveTileUnit()
+  {
+    if (this->LightConstants.HasPenumbrae())
+    {
+      this->TileUnit = this->Window->GetState()->GetTextureUnitManager()->Allocate();
+      this->OwnsTileUnit = true;
+    }
   }
 
   // Whether uniforms come as flat varyings, for which there must be enough pixels a triangle.
@@ -266,6 +278,11 @@ void vtkSurfaceCapturePass::BeginEye(const vtkIndirectFrame& frame,
     return;
   }
   in.ShadowUnit = shadows->Unit;
+  in.TileUnit = shadows->TileUnit;
+  if (in.TileUnit < 0)
+  {
+    in.ReserveTileUnit();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -329,8 +346,12 @@ void vtkSurfaceCapturePass::EndStage()
   {
     in.Window->GetState()->GetTextureUnitManager()->Free(in.ShadowUnit);
   }
-  in.OwnsUnit = false;
-  in.ShadowUnit = -1;
+  if (in.OwnsTileUnit)
+  {
+    in.Window->GetState()->GetTextureUnitManager()->Free(in.TileUnit);
+  }
+  in.OwnsUnit = in.OwnsTileUnit = false;
+  in.ShadowUnit = in.TileUnit = -1;
 }
 
 //------------------------------------------------------------------------------
@@ -437,6 +458,10 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   if (program->IsUniformUsed("vtkiShadowMaps"))
   {
     program->SetUniformi("vtkiShadowMaps", in.ShadowUnit);
+  }
+  if (program->IsUniformUsed("vtkiPenumbraTiles"))
+  {
+    program->SetUniformi("vtkiPenumbraTiles", in.TileUnit);
   }
   in.Lights.SetUniforms(program);
   // Whatever has switched blending since the stage began must not mix bits.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/vtkIndirectFrame.h"
 
+#include "Frame/vtkIndirectLightKeys.h"
 #include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
@@ -236,6 +237,9 @@ void vtkIndirectFrame::CollectLights()
     entry.Attenuation = glm::dvec3(attenuation[0], attenuation[1], attenuation[2]);
     entry.ConeAngle = light->GetConeAngle();
     entry.Exponent = light->GetExponent();
+    entry.Size = entry.Positional ? vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Radius())
+                                  : vtkMath::RadiansFromDegrees(vtkIndirectLightKeys::Get(
+                                      light, vtkIndirectLightKeys::Angle()));
     this->Lights.push_back(entry);
   }
 }

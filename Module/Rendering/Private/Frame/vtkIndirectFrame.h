@@ -37,6 +37,9 @@ struct vtkIndirectLight
   bool FollowsCamera = false; // headlight or camera light
   bool Headlight = false;
   double ShadowAttenuation = 1.0;
+  /** The light's own: radius in world units of a positional one, else angular radius in radians; 0
+   * of one that is a point or a single direction, whose shadows are hard. */
+  double Size = 0.0;
 
   /** Largest half angle, in degrees, that one perspective face of a map covers. */
   static constexpr double MaximumSingleFaceAngle = 60.0;

@@ -41,7 +41,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
     return plan;
   }
 
-  plan.FindSenders(frame);
+  plan.FindSenders(frame, settings);
   plan.FindVisibility(settings, estimator);
   plan.FindSky(settings, estimator, circumstances);
   plan.FindUnit(frame, circumstances);
@@ -69,11 +69,14 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame)
+void vtkIndirectPlan::FindSenders(
+  const vtkIndirectFrame& frame, const vtkIndirectSettings& settings)
 {
-  // The eye sees all that its headlight lights and that sends, unless a prop is not to send.
+  // The eye sees all that its headlight lights and that sends, unless a prop is not to send. Of a
+  // headlight that has a size it sees penumbrae, for which there must be maps.
   if (frame.Lights.size() == 1 && frame.Lights.front().Headlight &&
-    !frame.Lights.front().Positional && frame.AllSendLight)
+    !frame.Lights.front().Positional && frame.AllSendLight &&
+    !(frame.Lights.front().Size > 0.0 && settings.Shadows))
   {
     this->Senders = EYE;
     this->Modelled.emplace_back(
@@ -90,6 +93,13 @@ void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame)
       continue;
     }
     this->MapLights.push_back(static_cast<int>(i));
+    if (frame.Lights[i].Size > 0.0)
+    {
+      this->LeftOut.emplace_back("size of light " + std::to_string(frame.Lights[i].Index) +
+          (settings.Shadows ? " beyond its shadows" : ""),
+        settings.Shadows ? "cosines, highlights, falloff and bounces are those of its centre"
+                         : "Shadows are off");
+    }
   }
   this->Senders = this->MapLights.empty() ? NO_SENDERS : MAPS;
 }

@@ -132,7 +132,7 @@ struct vtkIndirectPlan
   static int FindSkyDirections(double tolerance);
 
 private:
-  void FindSenders(const vtkIndirectFrame& frame);
+  void FindSenders(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings);
   void FindVisibility(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
   void FindSky(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
     const vtkIndirectCircumstances& circumstances);

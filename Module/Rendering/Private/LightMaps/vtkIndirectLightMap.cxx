@@ -13,10 +13,6 @@
 
 namespace
 {
-// Surfaces nearer to a light than this fraction of its farthest surface are not in its map. The
-// depth buffer's steps grow with far/near: 2.4e-7 * 1024 * far is below a tenth of a texel of 512.
-constexpr double NearestFraction = 1.0 / 1024.0;
-
 glm::dvec3 Corner(const double bounds[6], int i)
 {
   return { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)] };

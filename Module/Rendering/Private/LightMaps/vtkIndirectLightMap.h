@@ -18,6 +18,13 @@ public:
   vtkIndirectLightMap();
   ~vtkIndirectLightMap();
 
+  /**
+   * Surfaces nearer to a light than this fraction of its farthest surface are not in its map. The
+   * depth buffer's steps grow with far/near: 2.4e-7 * 1024 * far is below a tenth of a texel of
+   * 512.
+   */
+  static constexpr double NearestFraction = 1.0 / 1024.0;
+
   /** Fits the map to the scene. */
   void Fit(const vtkIndirectFrame& frame, const vtkIndirectLight& light);
 

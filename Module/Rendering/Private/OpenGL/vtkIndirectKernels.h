@@ -62,6 +62,7 @@ namespace
 #include "vtkIndirectLibDistanceField.glsl"
 #include "vtkIndirectLibDepthTile.glsl"
 #include "vtkIndirectLibSky.glsl"
+#include "vtkIndirectLibPenumbra.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

@@ -92,6 +92,10 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   {
     this->Antialiasing.Release(this->Frame.Window);
   }
+  if (!this->Plan.Shadows)
+  {
+    this->Penumbra.Clear(this->Frame);
+  }
   this->Paths = vtkIndirectPaths::GetAll();
   this->Capture->SetDelegatePass(request.Delegate);
   // What stands for a light where there is none has no map that could be looked up.
@@ -106,6 +110,11 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   {
     this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
     drawn = this->Maps->Update(this->Frame, this->Plan, this->Capture);
+    if (drawn && this->Plan.Shadows)
+    {
+      drawn =
+        this->Penumbra.Update(this->Frame, *this->Maps, this->Capture, request.Settings.Caching);
+    }
     this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
   }
   drawn = drawn && this->UpdateSkyMaps(request);
@@ -115,6 +124,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   if (shadowed)
   {
     shadows = this->Maps->ActivateShadows(this->Frame.Window);
+    this->Penumbra.Activate(shadows);
     drawn = shadows.Unit >= 0;
   }
   drawn = drawn &&
@@ -122,6 +132,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   if (shadowed)
   {
     this->Maps->Deactivate();
+    this->Penumbra.Deactivate();
   }
   this->Timer.End(vtkIndirectStageTimer::Geometry);
   this->Capture->Detach();
@@ -378,8 +389,8 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
       this->Maps->GetNumberOfFacesDrawn() + this->SkySampler->GetNumberOfFacesDrawn() },
     { "voxel_updates", static_cast<long long>(this->Visibility.GetNumberOfUpdates()) },
     { "tiles_drawn",
-      static_cast<long long>(
-        this->Visibility.GetNumberOfTilesDrawn() + this->Sky.GetNumberOfTilesDrawn()) },
+      static_cast<long long>(this->Visibility.GetNumberOfTilesDrawn() +
+        this->Sky.GetNumberOfTilesDrawn() + this->Penumbra.GetNumberOfTilesDrawn()) },
     { "estimates", this->NumberOfEstimates } };
   this->Frame.AddToReport(report);
   if (!this->BuffersAreThere)
@@ -396,6 +407,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   if (this->Plan.Senders != vtkIndirectPlan::EYE)
   {
     this->Maps->AddToReport(report);
+    this->Penumbra.AddToReport(report);
   }
   if (this->GetEstimate())
   {
@@ -437,6 +449,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
 {
   this->Capture->ReleaseGraphicsResources(window);
   this->Maps->ReleaseGraphicsResources(window);
+  this->Penumbra.Release(window);
   this->Geometry.Release(window);
   this->DefaultSampler->ReleaseGraphicsResources(window);
   this->HeadlightSampler->ReleaseGraphicsResources(window);

@@ -18,6 +18,7 @@
 #include "VirtualLights/vtkIndirectHeadlightSampler.h" // for members
 #include "VirtualLights/vtkIndirectSkySampler.h"       // for members
 #include "VirtualLights/vtkIndirectVirtualLights.h"    // for members
+#include "Visibility/vtkIndirectPenumbra.h"            // for members
 #include "Visibility/vtkIndirectVisibility.h"          // for members
 #include "vtkEnvironmentLight.h"                       // for members
 #include "vtkIndirectEstimatorPass.h"                  // for members
@@ -103,6 +104,7 @@ private:
   bool RenderChannel(const std::string& name);
 
   vtkNew<vtkSurfaceCapturePass> Capture;
+  vtkIndirectPenumbra Penumbra; // of the maps' lights
   vtkIndirectGeometryBuffer Geometry;
   vtkNew<vtkIndirectHeadlightSampler> HeadlightSampler;
   vtkNew<vtkIndirectSkySampler> SkySampler;

@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Visibility/vtkIndirectPenumbra.h"
+
+#include "Capture/vtkSurfaceCapturePass.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectReport.h"
+#include "LightMaps/vtkIndirectLightMap.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "vtkMath.h"
+#include "vtkReflectiveShadowMapPass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+const vtkIndirectChannel Channels[] = {
+  { "penumbra", "vtkiPenumbraTiles", "depths of four neighbouring texels", GL_RGBA32F, "tile",
+    "depth buffer" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+// Texels across the penumbra of what hides the light from half-way, or from a quarter of the
+// scene's depth: the steps between its points are finer than a texel then, and a contact is blurred
+// by a sixteenth of that penumbra.
+constexpr double TexelsAcrossPenumbra = 16.0;
+constexpr int FewestTexels = 64;
+// 16 MiB of depths and 64 of what shaders read.
+constexpr int MaximumAtlas = 2048;
+// A spot's maps hold its cone from so many radii of the light on; nearer, some of its points see a
+// receiver beside their map and do not count.
+constexpr double NearestRadii = 4.0;
+
+glm::dvec3 Corner(const double bounds[6], int i)
+{
+  return { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)] };
+}
+
+// Corners of all casters' bounds, scene units.
+std::vector<glm::dvec3> FindCorners(const vtkIndirectFrame& frame)
+{
+  std::vector<glm::dvec3> corners;
+  corners.reserve(8 * frame.Casters.size());
+  for (const vtkIndirectCaster& caster : frame.Casters)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      corners.push_back((Corner(caster.Bounds, i) - frame.SceneCenter) * frame.SceneScale);
+    }
+  }
+  return corners;
+}
+
+std::vector<glm::dvec3> FindPoints()
+{
+  std::vector<glm::dvec3> points;
+  vtkIndirectKernels::vtkiLightPairs pairs = vtkIndirectKernels::vtkiBeginLightPairs();
+  for (int i = 0; i < vtkIndirectKernels::VTKI_LIGHT_PAIRS; ++i)
+  {
+    const glm::dvec3 point(vtkIndirectKernels::vtkiNextLightPoint(pairs, i));
+    points.push_back(point);
+    points.push_back(-point);
+  }
+  return points;
+}
+
+// From a map's face to the light's frame.
+glm::dmat3 FaceToLight(int face)
+{
+  glm::dmat3 toFace;
+  for (int i = 0; i < 3; ++i)
+  {
+    glm::vec3 axis(0.0f);
+    axis[i] = 1.0f;
+    toFace[i] = glm::dvec3(vtkIndirectKernels::vtkiToFace(axis, face));
+  }
+  return glm::transpose(toFace);
+}
+
+vtkIndirectDepthTile MakeTile(
+  const glm::dmat3& axes, const glm::dvec3& place, const vtkIndirectShadowMap& map)
+{
+  vtkIndirectDepthTile tile;
+  tile.Parallel = map.Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL;
+  tile.Place = place;
+  tile.Right = axes[0];
+  tile.Up = axes[1];
+  tile.Forward = -axes[2];
+  tile.HalfWidth = glm::dvec2(map.HalfWidth);
+  tile.Near = map.Near;
+  tile.Far = map.Far;
+  return tile;
+}
+
+void FitPositional(
+  const vtkIndirectFrame& frame, const vtkIndirectLightMap& centre, vtkIndirectPenumbra::Light& fit)
+{
+  using namespace vtkIndirectKernels;
+  const glm::dmat3 rotation(centre.LightToWorld);
+  const glm::dvec3 place =
+    (glm::dvec3(centre.LightToWorld[3]) - frame.SceneCenter) * frame.SceneScale;
+  const double distance = glm::length(place);
+  // What is larger than that has the scene within it, where it has no shadows to speak of.
+  const double radius = std::min(centre.Light.Size * frame.SceneScale, std::max(1.0, distance));
+
+  double low = std::numeric_limits<double>::infinity(); // depths along the axis
+  double high = -low;
+  double tangent = 0.0; // that holds all corners, seen from anywhere in the light
+  double most = 0.0;    // along any axis
+  glm::dvec3 lower(low);
+  glm::dvec3 upper(-low);
+  for (const glm::dvec3& corner : FindCorners(frame))
+  {
+    const glm::dvec3 p = glm::transpose(rotation) * (corner - place);
+    const glm::dvec3 a = glm::abs(p);
+    low = std::min(low, -p.z);
+    high = std::max(high, -p.z);
+    const double depth = -p.z - radius;
+    tangent = depth > 0.0 ? std::max(tangent, (std::max(a.x, a.y) + radius) / depth)
+                          : std::numeric_limits<double>::infinity();
+    most = std::max({ most, a.x, a.y, a.z });
+    lower = glm::min(lower, p);
+    upper = glm::max(upper, p);
+  }
+  vtkIndirectShadowMap& map = fit.Map.Map;
+  fit.Map.Size = radius;
+  const bool narrow = centre.Light.FindMapProjection() == VTKI_MAP_SINGLE;
+  const double nearest = std::max(low, NearestRadii * radius);
+  const double cone =
+    (std::tan(vtkMath::RadiansFromDegrees(centre.Light.ConeAngle)) * nearest + radius) /
+    (nearest - radius);
+  // Half a cube's edge, as of its faces, is as wide as a single map of an omnidirectional light is.
+  const double widest = narrow ? cone : 1.0;
+  const bool single = narrow || tangent <= widest;
+  fit.Map.HoldsAll = !narrow || tangent <= widest;
+  map.Projection = single ? VTKI_MAP_SINGLE : VTKI_MAP_FACES;
+  // No face looks backward from a spot whose first face is along its axis.
+  map.NumberOfFaces = single ? 1 : centre.Projection == VTKI_MAP_FACES ? centre.NumberOfFaces : 6;
+  map.HalfWidth = std::min(tangent, widest);
+  if (single)
+  {
+    // The tangent of the sum of both angles.
+    map.HalfWidth = (map.HalfWidth + VTKI_LIGHT_SHIFT) / (1.0 - map.HalfWidth * VTKI_LIGHT_SHIFT);
+  }
+  if (single)
+  {
+    map.Far = high + radius;
+    map.Near = low - radius;
+  }
+  else
+  {
+    const glm::dvec3 outside = glm::max(glm::max(lower, -upper), glm::dvec3(0.0));
+    map.Far = most + radius;
+    map.Near = std::max({ outside.x, outside.y, outside.z }) - radius;
+  }
+  // As of the centre's map.
+  map.Far = map.Far > 0.0 ? 1.001 * map.Far : 1.0;
+  map.Near = std::min(
+    std::max(0.999 * map.Near, vtkIndirectLightMap::NearestFraction * map.Far), 0.5 * map.Far);
+
+  // What hides the light half-way, or a quarter of the scene's depth above what it hides it from.
+  const double middle = std::max(distance, 0.5 * map.Far);
+  const double above = std::min(0.5 * middle, 0.25 * (single ? high - low : most));
+  const double width = 2.0 * radius * above / (middle - above);
+  fit.Texels = TexelsAcrossPenumbra * 2.0 * map.HalfWidth * middle / width;
+  for (const glm::dvec3& point : FindPoints())
+  {
+    glm::vec3 x;
+    glm::vec3 y;
+    glm::vec3 z;
+    vtkiLightPointAxes(VTKI_LIGHT_SHIFT * glm::vec2(point), x, y, z);
+    const glm::dmat3 turned = rotation * glm::dmat3(x, y, z);
+    for (int face = 0; face < map.NumberOfFaces; ++face)
+    {
+      fit.Emitters.push_back(
+        { MakeTile(turned * FaceToLight(face), place + rotation * (radius * point), map), true });
+    }
+  }
+}
+
+void FitDirectional(
+  const vtkIndirectFrame& frame, const vtkIndirectLightMap& centre, vtkIndirectPenumbra::Light& fit)
+{
+  using namespace vtkIndirectKernels;
+  const glm::dmat3 rotation(centre.LightToWorld);
+  const std::vector<glm::dvec3> corners = FindCorners(frame);
+  glm::dvec3 lower(std::numeric_limits<double>::infinity());
+  glm::dvec3 upper = -lower;
+  for (const glm::dvec3& corner : corners)
+  {
+    lower = glm::min(lower, corner);
+    upper = glm::max(upper, corner);
+  }
+  const glm::dvec3 middle = 0.5 * (lower + upper);
+  const double sine = std::sin(std::min(centre.Light.Size, 0.5 * vtkMath::Pi()));
+  std::vector<glm::dmat3> axes;
+  const std::vector<glm::dvec3> points = FindPoints();
+  for (const glm::dvec3& point : points)
+  {
+    glm::vec3 x;
+    glm::vec3 y;
+    glm::vec3 z;
+    vtkiLightPointAxes(glm::vec2(sine * glm::dvec2(point)), x, y, z);
+    axes.push_back(rotation * glm::dmat3(x, y, z));
+  }
+  glm::dvec3 half(0.0);
+  for (const glm::dmat3& to : axes)
+  {
+    for (const glm::dvec3& corner : corners)
+    {
+      half = glm::max(half, glm::abs(glm::transpose(to) * (corner - middle)));
+    }
+  }
+  // A margin keeps the outermost from falling on the edge; what is flat has an extent, too.
+  constexpr double margin = 1.01;
+  vtkIndirectShadowMap& map = fit.Map.Map;
+  map.Projection = VTKI_MAP_PARALLEL;
+  map.NumberOfFaces = 1;
+  map.HalfWidth = (margin + VTKI_LIGHT_SHIFT) * std::max({ half.x, half.y, 1e-3 * half.z });
+  const double depth = std::max(margin * half.z, 1e-3 * map.HalfWidth);
+  map.Near = 0.0;
+  map.Far = 2.0 * depth;
+  map.WorldToLight[3] =
+    glm::dvec4(-(glm::transpose(rotation) * (frame.SceneCenter + middle / frame.SceneScale)), 1.0);
+  fit.Map.Size = sine;
+  // A quarter of the scene's depth, of which `depth` is half.
+  fit.Texels = TexelsAcrossPenumbra * map.HalfWidth / (0.5 * depth * sine);
+  const double shift = VTKI_LIGHT_SHIFT * map.HalfWidth;
+  for (size_t i = 0; i < points.size(); ++i)
+  {
+    const glm::dmat3& to = axes[i];
+    const glm::dvec3 place =
+      middle + depth * to[2] + shift * (points[i].x * to[0] + points[i].y * to[1]);
+    fit.Emitters.push_back({ MakeTile(to, place, map), true });
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectPenumbra::vtkIndirectPenumbra()
+  : Tiles(Channels, false)
+{
+}
+
+vtkIndirectPenumbra::~vtkIndirectPenumbra() = default;
+
+//------------------------------------------------------------------------------
+vtkIndirectPenumbra::Light vtkIndirectPenumbra::Fit(
+  const vtkIndirectFrame& frame, const vtkIndirectLightMap& centre)
+{
+  Light fit;
+  fit.Map.Map = centre.GetShadowMap();
+  (centre.Light.Positional ? FitPositional : FitDirectional)(frame, centre, fit);
+  return fit;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPenumbra::Update(const vtkIndirectFrame& frame,
+  const vtkReflectiveShadowMapPass& maps, vtkSurfaceCapturePass* capture, bool caching)
+{
+  this->Lights.clear();
+  this->Emitters.clear();
+  double wanted = FewestTexels;
+  for (int i = 0; i < maps.GetNumberOfMaps(); ++i)
+  {
+    if (maps.GetMap(i).Light.Size > 0.0)
+    {
+      Light light = Fit(frame, maps.GetMap(i));
+      light.Map.Map.FirstLayer = static_cast<int>(this->Emitters.size());
+      wanted = std::max(wanted, light.Texels);
+      this->Emitters.insert(this->Emitters.end(), light.Emitters.begin(), light.Emitters.end());
+      light.Emitters.clear();
+      this->Lights.push_back(std::move(light));
+    }
+  }
+  if (this->Lights.empty())
+  {
+    this->Clear(frame);
+    return true;
+  }
+  // No finer than the user wants shadows to be, nor than there is room for.
+  const double edge = std::ceil(std::sqrt(static_cast<double>(this->Emitters.size())));
+  wanted =
+    std::min({ wanted, static_cast<double>(maps.GetTexels()), std::floor(MaximumAtlas / edge) });
+  constexpr int step = 16; // so that a light that moves does not change it in every frame
+  this->Texels = step * std::max(1, static_cast<int>(wanted / step));
+  const bool drawn = this->Atlas.Update(frame, capture, this->Emitters, this->Texels, caching);
+  // It detaches the capture where mappers had to draw.
+  capture->Attach(frame);
+  return drawn && this->JoinTexels(frame);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPenumbra::JoinTexels(const vtkIndirectFrame& frame)
+{
+  const int edge = this->Atlas.GetTilesAlongEdge() * this->Texels;
+  const bool there =
+    this->Tiles.GetWidth() == edge && this->Joined == this->GetNumberOfTilesDrawn();
+  if (!this->Tiles.Resize(frame.Window, edge, edge))
+  {
+    return false;
+  }
+  if (there)
+  {
+    return true;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkIndirectFullScreenState kernelState(frame.Window);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  this->Tiles.Begin();
+  vtkShaderProgram* program = this->Kernel.Use(frame.Window, this->Tiles);
+  if (program)
+  {
+    this->Atlas.Activate(program);
+    this->Kernel.Draw();
+    this->Atlas.Deactivate();
+    this->Joined = this->GetNumberOfTilesDrawn();
+  }
+  this->Tiles.End();
+  return program != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPenumbra::Clear(const vtkIndirectFrame& frame)
+{
+  if (this->Texels > 0)
+  {
+    this->Release(frame.Window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPenumbra::Activate(vtkIndirectShadowMaps& shadows)
+{
+  if (this->Lights.empty())
+  {
+    return;
+  }
+  for (const Light& light : this->Lights)
+  {
+    shadows.Penumbrae.push_back(light.Map);
+  }
+  shadows.TileTexels = this->Texels;
+  shadows.TilesAlongEdge = this->Atlas.GetTilesAlongEdge();
+  vtkTextureObject* texture = this->Tiles.GetTexture(0);
+  texture->Activate();
+  shadows.TileUnit = texture->GetTextureUnit();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPenumbra::Deactivate() const
+{
+  this->Tiles.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPenumbra::AddToReport(vtkIndirectReport& report) const
+{
+  report.Bytes += this->GetBytes();
+  for (const Light& light : this->Lights)
+  {
+    const vtkIndirectShadowMap& map = light.Map.Map;
+    const int maps = vtkIndirectKernels::VTKI_LIGHT_POINTS * map.NumberOfFaces;
+    report.Modelled.emplace_back("penumbra of light " + std::to_string(map.Light),
+      std::to_string(vtkIndirectKernels::VTKI_LIGHT_POINTS) + " points of it, " +
+        std::to_string(maps) + " depth maps of " + std::to_string(this->Texels) +
+        " texels squared");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPenumbra::Release(vtkWindow* window)
+{
+  this->Atlas.Release(window);
+  this->Tiles.Release(window);
+  this->Kernel.Release();
+  this->Lights.clear();
+  this->Texels = 0;
+}

@@ -1,0 +1,67 @@
+// Points of a light that has a size: its visibility is the mean over them.
+#ifndef vtkIndirectLibPenumbra
+#define vtkIndirectLibPenumbra
+#include "vtkIndirectLibPortable.glsl"
+
+// Points come in pairs, opposite to each other: so their mean is the light's centre, and the edge of a
+// shadow stays in the middle of its penumbra, from wherever the light is seen.
+const int VTKI_LIGHT_PAIRS = 16;
+const int VTKI_LIGHT_POINTS = 2 * VTKI_LIGHT_PAIRS;
+// Angles from pair to pair, irrational parts of a turn: half a turn by the golden ratio across the light,
+// because a pair is a line, and a turn by the root of two along it.
+const float VTKI_LIGHT_TURN_ACROSS = 0.61803398875f * VTKI_PI;
+const float VTKI_LIGHT_TURN_ALONG = 0.82842712475f * VTKI_PI;
+
+// Parallel maps of a light's points are shifted by so many half widths, perspective ones turned by an angle of
+// that sine, times the point's place in the unit disk, which is a few texels: else all of them would round
+// an outline alike.
+const float VTKI_LIGHT_SHIFT = 1.0f / 64.0f;
+
+/* Where the pairs go on: cosines and sines of both angles. */
+struct vtkiLightPairs
+{
+  vec2 across;
+  vec2 along;
+};
+
+vtkiLightPairs vtkiBeginLightPairs()
+{
+  vtkiLightPairs pairs;
+  pairs.across = vec2(1.0f, 0.0f);
+  pairs.along = vec2(cos(0.5f * VTKI_LIGHT_TURN_ALONG), sin(0.5f * VTKI_LIGHT_TURN_ALONG));
+  return pairs;
+}
+
+vec2 vtkiTurn(vec2 direction, float angle)
+{
+  float c = cos(angle);
+  float s = sin(angle);
+  return vec2(c * direction.x - s * direction.y, s * direction.x + c * direction.y);
+}
+
+/* The first point of pair i in the unit ball, and on to the next pair. Seen from any direction such points
+ * fill the unit disk evenly: so does a density of 1 / sqrt(1 - r^2) in the ball (the inverse of Abel's
+ * transform of a constant). x and y are even in the disk; over a point of it, at distance q from the
+ * centre, that density is an arcsine's, that of sqrt(1 - q^2) sin(t) with t even. */
+vec3 vtkiNextLightPoint(VTKI_INOUT(vtkiLightPairs) pairs, int i)
+{
+  float share = (float(i) + 0.5f) / float(VTKI_LIGHT_PAIRS);
+  float q = sqrt(share);
+  vec3 point = vec3(q * pairs.across.x, q * pairs.across.y, sqrt(1.0f - share) * pairs.along.y);
+  pairs.across = vtkiTurn(pairs.across, VTKI_LIGHT_TURN_ACROSS);
+  pairs.along = vtkiTurn(pairs.along, VTKI_LIGHT_TURN_ALONG);
+  return point;
+}
+
+/* Axes of a parallel map from a point of the light at infinity: z towards the point, whose place in the
+ * image of the light's axis is offset (sines); x and y across it, continuous up to 90 degrees. */
+void vtkiLightPointAxes(vec2 offset, VTKI_OUT(vec3) x, VTKI_OUT(vec3) y, VTKI_OUT(vec3) z)
+{
+  z = vec3(offset.x, offset.y, sqrt(max(1.0f - offset.x * offset.x - offset.y * offset.y, 0.0f)));
+  // vtkiFrameAlong for z >= 0.
+  float a = -1.0f / (1.0f + z.z);
+  float b = z.x * z.y * a;
+  x = vec3(1.0f + z.x * z.x * a, b, -z.x);
+  y = vec3(b, 1.0f + z.y * z.y * a, -z.y);
+}
+#endif
