@@ -6,10 +6,12 @@
 #include "Composite/vtkIndirectComposite.h"
 #include "Frame/vtkIndirectDelegateGuard.h"
 #include "Frame/vtkIndirectLightKeys.h"
+#include "Frame/vtkIndirectLightScope.h"
 #include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectView.h"
 #include "OpenGL/vtkIndirectContextGuard.h"
+#include "Pipeline/vtkIndirectLighting.h"
 #include "Pipeline/vtkIndirectPipeline.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
@@ -30,6 +32,7 @@
 #include "vtkUniformLightSampler.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace
@@ -91,6 +94,7 @@ double vtkIndirectIlluminationPass::GetLightAngle(vtkLight* light)
 struct vtkIndirectIlluminationPass::Internals
 {
   vtkIndirectPipeline Pipeline;
+  vtkIndirectLighting Lighting;
   vtkNew<vtkSequencePass> DefaultDelegate;
   vtkIndirectDelegateGuard Delegate;
   vtkIndirectEstimatorPass* Borrowed = nullptr;
@@ -136,6 +140,7 @@ void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sampler: " << this->Sampler << (this->Sampler ? "" : " (automatic)") << "\n";
   os << indent << "Environment: " << this->Environment << "\n";
   os << indent << "DelegatePass: " << this->DelegatePass << "\n";
+  os << indent << "Lighting: " << vtkIndirectLighting::GetTitle(this->Settings.Lighting) << "\n";
   static const char* const visibilities[] = { "Auto", "None", "Voxels", "Maps" };
   os << indent << "Visibility: " << visibilities[this->Settings.Visibility] << "\n";
   os << indent << "Shadows: " << flag(this->Settings.Shadows) << "\n";
@@ -290,7 +295,11 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   request.HoldEstimator = request.Estimator != in.Borrowed;
   request.Sampler = this->GetActiveSampler();
   request.Delegate = this->DelegatePass ? this->DelegatePass : in.DefaultDelegate.Get();
-  request.Environment = this->Environment;
+  in.Lighting.Update(renderer, this->Settings, this->Environment);
+  request.Environment = in.Lighting.GetEnvironment();
+  // What the delegate draws alone has the renderer's lights.
+  std::optional<vtkIndirectLightScope> lights(std::in_place, renderer, in.Lighting.GetLights());
+  request.ReplacedLights = lights->GetReplaced();
   in.Pipeline.Prepare(s, request);
   std::string why = in.Pipeline.GetPlan().WhyDelegate;
   in.Delegate.Begin();
@@ -313,9 +322,11 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
     this->NumberOfRenderedProps += in.Pipeline.GetNumberOfRenderedProps();
     in.Pipeline.DrawLight(request, clear);
     this->ShowDebugView();
+    lights.reset();
   }
   else
   {
+    lights.reset();
     this->RenderDelegate(
       s, in.Delegate.IsRefused(this->DelegatePass) ? vtkIndirectDelegateGuard::Why : why);
   }
@@ -426,6 +437,10 @@ std::string vtkIndirectIlluminationPass::GetReport()
     { "IndirectScale", this->Settings.IndirectScale }, { "ErrorTolerance", tolerance },
     { "Caching", this->Settings.Caching } };
   in.Pipeline.AddToReport(report);
+  if (in.Pipeline.HasBuffers())
+  {
+    in.Lighting.AddToReport(report);
+  }
   return report.ToJSON(in.Pipeline.Timer);
 }
 

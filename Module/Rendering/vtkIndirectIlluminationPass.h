@@ -104,6 +104,39 @@ public:
   vtkVirtualLightSampler* GetActiveSampler();
   ///@}
 
+  enum LightingType
+  {
+    SCENE = vtkIndirectLightingScene,
+    SOFT = vtkIndirectLightingSoft,
+    FULL = vtkIndirectLightingFull,
+    GENTLE = vtkIndirectLightingGentle,
+    STUDIO = vtkIndirectLightingStudio
+  };
+
+  ///@{
+  /**
+   * What lights the opaque props. SCENE (default): the renderer's lights, and Environment. The
+   * others are presets, which take the place of the renderer's lights while the frame is drawn, and
+   * follow the camera: SOFT, a sky that is brighter above the viewer, and a weak headlight: no
+   * visible hard shadow. GENTLE, half as much of the sky and more of the headlight: less contrast.
+   * FULL, a key light with shadows, a sky and a headlight. STUDIO, a kit of key, fill and rim
+   * lights, each a soft lobe of a sky. Where the renderer has a kit of its own (two or more
+   * directional lights that follow the camera, such as vtkLightKit), FULL and STUDIO have the
+   * directions, colours and ratios of that one. All are the stronger the renderer's lights are that
+   * follow the camera.
+   *
+   * Strengths are such that pictures are about as bright as those of plain VTK; see the guide. An
+   * Environment that is set takes the place of the preset's sky. Translucent props, volumes and
+   * annotation keep the renderer's lights. With IndirectScale 0 there is no sky, and no preset.
+   */
+  vtkIndirectClampMacro(Lighting, int, SCENE, STUDIO);
+  void SetLightingToScene() { this->SetLighting(SCENE); }
+  void SetLightingToSoft() { this->SetLighting(SOFT); }
+  void SetLightingToFull() { this->SetLighting(FULL); }
+  void SetLightingToGentle() { this->SetLighting(GENTLE); }
+  void SetLightingToStudio() { this->SetLighting(STUDIO); }
+  ///@}
+
   ///@{
   /**
    * Whether lights cast shadows. Default on: the maps send only from lit surfaces, so direct light

@@ -59,9 +59,20 @@ enum vtkIndirectVisibilityType
   vtkIndirectVisibilityMaps
 };
 
+/** What lights a frame; of vtkIndirectIlluminationPass. */
+enum vtkIndirectLightingType
+{
+  vtkIndirectLightingScene = 0,
+  vtkIndirectLightingSoft,
+  vtkIndirectLightingFull,
+  vtkIndirectLightingGentle,
+  vtkIndirectLightingStudio
+};
+
 /** What the user has set on vtkIndirectIlluminationPass, by the names of its properties. */
 struct vtkIndirectSettings
 {
+  int Lighting = vtkIndirectLightingScene;
   bool Shadows = true;
   int Visibility = vtkIndirectVisibilityAutomatic;
   bool Antialiasing = true;

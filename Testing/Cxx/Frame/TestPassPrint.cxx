@@ -51,6 +51,7 @@ void CheckLine(vtkObject* object, const std::string& line, bool expected)
 VTK_INDIRECT_TEST(PrintSettings)
 {
   vtkNew<vtkIndirectIlluminationPass> pass;
+  CHECK_PRINT(pass, Lighting, vtkIndirectIlluminationPass::STUDIO, "Studio");
   CHECK_PRINT(pass, Shadows, false, "Off");
   CHECK_PRINT(pass, Antialiasing, false, "Off");
   CHECK_PRINT(pass, ReflectiveShadowMapResolution, 77, "77");

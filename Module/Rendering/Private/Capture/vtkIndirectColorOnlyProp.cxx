@@ -2,7 +2,9 @@
 #include "Capture/vtkIndirectColorOnlyProp.h"
 
 #include "Capture/vtkSurfaceCapturePass.h"
+#include "Frame/vtkIndirectLightScope.h"
 #include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
 
 vtkStandardNewMacro(vtkIndirectColorOnlyProp);
 
@@ -10,9 +12,11 @@ vtkIndirectColorOnlyProp::vtkIndirectColorOnlyProp() = default;
 vtkIndirectColorOnlyProp::~vtkIndirectColorOnlyProp() = default;
 
 //------------------------------------------------------------------------------
-void vtkIndirectColorOnlyProp::Set(vtkProp* prop, vtkSurfaceCapturePass* capture)
+void vtkIndirectColorOnlyProp::Set(
+  vtkProp* prop, vtkSurfaceCapturePass* capture, vtkLightCollection* lights)
 {
   this->Prop = prop;
+  this->Lights = lights;
   this->Capture = capture;
   this->SetUseBounds(prop && prop->GetUseBounds());
   if (prop)
@@ -53,6 +57,13 @@ int vtkIndirectColorOnlyProp::RenderOpaqueGeometry(vtkViewport* viewport)
   if (!this->Prop)
   {
     return 0;
+  }
+  // Light of a sky does not reach what has no surface.
+  auto* renderer = vtkRenderer::SafeDownCast(viewport);
+  const vtkIndirectLightScope lights(renderer, this->Lights);
+  if (lights.GetReplaced())
+  {
+    vtkIndirectLightScope::Read(renderer);
   }
   const int drawn = this->Prop->RenderOpaqueGeometry(viewport);
   if (drawn > 0)

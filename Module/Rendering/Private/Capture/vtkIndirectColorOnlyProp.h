@@ -8,6 +8,7 @@
 
 #include "vtkProp.h"
 
+class vtkLightCollection;
 class vtkSurfaceCapturePass;
 
 class vtkIndirectColorOnlyProp : public vtkProp
@@ -16,8 +17,11 @@ public:
   static vtkIndirectColorOnlyProp* New();
   vtkTypeMacro(vtkIndirectColorOnlyProp, vtkProp);
 
-  /** Both must outlive what is drawn through this. prop may be null. */
-  void Set(vtkProp* prop, vtkSurfaceCapturePass* capture);
+  /**
+   * All must outlive what is drawn through this. prop may be null. lights: those to draw it with;
+   * null: the ones that the renderer has then.
+   */
+  void Set(vtkProp* prop, vtkSurfaceCapturePass* capture, vtkLightCollection* lights);
 
   double* GetBounds() override;
   vtkMTimeType GetRedrawMTime() override;
@@ -38,6 +42,7 @@ private:
 
   vtkProp* Prop = nullptr;
   vtkSurfaceCapturePass* Capture = nullptr;
+  vtkLightCollection* Lights = nullptr;
 };
 
 #endif

@@ -45,7 +45,7 @@ StandIns ReplaceColorOnly(
   auto replace = [&](vtkProp* prop)
   {
     standIns.push_back(vtkSmartPointer<vtkIndirectColorOnlyProp>::New());
-    standIns.back()->Set(prop, capture);
+    standIns.back()->Set(prop, capture, frame.ReplacedLights);
     return standIns.back().Get();
   };
   const std::unordered_set<vtkProp*> colorOnly(frame.ColorOnly.begin(), frame.ColorOnly.end());

@@ -125,6 +125,7 @@ struct vtkSurfaceCapturePass::Internals
 
   // The camera that a program's lighting uniforms were last set for.
   std::unordered_map<vtkShaderProgram*, vtkCamera*> ProgramCameras;
+  vtkLightCollection* LightsInUse = nullptr; // to be compared only
   vtkCamera* Camera = nullptr;
 };
 
@@ -206,6 +207,12 @@ void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
   if (changed)
   {
     this->SourceTime.Modified();
+  }
+  // Other lights may be older than what programs were last given.
+  if (this->Internal->LightsInUse != frame.Renderer->GetLights())
+  {
+    this->Internal->LightsInUse = frame.Renderer->GetLights();
+    this->Internal->ProgramCameras.clear();
   }
   auto* key = vtkOpenGLRenderPass::RenderPasses();
   for (vtkProp* prop : frame.Captured)

@@ -15,6 +15,7 @@
 
 class vtkBoundingBox;
 class vtkLight;
+class vtkLightCollection;
 class vtkMatrix4x4;
 class vtkOpenGLRenderWindow;
 class vtkProp;
@@ -78,6 +79,8 @@ struct vtkIndirectFrame
   std::vector<vtkIndirectCaster> Casters;
   bool AllSendLight = true; // whether all surfaces may send light
   std::vector<vtkIndirectLight> Lights;
+  /** The renderer's own, which what has no surface is drawn with; null: Lights are these. */
+  vtkLightCollection* ReplacedLights = nullptr;
   /** Props that take no part, or not the whole, and why. */
   struct LeftOutEntry
   {

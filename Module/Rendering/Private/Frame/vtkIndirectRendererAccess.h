@@ -14,6 +14,11 @@ public:
   {
     return renderer->*(&vtkIndirectRendererAccess::ActiveCamera);
   }
+  /** SetLightCollection changes the renderer's modification time. */
+  static vtkLightCollection*& LightsInUse(vtkRenderer* renderer)
+  {
+    return renderer->*(&vtkIndirectRendererAccess::Lights);
+  }
   /** Whether passes with a camera clear what they draw to. */
   static vtkTypeBool& Clearing(vtkRenderer* renderer)
   {

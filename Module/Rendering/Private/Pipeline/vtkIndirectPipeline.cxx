@@ -5,6 +5,7 @@
 
 #include "Capture/vtkIndirectDarkLight.h"
 #include "Capture/vtkIndirectShadowMaps.h"
+#include "Frame/vtkIndirectLightScope.h"
 #include "Frame/vtkIndirectReport.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
@@ -43,6 +44,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   this->HeldEstimator = request.HoldEstimator ? request.Estimator : nullptr;
   this->Frame = vtkIndirectFrame();
   this->Frame.Build(s);
+  this->Frame.ReplacedLights = request.ReplacedLights;
   vtkIndirectCircumstances circumstances = request.Circumstances;
   circumstances.NumberOfOtherEmitters = static_cast<int>(this->OtherSamplers.size());
   this->Environment =
@@ -105,6 +107,10 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   this->Capture->SetImageLight(!this->Plan.ReplacesImageLight);
   this->Capture->Attach(this->Frame);
   const vtkIndirectDarkLight dark(this->Frame);
+  if (request.ReplacedLights)
+  {
+    vtkIndirectLightScope::Read(this->Frame.Renderer);
+  }
   bool drawn = true;
   if (this->Plan.Senders != vtkIndirectPlan::EYE)
   {

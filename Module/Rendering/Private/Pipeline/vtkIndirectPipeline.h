@@ -33,6 +33,7 @@
 #include <vector> // for samplers
 
 class vtkImageData;
+class vtkLightCollection;
 class vtkRenderPass;
 
 class vtkIndirectPipeline
@@ -48,6 +49,8 @@ public:
     vtkVirtualLightSampler* Sampler = nullptr;
     vtkRenderPass* Delegate = nullptr;
     vtkEnvironmentLight* Environment = nullptr;
+    /** The renderer's own lights where others have taken their place; else null. */
+    vtkLightCollection* ReplacedLights = nullptr;
   };
 
   /** Reads the scene and plans the frame; nothing of the last one can be read from here on. */

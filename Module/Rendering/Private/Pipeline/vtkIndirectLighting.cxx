@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/vtkIndirectLighting.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectReport.h"
+#include "vtkCamera.h"
+#include "vtkEnvironmentLight.h"
+#include "vtkImageData.h"
+#include "vtkIndirectSettings.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkRenderer.h"
+
+#include <cmath>
+
+namespace
+{
+// Of the sky's image: a pixel is 2.8 degrees, a lobe's radiance is halved within 33.
+constexpr int Columns = 128;
+constexpr int Rows = 64;
+
+const char* const Titles[] = { "Scene", "Soft", "Full", "Gentle", "Studio" };
+const char* const Names[] = { "scene", "soft", "full", "gentle", "studio" };
+
+// The camera's axes in world coordinates, without whatever scales or shears them: right, up, to the
+// viewer. The world's where it has none.
+glm::dmat3 FindAxes(vtkCamera* camera)
+{
+  const glm::dmat3 axes =
+    glm::transpose(glm::dmat3(vtkIndirectFrame::ToGLM(camera->GetModelViewTransformMatrix())));
+  const glm::dvec3 up = glm::normalize(axes[1]);
+  const glm::dvec3 right = glm::normalize(axes[0] - glm::dot(axes[0], up) * up);
+  const glm::dvec3 back = glm::cross(right, up);
+  return std::isfinite(glm::dot(back, back)) ? glm::dmat3(right, up, back) : glm::dmat3(1.0);
+}
+
+void SetColor(vtkLight* light, const glm::dvec3& color)
+{
+  light->SetColor(color.x, color.y, color.z);
+}
+
+std::string Count(size_t count, const std::string& thing)
+{
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectLighting::vtkIndirectLighting()
+  : Preset(vtkIndirectLightingScene)
+{
+  this->Key->SetLightTypeToSceneLight();
+  this->Key->SetFocalPoint(0.0, 0.0, 0.0);
+  this->Headlight->SetLightTypeToHeadlight();
+}
+
+vtkIndirectLighting::~vtkIndirectLighting() = default;
+
+//------------------------------------------------------------------------------
+const char* vtkIndirectLighting::GetTitle(int preset)
+{
+  return Titles[preset];
+}
+
+//------------------------------------------------------------------------------
+vtkLightCollection* vtkIndirectLighting::GetLights() const
+{
+  return this->Preset == vtkIndirectLightingScene || this->Inactive ? nullptr : this->Lights.Get();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLighting::Update(
+  vtkRenderer* renderer, const vtkIndirectSettings& settings, vtkEnvironmentLight* users)
+{
+  this->Preset = settings.Lighting;
+  // Without a sky most of a preset would be dark.
+  this->Inactive = settings.IndirectScale == 0.0;
+  this->Environment = users;
+  if (!this->GetLights())
+  {
+    return;
+  }
+  this->NumberOfReplaced = 0;
+  vtkCollectionSimpleIterator it;
+  vtkLightCollection* lights = renderer->GetLights();
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    this->NumberOfReplaced += light->GetSwitch() ? 1 : 0;
+  }
+  this->SetRig(settings.Lighting, CollectKit(renderer));
+  this->Turn(renderer);
+  if (!users)
+  {
+    this->Environment = this->Sky;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Empty unless all lights that are on are directional and follow the camera.
+std::vector<vtkIndirectLamp> vtkIndirectLighting::CollectKit(vtkRenderer* renderer)
+{
+  std::vector<vtkIndirectLamp> kit;
+  vtkCollectionSimpleIterator it;
+  vtkLightCollection* lights = renderer->GetLights();
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
+    if (light->GetPositional() || light->LightTypeIsSceneLight())
+    {
+      return {};
+    }
+    vtkIndirectLamp lamp;
+    const double* color = light->GetDiffuseColor();
+    lamp.Color = light->GetIntensity() * glm::dvec3(color[0], color[1], color[2]);
+    if (light->LightTypeIsCameraLight())
+    {
+      // Given in the camera's own axes; it looks along -z.
+      const double* p = light->GetPosition();
+      const double* f = light->GetFocalPoint();
+      const glm::dvec3 direction(p[0] - f[0], p[1] - f[1], p[2] - f[2]);
+      const double length = glm::length(direction);
+      lamp.Direction = length > 0.0 ? direction / length : lamp.Direction;
+    }
+    // A negative light is none of a sky.
+    if (glm::all(glm::greaterThanEqual(lamp.Color, glm::dvec3(0.0))) &&
+      lamp.Color != glm::dvec3(0.0))
+    {
+      kit.push_back(lamp);
+    }
+  }
+  return kit;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLighting::SetRig(int preset, const std::vector<vtkIndirectLamp>& kit)
+{
+  std::vector<double> key = { static_cast<double>(preset) };
+  for (const vtkIndirectLamp& lamp : kit)
+  {
+    key.insert(key.end(), &lamp.Direction.x, &lamp.Direction.x + 3);
+    key.insert(key.end(), &lamp.Color.x, &lamp.Color.x + 3);
+  }
+  if (key == this->RigKey)
+  {
+    return;
+  }
+  this->RigKey = std::move(key);
+  this->Rig = vtkIndirectLightRig::Make(preset, kit);
+
+  // As vtkEnvironmentLight has it: the middle ahead, which is -z; bottom row first.
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(Columns, Rows, 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  auto* pixel = static_cast<float*>(image->GetScalarPointer());
+  for (int j = 0; j < Rows; ++j)
+  {
+    const double latitude = vtkMath::Pi() * ((j + 0.5) / Rows - 0.5);
+    for (int i = 0; i < Columns; ++i)
+    {
+      const double longitude = 2.0 * vtkMath::Pi() * ((i + 0.5) / Columns - 0.5);
+      const glm::dvec3 radiance = this->Rig.GetRadiance({ std::cos(latitude) * std::sin(longitude),
+        std::sin(latitude), -std::cos(latitude) * std::cos(longitude) });
+      for (int c = 0; c < 3; ++c)
+      {
+        *pixel++ = static_cast<float>(radiance[c]);
+      }
+    }
+  }
+  this->Sky->SetImage(image);
+
+  this->Lights->RemoveAllItems();
+  if (this->Rig.Key.Color != glm::dvec3(0.0))
+  {
+    SetColor(this->Key, this->Rig.Key.Color);
+    this->Lights->AddItem(this->Key);
+  }
+  if (this->Rig.Headlight != glm::dvec3(0.0))
+  {
+    SetColor(this->Headlight, this->Rig.Headlight);
+    this->Lights->AddItem(this->Headlight);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLighting::Turn(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const glm::dmat3 axes = FindAxes(camera);
+  // Nothing turns a sky that is the same all around.
+  if (!this->Rig.Lobes.empty())
+  {
+    this->Sky->SetRight(axes[0].x, axes[0].y, axes[0].z);
+    this->Sky->SetUp(axes[1].x, axes[1].y, axes[1].z);
+  }
+  const glm::dvec3 key = axes * this->Rig.Key.Direction;
+  this->Key->SetPosition(key.x, key.y, key.z);
+  this->Headlight->SetPosition(camera->GetPosition());
+  this->Headlight->SetFocalPoint(camera->GetFocalPoint());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLighting::AddToReport(vtkIndirectReport& report) const
+{
+  if (this->Preset == vtkIndirectLightingScene)
+  {
+    return;
+  }
+  const std::string name = std::string("lighting ") + Names[this->Preset];
+  if (this->Inactive)
+  {
+    report.LeftOut.emplace_back(
+      name, "IndirectScale is 0, so there is no sky: the renderer's lights have its place");
+    return;
+  }
+  std::string what;
+  auto add = [&what](const std::string& part) { what += (what.empty() ? "" : ", ") + part; };
+  if (this->Rig.Key.Color != glm::dvec3(0.0))
+  {
+    add("a key light with shadows");
+  }
+  if (this->Rig.Headlight != glm::dvec3(0.0))
+  {
+    add("a headlight of " + vtkIndirectReport::Number(this->Rig.Headlight.x, 3));
+  }
+  if (this->Environment == this->Sky.Get())
+  {
+    add("a sky of radiance " + vtkIndirectReport::Number(this->Rig.Ambient.x, 3) + " and " +
+      Count(this->Rig.Lobes.size(), "soft light") + ", which follow the camera");
+  }
+  else
+  {
+    add("the environment that is set, in place of the preset's sky");
+  }
+  report.Modelled.emplace_back(name,
+    what + ", in place of " + Count(static_cast<size_t>(this->NumberOfReplaced), "light") +
+      " of the renderer");
+  report.LeftOut.emplace_back(name + " on what has no surface",
+    "translucent props, volumes and annotation keep the renderer's lights");
+}

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Presets of lights: what they do to the picture, and that the renderer's own lights are as before.
+#include "vtkIndirectContractReport.h"
+#include "vtkIndirectContractRoom.h"
+
+#include "vtkAxesActor.h"
+#include "vtkEnvironmentLight.h"
+#include "vtkLightCollection.h"
+#include "vtkLightKit.h"
+#include "vtkPropCollection.h"
+#include "vtkPropPicker.h"
+#include "vtkRenderWindow.h"
+#include "vtkTransform.h"
+
+#include <algorithm>
+#include <functional>
+
+using namespace contract;
+
+namespace
+{
+using Pass = vtkIndirectIlluminationPass;
+
+const int Presets[] = { Pass::SOFT, Pass::FULL, Pass::GENTLE, Pass::STUDIO };
+
+// A ball and a floor that it stands on; nothing in it that lights.
+struct Stage
+{
+  View Window{ 80, 60 };
+  vtkNew<Pass> IndirectPass;
+
+  Stage()
+  {
+    this->GetRenderer()->AddActor(MakeQuad({ -2, -1, 2 }, { 2, -1, 2 }, { -2, -1, -2 }));
+    this->GetRenderer()->AddActor(MakeSphere({ 0, -0.4, 0 }, 0.6));
+    this->GetRenderer()->SetPass(this->IndirectPass);
+    vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
+    camera->SetPosition(1, 1.5, 5);
+    camera->SetFocalPoint(0, -0.5, 0);
+    camera->SetClippingRange(0.1, 20);
+  }
+  vtkRenderer* GetRenderer() { return this->Window.Renderer; }
+  Pixels Grab(int lighting)
+  {
+    this->IndirectPass->SetLighting(lighting);
+    return this->Window.Grab();
+  }
+};
+
+void AddKit(vtkRenderer* renderer)
+{
+  vtkNew<vtkLightKit> kit;
+  kit->AddLightsToRenderer(renderer);
+}
+
+// All that can be asked of the renderer's lights.
+std::vector<double> Describe(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  std::vector<double> all = { static_cast<double>(reinterpret_cast<uintptr_t>(lights)),
+    static_cast<double>(lights->GetMTime()), static_cast<double>(lights->GetNumberOfItems()) };
+  for (int i = 0; i < lights->GetNumberOfItems(); ++i)
+  {
+    auto* light = vtkLight::SafeDownCast(lights->GetItemAsObject(i));
+    double transformed[3];
+    light->GetTransformedPosition(transformed);
+    all.insert(all.end(), transformed, transformed + 3);
+    light->GetTransformedFocalPoint(transformed);
+    all.insert(all.end(), transformed, transformed + 3);
+    all.insert(all.end(), light->GetDiffuseColor(), light->GetDiffuseColor() + 3);
+    all.insert(all.end(),
+      { static_cast<double>(reinterpret_cast<uintptr_t>(light)), light->GetIntensity(),
+        static_cast<double>(light->GetSwitch()), static_cast<double>(light->GetMTime()),
+        static_cast<double>(light->GetReferenceCount()) });
+  }
+  return all;
+}
+}
+
+//------------------------------------------------------------------------------
+// The picture changes, the lights do not; and with them comes the picture of before, bit by bit.
+VTK_INDIRECT_TEST(LightingComesAndGoes)
+{
+  const std::function<void(vtkRenderer*)> kinds[] = { AddKit,
+    [](vtkRenderer* renderer) {
+      renderer->AddLight(MakeLight(LightKind::Spot, { 2, 3, 2 }, { 0, -1, 0 }));
+    },
+    [](vtkRenderer* renderer) {
+      renderer->AddLight(MakeLight(LightKind::Directional, { 2, 3, 2 }, { 0, -1, 0 }));
+    },
+    // VTK makes one.
+    [](vtkRenderer*) {} };
+  for (size_t kind = 0; kind < 4; ++kind)
+  {
+    Stage stage;
+    kinds[kind](stage.GetRenderer());
+    const Pixels before = stage.Grab(Pass::SCENE);
+    const std::vector<double> lights = Describe(stage.GetRenderer());
+    const vtkMTimeType time = stage.GetRenderer()->GetMTime();
+    std::vector<Pixels> pictures = { before };
+    for (const int preset : Presets)
+    {
+      pictures.push_back(stage.Grab(preset));
+      const Difference moved = Compare(pictures.back(), stage.Window.Grab());
+      CONTRACT_CHECK(moved.Max == 0, "lighting " << preset << ", the second frame: " << moved);
+      for (size_t i = 0; i + 1 < pictures.size(); ++i)
+      {
+        CONTRACT_CHECK(Compare(pictures[i], pictures.back()).Max > 10,
+          "lighting " << preset << " looks like " << i << " of lights " << kind);
+      }
+      CONTRACT_CHECK(Describe(stage.GetRenderer()) == lights, "lights after " << preset);
+      CONTRACT_CHECK(stage.GetRenderer()->GetMTime() == time, "the renderer after " << preset);
+      const Difference after = Compare(before, stage.Grab(Pass::SCENE));
+      CONTRACT_CHECK(after.Max == 0, "after lighting " << preset << ": " << after);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// What has no surface keeps the renderer's lights, and picking finds what it found.
+VTK_INDIRECT_TEST(LightingOfTheRest)
+{
+  Stage stage;
+  vtkRenderer* renderer = stage.GetRenderer();
+  auto light = MakeLight(LightKind::Directional, { 1, 1, 3 }, { 0, 0, 0 });
+  light->SetColor(1.0, 0.5, 0.2);
+  renderer->AddLight(light);
+  auto glass = MakeQuad({ 0.9, 0.4, 0.5 }, { 1.5, 0.4, 0.5 }, { 0.9, 1.0, 0.5 });
+  glass->GetProperty()->SetOpacity(0.6);
+  renderer->AddActor(glass);
+  vtkNew<vtkAxesActor> axes;
+  axes->SetTotalLength(0.7, 0.7, 0.7);
+  axes->AxisLabelsOff();
+  axes->SetShaftTypeToCylinder();
+  vtkNew<vtkTransform> place;
+  place->Translate(-1.6, 0.2, 0.0);
+  axes->SetUserTransform(place);
+  renderer->AddActor(axes);
+  stage.IndirectPass->AntialiasingOff();
+  const Pixels before = stage.Grab(Pass::SCENE);
+  const Floats surface = Read(stage.IndirectPass, "normal");
+  const Floats depth = Read(stage.IndirectPass, "depth");
+  for (const int preset : Presets)
+  {
+    const Pixels after = stage.Grab(preset);
+    int others = 0;
+    for (int y = 0; y < after.Height; ++y)
+    {
+      for (int x = 0; x < after.Width; ++x)
+      {
+        const float* n = surface.At(x, y);
+        const bool background = before.Get(x, y, 0) == 0 && before.Get(x, y, 1) == 0;
+        if (n[0] != 0.0f || n[1] != 0.0f || n[2] != 0.0f || background)
+        {
+          continue;
+        }
+        ++others;
+        CONTRACT_CHECK(std::equal(before.At(x, y), before.At(x, y) + 3, after.At(x, y)),
+          "lighting " << preset << " at " << x << ", " << y);
+      }
+    }
+    CONTRACT_CHECK(others > 50, "there are " << others << " pixels without a surface");
+    vtkNew<vtkPropPicker> picker;
+    picker->PickProp(40, 25, renderer);
+    CONTRACT_CHECK(picker->GetViewProp() == renderer->GetViewProps()->GetItemAsObject(1),
+      "what is picked with lighting " << preset);
+    const Difference again = Compare(after, stage.Window.Grab());
+    CONTRACT_CHECK(again.Max == 0, "after picking: " << again);
+  }
+  CONTRACT_CHECK(IsFinite(depth), "depth");
+}
+
+//------------------------------------------------------------------------------
+// A camera that turns draws no map of the sky and builds no shader; and skies turn with it.
+VTK_INDIRECT_TEST(LightingTurns)
+{
+  for (const bool kit : { false, true })
+  {
+    for (const int preset : Presets)
+    {
+      View view(64, 64);
+      view.Renderer->AddActor(MakeSphere({ 0, 0, 0 }, 1.0, { 0.8, 0.8, 0.8 }, 64));
+      if (kit)
+      {
+        AddKit(view.Renderer);
+      }
+      vtkNew<Pass> pass;
+      pass->SetLighting(preset);
+      view.Renderer->SetPass(pass);
+      view.Renderer->ResetCamera();
+      view.Grab();
+      const Floats before = Read(pass, "sky");
+      const long long tiles = CountOf(pass, "tiles_drawn");
+      CONTRACT_CHECK(tiles > 100, "maps of lighting " << preset << ": " << tiles);
+      view.Grab();
+      const long long builds = CountOf(pass, "shader_builds");
+      for (int i = 0; i < 8; ++i)
+      {
+        view.Renderer->GetActiveCamera()->Azimuth(17.0);
+        view.Renderer->GetActiveCamera()->Elevation(7.0);
+        view.Renderer->GetActiveCamera()->OrthogonalizeViewUp();
+        view.Grab();
+      }
+      const Floats after = Read(pass, "sky");
+      CONTRACT_CHECK(CountOf(pass, "tiles_drawn") == tiles,
+        "lighting " << preset << ": " << CountOf(pass, "tiles_drawn") - tiles << " maps more");
+      CONTRACT_CHECK(CountOf(pass, "shader_builds") == builds, "shaders of lighting " << preset);
+      // A ball looks the same from everywhere. 256 directions, and what their maps say of grazing
+      // light: measured 0.004 to 0.011 of the mean.
+      const Difference difference = Compare(before, after);
+      const double mean = Mean(after, 0);
+      std::cout << "lighting " << preset << ": differs by " << difference.Mean / mean
+                << " of the mean " << mean << "\n";
+      CONTRACT_CHECK(difference.Mean < 0.03 * mean, difference);
+      CONTRACT_CHECK(mean > 0.05, "the sky is dark: " << mean);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+VTK_INDIRECT_TEST(LightingReport)
+{
+  Stage stage;
+  AddKit(stage.GetRenderer());
+  Pass* pass = stage.IndirectPass;
+  stage.Grab(Pass::SCENE);
+  CONTRACT_CHECK(Report(pass).GetText().find("lighting") == std::string::npos, "lighting scene");
+  const std::pair<int, const char*> names[] = { { Pass::SOFT, "lighting soft" },
+    { Pass::FULL, "lighting full" }, { Pass::GENTLE, "lighting gentle" },
+    { Pass::STUDIO, "lighting studio" } };
+  for (const auto& [preset, name] : names)
+  {
+    stage.Grab(preset);
+    const std::string why = Report(pass).FindReason("modelled", name);
+    CONTRACT_CHECK(why.find("a sky of radiance") != std::string::npos &&
+        why.find("in place of 5 lights of the renderer") != std::string::npos,
+      name << ": " << why);
+  }
+  // What the user has set counts.
+  vtkNew<vtkEnvironmentLight> sky;
+  sky->SetRadiance(0.25, 0.5, 0.75);
+  pass->SetEnvironment(sky);
+  stage.Grab(Pass::SOFT);
+  const std::string why = Report(pass).FindReason("modelled", "lighting soft");
+  CONTRACT_CHECK(why.find("the environment that is set") != std::string::npos, why);
+  const Floats irradiance = Read(pass, "sky");
+  const int top = irradiance.Height / 8; // of the floor, which nothing hides the sky from
+  CONTRACT_CHECK(std::abs(irradiance.Get(5, top, 2) / irradiance.Get(5, top, 0) - 3.0f) < 0.01f,
+    irradiance.Get(5, top, 2) << " " << irradiance.Get(5, top, 0));
+  pass->SetEnvironment(nullptr);
+  // Without indirect light there is no sky.
+  pass->SetIndirectScale(0.0);
+  const Pixels plain = stage.Grab(Pass::SCENE);
+  const Pixels preset = stage.Grab(Pass::FULL);
+  CONTRACT_CHECK(Compare(plain, preset).Max == 0, "lighting full without a sky");
+  CONTRACT_CHECK(
+    !Report(pass).FindReason("left_out", "lighting full").empty(), Report(pass).GetText());
+}
+
+//------------------------------------------------------------------------------
+// Renderers that are hard to light.
+VTK_INDIRECT_TEST(LightingHardCases)
+{
+  const std::pair<const char*, std::function<void(Stage&)>> cases[] = {
+    { "no lights", [](Stage& s) { s.GetRenderer()->AutomaticLightCreationOff(); } },
+    { "no lights on",
+      [](Stage& s)
+      {
+        s.GetRenderer()->AutomaticLightCreationOff();
+        auto light = MakeLight(LightKind::Point, { 1, 1, 1 }, { 0, 0, 0 });
+        light->SwitchOff();
+        s.GetRenderer()->AddLight(light);
+      } },
+    { "one light",
+      [](Stage& s) {
+        s.GetRenderer()->AddLight(MakeLight(LightKind::Point, { 1, 1, 1 }, { 0, 0, 0 }));
+      } },
+    { "a black kit",
+      [](Stage& s)
+      {
+        AddKit(s.GetRenderer());
+        vtkLightCollection* lights = s.GetRenderer()->GetLights();
+        for (int i = 0; i < lights->GetNumberOfItems(); ++i)
+        {
+          vtkLight::SafeDownCast(lights->GetItemAsObject(i))->SetIntensity(0.0);
+        }
+      } },
+    { "no shadows", [](Stage& s) { s.IndirectPass->ShadowsOff(); } },
+    { "no visibility", [](Stage& s) { s.IndirectPass->SetVisibilityToNone(); } },
+    { "parallel projection",
+      [](Stage& s) { s.GetRenderer()->GetActiveCamera()->ParallelProjectionOn(); } },
+    { "a camera that looks down",
+      [](Stage& s)
+      {
+        s.GetRenderer()->GetActiveCamera()->SetPosition(0, 5, 0);
+        s.GetRenderer()->GetActiveCamera()->SetFocalPoint(0, 0, 0);
+        s.GetRenderer()->GetActiveCamera()->SetViewUp(0, 0, -1);
+      } },
+    { "no props", [](Stage& s) { s.GetRenderer()->RemoveAllViewProps(); } },
+  };
+  for (const auto& [name, change] : cases)
+  {
+    for (const int preset : Presets)
+    {
+      Stage stage;
+      change(stage);
+      const Pixels picture = stage.Grab(preset);
+      if (stage.GetRenderer()->GetViewProps()->GetNumberOfItems() == 0)
+      {
+        CONTRACT_CHECK(Mean(picture, 0) == 0.0, name << ", lighting " << preset);
+        continue;
+      }
+      const Floats final = Read(stage.IndirectPass, "final");
+      CONTRACT_CHECK(IsFinite(final), name << ", lighting " << preset);
+      CONTRACT_CHECK(Mean(final, 0) > 0.03, name << ", lighting " << preset << ": black");
+      for (const float value : final.Values)
+      {
+        CONTRACT_CHECK(value >= 0.0f, name << ", lighting " << preset << ": " << value);
+      }
+    }
+  }
+}
