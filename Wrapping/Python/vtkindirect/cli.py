@@ -24,6 +24,7 @@ from vtkindirect import (
     demo,
     frames,
     images,
+    lighting,
     locations,
     methods,
     settings,
@@ -68,6 +69,15 @@ def _frames(text: str) -> int:
     return int(text)
 
 
+def _add_lighting_argument(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--lighting",
+        metavar="NAME",
+        help=f"what lights the scene: {', '.join(lighting.NAMES)} (default: auto, which is full "
+        "where nobody has chosen the lights, else scene)",
+    )
+
+
 def _add_scene_arguments(parser: argparse.ArgumentParser) -> None:
     known = ", ".join(methods.METHODS)
     parser.add_argument(
@@ -80,6 +90,7 @@ def _add_scene_arguments(parser: argparse.ArgumentParser) -> None:
         help="how virtual lights are chosen: "
         f"{', '.join(methods.SAMPLERS)} (default: the method's own)",
     )
+    _add_lighting_argument(parser)
     parser.add_argument(
         "--size", type=_size, metavar="WxH", help="picture size in pixels (default: the scene's)"
     )
@@ -166,6 +177,7 @@ def commands() -> dict[str, argparse.ArgumentParser]:
         metavar="DIRECTORY",
         help="where to write; made if it is not there (default: here)",
     )
+    _add_lighting_argument(show)
     show.add_argument(
         "--size", type=_size, metavar="WxH", help="size of each picture (default: the scene's)"
     )
@@ -215,10 +227,17 @@ def _job(arguments: argparse.Namespace, count: int = 1) -> Job:
     if arguments.sampler is not None:
         methods.check_sampler(arguments.sampler)
     values = settings.parse(arguments.assignments)
-    if arguments.method == "off" and (values or arguments.sampler):
-        name = next(iter(values), "sampler")
+    light = arguments.lighting
+    for name in [name for name in values if lighting.is_property(name)]:
+        if light is not None:
+            raise UsageError("lighting is given twice")
+        light = values.pop(name)
+    if light is not None:
+        lighting.check(light)
+    if arguments.method == "off" and (values or arguments.sampler or light):
+        name = next(iter(values), "sampler" if arguments.sampler else "lighting")
         raise UsageError(f"method 'off' has no property '{name}'")
-    return Job(arguments.method, arguments.sampler, values, count)
+    return Job(arguments.method, arguments.sampler, values, count, light)
 
 
 def _picture(scene: Scene, buffer: str, job: Job, linear: bool) -> np.ndarray:
@@ -286,6 +305,8 @@ def _demo(arguments: argparse.Namespace) -> None:
         if name not in locations.DEMOS:
             raise UsageError(unknown("demonstration", name, locations.DEMOS))
     methods.check_method("auto")
+    if arguments.lighting is not None:
+        lighting.check(arguments.lighting)
     wrapped.get("vtkIndirectIlluminationPass")
     directory = Path(arguments.output)
     images.check_directory(directory if directory.exists() else directory.absolute().parent)
@@ -293,7 +314,7 @@ def _demo(arguments: argparse.Namespace) -> None:
     for index, name in enumerate(names):
         scene = _load(str(locations.demo_scene(name)))
         with Progress(f"{name} ({index + 1} of {len(names)})", steps) as bar:
-            line = demo.run(scene, directory, arguments.size, bar.step)
+            line = demo.run(scene, directory, arguments.size, bar.step, arguments.lighting)
         print(line, flush=True)
 
 

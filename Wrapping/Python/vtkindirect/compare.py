@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkVersion
 
-from vtkindirect import frames, images, locations, methods, references, sweep
+from vtkindirect import frames, images, lighting, locations, methods, references, sweep
 from vtkindirect.errors import IndirectError, UsageError
 from vtkindirect.frames import Job
 from vtkindirect.metrics import MetricError
@@ -141,7 +141,12 @@ class Run:
     def timed(self, row: Row) -> Result:
         """Time a method; its image is in the window afterwards."""
         methods.disable(self.scene.renderer)
-        job = Job(row.method, row.sampler, dict(row.settings), self.count, row.pace)
+        # The references have the scene's lights.
+        given = row.method == "off" or any(map(lighting.is_property, row.settings))
+        light = None if given else "scene"
+        job = Job(
+            row.method, row.sampler, dict(row.settings), self.count, row.pace, lighting=light
+        )
         return _times(frames.render(self.scene, self.scene.render_window, job))
 
     def nothing(self, row: Row) -> Result:

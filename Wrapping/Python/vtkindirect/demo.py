@@ -64,6 +64,7 @@ def run(
     directory: Path,
     size: tuple[int, int] | None,
     step: Callable[[str], None] = lambda _what: None,
+    lighting: str | None = None,
 ) -> str:
     """Render a scene twice and write its files; returns the line that tells of them.
 
@@ -73,7 +74,7 @@ def run(
     scene.size = size or scene.size
     window = frames.open_window(scene, scene.size)
     off = frames.render(scene, window, Job(method="off", frames=FRAMES), step)
-    on = frames.render(scene, window, Job(frames=FRAMES), step)
+    on = frames.render(scene, window, Job(frames=FRAMES, lighting=lighting), step)
     light = images.copy_buffer(scene.renderer, images.FINAL)
     right = _captioned(scene, window, "with indirect light")
     methods.enable(scene.renderer, IndirectScale=0)

@@ -46,6 +46,7 @@ class Job:
     """What to render: a method, its settings and the number of frames to measure.
 
     `pace` is one of `PACES`, or None: the camera turns by so little that no pixel changes.
+    `lighting` as `vtkindirect.enable` has it; None keeps what it does by itself.
     """
 
     method: str = "auto"
@@ -53,6 +54,7 @@ class Job:
     settings: dict[str, Any] = field(default_factory=dict)
     frames: int = 1
     pace: str | None = None
+    lighting: str | None = None
 
     @property
     def all_frames(self) -> int:
@@ -162,7 +164,10 @@ def render(
     scene that stands still, the first one, which makes all that is kept, apart (``first_ms``): it
     turns by so little that no pixel changes, and ends where it was.
     """
-    indirect = methods.enable(scene.renderer, job.method, job.sampler, **job.settings)
+    values = dict(job.settings)
+    if job.lighting is not None:
+        values["lighting"] = job.lighting
+    indirect = methods.enable(scene.renderer, job.method, job.sampler, **values)
     times: list[float] = []
     first: float | None = None
     steps = _steps(scene, window, job)

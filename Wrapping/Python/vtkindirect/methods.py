@@ -18,6 +18,7 @@ from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from vtkindirect import chain, environments, widgets, wrapped
+from vtkindirect import lighting as lightings
 from vtkindirect import settings as properties
 from vtkindirect.errors import UsageError, check_text, unknown
 
@@ -104,6 +105,8 @@ class _Record:
     method: str | None = None
     settings: dict[str, Any] = field(default_factory=dict)
     configured: tuple[Any, ...] = ()
+    lighting: str | None = None  # asked for; None: nothing but what the pass has been set to
+    chosen: tuple[str, str] | None = None  # what "auto" stood for last, and why
     woven: chain.Woven | None = None
     renderer: vtkWeakReference = field(default_factory=vtkWeakReference)
     observers: list[int] = field(default_factory=list)
@@ -180,9 +183,29 @@ def _keep(renderer: vtkRenderer, record: _Record) -> None:
 
 
 def _start(renderer: vtkRenderer) -> None:
-    """Before a frame: see to what PyVista has changed since the last one."""
+    """Before a frame: see to what PyVista or others have changed since the last one."""
     _settled(renderer)
+    record = _records.get(renderer.__this__)
+    if record is not None:
+        _light(renderer, record)
     widgets.leave_out_of_maps(renderer)
+
+
+def _light(renderer: vtkRenderer, record: _Record) -> None:
+    """Let the lighting "auto" follow the renderer's lights, unless the pass has been set since."""
+    if record.lighting != lightings.AUTO:
+        return
+    indirect = record.indirect
+    if record.chosen is not None and _lighting_of(indirect) != record.chosen[0]:
+        record.lighting = record.chosen = None
+        return
+    record.chosen = lightings.choose(renderer, indirect.GetEnvironment())
+    if _lighting_of(indirect) != record.chosen[0]:
+        properties.set_property(indirect, lightings.PROPERTY, record.chosen[0])
+
+
+def _lighting_of(indirect: Any) -> str:
+    return lightings.PRESETS[indirect.GetLighting()]
 
 
 def _forget(renderer: vtkRenderer) -> _Record | None:
@@ -268,7 +291,8 @@ def _explain_owner(name: str, method: Method) -> None:
 
 
 KEEP: Any = object()
-"""The environment that is there already: the pass's, or for a new pass the renderer's."""
+"""The environment or lighting that is there already: the pass's, or for a new pass the renderer's
+environment and the lighting "auto"."""
 
 
 def enable(
@@ -277,6 +301,7 @@ def enable(
     sampler: str | None = None,
     *,
     environment: Any = KEEP,
+    lighting: Any = KEEP,
     **settings: Any,
 ) -> Any:
     """Switch indirect light on; returns the vtkIndirectIlluminationPass.
@@ -295,6 +320,11 @@ def enable(
     image, a radiance of three numbers, or None for none. Left out, it is that of the scene file
     from which the renderer was loaded.
 
+    `lighting` is one of "auto", "scene" (the renderer's lights as they are), "soft", "full",
+    "gentle" and "studio". "auto", which a new pass gets, is "full" where nobody has chosen the
+    renderer's lights: where it has VTK's own headlight alone, or a light kit; and "scene" where
+    somebody has placed lights or set an environment. `report` says which, and why.
+
     Calling again changes the method and the settings that are given and keeps the others, where the
     method has them. After an error everything is as it was.
 
@@ -305,12 +335,18 @@ def enable(
     """
     row = check_method(method)
     if row.name == "off":
-        given = [*settings, *(["environment"] if environment is not KEEP else []), "sampler"]
+        given = [*settings, *(["environment"] if environment is not KEEP else [])]
+        given += [*(["lighting"] if lighting is not KEEP else []), "sampler"]
         if sampler or len(given) > 1:
             raise UsageError(f"method 'off' has no property '{given[0]}'")
         disable(target)
         return None
     wanted = KEEP if environment is KEEP else environments.from_value(environment)
+    by_name = any(lightings.is_property(name) for name in settings)
+    if lighting is not KEEP:
+        lightings.check(lighting)
+        if by_name:
+            raise UsageError("lighting is given twice")
     passes = []
     for renderer in renderers_of(target):
         there = _settled(renderer)
@@ -322,6 +358,14 @@ def enable(
             record.indirect.SetEnvironment(wanted)
         elif there is None and environments.attached(renderer) is not None:
             record.indirect.SetEnvironment(environments.attached(renderer))
+        if by_name:
+            record.lighting = record.chosen = None
+        elif lighting is not KEEP or there is None:
+            record.lighting = lightings.AUTO if lighting is KEEP else lighting
+            record.chosen = None
+            if record.lighting != lightings.AUTO:
+                properties.set_property(record.indirect, lightings.PROPERTY, record.lighting)
+        _light(renderer, record)
         _keep(renderer, record)
         if there is None:
             _weave(renderer, record)
@@ -377,4 +421,11 @@ def report(target: Any) -> dict[str, Any]:
     indirect = pass_of(target)
     if indirect is None:
         raise UsageError("indirect light is off, there is nothing to report")
-    return json.loads(indirect.GetReport())
+    result: dict[str, Any] = json.loads(indirect.GetReport())
+    result["lighting"] = {"used": _lighting_of(indirect), "why": "it is set"}
+    for record in _records.values():
+        if record.indirect is indirect and record.chosen is not None:
+            used, why = record.chosen
+            result["lighting"] = {"used": used, "why": f"auto: {why}"}
+            result["modelled"].append({"what": f"lighting auto: {used}", "why": why})
+    return result

@@ -96,7 +96,12 @@ def names_of(scene: Scene) -> tuple[str, ...]:
 def r1(scene: Scene) -> np.ndarray:
     """R1 of a scene in its window, at the window's size: height x width x 3."""
     methods.disable(scene.renderer)
-    methods.enable(scene.renderer, "reference", ReflectiveShadowMapResolution=MAP_TEXELS)
+    methods.enable(
+        scene.renderer,
+        "reference",
+        lighting="scene",
+        ReflectiveShadowMapResolution=MAP_TEXELS,
+    )
     try:
         with messages.capture() as said:
             scene.render_window.Render()
@@ -181,7 +186,7 @@ def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> Referen
     `stored` is the EXR file with the stored ones, or None.
     """
     first = {"R1": r1(scene)} if scene.environment is None else {}
-    methods.enable(scene.renderer, "gather", NumberOfLights=1)
+    methods.enable(scene.renderer, "gather", lighting="scene", NumberOfLights=1)
     try:
         scene.render_window.Render()
         receivers = mask(scene)

@@ -19,7 +19,10 @@ KEYS = "i: indirect light on or off; r: reset the camera; q: quit"
 def view(scene: Scene, job: Job, size: tuple[int, int] | None = None) -> None:
     """Show a scene until its window is closed. The mouse turns, moves and zooms it."""
     window = scene.make_window(size, offscreen=False)
-    methods.enable(scene.renderer, job.method, job.sampler, **job.settings)
+    values = dict(job.settings)
+    if job.lighting is not None:
+        values["lighting"] = job.lighting
+    methods.enable(scene.renderer, job.method, job.sampler, **values)
     interactor = vtkRenderWindowInteractor()
     interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
     interactor.SetRenderWindow(window)
@@ -35,7 +38,7 @@ def view(scene: Scene, job: Job, size: tuple[int, int] | None = None) -> None:
             methods.disable(scene.renderer)
         else:
             method = "auto" if job.method == "off" else job.method
-            methods.enable(scene.renderer, method, job.sampler, **job.settings)
+            methods.enable(scene.renderer, method, job.sampler, **values)
         title()
         window.Render()
 

@@ -1,0 +1,280 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Presets of lights: which one "auto" takes, what is said of it, and how readable pictures are."""
+
+import json
+import sys
+import unittest
+from typing import Any
+
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
+
+import support
+import vtkindirect
+from vtkindirect import UsageError, frames, lighting, lights, load_scene, wrapped
+from vtkindirect.frames import Job
+
+sys.path.insert(0, str(support.TESTING / "Benchmark"))
+import readability  # noqa: E402
+
+WHY_NOT = support.why_no_rendering()
+WHY_NO_PYVISTA = WHY_NOT or support.why_no_pyvista()
+
+
+def headlight(**properties: Any) -> vtkLight:
+    light = vtkLight()
+    light.SetLightTypeToHeadlight()
+    for name, value in properties.items():
+        getattr(light, f"Set{name}")(value)
+    return light
+
+
+def lit_by(*found: vtkLight, automatic: bool = True) -> vtkRenderer:
+    renderer = vtkRenderer()
+    renderer.SetAutomaticLightCreation(automatic)
+    for light in found:
+        renderer.AddLight(light)
+    return renderer
+
+
+def lit_by_kit(switched_off: int = 0) -> vtkRenderer:
+    renderer = vtkRenderer()
+    lights.add_light_kit(renderer, 0.6)
+    for _ in range(switched_off):
+        off = vtkLight()
+        off.SwitchOff()
+        renderer.AddLight(off)
+    return renderer
+
+
+class Choice(unittest.TestCase):
+    """What "auto" stands for."""
+
+    def check(self, renderer: vtkRenderer, preset: str, why: str, environment: Any = None) -> None:
+        chosen = lighting.choose(renderer, environment)
+        self.assertEqual(chosen[0], preset, chosen)
+        self.assertIn(why, chosen[1])
+
+    def test_nobody_has_chosen(self) -> None:
+        self.check(lit_by(), "full", "the headlight that VTK gives it")
+        self.check(lit_by(headlight(Switch=False)), "full", "the headlight that VTK gives it")
+        self.check(lit_by(headlight()), "full", "VTK's own headlight")
+        self.check(lit_by_kit(), "full", "light kit")
+        self.check(lit_by_kit(switched_off=2), "full", "light kit")
+
+    def test_somebody_has(self) -> None:
+        placed = "somebody has placed"
+        self.check(lit_by(headlight(), automatic=False), "scene", placed)
+        self.check(lit_by(headlight(Intensity=0.5)), "scene", placed)
+        self.check(lit_by(headlight(DiffuseColor=(1, 0.5, 0.5))), "scene", placed)
+        self.check(lit_by(headlight(Positional=True)), "scene", placed)
+        self.check(lit_by(vtkLight()), "scene", placed)
+        self.check(lit_by(headlight(), headlight()), "scene", placed)
+        self.check(lit_by(automatic=False), "scene", "is to have none")
+        more = lit_by_kit()
+        more.AddLight(vtkLight())
+        self.check(more, "scene", placed)
+        fewer = lit_by_kit()
+        fewer.RemoveLight(fewer.GetLights().GetItemAsObject(4))
+        self.check(fewer, "scene", placed)
+
+    def test_environment(self) -> None:
+        self.check(lit_by(), "scene", "an environment is set", environment=object())
+
+
+@unittest.skipUnless(
+    wrapped.has("vtkIndirectIlluminationPass"), "the module vtkRenderingIndirect was not built"
+)
+class Enable(unittest.TestCase):
+    def test_auto(self) -> None:
+        for renderer, preset in ((lit_by(), "Full"), (lit_by(vtkLight()), "Scene")):
+            indirect = vtkindirect.enable(renderer)
+            self.assertEqual(indirect.GetLighting(), getattr(indirect, preset.upper()))
+        indirect = vtkindirect.enable(vtkRenderer(), environment=(1, 1, 1))
+        self.assertEqual(indirect.GetLighting(), indirect.SCENE)
+
+    def test_names(self) -> None:
+        renderer = vtkRenderer()
+        for name in lighting.PRESETS:
+            indirect = vtkindirect.enable(renderer, lighting=name)
+            self.assertEqual(indirect.GetLighting(), getattr(indirect, name.upper()))
+        # What a call does not mention stays.
+        vtkindirect.enable(renderer, "gather")
+        self.assertEqual(indirect.GetLighting(), indirect.STUDIO)
+        vtkindirect.enable(renderer, lighting="auto")
+        self.assertEqual(indirect.GetLighting(), indirect.FULL)
+        # By the property's own name, too.
+        vtkindirect.enable(renderer, Lighting="soft")
+        self.assertEqual(indirect.GetLighting(), indirect.SOFT)
+        vtkindirect.enable(renderer)
+        self.assertEqual(indirect.GetLighting(), indirect.SOFT)
+
+    def test_a_pass_that_is_there_keeps_its_own(self) -> None:
+        renderer = vtkRenderer()
+        indirect = vtkindirect.vtkIndirectIlluminationPass()
+        indirect.SetLightingToGentle()
+        renderer.SetPass(indirect)
+        self.assertIs(vtkindirect.enable(renderer), indirect)
+        self.assertEqual(indirect.GetLighting(), indirect.GENTLE)
+
+    def test_mistakes(self) -> None:
+        renderer = vtkRenderer()
+        for settings, expected in (
+            ({"lighting": "sof"}, "unknown lighting 'sof' (did you mean 'soft'?)"),
+            ({"lighting": 2}, "lighting must be text, not 2"),
+            ({"lighting": None}, "lighting must be text, not None"),
+            ({"lighting": "soft", "Lighting": "full"}, "lighting is given twice"),
+            ({"Lighting": "auto"}, "unknown value 'auto'"),
+        ):
+            with self.subTest(settings=settings), self.assertRaises(UsageError) as caught:
+                vtkindirect.enable(renderer, **settings)
+            self.assertIn(expected, str(caught.exception))
+            self.assertIsNone(renderer.GetPass())
+        with self.assertRaisesRegex(UsageError, "method 'off' has no property 'lighting'"):
+            vtkindirect.enable(renderer, "off", lighting="auto")
+
+
+@unittest.skipIf(WHY_NOT, WHY_NOT or "")
+class Follows(support.DirectoryTest):
+    """In frames."""
+
+    def scene(self, *lights_of_scene: dict[str, Any]) -> Any:
+        document = support.small_scene()
+        document["lights"] = list(lights_of_scene)
+        scene = load_scene(self.write("small.json", document))
+        window = frames.open_window(scene, (48, 36))
+        self.addCleanup(window.Finalize)
+        return scene
+
+    def test_lights_that_come_later(self) -> None:
+        scene = self.scene({"type": "light_kit"})
+        vtkindirect.enable(scene.renderer)
+        scene.render_window.Render()
+        report = vtkindirect.report(scene.renderer)
+        self.assertEqual(report["lighting"]["used"], "full")
+        self.assertIn("auto: the renderer has no light but those", report["lighting"]["why"])
+        whats = [entry["what"] for entry in report["modelled"]]
+        self.assertIn("lighting auto: full", whats)
+        self.assertIn("lighting full", whats)
+        light = vtkLight()
+        light.SetPosition(1, 2, 3)
+        scene.renderer.AddLight(light)
+        scene.render_window.Render()
+        report = vtkindirect.report(scene.renderer)
+        self.assertEqual(report["lighting"]["used"], "scene")
+        self.assertNotIn("lighting full", [entry["what"] for entry in report["modelled"]])
+        scene.renderer.RemoveLight(light)
+        scene.render_window.Render()
+        self.assertEqual(vtkindirect.report(scene.renderer)["lighting"]["used"], "full")
+        # What is set by hand stays.
+        indirect = vtkindirect.pass_of(scene.renderer)
+        indirect.SetLightingToSoft()
+        scene.render_window.Render()
+        self.assertEqual(indirect.GetLighting(), indirect.SOFT)
+        self.assertEqual(
+            vtkindirect.report(scene.renderer)["lighting"], {"used": "soft", "why": "it is set"}
+        )
+
+    def test_placed_lights(self) -> None:
+        spot = support.small_scene()["lights"][0]
+        scene = self.scene(spot)
+        report = frames.render(scene, scene.render_window, Job())
+        self.assertEqual(report["lighting"]["used"], "scene")
+        self.assertEqual(report["settings"]["Lighting"], "scene")
+        report = frames.render(scene, scene.render_window, Job(lighting="studio"))
+        self.assertEqual(report["settings"]["Lighting"], "studio")
+
+    def test_command_line(self) -> None:
+        document = support.small_scene()
+        document["lights"] = [{"type": "light_kit"}]
+        path = self.write("kit.json", document)
+        report = self.directory / "report.json"
+        for words, used in (
+            ((), "full"),
+            (("--lighting", "soft"), "soft"),
+            (("--set", "Lighting=gentle"), "gentle"),
+            (("--set", "lighting=auto"), "full"),
+        ):
+            with self.subTest(words=words):
+                result = support.command_line("render", path, *words, "--report", report)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                found = json.loads(report.read_text())
+                self.assertEqual(found["lighting"]["used"], used)
+                self.assertEqual(found["settings"]["Lighting"], used)
+        for words, expected in (
+            (("--lighting", "sof"), "unknown lighting 'sof' (did you mean 'soft'?)"),
+            (("--lighting", "soft", "--set", "Lighting=full"), "lighting is given twice"),
+            (("--lighting", "soft", "--method", "off"), "method 'off' has no property 'lighting'"),
+        ):
+            with self.subTest(words=words):
+                result = support.command_line("render", path, *words)
+                self.assertEqual(result.returncode, 2)
+                self.assertIn(expected, result.stderr)
+
+
+@unittest.skipIf(WHY_NO_PYVISTA, WHY_NO_PYVISTA or "")
+class PyVista(unittest.TestCase):
+    def test_auto(self) -> None:
+        import pyvista
+
+        if not vtkindirect.has_display():
+            vtkindirect.use_headless()
+        for kind, preset in (("light kit", "FULL"), ("three lights", "SCENE"), ("none", "SCENE")):
+            with self.subTest(kind=kind):
+                plotter = pyvista.Plotter(off_screen=True, window_size=(32, 32), lighting=kind)
+                self.addCleanup(plotter.close)
+                plotter.add_mesh(pyvista.Sphere())
+                indirect = vtkindirect.enable(plotter)
+                plotter.render()
+                self.assertEqual(indirect.GetLighting(), getattr(indirect, preset))
+
+
+# Forty balls that touch, and a block with grooves: what hides the sky in molecules and machines.
+BALLS = [
+    [i % 4 + 0.5 * (i // 16 % 2), i // 4 % 4 + 0.5 * (i // 16 % 2), 0.75 * (i // 16)]
+    for i in range(40)
+]
+
+
+@unittest.skipIf(WHY_NOT, WHY_NOT or "")
+class Readability(support.DirectoryTest):
+    def look(self, actors: list[dict[str, Any]], camera: dict[str, Any], kind: str) -> dict:
+        document = support.small_scene()
+        document.update(actors=actors, camera=camera, lights=[{"type": "headlight"}])
+        scene = load_scene(self.write("scene.json", document))
+        window = frames.open_window(scene, (96, 72))
+        self.addCleanup(window.Finalize)
+        readability.set_lights(scene, kind)
+        return readability.measure(scene)
+
+    def check(self, found: dict) -> None:
+        """As bright as VTK's to 10 %, which presets are chosen for on five other pictures.
+
+        Measured: 5 % at most; of gentle, which is no more than a headlight where surfaces are seen
+        at grazing angles, 16 %.
+        """
+        for name, tolerance in (("soft", 0.1), ("full", 0.1), ("studio", 0.1), ("gentle", 0.2)):
+            ratio = found[name].mean / found["plain"].mean
+            print(f"{name}: brightness {ratio:.3f} of VTK's, dark {found[name].dark:.4f}, "
+                  f"VTK's {found['plain'].dark:.4f}")  # fmt: skip
+            self.assertLess(abs(ratio - 1), tolerance, name)
+        for name in ("soft", "full"):
+            self.assertLessEqual(found[name].dark, found["plain"].dark, name)
+
+    def test_balls_in_a_headlight(self) -> None:
+        actors = [
+            {"source": "sphere", "center": place, "radius": 0.55, "color": [0.8, 0.3, 0.2]}
+            for place in BALLS
+        ]
+        camera = {"position": [5, 5, 9], "focal_point": [1.6, 1.6, 0.6], "view_angle": 30}
+        self.check(self.look(actors, camera, "headlight"))
+
+    def test_grooves_in_a_light_kit(self) -> None:
+        actors = [
+            {"source": "box", "bounds": [-2, 2, -0.3, 0, -2, 2], "color": [0.6, 0.6, 0.6]},
+            *(
+                {"source": "box", "bounds": [x, x + 0.1, 0, 0.6, -1, 1], "color": [0.3, 0.4, 0.7]}
+                for x in (-1, -0.6, -0.2, 0.2, 0.6)
+            ),
+        ]
+        camera = {"position": [3, 4, 5], "focal_point": [0, 0, 0], "view_angle": 30}
+        self.check(self.look(actors, camera, "light kit"))
