@@ -11,7 +11,7 @@ namespace
 {
 // Strengths are those for which the pictures of Testing/Benchmark/readability.py in VTK's light kit
 // (molecule, isosurfaces, brain, machine part, terrain) are as bright in the mean as plain VTK's,
-// with the least deviation of any of them: 10 %. Without some light that comes from the viewer, and
+// with the least deviation of any of them: 11 %. Without some light that comes from the viewer, and
 // therefore has no shadows that are seen, molecules would be a third darker than smooth objects.
 struct Strengths
 {
