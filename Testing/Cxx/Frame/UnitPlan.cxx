@@ -382,7 +382,7 @@ VTK_INDIRECT_TEST(PlanImageBasedLighting)
 }
 
 // Moving frames sum a quarter of a still frame's directions, sixteen at a pixel.
-VTK_INDIRECT_TEST(PlanSky)
+VTK_INDIRECT_TEST(PlanSkyDirections)
 {
   struct Case
   {
