@@ -160,3 +160,65 @@ VTK_INDIRECT_TEST(AntialiasingAreas)
   CheckEqual("a faint edge is left", vtkiEdgeStrength(VTKI_EDGE_CONTRAST), 0.0);
   CheckEqual("a clear one is blended in full", vtkiEdgeStrength(0.11f), 1.0);
 }
+
+VTK_INDIRECT_TEST(AntialiasingDiagonals)
+{
+  CheckEqual("two positions for a step, behind", vtkiDiagonalEnd(true, false, 1, false), -0.5);
+  CheckEqual("two positions for a step, before", vtkiDiagonalEnd(true, false, 1, true), 0.5);
+  CheckEqual("two lines for a step, behind", vtkiDiagonalEnd(false, true, 1, false), 0.5);
+  CheckEqual("falling", vtkiDiagonalEnd(false, true, -1, false), -0.5);
+  CheckEqual("no step", vtkiDiagonalEnd(false, false, 1, true), 0.0);
+  CheckEqual("an outline that goes on both ways", vtkiDiagonalEnd(true, true, 1, true), 0.0);
+  double worst = 0.0;
+  double asymmetry = 0.0;
+  for (int backward = 0; backward <= VTKI_DIAGONAL_REACH; ++backward)
+  {
+    for (int forward = 0; forward <= VTKI_DIAGONAL_REACH; ++forward)
+    {
+      for (float firstEnd : { -0.5f, 0.0f, 0.5f })
+      {
+        for (float lastEnd : { -0.5f, 0.0f, 0.5f })
+        {
+          if (backward + forward + 1 < VTKI_DIAGONAL_LENGTH ||
+            (firstEnd == 0.0f && lastEnd == 0.0f))
+          {
+            continue;
+          }
+          for (int turn : { -1, 1 })
+          {
+            const vec2 areas = vtkiDiagonalAreas(backward, forward, firstEnd, lastEnd, turn);
+            // The line's height over the pixels' border, through the place's middle with its slope.
+            const double length = backward + forward + 1;
+            const double place = backward + 0.5;
+            const double height = FindHeight(place, length, firstEnd, lastEnd);
+            const double step = 1e-3;
+            const double slope = turn +
+              (FindHeight(place + step, length, firstEnd, lastEnd) -
+                FindHeight(place - step, length, firstEnd, lastEnd)) /
+                (2.0 * step);
+            auto below = [&](double from)
+            {
+              // Piecewise linear: panels far finer than its bends.
+              return Integrate(
+                -0.5, 0.5,
+                [&](double x) { return std::max(0.0, std::min(1.0, from * (height + slope * x))); },
+                256);
+            };
+            worst =
+              std::max({ worst, std::abs(areas.x - below(1.0)), std::abs(areas.y - below(-1.0)) });
+            const vec2 mirrored = vtkiDiagonalAreas(forward, backward, lastEnd, firstEnd, -turn);
+            const vec2 turned = vtkiDiagonalAreas(backward, forward, -firstEnd, -lastEnd, -turn);
+            asymmetry = std::max<double>({ asymmetry, std::abs(areas.x - mirrored.x),
+              std::abs(areas.y - mirrored.y), std::abs(areas.x - turned.y) });
+          }
+        }
+      }
+    }
+  }
+  CheckAtMost("areas, worst", worst, 1e-5, "rounding, and the quadrature at bends");
+  CheckAtMost("areas that a mirror changes", asymmetry, 1e-6, "rounding");
+  // Of all lines at 45 degrees that leave the same pixels: the mean of what they cut off.
+  const double mean = Integrate(-0.5, 0.5, [](double h) { return vtkiAreaBelow(float(h), 1.0f); });
+  const vec2 unknown = vtkiDiagonalAreas(15, 15, 0.0f, 0.0f, 1);
+  CheckAbsolute("a line that is anywhere", unknown.x, mean, 1e-6, "rounding");
+}

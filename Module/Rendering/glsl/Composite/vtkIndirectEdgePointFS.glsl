@@ -34,7 +34,82 @@ float vtkiFetchRunEnd(int position, int line, int others, bool first)
   return vtkiRunEnd(four.r, four.g, four.b, first);
 }
 
-// The areas of vtkiRunAreas at an edge.
+// Of a line's words at a position: whether there is an edge, and whether an outline that turns that way comes
+// to it from the position before.
+bool vtkiHasEdge(uvec4 words, int position)
+{
+  return ((words.r >> uint(position & 31)) & 1u) != 0u;
+}
+
+bool vtkiHasStep(uvec4 words, int position, int turn)
+{
+  return (((turn > 0 ? words.g : words.b) >> uint(position & 31)) & 1u) != 0u;
+}
+
+// Lines up to two away from an edge: one beyond the picture has none.
+uvec4 vtkiFetchNear(int position, int line)
+{
+  return vtkiFetchEdges(position, clamp(line, 0, textureSize(vtkiEdges, 0).y - 1));
+}
+
+// The areas of vtkiDiagonalAreas at an edge of a diagonal that turns that way. count: positions of the diagonal.
+vec2 vtkiFetchDiagonal(int position, int line, int lines, int turn, out int count)
+{
+  int at = position;
+  int row = lines + line;
+  int backward = 0;
+  uvec4 here = vtkiFetchEdges(at, row);
+  bool on = true;
+  while (on && backward < VTKI_DIAGONAL_REACH)
+  {
+    uvec4 next = vtkiFetchEdges(at - 1, row - turn);
+    on = vtkiHasStep(here, at, turn) && vtkiHasEdge(next, at - 1);
+    here = on ? next : here;
+    at -= on ? 1 : 0;
+    row -= on ? turn : 0;
+    backward += on ? 1 : 0;
+  }
+  float firstEnd = 0.0f;
+  if (backward < VTKI_DIAGONAL_REACH)
+  {
+    // The outline goes on behind an end: a corner says nothing of where the line is.
+    uvec4 aside = vtkiFetchEdges(at - 1, row);
+    uvec4 behind = vtkiFetchEdges(at - 2, row - turn);
+    bool isFlat = vtkiHasEdge(aside, at - 1) && vtkiHasStep(aside, at - 1, turn) &&
+      vtkiHasEdge(behind, at - 2);
+    bool isSteep = vtkiHasStep(here, at, turn) &&
+      vtkiHasStep(vtkiFetchEdges(at, row - turn), at, turn) &&
+      vtkiHasEdge(vtkiFetchNear(at - 1, row - 2 * turn), at - 1);
+    firstEnd = vtkiDiagonalEnd(isFlat, isSteep, turn, true);
+  }
+  at = position;
+  row = lines + line;
+  int forward = 0;
+  on = true;
+  while (on && forward < VTKI_DIAGONAL_REACH)
+  {
+    uvec4 next = vtkiFetchEdges(at + 1, row + turn);
+    on = vtkiHasStep(next, at + 1, turn) && vtkiHasEdge(next, at + 1);
+    at += on ? 1 : 0;
+    row += on ? turn : 0;
+    forward += on ? 1 : 0;
+  }
+  float lastEnd = 0.0f;
+  if (forward < VTKI_DIAGONAL_REACH)
+  {
+    uvec4 behind = vtkiFetchEdges(at + 2, row + turn);
+    bool isFlat = vtkiHasEdge(vtkiFetchEdges(at + 1, row), at + 1) &&
+      vtkiHasStep(behind, at + 2, turn) && vtkiHasEdge(behind, at + 2);
+    uvec4 above = vtkiFetchNear(at + 1, row + 2 * turn);
+    bool isSteep = vtkiHasStep(vtkiFetchEdges(at + 1, row + turn), at + 1, turn) &&
+      vtkiHasStep(above, at + 1, turn) && vtkiHasEdge(above, at + 1);
+    lastEnd = vtkiDiagonalEnd(isFlat, isSteep, turn, false);
+  }
+  count = backward + forward + 1;
+  return vtkiDiagonalAreas(backward, forward, firstEnd, lastEnd, turn);
+}
+
+// The areas of vtkiRunAreas at an edge, or of vtkiDiagonalAreas.
 vec2 vtkiFetchAreas(int position, int line, int lines, int others)
 {
   int bit = position & 31;
@@ -49,6 +124,29 @@ vec2 vtkiFetchAreas(int position, int line, int lines, int others)
   uint endingBreaks =
     last ? here.g & here.b : vtkiBitWindow(before.g & before.b, here.g & here.b, next);
   int backward = vtkiRunBackward(ending, endingBreaks);
+  if (backward + forward + 1 < VTKI_DIAGONAL_LENGTH)
+  {
+    // An outline rises from an edge at its first end or at its last, or falls; where others cross it, both.
+    uvec4 after = vtkiFetchEdges(position + forward + 1, lines + line);
+    uvec4 start = vtkiFetchEdges(position - backward, lines + line);
+    int longest = VTKI_DIAGONAL_LENGTH - 1;
+    vec2 areas = vec2(0.0f);
+    for (int turn = -1; turn <= 1; turn += 2)
+    {
+      if (vtkiHasStep(start, position - backward, turn) &&
+        vtkiHasStep(after, position + forward + 1, -turn))
+      {
+        int count;
+        vec2 found = vtkiFetchDiagonal(position, line, lines, turn, count);
+        areas = count > longest ? found : areas;
+        longest = max(longest, count);
+      }
+    }
+    if (longest >= VTKI_DIAGONAL_LENGTH)
+    {
+      return areas;
+    }
+  }
   float firstEnd = backward < VTKI_EDGE_REACH
     ? vtkiFetchRunEnd(position - backward, line, others, true) : 0.0f;
   float lastEnd = forward < VTKI_EDGE_REACH

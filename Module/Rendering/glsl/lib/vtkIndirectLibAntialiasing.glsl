@@ -19,6 +19,10 @@ const float VTKI_EDGE_FULL_CONTRAST = 0.1f;
 const float VTKI_EDGE_DOMINANCE = 4.0f;
 /* How far the ends of a run are searched for on either side, positions. */
 const int VTKI_EDGE_REACH = 31;
+/* How far the ends of a diagonal are searched for on either side, positions; and how long it must be, so that it
+ * tells more of the outline than runs do, which have up to two positions there. */
+const int VTKI_DIAGONAL_REACH = 15;
+const int VTKI_DIAGONAL_LENGTH = 3;
 
 /* The greatest difference of a channel, of colours as they are shown. */
 float vtkiContrast(vec4 a, vec4 b)
@@ -112,6 +116,50 @@ vec2 vtkiRunAreas(int backward, int forward, float firstEnd, float lastEnd)
   float a = vtkiCutArea(firstEnd, middle, s, s + 1.0f);
   float b = vtkiCutArea(lastEnd, middle, t, t + 1.0f);
   return vec2(max(a, 0.0f) + max(b, 0.0f), max(-a, 0.0f) + max(-b, 0.0f));
+}
+
+/* Near 45 degrees an outline is made of diagonals: one step a position, but here and there two positions or two
+ * lines for one step. Sheared by one line a position, a diagonal is a run and these are its steps; shearing
+ * leaves pixels' centres where centres are, so that the line goes through the middles of the steps as it does
+ * along a run.
+ * Where the line goes at a diagonal's end, as of vtkiRunEnd. turn: 1 where the diagonal rises to greater lines
+ * with the position, -1 where it falls. isFlat: two positions for one step at the end; isSteep: two lines. */
+float vtkiDiagonalEnd(bool isFlat, bool isSteep, int turn, bool first)
+{
+  float side = isFlat == isSteep ? 0.0f : (isFlat ? -0.5f : 0.5f);
+  return float(turn) * (first ? -side : side);
+}
+
+/* Integral of min(max(x, 0), 1) up to v. */
+float vtkiRampArea(float v)
+{
+  return v > 0.0f ? (v < 1.0f ? 0.5f * v * v : v - 0.5f) : 0.0f;
+}
+
+/* Area of a pixel below a line that passes the middle of the pixel's position at that height over its lower
+ * border. slope: greater than 0; that of a line which falls is the same. */
+float vtkiAreaBelow(float height, float slope)
+{
+  return (vtkiRampArea(height + 0.5f * slope) - vtkiRampArea(height - 0.5f * slope)) / slope;
+}
+
+/* As vtkiRunAreas, of a diagonal. Where neither end says where the line is it may be anywhere between the
+ * centres of the pixels: the mean over all of these is a sixth, and no other share has a smaller error there. */
+vec2 vtkiDiagonalAreas(int backward, int forward, float firstEnd, float lastEnd, int turn)
+{
+  if (firstEnd == 0.0f && lastEnd == 0.0f)
+  {
+    return vec2(1.0f / 6.0f);
+  }
+  float place = float(backward) + 0.5f;
+  float middle = 0.5f * float(backward + forward + 1);
+  float end = place < middle ? firstEnd : lastEnd;
+  float height = end * abs(1.0f - place / middle);
+  float slope = (place < middle ? -firstEnd : lastEnd) / middle;
+  // In the middle itself both ends have a say.
+  slope = place == middle ? 0.5f * (lastEnd - firstEnd) / middle : slope;
+  slope = 1.0f + float(turn) * slope;
+  return vec2(vtkiAreaBelow(height, slope), vtkiAreaBelow(-height, slope));
 }
 
 /* The share of two neighbours on opposite sides that a pixel takes on, from the areas that either has of it:
