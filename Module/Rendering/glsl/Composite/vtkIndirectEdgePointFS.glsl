@@ -131,16 +131,20 @@ vec2 vtkiFetchAreas(int position, int line, int lines, int others)
     uvec4 start = vtkiFetchEdges(position - backward, lines + line);
     int longest = VTKI_DIAGONAL_LENGTH - 1;
     vec2 areas = vec2(0.0f);
-    for (int turn = -1; turn <= 1; turn += 2)
+    bool rises = vtkiHasStep(start, position - backward, 1) &&
+      vtkiHasStep(after, position + forward + 1, -1);
+    bool falls = vtkiHasStep(start, position - backward, -1) &&
+      vtkiHasStep(after, position + forward + 1, 1);
+    // A loop, which software leaves out where it has no round; it takes both sides of a branch.
+    while (rises || falls)
     {
-      if (vtkiHasStep(start, position - backward, turn) &&
-        vtkiHasStep(after, position + forward + 1, -turn))
-      {
-        int count;
-        vec2 found = vtkiFetchDiagonal(position, line, lines, turn, count);
-        areas = count > longest ? found : areas;
-        longest = max(longest, count);
-      }
+      int turn = rises ? 1 : -1;
+      int count;
+      vec2 found = vtkiFetchDiagonal(position, line, lines, turn, count);
+      areas = count > longest ? found : areas;
+      longest = max(longest, count);
+      falls = falls && rises;
+      rises = false;
     }
     if (longest >= VTKI_DIAGONAL_LENGTH)
     {
