@@ -103,13 +103,9 @@ class Quick(unittest.TestCase):
             few, many = (found[scene, f"gather NumberOfLights={n}"] for n in (64, 256))
             self.assertLess(many["nrmse_r1"], few["nrmse_r1"])
             self.assertAlmostEqual(found[scene, "vtk"]["bias_r3"], -1.0, places=12)
-        # Light that a wall keeps out is let in by all that does not test visibility, about a
-        # seventh of it; there is none where there is no other room.
+        # A wall keeps light out, a seventh of which came through where nothing tested visibility.
         for row in self.methods():
-            if row["scene"] == "two_rooms":
-                self.assertGreater(row["leak_r2"], 0.1, row["label"])
-            else:
-                self.assertLess(row["leak_r2"], 1e-3, row["label"])
+            self.assertLess(row["leak_r2"], 2e-3, row["label"])
             self.assertLess(abs(row["flicker"]), 0.5 * row["change"], row["label"])
             self.assertGreaterEqual(row["flicker_error"], abs(row["flicker"]), row["label"])
 

@@ -14,7 +14,7 @@ from vtkindirect import UsageError, frames, lighting, lights, load_scene, wrappe
 from vtkindirect.frames import Job
 
 sys.path.insert(0, str(support.TESTING / "Benchmark"))
-import readability  # noqa: E402
+import brightness  # noqa: E402
 
 WHY_NOT = support.why_no_rendering()
 WHY_NO_PYVISTA = WHY_NOT or support.why_no_pyvista()
@@ -243,8 +243,8 @@ class Readability(support.DirectoryTest):
         scene = load_scene(self.write("scene.json", document))
         window = frames.open_window(scene, (96, 72))
         self.addCleanup(window.Finalize)
-        readability.set_lights(scene, kind)
-        return readability.measure(scene)
+        brightness.set_lights(scene, kind)
+        return brightness.measure(scene)
 
     def check(self, found: dict) -> None:
         """As bright as VTK's to 10 %, which presets are chosen for on five other pictures.

@@ -459,6 +459,7 @@ VTK_INDIRECT_TEST(SkyOfTheRendererInAGroove)
   texture->MipmapOn();
   texture->InterpolateOn();
   scene.Renderer->UseImageBasedLightingOn();
+  scene.Pass->SetVisibilityToAuto();
   scene.Renderer->SetEnvironmentTexture(texture);
   auto counts = [](const Scene::Receiver& r) { return r.Position.x > 0.03; };
   auto expect = [&](const Scene::Receiver& r) {

@@ -49,6 +49,7 @@ double FindIrradiance(double a)
 void CheckContact(double halfEdge)
 {
   Scene scene(16, 128);
+  scene.Pass->SetVisibilityToAuto();
   scene.AddQuad({ -halfEdge, 0, halfEdge }, { halfEdge, 0, halfEdge }, { -halfEdge, 0, -halfEdge },
     glm::dvec3(0.8));
   scene.AddSphere({ 0, 1, 0 }, 1.0, 192, glm::dvec3(0.8));

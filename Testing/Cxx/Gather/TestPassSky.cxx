@@ -96,7 +96,7 @@ VTK_INDIRECT_TEST(SkyMovingIsPartOfStill)
 {
   SkyView view(121, 91, true);
   const Floats moving = view.Render(true);
-  auto count = [&]() { return CountOf(view.Pass, "tiles_drawn"); };
+  auto count = [&]() { return CountOf(view.Pass, "sky_tiles_drawn"); };
   const long long first = count();
   // A quarter of 256, and the sun's own.
   CONTRACT_CHECK(first >= 60 && first <= 66, "tiles of a moving frame: " << first);

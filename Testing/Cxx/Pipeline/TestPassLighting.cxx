@@ -190,7 +190,7 @@ VTK_INDIRECT_TEST(LightingTurns)
       view.Renderer->ResetCamera();
       view.Grab();
       const Floats before = Read(pass, "sky");
-      const long long tiles = CountOf(pass, "tiles_drawn");
+      const long long tiles = CountOf(pass, "sky_tiles_drawn");
       CONTRACT_CHECK(tiles > 100, "maps of lighting " << preset << ": " << tiles);
       view.Grab();
       const long long builds = CountOf(pass, "shader_builds");
@@ -202,8 +202,8 @@ VTK_INDIRECT_TEST(LightingTurns)
         view.Grab();
       }
       const Floats after = Read(pass, "sky");
-      CONTRACT_CHECK(CountOf(pass, "tiles_drawn") == tiles,
-        "lighting " << preset << ": " << CountOf(pass, "tiles_drawn") - tiles << " maps more");
+      CONTRACT_CHECK(CountOf(pass, "sky_tiles_drawn") == tiles,
+        "lighting " << preset << ": " << CountOf(pass, "sky_tiles_drawn") - tiles << " maps more");
       CONTRACT_CHECK(CountOf(pass, "shader_builds") == builds, "shaders of lighting " << preset);
       // A ball looks the same from everywhere. 256 directions, and what their maps say of grazing
       // light: measured 0.004 to 0.011 of the mean.

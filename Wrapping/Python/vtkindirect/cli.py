@@ -237,7 +237,7 @@ def _job(arguments: argparse.Namespace, count: int = 1) -> Job:
     if arguments.method == "off" and (values or arguments.sampler or light):
         name = next(iter(values), "sampler" if arguments.sampler else "lighting")
         raise UsageError(f"method 'off' has no property '{name}'")
-    return Job(arguments.method, arguments.sampler, values, count, light)
+    return Job(arguments.method, arguments.sampler, values, count, lighting=light)
 
 
 def _picture(scene: Scene, buffer: str, job: Job, linear: bool) -> np.ndarray:

@@ -397,6 +397,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     { "tiles_drawn",
       static_cast<long long>(this->Visibility.GetNumberOfTilesDrawn() +
         this->Sky.GetNumberOfTilesDrawn() + this->Penumbra.GetNumberOfTilesDrawn()) },
+    { "sky_tiles_drawn", static_cast<long long>(this->Sky.GetNumberOfTilesDrawn()) },
     { "estimates", this->NumberOfEstimates } };
   this->Frame.AddToReport(report);
   if (!this->BuffersAreThere)
