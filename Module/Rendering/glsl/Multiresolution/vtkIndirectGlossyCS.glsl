@@ -72,6 +72,22 @@ bool vtkiSeesLight(vtkiPoint point, int light, vec4 sender, vec3 senderNormal)
 #endif
 }
 
+// What a sample gets of a light: nothing where it is hidden. Notes what the samples would get if nothing hid
+// it, and which of them see it.
+float vtkiSeenWeight(vtkiPoint point, int light, vec4 sender, vec3 senderNormal, float weight,
+  inout float open, inout bool someSee, inout bool someDoNot)
+{
+  bool sees = true;
+  if (weight > 0.0f)
+  {
+    sees = vtkiSeesLight(point, light, sender, senderNormal);
+    open = max(open, weight);
+    someSee = someSee || sees;
+    someDoNot = someDoNot || !sees;
+  }
+  return sees ? weight : 0.0f;
+}
+
 void main()
 {
   uint place = gl_GlobalInvocationID.x;
@@ -186,7 +202,6 @@ void main()
       senderNormal = vtkiBlockNormal[light].xyz;
       density = vtkiBlockDensity[light].rgb;
 #endif
-      // What the samples would get of it if nothing hid it, and which of them see it.
       float open = 0.0f;
       bool someSee = false;
       bool someDoNot = false;
@@ -194,32 +209,19 @@ void main()
       float above[9];
       for (int i = 0; i < 9; ++i)
       {
-        above[i] = vtkiWeightAt(coarse[i], coarsePower, sender, senderNormal);
-        if (above[i] > 0.0f)
-        {
-          bool sees = vtkiSeesLight(coarse[i], light, sender, senderNormal);
-          open = max(open, above[i]);
-          someSee = someSee || sees;
-          someDoNot = someDoNot || !sees;
-          above[i] = sees ? above[i] : 0.0f;
-        }
+        above[i] = vtkiSeenWeight(coarse[i], light, sender, senderNormal,
+          vtkiWeightAt(coarse[i], coarsePower, sender, senderNormal), open, someSee, someDoNot);
       }
 #endif
       float value[4];
       float greatest = 0.0f;
       for (int i = 0; i < 4; ++i)
       {
-        value[i] = state[i] == VTKI_GLOSSY_NONE
+        float weight = state[i] == VTKI_GLOSSY_NONE
           ? 0.0f
           : vtkiWeightAt(child[i], power[i], sender, senderNormal);
-        if (value[i] > 0.0f)
-        {
-          bool sees = vtkiSeesLight(child[i], light, sender, senderNormal);
-          open = max(open, value[i]);
-          someSee = someSee || sees;
-          someDoNot = someDoNot || !sees;
-          value[i] = sees ? value[i] : 0.0f;
-        }
+        value[i] = vtkiSeenWeight(
+          child[i], light, sender, senderNormal, weight, open, someSee, someDoNot);
 #ifndef VTKI_UNDER_SPLIT
         int x = i & 1;
         int y = i >> 1;
