@@ -45,6 +45,7 @@ import vtkindirect
 from vtkindirect import frames, images, load_scene, methods, references, windows
 
 import orbit
+import ssao as yardstick
 
 SCENES = Path(__file__).resolve().parent.parent / "Scenes"
 LIGHTS = 256
@@ -135,12 +136,7 @@ def ssao(bench: Bench, rounds: int) -> float:
     renderer, window = bench.renderer, bench.window
     kept = renderer.GetPass()
     renderer.SetPass(None)
-    bounds = renderer.ComputeVisiblePropBounds()
-    diagonal = math.dist(bounds[::2], bounds[1::2])
-    renderer.SetSSAORadius(0.1 * diagonal)
-    renderer.SetSSAOBias(0.001 * diagonal)
-    renderer.SetSSAOKernelSize(32)
-    renderer.SSAOBlurOn()
+    yardstick.set_up(renderer)
     times: dict[bool, list[float]] = {False: [], True: []}
     for _ in range(rounds):
         for on in (False, True):

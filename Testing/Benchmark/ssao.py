@@ -10,9 +10,8 @@ from contextlib import contextmanager
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 
-@contextmanager
-def used(renderer: vtkRenderer) -> Iterator[None]:
-    """Switch a renderer's UseSSAO on for a while."""
+def set_up(renderer: vtkRenderer) -> None:
+    """Set a renderer's ambient occlusion up, without switching it on."""
     bounds = renderer.ComputeVisiblePropBounds()
     diagonal = math.dist(bounds[::2], bounds[1::2])
     # Usual choices for these: a tenth and a thousandth of the scene.
@@ -20,6 +19,12 @@ def used(renderer: vtkRenderer) -> Iterator[None]:
     renderer.SetSSAOBias(0.001 * diagonal)
     renderer.SetSSAOKernelSize(32)
     renderer.SSAOBlurOn()
+
+
+@contextmanager
+def used(renderer: vtkRenderer) -> Iterator[None]:
+    """Switch a renderer's UseSSAO on for a while."""
+    set_up(renderer)
     renderer.UseSSAOOn()
     try:
         yield
