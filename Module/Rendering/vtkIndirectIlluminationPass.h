@@ -159,9 +159,10 @@ public:
    * through whatever stands between them, and is too bright. VOXELS: the scene's voxels
    * (vtkIndirectEstimatorPass::OccupancyResolution), for all estimators. MAPS: a depth map of each
    * virtual light, drawn by VTK's mappers and kept while the camera moves, for estimators that sum
-   * virtual lights; others take voxels. A frame draws as many as it has time for
-   * (vtkRenderWindow::SetDesiredUpdateRate; three seconds in a still picture); until all are there
-   * lights share them, and the report says so. AUTO (default): voxels where the estimator's
+   * virtual lights; others take voxels. A frame draws as many as it has time for, those of the
+   * environment included (vtkRenderWindow::SetDesiredUpdateRate; three seconds in a still picture);
+   * until all are there lights share them, as directions of the environment do, and the report says
+   * so. AUTO (default): voxels where the estimator's
    * Occupancy is on, else maps where the estimator can take them, else none.
    */
   vtkIndirectClampMacro(Visibility, int, AUTO, MAPS);

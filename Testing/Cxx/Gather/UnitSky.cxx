@@ -134,7 +134,7 @@ VTK_INDIRECT_TEST(SkyOpen)
     environment->SetImage(image);
     vtkIndirectSkyDirections sky;
     sky.Update(environment, 64, 256);
-    const vtkIndirectSkyDirections::OpenSky open = sky.MakeOpenSky();
+    const vtkIndirectSkyDirections::OpenSky open = sky.MakeOpenSky(sky.GetOthers());
     double worst = 0.0;
     double worstOfSummed = 0.0;
     for (int i = 0; i < 4000; ++i)

@@ -200,10 +200,29 @@ VTK_INDIRECT_TEST(EnvironmentNestedDirections)
     const std::vector<glm::dvec3> nested = vtkIndirectDirections::MakeNestedLattice(count);
     std::vector<glm::dvec3> plain = vtkIndirectDirections::MakeLattice(count);
     std::vector<glm::dvec3> sorted = nested;
+    double worstCover = 0.0;
     auto before = [](const glm::dvec3& a, const glm::dvec3& b) { return a.y > b.y; };
     std::sort(sorted.begin(), sorted.end(), before);
     std::sort(plain.begin(), plain.end(), before);
     Check("the same places", sorted == plain);
+    for (size_t part = 4; part <= nested.size(); ++part)
+    {
+      double widest = 1.0;
+      for (const glm::dvec3& direction : plain)
+      {
+        double cosine = -1.0;
+        for (size_t i = 0; i < part; ++i)
+        {
+          cosine = std::max(cosine, glm::dot(direction, nested[i]));
+        }
+        widest = std::min(widest, cosine);
+      }
+      // The least angle that so many circles cover a sphere with (of their areas, 1.209 of it).
+      const double least = std::acos(std::max(-1.0, 1.0 - 2.418 / static_cast<double>(part)));
+      worstCover = std::max(worstCover, std::acos(widest) / least);
+    }
+    CheckAtMost("largest gap of the first ones, however many, over the least there can be",
+      worstCover, 2.0, "farthest points are within a factor of two of the best");
     for (int part = count / 4; part >= 16; part /= 4)
     {
       const std::vector<glm::dvec3> some(nested.begin(), nested.begin() + part);

@@ -87,7 +87,7 @@ struct vtkIndirectPlan
   double FrameSeconds = 10000.0;
   bool Interactive = false;
   ///@}
-  int TilesPerFrame = 1 << 30; // depth maps of virtual lights, or of the sky, to draw at most
+  int TilesPerFrame = 1 << 30; // depth maps of virtual lights and of the sky to draw at most
   int NumberOfBounces = 1;     // those that the estimator computes
   double ErrorTolerance = 0.0; // as asked for
   bool Caching = true;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -50,9 +51,8 @@ bool vtkIndirectSkyDirections::Update(vtkEnvironmentLight* environment, int coun
   if (other)
   {
     this->FindLight(environment);
-    this->Known.clear();
   }
-  this->FindOthers(environment, count);
+  this->FindOthers(count);
   this->Environment = environment;
   this->Time = time;
   this->Count = count;
@@ -76,14 +76,22 @@ void vtkIndirectSkyDirections::FindLight(vtkEnvironmentLight* environment)
     total += Sum(ToVector(cells[i].Light));
   }
   this->Strong.clear();
+  this->Known.clear();
+  this->Sharing.clear();
+  this->Cells.clear();
+  this->OpenTexels.clear();
+  std::vector<Summand>& others = this->Known[static_cast<int>(light.size())];
   for (size_t i = 0; i < light.size(); ++i)
   {
     if (Sum(light[i]) > StrongShare * total)
     {
       this->Strong.push_back({ i, light[i] });
     }
+    else if (Sum(light[i]) > 0.0)
+    {
+      others.push_back({ i, light[i] });
+    }
   }
-  this->IsOfOthers.assign(cells.size(), 0);
   this->Flux.assign(static_cast<size_t>(Pieces) * Pieces, glm::dvec3(0.0));
   double rest = 0.0;
   for (size_t i = 0; i < cells.size(); ++i)
@@ -93,9 +101,9 @@ void vtkIndirectSkyDirections::FindLight(vtkEnvironmentLight* environment)
     {
       continue;
     }
-    this->IsOfOthers[i] = 1;
-    rest += sent;
     const glm::dvec3 d = ToVector(cells[i].Direction);
+    this->Cells.push_back({ d, ToVector(cells[i].Light), 0, -2.0 });
+    rest += sent;
     const vec2 place = vtkiOctahedralEncode(vec3(d));
     auto find = [](float p)
     { return std::clamp(static_cast<int>((0.5f + 0.5f * p) * Pieces), 0, Pieces - 1); };
@@ -107,7 +115,7 @@ void vtkIndirectSkyDirections::FindLight(vtkEnvironmentLight* environment)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSkyDirections::FindOthers(vtkEnvironmentLight* environment, int count)
+void vtkIndirectSkyDirections::FindOthers(int count)
 {
   const auto known = this->Known.find(count);
   if (known != this->Known.end())
@@ -115,35 +123,58 @@ void vtkIndirectSkyDirections::FindOthers(vtkEnvironmentLight* environment, int 
     this->Others = known->second;
     return;
   }
-  std::vector<vtkEnvironmentLight::Cell> cells;
-  const std::vector<vtkEnvironmentLight::Cell>& all = environment->GetCells();
-  for (size_t i = 0; i < all.size(); ++i)
+  std::vector<size_t> numbers;
+  for (int i = 0; i < count; ++i)
   {
-    if (this->IsOfOthers[i])
-    {
-      cells.push_back(all[i]);
-    }
+    numbers.push_back(static_cast<size_t>(i));
   }
-  const std::vector<size_t> nearest =
-    vtkIndirectDirections::FindNearest(cells, this->Lattice, static_cast<size_t>(count));
-  std::vector<glm::dvec3> light(static_cast<size_t>(count), glm::dvec3(0.0));
-  for (size_t i = 0; i < cells.size(); ++i)
-  {
-    light[nearest[i]] += ToVector(cells[i].Light);
-  }
-  this->Others.clear();
-  for (size_t i = 0; i < light.size(); ++i)
-  {
-    if (Sum(light[i]) > 0.0)
-    {
-      this->Others.push_back({ i, light[i] });
-    }
-  }
+  this->Others = this->Share(numbers);
   this->Known[count] = this->Others;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectSkyDirections::OpenSky vtkIndirectSkyDirections::MakeOpenSky() const
+std::vector<vtkIndirectSkyDirections::Summand> vtkIndirectSkyDirections::Share(
+  const std::vector<size_t>& numbers)
+{
+  // Cells that have been shared between some of these are shared with the further ones.
+  const bool more =
+    std::includes(numbers.begin(), numbers.end(), this->Sharing.begin(), this->Sharing.end());
+  std::vector<size_t> added;
+  if (more)
+  {
+    std::set_difference(numbers.begin(), numbers.end(), this->Sharing.begin(), this->Sharing.end(),
+      std::back_inserter(added));
+  }
+  this->Sharing = numbers;
+  std::vector<glm::dvec3> light(this->Lattice.size(), glm::dvec3(0.0));
+  for (Cell& cell : this->Cells)
+  {
+    cell.Cosine = more ? cell.Cosine : -2.0;
+    for (const size_t number : more ? added : numbers)
+    {
+      const double cosine = glm::dot(cell.Direction, this->Lattice[number]);
+      if (cosine > cell.Cosine)
+      {
+        cell.Cosine = cosine;
+        cell.Nearest = number;
+      }
+    }
+    light[cell.Nearest] += cell.Light;
+  }
+  std::vector<Summand> shared;
+  for (const size_t number : numbers)
+  {
+    if (Sum(light[number]) > 0.0)
+    {
+      shared.push_back({ number, light[number] });
+    }
+  }
+  return shared;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSkyDirections::OpenSky vtkIndirectSkyDirections::MakeOpenSky(
+  const std::vector<Summand>& summed)
 {
   using namespace vtkIndirectKernels;
   OpenSky sky;
@@ -156,12 +187,12 @@ vtkIndirectSkyDirections::OpenSky vtkIndirectSkyDirections::MakeOpenSky() const
       sky.Flux += flux.back();
     }
   }
-  std::vector<glm::vec3> summed;
-  for (const Summand& summand : this->Others)
+  std::vector<glm::vec3> summedFlux;
+  for (const Summand& summand : summed)
   {
-    summed.emplace_back(
+    summedFlux.emplace_back(
       0.5 * Sum(summand.Light) / vtkMath::Pi() / this->Unit * this->Lattice[summand.Number]);
-    sky.SummedFlux += summed.back();
+    sky.SummedFlux += summedFlux.back();
   }
   auto gather = [](const std::vector<glm::vec3>& list, const glm::vec3& normal)
   {
@@ -172,13 +203,19 @@ vtkIndirectSkyDirections::OpenSky vtkIndirectSkyDirections::MakeOpenSky() const
     }
     return sum;
   };
+  const bool known = !this->OpenTexels.empty();
   for (int y = 0; y < VTKI_OPEN_SKY_TEXELS; ++y)
   {
     for (int x = 0; x < VTKI_OPEN_SKY_TEXELS; ++x)
     {
       const glm::vec3 normal = vtkiOpenSkyNormal(vec2(x, y));
+      if (!known)
+      {
+        this->OpenTexels.push_back(gather(flux, normal));
+      }
+      const size_t place = static_cast<size_t>(y * VTKI_OPEN_SKY_TEXELS + x);
       sky.Texels.insert(
-        sky.Texels.end(), { gather(flux, normal), gather(summed, normal), 0.0f, 1.0f });
+        sky.Texels.end(), { this->OpenTexels[place], gather(summedFlux, normal), 0.0f, 1.0f });
     }
   }
   return sky;

@@ -22,6 +22,10 @@ public:
   {
     size_t Number; // of the direction
     glm::dvec3 Light;
+    bool operator==(const Summand& other) const
+    {
+      return this->Number == other.Number && this->Light == other.Light;
+    }
   };
 
   /**
@@ -36,12 +40,17 @@ public:
   const std::vector<Summand>& GetStrong() const { return this->Strong; }
   /** The others from which light comes; without what the strong ones have. */
   const std::vector<Summand>& GetOthers() const { return this->Others; }
+  /**
+   * The same light in fewer directions, given by ascending numbers: each stands for what is nearer
+   * to it than to the rest of these. Fast where there are more of them than last time.
+   */
+  std::vector<Summand> Share(const std::vector<size_t>& numbers);
 
   /**
    * Light of the others by the direction of a normal where nothing hides it: by all that they stand
-   * for, and by the directions themselves; both are sums over the colours, divided by GetUnit. As
-   * in vtkIndirectLibSky.glsl: four values for each texel, of which the first two count, and the
-   * vectors.
+   * for, and by those of the directions that are summed; both are sums over the colours, divided by
+   * GetUnit. As in vtkIndirectLibSky.glsl: four values for each texel, of which the first two
+   * count, and the vectors.
    */
   struct OpenSky
   {
@@ -49,7 +58,7 @@ public:
     glm::vec3 Flux{ 0.0f };
     glm::vec3 SummedFlux{ 0.0f };
   };
-  OpenSky MakeOpenSky() const;
+  OpenSky MakeOpenSky(const std::vector<Summand>& summed);
   /** Irradiance of the order of that of the others; positive. */
   double GetUnit() const { return this->Unit; }
 
@@ -58,14 +67,25 @@ public:
 
 private:
   void FindLight(vtkEnvironmentLight* environment);
-  void FindOthers(vtkEnvironmentLight* environment, int count);
+  void FindOthers(int count);
 
   std::vector<glm::dvec3> Lattice; // at least 256 of them
   std::vector<Summand> Strong;
   std::vector<Summand> Others;
   std::map<int, std::vector<Summand>> Known; // others, by their number
-  std::vector<char> IsOfOthers;              // a value for each of the environment's cells
-  std::vector<glm::dvec3> Flux;              // of pieces of the sky: irradiance of what faces them
+  // Pieces of the environment that the others have between them; and by which direction's number
+  // each was shared, last, and the cosine to it.
+  struct Cell
+  {
+    glm::dvec3 Direction;
+    glm::dvec3 Light;
+    size_t Nearest;
+    double Cosine;
+  };
+  std::vector<Cell> Cells;
+  std::vector<size_t> Sharing;   // between which
+  std::vector<glm::dvec3> Flux;  // of pieces of the sky: irradiance of what faces them
+  std::vector<float> OpenTexels; // of these; empty before it is asked for
   double Unit = 1.0;
 
   vtkEnvironmentLight* Environment = nullptr; // whose light it is, and its time

@@ -116,6 +116,7 @@ void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
     {
       group.Emitters[k].Tile =
         vtkIndirectDepthTile::FromDirection(frame, this->Directions.GetDirection(group.Numbers[k]));
+      group.Emitters[k].Turn = k;
     }
   }
   Group& others = this->Groups[Others];
@@ -130,7 +131,31 @@ void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSkyGather::UpdateMaps(const Input& input)
+// Those of the others that have maps. Before the first has one, all of them: nothing hides what has
+// no map, see MakeBlock.
+void vtkIndirectSkyGather::ChooseSummed()
+{
+  const std::vector<Summand>& others = this->Directions.GetOthers();
+  std::vector<size_t> there;
+  for (const Summand& summand : others)
+  {
+    if (this->Groups[Others].Atlas.HasTile(summand.Number))
+    {
+      there.push_back(summand.Number);
+    }
+  }
+  const bool all = !this->Visible || there.empty() || there.size() == others.size();
+  std::vector<Summand> summed = all ? others : this->Directions.Share(there);
+  if (!std::equal(summed.begin(), summed.end(), this->Summed.begin(), this->Summed.end()))
+  {
+    this->Summed = std::move(summed);
+    this->OpenSkyIsThere = false;
+    ++this->ContentTime;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::UpdateMaps(const Input& input, int most)
 {
   const vtkIndirectFrame& frame = input.Frame;
   this->UpdateDirections(input);
@@ -140,6 +165,7 @@ bool vtkIndirectSkyGather::UpdateMaps(const Input& input)
   this->Groups[Others].Texels = input.Plan.SkyTileTexels;
   const size_t drawn = this->GetNumberOfTilesDrawn();
   bool done = true;
+  this->NumberOfMissing = this->NumberOfStale = 0;
   for (int i = 0; i < NumberOfGroups; ++i)
   {
     Group& group = this->Groups[i];
@@ -150,10 +176,19 @@ bool vtkIndirectSkyGather::UpdateMaps(const Input& input)
       group.Atlas.Release(frame.Window);
       continue;
     }
+    // However many are strong, half of the time is left for the others.
+    const int already = static_cast<int>(this->GetNumberOfTilesDrawn() - drawn);
+    const int time =
+      i == Strong && !this->Directions.GetOthers().empty() ? most - most / 2 : most - already;
     done = done &&
-      group.Atlas.Update(frame, input.Capture, group.Emitters, group.Texels, input.Plan.Caching);
+      group.Atlas.Update(
+        frame, input.Capture, group.Emitters, group.Texels, input.Plan.Caching, time);
+    this->NumberOfMissing += group.Atlas.GetNumberOfMissingTiles();
+    this->NumberOfStale +=
+      group.Atlas.GetNumberOfStaleTiles() - group.Atlas.GetNumberOfMissingTiles();
   }
   this->ContentTime += this->GetNumberOfTilesDrawn() - drawn;
+  this->ChooseSummed();
   return done;
 }
 
@@ -181,13 +216,17 @@ std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
   for (size_t k = 0; k < size && first + k < terms.size(); ++k)
   {
     const Term& term = terms[first + k];
-    const vtkIndirectDepthTile& tile = group.Emitters[term.Tile].Tile;
+    const bool there = group.Atlas.HasTile(term.Tile);
+    const vtkIndirectDepthTile& tile =
+      there ? group.Atlas.GetTile(term.Tile) : group.Emitters[term.Tile].Tile;
     const double range = tile.Far - tile.Near;
     const glm::dvec2 texel = 2.0 / texels * tile.HalfWidth;
     const double bias = VTKI_TILE_ROUGHNESS * std::max(texel.x, texel.y) / range;
     auto row = [&](const glm::dvec3& axis, double unit, double origin)
     { return glm::vec4(glm::dvec4(axis / unit, origin - glm::dot(axis, tile.Place) / unit)); };
-    block[k] = row(tile.Right, texel.x, 0.5 * texels);
+    // What has no map is looked up beyond its border, where nothing hides it.
+    block[k] = there ? row(tile.Right, texel.x, 0.5 * texels)
+                     : glm::vec4(0.0f, 0.0f, 0.0f, static_cast<float>(-texels));
     block[size + k] = row(tile.Up, texel.y, 0.5 * texels);
     block[2 * size + k] = row(tile.Forward, range, -bias);
     block[3 * size + k] = glm::vec4(
@@ -223,7 +262,7 @@ bool vtkIndirectSkyGather::UpdateOpenSky(const Input& input)
     vtkTextureObject* texture = this->OpenSky.GetTexture(0);
     texture->SetMinificationFilter(vtkTextureObject::Linear);
     texture->SetMagnificationFilter(vtkTextureObject::Linear);
-    vtkIndirectSkyDirections::OpenSky open = this->Directions.MakeOpenSky();
+    vtkIndirectSkyDirections::OpenSky open = this->Directions.MakeOpenSky(this->Summed);
     this->OpenSky.Write(0, open.Texels);
     this->OpenFlux = open.Flux;
     this->SummedFlux = open.SummedFlux;
@@ -257,7 +296,7 @@ bool vtkIndirectSkyGather::Sum(const Input& input)
   vtkIndirectFullScreenState kernelState(frame.Window);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   bool done = true;
-  if (this->Directions.GetOthers().empty())
+  if (this->Summed.empty())
   {
     this->Irradiance.Begin();
     this->Irradiance.Clear();
@@ -312,7 +351,7 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
   const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
   const size_t size = SumBlock;
   // Neighbours on the sphere go to different places of a block.
-  Terms terms = this->MakeTerms(this->Directions.GetOthers(), false);
+  Terms terms = this->MakeTerms(this->Summed, false);
   std::sort(terms.begin(), terms.end(),
     [this](const Term& a, const Term& b)
     { return this->Directions.GetDirection(a.Tile).y > this->Directions.GetDirection(b.Tile).y; });
@@ -414,7 +453,7 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
   program->SetUniformf("vtkiSkyUnit", static_cast<float>(this->Directions.GetUnit()));
   if (moving)
   {
-    const Terms terms = this->MakeTerms(this->Directions.GetOthers(), false);
+    const Terms terms = this->MakeTerms(this->Summed, false);
     this->SetBlock(input, program, *group, terms, 0, OwnBlock);
   }
   kernel.Draw();
@@ -480,6 +519,18 @@ void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
   report.Bytes += this->GetBytes();
   const size_t counts[NumberOfGroups] = { this->Directions.GetStrong().size(),
     this->Directions.GetOthers().size() };
+  if (this->NumberOfMissing > 0)
+  {
+    report.LeftOut.emplace_back(
+      "depth maps of " + std::to_string(this->NumberOfMissing) + " directions of the sky",
+      "further frames draw them; until then others stand for them");
+  }
+  if (this->NumberOfStale > 0)
+  {
+    report.LeftOut.emplace_back(
+      "what has just moved, in " + std::to_string(this->NumberOfStale) + " depth maps of the sky",
+      "further frames draw them again");
+  }
   std::string maps;
   for (int i = 0; i < NumberOfGroups; ++i)
   {
@@ -489,7 +540,7 @@ void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
         std::to_string(this->Groups[i].Texels) + " texels squared";
     }
   }
-  std::string what = std::to_string(counts[Others]) + " directions";
+  std::string what = std::to_string(this->Summed.size()) + " directions";
   what += this->Step > 1 ? ", a pixel of " + std::to_string(this->Step * this->Step) +
       " asks each, averaged over its surface"
                          : "";
@@ -506,6 +557,8 @@ void vtkIndirectSkyGather::Release(vtkWindow* window)
     target->Release(window);
   }
   this->OpenSkyIsThere = false;
+  this->NumberOfMissing = 1;
+  this->NumberOfStale = 0;
   this->Block.Release();
   for (Group& group : this->Groups)
   {

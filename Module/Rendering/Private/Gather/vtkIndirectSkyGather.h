@@ -51,8 +51,14 @@ public:
     vtkEnvironmentLight* Environment;
   };
 
-  /** Brings the depth maps up to date. Returns false, after an error, when OpenGL refuses. */
-  bool UpdateMaps(const Input& input);
+  /**
+   * Brings depth maps up to date, at most so many of them. Those of strong directions come first,
+   * then others, such that those that are there are spread over the sky; these stand for all of it.
+   * Returns false, after an error, when OpenGL refuses.
+   */
+  bool UpdateMaps(const Input& input, int most);
+  /** Whether all maps that the last frame could use are there and up to date. */
+  bool IsComplete() const { return this->NumberOfMissing + this->NumberOfStale == 0; }
   /** Grows when maps or weights have changed. */
   size_t GetContentTime() const { return this->ContentTime; }
   /** Sums. Returns false, after an error. */
@@ -87,6 +93,7 @@ private:
 
   void UpdateDirections(const Input& input);
   void FitTiles(const vtkIndirectFrame& frame);
+  void ChooseSummed();
   Terms MakeTerms(const std::vector<Summand>& summands, bool strong) const;
   std::vector<glm::vec4> MakeBlock(
     const Group& group, const Terms& terms, size_t first, size_t size) const;
@@ -113,6 +120,7 @@ private:
   };
   Group Groups[NumberOfGroups];
   vtkIndirectSkyDirections Directions;
+  std::vector<Summand> Summed; // of the others: those that have maps stand for all
   vtkIndirectUniformBlock Block{ "vtkiSkyBlock" };
 
   // Of still and of moving frames, which follow each other too often to be built anew.
@@ -128,6 +136,9 @@ private:
   glm::vec3 OpenFlux{ 0.0f };
   glm::vec3 SummedFlux{ 0.0f };
   bool Visible = false;
+  // Maps that further frames draw: none is there; what is there shows what was.
+  int NumberOfMissing = 1;
+  int NumberOfStale = 0;
   int Step = 1; // of the last frame: edge of the blocks of pixels that share directions
   size_t ContentTime = 0;
 };

@@ -166,6 +166,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
   this->BuffersAreThere = true;
   this->TargetIsClear = clear;
   this->ChooseSamplers(request.Sampler);
+  this->TilesLeft = this->Plan.TilesPerFrame;
   this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
   this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
@@ -250,10 +251,14 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
     this->Timer.Begin(vtkIndirectStageTimer::Visibility);
   }
   const size_t tiles = this->Visibility.GetNumberOfTilesDrawn();
+  // The sky's maps share the frame's time.
+  const int most = this->Plan.TilesPerFrame;
+  const bool shared = this->Plan.Sky && this->Plan.SkyIsShadowed && !this->Sky.IsComplete();
   const bool visible =
     this->Visibility.Update({ this->Frame, this->Samplers.empty() ? nullptr : &this->Lights,
-                              this->Capture, caching, this->Plan.TilesPerFrame },
+                              this->Capture, caching, shared ? most - most / 2 : most },
       needs);
+  this->TilesLeft = most - static_cast<int>(this->Visibility.GetNumberOfTilesDrawn() - tiles);
   if (timed)
   {
     this->Timer.End(vtkIndirectStageTimer::Visibility);
@@ -280,12 +285,13 @@ bool vtkIndirectPipeline::UpdateSky(const Request& request)
   const vtkIndirectSkyGather::Input input = { this->Frame, this->Plan, this->Geometry,
     this->Capture, this->Environment };
   this->Timer.Begin(vtkIndirectStageTimer::Visibility);
-  const bool visible = this->Sky.UpdateMaps(input);
+  const bool visible = this->Sky.UpdateMaps(input, this->TilesLeft);
   this->Timer.End(vtkIndirectStageTimer::Visibility);
   std::vector<double> key = this->Plan.MakeKey(this->Frame);
   key.push_back(static_cast<double>(this->Sky.GetContentTime()));
   key.push_back(this->Plan.NumberOfSkyDirections);
   key.push_back(this->Plan.SkyBlock);
+  key.push_back(this->Plan.SkyIsShadowed ? 1.0 : 0.0);
   if (request.Settings.Caching && key == this->SkyKey)
   {
     return true;

@@ -127,6 +127,7 @@ private:
   bool IrradianceIsThere = false;
   bool SkyIsThere = false;
   long long NumberOfEstimates = 0;
+  int TilesLeft = 0; // depth maps that the frame has time for still
   std::string WhyNoBuffers = "no frame has been rendered yet";
   vtkIndirectEstimate Estimate;
   // What made its irradiance: its buffers stay readable when the pass is given others.

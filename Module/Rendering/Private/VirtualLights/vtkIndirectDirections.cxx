@@ -24,6 +24,36 @@ std::vector<glm::dvec3> vtkIndirectDirections::MakeLattice(int count)
   return lattice;
 }
 
+namespace
+{
+// Puts [first, end) into an order in which each is the farthest from all before it.
+void SpreadOut(std::vector<glm::dvec3>& directions, size_t first, size_t end)
+{
+  // Cosine to the nearest one before.
+  std::vector<double> nearest(end, -1.0);
+  auto add = [&](size_t added, size_t from)
+  {
+    for (size_t i = from; i < end; ++i)
+    {
+      nearest[i] = std::max(nearest[i], glm::dot(directions[i], directions[added]));
+    }
+  };
+  for (size_t k = 0; k < first; ++k)
+  {
+    add(k, first);
+  }
+  for (size_t k = first; k < end; ++k)
+  {
+    const auto farthest =
+      std::min_element(nearest.begin() + static_cast<std::ptrdiff_t>(k), nearest.end());
+    const size_t chosen = static_cast<size_t>(farthest - nearest.begin());
+    std::swap(directions[k], directions[chosen]);
+    std::swap(nearest[k], nearest[chosen]);
+    add(k, k + 1);
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 std::vector<glm::dvec3> vtkIndirectDirections::MakeNestedLattice(int count)
 {
@@ -42,6 +72,15 @@ std::vector<glm::dvec3> vtkIndirectDirections::MakeNestedLattice(int count)
       }
       std::swap(nested[k], nested[nearest]);
     }
+  }
+  size_t end = nested.size();
+  while (end / 4 >= 16)
+  {
+    end /= 4;
+  }
+  for (size_t first = 0; first < nested.size(); first = end, end *= 4)
+  {
+    SpreadOut(nested, first, end);
   }
   return nested;
 }

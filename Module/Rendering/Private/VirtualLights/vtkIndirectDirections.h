@@ -19,6 +19,8 @@ std::vector<glm::dvec3> MakeLattice(int count);
 /**
  * The same places in an order of which the first quarter is spread evenly over the sphere, the
  * first quarter of that again, and so on down to sixteen: those nearest to a lattice of so many.
+ * In between each is the one that is farthest from all before it (Gonzalez 1985, "Clustering to
+ * minimize the maximum intercluster distance"), so that the first ones are spread, however many.
  */
 std::vector<glm::dvec3> MakeNestedLattice(int count);
 

@@ -37,9 +37,17 @@ void vtkIndirectDepthAtlas::ForgetWhatChanged(const vtkIndirectFrame& frame)
 {
   if (frame.SceneScale != this->SceneScale || frame.SceneCenter != this->SceneCenter)
   {
+    for (Drawing& drawing : this->Drawn)
+    {
+      // Where a perspective tile begins and ends depends on the units.
+      drawing.There = drawing.There && drawing.Tile.Parallel;
+      if (drawing.There)
+      {
+        drawing.Tile = drawing.Tile.FromUnits(this->SceneScale, this->SceneCenter, frame);
+      }
+    }
     this->SceneScale = frame.SceneScale;
     this->SceneCenter = frame.SceneCenter;
-    this->Drawn.clear();
   }
   std::vector<Caster> now;
   now.reserve(frame.Casters.size());
@@ -90,33 +98,21 @@ void vtkIndirectDepthAtlas::ForgetWhatChanged(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-// Those to draw now. Numbers with their bits reversed are spread over all emitters, however few of
-// them there is time for.
+// Those to draw now.
 std::vector<int> vtkIndirectDepthAtlas::ChooseTiles(
   const std::vector<Emitter>& emitters, size_t most)
 {
-  const size_t count = emitters.size();
-  this->Drawn.resize(count);
-  size_t bits = 0;
-  while ((size_t{ 1 } << bits) < count)
-  {
-    ++bits;
-  }
+  this->Drawn.resize(emitters.size());
   std::vector<int> missing;
   std::vector<int> stale;
-  for (size_t k = 0; k < size_t{ 1 } << bits; ++k)
+  for (size_t i = 0; i < emitters.size(); ++i)
   {
-    size_t i = 0;
-    for (size_t bit = 0; bit < bits; ++bit)
-    {
-      i |= (k >> bit & 1) << (bits - 1 - bit);
-    }
-    if (i >= count)
-    {
-      continue;
-    }
     Drawing& drawing = this->Drawn[i];
-    drawing.There = drawing.There && drawing.Tile == emitters[i].Tile;
+    const vtkIndirectDepthTile& tile = emitters[i].Tile;
+    const bool same = drawing.There && drawing.Tile == tile;
+    const bool moved = drawing.There && tile.Parallel && drawing.Tile.Forward == tile.Forward;
+    drawing.There = same || moved;
+    drawing.Valid = drawing.Valid && same;
     if (!emitters[i].Sends)
     {
       continue;
@@ -130,6 +126,9 @@ std::vector<int> vtkIndirectDepthAtlas::ChooseTiles(
       stale.push_back(static_cast<int>(i));
     }
   }
+  std::stable_sort(missing.begin(), missing.end(),
+    [&](int a, int b)
+    { return emitters[static_cast<size_t>(a)].Turn < emitters[static_cast<size_t>(b)].Turn; });
   std::stable_sort(stale.begin(), stale.end(),
     [this](int a, int b) {
       return this->Drawn[static_cast<size_t>(a)].Time < this->Drawn[static_cast<size_t>(b)].Time;

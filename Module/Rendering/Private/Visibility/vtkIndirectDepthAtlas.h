@@ -27,18 +27,22 @@ public:
   vtkIndirectDepthAtlas();
   ~vtkIndirectDepthAtlas();
 
-  /** An emitter's tile, and whether it sends anything: others are left as they are. */
+  /**
+   * An emitter's tile, whether it sends anything (others are left as they are), and when it is
+   * drawn among those that have none: those of lower numbers come first.
+   */
   struct Emitter
   {
     vtkIndirectDepthTile Tile;
     bool Sends = true;
+    size_t Turn = 0;
   };
 
   /**
    * Brings tiles of these emitters up to date, each of so many texels along an edge, and not more
-   * of them than `most`: first those that have none, spread over all of them, then those that have
-   * waited longest. Without caching nothing is kept. Returns false, after an error, when OpenGL
-   * refuses.
+   * of them than `most`: first those that have none, then those that have waited longest. Of a
+   * direction that is fitted to another scene, what was drawn before is kept until then. Without
+   * caching nothing is kept. Returns false, after an error, when OpenGL refuses.
    */
   bool Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
     const std::vector<Emitter>& emitters, int texels, bool caching, int most = 1 << 30);
@@ -47,7 +51,12 @@ public:
   void Forget() { this->Drawn.clear(); }
 
   /** Whether there is a map of this emitter; it may show what was there a few frames ago. */
-  bool HasTile(int emitter) const { return this->Drawn[static_cast<size_t>(emitter)].There; }
+  bool HasTile(size_t emitter) const
+  {
+    return emitter < this->Drawn.size() && this->Drawn[emitter].There;
+  }
+  /** That map as it was drawn. */
+  const vtkIndirectDepthTile& GetTile(size_t emitter) const { return this->Drawn[emitter].Tile; }
   ///@{
   /** After Update: emitters that have no map; and maps, these included, that are not up to date. */
   int GetNumberOfMissingTiles() const { return this->NumberOfMissingTiles; }

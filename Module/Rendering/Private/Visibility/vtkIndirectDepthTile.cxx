@@ -77,6 +77,19 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
 }
 
 //------------------------------------------------------------------------------
+vtkIndirectDepthTile vtkIndirectDepthTile::FromUnits(
+  double scale, const glm::dvec3& center, const vtkIndirectFrame& frame) const
+{
+  vtkIndirectDepthTile tile = *this;
+  const double ratio = frame.SceneScale / scale;
+  tile.Place = (this->Place / scale + (center - frame.SceneCenter)) * frame.SceneScale;
+  tile.HalfWidth *= ratio;
+  tile.Near *= ratio;
+  tile.Far *= ratio;
+  return tile;
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectDepthTile::CanSee(const vtkIndirectFrame& frame, const double bounds[6]) const
 {
   unsigned int outsideAll = 0x1f;

@@ -25,6 +25,10 @@ struct vtkIndirectDepthTile
   static vtkIndirectDepthTile FromDirection(
     const vtkIndirectFrame& frame, const glm::dvec3& toLight);
 
+  /** The same tile of the world in this frame's scene units, of one in others; if parallel. */
+  vtkIndirectDepthTile FromUnits(
+    double scale, const glm::dvec3& center, const vtkIndirectFrame& frame) const;
+
   /** Whether it can see any of these bounds, in world coordinates. */
   bool CanSee(const vtkIndirectFrame& frame, const double bounds[6]) const;
 

@@ -92,6 +92,15 @@ void vtkIndirectVisibility::ReadEmitters(const vtkIndirectVirtualLights& lights)
   {
     this->Emitters.push_back(this->Lights[i]);
   }
+  // Numbers with their bits reversed are spread over all lights, however few there is time for.
+  for (size_t bit = 1; bit < this->Emitters.size(); bit *= 2)
+  {
+    for (size_t i = 0; i < this->Emitters.size(); ++i)
+    {
+      size_t& turn = this->Emitters[i].Turn;
+      turn = 2 * turn + (i & bit ? 1 : 0);
+    }
+  }
   this->EmittersTime = lights.GetContentTime();
   this->WithDirections = lights.HasDirections();
 }
@@ -141,7 +150,7 @@ void vtkIndirectVisibility::ShareTiles(const vtkIndirectFrame& frame)
   std::vector<int> there;
   for (size_t k = 0; k < this->Emitters.size(); ++k)
   {
-    if (this->Maps.HasTile(static_cast<int>(k)))
+    if (this->Maps.HasTile(k))
     {
       there.push_back(static_cast<int>(k));
     }
@@ -155,8 +164,7 @@ void vtkIndirectVisibility::ShareTiles(const vtkIndirectFrame& frame)
     const vtkIndirectDepthTile& light = this->Lights[i].Tile;
     double best = 0.0;
     int owner = -1;
-    const bool own =
-      i % this->Stride == 0 && this->Maps.HasTile(static_cast<int>(i / this->Stride));
+    const bool own = i % this->Stride == 0 && this->Maps.HasTile(i / this->Stride);
     if (own)
     {
       owner = static_cast<int>(i / this->Stride);
