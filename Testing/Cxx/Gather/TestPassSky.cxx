@@ -160,3 +160,38 @@ VTK_INDIRECT_TEST(SkySunAlone)
     CONTRACT_CHECK(most < 0.002, "an open sky of radiance 1 gives 1: off by " << most);
   }
 }
+
+//------------------------------------------------------------------------------
+// What is held for a sky goes with it, and comes back.
+VTK_INDIRECT_TEST(SkyGoesAway)
+{
+  SkyView view(64, 48, true);
+  vtkNew<vtkLight> lamp;
+  lamp->SetPositional(true);
+  lamp->SetConeAngle(30.0);
+  lamp->SetPosition(0.5, 0.9, 0.9);
+  lamp->SetFocalPoint(0.5, 0.0, 0.5);
+  view.Renderer->AddLight(lamp);
+  auto bytes = [&]() { return Report(view.Pass).GetNumber("bytes"); };
+  const Floats first = view.Render(false);
+  const double with = bytes();
+  view.Pass->SetEnvironment(nullptr);
+  view.Grab();
+  const double without = bytes();
+  std::cout << with << " bytes with a sky, " << without << " without\n";
+  // 256 directions' maps of 128 texels squared, and the sun's.
+  CONTRACT_CHECK(with - without >= 256 * 128 * 128 * 4 + 1024 * 1024 * 4, "too much is left");
+  SkyView never(64, 48, false);
+  never.Pass->SetEnvironment(nullptr);
+  never.Renderer->AddLight(lamp);
+  never.Window->SetDesiredUpdateRate(1e-4);
+  never.Grab();
+  CONTRACT_CHECK(without == Report(never.Pass).GetNumber("bytes"), "of a pass without a sky");
+  view.Pass->SetEnvironment(view.Sky);
+  const Floats again = view.Render(false);
+  CONTRACT_CHECK(Compare(again, first).Max == 0.0, "the sky that comes back is another");
+  CONTRACT_CHECK(bytes() == with, "it takes another amount");
+  view.Pass->SetIndirectScale(0.0);
+  view.Grab();
+  CONTRACT_CHECK(bytes() <= without, "IndirectScale 0 leaves " << bytes());
+}

@@ -2,6 +2,7 @@
 // Which directions stand for which part of the sky, and what an open sky gives, against integrals.
 #include "Gather/vtkIndirectSkyDirections.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "VirtualLights/vtkIndirectSkyProjection.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkIndirectTestUtilities.h"
@@ -76,15 +77,16 @@ VTK_INDIRECT_TEST(SkyLosesNothing)
   {
     total += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
   }
+  vtkIndirectSkyProjection projection;
   vtkIndirectSkyDirections sky;
-  Check("the first is another", sky.Update(environment, 64, 256));
-  Check("the second is not", !sky.Update(environment, 64, 256));
+  Check("the first is another", sky.Update(projection, environment, 64, 256));
+  Check("the second is not", !sky.Update(projection, environment, 64, 256));
   const auto strong = sky.GetStrong();
   CheckEqual("directions of the sun", static_cast<double>(strong.size()), 1);
   const int counts[][2] = { { 16, 16 }, { 16, 64 }, { 64, 64 }, { 64, 256 }, { 256, 256 } };
   for (const auto& count : counts)
   {
-    Check("another number", sky.Update(environment, count[0], count[1]));
+    Check("another number", sky.Update(projection, environment, count[0], count[1]));
     const std::string name = std::to_string(count[0]) + " of " + std::to_string(count[1]);
     const glm::dvec3 sum = SumOf(sky.GetStrong()) + SumOf(sky.GetOthers());
     for (int c = 0; c < 3; ++c)
@@ -103,7 +105,7 @@ VTK_INDIRECT_TEST(SkyLosesNothing)
   image->Modified();
   for (const int count : { 16, 64, 256, 1024 })
   {
-    Check("a changed image", sky.Update(environment, count, count));
+    Check("a changed image", sky.Update(projection, environment, count, count));
     CheckEqual("strong directions of half a sky", static_cast<double>(sky.GetStrong().size()), 0);
   }
 }
@@ -132,8 +134,9 @@ VTK_INDIRECT_TEST(SkyOpen)
     MakeImage(image, one.Radiance);
     vtkNew<vtkEnvironmentLight> environment;
     environment->SetImage(image);
+    vtkIndirectSkyProjection projection;
     vtkIndirectSkyDirections sky;
-    sky.Update(environment, 64, 256);
+    sky.Update(projection, environment, 64, 256);
     const vtkIndirectSkyDirections::OpenSky open = sky.MakeOpenSky(sky.GetOthers());
     double worst = 0.0;
     double worstOfSummed = 0.0;

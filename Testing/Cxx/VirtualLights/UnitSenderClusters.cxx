@@ -2,6 +2,7 @@
 // Few lights for the texels of many maps, and the sky in few directions: nothing gets lost.
 #include "VirtualLights/vtkIndirectSenderClusters.h"
 #include "VirtualLights/vtkIndirectSkyGroups.h"
+#include "VirtualLights/vtkIndirectSkyProjection.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkIndirectTestUtilities.h"
@@ -205,7 +206,8 @@ VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
   };
   vtkNew<vtkEnvironmentLight> environment;
   environment->SetRadiance(3.0, 1.0, 0.5);
-  std::vector<Group> groups = vtkIndirectSkyGroups::Make(environment);
+  vtkIndirectSkyProjection projection;
+  std::vector<Group> groups = vtkIndirectSkyGroups::Make(projection, environment);
   CheckEqual("groups of a uniform sky", static_cast<double>(groups.size()),
     vtkIndirectSkyGroups::NumberOfDirections);
   CheckRelative("its light", total(groups).x, 4.0 * 3.0, 1e-12, "rounding of a sum");
@@ -237,7 +239,7 @@ VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
     }
   }
   environment->SetImage(image);
-  groups = vtkIndirectSkyGroups::Make(environment);
+  groups = vtkIndirectSkyGroups::Make(projection, environment);
   // The lowest row of directions but one lies 9 degrees under the horizon: within half a group.
   CheckAtLeast("directions above the horizon, and the sun", static_cast<double>(groups.size()), 17,
     "half of 32");
@@ -256,5 +258,5 @@ VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
   vtkNew<vtkImageData> black;
   MakeImage(black, 4, 2);
   environment->SetImage(black);
-  Check("a black sky has no groups", vtkIndirectSkyGroups::Make(environment).empty());
+  Check("a black sky has no groups", vtkIndirectSkyGroups::Make(projection, environment).empty());
 }

@@ -2,7 +2,7 @@
 #include "Gather/vtkIndirectSkyDirections.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
-#include "VirtualLights/vtkIndirectDirections.h"
+#include "VirtualLights/vtkIndirectSkyProjection.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkMath.h"
 
@@ -34,23 +34,20 @@ double Sum(const glm::dvec3& light)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSkyDirections::Update(vtkEnvironmentLight* environment, int count, int still)
+bool vtkIndirectSkyDirections::Update(
+  vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, int count, int still)
 {
-  const int lattice = std::max(still, LeastLattice);
-  if (this->Lattice.size() != static_cast<size_t>(lattice))
-  {
-    this->Lattice = vtkIndirectDirections::MakeNestedLattice(lattice);
-    this->Forget();
-  }
   const vtkMTimeType time = environment->GetMTime();
-  const bool other = environment != this->Environment || time != this->Time;
+  const bool other = environment != this->Environment || time != this->Time ||
+    std::max(still, LeastLattice) != std::max(this->Still, LeastLattice);
   if (!other && count == this->Count && still == this->Still)
   {
     return false;
   }
   if (other)
   {
-    this->FindLight(environment);
+    this->Still = still;
+    this->FindLight(projection, environment);
   }
   this->FindOthers(count);
   this->Environment = environment;
@@ -62,18 +59,20 @@ bool vtkIndirectSkyDirections::Update(vtkEnvironmentLight* environment, int coun
 
 //------------------------------------------------------------------------------
 // What is strong, and all the rest in small pieces.
-void vtkIndirectSkyDirections::FindLight(vtkEnvironmentLight* environment)
+void vtkIndirectSkyDirections::FindLight(
+  vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment)
 {
   using namespace vtkIndirectKernels;
   const std::vector<vtkEnvironmentLight::Cell>& cells = environment->GetCells();
-  const std::vector<size_t> nearest =
-    vtkIndirectDirections::FindNearest(cells, this->Lattice, this->Lattice.size());
-  std::vector<glm::dvec3> light(this->Lattice.size(), glm::dvec3(0.0));
+  const vtkIndirectSkyProjection::Result& sky =
+    projection.Find(environment, std::max(this->Still, LeastLattice));
+  this->Lattice = sky.Directions;
+  const std::vector<size_t>& nearest = sky.Nearest;
+  const std::vector<glm::dvec3>& light = sky.Light;
   double total = 0.0;
-  for (size_t i = 0; i < cells.size(); ++i)
+  for (const glm::dvec3& l : light)
   {
-    light[nearest[i]] += ToVector(cells[i].Light);
-    total += Sum(ToVector(cells[i].Light));
+    total += Sum(l);
   }
   this->Strong.clear();
   this->Known.clear();
@@ -194,29 +193,42 @@ vtkIndirectSkyDirections::OpenSky vtkIndirectSkyDirections::MakeOpenSky(
       0.5 * Sum(summand.Light) / vtkMath::Pi() / this->Unit * this->Lattice[summand.Number]);
     sky.SummedFlux += summedFlux.back();
   }
-  auto gather = [](const std::vector<glm::vec3>& list, const glm::vec3& normal)
+  // Coordinate by coordinate, and the texels in the inner loop: compilers make vectors of that.
+  constexpr size_t texels = static_cast<size_t>(VTKI_OPEN_SKY_TEXELS) * VTKI_OPEN_SKY_TEXELS;
+  std::vector<float> normals[3];
+  for (size_t i = 0; i < texels; ++i)
   {
-    float sum = 0.0f;
+    const glm::vec3 normal =
+      vtkiOpenSkyNormal(vec2(i % VTKI_OPEN_SKY_TEXELS, i / VTKI_OPEN_SKY_TEXELS));
+    for (int c = 0; c < 3; ++c)
+    {
+      normals[c].push_back(normal[c]);
+    }
+  }
+  auto gather = [&](const std::vector<glm::vec3>& list)
+  {
+    std::vector<float> sums(texels, 0.0f);
+    const float* const x = normals[0].data();
+    const float* const y = normals[1].data();
+    const float* const z = normals[2].data();
+    float* const sum = sums.data();
     for (const glm::vec3& entry : list)
     {
-      sum += std::abs(glm::dot(entry, normal));
-    }
-    return sum;
-  };
-  const bool known = !this->OpenTexels.empty();
-  for (int y = 0; y < VTKI_OPEN_SKY_TEXELS; ++y)
-  {
-    for (int x = 0; x < VTKI_OPEN_SKY_TEXELS; ++x)
-    {
-      const glm::vec3 normal = vtkiOpenSkyNormal(vec2(x, y));
-      if (!known)
+      for (size_t i = 0; i < texels; ++i)
       {
-        this->OpenTexels.push_back(gather(flux, normal));
+        sum[i] += std::abs(entry.x * x[i] + entry.y * y[i] + entry.z * z[i]);
       }
-      const size_t place = static_cast<size_t>(y * VTKI_OPEN_SKY_TEXELS + x);
-      sky.Texels.insert(
-        sky.Texels.end(), { this->OpenTexels[place], gather(summedFlux, normal), 0.0f, 1.0f });
     }
+    return sums;
+  };
+  if (this->OpenTexels.empty())
+  {
+    this->OpenTexels = gather(flux);
+  }
+  const std::vector<float> summedTexels = gather(summedFlux);
+  for (size_t i = 0; i < texels; ++i)
+  {
+    sky.Texels.insert(sky.Texels.end(), { this->OpenTexels[i], summedTexels[i], 0.0f, 1.0f });
   }
   return sky;
 }

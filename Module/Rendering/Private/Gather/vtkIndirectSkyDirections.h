@@ -13,6 +13,7 @@
 #include <vector>      // for lists
 
 class vtkEnvironmentLight;
+class vtkIndirectSkyProjection;
 
 class vtkIndirectSkyDirections
 {
@@ -32,7 +33,8 @@ public:
    * Finds what the first `count` of `still` directions stand for. Returns whether anything has
    * changed since the last call.
    */
-  bool Update(vtkEnvironmentLight* environment, int count, int still);
+  bool Update(
+    vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, int count, int still);
 
   /** Unit, to where the light comes from. */
   const glm::dvec3& GetDirection(size_t number) const { return this->Lattice[number]; }
@@ -66,7 +68,7 @@ public:
   void Forget() { this->Environment = nullptr; }
 
 private:
-  void FindLight(vtkEnvironmentLight* environment);
+  void FindLight(vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment);
   void FindOthers(int count);
 
   std::vector<glm::dvec3> Lattice; // at least 256 of them

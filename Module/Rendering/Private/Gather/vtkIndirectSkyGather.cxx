@@ -64,7 +64,8 @@ vtkIndirectSkyGather::vtkIndirectSkyGather()
 void vtkIndirectSkyGather::UpdateDirections(const Input& input)
 {
   const int still = input.Plan.NumberOfStillSkyDirections;
-  if (!this->Directions.Update(input.Environment, input.Plan.NumberOfSkyDirections, still))
+  if (!this->Directions.Update(
+        input.Projection, input.Environment, input.Plan.NumberOfSkyDirections, still))
   {
     return;
   }
@@ -516,7 +517,6 @@ size_t vtkIndirectSkyGather::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
 {
-  report.Bytes += this->GetBytes();
   const size_t counts[NumberOfGroups] = { this->Directions.GetStrong().size(),
     this->Directions.GetOthers().size() };
   if (this->NumberOfMissing > 0)

@@ -32,6 +32,7 @@
 
 class vtkEnvironmentLight;
 class vtkIndirectGeometryBuffer;
+class vtkIndirectSkyProjection;
 class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
@@ -49,6 +50,7 @@ public:
     const vtkIndirectGeometryBuffer& Geometry;
     vtkSurfaceCapturePass* Capture;
     vtkEnvironmentLight* Environment;
+    vtkIndirectSkyProjection& Projection;
   };
 
   /**

@@ -54,6 +54,19 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
     request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
+  if (!circumstances.Environment || request.Settings.IndirectScale == 0.0)
+  {
+    this->ReleaseSky(this->Frame.Window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPipeline::ReleaseSky(vtkWindow* window)
+{
+  this->Sky.Release(window);
+  this->SkySampler->ReleaseGraphicsResources(window);
+  this->SkyProjection = vtkIndirectSkyProjection();
+  this->SkyKey.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -154,8 +167,8 @@ bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
     return true;
   }
   this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
-  const bool drawn =
-    this->SkySampler->DrawMaps(this->Frame, this->Plan, this->Capture, this->Environment);
+  const bool drawn = this->SkySampler->DrawMaps(
+    this->Frame, this->Plan, this->Capture, this->SkyProjection, this->Environment);
   this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
   return drawn;
 }
@@ -283,7 +296,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
 bool vtkIndirectPipeline::UpdateSky(const Request& request)
 {
   const vtkIndirectSkyGather::Input input = { this->Frame, this->Plan, this->Geometry,
-    this->Capture, this->Environment };
+    this->Capture, this->Environment, this->SkyProjection };
   this->Timer.Begin(vtkIndirectStageTimer::Visibility);
   const bool visible = this->Sky.UpdateMaps(input, this->TilesLeft);
   this->Timer.End(vtkIndirectStageTimer::Visibility);
@@ -414,7 +427,8 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   auto add = [](vtkIndirectReport::Entries& to, const vtkIndirectPlan::Entries& entries)
   { to.insert(to.end(), entries.begin(), entries.end()); };
   report.Paths = this->Paths;
-  report.Bytes = this->Geometry.GetTarget().GetBytes() + this->Antialiasing.GetBytes();
+  report.Bytes =
+    this->Geometry.GetTarget().GetBytes() + this->Antialiasing.GetBytes() + this->Sky.GetBytes();
   add(report.Modelled, this->Plan.Modelled);
   add(report.LeftOut, this->Plan.LeftOut);
   if (this->Plan.Senders != vtkIndirectPlan::EYE)
@@ -466,7 +480,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Geometry.Release(window);
   this->DefaultSampler->ReleaseGraphicsResources(window);
   this->HeadlightSampler->ReleaseGraphicsResources(window);
-  this->SkySampler->ReleaseGraphicsResources(window);
+  this->ReleaseSky(window);
   for (const auto& sampler : this->OtherSamplers)
   {
     sampler->ReleaseGraphicsResources(window);
@@ -478,7 +492,6 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Samplers.clear();
   this->Lights.Release(window);
   this->Visibility.Release(window);
-  this->Sky.Release(window);
   this->DefaultEstimator->ReleaseGraphicsResources(window);
   if (this->Estimator)
   {

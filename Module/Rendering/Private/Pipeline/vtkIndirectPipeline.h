@@ -16,6 +16,7 @@
 #include "Frame/vtkIndirectStageTimer.h"               // for members
 #include "Gather/vtkIndirectSkyGather.h"               // for members
 #include "VirtualLights/vtkIndirectHeadlightSampler.h" // for members
+#include "VirtualLights/vtkIndirectSkyProjection.h"    // for members
 #include "VirtualLights/vtkIndirectSkySampler.h"       // for members
 #include "VirtualLights/vtkIndirectVirtualLights.h"    // for members
 #include "Visibility/vtkIndirectPenumbra.h"            // for members
@@ -102,6 +103,7 @@ private:
   bool UpdateIrradiance(const Request& request);
   bool UpdateSky(const Request& request);
   bool UpdateSkyMaps(const Request& request);
+  void ReleaseSky(vtkWindow* window);
   const vtkIndirectEstimate* GetEstimate() const;
   vtkIndirectComposite::Input MakeCompositeInput() const;
   bool RenderChannel(const std::string& name);
@@ -113,6 +115,7 @@ private:
   vtkNew<vtkIndirectSkySampler> SkySampler;
   vtkIndirectVirtualLights Lights;
   vtkIndirectVisibility Visibility;
+  vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather Sky;
   vtkNew<vtkEnvironmentLight> ImageLight; // of the renderer's texture
   vtkIndirectComposite Composite;

@@ -110,22 +110,3 @@ std::vector<size_t> vtkIndirectDirections::FindNearest(
   }
   return result;
 }
-
-//------------------------------------------------------------------------------
-std::vector<glm::dvec3> vtkIndirectDirections::Project(
-  vtkEnvironmentLight* environment, const std::vector<glm::dvec3>& directions)
-{
-  std::vector<glm::dvec3> light(directions.size(), glm::dvec3(0.0));
-  if (directions.empty())
-  {
-    return light;
-  }
-  const std::vector<vtkEnvironmentLight::Cell>& cells = environment->GetCells();
-  const std::vector<size_t> nearest = FindNearest(cells, directions, directions.size());
-  for (size_t i = 0; i < cells.size(); ++i)
-  {
-    const double* const sent = cells[i].Light;
-    light[nearest[i]] += glm::dvec3(sent[0], sent[1], sent[2]);
-  }
-  return light;
-}

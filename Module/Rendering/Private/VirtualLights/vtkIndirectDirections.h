@@ -27,13 +27,6 @@ std::vector<glm::dvec3> MakeNestedLattice(int count);
 /** For each cell the direction nearest to it, of the first `count`. */
 std::vector<size_t> FindNearest(const std::vector<vtkEnvironmentLight::Cell>& cells,
   const std::vector<glm::dvec3>& directions, size_t count);
-
-/**
- * What the directions stand for: each cell of the sky goes to the direction nearest to it, so that
- * all of the light is there. Radiance times solid angle, a value for each direction.
- */
-std::vector<glm::dvec3> Project(
-  vtkEnvironmentLight* environment, const std::vector<glm::dvec3>& directions);
 }
 
 #endif

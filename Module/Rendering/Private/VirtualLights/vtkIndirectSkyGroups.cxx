@@ -2,6 +2,7 @@
 #include "VirtualLights/vtkIndirectSkyGroups.h"
 
 #include "VirtualLights/vtkIndirectDirections.h"
+#include "VirtualLights/vtkIndirectSkyProjection.h"
 #include "vtkMath.h"
 
 namespace
@@ -31,10 +32,12 @@ size_t FindNearest(const glm::dvec3& direction, const std::vector<glm::dvec3>& l
 
 //------------------------------------------------------------------------------
 std::vector<vtkIndirectSkyGroups::Group> vtkIndirectSkyGroups::Make(
-  vtkEnvironmentLight* environment)
+  vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment)
 {
-  const std::vector<glm::dvec3> fine = vtkIndirectDirections::MakeLattice(NumberOfFineDirections);
-  const std::vector<glm::dvec3> light = vtkIndirectDirections::Project(environment, fine);
+  const vtkIndirectSkyProjection::Result& sky =
+    projection.Find(environment, NumberOfFineDirections);
+  const std::vector<glm::dvec3>& fine = sky.Directions;
+  const std::vector<glm::dvec3>& light = sky.Light;
   const std::vector<glm::dvec3> coarse = vtkIndirectDirections::MakeLattice(NumberOfDirections);
   std::vector<Group> all;
   for (const glm::dvec3& direction : coarse)

@@ -8,6 +8,7 @@
 #include <vector>      // for lists
 
 class vtkEnvironmentLight;
+class vtkIndirectSkyProjection;
 
 namespace vtkIndirectSkyGroups
 {
@@ -25,7 +26,7 @@ constexpr int NumberOfDirections = 32;
  * Groups that send light. Their directions are fixed in the world, and all of the sky's light is in
  * them. What so much comes from that it is a group's own share, as from a sun, stands by itself.
  */
-std::vector<Group> Make(vtkEnvironmentLight* environment);
+std::vector<Group> Make(vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment);
 }
 
 #endif

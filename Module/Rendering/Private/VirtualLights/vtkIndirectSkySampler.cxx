@@ -84,7 +84,8 @@ bool vtkIndirectSkySampler::UpdateScene(const vtkIndirectFrame& frame)
 //------------------------------------------------------------------------------
 // Directions keep their places while their maps hold, also those whose light has gone: a sky that
 // turns redraws nothing. Returns whether directions have come or gone.
-bool vtkIndirectSkySampler::UpdateGroups(vtkEnvironmentLight* environment, bool anew)
+bool vtkIndirectSkySampler::UpdateGroups(
+  vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, bool anew)
 {
   const vtkMTimeType time = environment->GetMTime();
   bool changed = false;
@@ -93,7 +94,7 @@ bool vtkIndirectSkySampler::UpdateGroups(vtkEnvironmentLight* environment, bool 
     this->Environment = environment;
     this->EnvironmentTime = time;
     ++this->SourceTime;
-    GroupList lit = vtkIndirectSkyGroups::Make(environment);
+    GroupList lit = vtkIndirectSkyGroups::Make(projection, environment);
     for (vtkIndirectSkyGroups::Group& group : this->Groups)
     {
       const auto found = Find(lit, group.Number);
@@ -118,10 +119,11 @@ bool vtkIndirectSkySampler::UpdateGroups(vtkEnvironmentLight* environment, bool 
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSkySampler::DrawMaps(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-  vtkSurfaceCapturePass* capture, vtkEnvironmentLight* environment)
+  vtkSurfaceCapturePass* capture, vtkIndirectSkyProjection& projection,
+  vtkEnvironmentLight* environment)
 {
   const bool anew = this->UpdateScene(frame) || !this->MapsAreThere || !plan.Caching;
-  if (!this->UpdateGroups(environment, anew) && !anew)
+  if (!this->UpdateGroups(projection, environment, anew) && !anew)
   {
     return true;
   }

@@ -18,6 +18,7 @@
 #include <vector> // for lists
 
 class vtkEnvironmentLight;
+class vtkIndirectSkyProjection;
 class vtkReflectiveShadowMapPass;
 class vtkSurfaceCapturePass;
 struct vtkIndirectPlan;
@@ -37,7 +38,8 @@ public:
    * OpenGL cannot hold them.
    */
   bool DrawMaps(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-    vtkSurfaceCapturePass* capture, vtkEnvironmentLight* environment);
+    vtkSurfaceCapturePass* capture, vtkIndirectSkyProjection& projection,
+    vtkEnvironmentLight* environment);
   bool Update(const Input& input) override;
 
   /** Grows with what lights are made from, but their number. */
@@ -56,7 +58,8 @@ private:
   void operator=(const vtkIndirectSkySampler&) = delete;
 
   bool UpdateScene(const vtkIndirectFrame& frame);
-  bool UpdateGroups(vtkEnvironmentLight* environment, bool anew);
+  bool UpdateGroups(
+    vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, bool anew);
   bool ReadSenders(const Input& input);
 
   vtkNew<vtkReflectiveShadowMapPass> Maps;
