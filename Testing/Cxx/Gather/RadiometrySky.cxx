@@ -467,3 +467,70 @@ VTK_INDIRECT_TEST(SkyOfTheRendererInAGroove)
   };
   CompareSky(scene, counts, expect, 0.01, 0.02, "256 directions, each hard");
 }
+
+// A sun shines from where it is, and its shadow falls there, wherever that is between directions.
+VTK_INDIRECT_TEST(SkySunIsWhereItIs)
+{
+  constexpr int columns = 512;
+  constexpr int rows = 256;
+  for (const int row : { 150, 171, 193, 210 })
+  {
+    const int column = 3 * row % columns;
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(columns, rows, 1);
+    image->AllocateScalars(VTK_FLOAT, 3);
+    auto* p = static_cast<float*>(image->GetScalarPointer());
+    std::fill(p, p + 3 * columns * rows, 0.0f);
+    auto* sun = static_cast<float*>(image->GetScalarPointer(column, row, 0));
+    sun[0] = sun[1] = sun[2] = 1e4f;
+    vtkNew<vtkEnvironmentLight> sky;
+    sky->SetImage(image);
+    const double lower = vtkMath::Pi() * (static_cast<double>(row) / rows - 0.5);
+    const double upper = vtkMath::Pi() * ((row + 1.0) / rows - 0.5);
+    const double longitude = 2.0 * vtkMath::Pi() * ((column + 0.5) / columns - 0.5);
+    const double latitude = 0.5 * (lower + upper);
+    const glm::dvec3 way(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
+      -std::cos(latitude) * std::cos(longitude));
+    // Radiance times solid angle, times the mean sine over the pixel, over pi.
+    const double expected = 1e4 * (2.0 * vtkMath::Pi() / columns) * 0.5 *
+      (std::pow(std::sin(upper), 2) - std::pow(std::sin(lower), 2)) / vtkMath::Pi();
+
+    // A plate over a plane: its shadow is the plate, moved against the sun.
+    const double height = 0.5;
+    const glm::dvec3 moved = glm::dvec3(0, height, 0) - way * (height / way.y);
+    const double half = 0.3;
+    Scene scene(160, 160);
+    const double ground = half + 1.1 * std::max(std::abs(moved.x), std::abs(moved.z));
+    scene.AddQuad({ -ground, 0, ground }, { ground, 0, ground }, { -ground, 0, -ground }, White);
+    scene.AddQuad({ -half, height, half }, { half, height, half }, { -half, height, -half }, White);
+    scene.SetEye({ 0, 10 * ground, 0.01 }, { 0, 0, 0 }, { 0, 0, -1 }, 12, 0.1, 20 * ground);
+    SetSky(scene, sky);
+    scene.Render();
+    const Image light = scene.Copy("sky");
+    const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
+    double worst = 0.0;
+    int lit = 0;
+    int dark = 0;
+    // A texel of the sun's map, and the sun's own half width.
+    const double edge = 4.0 * ground / 1024 + height / way.y * 2.0 * vtkMath::Pi() / columns;
+    for (size_t i = 0; i < receivers.size(); ++i)
+    {
+      const Scene::Receiver& r = receivers[i];
+      if (!r.Lit || r.Position.y > 0.1)
+      {
+        continue;
+      }
+      const glm::dvec2 from = glm::abs(glm::dvec2(r.Position.x - moved.x, r.Position.z - moved.z));
+      const double outside = std::max(from.x, from.y) - half;
+      if (std::abs(outside) > edge)
+      {
+        (outside > 0.0 ? lit : dark) += 1;
+        const double e = outside > 0.0 ? expected : 0.0;
+        worst = std::max(worst, std::abs(light.Values[3 * i] - e) / expected);
+      }
+    }
+    const std::string name = "sun at " + std::to_string(glm::degrees(latitude)) + " degrees: ";
+    Check(name + "light and shadow are seen", lit > 500 && dark > 100, "a test of nothing passes");
+    CheckAtMost(name + "largest error over its light", worst, 0.002, "its pixel of 0.7 degrees");
+  }
+}

@@ -84,11 +84,11 @@ void vtkIndirectSkyDirections::FindLight(
   {
     if (Sum(light[i]) > StrongShare * total)
     {
-      this->Strong.push_back({ i, light[i] });
+      this->Strong.push_back({ i, light[i], sky.Middles[i] });
     }
     else if (Sum(light[i]) > 0.0)
     {
-      others.push_back({ i, light[i] });
+      others.push_back({ i, light[i], this->Lattice[i] });
     }
   }
   this->Flux.assign(static_cast<size_t>(Pieces) * Pieces, glm::dvec3(0.0));
@@ -165,7 +165,7 @@ std::vector<vtkIndirectSkyDirections::Summand> vtkIndirectSkyDirections::Share(
   {
     if (Sum(light[number]) > 0.0)
     {
-      shared.push_back({ number, light[number] });
+      shared.push_back({ number, light[number], this->Lattice[number] });
     }
   }
   return shared;

@@ -23,9 +23,11 @@ public:
   {
     size_t Number; // of the direction
     glm::dvec3 Light;
+    glm::dvec3 Direction; // unit, to where it comes from: of what is strong and narrow its middle
     bool operator==(const Summand& other) const
     {
-      return this->Number == other.Number && this->Light == other.Light;
+      return this->Number == other.Number && this->Light == other.Light &&
+        this->Direction == other.Direction;
     }
   };
 

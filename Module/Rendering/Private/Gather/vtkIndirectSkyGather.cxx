@@ -71,27 +71,24 @@ void vtkIndirectSkyGather::UpdateDirections(const Input& input)
   }
   ++this->ContentTime;
   this->OpenSkyIsThere = false;
-  Group& strong = this->Groups[Strong];
-  std::vector<size_t> numbers;
+  std::vector<glm::dvec3> directions[NumberOfGroups];
   for (const Summand& summand : this->Directions.GetStrong())
   {
-    numbers.push_back(summand.Number);
-  }
-  if (numbers != strong.Numbers)
-  {
-    strong.Numbers = std::move(numbers);
-    strong.Emitters.clear();
+    directions[Strong].push_back(summand.Direction);
   }
   // A place for each, whether light comes from there or not: it may when the environment is turned.
-  Group& others = this->Groups[Others];
-  if (others.Numbers.size() != static_cast<size_t>(still))
+  for (int i = 0; i < still; ++i)
   {
-    others.Numbers.clear();
-    for (int i = 0; i < still; ++i)
+    directions[Others].push_back(this->Directions.GetDirection(static_cast<size_t>(i)));
+  }
+  for (int i = 0; i < NumberOfGroups; ++i)
+  {
+    Group& group = this->Groups[i];
+    if (group.Directions != directions[i])
     {
-      others.Numbers.push_back(static_cast<size_t>(i));
+      group.Directions = std::move(directions[i]);
+      group.Emitters.clear();
     }
-    others.Emitters.clear();
   }
 }
 
@@ -108,15 +105,14 @@ void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
   this->FitKey = std::move(key);
   for (Group& group : this->Groups)
   {
-    if (fits && group.Emitters.size() == group.Numbers.size())
+    if (fits && group.Emitters.size() == group.Directions.size())
     {
       continue;
     }
-    group.Emitters.resize(group.Numbers.size());
-    for (size_t k = 0; k < group.Numbers.size(); ++k)
+    group.Emitters.resize(group.Directions.size());
+    for (size_t k = 0; k < group.Directions.size(); ++k)
     {
-      group.Emitters[k].Tile =
-        vtkIndirectDepthTile::FromDirection(frame, this->Directions.GetDirection(group.Numbers[k]));
+      group.Emitters[k].Tile = vtkIndirectDepthTile::FromDirection(frame, group.Directions[k]);
       group.Emitters[k].Turn = k;
     }
   }

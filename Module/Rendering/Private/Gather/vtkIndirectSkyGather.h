@@ -80,7 +80,7 @@ private:
   // Directions whose maps are alike.
   struct Group
   {
-    std::vector<size_t> Numbers; // of directions that have a place in the atlas
+    std::vector<glm::dvec3> Directions; // that have a place in the atlas
     std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
     int Texels = 0;
     vtkIndirectDepthAtlas Atlas;

@@ -54,7 +54,7 @@ std::vector<vtkIndirectSkyGroups::Group> vtkIndirectSkyGroups::Make(
     const glm::dvec3 strength = light[i] / vtkMath::Pi();
     if (Sum(light[i]) * NumberOfDirections > total)
     {
-      all.push_back({ NumberOfDirections + static_cast<int>(i), fine[i], strength });
+      all.push_back({ NumberOfDirections + static_cast<int>(i), sky.Middles[i], strength });
     }
     else
     {

@@ -21,6 +21,11 @@ public:
     std::vector<glm::dvec3> Directions; // a nested lattice, see vtkIndirectDirections
     std::vector<size_t> Nearest;        // a direction for each of the environment's cells
     std::vector<glm::dvec3> Light;      // of directions: radiance times solid angle
+    /**
+     * Where that light comes from, unit: the middle of what is narrow, such as a sun; else the
+     * direction itself, so that a sky that turns changes weights alone.
+     */
+    std::vector<glm::dvec3> Middles;
   };
 
   /** That by so many directions, of the environment as it is; kept while it is the same. */

@@ -83,7 +83,8 @@ bool vtkIndirectSkySampler::UpdateScene(const vtkIndirectFrame& frame)
 
 //------------------------------------------------------------------------------
 // Directions keep their places while their maps hold, also those whose light has gone: a sky that
-// turns redraws nothing. Returns whether directions have come or gone.
+// turns redraws nothing. Returns whether directions have come, gone or
+// moved, as that of a sun does.
 bool vtkIndirectSkySampler::UpdateGroups(
   vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, bool anew)
 {
@@ -101,10 +102,12 @@ bool vtkIndirectSkySampler::UpdateGroups(
       group.Strength = found != lit.end() ? found->Strength : glm::dvec3(0.0);
       if (found != lit.end())
       {
+        changed = changed || group.Direction != found->Direction;
+        group.Direction = found->Direction;
         lit.erase(found);
       }
     }
-    changed = !lit.empty();
+    changed = changed || !lit.empty();
     this->Groups.insert(this->Groups.end(), lit.begin(), lit.end());
   }
   if (anew || this->Groups.size() > MostMaps)
