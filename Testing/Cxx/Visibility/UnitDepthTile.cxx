@@ -168,3 +168,95 @@ VTK_INDIRECT_TEST(DepthTileSeesOverPlanes)
   CheckEqual("otherwise than the plane says", wrong, 0);
   Check("of both kinds", seen > 1000 && hidden > 1000);
 }
+
+// Whatever hides a receiver has its place in the tile, also where flat casters reach beyond it.
+VTK_INDIRECT_TEST(DepthTileHasAllThatHides)
+{
+  Random random(29);
+  int blocked = 0;
+  int missed = 0;
+  double smallest = 1.0;
+  for (int scene = 0; scene < 300; ++scene)
+  {
+    vtkIndirectFrame frame;
+    for (int k = 0; k < 5; ++k)
+    {
+      vtkIndirectCaster caster;
+      const int across = static_cast<int>(random.Next(0.0, 3.0));
+      const bool flat = random.Next() < 0.7;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        // Planes that meet, lie in each other, or pass.
+        const double middle = 0.1 * std::floor(random.Next(-4.0, 5.0));
+        const double half = flat && axis == across ? 0.0 : 0.05 * std::floor(random.Next(1.0, 8.0));
+        caster.Bounds[2 * axis] = middle - half;
+        caster.Bounds[2 * axis + 1] = middle + half;
+      }
+      frame.Casters.push_back(caster);
+    }
+    glm::dvec3 toLight = random.NextDirection();
+    if (scene % 10 == 0)
+    {
+      toLight = glm::normalize(glm::dvec3(toLight.x, 0.0, toLight.z)); // along planes
+    }
+    const vtkIndirectDepthTile tile = vtkIndirectDepthTile::FromDirection(frame, toLight);
+    smallest = std::min(smallest, std::min(tile.HalfWidth.x, tile.HalfWidth.y));
+    for (int i = 0; i < 400; ++i)
+    {
+      // From a point of one caster towards the light, through the bounds of another, or its own.
+      const double* const from = frame.Casters[static_cast<size_t>(random.Next(0.0, 5.0))].Bounds;
+      const glm::dvec3 p(random.Next(from[0], from[1]), random.Next(from[2], from[3]),
+        random.Next(from[4], from[5]));
+      const double* const b = frame.Casters[static_cast<size_t>(random.Next(0.0, 5.0))].Bounds;
+      double near = 1e-6;
+      double far = 10.0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        if (toLight[axis] == 0.0)
+        {
+          far = p[axis] > b[2 * axis] && p[axis] < b[2 * axis + 1] ? far : -1.0;
+          continue;
+        }
+        const double first = (b[2 * axis] - p[axis]) / toLight[axis];
+        const double second = (b[2 * axis + 1] - p[axis]) / toLight[axis];
+        near = std::max(near, std::min(first, second));
+        far = std::min(far, std::max(first, second));
+      }
+      if (near > far)
+      {
+        continue;
+      }
+      ++blocked;
+      const glm::dvec3 d = p - tile.Place;
+      const bool inside = std::abs(glm::dot(d, tile.Right)) <= tile.HalfWidth.x &&
+        std::abs(glm::dot(d, tile.Up)) <= tile.HalfWidth.y;
+      const glm::dvec3 q = d + near * toLight;
+      const double depth = glm::dot(q, tile.Forward);
+      missed += inside && depth >= tile.Near && depth <= tile.Far ? 0 : 1;
+    }
+  }
+  CheckAtLeast("segments that something blocks", blocked, 5000, "the test's own power");
+  CheckEqual("of which the tile does not have both ends", missed, 0);
+  // A ground under a ball.
+  vtkIndirectFrame frame;
+  for (const double half : { 0.5, 0.01 })
+  {
+    vtkIndirectCaster caster;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool flat = axis == 1 && half > 0.1;
+      caster.Bounds[2 * axis] = axis == 1 ? 0.0 : -half;
+      caster.Bounds[2 * axis + 1] = flat ? 0.0 : axis == 1 ? 2.0 * half : half;
+    }
+    frame.Casters.push_back(caster);
+  }
+  double widest = 0.0;
+  for (int i = 0; i < 200; ++i)
+  {
+    const glm::dvec2 half =
+      vtkIndirectDepthTile::FromDirection(frame, random.NextDirection()).HalfWidth;
+    widest = std::max({ widest, half.x, half.y });
+  }
+  CheckAtMost("half width of tiles over that of the ball", widest / 0.01, 1.01 * std::sqrt(3.0),
+    "the diagonal of its bounds, and the margin");
+}

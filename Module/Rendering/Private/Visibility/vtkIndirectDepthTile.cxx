@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -26,6 +27,75 @@ void FrameAlong(const glm::dvec3& n, glm::dvec3& x, glm::dvec3& y)
   vtkIndirectKernels::vtkiFrameAlong(glm::vec3(n), first, second);
   x = first;
   y = second;
+}
+
+// A caster that lies in a plane across an axis: it hides nothing of itself.
+struct FlatCaster
+{
+  size_t Number;
+  int Axis;
+  double Area; // world
+};
+
+// The largest ones; more are not worth the pairs.
+std::vector<FlatCaster> FindFlat(const vtkIndirectFrame& frame)
+{
+  constexpr size_t most = 16;
+  const double flat = 1e-6 / frame.SceneScale;
+  std::vector<FlatCaster> found;
+  for (size_t i = 0; i < frame.Casters.size(); ++i)
+  {
+    const double* const b = frame.Casters[i].Bounds;
+    const double size[3] = { b[1] - b[0], b[3] - b[2], b[5] - b[4] };
+    const int axis = static_cast<int>(std::min_element(size, size + 3) - size);
+    if (size[axis] <= flat)
+    {
+      found.push_back({ i, axis, size[(axis + 1) % 3] * size[(axis + 2) % 3] });
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+    [](const FlatCaster& a, const FlatCaster& b) { return a.Area > b.Area; });
+  found.resize(std::min(found.size(), most));
+  return found;
+}
+
+// Whether a flat caster keeps none of this light from another: that lies on the side of its plane
+// that the light comes from.
+bool LeavesLit(
+  const vtkIndirectFrame& frame, const FlatCaster& flat, size_t other, const glm::dvec3& toLight)
+{
+  const int axis = flat.Axis;
+  const double* const plane = frame.Casters[flat.Number].Bounds + 2 * axis;
+  const double* const bounds = frame.Casters[other].Bounds + 2 * axis;
+  const double along = toLight[axis];
+  return along == 0.0 || (along > 0.0 ? bounds[0] >= plane[0] : bounds[1] <= plane[1]);
+}
+
+// Which casters may reach beyond the tile.
+std::vector<char> FindOutlying(const vtkIndirectFrame& frame, const glm::dvec3& toLight)
+{
+  std::vector<char> outlying(frame.Casters.size(), 0);
+  std::vector<FlatCaster> chosen;
+  for (const FlatCaster& flat : FindFlat(frame))
+  {
+    const bool fits = std::all_of(chosen.begin(), chosen.end(),
+      [&](const FlatCaster& other)
+      {
+        return LeavesLit(frame, flat, other.Number, toLight) &&
+          LeavesLit(frame, other, flat.Number, toLight);
+      });
+    if (fits)
+    {
+      chosen.push_back(flat);
+      outlying[flat.Number] = 1;
+    }
+  }
+  // Something must be fitted.
+  if (chosen.size() == frame.Casters.size())
+  {
+    std::fill(outlying.begin(), outlying.end(), char{ 0 });
+  }
+  return outlying;
 }
 }
 
@@ -55,15 +125,22 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
   FrameAlong(toLight, tile.Right, tile.Up);
   glm::dvec3 lower(std::numeric_limits<double>::infinity());
   glm::dvec3 upper = -lower;
-  for (const vtkIndirectCaster& caster : frame.Casters)
+  const std::vector<char> outlying = FindOutlying(frame, toLight);
+  for (size_t k = 0; k < frame.Casters.size(); ++k)
   {
     for (int i = 0; i < 8; ++i)
     {
-      const glm::dvec3 corner = ToScene(frame, caster.Bounds, i);
+      const glm::dvec3 corner = ToScene(frame, frame.Casters[k].Bounds, i);
       const glm::dvec3 p(
         glm::dot(corner, tile.Right), glm::dot(corner, tile.Up), glm::dot(corner, toLight));
-      lower = glm::min(lower, p);
-      upper = glm::max(upper, p);
+      // Depths of all: what reaches out is drawn within the tile.
+      lower.z = std::min(lower.z, p.z);
+      upper.z = std::max(upper.z, p.z);
+      if (!outlying[k])
+      {
+        lower = glm::min(lower, p);
+        upper = glm::max(upper, p);
+      }
     }
   }
   // A margin keeps the outermost from falling on the edge; what is flat has an extent, too.

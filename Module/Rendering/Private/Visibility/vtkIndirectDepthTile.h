@@ -21,7 +21,11 @@ struct vtkIndirectDepthTile
 
   /** The tile of a place that sends light along its normal, as shaders look it up. */
   static vtkIndirectDepthTile FromPlace(const glm::dvec3& place, const glm::dvec3& normal);
-  /** The tile of light that comes from a direction, fitted to what casts shadows. */
+  /**
+   * The tile of light that comes from a direction, fitted to what casts shadows. Where a caster
+   * hides a receiver, both have the same place in the tile: so the largest of those that are flat
+   * along an axis of the world and hide nothing of each other, such as a ground, may reach out.
+   */
   static vtkIndirectDepthTile FromDirection(
     const vtkIndirectFrame& frame, const glm::dvec3& toLight);
 
