@@ -534,3 +534,19 @@ VTK_INDIRECT_TEST(SkySunIsWhereItIs)
     CheckAtMost(name + "largest error over its light", worst, 0.002, "its pixel of 0.7 degrees");
   }
 }
+
+// A coarse body that is shaded smoothly: on the round one that it stands for nothing hides the sky.
+VTK_INDIRECT_TEST(SkyOfCoarseFacets)
+{
+  for (const int resolution : { 24, 32, 64 })
+  {
+    Scene scene(200, 200);
+    scene.AddSphere({ 0, 0, 0 }, 1.0, resolution, White);
+    scene.SetEye({ 1.2, 1.0, 6 }, { 0, 0, 0 }, { 0, 1, 0 }, 22, 0.1, 10);
+    vtkNew<vtkEnvironmentLight> sky;
+    SetSky(scene, sky);
+    CompareSky(
+      scene, Any, [](const Scene::Receiver&) { return 1.0; }, 0.003, 0.01,
+      "outlines, where a pixel's facet is not known; by shading normals alone 0.02 of 24");
+  }
+}

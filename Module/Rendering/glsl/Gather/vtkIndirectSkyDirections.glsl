@@ -48,29 +48,69 @@ bool vtkiIsSkySeen(vec2 first, vec2 at, vec2 centre, float depth, float facing, 
 }
 #endif
 
-// Irradiance, and in the fourth component its sum over the colours if nothing hid it.
-vec4 vtkiFromSky(vtkiSkyDirection sky, vec3 position, vec3 normal)
+// Two pixels beside the receiver lie on its facet where their heights over the plane of the shading normal differ
+// by less than this share of the way to the nearer one.
+const float VTKI_SKY_FACET_EDGE = 0.05f;
+
+// Along an axis of the image, on the receiver's facet: through both neighbours, or to the one that lies nearer to
+// the plane of the shading normal where an edge is between. ray: of the receiver's pixel; view.
+vec3 vtkiFindTangent(vec2 place, int axis, vec3 ray, vtkiReceiver receiver)
+{
+  float width = 1.0f / float(vtkiSize[axis]);
+  vec2 beside = axis == 0 ? vec2(width, 0.0f) : vec2(0.0f, width);
+  float depthBack = vtkiSurfaceDepth(textureLod(vtkiSurface, place - beside, 0.0f));
+  float depthAhead = vtkiSurfaceDepth(textureLod(vtkiSurface, place + beside, 0.0f));
+  vec3 originStep = (2.0f * width) * vtkiRayOrigin[axis];
+  vec3 rayStep = (2.0f * width) * vtkiRayDirection[axis];
+  vec3 back = (depthBack - receiver.depth) * ray - (originStep + depthBack * rayStep);
+  vec3 ahead = (depthAhead - receiver.depth) * ray + (originStep + depthAhead * rayStep);
+  float heightBack = abs(dot(back, receiver.normalVC));
+  float heightAhead = abs(dot(ahead, receiver.normalVC));
+  float nearer = VTKI_SKY_FACET_EDGE * sqrt(min(dot(back, back), dot(ahead, ahead)));
+  return abs(heightBack - heightAhead) <= nearer ? ahead - back : (heightBack < heightAhead ? -back : ahead);
+}
+
+// The normal of the facet that the receiver lies on, which its shading normal is interpolated over; scene.
+vec3 vtkiFindFacet(ivec2 pixel, vtkiReceiver receiver)
+{
+  vec2 place = (vec2(pixel) + 0.5f) / vec2(vtkiSize);
+  vec3 ray = vtkiRayDirection * vec3(2.0f * place - 1.0f, 1.0f);
+  vec3 facet = normalize(
+    cross(vtkiFindTangent(place, 0, ray, receiver), vtkiFindTangent(place, 1, ray, receiver)));
+  float along = dot(facet, receiver.normalVC);
+  // What is thin or bent more has no facet here.
+  return abs(along) > 0.5f ? mat3(vtkiViewToScene) * (sign(along) * facet) : receiver.normal;
+}
+
+// Irradiance, and in the fourth component its sum over the colours if nothing hid it. facet: the normal of the
+// receiver's plane. Directions below that plane, which the shading normal faces still, take no part: of the curved
+// surface that facets stand for they are not hidden.
+vec4 vtkiFromSky(vtkiSkyDirection sky, vec3 position, vec3 normal, vec3 facet)
 {
   float facing = max(-dot(normal, sky.down.xyz), 0.0f);
+#ifndef VTKI_FILTERED
+  facing = dot(facet, sky.down.xyz) < 0.0f ? facing : 0.0f;
+#endif
   float seen = 1.0f;
 #ifdef VTKI_VISIBILITY
   vec2 at = vec2(
     dot(sky.right.xyz, position) + sky.right.w, dot(sky.up.xyz, position) + sky.up.w);
   float depth = dot(sky.down.xyz, position) + sky.down.w;
-  vec2 slope = vec2(dot(normal, sky.right.xyz), dot(normal, sky.up.xyz)) * sky.place.zw;
+  vec2 slope = vec2(dot(facet, sky.right.xyz), dot(facet, sky.up.xyz)) * sky.place.zw;
+  float open = max(-dot(facet, sky.down.xyz), 0.0f);
   vec2 tile = sky.place.xy;
 #ifdef VTKI_FILTERED
   // The four nearest texels, so that the edge of a shadow is as wide as one of them.
   vec2 first = floor(at - 0.5f) + 0.5f;
   vec2 blend = at - first;
-  vec4 four = vec4(vtkiIsSkySeen(tile, at, first, depth, facing, slope),
-    vtkiIsSkySeen(tile, at, first + vec2(1.0f, 0.0f), depth, facing, slope),
-    vtkiIsSkySeen(tile, at, first + vec2(0.0f, 1.0f), depth, facing, slope),
-    vtkiIsSkySeen(tile, at, first + 1.0f, depth, facing, slope));
+  vec4 four = vec4(vtkiIsSkySeen(tile, at, first, depth, open, slope),
+    vtkiIsSkySeen(tile, at, first + vec2(1.0f, 0.0f), depth, open, slope),
+    vtkiIsSkySeen(tile, at, first + vec2(0.0f, 1.0f), depth, open, slope),
+    vtkiIsSkySeen(tile, at, first + 1.0f, depth, open, slope));
   vec2 rows = mix(four.xz, four.yw, blend.x);
   seen = mix(rows.x, rows.y, blend.y);
 #else
-  seen = vtkiIsSkySeen(tile, at, floor(at) + 0.5f, depth, facing, slope) ? 1.0f : 0.0f;
+  seen = vtkiIsSkySeen(tile, at, floor(at) + 0.5f, depth, open, slope) ? 1.0f : 0.0f;
 #endif
 #endif
   return vec4((facing * seen) * sky.light.rgb, facing * sky.light.w);

@@ -28,6 +28,7 @@ void main()
 #endif
   vec3 position[VTKI_SKY_PIXELS];
   vec3 normal[VTKI_SKY_PIXELS];
+  vec3 facet[VTKI_SKY_PIXELS];
   bool lit[VTKI_SKY_PIXELS];
   vec4 sum[VTKI_SKY_PIXELS];
   bool any = false;
@@ -42,6 +43,12 @@ void main()
     lit[k] = vtkiFetchReceiver(pixel, receiver);
     position[k] = receiver.position;
     normal[k] = receiver.normal;
+    // Of 256 directions at a pixel it is a small part, of 16 it would be a fourth.
+#if VTKI_SKY_PIXELS > 1
+    facet[k] = vtkiFindFacet(pixel, receiver);
+#else
+    facet[k] = receiver.normal;
+#endif
     sum[k] = vec4(0.0f);
     any = any || lit[k];
   }
@@ -51,7 +58,7 @@ void main()
     vtkiSkyDirection sky = vtkiFetchSkyDirection(i);
     for (int k = 0; k < VTKI_SKY_PIXELS; ++k)
     {
-      sum[k] += vtkiFromSky(sky, position[k], normal[k]);
+      sum[k] += vtkiFromSky(sky, position[k], normal[k], facet[k]);
     }
   }
   gl_FragData[0] = lit[0] ? sum[0] : vec4(0.0f);

@@ -110,7 +110,7 @@ void main()
   int count = covered ? 0 : vtkiSkyCount;
   for (int i = 0; i < count; ++i)
   {
-    own += vtkiFromSky(vtkiFetchSkyDirection(i), receiver.position, receiver.normal);
+    own += vtkiFromSky(vtkiFetchSkyDirection(i), receiver.position, receiver.normal, receiver.normal);
   }
   sum = covered ? sum : own;
 #endif
