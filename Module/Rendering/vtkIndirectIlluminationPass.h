@@ -117,17 +117,19 @@ public:
   /**
    * What lights the opaque props. SCENE (default): the renderer's lights, and Environment. The
    * others are presets, which take the place of the renderer's lights while the frame is drawn, and
-   * follow the camera: SOFT, a sky that is brighter above the viewer, and a weak headlight: no
-   * visible hard shadow. GENTLE, half as much of the sky and more of the headlight: less contrast.
-   * FULL, a key light with shadows, a sky and a headlight. STUDIO, a kit of key, fill and rim
-   * lights, each a soft lobe of a sky. Where the renderer has a kit of its own (two or more
-   * directional lights that follow the camera, such as vtkLightKit), FULL and STUDIO have the
-   * directions, colours and ratios of that one. All are the stronger the renderer's lights are that
-   * follow the camera.
+   * follow the camera. Each keeps a share of the renderer's lights as VTK draws them, without
+   * shadows, 0.6, GENTLE 0.8; and in place of the rest SOFT and GENTLE have a sky that is brighter
+   * where these lights come from in the mean: no hard shadow. FULL has the brightest as a key light
+   * with shadows, and the others as soft lobes of a sky; STUDIO has all of them as lobes. In place
+   * of a headlight FULL and STUDIO have a key, a fill and rims of their own. The renderer's lights
+   * are those that are directional and follow its camera, such as vtkLightKit's; where it has
+   * others a headlight of strength 1 stands for them.
    *
-   * Strengths are such that pictures are about as bright as those of plain VTK; see the guide. An
-   * Environment that is set takes the place of the preset's sky. Translucent props, volumes and
-   * annotation keep the renderer's lights. With IndirectScale 0 there is no sky, and no preset.
+   * A ball that nothing hides is 1.08 (GENTLE 1.04) times as bright as in plain VTK, which makes
+   * good for light that objects hide from themselves; see the guide. The kept lights are too bright
+   * where something hides them, and nothing is reflected of them. An Environment that is set takes
+   * the place of the preset's sky. Translucent props, volumes and annotation keep the renderer's
+   * lights. With IndirectScale 0 there is no sky, and no preset.
    */
   vtkIndirectClampMacro(Lighting, int, SCENE, STUDIO);
   void SetLightingToScene() { this->SetLighting(SCENE); }

@@ -212,7 +212,7 @@ VTK_INDIRECT_TEST(LightingTurns)
       std::cout << "lighting " << preset << ": differs by " << difference.Mean / mean
                 << " of the mean " << mean << "\n";
       CONTRACT_CHECK(difference.Mean < 0.03 * mean, difference);
-      CONTRACT_CHECK(mean > 0.05, "the sky is dark: " << mean);
+      CONTRACT_CHECK(mean > 0.02, "the sky is dark: " << mean);
     }
   }
 }

@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace vtkIndirectTest;
 
@@ -14,29 +17,69 @@ namespace
 {
 // Irradiance of a surface with this normal that nothing hides the sky from: (1 / pi) times the
 // integral of radiance and cosine, by rings around the normal.
-glm::dvec3 FindIrradiance(const vtkIndirectLightRig& rig, const glm::dvec3& normal)
+glm::dvec3 FindIrradiance(
+  const vtkIndirectLightRig& rig, const glm::dvec3& normal, const int count = 256)
 {
   const glm::dvec3 helper = std::abs(normal.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 x = glm::normalize(glm::cross(helper, normal));
   const glm::dvec3 y = glm::cross(normal, x);
-  constexpr int Rings = 256;
-  constexpr int Sectors = 256;
   glm::dvec3 sum(0.0);
-  for (int i = 0; i < Rings; ++i)
+  for (int i = 0; i < count; ++i)
   {
     // Rings of equal projected area.
-    const double s = std::sqrt((i + 0.5) / Rings);
-    for (int k = 0; k < Sectors; ++k)
+    const double s = std::sqrt((i + 0.5) / count);
+    for (int k = 0; k < count; ++k)
     {
-      const double angle = 2.0 * vtkMath::Pi() * (k + 0.5) / Sectors;
+      const double angle = 2.0 * vtkMath::Pi() * (k + 0.5) / count;
       sum += rig.GetRadiance(
         s * (std::cos(angle) * x + std::sin(angle) * y) + std::sqrt(1.0 - s * s) * normal);
     }
   }
-  return sum / static_cast<double>(Rings * Sectors);
+  return sum / static_cast<double>(count * count);
 }
 
 const char* const Quadrature = "quadrature by 65536 directions";
+
+// Mean irradiance of a ball that a camera far away along z sees: over its disk, all lights but the
+// sky by their cosines.
+double FindIrradianceOfBall(const vtkIndirectLightRig& rig, bool sky)
+{
+  constexpr int Rings = 12;
+  constexpr int Sectors = 24;
+  double sum = 0.0;
+  for (int i = 0; i < Rings; ++i)
+  {
+    const double s = std::sqrt((i + 0.5) / Rings);
+    for (int k = 0; k < Sectors; ++k)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * (k + 0.5) / Sectors;
+      const glm::dvec3 n(s * std::cos(angle), s * std::sin(angle), std::sqrt(1.0 - s * s));
+      glm::dvec3 color = sky ? FindIrradiance(rig, n, 32) : glm::dvec3(0.0);
+      color += std::max(glm::dot(n, rig.Key.Direction), 0.0) * rig.Key.Color;
+      for (const vtkIndirectLamp& fill : rig.Fills)
+      {
+        color += std::max(glm::dot(n, fill.Direction), 0.0) * fill.Color;
+      }
+      sum += (color.x + color.y + color.z) / 3.0;
+    }
+  }
+  return sum / (Rings * Sectors);
+}
+
+// vtkLightKit's: a headlight, a key, a fill and two at the back.
+std::vector<vtkIndirectLamp> MakeKit()
+{
+  auto lamp = [](double elevation, double azimuth, const glm::dvec3& color) {
+    return vtkIndirectLamp{ vtkIndirectLightRig::FromAngles(elevation, azimuth), color };
+  };
+  return { { { 0, 0, 1 }, glm::dvec3(0.25) }, lamp(50, 10, { 0.75, 0.729, 0.677 }),
+    lamp(-75, 0, { 0.227, 0.233, 0.25 }), lamp(0, 110, glm::dvec3(0.214)),
+    lamp(0, -110, glm::dvec3(0.214)) };
+}
+
+const std::pair<int, const char*> Presets[] = { { vtkIndirectLightingSoft, "soft" },
+  { vtkIndirectLightingFull, "full" }, { vtkIndirectLightingGentle, "gentle" },
+  { vtkIndirectLightingStudio, "studio" } };
 }
 
 VTK_INDIRECT_TEST(LightRigLobes)
@@ -64,17 +107,92 @@ VTK_INDIRECT_TEST(LightRigLobes)
     "everywhere the same", FindIrradiance(everywhere, { 0, 1, 0 }).x, 0.7, 1e-12, "rounding");
 }
 
+// What presets are made to hold: a ball is as bright as with the renderer's own lights, times what
+// makes good for light that objects hide from themselves.
+VTK_INDIRECT_TEST(LightRigBall)
+{
+  const char* const why = "quadrature by 288 normals and 1024 directions";
+  Random random(11);
+  std::vector<vtkIndirectLamp> three;
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3 color(random.Next(), random.Next(), random.Next());
+    three.push_back({ random.NextDirection(), color });
+  }
+  const std::pair<const char*, std::vector<vtkIndirectLamp>> sets[] = {
+    { "a headlight", { { { 0, 0, 1 }, glm::dvec3(0.7) } } }, { "vtkLightKit", MakeKit() },
+    { "a light from the side", { { { 0.8, 0, 0.6 }, { 1.0, 0.5, 0.2 } } } },
+    { "three anywhere", three },
+    { "two that balance each other",
+      { { { 1, 0, 0 }, glm::dvec3(0.5) }, { { -1, 0, 0 }, glm::dvec3(0.5) } } }
+  };
+  for (const auto& [name, lamps] : sets)
+  {
+    vtkIndirectLightRig own;
+    own.Fills = lamps;
+    const double plain = FindIrradianceOfBall(own, false);
+    CheckRelative(std::string(name) + ", in closed form", own.GetIrradianceOfBall(), plain, 0.01,
+      "quadrature by 288 normals");
+    for (const auto& [preset, title] : Presets)
+    {
+      const vtkIndirectLightRig rig = vtkIndirectLightRig::Make(preset, lamps);
+      const double kept = preset == vtkIndirectLightingGentle ? 0.8 : 0.6;
+      CheckRelative(std::string(name) + ", " + title, FindIrradianceOfBall(rig, true),
+        (kept + (1.0 - kept) / 0.83) * plain, 0.01, why);
+    }
+  }
+}
+
+// The sky of soft sends as much, and as much of it from one side, as the lights in whose place it
+// is: both sums over all directions, the vector in whichever direction it has.
+VTK_INDIRECT_TEST(LightRigSoftSky)
+{
+  const std::vector<vtkIndirectLamp> kit = MakeKit();
+  const vtkIndirectLightRig rig = vtkIndirectLightRig::Make(vtkIndirectLightingSoft, kit);
+  double scalar = 0.0;
+  glm::dvec3 vector(0.0);
+  for (const vtkIndirectLamp& lamp : kit)
+  {
+    scalar += lamp.Color.y;
+    vector += lamp.Color.y * lamp.Direction;
+  }
+  double skyScalar = 0.0;
+  glm::dvec3 skyVector(0.0);
+  constexpr int Count = 200000;
+  for (int i = 0; i < Count; ++i)
+  {
+    // A spiral from pole to pole, of equal areas.
+    const double z = 1.0 - 2.0 * (i + 0.5) / Count;
+    const double angle = vtkMath::Pi() * (3.0 - std::sqrt(5.0)) * i;
+    const double r = std::sqrt(1.0 - z * z);
+    const glm::dvec3 direction(r * std::cos(angle), r * std::sin(angle), z);
+    const double radiance = rig.GetRadiance(direction).y * 4.0 / Count;
+    skyScalar += radiance;
+    skyVector += radiance * direction;
+  }
+  CheckRelative("vector over scalar irradiance", glm::length(skyVector) / skyScalar,
+    glm::length(vector) / scalar, 0.01, "the lights' colours differ in direction");
+  CheckAtLeast("cosine between the vectors",
+    glm::dot(glm::normalize(skyVector), glm::normalize(vector)), 0.999,
+    "the lights' colours differ in direction");
+}
+
 VTK_INDIRECT_TEST(LightRigKit)
 {
   std::vector<vtkIndirectLamp> kit = { { { 0, 0, 1 }, { 0.2, 0.2, 0.2 } },
     { { 0, 1, 0 }, { 0.9, 0.6, 0.3 } }, { { 1, 0, 0 }, { 0.0, 0.1, 0.4 } } };
   const vtkIndirectLightRig studio = vtkIndirectLightRig::Make(vtkIndirectLightingStudio, kit);
   CheckEqual("lobes of studio", static_cast<double>(studio.Lobes.size()), 2.0);
-  Check("what comes from the viewer has no visible shadow", studio.Headlight.x > 0.0);
+  CheckEqual("all are kept", static_cast<double>(studio.Fills.size()), 3.0);
+  Check("of what comes from the viewer all is, as no shadow of it is visible",
+    studio.Fills[0].Direction == kit[0].Direction && studio.Fills[0].Color.x > 0.6 * 0.2);
   Check("studio has no key", studio.Key.Color == glm::dvec3(0.0));
   const vtkIndirectLightRig full = vtkIndirectLightRig::Make(vtkIndirectLightingFull, kit);
   CheckEqual("lobes of full", static_cast<double>(full.Lobes.size()), 1.0);
+  CheckEqual("fills of full", static_cast<double>(full.Fills.size()), 2.0);
   Check("the brightest is the key", full.Key.Direction == kit[1].Direction);
+  CheckRelative("shadows leave of it what is kept of every light",
+    (1.0 - full.KeyShadow) * full.Key.Color.x, 0.6 * 0.9, 1e-12, "rounding");
   for (const vtkIndirectLightRig& rig : { studio, full })
   {
     for (const auto& lobe : rig.Lobes)
@@ -87,19 +205,21 @@ VTK_INDIRECT_TEST(LightRigKit)
     }
   }
   CheckRelative("the key keeps its ratio to the others",
-    full.Key.Color.z / full.Lobes[0].Lamp.Color.z, 0.3 / 0.4, 1e-12, "rounding");
+    full.KeyShadow * full.Key.Color.z / full.Lobes[0].Lamp.Color.z, 0.3 / 0.4, 1e-12, "rounding");
 
-  // A headlight alone is no kit: only its strength counts.
-  for (const int preset : { vtkIndirectLightingStudio, vtkIndirectLightingFull })
+  // No lights are a headlight, and all goes with its strength.
+  for (const auto& [preset, title] : Presets)
   {
+    const std::string name = title;
     const vtkIndirectLightRig own = vtkIndirectLightRig::Make(preset, {});
-    const vtkIndirectLightRig headlight = vtkIndirectLightRig::Make(preset, { kit[0] });
-    CheckEqual("as many lobes", static_cast<double>(headlight.Lobes.size()),
+    const vtkIndirectLightRig dim = vtkIndirectLightRig::Make(preset, { kit[0] });
+    CheckEqual(name + ", lobes", static_cast<double>(dim.Lobes.size()),
       static_cast<double>(own.Lobes.size()));
-    Check("the key's direction", own.Key.Direction == headlight.Key.Direction);
-    CheckRelative(
-      "ambient light", headlight.Ambient.x / own.Ambient.x, 0.2, 1e-12, "the headlight's strength");
-    CheckAbsolute("key", headlight.Key.Color.x, 0.2 * own.Key.Color.x, 1e-12, "rounding");
+    CheckRelative(name + ", ambient", dim.Ambient.x / own.Ambient.x, 0.2, 1e-12, "its strength");
+    CheckRelative(name + ", fill", dim.Fills.at(0).Color.x / own.Fills.at(0).Color.x, 0.2, 1e-12,
+      "its strength");
+    CheckAbsolute(name + ", key", dim.Key.Color.x, 0.2 * own.Key.Color.x, 1e-12, "rounding");
+    CheckEqual(name + ", shadow of the key", dim.KeyShadow, 1.0);
   }
 }
 
@@ -107,8 +227,7 @@ VTK_INDIRECT_TEST(LightRigKit)
 // itself: skies have neither.
 VTK_INDIRECT_TEST(LightRigSkies)
 {
-  for (const int preset : { vtkIndirectLightingSoft, vtkIndirectLightingFull,
-         vtkIndirectLightingGentle, vtkIndirectLightingStudio })
+  for (const auto& [preset, title] : Presets)
   {
     const vtkIndirectLightRig rig = vtkIndirectLightRig::Make(preset, {});
     double least = 1e30;
@@ -123,7 +242,7 @@ VTK_INDIRECT_TEST(LightRigSkies)
       most = std::max(most, radiance);
       sum += radiance;
     }
-    const std::string name = "preset " + std::to_string(preset);
+    const std::string name = title;
     CheckAtLeast(name + ", least radiance", least, 0.01, "a map for each direction");
     CheckAtMost(name + ", largest over mean radiance", most * Count / sum, 256.0 / 32.0,
       "a 256th of the sky has less than a 32nd of its light");

@@ -91,7 +91,7 @@ void vtkIndirectCaptureText::Add(
     // The only piece of light code that is matched as text: a cosine of a uniform at every pixel.
     ReplaceAll(fragmentShader, "cos(radians(lightConeAngle" + n + "))",
       vtkIndirectCaptureLights::GetConeCosine(lights));
-    if (lit && this->Shadows)
+    if (lit && this->Shadows && this->LightConstants.GetProjection(lights) >= 0)
     {
       const bool penumbra = this->LightConstants.HasPenumbra(lights);
       visibility += "  vec3 lightColor" + n + " = lightColor" + n + " * " +

@@ -22,7 +22,7 @@ bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame, bool shado
     const int n = light.Index;
     if (shadows)
     {
-      projections.push_back(light.FindMapProjection());
+      projections.push_back(light.Fill ? -1 : light.FindMapProjection());
       penumbrae.push_back(light.Size > 0.0);
     }
     add("int", "lightPositional", n, light.Positional ? "1" : "0");

@@ -28,8 +28,8 @@ public:
    */
   std::string GetDeclarations(const std::string& fragmentShader) const;
 
-  /** What vtkIndirectLight::FindMapProjection says of a light. Light code may be of more lights
-   * than the frame has, of which no map exists: 0. */
+  /** What vtkIndirectLight::FindMapProjection says of a light; -1: it casts no shadow. Light code
+   * may be of more lights than the frame has, of which no map exists: 0. */
   int GetProjection(int light) const
   {
     return static_cast<size_t>(light) < this->Projections.size() ? this->Projections[light] : 0;

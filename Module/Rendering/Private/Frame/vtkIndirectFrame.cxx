@@ -240,6 +240,7 @@ void vtkIndirectFrame::CollectLights()
     entry.Size = entry.Positional ? vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Radius())
                                   : vtkMath::RadiansFromDegrees(vtkIndirectLightKeys::Get(
                                       light, vtkIndirectLightKeys::Angle()));
+    entry.Fill = vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Fill()) > 0.0;
     this->Lights.push_back(entry);
   }
 }

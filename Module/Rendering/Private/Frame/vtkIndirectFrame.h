@@ -41,6 +41,9 @@ struct vtkIndirectLight
   /** The light's own: radius in world units of a positional one, else angular radius in radians; 0
    * of one that is a point or a single direction, whose shadows are hard. */
   double Size = 0.0;
+  /** Lights what faces it, hidden or not, as VTK's own do: no map, and nothing is reflected of it.
+   */
+  bool Fill = false;
 
   /** Largest half angle, in degrees, that one perspective face of a map covers. */
   static constexpr double MaximumSingleFaceAngle = 60.0;

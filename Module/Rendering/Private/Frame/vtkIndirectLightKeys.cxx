@@ -23,6 +23,14 @@ vtkInformationDoubleKey* vtkIndirectLightKeys::Angle()
 }
 
 //------------------------------------------------------------------------------
+vtkInformationDoubleKey* vtkIndirectLightKeys::Fill()
+{
+  static vtkInformationDoubleKey* const key =
+    vtkInformationDoubleKey::MakeKey("LIGHT_FILL", "vtkIndirectIlluminationPass");
+  return key;
+}
+
+//------------------------------------------------------------------------------
 double vtkIndirectLightKeys::Get(vtkLight* light, vtkInformationDoubleKey* key)
 {
   vtkInformation* keys = light ? light->GetInformation() : nullptr;

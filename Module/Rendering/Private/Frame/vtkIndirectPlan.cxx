@@ -75,7 +75,7 @@ void vtkIndirectPlan::FindSenders(
   // The eye sees all that its headlight lights and that sends, unless a prop is not to send. Of a
   // headlight that has a size it sees penumbrae, for which there must be maps.
   if (frame.Lights.size() == 1 && frame.Lights.front().Headlight &&
-    !frame.Lights.front().Positional && frame.AllSendLight &&
+    !frame.Lights.front().Positional && !frame.Lights.front().Fill && frame.AllSendLight &&
     !(frame.Lights.front().Size > 0.0 && settings.Shadows))
   {
     this->Senders = EYE;
@@ -90,6 +90,10 @@ void vtkIndirectPlan::FindSenders(
     {
       this->LeftOut.emplace_back(
         "light " + std::to_string(frame.Lights[i].Index), "it emits nothing");
+      continue;
+    }
+    if (frame.Lights[i].Fill)
+    {
       continue;
     }
     this->MapLights.push_back(static_cast<int>(i));

@@ -2,6 +2,7 @@
 #include "Pipeline/vtkIndirectLighting.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectLightKeys.h"
 #include "Frame/vtkIndirectReport.h"
 #include "vtkCamera.h"
 #include "vtkEnvironmentLight.h"
@@ -35,11 +36,6 @@ glm::dmat3 FindAxes(vtkCamera* camera)
   return std::isfinite(glm::dot(back, back)) ? glm::dmat3(right, up, back) : glm::dmat3(1.0);
 }
 
-void SetColor(vtkLight* light, const glm::dvec3& color)
-{
-  light->SetColor(color.x, color.y, color.z);
-}
-
 std::string Count(size_t count, const std::string& thing)
 {
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
@@ -50,9 +46,6 @@ std::string Count(size_t count, const std::string& thing)
 vtkIndirectLighting::vtkIndirectLighting()
   : Preset(vtkIndirectLightingScene)
 {
-  this->Key->SetLightTypeToSceneLight();
-  this->Key->SetFocalPoint(0.0, 0.0, 0.0);
-  this->Headlight->SetLightTypeToHeadlight();
 }
 
 vtkIndirectLighting::~vtkIndirectLighting() = default;
@@ -89,7 +82,7 @@ void vtkIndirectLighting::Update(
   {
     this->NumberOfReplaced += light->GetSwitch() ? 1 : 0;
   }
-  this->SetRig(settings.Lighting, CollectKit(renderer));
+  this->SetRig(settings.Lighting, CollectLamps(renderer));
   this->Turn(renderer);
   if (!users)
   {
@@ -99,9 +92,9 @@ void vtkIndirectLighting::Update(
 
 //------------------------------------------------------------------------------
 // Empty unless all lights that are on are directional and follow the camera.
-std::vector<vtkIndirectLamp> vtkIndirectLighting::CollectKit(vtkRenderer* renderer)
+std::vector<vtkIndirectLamp> vtkIndirectLighting::CollectLamps(vtkRenderer* renderer)
 {
-  std::vector<vtkIndirectLamp> kit;
+  std::vector<vtkIndirectLamp> lamps;
   vtkCollectionSimpleIterator it;
   vtkLightCollection* lights = renderer->GetLights();
   lights->InitTraversal(it);
@@ -131,17 +124,17 @@ std::vector<vtkIndirectLamp> vtkIndirectLighting::CollectKit(vtkRenderer* render
     if (glm::all(glm::greaterThanEqual(lamp.Color, glm::dvec3(0.0))) &&
       lamp.Color != glm::dvec3(0.0))
     {
-      kit.push_back(lamp);
+      lamps.push_back(lamp);
     }
   }
-  return kit;
+  return lamps;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLighting::SetRig(int preset, const std::vector<vtkIndirectLamp>& kit)
+void vtkIndirectLighting::SetRig(int preset, const std::vector<vtkIndirectLamp>& lamps)
 {
   std::vector<double> key = { static_cast<double>(preset) };
-  for (const vtkIndirectLamp& lamp : kit)
+  for (const vtkIndirectLamp& lamp : lamps)
   {
     key.insert(key.end(), &lamp.Direction.x, &lamp.Direction.x + 3);
     key.insert(key.end(), &lamp.Color.x, &lamp.Color.x + 3);
@@ -151,7 +144,7 @@ void vtkIndirectLighting::SetRig(int preset, const std::vector<vtkIndirectLamp>&
     return;
   }
   this->RigKey = std::move(key);
-  this->Rig = vtkIndirectLightRig::Make(preset, kit);
+  this->Rig = vtkIndirectLightRig::Make(preset, lamps);
 
   // As vtkEnvironmentLight has it: the middle ahead, which is -z; bottom row first.
   vtkNew<vtkImageData> image;
@@ -175,16 +168,34 @@ void vtkIndirectLighting::SetRig(int preset, const std::vector<vtkIndirectLamp>&
   this->Sky->SetImage(image);
 
   this->Lights->RemoveAllItems();
+  this->Directions.clear();
   if (this->Rig.Key.Color != glm::dvec3(0.0))
   {
-    SetColor(this->Key, this->Rig.Key.Color);
-    this->Lights->AddItem(this->Key);
+    this->AddLight(this->Rig.Key, false);
   }
-  if (this->Rig.Headlight != glm::dvec3(0.0))
+  for (const vtkIndirectLamp& fill : this->Rig.Fills)
   {
-    SetColor(this->Headlight, this->Rig.Headlight);
-    this->Lights->AddItem(this->Headlight);
+    this->AddLight(fill, true);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLighting::AddLight(const vtkIndirectLamp& lamp, bool fill)
+{
+  vtkNew<vtkLight> light;
+  light->SetColor(lamp.Color.x, lamp.Color.y, lamp.Color.z);
+  if (lamp.Direction == glm::dvec3(0.0, 0.0, 1.0))
+  {
+    light->SetLightTypeToHeadlight();
+  }
+  else
+  {
+    light->SetLightTypeToSceneLight();
+  }
+  vtkIndirectLightKeys::Set(light, vtkIndirectLightKeys::Fill(), fill ? 1.0 : 0.0, 1.0);
+  light->SetShadowAttenuation(fill ? 0.0 : this->Rig.KeyShadow);
+  this->Lights->AddItem(light);
+  this->Directions.push_back(lamp.Direction);
 }
 
 //------------------------------------------------------------------------------
@@ -198,10 +209,19 @@ void vtkIndirectLighting::Turn(vtkRenderer* renderer)
     this->Sky->SetRight(axes[0].x, axes[0].y, axes[0].z);
     this->Sky->SetUp(axes[1].x, axes[1].y, axes[1].z);
   }
-  const glm::dvec3 key = axes * this->Rig.Key.Direction;
-  this->Key->SetPosition(key.x, key.y, key.z);
-  this->Headlight->SetPosition(camera->GetPosition());
-  this->Headlight->SetFocalPoint(camera->GetFocalPoint());
+  for (size_t i = 0; i < this->Directions.size(); ++i)
+  {
+    auto* light = vtkLight::SafeDownCast(this->Lights->GetItemAsObject(static_cast<int>(i)));
+    if (light->LightTypeIsHeadlight())
+    {
+      light->SetPosition(camera->GetPosition());
+      light->SetFocalPoint(camera->GetFocalPoint());
+      continue;
+    }
+    const glm::dvec3 direction = axes * this->Directions[i];
+    light->SetPosition(direction.x, direction.y, direction.z);
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -224,10 +244,7 @@ void vtkIndirectLighting::AddToReport(vtkIndirectReport& report) const
   {
     add("a key light with shadows");
   }
-  if (this->Rig.Headlight != glm::dvec3(0.0))
-  {
-    add("a headlight of " + vtkIndirectReport::Number(this->Rig.Headlight.x, 3));
-  }
+  add(Count(this->Rig.Fills.size(), "light") + " without shadows");
   if (this->Environment == this->Sky.Get())
   {
     add("a sky of radiance " + vtkIndirectReport::Number(this->Rig.Ambient.x, 3) + " and " +
@@ -240,6 +257,8 @@ void vtkIndirectLighting::AddToReport(vtkIndirectReport& report) const
   report.Modelled.emplace_back(name,
     what + ", in place of " + Count(static_cast<size_t>(this->NumberOfReplaced), "light") +
       " of the renderer");
+  report.LeftOut.emplace_back(name + ": what hides the lights without shadows",
+    "they are as VTK draws them, too bright where they are hidden; nothing is reflected of them");
   report.LeftOut.emplace_back(name + " on what has no surface",
     "translucent props, volumes and annotation keep the renderer's lights");
 }

@@ -40,8 +40,9 @@ public:
   static const char* GetTitle(int preset);
 
 private:
-  static std::vector<vtkIndirectLamp> CollectKit(vtkRenderer* renderer);
-  void SetRig(int preset, const std::vector<vtkIndirectLamp>& kit);
+  static std::vector<vtkIndirectLamp> CollectLamps(vtkRenderer* renderer);
+  void SetRig(int preset, const std::vector<vtkIndirectLamp>& lamps);
+  void AddLight(const vtkIndirectLamp& lamp, bool fill);
   void Turn(vtkRenderer* renderer);
 
   int Preset; // of the last frame; the renderer's lights while it is inactive
@@ -51,9 +52,8 @@ private:
   std::vector<double> RigKey; // what the rig was made from
   vtkEnvironmentLight* Environment = nullptr;
   vtkNew<vtkEnvironmentLight> Sky;
-  vtkNew<vtkLight> Key;
-  vtkNew<vtkLight> Headlight;
   vtkNew<vtkLightCollection> Lights;
+  std::vector<glm::dvec3> Directions; // to these, in the camera's axes
 };
 
 #endif

@@ -113,9 +113,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   }
   this->Paths = vtkIndirectPaths::GetAll();
   this->Capture->SetDelegatePass(request.Delegate);
-  // What stands for a light where there is none has no map that could be looked up.
-  this->Capture->SetShadows(request.Settings.Shadows &&
-    this->Plan.Senders != vtkIndirectPlan::EYE && !this->Frame.Lights.empty());
+  this->Capture->SetShadows(this->Plan.Shadows);
   this->Capture->SetSpecular(this->Plan.Specular);
   this->Capture->SetImageLight(!this->Plan.ReplacesImageLight);
   this->Capture->Attach(this->Frame);

@@ -9,73 +9,135 @@
 
 namespace
 {
-// Strengths are those for which the pictures of Testing/Benchmark/readability.py in VTK's light kit
-// (molecule, isosurfaces, brain, machine part, terrain) are as bright in the mean as plain VTK's,
-// with the least deviation of any of them: 11 %. Without some light that comes from the viewer, and
-// therefore has no shadows that are seen, molecules would be a third darker than smooth objects.
-struct Strengths
-{
-  double Ambient;   // radiance
-  double Front;     // of a lobe around the viewer, and above
-  double Headlight; // beside that of a kit
-  double Kit;       // factor on a kit's lights
-};
-constexpr Strengths Soft = { 0.41, 0.33, 0.265, 0.0 };
-constexpr Strengths Gentle = { 0.2, 0.16, 0.62, 0.0 }; // half of the sky
-constexpr Strengths Full = { 0.25, 0.0, 0.33, 0.45 };
-constexpr Strengths Studio = { 0.1, 0.0, 0.23, 0.72 };
+// The share of the renderer's own lights that stays as VTK draws it. With 0.6 nothing is darker
+// than 12 of 255 that plain VTK shows brighter than 20, and a scene that hides nothing, or half of
+// the sky, is within 10 % of plain VTK's brightness. Gentle: half of the rest.
+constexpr double Kept = 0.6;
+constexpr double KeptGentle = 0.8;
 
-// How much brighter than in VTK's kit the molecule, the isosurfaces and the brain are in its
-// headlight: 1.11, 1.07 and 1.11. What faces up, as terrain, is darker there than in any preset.
-constexpr double HeadlightOverKit = 1.1;
+// Of light from around the viewer objects receive, from each other's surfaces too, 0.69
+// (isosurfaces within isosurfaces) to 0.97 (a superquadric) of what nothing would hide: the middle
+// of what Testing/Benchmark/readability.py shows.
+constexpr double Openness = 0.83;
 
-// What faces up is brighter than what faces down.
-constexpr double FrontElevation = 30.0;
-constexpr double FrontExponent = 1.0;
 // Half of a lobe's radiance lies within 33 degrees of its middle: several of the directions that a
 // sky is summed over, so that none of them is seen by itself.
-constexpr double KitExponent = 4.0;
+constexpr double Exponent = 4.0;
 
-// vtkLightKit's directions and ratios, in white.
-std::vector<vtkIndirectLamp> MakeKit()
+// Radiance from everywhere over the irradiance of a ball, at least: no direction is dark, so that
+// the maps of all are kept while the camera turns, and none is so bright that it gets finer ones.
+constexpr double Everywhere = 0.15;
+
+// In place of a headlight: a key and a fill beside the viewer, and rims. At the height of the
+// viewer's eyes, because what faces up is dim in a headlight, too: from 50 degrees above, as that
+// of vtkLightKit is, terrain and tables would be a third brighter than plain VTK's.
+std::vector<vtkIndirectLamp> MakeKit(const glm::dvec3& color)
 {
-  constexpr double key = 0.75;
-  auto lamp = [](double elevation, double azimuth, double strength)
+  auto lamp = [&color](double elevation, double azimuth, double strength)
   {
-    return vtkIndirectLamp{ vtkIndirectLightRig::FromAngles(elevation, azimuth),
-      glm::dvec3(strength) };
+    return vtkIndirectLamp{ vtkIndirectLightRig::FromAngles(elevation, azimuth), strength * color };
   };
-  return { lamp(50.0, 10.0, key), lamp(-75.0, 0.0, key / 3.0), lamp(0.0, 110.0, key / 3.5),
-    lamp(0.0, -110.0, key / 3.5), lamp(0.0, 0.0, key / 3.0) };
+  return { lamp(5.0, -30.0, 0.6), lamp(0.0, 30.0, 0.4), lamp(0.0, 110.0, 0.2),
+    lamp(0.0, -110.0, 0.2) };
 }
 
-double GetStrength(const vtkIndirectLamp& lamp)
+double GetMean(const glm::dvec3& color)
 {
-  return std::max({ lamp.Color.x, lamp.Color.y, lamp.Color.z });
+  return (color.x + color.y + color.z) / 3.0;
 }
 
-double SumStrengths(const std::vector<vtkIndirectLamp>& lamps)
+bool IsHeadlight(const vtkIndirectLamp& lamp)
 {
-  double sum = 0.0;
+  return lamp.Direction == glm::dvec3(0.0, 0.0, 1.0);
+}
+
+// The same irradiance through a sphere, summed over all directions (scalar), and the same net one
+// (vector) as the lamps: their first two bands of spherical harmonics, where a lobe and light from
+// everywhere can have them. What is narrower than a lobe becomes one.
+void SetSky(vtkIndirectLightRig& rig, const std::vector<vtkIndirectLamp>& lamps)
+{
+  glm::dvec3 scalar(0.0);
+  glm::dmat3 vector(0.0); // a column a colour
   for (const vtkIndirectLamp& lamp : lamps)
   {
-    sum += GetStrength(lamp);
+    scalar += lamp.Color;
+    vector += glm::outerProduct(lamp.Direction, lamp.Color);
   }
-  return sum;
+  const glm::dvec3 sum = vector * glm::dvec3(1.0);
+  const double length = glm::length(sum);
+  // Lamps that balance each other come from everywhere.
+  const glm::dvec3 direction =
+    length > 1e-6 * GetMean(scalar) ? sum / length : glm::dvec3(0.0, 0.0, 1.0);
+  const glm::dvec3 facing = glm::max(direction * vector, glm::dvec3(0.0));
+  rig.Lobes.push_back({ { direction, facing }, Exponent });
+  // A lobe's scalar irradiance is (p + 2) / (p + 1) of what faces it, light from everywhere has 4.
+  rig.Ambient =
+    glm::max((scalar - facing * ((Exponent + 2.0) / (Exponent + 1.0))) / 4.0, glm::dvec3(0.0));
 }
 
-const Strengths& FindStrengths(int preset)
+// Each lamp a lobe where it is, but of those that come from the viewer no shadow is visible.
+void SetLobes(vtkIndirectLightRig& rig, const std::vector<vtkIndirectLamp>& lamps)
 {
-  switch (preset)
+  for (const vtkIndirectLamp& lamp : lamps)
   {
-    case vtkIndirectLightingSoft:
-      return Soft;
-    case vtkIndirectLightingGentle:
-      return Gentle;
-    case vtkIndirectLightingFull:
-      return Full;
-    default:
-      return Studio;
+    if (IsHeadlight(lamp))
+    {
+      rig.Fills.push_back(lamp);
+    }
+    else
+    {
+      rig.Lobes.push_back({ lamp, Exponent });
+    }
+  }
+}
+
+// Takes the brightest lamp of those that do not come from the viewer.
+vtkIndirectLamp TakeKey(std::vector<vtkIndirectLamp>& lamps)
+{
+  const auto key = std::max_element(lamps.begin(), lamps.end(),
+    [](const auto& a, const auto& b) {
+      return (IsHeadlight(a) ? 0.0 : GetMean(a.Color)) < (IsHeadlight(b) ? 0.0 : GetMean(b.Color));
+    });
+  const vtkIndirectLamp found = *key;
+  lamps.erase(key);
+  return found;
+}
+
+void Scale(vtkIndirectLightRig& rig, double factor)
+{
+  rig.Ambient *= factor;
+  rig.Key.Color *= factor;
+  for (vtkIndirectLightRig::Lobe& lobe : rig.Lobes)
+  {
+    lobe.Lamp.Color *= factor;
+  }
+  for (vtkIndirectLamp& fill : rig.Fills)
+  {
+    fill.Color *= factor;
+  }
+}
+
+// Adds a share of the lamps as they are. What is in the same place becomes one light.
+void Keep(vtkIndirectLightRig& rig, const std::vector<vtkIndirectLamp>& lamps, double share)
+{
+  for (const vtkIndirectLamp& lamp : lamps)
+  {
+    const vtkIndirectLamp kept = { lamp.Direction, share * lamp.Color };
+    const auto same = std::find_if(rig.Fills.begin(), rig.Fills.end(),
+      [&kept](const vtkIndirectLamp& fill) { return fill.Direction == kept.Direction; });
+    if (same != rig.Fills.end())
+    {
+      same->Color += kept.Color;
+    }
+    else if (rig.Key.Color != glm::dvec3(0.0) && rig.Key.Direction == kept.Direction)
+    {
+      rig.KeyShadow = GetMean(rig.Key.Color) / GetMean(rig.Key.Color + kept.Color);
+      rig.Key.Color += kept.Color;
+    }
+    else
+    {
+      rig.Fills.push_back(kept);
+    }
   }
 }
 }
@@ -105,47 +167,77 @@ glm::dvec3 vtkIndirectLightRig::GetRadiance(const glm::dvec3& direction) const
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectLightRig vtkIndirectLightRig::Make(int preset, const std::vector<vtkIndirectLamp>& kit)
+double vtkIndirectLightRig::GetIrradianceOfBall(const vtkIndirectLamp& lamp)
 {
-  const Strengths& strengths = FindStrengths(preset);
-  const std::vector<vtkIndirectLamp> standard = MakeKit();
-  // As bright as the renderer's lights are for a kit, or for a headlight.
-  const double unit = IsKit(kit) ? SumStrengths(kit) / SumStrengths(standard)
-                                 : HeadlightOverKit * (kit.empty() ? 1.0 : SumStrengths(kit));
+  const double cosine = vtkMath::ClampValue(lamp.Direction.z, -1.0, 1.0);
+  const double angle = std::acos(cosine);
+  return GetMean(lamp.Color) * 2.0 / (3.0 * vtkMath::Pi()) *
+    (std::sin(angle) + (vtkMath::Pi() - angle) * cosine);
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectLightRig::GetIrradianceOfBall() const
+{
+  double sum = this->Key.Color != glm::dvec3(0.0) ? GetIrradianceOfBall(this->Key) : 0.0;
+  for (const vtkIndirectLamp& fill : this->Fills)
+  {
+    sum += GetIrradianceOfBall(fill);
+  }
+  // Of the sky by parallels of equal height about the vertical.
+  constexpr int Rows = 64;
+  constexpr int Columns = 64;
+  for (int j = 0; j < Rows; ++j)
+  {
+    const double y = 2.0 * (j + 0.5) / Rows - 1.0;
+    const double r = std::sqrt(1.0 - y * y);
+    for (int i = 0; i < Columns; ++i)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * (i + 0.5) / Columns;
+      const glm::dvec3 direction(r * std::cos(angle), y, r * std::sin(angle));
+      // Radiance over pi is irradiance of what faces it.
+      sum += GetIrradianceOfBall({ direction, this->GetRadiance(direction) }) * 4.0 /
+        static_cast<double>(Rows * Columns);
+    }
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectLightRig vtkIndirectLightRig::Make(int preset, std::vector<vtkIndirectLamp> lamps)
+{
+  if (lamps.empty())
+  {
+    lamps.push_back({ { 0.0, 0.0, 1.0 }, glm::dvec3(1.0) });
+  }
+  const double kept = preset == vtkIndirectLightingGentle ? KeptGentle : Kept;
   vtkIndirectLightRig rig;
-  rig.Ambient = glm::dvec3(unit * strengths.Ambient);
-  rig.Headlight = glm::dvec3(unit * strengths.Headlight);
-  if (strengths.Front > 0.0)
+  if (preset == vtkIndirectLightingSoft || preset == vtkIndirectLightingGentle)
   {
-    rig.Lobes.push_back(
-      { { FromAngles(FrontElevation, 0.0), glm::dvec3(unit * strengths.Front) }, FrontExponent });
+    SetSky(rig, lamps);
   }
-  if (strengths.Kit == 0.0)
+  else
   {
-    return rig;
+    const bool headlight = std::all_of(lamps.begin(), lamps.end(), IsHeadlight);
+    glm::dvec3 color(0.0);
+    for (const vtkIndirectLamp& lamp : lamps)
+    {
+      color += lamp.Color;
+    }
+    std::vector<vtkIndirectLamp> kit = headlight ? MakeKit(color) : lamps;
+    if (preset == vtkIndirectLightingFull)
+    {
+      rig.Key = TakeKey(kit);
+    }
+    SetLobes(rig, kit);
   }
-  std::vector<vtkIndirectLamp> lamps = IsKit(kit) ? kit : standard;
-  for (vtkIndirectLamp& lamp : lamps)
-  {
-    lamp.Color *= strengths.Kit * (IsKit(kit) ? 1.0 : unit);
-  }
-  if (preset == vtkIndirectLightingFull)
-  {
-    const auto key = std::max_element(lamps.begin(), lamps.end(),
-      [](const auto& a, const auto& b) { return GetStrength(a) < GetStrength(b); });
-    rig.Key = *key;
-    lamps.erase(key);
-  }
+  double plain = 0.0;
   for (const vtkIndirectLamp& lamp : lamps)
   {
-    if (lamp.Direction == glm::dvec3(0.0, 0.0, 1.0))
-    {
-      rig.Headlight += lamp.Color;
-    }
-    else
-    {
-      rig.Lobes.push_back({ lamp, KitExponent });
-    }
+    plain += GetIrradianceOfBall(lamp);
   }
+  rig.Ambient = glm::max(rig.Ambient, glm::dvec3(Everywhere * plain));
+  const double own = rig.GetIrradianceOfBall();
+  Scale(rig, own > 0.0 ? (1.0 - kept) / Openness * plain / own : 0.0);
+  Keep(rig, lamps, kept);
   return rig;
 }

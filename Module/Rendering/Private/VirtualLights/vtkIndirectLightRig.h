@@ -5,6 +5,11 @@
 // Light that has no place and no hard shadow is radiance of a sky: the same from everywhere, and
 // lobes of a power of the cosine, each given by what it sends to a surface that faces it, so that a
 // lobe stands for a light of that strength whatever its width.
+//
+// A picture is as bright as plain VTK's on whatever it shows only where both kinds of light agree
+// for every direction that surfaces can have. So a preset keeps a share of the renderer's own
+// lights, as VTK draws them, which nothing hides; and the light that takes the place of the rest
+// comes from where it came from, and gives a ball as much as it gave.
 #ifndef vtkIndirectLightRig_h
 #define vtkIndirectLightRig_h
 
@@ -28,20 +33,25 @@ struct vtkIndirectLightRig
 
   glm::dvec3 Ambient{ 0.0 }; // radiance from everywhere
   std::vector<Lobe> Lobes;
-  vtkIndirectLamp Key;         // sharp, with shadows; black: none
-  glm::dvec3 Headlight{ 0.0 }; // sharp; of its shadows the viewer sees none
+  vtkIndirectLamp Key;                // sharp; black: none
+  double KeyShadow = 1.0;             // the share of the key that shadows take away
+  std::vector<vtkIndirectLamp> Fills; // sharp, without shadows
 
-  /** Of the sky: without the key and the headlight. */
+  /** Of the sky: ambient light and lobes. */
   glm::dvec3 GetRadiance(const glm::dvec3& direction) const;
+  /**
+   * The mean irradiance, of red, green and blue, of a ball that a camera far away sees and that
+   * nothing hides any light from.
+   */
+  double GetIrradianceOfBall() const;
+  /** The same of a lamp: (2 / 3 pi) (sin a + (pi - a) cos a), at an angle a from the camera. */
+  static double GetIrradianceOfBall(const vtkIndirectLamp& lamp);
 
   /**
-   * The rig of a preset (vtkIndirectLightingType). kit: the renderer's own lights that follow its
-   * camera. Where they are a kit (see IsKit) their directions and ratios count, and in any case how
-   * strong they are.
+   * The rig of a preset (vtkIndirectLightingType). lamps: the renderer's own lights that follow its
+   * camera; none stands for a headlight of strength 1, as VTK makes it.
    */
-  static vtkIndirectLightRig Make(int preset, const std::vector<vtkIndirectLamp>& kit);
-  /** Whether the renderer's lights are a kit: a headlight alone says nothing of directions. */
-  static bool IsKit(const std::vector<vtkIndirectLamp>& lamps) { return lamps.size() > 1; }
+  static vtkIndirectLightRig Make(int preset, std::vector<vtkIndirectLamp> lamps);
   /** Angles in degrees, as vtkLight::SetDirectionAngle has them. */
   static glm::dvec3 FromAngles(double elevation, double azimuth);
 };
