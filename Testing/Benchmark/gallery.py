@@ -27,7 +27,6 @@ DIRECTORY = Path(__file__).resolve().parents[2] / "Documentation" / "gallery"
 MULTISAMPLES = 8
 """What a vtkRenderWindow asks for by default."""
 GAP = 4
-SKY_ALONE = (0.9, 0.9, 0.9)
 
 
 def caption(scene: vtkindirect.Scene, text: str) -> None:
@@ -68,16 +67,10 @@ def occluded(shot: shots.Shot) -> np.ndarray:
 
 
 def lit(shot: shots.Shot) -> np.ndarray:
-    """The pass; without presets the sky alone stands for those that replace lights by a sky."""
+    """The pass."""
     scene = shot.load()
-    try:
-        shots.enable(scene, shot.lighting)
-        text = f"vtk-indirect, lighting {shot.lighting}"
-    except shots.Skipped:
-        scene.renderer.RemoveAllLights()
-        vtkindirect.enable(scene, environment=SKY_ALONE)
-        text = "vtk-indirect, a uniform sky"
-    return picture(scene, text)
+    vtkindirect.enable(scene, lighting=shot.lighting)
+    return picture(scene, f"vtk-indirect, lighting {shot.lighting}")
 
 
 WAYS: tuple[Callable[[shots.Shot], np.ndarray], ...] = (plain, occluded, lit)
@@ -100,8 +93,6 @@ def main() -> int:
         if name not in shots.SHOTS:
             parser.error(f"there is no shot '{name}'; known: {', '.join(shots.SHOTS)}")
     words.output.mkdir(parents=True, exist_ok=True)
-    if not shots.HAS_LIGHTING:
-        print(f"presets are left out: {shots.NO_LIGHTING}", file=sys.stderr)
     for name in words.names or NAMES:
         path = words.output / f"row_{name}.png"
         images.write_png(path, row(shots.SHOTS[name]))

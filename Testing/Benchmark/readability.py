@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How much of an object can be seen: pixels that are nearly black, and how bright it is.
+"""How much of an object can be seen: how bright it is, and pixels that are nearly black.
 
     PYTHONPATH=build/lib/python3.11/site-packages python3 Testing/Benchmark/readability.py
-        [--size WIDTH] [--shot NAME]...
+        [--size WIDTH] [--shot NAME]... [--light NAME]...
 
-Prints Markdown tables of objects on a white background, under a single sun and under VTK's light
-kit: plain VTK, with its UseSSAO, and the pass with the lights as they are (scene) and with its
-presets. Only pixels of the object count, those that do not change with the background. A pixel is
-nearly black when the mean of its red, green and blue is below 12 of 255; brightness is the mean of
-these over the object, over plain VTK's.
+Prints a Markdown table of objects in the headlight that VTK gives a renderer without lights, in its
+light kit, which is PyVista's too, and under a single sun: plain VTK, with its UseSSAO, and the pass
+with the lights as they are (scene) and with its presets. A cell is the object's mean brightness
+over plain VTK's, and the share of its pixels that are nearly black: the mean of their red, green
+and blue is below 12 of 255. Pixels count that lie within the object, their neighbours too.
 """
 
 from __future__ import annotations
@@ -21,15 +21,19 @@ from typing import Any, NamedTuple
 import numpy as np
 import vtkindirect
 from multiresolution import table
-from vtkindirect import frames, images
+from vtkindirect import environments, frames, images, lighting, lights
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 import shots
 import ssao
 
-NAMES = ("molecule", "isosurfaces", "machine", "terrain", "brain")
+STANDING = "machine on a table"
+UNTUNED = ("superquadric", "quadric")
+"""Objects that no strength of a preset was chosen for."""
+NAMES = ("molecule", "isosurfaces", "tissues", "machine", STANDING, "terrain", "brain", *UNTUNED)
+LIGHTS = ("headlight", "light kit", "one sun")
 BLACK = 12
 """A pixel is nearly black below this, of 255."""
-PRESETS = ("scene", "soft", "full")
 
 
 class Seen(NamedTuple):
@@ -48,7 +52,7 @@ def measure(picture: np.ndarray, mask: np.ndarray) -> Seen:
 
 
 def object_mask(scene: vtkindirect.Scene) -> np.ndarray:
-    """Pixels of the object: those that are the same on black and on white."""
+    """Pixels within the object: those, and their neighbours, that are the same on black and white."""
     renderer, window = scene.renderer, scene.render_window
     pictures = []
     before = renderer.GetBackground()
@@ -57,7 +61,10 @@ def object_mask(scene: vtkindirect.Scene) -> np.ndarray:
         window.Render()
         pictures.append(images.window_bytes(window))
     renderer.SetBackground(before)
-    return (pictures[0] == pictures[1]).all(axis=-1)
+    hit = np.pad((pictures[0] == pictures[1]).all(axis=-1), 1)
+    height, width = pictures[0].shape[:2]
+    moves = [hit[y : y + height, x : x + width] for y in range(3) for x in range(3)]
+    return np.logical_and.reduce(moves)
 
 
 def _plain(scene: vtkindirect.Scene) -> np.ndarray:
@@ -70,80 +77,94 @@ def _with_ssao(scene: vtkindirect.Scene) -> np.ndarray:
         return _plain(scene)
 
 
-def _with_pass(lighting: str) -> Callable[[vtkindirect.Scene], np.ndarray]:
+def _with_pass(preset: str) -> Callable[[vtkindirect.Scene], np.ndarray]:
     def render(scene: vtkindirect.Scene) -> np.ndarray:
-        with shots.lights_kept(scene.renderer):
-            try:
-                shots.enable(scene, lighting)
-                return _plain(scene)
-            finally:
-                vtkindirect.disable(scene)
+        # It stays on for the next one, which then has the sky's maps already.
+        vtkindirect.enable(scene, lighting=preset)
+        return _plain(scene)
 
     return render
 
 
-WAYS = {"VTK": _plain, "UseSSAO": _with_ssao, **{name: _with_pass(name) for name in PRESETS}}
+WAYS = {
+    "VTK": _plain,
+    "UseSSAO": _with_ssao,
+    **{name: _with_pass(name) for name in lighting.PRESETS},
+}
 
 
-def see(shot: shots.Shot, lights: tuple[Any, ...], width: int) -> dict[str, Seen | None]:
-    """Measure a shot in each way; None: that way is not in this version."""
-    height = width * shots.SIZE[1] // shots.SIZE[0]
-    scene = shot.load(lights, size=(width, height))
-    window = frames.open_window(scene, None)
+def set_lights(renderer: vtkRenderer, kind: str) -> None:
+    """Give a renderer what VTK or PyVista would light it with."""
+    environments.attach(renderer, None)
+    renderer.RemoveAllLights()
+    renderer.AutomaticLightCreationOn()
+    if kind == "light kit":
+        lights.add_light_kit(renderer)
+
+
+def find(name: str) -> shots.Shot:
+    """The object of a name: a shot without what it stands on, unless that is asked for."""
+    return shots.SHOTS["machine"] if name == STANDING else shots.SHOTS[name].alone()
+
+
+def see(scene: vtkindirect.Scene) -> dict[str, Seen]:
+    """Measure a scene, in the window that it has, in each way."""
     try:
         mask = object_mask(scene)
-        found: dict[str, Seen | None] = {}
-        for name, render in WAYS.items():
-            try:
-                found[name] = measure(render(scene), mask)
-            except shots.Skipped:
-                found[name] = None
-        return found
+        return {name: measure(render(scene), mask) for name, render in WAYS.items()}
     finally:
-        window.Finalize()
+        vtkindirect.disable(scene)
 
 
-def rows(found: dict[tuple[str, str], dict[str, Seen | None]]) -> tuple[list[Any], list[Any]]:
-    """The cells of both tables: shares of nearly black pixels, brightness over plain VTK's."""
-    black, bright = [], []
-    for name, ways in found.items():
-        plain = ways["VTK"]
-        assert plain is not None
-        black.append(
-            (*name, *("skipped" if way is None else f"{way.black:.1%}" for way in ways.values()))
-        )
-        # Plain VTK's own is in levels, and what the others are compared with.
-        others = [
-            "skipped" if way is None else f"{way.brightness / plain.brightness:.2f}"
-            for key, way in ways.items() if key != "VTK"
-        ]  # fmt: skip
-        bright.append((*name, f"{plain.brightness:.0f}", *others))
-    return black, bright
+def see_all(name: str, kinds: tuple[str, ...], width: int) -> dict[str, dict[str, Seen]]:
+    """Measure an object in each way and light."""
+    shot = find(name)
+    found = {}
+    for kind in kinds:
+        size = (width, width * shots.SIZE[1] // shots.SIZE[0])
+        scene = shot.load(shot.one_sun(), size=size)
+        if kind != "one sun":
+            set_lights(scene.renderer, kind)
+        window = frames.open_window(scene, None)
+        window.SetMultiSamples(0)
+        try:
+            found[kind] = see(scene)
+        finally:
+            window.Finalize()
+    return found
+
+
+def row(name: str, kind: str, ways: dict[str, Seen]) -> tuple[Any, ...]:
+    """The cells of a row."""
+    plain = ways["VTK"]
+    first = f"{plain.brightness:.0f}, {plain.black:.2%}"
+    return (name, kind, first, *(
+        f"{way.brightness / plain.brightness:.2f}, {way.black:.2%}"
+        for key, way in ways.items() if key != "VTK"
+    ))  # fmt: skip
 
 
 def main() -> int:
-    """Measure and print the tables; returns the exit code."""
+    """Measure and print the table; returns the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--size", type=int, default=640, help="width of a picture (default: 640)")
     parser.add_argument("--shot", action="append", choices=NAMES, help="default: all of them")
+    parser.add_argument("--light", action="append", choices=LIGHTS, help="default: all of them")
     words = parser.parse_args()
     if words.size < 64:
         parser.error("--size must be 64 or more")
-    found = {}
-    for name in words.shot or NAMES:
-        shot = shots.SHOTS[name].alone()
-        for light, lights in (("one sun", shot.one_sun()), ("light kit", (shots.LIGHT_KIT,))):
-            found[name, light] = see(shot, lights, words.size)
-    black, bright = rows(found)
+    rows = [
+        row(name, kind, ways)
+        for name in words.shot or NAMES
+        for kind, ways in see_all(name, tuple(words.light or LIGHTS), words.size).items()
+    ]
     height = words.size * shots.SIZE[1] // shots.SIZE[0]
-    print(f"Readability, {words.size} x {height}: what can be seen of an object on white.")
-    print("`scene`, `soft` and `full` are the pass with that `lighting`.\n")
-    if not shots.HAS_LIGHTING:
-        print(f"Skipped: `soft` and `full`, because {shots.NO_LIGHTING}.\n")
-    print(f"Share of the object's pixels that are nearly black, below {BLACK} of 255:\n")
-    table(("object", "light", *WAYS), black)
-    print("\nBrightness of the object: plain VTK's mean of 255, the others' over it:\n")
-    table(("object", "light", *WAYS), bright)
+    print(f"Readability, {words.size} x {height}: what can be seen of an object.")
+    print("`scene`, `soft`, `full`, `gentle` and `studio` are the pass with that `lighting`. Mean")
+    print("brightness, of plain VTK of 255, of the others over plain VTK's; and the share of pixels")
+    print(f"that are nearly black, below {BLACK} of 255. No strength of a preset was chosen for")
+    print(f"{' and '.join(UNTUNED)}.\n")
+    table(("object", "light", *WAYS), rows)
     return 0
 
 

@@ -6,17 +6,13 @@
 
 from __future__ import annotations
 
-import inspect
 import json
 import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 import vtkindirect
-from vtkmodules.vtkRenderingCore import vtkRenderer
 
 SCENES = Path(__file__).resolve().parent.parent / "Scenes"
 WHITE = (1.0, 1.0, 1.0)
@@ -24,13 +20,6 @@ SIZE = (400, 300)
 
 Values = dict[str, Any]
 LIGHT_KIT: Values = {"type": "light_kit"}
-
-HAS_LIGHTING = "lighting" in inspect.signature(vtkindirect.enable).parameters
-NO_LIGHTING = "`vtkindirect.enable` of this version has no `lighting`"
-
-
-class Skipped(Exception):
-    """Something that this version cannot show; the text says why."""
 
 
 @dataclass(frozen=True)
@@ -93,6 +82,25 @@ def _isosurface(value: float, color: tuple[float, float, float]) -> Values:
     }
 
 
+def _superquadric() -> Values:
+    shape = {"Toroidal": True, "Thickness": 0.33, "PhiRoundness": 0.6, "ThetaRoundness": 0.6}
+    fine = {"PhiResolution": 64, "ThetaResolution": 64}
+    source = {"vtkSuperquadricSource": {**shape, **fine}}
+    return {"name": "superquadric", "source": source, "color": (0.2, 0.6, 0.5)}
+
+
+def _quadric(value: float, color: tuple[float, float, float]) -> Values:
+    """A surface of a structured grid, as in VTK's own example of a quadric."""
+    quadric = {"vtkQuadric": {"Coefficients": [0.5, 1, 0.2, 0, 0.1, 0, 0, 0.2, 0, 0]}}
+    grid = {"SampleDimensions": [40, 40, 40], "ImplicitFunction": quadric}
+    return {
+        "name": f"{value:g}",
+        "source": {"vtkSampleFunction": grid},
+        "pipeline": [{"vtkContourFilter": {"Value": [0, value]}}],
+        "color": color,
+    }
+
+
 SHOTS = {
     "molecule": Shot(
         "A protein, atoms coloured by chain",
@@ -119,6 +127,34 @@ SHOTS = {
             ],
         },
         lighting="full",
+    ),
+    "tissues": Shot(
+        "Tissues of a frog, smoothed surfaces of labels",
+        "frog",
+        (-0.6, -0.7, -0.4),
+        without=("ground", "wall"),
+    ),
+    "superquadric": Shot(
+        "A superquadric torus",
+        "cornell_box",
+        (-0.6, -0.7, -0.4),
+        changes={
+            "camera": {"position": [1.2, 1.6, 1.6], "focal_point": [0, 0, 0], "view_angle": 30},
+            "actors": [_superquadric()],
+        },
+    ),
+    "quadric": Shot(
+        "Contours of a quadric, one within the other",
+        "cornell_box",
+        (-0.6, -0.7, -0.4),
+        changes={
+            "camera": {"position": [2.2, 2.0, 4.0], "focal_point": [0, 0, 0], "view_angle": 35},
+            "actors": [
+                _quadric(0.1, (0.8, 0.3, 0.2)),
+                _quadric(0.5, (0.3, 0.6, 0.3)),
+                _quadric(0.9, (0.3, 0.4, 0.8)),
+            ],
+        },
     ),
     "machine": Shot(
         "A machine part",
@@ -183,32 +219,3 @@ SHOTS = {
         ),
     ),
 }  # fmt: skip
-
-
-def enable(scene: vtkindirect.Scene, lighting: str) -> None:
-    """Switch the pass on with a preset; raises `Skipped` where there are none.
-
-    `scene`, the lights as they are, is what a version without presets has.
-    """
-    if HAS_LIGHTING:
-        vtkindirect.enable(scene, lighting=lighting)
-    elif lighting == "scene":
-        vtkindirect.enable(scene)
-    else:
-        raise Skipped(NO_LIGHTING)
-
-
-@contextmanager
-def lights_kept(renderer: vtkRenderer) -> Iterator[None]:
-    """Whatever is done to the lights of a renderer meanwhile is undone."""
-    lights = renderer.GetLights()
-    kept = [lights.GetItemAsObject(index) for index in range(lights.GetNumberOfItems())]
-    states = [(light.GetSwitch(), light.GetIntensity()) for light in kept]
-    try:
-        yield
-    finally:
-        renderer.RemoveAllLights()
-        for light, (switch, intensity) in zip(kept, states):
-            light.SetSwitch(switch)
-            light.SetIntensity(intensity)
-            renderer.AddLight(light)
