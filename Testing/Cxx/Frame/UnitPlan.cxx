@@ -149,6 +149,13 @@ VTK_INDIRECT_TEST(PlanSenders)
   CheckEqual("a headlight and another light",
     make(MakeFrame({ MakeHeadlight(), MakeLight() })).Senders, vtkIndirectPlan::MAPS);
 
+  frame = MakeFrame({ MakeHeadlight() });
+  frame.Lights[0].Fill = true;
+  CheckEqual("a light that nothing hides", make(frame).Senders, vtkIndirectPlan::NO_SENDERS);
+  frame = MakeFrame({ MakeLight(), MakeLight() });
+  frame.Lights[0].Fill = true;
+  Check("it has no map beside another", make(frame).MapLights == std::vector<int>{ 1 });
+
   vtkIndirectSettings settings;
   settings.Shadows = false;
   plan = make(MakeFrame({ MakeLight() }), settings);
