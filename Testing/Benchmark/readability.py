@@ -52,7 +52,7 @@ def measure(picture: np.ndarray, mask: np.ndarray) -> Seen:
 
 
 def object_mask(scene: vtkindirect.Scene) -> np.ndarray:
-    """Pixels within the object: those, and their neighbours, that are the same on black and white."""
+    """Pixels within the object: they and their neighbours are the same on black and on white."""
     renderer, window = scene.renderer, scene.render_window
     pictures = []
     before = renderer.GetBackground()
@@ -161,7 +161,7 @@ def main() -> int:
     height = words.size * shots.SIZE[1] // shots.SIZE[0]
     print(f"Readability, {words.size} x {height}: what can be seen of an object.")
     print("`scene`, `soft`, `full`, `gentle` and `studio` are the pass with that `lighting`. Mean")
-    print("brightness, of plain VTK of 255, of the others over plain VTK's; and the share of pixels")
+    print("brightness, of plain VTK of 255, of others over plain VTK's; and the share of pixels")
     print(f"that are nearly black, below {BLACK} of 255. No strength of a preset was chosen for")
     print(f"{' and '.join(UNTUNED)}.\n")
     table(("object", "light", *WAYS), rows)
