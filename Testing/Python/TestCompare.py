@@ -207,6 +207,7 @@ class Command(DirectoryTest):
             row = found[pace]
             self.assertEqual(row["pace"], pace)
             self.assertGreater(row["first_ms"], 0.0)
+            self.assertGreater(row["warm_up_frames"], 2)
             self.assertGreater(row["frame_ms"], 0.0)
             # Directions that are each hard; the bounce between floor and disk holds 4 % of S3.
             self.assertLess(row["nrmse_s1"], 0.04)
@@ -235,6 +236,28 @@ class Command(DirectoryTest):
             last = moving if pace == "moving" else still
             self.assertEqual(rates, [still, still, turned, last, last])
             self.assertEqual(window.GetDesiredUpdateRate(), before)
+
+    def test_frames_are_measured_when_all_depth_maps_are_there(self) -> None:
+        """Where a frame has time for a few alone; and where nothing is kept none are waited for."""
+        scene = load_scene(self.write("small.json", small_scene()))
+        window = frames.open_window(scene, None)
+        self.addCleanup(window.Finalize)
+        window.SetDesiredUpdateRate(100.0)
+        drawn: list[int] = []
+
+        def render(**settings: object) -> dict[str, object]:
+            drawn.clear()
+            job = frames.Job("gather", settings={"NumberOfLights": 256, **settings}, frames=2)
+            return frames.render(
+                scene, window, job, lambda _: drawn.append(frames.tiles_drawn(scene.renderer))
+            )
+
+        warm = render()["warm_up_frames"]
+        self.assertGreater(warm, 2)
+        new = np.diff([*drawn, frames.tiles_drawn(scene.renderer)])
+        self.assertTrue((new[: warm - 1] > 0).all(), new)
+        self.assertEqual(new[warm - 1 :].tolist(), [0, 0, 0])
+        self.assertEqual(render(Caching=False)["warm_up_frames"], 1)
 
     def test_failing_row_is_a_row_and_the_run_goes_on(self) -> None:
         path = self.write(

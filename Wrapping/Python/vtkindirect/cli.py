@@ -146,7 +146,7 @@ def commands() -> dict[str, argparse.ArgumentParser]:
         type=_frames,
         default=1,
         metavar="N",
-        help="frames to render and measure, after one to warm up if N > 1, while the camera turns by "
+        help="frames to render and measure, after some to warm up if N > 1, while the camera turns by "
         "less than a pixel; Caching=off measures all work in each (default: 1)",
     )
     render.add_argument(

@@ -2,7 +2,7 @@
 """The command ``vtk-indirect compare``: methods on scenes, each row with its times and its errors.
 
 For every scene the rows are rendered while the camera turns by less than a pixel; times are medians over
-frames after one to warm up, by wall clock with the pipeline drained around each stage. Errors are
+frames after some to warm up, by wall clock with the pipeline drained around each stage. Errors are
 those of the very image that was timed. A row that fails is a row with its error, and the run goes
 on. ``Testing/Benchmark/comparison.py`` of the project's sources adds yardsticks, plots and a page.
 """
@@ -78,7 +78,7 @@ def _times(report: dict[str, Any]) -> Result:
     result["indirect_ms"] = report.get("indirect_ms")
     result["frame_ms"] = report["wall_ms"]["median_ms"]
     result["frame_p95_ms"] = report["wall_ms"]["p95_ms"]
-    for name in ("pace", "first_ms"):
+    for name in ("pace", "first_ms", "warm_up_frames"):
         if name in report:
             result[name] = report[name]
     result["virtual_lights"] = report.get("virtual_lights")
@@ -256,7 +256,7 @@ def add_arguments(
         type=count,
         default=FRAMES,
         metavar="N",
-        help=f"frames to measure, after one to warm up (default: {FRAMES})",
+        help=f"frames to measure, after some to warm up (default: {FRAMES})",
     )
     outside = f"done by {PROGRAM} of the project's sources, where they are"
     parser.add_argument(

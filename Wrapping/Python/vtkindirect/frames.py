@@ -39,6 +39,12 @@ TURN = 0.5
 TINY_TURN = 1e-6
 """The same of a camera that turns by so little that no pixel changes."""
 STANDING_SECONDS = 2.0
+MOST_FILLING_FRAMES = 64
+"""Frames to wait for depth maps, which arrive over several: of lights that turn with the camera
+they never are all there."""
+
+Filling = Callable[[], bool]
+"""Whether the last frame has drawn depth maps, so that there may be more to draw."""
 
 
 @dataclass
@@ -58,7 +64,7 @@ class Job:
 
     @property
     def all_frames(self) -> int:
-        """The frames to render: one more to warm up when there is more than one to measure."""
+        """The frames to render, and at least one to warm up when more than one is measured."""
         return self.frames + 1 if self.frames > 1 else 1
 
 
@@ -80,7 +86,7 @@ def _gl_name(window: vtkRenderWindow) -> dict[str, str]:
     return found
 
 
-def _timed_render(window: vtkRenderWindow) -> float:
+def timed_render(window: vtkRenderWindow) -> float:
     """Render a frame and wait until it is there; returns milliseconds."""
     window.WaitForCompletion()
     begin = time.perf_counter()
@@ -89,35 +95,35 @@ def _timed_render(window: vtkRenderWindow) -> float:
     return 1000.0 * (time.perf_counter() - begin)
 
 
-def _stand() -> Iterator[None]:
-    """Yield before each frame of a camera that stands, for `STANDING_SECONDS`, twice at least."""
+def tiles_drawn(indirect: Any) -> int:
+    """Return how many depth maps a pass has drawn so far; 0 without a pass."""
+    return 0 if indirect is None else int(methods.report(indirect)["counters"]["tiles_drawn"])
+
+
+def _never() -> bool:
+    return False
+
+
+def _stand(seconds: float, least: int, filling: Filling = _never) -> Iterator[None]:
+    """Yield before each frame of a camera that stands for so many seconds, and so many frames.
+
+    At most for `MOST_FILLING_FRAMES` more it goes on while frames draw depth maps.
+    """
     begin, count = time.perf_counter(), 0
-    while count < 2 or time.perf_counter() - begin < STANDING_SECONDS:
+    while (
+        count < least
+        or time.perf_counter() - begin < seconds
+        or (count < MOST_FILLING_FRAMES and filling())
+    ):
         yield
         count += 1
 
 
-def _tiny_turns(scene: Scene, job: Job) -> Iterator[bool]:
-    """Yield before each frame whether it is one to warm up; the last one has the scene's camera."""
-    camera = scene.renderer.GetActiveCamera()
-    place, up = camera.GetPosition(), camera.GetViewUp()
-    for frame in range(job.all_frames):
-        camera.SetPosition(place)
-        camera.SetViewUp(up)
-        left = job.all_frames - 1 - frame
-        if left > 0:
-            camera.Azimuth(TINY_TURN * left)
-        yield job.frames > 1 and frame == 0
-
-
-def _steps(scene: Scene, window: vtkRenderWindow, job: Job) -> Iterator[bool]:
+def _steps(scene: Scene, window: vtkRenderWindow, job: Job, filling: Filling) -> Iterator[bool]:
     """Yield before each frame whether it is one to warm up; the camera is then where it should be.
 
     Camera and rate are as they were afterwards.
     """
-    if job.pace is None:
-        yield from _tiny_turns(scene, job)
-        return
     camera, rate = scene.renderer.GetActiveCamera(), window.GetDesiredUpdateRate()
     before = vtkCamera()
     before.DeepCopy(camera)
@@ -126,21 +132,26 @@ def _steps(scene: Scene, window: vtkRenderWindow, job: Job) -> Iterator[bool]:
         camera.DeepCopy(before)
         camera.Modified()  # a copy alone leaves VTK drawing with the matrices that it has
         if steps:
-            camera.Azimuth(TURN * steps)
+            camera.Azimuth((TINY_TURN if job.pace is None else TURN) * steps)
             camera.OrthogonalizeViewUp()
 
     try:
-        turn(job.frames + 1)
-        window.SetDesiredUpdateRate(STILL_RATE)
-        for _ in _stand():
+        if job.pace is not None:
+            turn(job.frames + 1)
+            window.SetDesiredUpdateRate(STILL_RATE)
+            for _ in _stand(STANDING_SECONDS, 2, filling):
+                yield True
+            turn(job.frames)
+            window.SetDesiredUpdateRate(STILL_RATE if job.pace == "still" else INTERACTIVE_RATE)
             yield True
-        turn(job.frames)
-        window.SetDesiredUpdateRate(STILL_RATE if job.pace == "still" else INTERACTIVE_RATE)
-        yield True
+        elif job.frames > 1:
+            turn(job.frames)
+            for _ in _stand(0.0, 1, filling):
+                yield True
         if job.pace == "standing":
             turn(0)
             window.SetDesiredUpdateRate(STILL_RATE)
-            for _ in _stand():
+            for _ in _stand(STANDING_SECONDS, 2):
                 yield False
         else:
             for left in reversed(range(job.frames)):
@@ -161,8 +172,9 @@ def render(
 
     `step` is called before each frame. An error that VTK reports while rendering, such as a shader
     that does not compile, is a `RenderError`. Several frames are those of a camera that turns in a
-    scene that stands still, the first one, which makes all that is kept, apart (``first_ms``): it
-    turns by so little that no pixel changes, and ends where it was.
+    scene that stands still, by so little that no pixel changes, and ends where it was. Those that
+    make what is kept are apart (``first_ms``, ``warm_up_frames``): depth maps are all there before
+    a frame is measured, where `MOST_FILLING_FRAMES` suffice for them.
     """
     values = dict(job.settings)
     if job.lighting is not None:
@@ -170,15 +182,21 @@ def render(
     indirect = methods.enable(scene.renderer, job.method, job.sampler, **values)
     times: list[float] = []
     first: float | None = None
-    steps = _steps(scene, window, job)
+    warm_up_frames = tiles = new_tiles = 0
+    keeps = indirect is not None and indirect.GetCaching()
+    steps = _steps(scene, window, job, lambda: keeps and new_tiles > 0)
     with contextlib.closing(steps), messages.capture() as said:
         for warm_up in steps:
             if indirect is not None:
                 indirect.SetTiming(not warm_up)
             step("warming up" if warm_up else f"frame {len(times) + 1} of {job.frames}")
-            elapsed = _timed_render(window)
+            elapsed = timed_render(window)
             first = elapsed if first is None else first
-            if not warm_up:
+            if warm_up:
+                warm_up_frames += 1
+                drawn = tiles_drawn(indirect)
+                tiles, new_tiles = drawn, drawn - tiles
+            else:
                 times.append(elapsed)
             if said.errors:
                 raise RenderError(f"rendering failed: {said.first_error()}")
@@ -206,7 +224,7 @@ def render(
     result.setdefault("frames", job.frames)
     result["wall_ms"] = {"median_ms": median, "p95_ms": p95}
     if job.frames > 1:
-        result["first_ms"] = first
+        result["first_ms"], result["warm_up_frames"] = first, warm_up_frames
     if job.pace is not None:
         result["frames"], result["pace"] = len(times), job.pace
     return result

@@ -10,7 +10,7 @@ except ImportError as error:
 
 
 class Progress(tqdm):
-    """Counts steps of known number; nothing is left of it on the terminal."""
+    """Counts steps, of which there may be more; nothing is left of it on the terminal."""
 
     def __init__(self, label: str, total: int) -> None:
         super().__init__(total=total, desc=label, delay=1.0, leave=False, disable=None)
@@ -18,4 +18,6 @@ class Progress(tqdm):
     def step(self, what: str = "") -> None:
         """Say that one more step begins; `what` is shown beside the bar."""
         self.set_postfix_str(what, refresh=False)
+        if self.total is not None:
+            self.total = max(self.total, self.n + 1)
         self.update()
