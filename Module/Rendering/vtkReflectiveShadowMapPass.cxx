@@ -198,7 +198,7 @@ bool vtkReflectiveShadowMapPass::Update(
       key.Map = mapKey;
       for (const vtkIndirectCaster& caster : frame.Casters)
       {
-        if (map.CanSee(face, caster.Bounds))
+        if (map.CanHold(face, caster.Bounds, this->Resolution))
         {
           key.Casters.push_back({ caster.Prop, caster.RedrawMTime, caster.SendsLight });
         }

@@ -23,35 +23,11 @@ namespace
 const glm::dvec3 White(0.8);
 using Polygon = std::vector<glm::dvec3>;
 
-// Compares the buffer `sky` with what `expect` says of each receiver that counts.
 void CompareSky(Scene& scene, const std::function<bool(const Scene::Receiver&)>& counts,
   const std::function<double(const Scene::Receiver&)>& expect, double meanTolerance,
   double rmsTolerance, const std::string& origin)
 {
-  scene.Render();
-  const Image sky = scene.Copy("sky");
-  const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
-  double sum = 0.0;
-  double expectedSum = 0.0;
-  double squares = 0.0;
-  int count = 0;
-  for (size_t i = 0; i < receivers.size(); ++i)
-  {
-    if (!receivers[i].Lit || !counts(receivers[i]))
-    {
-      continue;
-    }
-    const double expected = expect(receivers[i]);
-    const double measured = sky.Values[3 * i];
-    sum += measured;
-    expectedSum += expected;
-    squares += (measured - expected) * (measured - expected);
-    ++count;
-  }
-  Check("receivers are seen", count > 100, "a test of nothing passes");
-  CheckRelative("mean irradiance from the sky", sum, expectedSum, meanTolerance, origin);
-  CheckAtMost(
-    "its RMS error over the mean", std::sqrt(squares * count) / expectedSum, rmsTolerance, origin);
+  CompareLight(scene, "sky", counts, expect, { meanTolerance, rmsTolerance, origin });
 }
 
 bool Any(const Scene::Receiver&)

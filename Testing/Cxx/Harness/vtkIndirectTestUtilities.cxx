@@ -533,4 +533,37 @@ glm::dvec3 Gather(
   }
   return sum;
 }
+
+//------------------------------------------------------------------------------
+void CompareLight(Scene& scene, const std::string& buffer,
+  const std::function<bool(const Scene::Receiver&)>& counts,
+  const std::function<double(const Scene::Receiver&)>& expect, const LightTolerance& tolerance,
+  const std::string& name)
+{
+  scene.Render();
+  const Image light = scene.Copy(buffer);
+  const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
+  double sum = 0.0;
+  double expectedSum = 0.0;
+  double squares = 0.0;
+  int count = 0;
+  for (size_t i = 0; i < receivers.size(); ++i)
+  {
+    if (!receivers[i].Lit || !counts(receivers[i]))
+    {
+      continue;
+    }
+    const double expected = expect(receivers[i]);
+    const double measured = light.Values[3 * i];
+    sum += measured;
+    expectedSum += expected;
+    squares += (measured - expected) * (measured - expected);
+    ++count;
+  }
+  const std::string what = name.empty() ? buffer : name + ": " + buffer;
+  Check("receivers are seen", count > 100, "a test of nothing passes");
+  CheckRelative(what + ": mean", sum, expectedSum, tolerance.Mean, tolerance.Origin);
+  CheckAtMost(what + ": RMS error over the mean", std::sqrt(squares * count) / expectedSum,
+    tolerance.RMS, tolerance.Origin);
+}
 }

@@ -168,6 +168,19 @@ public:
   void CheckBuffers(int numberOfMaps);
 };
 
+/** What a mean and an RMS error over it may be off by, and why. */
+struct LightTolerance
+{
+  double Mean;
+  double RMS;
+  std::string Origin;
+};
+/** Renders, and compares red of a buffer with what `expect` says of each receiver that counts. */
+void CompareLight(Scene& scene, const std::string& buffer,
+  const std::function<bool(const Scene::Receiver&)>& counts,
+  const std::function<double(const Scene::Receiver&)>& expect, const LightTolerance& tolerance,
+  const std::string& name = "");
+
 /** Sum of the virtual lights at a receiver in double precision, with the kernel written anew. */
 glm::dvec3 Gather(
   const std::vector<VirtualLight>& lights, const glm::dvec3& position, const glm::dvec3& normal);

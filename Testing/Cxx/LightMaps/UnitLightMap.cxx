@@ -229,7 +229,7 @@ VTK_INDIRECT_TEST(MapCulling)
             glm::dvec3(sceneToFace *
               glm::dvec4((world - scene.Frame.SceneCenter) * scene.Frame.SceneScale, 1.0)));
         }
-        const bool sees = map.CanSee(face, bounds);
+        const bool sees = map.CanHold(face, bounds, 1 << 20);
         visible += shown;
         culled += !sees;
         kept += sees;
@@ -244,6 +244,40 @@ VTK_INDIRECT_TEST(MapCulling)
   // All six sides of the test, conservative as it is, keep few boxes that no ray meets.
   CheckAtLeast(
     "share of kept boxes that are visible", double(visible) / kept, 0.5, "culling is sharp");
+}
+
+// Rectangles hold a texel's centre or not, by trying all of them.
+VTK_INDIRECT_TEST(MapTexelCenters)
+{
+  Random random(17);
+  const int texels = 16;
+  int missed = 0;
+  int held = 0;
+  int kept = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const glm::dvec2 lower(random.Next(-1.2, 1.1), random.Next(-1.2, 1.1));
+    const glm::dvec2 upper = lower + glm::dvec2(random.Next(0.0, 0.2), random.Next(0.0, 0.2));
+    bool holds = false;
+    for (int k = -8; k < 2 * texels; ++k)
+    {
+      for (int j = -8; j < 2 * texels; ++j)
+      {
+        const glm::dvec2 center = 2.0 * glm::dvec2(k + 0.5, j + 0.5) / double(texels) - 1.0;
+        holds = holds ||
+          (center.x >= lower.x && center.x <= upper.x && center.y >= lower.y &&
+            center.y <= upper.y);
+      }
+    }
+    const bool keeps = vtkIndirectLightMap::HasTexelCenter(lower, upper, texels);
+    missed += holds && !keeps;
+    held += holds;
+    kept += keeps;
+  }
+  CheckEqual("rectangles with a centre that are left out", missed, 0);
+  CheckAtLeast("rectangles with one", held, 500, "the test's own power");
+  CheckAtMost("rectangles that are kept, over those", double(kept) / held, 1.4,
+    "a sixteenth of a texel on each side, of rectangles of 0 to 1.6 texels");
 }
 
 VTK_INDIRECT_TEST(MapProjections)

@@ -38,42 +38,11 @@ struct SkyScene : Scene
   }
 };
 
-struct Tolerance
-{
-  double Mean;
-  double RMS;
-  std::string Origin;
-};
-
-// Compares red of the buffer `bounce` with what `expect` says of each receiver that counts.
 void CompareBounce(Scene& scene, const std::string& name,
   const std::function<bool(const Scene::Receiver&)>& counts,
-  const std::function<double(const Scene::Receiver&)>& expect, const Tolerance& tolerance)
+  const std::function<double(const Scene::Receiver&)>& expect, const LightTolerance& tolerance)
 {
-  scene.Render();
-  const Image bounce = scene.Copy("bounce");
-  const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
-  double sum = 0.0;
-  double expectedSum = 0.0;
-  double squares = 0.0;
-  int count = 0;
-  for (size_t i = 0; i < receivers.size(); ++i)
-  {
-    if (!receivers[i].Lit || !counts(receivers[i]))
-    {
-      continue;
-    }
-    const double expected = expect(receivers[i]);
-    const double measured = bounce.Values[3 * i];
-    sum += measured;
-    expectedSum += expected;
-    squares += (measured - expected) * (measured - expected);
-    ++count;
-  }
-  Check("receivers are seen", count > 100, "a test of nothing passes");
-  CheckRelative(name + ": mean", sum, expectedSum, tolerance.Mean, tolerance.Origin);
-  CheckAtMost(name + ": RMS error over the mean", std::sqrt(squares * count) / expectedSum,
-    tolerance.RMS, tolerance.Origin);
+  CompareLight(scene, "bounce", counts, expect, tolerance, name);
 }
 
 // A sender of a surface whose irradiance from the sky is known.

@@ -108,7 +108,7 @@ VTK_INDIRECT_TEST(DepthTileOfADirection)
     {
       const vtkIndirectDepthTile tile =
         vtkIndirectDepthTile::FromDirection(frame, random.NextDirection());
-      unseen += tile.CanSee(frame, frame.Casters[0].Bounds) ? 0 : 1;
+      unseen += tile.CanSee(frame, frame.Casters[0].Bounds, 128) ? 0 : 1;
       const glm::dmat4 toClip = tile.GetWorldToClip(frame);
       for (int corner = 0; corner < 8; ++corner)
       {
@@ -123,7 +123,7 @@ VTK_INDIRECT_TEST(DepthTileOfADirection)
         const glm::dvec3 shift = 3.0 * scale * tile.Right;
         beside[k] = frame.Casters[0].Bounds[k] + shift[k / 2];
       }
-      seenBeside += tile.CanSee(frame, beside) ? 1 : 0;
+      seenBeside += tile.CanSee(frame, beside, 128) ? 1 : 0;
     }
     CheckEqual("tiles that do not see what they are fitted to", unseen, 0);
     CheckEqual("tiles that see what is beside them", seenBeside, 0);

@@ -304,7 +304,6 @@ void vtkSurfaceCapturePass::BeginMap(const vtkIndirectFrame& frame, const vtkInd
   in.DepthRange[2] = static_cast<float>(in.StageIsParallel);
   in.Camera = frame.Renderer->GetActiveCamera();
   in.MapLight = glm::vec3(map.Positional ? 1.0 : 0.0, map.TexelWidth, 1.0);
-  in.Lights.Update(frame, nullptr);
   in.Window = frame.Window;
   in.ReserveUnit();
 }
@@ -470,10 +469,10 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   {
     program->SetUniformi("vtkiPenumbraTiles", in.TileUnit);
   }
-  in.Lights.SetUniforms(program);
   // Whatever has switched blending since the stage began must not mix bits.
   if (in.Stage == 0)
   {
+    in.Lights.SetUniforms(program); // a map holds surfaces, whatever shines on them
     this->UseEyeChannels(prop);
   }
   else

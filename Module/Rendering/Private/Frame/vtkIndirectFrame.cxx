@@ -86,7 +86,8 @@ void vtkIndirectFrame::Build(const vtkRenderState* state)
   }
   this->CollectLights();
   this->CollectProps();
-  if (this->Size[0] > 0 && this->Size[1] > 0 && !this->Casters.empty())
+  if (this->Size[0] > 0 && this->Size[1] > 0 &&
+    (!this->Casters.empty() || this->NumberOfOtherReceivers > 0))
   {
     this->SetUpEye();
   }

@@ -32,9 +32,10 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.WhyDelegate = settings.IndirectScale == 0.0 && !settings.Shadows
     ? "IndirectScale is 0 and Shadows are off"
     : frame.Size[0] < 1 || frame.Size[1] < 1 ? "the viewport is empty"
-    : frame.Casters.empty()                  ? "nothing opaque is visible"
-    : emitters == 0                          ? "no light is on"
-                                             : circumstances.DelegateIsRefused;
+    : frame.Casters.empty() && !(circumstances.Environment && frame.NumberOfOtherReceivers > 0)
+    ? "nothing opaque is visible"
+    : emitters == 0 ? "no light is on"
+                    : circumstances.DelegateIsRefused;
   if (!plan.WhyDelegate.empty())
   {
     plan.Modelled.emplace_back("the delegate alone", plan.WhyDelegate);
@@ -43,7 +44,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
 
   plan.FindSenders(frame, settings);
   plan.FindVisibility(settings, estimator);
-  plan.FindSky(settings, estimator, circumstances);
+  plan.FindSky(frame, settings, estimator, circumstances);
   plan.FindUnit(frame, circumstances);
   plan.Shadows = settings.Shadows && plan.Senders == MAPS;
   const bool sent =
@@ -72,6 +73,10 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
 void vtkIndirectPlan::FindSenders(
   const vtkIndirectFrame& frame, const vtkIndirectSettings& settings)
 {
+  if (frame.Casters.empty())
+  {
+    return; // what a sky shines on, and nothing that would send its light on
+  }
   // The eye sees all that its headlight lights and that sends, unless a prop is not to send. Of a
   // headlight that has a size it sees penumbrae, for which there must be maps.
   if (frame.Lights.size() == 1 && frame.Lights.front().Headlight &&
@@ -129,11 +134,11 @@ void vtkIndirectPlan::FindVisibility(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPlan::FindSky(const vtkIndirectSettings& settings,
+void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
   const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances)
 {
   this->Sky = circumstances.Environment && settings.IndirectScale > 0.0;
-  this->SkyIsShadowed = settings.Visibility != vtkIndirectVisibilityNone;
+  this->SkyIsShadowed = settings.Visibility != vtkIndirectVisibilityNone && !frame.Casters.empty();
   this->ReplacesImageLight = this->Sky && circumstances.ImageBasedLighting;
   if (this->ReplacesImageLight)
   {
@@ -150,8 +155,9 @@ void vtkIndirectPlan::FindSky(const vtkIndirectSettings& settings,
   {
     return;
   }
-  this->SkyBounces = !estimator.ReadsMaps || this->Senders == NO_SENDERS;
-  if (!this->SkyBounces)
+  this->SkyBounces =
+    (!estimator.ReadsMaps || this->Senders == NO_SENDERS) && !frame.Casters.empty();
+  if (!this->SkyBounces && !frame.Casters.empty())
   {
     this->LeftOut.emplace_back("bounces of light from the sky",
       estimator.Name + " reads the lights' maps, and nothing beside them; the result is too dark");
@@ -166,7 +172,7 @@ void vtkIndirectPlan::FindSky(const vtkIndirectSettings& settings,
       : this->NumberOfSkyDirections >= 64               ? 2
                                                         : 1;
   }
-  if (!this->SkyIsShadowed)
+  if (!this->SkyIsShadowed && !frame.Casters.empty())
   {
     this->LeftOut.emplace_back(
       "what hides the sky", "Visibility is none; the result is too bright");

@@ -134,8 +134,8 @@ struct vtkIndirectPlan
 private:
   void FindSenders(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings);
   void FindVisibility(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
-  void FindSky(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
-    const vtkIndirectCircumstances& circumstances);
+  void FindSky(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
+    const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void FindUnit(const vtkIndirectFrame& frame, const vtkIndirectCircumstances& circumstances);
   void LeaveOut(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
 };

@@ -233,12 +233,15 @@ void vtkIndirectLightMap::SetProjection(vtkOpenGLCamera* camera, const glm::dmat
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectLightMap::CanSee(int face, const double bounds[6]) const
+bool vtkIndirectLightMap::CanHold(int face, const double bounds[6], int texels) const
 {
   const glm::dmat3 toFace = this->GetFaceRotation(face) * glm::dmat3(this->WorldToLight);
   const glm::dvec3 origin(this->LightToWorld[3]);
   unsigned int outsideAll = 0x1f;
-  for (int i = 0; i < 8 && outsideAll; ++i)
+  glm::dvec2 lower(VTK_DOUBLE_MAX);
+  glm::dvec2 upper(-VTK_DOUBLE_MAX);
+  bool ahead = true;
+  for (int i = 0; i < 8; ++i)
   {
     const glm::dvec3 p = toFace * (Corner(bounds, i) - origin) * this->SceneScale;
     const double w =
@@ -250,8 +253,22 @@ bool vtkIndirectLightMap::CanSee(int face, const double bounds[6]) const
     outside |= p.y < -w ? 8u : 0u;
     outside |= p.z > 0.0 ? 16u : 0u;
     outsideAll &= outside;
+    ahead = ahead && w > 0.0;
+    lower = glm::min(lower, glm::dvec2(p) / w);
+    upper = glm::max(upper, glm::dvec2(p) / w);
   }
-  return outsideAll == 0;
+  return outsideAll == 0 && (!ahead || HasTexelCenter(lower, upper, texels));
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectLightMap::HasTexelCenter(
+  const glm::dvec2& lower, const glm::dvec2& upper, int texels)
+{
+  // OpenGL places corners at steps of 1/256 of a texel or less, and matrices are rounded.
+  constexpr double margin = 1.0 / 16.0;
+  const glm::dvec2 first = glm::ceil(0.5 * texels * (lower + 1.0) - 0.5 - margin);
+  const glm::dvec2 last = glm::floor(0.5 * texels * (upper + 1.0) - 0.5 + margin);
+  return first.x <= last.x && first.y <= last.y;
 }
 
 //------------------------------------------------------------------------------

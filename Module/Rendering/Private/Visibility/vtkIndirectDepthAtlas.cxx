@@ -91,7 +91,7 @@ void vtkIndirectDepthAtlas::ForgetWhatChanged(const vtkIndirectFrame& frame)
   {
     for (size_t i = 0; drawing.Valid && i < changed.size(); ++i)
     {
-      drawing.Valid = !drawing.Tile.CanSee(frame, changed[i]);
+      drawing.Valid = !drawing.Tile.CanSee(frame, changed[i], this->Texels);
     }
   }
   this->Casters = std::move(now);
@@ -227,7 +227,8 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
     }
     for (size_t i = 0; i < tiles.size(); ++i)
     {
-      if (this->Drawn[static_cast<size_t>(tiles[i])].Tile.CanSee(frame, caster.Bounds))
+      if (this->Drawn[static_cast<size_t>(tiles[i])].Tile.CanSee(
+            frame, caster.Bounds, this->Texels))
       {
         this->Use(frame, tiles[i]);
         this->Drawer.Draw(toClip[i]);
@@ -257,7 +258,7 @@ void vtkIndirectDepthAtlas::DrawOthers(const vtkIndirectFrame& frame,
     capture->BeginMap(frame, { !tile.Parallel, tile.Parallel, tile.Near, tile.Far, width });
     for (const vtkIndirectCaster* caster : casters)
     {
-      if (tile.CanSee(frame, caster->Bounds))
+      if (tile.CanSee(frame, caster->Bounds, this->Texels))
       {
         capture->BeginCaster(false);
         caster->Prop->RenderOpaqueGeometry(frame.Renderer);

@@ -167,10 +167,14 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromUnits(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectDepthTile::CanSee(const vtkIndirectFrame& frame, const double bounds[6]) const
+bool vtkIndirectDepthTile::CanSee(
+  const vtkIndirectFrame& frame, const double bounds[6], int texels) const
 {
   unsigned int outsideAll = 0x1f;
-  for (int i = 0; i < 8 && outsideAll; ++i)
+  glm::dvec2 lower(std::numeric_limits<double>::infinity());
+  glm::dvec2 upper = -lower;
+  bool ahead = true;
+  for (int i = 0; i < 8; ++i)
   {
     const glm::dvec3 d = ToScene(frame, bounds, i) - this->Place;
     const double x = glm::dot(d, this->Right);
@@ -184,8 +188,11 @@ bool vtkIndirectDepthTile::CanSee(const vtkIndirectFrame& frame, const double bo
     outside |= y < -w.y ? 8u : 0u;
     outside |= z < this->Near ? 16u : 0u;
     outsideAll &= outside;
+    ahead = ahead && w.x > 0.0;
+    lower = glm::min(lower, glm::dvec2(x, y) / w);
+    upper = glm::max(upper, glm::dvec2(x, y) / w);
   }
-  return outsideAll == 0;
+  return outsideAll == 0 && (!ahead || vtkIndirectLightMap::HasTexelCenter(lower, upper, texels));
 }
 
 //------------------------------------------------------------------------------

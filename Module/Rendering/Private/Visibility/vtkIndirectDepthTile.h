@@ -33,8 +33,9 @@ struct vtkIndirectDepthTile
   vtkIndirectDepthTile FromUnits(
     double scale, const glm::dvec3& center, const vtkIndirectFrame& frame) const;
 
-  /** Whether it can see any of these bounds, in world coordinates. */
-  bool CanSee(const vtkIndirectFrame& frame, const double bounds[6]) const;
+  /** Whether it can see any of these bounds, in world coordinates, and with so many texels along an
+   * edge holds anything of them: they do not lie between the texels' centres. */
+  bool CanSee(const vtkIndirectFrame& frame, const double bounds[6], int texels) const;
 
   /** From world to clip coordinates. */
   glm::dmat4 GetWorldToClip(const vtkIndirectFrame& frame) const;
