@@ -311,7 +311,8 @@ VTK_INDIRECT_TEST(SkyBouncesAreKept)
   const Image kept = scene.Copy("bounce");
   scene.Pass->CachingOff();
   scene.Render();
-  CheckEqual("as all maps drawn anew have it", scene.Copy("bounce").Mean(), kept.Mean());
+  CheckRelative("as all maps drawn anew have it", scene.Copy("bounce").Mean(), kept.Mean(), 0.005,
+    "a moved ball has room, which maps are fitted to: their texels lie elsewhere");
   scene.Pass->CachingOn();
   scene.Pass->SetEnvironment(nullptr);
   scene.AddDirectional({ -0.3, -1.0, -0.2 });

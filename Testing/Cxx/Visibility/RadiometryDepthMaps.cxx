@@ -234,3 +234,53 @@ VTK_INDIRECT_TEST(DepthMapsAreKept)
   Check("which is another picture", std::abs(after.Mean() - before.Mean()) > 1e-6);
   scene.CheckBuffers(1);
 }
+
+// A ball at the border of the scene, behind a wall, moves in every frame: the maps of the wall's
+// lights, which cannot see it, are drawn again only when it needs more room.
+VTK_INDIRECT_TEST(DepthMapsStayWhileTheBorderMoves)
+{
+  Scene scene(48, 36);
+  scene.AddQuad({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, White);
+  scene.AddQuad({ 0, 0, 1 }, { 2, 0, 1 }, { 0, 0, 0 }, White);
+  scene.AddQuad({ 1, 0, 0.3 }, { 1, 0, 0.8 }, { 1, 0.4, 0.3 }, White);
+  vtkActor* ball = scene.AddSphere({ 0, 0, 0 }, 0.1, 24, White);
+  scene.AddSpot({ 0.7, 0.5, 1.0 }, { 0.7, 0.5, 0.0 }, 20.0, 0.0, { 1, 0, 0 });
+  scene.Sampler->SetNumberOfLights(64);
+  scene.SetEye({ 1, 1.5, 3.5 }, { 1, 0.3, 0 }, { 0, 1, 0 }, 34, 0.1, 10);
+  vtkNew<vtkEnvironmentLight> sky;
+  scene.Pass->SetEnvironment(sky);
+  scene.Gather->SetModeToVirtualLights();
+  scene.Pass->SetVisibilityToMaps();
+  auto count = [&]()
+  { return scene.ReadReport("tiles_drawn") - scene.ReadReport("sky_tiles_drawn"); };
+  // What the sky's light has bounced from is the ball, too.
+  sky->SetRadiance(0.0, 0.0, 0.0);
+  auto place = [&](double z)
+  {
+    ball->SetPosition(0.7, 0.5, z);
+    const double before = std::max(0.0, count());
+    scene.Render();
+    return count() - before;
+  };
+  place(-0.2);
+  const double all = count();
+  CheckAtLeast("maps", all, 30.0, "lights that send");
+  CheckEqual("maps that a first step draws, which makes room", place(-0.21), all);
+  for (int i = 0; i < 8; ++i)
+  {
+    CheckEqual("maps that a further step draws", place(-0.22 - 0.02 * i), 0.0);
+  }
+  CheckEqual("more room", place(-0.8), all);
+  for (int i = 0; i < 8; ++i)
+  {
+    CheckEqual("a step back", place(-0.8 + 0.03 * i), 0.0);
+  }
+  const Image kept = scene.Copy("irradiance");
+  scene.Pass->CachingOff();
+  scene.Render();
+  CheckRelative("and the light is that of a scene that has not moved", kept.Mean(),
+    scene.Copy("irradiance").Mean(), 0.01, "other biases, which are shares of the scene's size");
+  scene.Pass->CachingOn();
+  CheckAtLeast("a far place", place(-20.0), all, "scene units change");
+  CheckAtLeast("and back: less than half would be filled", place(-0.3), all, "they change again");
+}

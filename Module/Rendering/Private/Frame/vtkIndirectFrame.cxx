@@ -5,6 +5,7 @@
 #include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectRoom.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -69,7 +70,7 @@ glm::dmat4 vtkIndirectFrame::ToGLM(vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrame::Build(const vtkRenderState* state)
+void vtkIndirectFrame::Build(const vtkRenderState* state, vtkIndirectRoom* room)
 {
   this->Renderer = state->GetRenderer();
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
@@ -85,7 +86,7 @@ void vtkIndirectFrame::Build(const vtkRenderState* state)
       &this->Size[0], &this->Size[1], &this->Origin[0], &this->Origin[1]);
   }
   this->CollectLights();
-  this->CollectProps();
+  this->CollectProps(room);
   if (this->Size[0] > 0 && this->Size[1] > 0 &&
     (!this->Casters.empty() || this->NumberOfOtherReceivers > 0))
   {
@@ -108,7 +109,7 @@ void vtkIndirectFrame::LeaveOut(const std::string& what, const std::string& why)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrame::CollectProps()
+void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room)
 {
   vtkBoundingBox box;
   this->CoversFully = !this->Window->GetPointSmoothing() && !this->Window->GetLineSmoothing() &&
@@ -151,6 +152,14 @@ void vtkIndirectFrame::CollectProps()
     }
     this->AddOpaque(prop, box);
   }
+  if (room)
+  {
+    room->Give(this->Casters);
+  }
+  for (const vtkIndirectCaster& caster : this->Casters)
+  {
+    box.AddBounds(caster.GetFit());
+  }
   if (box.IsValid())
   {
     box.GetBounds(this->SceneBounds);
@@ -191,7 +200,6 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     caster.Triangles = kind.DepthTriangles;
     this->AllSendLight = this->AllSendLight && caster.SendsLight;
     this->Casters.push_back(caster);
-    box.AddBounds(bounds);
     return;
   }
   this->LeaveOut(prop->GetClassName(),

@@ -14,6 +14,7 @@
 #include <vector>      // for lists
 
 class vtkBoundingBox;
+class vtkIndirectRoom;
 class vtkLight;
 class vtkLightCollection;
 class vtkMatrix4x4;
@@ -56,9 +57,14 @@ struct vtkIndirectCaster
 {
   vtkProp* Prop = nullptr;
   double Bounds[6];
+  /** Where it has moved: what maps are fitted to in place of its bounds, see vtkIndirectRoom. */
+  double Room[6];
+  bool HasRoom = false;
   vtkMTimeType RedrawMTime = 0;
   bool SendsLight = true;
   double Triangles = 0.0; // about, of its depth
+
+  const double* GetFit() const { return this->HasRoom ? this->Room : this->Bounds; }
 };
 
 struct vtkIndirectFrame
@@ -104,8 +110,8 @@ struct vtkIndirectFrame
   glm::dmat3 RayDirection{ 0.0 };
 
   /** Reads the scene. The eye is set up only where something opaque is in a viewport of any size.
-   */
-  void Build(const vtkRenderState* state);
+   * Bounds have room where one is given. */
+  void Build(const vtkRenderState* state, vtkIndirectRoom* room = nullptr);
 
   /** Transform from an affine frame given in world coordinates to scene units. */
   glm::dmat4 ToScene(const glm::dmat4& frameToWorld) const;
@@ -119,7 +125,7 @@ struct vtkIndirectFrame
 
 private:
   void LeaveOut(const std::string& what, const std::string& why);
-  void CollectProps();
+  void CollectProps(vtkIndirectRoom* room);
   void AddOpaque(vtkProp* prop, vtkBoundingBox& box);
   void CollectLights();
   void SetUpEye();

@@ -99,7 +99,7 @@ void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
     frame.SceneCenter.z };
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    key.insert(key.end(), caster.Bounds, caster.Bounds + 6);
+    key.insert(key.end(), caster.GetFit(), caster.GetFit() + 6);
   }
   const bool fits = key == this->FitKey;
   this->FitKey = std::move(key);

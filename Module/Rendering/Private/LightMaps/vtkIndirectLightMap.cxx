@@ -30,8 +30,8 @@ double AimAtCasters(const vtkIndirectFrame& frame, const vtkIndirectLight& light
   glm::dvec3 upper(-VTK_DOUBLE_MAX);
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    lower = glm::min(lower, Corner(caster.Bounds, 0));
-    upper = glm::max(upper, Corner(caster.Bounds, 7));
+    lower = glm::min(lower, Corner(caster.GetFit(), 0));
+    upper = glm::max(upper, Corner(caster.GetFit(), 7));
   }
   const double none = std::numeric_limits<double>::infinity();
   if (!light.Positional || frame.Casters.empty())
@@ -115,7 +115,7 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
     for (int i = 0; i < 8; ++i)
     {
       const glm::dvec3 p =
-        glm::transpose(rotation) * (Corner(caster.Bounds, i) - origin) * frame.SceneScale;
+        glm::transpose(rotation) * (Corner(caster.GetFit(), i) - origin) * frame.SceneScale;
       lower = glm::min(lower, p);
       upper = glm::max(upper, p);
     }

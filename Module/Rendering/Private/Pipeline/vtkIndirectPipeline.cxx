@@ -43,7 +43,11 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   this->Estimator = request.Estimator;
   this->HeldEstimator = request.HoldEstimator ? request.Estimator : nullptr;
   this->Frame = vtkIndirectFrame();
-  this->Frame.Build(s);
+  if (!request.Settings.Caching)
+  {
+    this->Room.Forget();
+  }
+  this->Frame.Build(s, &this->Room);
   this->Frame.ReplacedLights = request.ReplacedLights;
   vtkIndirectCircumstances circumstances = request.Circumstances;
   circumstances.NumberOfOtherEmitters = static_cast<int>(this->OtherSamplers.size());

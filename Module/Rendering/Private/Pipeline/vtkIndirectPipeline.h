@@ -13,6 +13,7 @@
 #include "Frame/vtkIndirectFrame.h"                    // for members
 #include "Frame/vtkIndirectPlan.h"                     // for members
 #include "Frame/vtkIndirectReport.h"                   // for members
+#include "Frame/vtkIndirectRoom.h"                     // for a member
 #include "Frame/vtkIndirectStageTimer.h"               // for members
 #include "Gather/vtkIndirectSkyGather.h"               // for members
 #include "VirtualLights/vtkIndirectHeadlightSampler.h" // for members
@@ -123,6 +124,7 @@ private:
 
   // The last frame.
   vtkIndirectFrame Frame;
+  vtkIndirectRoom Room; // of its casters
   vtkIndirectPlan Plan;
   vtkWeakPointer<vtkRenderer> Renderer; // guards Frame's pointers
   vtkEnvironmentLight* Environment = nullptr;

@@ -130,7 +130,7 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
   {
     for (int i = 0; i < 8; ++i)
     {
-      const glm::dvec3 corner = ToScene(frame, frame.Casters[k].Bounds, i);
+      const glm::dvec3 corner = ToScene(frame, frame.Casters[k].GetFit(), i);
       const glm::dvec3 p(
         glm::dot(corner, tile.Right), glm::dot(corner, tile.Up), glm::dot(corner, toLight));
       // Depths of all: what reaches out is drawn within the tile.

@@ -49,7 +49,7 @@ std::vector<glm::dvec3> FindCorners(const vtkIndirectFrame& frame)
   {
     for (int i = 0; i < 8; ++i)
     {
-      corners.push_back((Corner(caster.Bounds, i) - frame.SceneCenter) * frame.SceneScale);
+      corners.push_back((Corner(caster.GetFit(), i) - frame.SceneCenter) * frame.SceneScale);
     }
   }
   return corners;
