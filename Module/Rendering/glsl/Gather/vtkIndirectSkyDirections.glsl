@@ -51,6 +51,8 @@ bool vtkiIsSkySeen(vec2 first, vec2 at, vec2 centre, float depth, float facing, 
 // Two pixels beside the receiver lie on its facet where their heights over the plane of the shading normal differ
 // by less than this share of the way to the nearer one.
 const float VTKI_SKY_FACET_EDGE = 0.05f;
+// Of the angle between a facet and the normals that are interpolated over it: what is bent more ends there.
+const float VTKI_SKY_FACET_COSINE = 0.9f;
 
 // Along an axis of the image, on the receiver's facet: through both neighbours, or to the one that lies nearer to
 // the plane of the shading normal where an edge is between. ray: of the receiver's pixel; view.
@@ -78,8 +80,8 @@ vec3 vtkiFindFacet(ivec2 pixel, vtkiReceiver receiver)
   vec3 facet = normalize(
     cross(vtkiFindTangent(place, 0, ray, receiver), vtkiFindTangent(place, 1, ray, receiver)));
   float along = dot(facet, receiver.normalVC);
-  // What is thin or bent more has no facet here.
-  return abs(along) > 0.5f ? mat3(vtkiViewToScene) * (sign(along) * facet) : receiver.normal;
+  // What is thin has no facet here.
+  return abs(along) > VTKI_SKY_FACET_COSINE ? mat3(vtkiViewToScene) * (sign(along) * facet) : receiver.normal;
 }
 
 // Irradiance, and in the fourth component its sum over the colours if nothing hid it. facet: the normal of the
