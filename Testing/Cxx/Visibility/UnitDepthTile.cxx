@@ -60,39 +60,53 @@ VTK_INDIRECT_TEST(DepthTileDepths)
   {
     const float stored =
       vtkiDepthToBuffer(static_cast<float>(depth), VTKI_TILE_NEAR, VTKI_TILE_FAR, false);
-    worst = std::max(worst, std::abs(vtkiTileLinearDepth(stored) - depth) / depth);
+    worst = std::max(worst, std::abs(vtkiTileInverseDepth(stored) * depth - 1.0));
   }
   // Half a step of a float near one, 3e-8, times far over near.
   CheckAtMost("depths come back from the buffer", worst, 1.3e-4, "steps of a float times 2048");
 }
 
+// A receiver is seen where what is stored is not nearer than its plane there, or, nearer to the
+// emitter's horizon than the tile reaches, than its distance to the side; in doubles.
 VTK_INDIRECT_TEST(DepthTilePlanes)
 {
   Random random(11);
-  double worst = 0.0;
-  int count = 0;
+  int counts[2][2][2] = {}; // inside the tile's border, in front of the plane, seen
   int wrong = 0;
-  for (int i = 0; i < 20000; ++i)
+  for (int i = 0; i < 40000; ++i)
   {
-    const glm::dvec3 p(random.Next(-0.5, 0.5), random.Next(-0.5, 0.5), random.Next(0.1, 0.9));
+    const glm::dvec3 p(random.Next(-0.9, 0.9), random.Next(-0.9, 0.9), random.Next(-0.1, 0.9));
     const glm::dvec3 n = random.NextDirection();
-    const glm::dvec2 t(random.Next(-3.0, 3.0), random.Next(-3.0, 3.0));
-    const glm::dvec3 ray(t.x, t.y, 1.0);
+    const glm::dvec3 ray(random.Next(-3.0, 3.0), random.Next(-3.0, 3.0), 1.0);
+    const double bias = random.Next(0.0, 0.02);
+    const double stored = random.Next(0.01, 1.0);
+    const double border = std::max(std::abs(p.x), std::abs(p.y)) / VTKI_TILE_TANGENT;
     const double facing = glm::dot(n, p);
     const double along = glm::dot(n, ray);
-    const float found = vtkiTilePlaneDepth(glm::vec3(p), glm::vec3(n), glm::vec2(t));
-    if (facing >= 0.0 || along >= 0.0)
-    {
-      wrong += std::abs(found - p.z) < 1e-6 || std::max(facing, along) < 1e-6 ? 0 : 1;
-      continue;
-    }
-    const double expected = std::min(facing / along, p.z);
-    worst = std::max(worst, std::abs(found - expected) * std::min(1.0, std::abs(along)));
-    ++count;
+    const bool inside = p.z >= border;
+    const bool plane = facing < 0.0 && along < 0.0;
+    const double mine = !inside ? (1.0 - VTKI_TILE_BORDER) * border
+                                : (plane ? std::min(facing / along, p.z) : p.z) - bias * p.z;
+    const bool expected = p.z <= VTKI_TILE_NEAR || stored >= mine;
+    ++counts[inside ? 1 : 0][plane ? 1 : 0][expected ? 1 : 0];
+    const bool found = vtkiIsSeenInPerspectiveTile(static_cast<float>(1.0 / stored),
+      static_cast<float>(p.z), static_cast<float>(border), static_cast<float>(facing),
+      static_cast<float>(along), static_cast<float>(bias));
+    // Where a float may round to either side it does not count.
+    wrong += found != expected && std::abs(stored - mine) > 1e-5 && std::abs(facing) > 1e-5 &&
+        std::abs(along) > 1e-5
+      ? 1
+      : 0;
   }
-  Check("planes are seen", count > 1000);
-  CheckEqual("where one is not, the receiver's depth does not hold", wrong, 0);
-  CheckAtMost("depth of the receiver's plane", worst, 1e-5, "rounding of floats");
+  for (const auto& inside : counts)
+  {
+    for (const auto& plane : inside)
+    {
+      Check(
+        "there are such that are seen and such that are hidden", plane[0] > 100 && plane[1] > 100);
+    }
+  }
+  CheckEqual("receivers that are seen and should not be, or the other way round", wrong, 0);
 }
 
 VTK_INDIRECT_TEST(DepthTileOfADirection)

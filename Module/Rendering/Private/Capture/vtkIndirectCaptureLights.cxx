@@ -40,8 +40,8 @@ void vtkIndirectCaptureLights::Update(
   for (const vtkIndirectPenumbraMap& penumbra : shadows->Penumbrae)
   {
     set(penumbra.Map, shadows->TileTexels);
-    this->Lights[penumbra.Map.Light].Size =
-      glm::vec4(penumbra.Size, penumbra.HoldsAll ? 1.0 : 0.0, shadows->TilesAlongEdge, 0.0);
+    this->Lights[penumbra.Map.Light].Size = glm::vec4(
+      penumbra.Size, penumbra.HoldsAll ? 1.0 : 0.0, shadows->TileColumns, shadows->TileRows);
   }
 }
 

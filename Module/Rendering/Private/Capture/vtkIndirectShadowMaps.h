@@ -49,7 +49,8 @@ struct vtkIndirectShadowMaps
   /** In place of those maps, of lights that have a size. */
   std::vector<vtkIndirectPenumbraMap> Penumbrae;
   int TileTexels = 0; // along an edge of a tile
-  int TilesAlongEdge = 1;
+  int TileColumns = 1;
+  int TileRows = 1;
   int TileUnit = -1; // texture unit of their depths
   ///@}
 };

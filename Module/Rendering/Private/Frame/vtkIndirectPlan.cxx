@@ -251,7 +251,9 @@ std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) cons
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
     static_cast<double>(frame.Size[1]), static_cast<double>(this->Senders),
     static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
-    this->ErrorTolerance, this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0 };
+    this->ErrorTolerance, this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0,
+    // Moving frames look fewer maps up.
+    this->Interactive && this->Visibility == vtkIndirectVisibilityMaps ? 1.0 : 0.0 };
   frame.AppendTo(key);
   return key;
 }

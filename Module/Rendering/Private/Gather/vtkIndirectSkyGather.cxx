@@ -209,7 +209,7 @@ std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
   using namespace vtkIndirectKernels;
   std::vector<glm::vec4> block(size * RowsPerDirection, glm::vec4(0.0f));
   const double texels = group.Texels;
-  const size_t edge = static_cast<size_t>(std::max(1, group.Atlas.GetTilesAlongEdge()));
+  const size_t columns = static_cast<size_t>(std::max(1, group.Atlas.GetNumberOfColumns()));
   for (size_t k = 0; k < size && first + k < terms.size(); ++k)
   {
     const Term& term = terms[first + k];
@@ -229,7 +229,8 @@ std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
     block[3 * size + k] = glm::vec4(
       glm::dvec4(range * term.Light, range * (term.Light.x + term.Light.y + term.Light.z)));
     const glm::dvec2 corner = texels *
-      glm::dvec2(static_cast<double>(term.Tile % edge), static_cast<double>(term.Tile / edge));
+      glm::dvec2(
+        static_cast<double>(term.Tile % columns), static_cast<double>(term.Tile / columns));
     block[4 * size + k] = glm::vec4(glm::dvec4(corner, texel * texel / (range * range)));
   }
   return block;

@@ -5,6 +5,7 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectPlan.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "VirtualLights/vtkIndirectLightBlock.h"
 #include "Visibility/vtkIndirectVisibility.h"
@@ -73,6 +74,12 @@ bool vtkIndirectSubsplatIllumination::Resize(vtkOpenGLRenderWindow* window,
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectSubsplatIllumination::SharesLooks(const Work& work)
+{
+  return work.In.Plan.Interactive && work.In.Visibility.LooksUpMaps();
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectSubsplatIllumination::Define(const Work& work, Renderer renderer)
 {
   const Settings& settings = work.Set;
@@ -80,12 +87,13 @@ void vtkIndirectSubsplatIllumination::Define(const Work& work, Renderer renderer
   const std::string detail = settings.SurfaceDetail > 0.0 ? "#define VTKI_SURFACE_DETAIL\n" : "";
   const std::string evaluate = "#define VTKI_EVALUATE\n";
   const std::string images = std::string("#define VTKI_FORMAT ") +
-    (this->HalfFloats ? "rgba16f\n" : "rgba32f\n") + lights + GetGrouping();
+    (this->HalfFloats ? "rgba16f\n" : "rgba32f\n") + lights + GetGrouping() +
+    (SharesLooks(work) ? "#define VTKI_SHARES_LOOKS\n" : "");
   if (work.Number > 0)
   {
     this->SmoothTexels.SetDefinitions("#define VTKI_TEXELS\n");
     this->OtherTexels.SetDefinitions(lights + (renderer == Fragments ? evaluate : ""));
-    this->TexelBlock.SetDefinitions(images);
+    this->TexelBlocks[SharesLooks(work)].SetDefinitions(images);
     return;
   }
   this->SmoothPixels.SetDefinitions(
@@ -93,7 +101,7 @@ void vtkIndirectSubsplatIllumination::Define(const Work& work, Renderer renderer
   // At half resolution pixels without a sample of their own are evaluated one by one.
   this->OtherPixels.SetDefinitions(
     lights + detail + (renderer == Fragments || settings.HalfResolution ? evaluate : ""));
-  this->PixelBlock.SetDefinitions(images + "#define VTKI_PIXELS\n" + detail);
+  this->PixelBlocks[SharesLooks(work)].SetDefinitions(images + "#define VTKI_PIXELS\n" + detail);
 }
 
 //------------------------------------------------------------------------------
@@ -185,7 +193,7 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
 #ifdef GL_COMPUTE_SHADER
   const bool pixels = work.Number == 0;
   vtkShaderProgram* program =
-    (pixels ? this->PixelBlock : this->TexelBlock).Use(work.In.Frame.Window);
+    (pixels ? this->PixelBlocks : this->TexelBlocks)[SharesLooks(work)].Use(work.In.Frame.Window);
   if (!program)
   {
     return false;
@@ -332,6 +340,9 @@ void vtkIndirectSubsplatIllumination::Release(vtkWindow* window)
   {
     kernel->Release();
   }
-  this->TexelBlock.Release(window);
-  this->PixelBlock.Release(window);
+  for (int i = 0; i < 2; ++i)
+  {
+    this->TexelBlocks[i].Release(window);
+    this->PixelBlocks[i].Release(window);
+  }
 }

@@ -49,6 +49,9 @@ private:
     vtkIndirectTarget& Target; // of the level that is written
     size_t Number;             // of that level, 0 for pixels
   };
+  // Whether leaves side by side share what they ask of depth maps: in moving frames, where the
+  // look-ups are half of the time and a shadow's border may be a leaf aside.
+  static bool SharesLooks(const Work& work);
   void Define(const Work& work, Renderer renderer);
   bool Fill(const Work& work, Renderer renderer);
   bool Interpolate(const Work& work);
@@ -67,8 +70,13 @@ private:
     "vtkIndirectSubsplatPointFS.glsl" };
   vtkIndirectPointProgram PixelPoints{ "vtkIndirectSubsplatPointVS.glsl",
     "vtkIndirectSubsplatPointFS.glsl" };
-  vtkIndirectComputeProgram TexelBlock{ "vtkIndirectSubsplatBlockCS.glsl" };
-  vtkIndirectComputeProgram PixelBlock{ "vtkIndirectSubsplatBlockCS.glsl" };
+  // Of still frames, and of those that share looks into depth maps.
+  vtkIndirectComputeProgram TexelBlocks[2] = { vtkIndirectComputeProgram(
+                                                 "vtkIndirectSubsplatBlockCS.glsl"),
+    vtkIndirectComputeProgram("vtkIndirectSubsplatBlockCS.glsl") };
+  vtkIndirectComputeProgram PixelBlocks[2] = { vtkIndirectComputeProgram(
+                                                 "vtkIndirectSubsplatBlockCS.glsl"),
+    vtkIndirectComputeProgram("vtkIndirectSubsplatBlockCS.glsl") };
 };
 
 #endif

@@ -20,6 +20,15 @@
 namespace
 {
 const vtkIndirectChannel NoChannels[] = { { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
+
+// Of a texture, texels.
+int FindGreatestEdge(vtkOpenGLRenderWindow* window)
+{
+  window->MakeCurrent();
+  GLint edge = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &edge);
+  return std::min(edge, 16384);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -153,20 +162,25 @@ bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapt
   const std::vector<Emitter>& emitters, int texels, bool caching, int most)
 {
   const int count = static_cast<int>(emitters.size());
-  const int edge = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count)))));
+  // In as few columns as there can be: rows of a tile that follow each other in memory are what
+  // processors' caches like.
+  const int most_rows = std::max(1, FindGreatestEdge(frame.Window) / texels);
+  const int columns = std::max(1, (count + most_rows - 1) / most_rows);
+  const int rows = std::max(1, (count + columns - 1) / columns);
   vtkOpenGLState* state = frame.Window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  if (!caching || texels != this->Texels || edge != this->Edge)
+  if (!caching || texels != this->Texels || columns != this->Columns || rows != this->Rows)
   {
     this->Forget();
   }
   this->Texels = texels;
-  this->Edge = edge;
-  if (!this->Depths.Resize(frame.Window, edge * texels, edge * texels))
+  this->Columns = columns;
+  this->Rows = rows;
+  if (!this->Depths.Resize(frame.Window, columns * texels, rows * texels))
   {
     this->Forget();
     return false;
@@ -200,8 +214,8 @@ bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapt
 void vtkIndirectDepthAtlas::Use(const vtkIndirectFrame& frame, int tile)
 {
   vtkOpenGLState* state = frame.Window->GetState();
-  const int x = tile % this->Edge * this->Texels;
-  const int y = tile / this->Edge * this->Texels;
+  const int x = tile % this->Columns * this->Texels;
+  const int y = tile / this->Columns * this->Texels;
   state->vtkglViewport(x, y, this->Texels, this->Texels);
   state->vtkglScissor(x, y, this->Texels, this->Texels);
 }
@@ -274,7 +288,8 @@ void vtkIndirectDepthAtlas::DrawOthers(const vtkIndirectFrame& frame,
 void vtkIndirectDepthAtlas::Activate(vtkShaderProgram* program) const
 {
   this->Depths.ActivateDepth(program, "vtkiDepthTiles");
-  vtkIndirectSetUniform(program, "vtkiTileShape", glm::vec2(this->Edge, this->Texels));
+  vtkIndirectSetUniform(
+    program, "vtkiTileShape", glm::vec3(this->Columns, this->Rows, this->Texels));
 }
 
 //------------------------------------------------------------------------------
@@ -290,5 +305,5 @@ void vtkIndirectDepthAtlas::Release(vtkWindow* window)
   this->Drawer.Release(window);
   this->Forget();
   this->Casters.clear();
-  this->Edge = this->Texels = 0;
+  this->Columns = this->Rows = this->Texels = 0;
 }

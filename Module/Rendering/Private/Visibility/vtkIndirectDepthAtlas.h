@@ -69,7 +69,8 @@ public:
 
   int GetNumberOfTiles() const { return static_cast<int>(this->Drawn.size()); }
   int GetTexels() const { return this->Texels; }
-  int GetTilesAlongEdge() const { return this->Edge; }
+  int GetNumberOfColumns() const { return this->Columns; }
+  int GetNumberOfRows() const { return this->Rows; }
   /** How many were drawn, since construction. */
   size_t GetNumberOfTilesDrawn() const { return this->NumberOfTilesDrawn; }
   size_t GetBytes() const { return this->Depths.GetBytes(); }
@@ -112,7 +113,8 @@ private:
   double SceneScale = 0.0;
   glm::dvec3 SceneCenter{ 0.0 };
   int Texels = 0;
-  int Edge = 0; // tiles
+  int Columns = 0; // of tiles
+  int Rows = 0;
   int NumberOfMissingTiles = 0;
   int NumberOfStaleTiles = 0;
   size_t NumberOfTilesDrawn = 0;

@@ -297,10 +297,11 @@ bool vtkIndirectPenumbra::Update(const vtkIndirectFrame& frame,
 //------------------------------------------------------------------------------
 bool vtkIndirectPenumbra::JoinTexels(const vtkIndirectFrame& frame)
 {
-  const int edge = this->Atlas.GetTilesAlongEdge() * this->Texels;
-  const bool there =
-    this->Tiles.GetWidth() == edge && this->Joined == this->GetNumberOfTilesDrawn();
-  if (!this->Tiles.Resize(frame.Window, edge, edge))
+  const int width = this->Atlas.GetNumberOfColumns() * this->Texels;
+  const int height = this->Atlas.GetNumberOfRows() * this->Texels;
+  const bool there = this->Tiles.GetWidth() == width && this->Tiles.GetHeight() == height &&
+    this->Joined == this->GetNumberOfTilesDrawn();
+  if (!this->Tiles.Resize(frame.Window, width, height))
   {
     return false;
   }
@@ -347,7 +348,8 @@ void vtkIndirectPenumbra::Activate(vtkIndirectShadowMaps& shadows)
     shadows.Penumbrae.push_back(light.Map);
   }
   shadows.TileTexels = this->Texels;
-  shadows.TilesAlongEdge = this->Atlas.GetTilesAlongEdge();
+  shadows.TileColumns = this->Atlas.GetNumberOfColumns();
+  shadows.TileRows = this->Atlas.GetNumberOfRows();
   vtkTextureObject* texture = this->Tiles.GetTexture(0);
   texture->Activate();
   shadows.TileUnit = texture->GetTextureUnit();

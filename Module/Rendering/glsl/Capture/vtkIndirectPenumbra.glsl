@@ -32,7 +32,7 @@ vec2 vtkiSeeLightPoint(float tile, vec4 map, vec4 depthRange, vec4 size, bool pa
   float row = floor((tile + 0.5f) / size.z);
   vec2 corner = vec2(tile - row * size.z, row) * map.w;
   vec4 stored =
-    textureLod(vtkiPenumbraTiles, (corner + first + 0.5f) / (size.z * map.w), 0.0f);
+    textureLod(vtkiPenumbraTiles, (corner + first + 0.5f) / (size.zw * map.w), 0.0f);
   // Each texel is compared with the plane's own depth there; see vtkiVisibility.
   vec2 toFirst = first - at;
   float plane = dot(gradient.xy, toFirst);
@@ -46,8 +46,8 @@ vec2 vtkiSeeLightPoint(float tile, vec4 map, vec4 depthRange, vec4 size, bool pa
 
 // A light's visibility from a place the eye sees; as vtkiVisibility. map: first tile (-1: none),
 // projection, half width, texels; depthRange: near, far, shadow strength, tiles of a point; size: radius
-// in scene units or sine of the angular radius, 1 where nothing casts beyond the maps, tiles along an edge
-// of the texture.
+// in scene units or sine of the angular radius, 1 where nothing casts beyond the maps, columns and
+// rows of tiles in the texture.
 float vtkiPenumbra(mat3x4 viewToLight, vec4 map, vec4 depthRange, vec4 size, int projection,
   vec3 positionVC, vec3 normalVC, vec3 facetNormalVC)
 {

@@ -31,7 +31,7 @@ vtkiSkyDirection vtkiFetchSkyDirection(int i)
 
 #ifdef VTKI_VISIBILITY
 uniform sampler2D vtkiDepthTiles;
-uniform vec2 vtkiTileShape; // tiles along an edge of the atlas, texels along an edge of a tile
+uniform vec3 vtkiTileShape; // columns and rows of tiles in the atlas, texels along an edge of a tile
 
 // Whether the sky is seen over one texel of a direction's tile. first: the tile's first texel; at: the
 // receiver's place, centre: the texel's, in the tile; slope: how the receiver's plane runs, see
@@ -40,10 +40,10 @@ bool vtkiIsSkySeen(vec2 first, vec2 at, vec2 centre, float depth, float facing, 
 {
   // A look-up at a texel's centre is exact, and in software faster than a fetch.
   float stored = textureLod(vtkiDepthTiles,
-    (first + centre) * (1.0f / (vtkiTileShape.x * vtkiTileShape.y)), 0.0f).r;
+    (first + centre) * (1.0f / (vtkiTileShape.xy * vtkiTileShape.z)), 0.0f).r;
   // Nothing casts beyond the tile's border.
-  vec2 beyond = abs(centre - 0.5f * vtkiTileShape.y);
-  return max(beyond.x, beyond.y) > 0.5f * vtkiTileShape.y ||
+  vec2 beyond = abs(centre - 0.5f * vtkiTileShape.z);
+  return max(beyond.x, beyond.y) > 0.5f * vtkiTileShape.z ||
     vtkiIsSeenInParallelTile(stored, depth, facing, dot(slope, centre - at));
 }
 #endif

@@ -26,20 +26,33 @@ void vtkiFetchLight(int i, out vec4 sender, out vec3 senderNormal, out vec3 dens
   density = texelFetch(vtkiLightDensity, at, 0).rgb;
 }
 
-// open: see vtkiOpenPlace; light: its number in the table; both of no meaning without VTKI_VISIBILITY.
-void vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec3 senderNormal, vec3 density,
+// seen: whether nothing hides the light.
+void vtkiAddSeenLight(vec3 position, vec3 normal, bool seen, vec4 sender, vec3 senderNormal, vec3 density,
   inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
   vec3 toSender = vtkiToSender(sender, position);
   float cosine = dot(normal, toSender);
   float strength =
-    cosine > 0.0f ? vtkiSenderStrength(toSender, senderNormal, sender.w) : 0.0f;
-#ifdef VTKI_VISIBILITY
-  bool lit = strength > 0.0f && max(max(density.r, density.g), density.b) > 0.0f;
-  strength = vtkiIsSenderVisible(light, open, position, normal, sender, senderNormal, lit) ? strength : 0.0f;
-#endif
+    seen && cosine > 0.0f ? vtkiSenderStrength(toSender, senderNormal, sender.w) : 0.0f;
   irradiance += (strength * cosine) * density;
   vectorIrradiance += (strength * vtkiLuminance(density)) * toSender;
+}
+
+// open: see vtkiOpenPlace; light: its number in the table; both of no meaning without VTKI_VISIBILITY.
+void vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec3 senderNormal, vec3 density,
+  inout vec3 irradiance, inout vec3 vectorIrradiance)
+{
+  bool seen = true;
+#ifdef VTKI_VISIBILITY
+  bool lit = max(max(density.r, density.g), density.b) > 0.0f;
+#ifdef VTKI_SEGMENTS
+  // Nothing to walk where there is nothing to get.
+  vec3 toSender = vtkiToSender(sender, position);
+  lit = lit && dot(normal, toSender) > 0.0f && vtkiSenderStrength(toSender, senderNormal, sender.w) > 0.0f;
+#endif
+  seen = vtkiIsSenderVisible(light, open, position, normal, sender, senderNormal, lit);
+#endif
+  vtkiAddSeenLight(position, normal, seen, sender, senderNormal, density, irradiance, vectorIrradiance);
 }
 
 // Irradiance, and the luminance of the vector irradiance; zero, and no work, where not wanted.

@@ -15,20 +15,26 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal)
 uniform sampler2D vtkiTileOwners;
 #endif
 
-// light: its number, which is that of its tile unless tiles are shared. A direction has none.
-bool vtkiIsSenderVisible(
-  int light, vec3 start, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
+// Whose map tells what a light sees: its own, or, where tiles are shared, a neighbour's. light: its number.
+vtkiTile vtkiFetchTile(int light, vec3 place, vec3 axis)
 {
 #ifdef VTKI_SHARED_TILES
   ivec2 at = vtkiTableTexel(light);
   vec4 owner = texelFetch(vtkiTileOwners, at, 0);
   int rows = textureSize(vtkiTileOwners, 0).y / 2;
-  vec3 axis = texelFetch(vtkiTileOwners, at + ivec2(0, rows), 0).xyz;
-  bool seen = vtkiIsSeenInTile(int(owner.w + 0.5f), owner.xyz, axis, position, normal);
+  return vtkiMakeTile(
+    int(owner.w + 0.5f), owner.xyz, texelFetch(vtkiTileOwners, at + ivec2(0, rows), 0).xyz);
 #else
-  bool seen = vtkiIsSeenInTile(light, sender.xyz, senderNormal, position, normal);
+  return vtkiMakeTile(light, place, axis);
 #endif
-  return seen || sender.w < 0.0f;
+}
+
+// A direction has no tile.
+bool vtkiIsSenderVisible(
+  int light, vec3 start, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
+{
+  return vtkiIsSeenInTile(vtkiFetchTile(light, sender.xyz, senderNormal), position, normal) ||
+    sender.w < 0.0f;
 }
 #else
 #include "vtkIndirectLibDistanceField.glsl"

@@ -29,21 +29,27 @@ void vtkiFrameAlong(vec3 n, VTKI_OUT(vec3) x, VTKI_OUT(vec3) y)
   y = vec3(b, s + n.y * n.y * a, -n.y);
 }
 
-/* Depth along a perspective tile's axis that a stored value stands for. */
-float vtkiTileLinearDepth(float stored)
+/* One over the depth along a perspective tile's axis that a stored value stands for. */
+float vtkiTileInverseDepth(float stored)
 {
-  return VTKI_TILE_NEAR * VTKI_TILE_FAR /
-    (VTKI_TILE_FAR - stored * (VTKI_TILE_FAR - VTKI_TILE_NEAR));
+  return 1.0f / VTKI_TILE_NEAR - stored * (1.0f / VTKI_TILE_NEAR - 1.0f / VTKI_TILE_FAR);
 }
 
-/* Depth along the axis at which the plane through p with normal n lies on the ray through tangents t; both
- * in the tile's axes, the third pointing away from the emitter. Not beyond p, so that a plane that runs
- * away from the emitter does not reach behind what ends the surface; p where the plane does not face it. */
-float vtkiTilePlaneDepth(vec3 p, vec3 n, vec2 t)
+/* Whether a perspective tile lets a receiver see its emitter: what is stored at a texel's centre is
+ * compared with the depth of the receiver's own plane there. inverse: one over the stored depth; depth: the
+ * receiver's along the tile's axis; border: the least that the tile holds in its direction, below which the
+ * border's texels tell how far to the side the light gets; facing: product of the receiver's normal and the way
+ * from the emitter to it; along: and the way to where depth is one on the texel's ray; bias: share of the
+ * depth. The plane counts where it comes nearer: one that runs away from the emitter does not reach behind
+ * what ends the surface. Without a division. */
+bool vtkiIsSeenInPerspectiveTile(
+  float inverse, float depth, float border, float facing, float along, float bias)
 {
-  float facing = dot(n, p);
-  float along = n.x * t.x + n.y * t.y + n.z;
-  return facing < 0.0f && along < 0.0f ? min(facing / along, p.z) : p.z;
+  bool inside = depth >= border;
+  float least = inside ? (1.0f - bias) * depth : (1.0f - VTKI_TILE_BORDER) * border;
+  bool onPlane =
+    inside && facing < 0.0f && (1.0f + bias * depth * inverse) * along <= facing * inverse;
+  return depth <= VTKI_TILE_NEAR || least * inverse <= 1.0f || onPlane;
 }
 
 /* Whether a parallel tile lets a receiver see its emitter: what is stored at a texel's centre, [0,1], is
