@@ -20,8 +20,10 @@ class CommandLine(support.DirectoryTest):
         self.scene = self.write("scene.json", support.small_scene())
         self.before = self.names()
 
-    def assert_error(self, expected: str, *words, code: int = 2, **environment: str) -> None:
-        result = support.command_line(*words, **environment)
+    def assert_error(
+        self, expected: str, *words, code: int = 2, run=support.command_line_here, **environment
+    ) -> None:
+        result = run(*words, **environment)
         self.assertEqual(result.returncode, code, result.stderr)
         self.assertEqual(result.stdout, "")
         lines = result.stderr.splitlines()
@@ -66,6 +68,8 @@ class CommandLine(support.DirectoryTest):
                 if wrapped.has("vtkProxyAccumulationPass") and "proxies" in words:
                     continue
                 self.assert_error(expected, *full)
+        # A program of its own exits with the code, and says no more than that.
+        self.assert_error("a command is needed", run=support.command_line)
 
     def test_mistakes_in_the_files(self) -> None:
         out = ("-o", self.directory / "a.png")
@@ -77,7 +81,8 @@ class CommandLine(support.DirectoryTest):
         cut = self.write("cut.vtu", (support.DATA / "room_fire_cfd.vtu").read_bytes()[:300000])
         self.before = self.names()
         self.assert_error("actors[1].pipeline[0].contour.value: must be", "render", path, *out)
-        self.assert_error("cut.vtu: cannot be read: ", "render", cut, *out)
+        for run in (support.command_line_here, support.command_line):
+            self.assert_error("cut.vtu: cannot be read: ", "render", cut, *out, run=run)
 
     def test_unwritable_directory(self) -> None:
         self.assert_error("cannot be written", "render", self.scene, "-o", "/proc/a.png")
@@ -94,6 +99,7 @@ class CommandLine(support.DirectoryTest):
                 "view",
                 self.scene,
                 code=1,
+                run=support.command_line,
                 DISPLAY=display,
             )
 
@@ -116,8 +122,11 @@ class CommandLine(support.DirectoryTest):
         self.assertRegex(result.stderr, "^vtk-indirect: error: .* tqdm .*python3-tqdm.*\n$")
 
     def test_help_and_version(self) -> None:
-        for words in (["--help"], ["render", "--help"], ["view", "--help"], ["demo", "--help"]):
-            result = support.command_line(*words)
+        for run, *words in (
+            (support.command_line, "--help"),
+            *((support.command_line_here, name, "--help") for name in ("render", "view", "demo")),
+        ):
+            result = run(*words)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             self.assertIn("usage: vtk-indirect", result.stdout)
         self.assertRegex(support.command_line("--version").stdout, r"^vtk-indirect \d.* with VTK 9")
@@ -129,8 +138,8 @@ class Rendering(support.DirectoryTest):
         super().setUp()
         self.scene = self.write("scene.json", support.small_scene())
 
-    def run_line(self, *words, code: int = 0):
-        result = support.command_line("render", self.scene, *words)
+    def run_line(self, *words, code: int = 0, run=support.command_line_here):
+        result = run("render", self.scene, *words)
         self.assertEqual(result.returncode, code, result.stderr)
         return result
 
@@ -144,6 +153,7 @@ class Rendering(support.DirectoryTest):
             *words,
             *("--report", report, "--frames", 2, "--size", "50x40", "--method", "gather"),
             *("--set", "NumberOfLights=50", "--set", "Pattern=grid"),
+            run=support.command_line,
         )
         self.assertEqual(result.stderr, "")
         self.assertEqual(result.stdout.split(), [str(path) for path in (*outputs, report)])
@@ -230,9 +240,13 @@ class Rendering(support.DirectoryTest):
                 self.assertIn(expected, result.stderr)
                 self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
                 self.assertEqual(self.names(), ["scene.json"])
+        result = self.run_line(
+            *("--buffer", "rsm5.depth", "-o", out), code=1, run=support.command_line
+        )
+        self.assertIn("there is no buffer 'rsm5.depth'", result.stderr)
 
     def test_data_file(self) -> None:
         out = self.directory / "room.png"
-        result = support.command_line("render", support.DATA / "room_vis.vtp", "-o", out)
+        result = support.command_line_here("render", support.DATA / "room_vis.vtp", "-o", out)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertTrue(out.exists())

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import copy
 import importlib
 import json
@@ -92,6 +93,40 @@ def command_line(*words: Any, **environment: str) -> subprocess.CompletedProcess
         env={**os.environ, **environment},
         check=False,
     )
+
+
+def command_line_here(*words: Any) -> subprocess.CompletedProcess[str]:
+    """Run the command line in this process, which need not load VTK again.
+
+    What it says is what stands in the descriptors 1 and 2, so that words of VTK's C++ are seen as
+    they are of a process of its own.
+    """
+    from vtkindirect import cli
+
+    with contextlib.ExitStack() as stack:
+        files = []
+        for number, name in ((1, "stdout"), (2, "stderr")):
+            getattr(sys, name).flush()
+            file = stack.enter_context(tempfile.TemporaryFile("w+", encoding="utf-8"))
+            kept = os.dup(number)
+            stack.callback(os.close, kept)
+            stack.callback(os.dup2, kept, number)
+            os.dup2(file.fileno(), number)
+            stream = stack.enter_context(open(number, "w", encoding="utf-8", closefd=False))
+            redirect = contextlib.redirect_stdout if number == 1 else contextlib.redirect_stderr
+            stack.enter_context(redirect(stream))
+            files.append(file)
+        try:
+            code = cli.main(list(map(str, words)))
+        except SystemExit as end:  # of --help
+            code = end.code or 0
+        sys.stdout.flush()
+        sys.stderr.flush()
+        said = []
+        for file in files:
+            file.seek(0)
+            said.append(file.read())
+    return subprocess.CompletedProcess(words, code, *said)
 
 
 def why_no_rendering() -> str | None:
