@@ -189,6 +189,7 @@ class Pictures(support.DirectoryTest):
         return images.window_bytes(window).astype(int)
 
     def test_same_as_around_vtk_when_nothing_is_modelled(self) -> None:
+        alone = self.picture(None, "indirect")
         for make in EFFECTS:
             with self.subTest(make=make.__name__):
                 vtk = self.picture(make(), "off")
@@ -196,6 +197,5 @@ class Pictures(support.DirectoryTest):
                 # Only the delegate draws then, and its picture is VTK's to the bit.
                 self.assertTrue(np.array_equal(self.picture(make(), "nothing modelled"), vtk))
                 both = self.picture(make(), "indirect")
-                alone = self.picture(None, "indirect")
                 self.assertTrue((both != vtk).any(), "indirect light is not in the picture")
                 self.assertTrue((both != alone).any(), "the effect is not in the picture")

@@ -95,11 +95,11 @@ def command_line(*words: Any, **environment: str) -> subprocess.CompletedProcess
     )
 
 
-def command_line_here(*words: Any) -> subprocess.CompletedProcess[str]:
+def command_line_here(*words: Any, **how: Any) -> subprocess.CompletedProcess[str]:
     """Run the command line in this process, which need not load VTK again.
 
     What it says is what stands in the descriptors 1 and 2, so that words of VTK's C++ are seen as
-    they are of a process of its own.
+    they are of a process of its own. `how` goes to `cli.main`.
     """
     from vtkindirect import cli
 
@@ -117,7 +117,7 @@ def command_line_here(*words: Any) -> subprocess.CompletedProcess[str]:
             stack.enter_context(redirect(stream))
             files.append(file)
         try:
-            code = cli.main(list(map(str, words)))
+            code = cli.main(list(map(str, words)), **how)
         except SystemExit as end:  # of --help
             code = end.code or 0
         sys.stdout.flush()

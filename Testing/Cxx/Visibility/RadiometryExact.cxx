@@ -222,7 +222,7 @@ VTK_INDIRECT_TEST(ExactConvex)
   for (const bool ball : { false, true })
   {
     const std::string what = ball ? "ball: " : "room: ";
-    ExactScene scene(96, 72);
+    ExactScene scene(48, 36);
     const glm::dvec3 middle(2.1, 1.4, 1.1);
     ball ? scene.AddSphere(middle, 2.0, 96, glm::dvec3(0.7)) : nullptr;
     if (!ball)

@@ -315,7 +315,7 @@ VTK_INDIRECT_TEST(OccupancySubsplats)
 VTK_INDIRECT_TEST(OccupancyManyLights)
 {
   // More than a shader of any OpenGL can ask for in one draw: sums of several.
-  VisibilityScene scene(48, 36);
+  VisibilityScene scene(24, 18);
   AddBlocks(scene, 1.0, glm::dvec3(0.0));
   scene.Sampler->SetNumberOfLights(2500);
   const Image expected = scene.Measure(scene.Reference, true);
