@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace vtkIndirectTest;
 
@@ -42,38 +43,56 @@ struct SphereScene : Scene
     this->Pass->SetReflectiveShadowMapResolution(64);
   }
 
-  // A channel over its expectation, seen in six directions.
-  Statistics Measure(const char* name, const glm::dvec3& expected)
+  struct Quantity
   {
-    Statistics s;
-    double weights = 0.0;
+    const char* Buffer;
+    glm::dvec3 Expected;
+  };
+
+  // Channels over their expectation, seen in six directions, each rendered once.
+  std::vector<Statistics> Measure(const std::vector<Quantity>& quantities)
+  {
+    std::vector<Statistics> found(quantities.size());
+    double weights = 0.0; // of one quantity
     for (int i = 0; i < 6; ++i)
     {
       glm::dvec3 axis(0.0);
       axis[i / 2] = i % 2 ? -1.0 : 1.0;
       this->SetEye(glm::dvec3(0.0), axis, glm::dvec3(axis.y, axis.z, axis.x), 90.0, 0.1, 10.0);
       this->Render();
-      const Image image = this->Copy(name);
-      for (int y = 0; y < image.Height; ++y)
+      for (std::size_t q = 0; q < quantities.size(); ++q)
       {
-        for (int x = 0; x < image.Width; ++x)
+        Statistics& s = found[q];
+        const Image image = this->Copy(quantities[q].Buffer);
+        for (int y = 0; y < image.Height; ++y)
         {
-          const double u = 2.0 * (x + 0.5) / image.Width - 1.0;
-          const double v = 2.0 * (y + 0.5) / image.Height - 1.0;
-          const double weight = std::pow(1.0 + u * u + v * v, -1.5);
-          for (int c = 0; c < 3; ++c)
+          for (int x = 0; x < image.Width; ++x)
           {
-            const double value = image.At(x, y)[c] / expected[c];
-            s.Mean += weight * value;
-            weights += weight;
-            s.Least = std::min(s.Least, value);
-            s.Largest = std::max(s.Largest, value);
+            const double u = 2.0 * (x + 0.5) / image.Width - 1.0;
+            const double v = 2.0 * (y + 0.5) / image.Height - 1.0;
+            const double weight = std::pow(1.0 + u * u + v * v, -1.5);
+            for (int c = 0; c < 3; ++c)
+            {
+              const double value = image.At(x, y)[c] / quantities[q].Expected[c];
+              s.Mean += weight * value;
+              weights += q == 0 ? weight : 0.0;
+              s.Least = std::min(s.Least, value);
+              s.Largest = std::max(s.Largest, value);
+            }
           }
         }
       }
     }
-    s.Mean /= weights;
-    return s;
+    for (Statistics& s : found)
+    {
+      s.Mean /= weights;
+    }
+    return found;
+  }
+
+  Statistics Measure(const char* buffer, const glm::dvec3& expected)
+  {
+    return this->Measure({ { buffer, expected } })[0];
   }
 };
 
@@ -82,10 +101,12 @@ void CheckAllTexels(const glm::dvec3& attenuation, double e0)
   SphereScene scene(attenuation);
   scene.Light->SetIntensity(3.0);
   e0 *= 3.0;
-  const Statistics direct = scene.Measure("direct", scene.Albedo * e0);
+  const std::vector<Statistics> measured = scene.Measure({ { "direct", scene.Albedo * e0 },
+    { "irradiance", scene.Albedo * e0 }, { "indirect", scene.Albedo * scene.Albedo * e0 } });
+  const Statistics& direct = measured[0];
   CheckAbsolute("direct light over albedo E0, least", direct.Least, 1.0, 1e-3, "mesh");
   CheckAbsolute("direct light over albedo E0, largest", direct.Largest, 1.0, 1e-3, "mesh");
-  const Statistics s = scene.Measure("irradiance", scene.Albedo * e0);
+  const Statistics& s = measured[1];
   const double n = 6.0 * 64.0 * 64.0;
   CheckAbsolute("E1 over albedo E0, mean", s.Mean, 1.0 - std::log(1.0 + n) / n,
     3e-4 + 2.0 * MeshDeviation,
@@ -95,7 +116,7 @@ void CheckAllTexels(const glm::dvec3& attenuation, double e0)
   Check("3 % more would be rejected", !WouldPass(1.03 * s.Mean, 1.0, 0.01));
   Check("3 % less would be rejected", !WouldPass(s.Mean / 1.03, 1.0, 0.01));
   Check("a stray pi would be rejected", !WouldPass(vtkMath::Pi() * s.Mean, 1.0, 0.01));
-  const Statistics indirect = scene.Measure("indirect", scene.Albedo * scene.Albedo * e0);
+  const Statistics& indirect = measured[2];
   CheckAbsolute("indirect over albedo^2 E0, mean", indirect.Mean, s.Mean,
     s.Mean / (1023.0 * std::sqrt(scene.Albedo.z)), "ten bits hold the albedo's root");
   scene.CheckBuffers(1);

@@ -269,7 +269,7 @@ VTK_INDIRECT_TEST(ToggleNewPass)
   AddRoom(view.Renderer);
   view.Window->Render();
   Names reference;
-  for (int i = 0; i < 30; ++i)
+  for (int i = 0; i < 10; ++i)
   {
     {
       vtkNew<vtkIndirectIlluminationPass> pass;

@@ -86,58 +86,64 @@ void MakeSky(vtkEnvironmentLight* sky)
   sun[0] = sun[1] = sun[2] = 800.0f;
   sky->SetImage(image);
 }
+
+void CheckArrival(bool moving)
+{
+  vtkNew<vtkEnvironmentLight> sky;
+  MakeSky(sky);
+  const double rate = moving ? Moving : Still;
+  const std::string name = moving ? "moving, " : "still, ";
+  SkyScene whole(sky, false);
+  const Image expected = whole.RenderAt(moving ? MovingAtOnce : StillAtOnce);
+  const double all = whole.CountTiles();
+  const double bytes = whole.ReadReport("bytes");
+  // Of a moving one also the sun's: its direction is none of the 64, but the nearest of some
+  // light.
+  CheckAtLeast(name + "maps at once", all, moving ? 64 : 256, "a direction each");
+  const Image normal = whole.Copy("normal");
+  whole.Pass->SetVisibilityToNone();
+  const double without =
+    FindRelativeError(whole.RenderAt(moving ? MovingAtOnce : StillAtOnce), expected, normal);
+
+  SkyScene scene(sky, false);
+  Image last;
+  double drawn = 0.0;
+  for (int frames = 0; drawn < all && frames < 100; ++frames)
+  {
+    const Image image = scene.RenderAt(rate);
+    const double now = scene.CountTiles();
+    CheckAtMost(name + "maps drawn in a frame", now - drawn, moving ? 8 : 130, "80,000 triangles");
+    CheckAtLeast(name + "and at least", now - drawn, 1, "all are asked for");
+    CheckAtMost(name + "bytes", scene.ReadReport("bytes"), bytes, "those of all at once");
+    const double error = FindRelativeError(image, expected, normal) / without;
+    const double step = frames == 0 ? error : FindRelativeError(image, last, normal) / without;
+    std::printf("       %g maps: error %.3f, step %.3f of no visibility's, mean off by %.4f\n", now,
+      error, step, FindShift(image, expected));
+    // The error of n directions goes with n to the power -3/4, and 8 of them leave so much.
+    const double bound = 0.35 * std::pow(8.0 / now, 0.75);
+    CheckAtMost(name + "error over that of no visibility", error, bound, "see there");
+    CheckAtMost(name + "step over that error", step,
+      frames == 0 ? bound : 0.35 * std::pow(8.0 / drawn, 0.75) + bound,
+      "the errors of both frames");
+    drawn = now;
+    last = image;
+  }
+  CheckEqual(name + "maps drawn in the end", drawn, all);
+  Check(name + "and then all is as if drawn at once", last.Values == expected.Values);
+  scene.RenderAt(rate);
+  CheckEqual(name + "no more are drawn", scene.CountTiles(), drawn);
+}
 }
 
 // A frame that has no time for all maps sums the directions that have one, for all of the light.
 VTK_INDIRECT_TEST(SkyArrivesOverFrames)
 {
-  vtkNew<vtkEnvironmentLight> sky;
-  MakeSky(sky);
-  for (const bool moving : { true, false })
-  {
-    const double rate = moving ? Moving : Still;
-    const std::string name = moving ? "moving, " : "still, ";
-    SkyScene whole(sky, false);
-    const Image expected = whole.RenderAt(moving ? MovingAtOnce : StillAtOnce);
-    const double all = whole.CountTiles();
-    const double bytes = whole.ReadReport("bytes");
-    // Of a moving one also the sun's: its direction is none of the 64, but the nearest of some
-    // light.
-    CheckAtLeast(name + "maps at once", all, moving ? 64 : 256, "a direction each");
-    const Image normal = whole.Copy("normal");
-    whole.Pass->SetVisibilityToNone();
-    const double without =
-      FindRelativeError(whole.RenderAt(moving ? MovingAtOnce : StillAtOnce), expected, normal);
+  CheckArrival(true);
+}
 
-    SkyScene scene(sky, false);
-    Image last;
-    double drawn = 0.0;
-    for (int frames = 0; drawn < all && frames < 100; ++frames)
-    {
-      const Image image = scene.RenderAt(rate);
-      const double now = scene.CountTiles();
-      CheckAtMost(
-        name + "maps drawn in a frame", now - drawn, moving ? 8 : 130, "80,000 triangles");
-      CheckAtLeast(name + "and at least", now - drawn, 1, "all are asked for");
-      CheckAtMost(name + "bytes", scene.ReadReport("bytes"), bytes, "those of all at once");
-      const double error = FindRelativeError(image, expected, normal) / without;
-      const double step = frames == 0 ? error : FindRelativeError(image, last, normal) / without;
-      std::printf("       %g maps: error %.3f, step %.3f of no visibility's, mean off by %.4f\n",
-        now, error, step, FindShift(image, expected));
-      // The error of n directions goes with n to the power -3/4, and 8 of them leave so much.
-      const double bound = 0.35 * std::pow(8.0 / now, 0.75);
-      CheckAtMost(name + "error over that of no visibility", error, bound, "see there");
-      CheckAtMost(name + "step over that error", step,
-        frames == 0 ? bound : 0.35 * std::pow(8.0 / drawn, 0.75) + bound,
-        "the errors of both frames");
-      drawn = now;
-      last = image;
-    }
-    CheckEqual(name + "maps drawn in the end", drawn, all);
-    Check(name + "and then all is as if drawn at once", last.Values == expected.Values);
-    scene.RenderAt(rate);
-    CheckEqual(name + "no more are drawn", scene.CountTiles(), drawn);
-  }
+VTK_INDIRECT_TEST(SkyArrivesOverFramesStill)
+{
+  CheckArrival(false);
 }
 
 // What nothing hides is as bright while maps arrive as when they are there.
