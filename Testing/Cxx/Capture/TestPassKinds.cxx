@@ -104,9 +104,13 @@ VTK_INDIRECT_TEST(KindsFull)
     View view(16, 16);
     AddKinds(view.Renderer, &names);
   }
+  // One window, whose shaders the kinds share.
+  View view(100, 100);
   for (const std::string& name : names)
   {
-    View view(100, 100);
+    view.Window->RemoveRenderer(view.Renderer);
+    view.Renderer = vtkSmartPointer<vtkRenderer>::New();
+    view.Window->AddRenderer(view.Renderer);
     AddKinds(view.Renderer, nullptr, name);
     vtkRenderer* renderer = view.Renderer;
     double bounds[6];

@@ -57,7 +57,7 @@ struct HeadlitCorner : Scene
 
 VTK_INDIRECT_TEST(Headlight)
 {
-  const int sizes[][2] = { { 96, 96 }, { 160, 96 }, { 80, 120 } };
+  const int sizes[][2] = { { 160, 96 }, { 80, 120 } };
   for (const auto& size : sizes)
   {
     for (bool parallel : { false, true })
