@@ -303,7 +303,7 @@ class Readers(support.DirectoryTest):
                     target=read_alone, args=(path,)
                 )
                 process.start()
-                process.join(timeout=10)
+                process.join(timeout=3)  # files of some kilobytes take milliseconds
                 if process.is_alive():
                     process.kill()
                     process.join()
