@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How much of an object can be seen: how bright it is, and pixels that are nearly black.
+"""How much of an object can be seen: how bright it is, its contrast, and what is nearly black.
 
     PYTHONPATH=build/lib/python3.11/site-packages python3 Testing/Benchmark/readability.py
         [--size WIDTH] [--shot NAME]... [--light NAME]...
@@ -7,8 +7,10 @@
 Prints a Markdown table of objects in the headlight that VTK gives a renderer without lights, in its
 light kit, which is PyVista's too, and under a single sun: plain VTK, with its UseSSAO, and the pass
 with the lights as they are (scene) and with its presets. A cell is the object's mean brightness
-over plain VTK's, and the share of its pixels that are nearly black: the mean of their red, green
-and blue is below 12 of 255. Pixels count that lie within the object, their neighbours too.
+over plain VTK's; the share of its pixels that are nearly black: the mean of their red, green and
+blue is below 12 of 255; and how bright its pits are: the mean of the tenth of its pixels that
+receive least of a uniform sky, over the mean of all. Pixels count that lie within the object, their
+neighbours too.
 """
 
 from __future__ import annotations
@@ -28,12 +30,15 @@ import shots
 import ssao
 
 STANDING = "machine on a table"
-UNTUNED = ("superquadric", "quadric")
-"""Objects that no strength of a preset was chosen for."""
-NAMES = ("molecule", "isosurfaces", "tissues", "machine", STANDING, "terrain", "brain", *UNTUNED)
+NAMES = (
+    "molecule", "isosurfaces", "tissues", "machine", STANDING, "terrain", "brain", "superquadric",
+    "quadric",
+)  # fmt: skip
 LIGHTS = ("headlight", "light kit", "one sun")
 BLACK = 12
 """A pixel is nearly black below this, of 255."""
+PITS = 10
+"""Percent of the object's pixels, those that receive least of a uniform sky."""
 
 
 class Seen(NamedTuple):
@@ -43,12 +48,17 @@ class Seen(NamedTuple):
     """Share of its pixels that are nearly black."""
     brightness: float
     """Mean of its pixels, 0 to 255."""
+    pits: float
+    """Mean of the least open of its pixels over that of all: the less, the more shape is seen."""
 
 
-def measure(picture: np.ndarray, mask: np.ndarray) -> Seen:
-    """Measure a picture of bytes, height x width x 3, where `mask` is."""
+def measure(picture: np.ndarray, mask: np.ndarray, openness: np.ndarray) -> Seen:
+    """Measure a picture of bytes, height x width x 3, where `mask` is; `openness`: its pixels'."""
     values = picture[mask].astype(float).mean(axis=-1)
-    return Seen(float((values < BLACK).mean()), float(values.mean()))
+    open_ = openness[mask]
+    pits = values[open_ <= np.percentile(open_, PITS)]
+    brightness = float(values.mean())
+    return Seen(float((values < BLACK).mean()), brightness, float(pits.mean()) / brightness)
 
 
 def object_mask(scene: vtkindirect.Scene) -> np.ndarray:
@@ -65,6 +75,15 @@ def object_mask(scene: vtkindirect.Scene) -> np.ndarray:
     height, width = pictures[0].shape[:2]
     moves = [hit[y : y + height, x : x + width] for y in range(3) for x in range(3)]
     return np.logical_and.reduce(moves)
+
+
+def find_openness(scene: vtkindirect.Scene) -> np.ndarray:
+    """What pixels receive of a uniform sky, over what they would if nothing hid any of it."""
+    vtkindirect.enable(scene, environment=(1.0, 1.0, 1.0), lighting="scene")
+    scene.render_window.Render()
+    found = images.copy_buffer(scene, "sky").mean(axis=-1)
+    vtkindirect.enable(scene, environment=None)
+    return found
 
 
 def _plain(scene: vtkindirect.Scene) -> np.ndarray:
@@ -111,7 +130,9 @@ def see(scene: vtkindirect.Scene) -> dict[str, Seen]:
     """Measure a scene, in the window that it has, in each way."""
     try:
         mask = object_mask(scene)
-        return {name: measure(render(scene), mask) for name, render in WAYS.items()}
+        pictures = {name: render(scene) for name, render in WAYS.items()}
+        openness = find_openness(scene)
+        return {name: measure(picture, mask, openness) for name, picture in pictures.items()}
     finally:
         vtkindirect.disable(scene)
 
@@ -137,9 +158,9 @@ def see_all(name: str, kinds: tuple[str, ...], width: int) -> dict[str, dict[str
 def row(name: str, kind: str, ways: dict[str, Seen]) -> tuple[Any, ...]:
     """The cells of a row."""
     plain = ways["VTK"]
-    first = f"{plain.brightness:.0f}, {plain.black:.2%}"
+    first = f"{plain.brightness:.0f}, {plain.black:.2%}, {plain.pits:.2f}"
     return (name, kind, first, *(
-        f"{way.brightness / plain.brightness:.2f}, {way.black:.2%}"
+        f"{way.brightness / plain.brightness:.2f}, {way.black:.2%}, {way.pits:.2f}"
         for key, way in ways.items() if key != "VTK"
     ))  # fmt: skip
 
@@ -161,9 +182,10 @@ def main() -> int:
     height = words.size * shots.SIZE[1] // shots.SIZE[0]
     print(f"Readability, {words.size} x {height}: what can be seen of an object.")
     print("`scene`, `soft`, `full`, `gentle` and `studio` are the pass with that `lighting`. Mean")
-    print("brightness, of plain VTK of 255, of others over plain VTK's; and the share of pixels")
-    print(f"that are nearly black, below {BLACK} of 255. No strength of a preset was chosen for")
-    print(f"{' and '.join(UNTUNED)}.\n")
+    print("brightness, of plain VTK of 255, of others over plain VTK's; the share of pixels that")
+    print(f"are nearly black, below {BLACK} of 255; and the mean of the {PITS} % of the pixels that")
+    print("receive least of a uniform sky over that of all. These are the objects that the presets'")
+    print("strengths were chosen on.\n")
     table(("object", "light", *WAYS), rows)
     return 0
 

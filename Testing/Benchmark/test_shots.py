@@ -46,16 +46,19 @@ class Measuring(unittest.TestCase):
         mask = np.zeros((2, 4), dtype=bool)
         mask[0] = True
         picture[0] = [[0, 0, 33], [0, 0, 36], [12, 12, 12], [255, 255, 255]]
-        seen = readability.measure(picture, mask)
+        # The first two receive least, and what is not the object none at all.
+        openness = np.array([[0.2, 0.2, 0.5, 1.0], [0.0, 0.0, 0.0, 0.0]])
+        seen = readability.measure(picture, mask, openness)
         self.assertEqual(seen.black, 0.25)
         self.assertAlmostEqual(seen.brightness, (11 + 12 + 12 + 255) / 4)
+        self.assertAlmostEqual(seen.pits, 11.5 / seen.brightness)
 
     def test_row(self) -> None:
-        plain, other = readability.Seen(0.16, 100.0), readability.Seen(0.484, 90.0)
+        plain, other = readability.Seen(0.16, 100.0, 0.8), readability.Seen(0.484, 90.0, 0.5)
         ways = dict.fromkeys(readability.WAYS, other) | {"VTK": plain}
         cells = readability.row("molecule", "one sun", ways)
-        others = ["0.90, 48.40%"] * (len(ways) - 1)
-        self.assertEqual(cells, ("molecule", "one sun", "100, 16.00%", *others))
+        others = ["0.90, 48.40%, 0.50"] * (len(ways) - 1)
+        self.assertEqual(cells, ("molecule", "one sun", "100, 16.00%, 0.80", *others))
 
 
 @unittest.skipIf(support.why_no_rendering() is not None, f"{support.why_no_rendering()}")
@@ -67,6 +70,7 @@ class Rendering(unittest.TestCase):
         # A pass that is on casts shadows and adds light; SSAO takes some.
         self.assertGreater(shadowed.black, plain.black)
         self.assertLess(found["UseSSAO"].brightness, plain.brightness)
+        self.assertLess(found["UseSSAO"].pits, plain.pits)
         self.assertEqual(len({way.brightness for way in found.values()}), len(found))
 
     def test_the_mask_lies_within_the_object(self) -> None:

@@ -253,7 +253,7 @@ BALLS = [
 @unittest.skipIf(WHY_NOT, WHY_NOT or "")
 class Readability(support.DirectoryTest):
     def check(self, actors: list[dict[str, Any]], camera: dict[str, Any], kind: str) -> None:
-        """As bright as VTK's to 10 %, and no more of it nearly black."""
+        """As bright as VTK's to 10 %, no more of it nearly black, and its pits darker."""
         document = support.small_scene()
         document.update(actors=actors, camera=camera, lights=[{"type": "headlight"}])
         scene = load_scene(self.write("scene.json", document))
@@ -274,10 +274,12 @@ class Readability(support.DirectoryTest):
         for name in ("soft", "full", "gentle", "studio"):
             ratio = seen[name].brightness / plain.brightness
             print(f"{kind}, {name}: brightness {ratio:.3f} of VTK's, {seen[name].black:.4f} nearly "
-                  f"black, of VTK's {plain.black:.4f}")  # fmt: skip
+                  f"black, of VTK's {plain.black:.4f}, pits {seen[name].pits:.3f}, of VTK's "
+                  f"{plain.pits:.3f}")  # fmt: skip
             # The most of the objects in Documentation/guide.md but one.
             self.assertLess(abs(ratio - 1), 0.1, name)
             self.assertLessEqual(seen[name].black, plain.black, name)
+            self.assertLess(seen[name].pits, plain.pits, name)
             looks.add(seen[name])
         self.assertEqual(len(looks | {plain}), 5, "presets look alike")
 
