@@ -118,18 +118,19 @@ public:
    * What lights the opaque props. SCENE (default): the renderer's lights, and Environment. The
    * others are presets, which take the place of the renderer's lights while the frame is drawn, and
    * follow the camera. Each keeps a share of the renderer's lights as VTK draws them, without
-   * shadows, 0.6, GENTLE 0.8; and in place of the rest SOFT and GENTLE have a sky that is brighter
-   * where these lights come from in the mean: no hard shadow. FULL has the brightest as a key light
-   * with shadows, and the others as soft lobes of a sky; STUDIO has all of them as lobes. In place
-   * of a headlight FULL and STUDIO have a key, a fill and rims of their own. The renderer's lights
-   * are those that are directional and follow its camera, such as vtkLightKit's; where it has
-   * others a headlight of strength 1 stands for them.
+   * shadows: 0.6, GENTLE 0.8, and where all of them are headlights SOFT 0.4, GENTLE 0.7. In place
+   * of the rest SOFT and GENTLE have a sky that is brighter where these lights come from in the
+   * mean: no hard shadow. FULL has the brightest as a key light with shadows, and the others as
+   * soft lobes of a sky; STUDIO has all of them as lobes. In place of a headlight FULL and STUDIO
+   * have a key, a fill and rims of their own. The renderer's lights are those that are directional
+   * and follow its camera, such as vtkLightKit's; where it has others a headlight of strength 1
+   * stands for them.
    *
-   * A ball that nothing hides is 1.08 (GENTLE 1.04) times as bright as in plain VTK, which makes
-   * good for light that objects hide from themselves; see the guide. The kept lights are too bright
-   * where something hides them, and nothing is reflected of them. An Environment that is set takes
-   * the place of the preset's sky. Translucent props, volumes and annotation keep the renderer's
-   * lights. With IndirectScale 0 there is no sky, and no preset.
+   * A ball that nothing hides is 1.08 to 1.10 (GENTLE 1.04 to 1.05) times as bright as in plain
+   * VTK, which makes good for light that objects hide from themselves; see the guide. The kept
+   * lights are too bright where something hides them, and nothing is reflected of them. An
+   * Environment that is set takes the place of the preset's sky. Translucent props, volumes and
+   * annotation keep the renderer's lights. With IndirectScale 0 there is no sky, and no preset.
    */
   vtkIndirectClampMacro(Lighting, int, SCENE, STUDIO);
   void SetLightingToScene() { this->SetLighting(SCENE); }

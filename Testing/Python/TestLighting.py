@@ -276,7 +276,7 @@ class Readability(support.DirectoryTest):
             print(f"{kind}, {name}: brightness {ratio:.3f} of VTK's, {seen[name].black:.4f} nearly "
                   f"black, of VTK's {plain.black:.4f}, pits {seen[name].pits:.3f}, of VTK's "
                   f"{plain.pits:.3f}")  # fmt: skip
-            # The most of the objects in Documentation/guide.md but one.
+            # The most of the objects in Documentation/guide.md.
             self.assertLess(abs(ratio - 1), 0.1, name)
             self.assertLessEqual(seen[name].black, plain.black, name)
             self.assertLess(seen[name].pits, plain.pits, name)

@@ -219,8 +219,8 @@ VTK_INDIRECT_TEST(LightingTurns)
 }
 
 //------------------------------------------------------------------------------
-// What is kept of the renderer's lights nothing hides: of soft exactly 0.6 of them, and of full no
-// less in the shadow of its key, beside which the key is there whole.
+// What is kept of the renderer's lights nothing hides: of soft exactly 0.6 of them, 0.4 of a
+// headlight; and of full no less in the shadow of its key, beside which the key is there whole.
 VTK_INDIRECT_TEST(LightingKept)
 {
   Stage stage;
@@ -274,6 +274,19 @@ VTK_INDIRECT_TEST(LightingKept)
   CONTRACT_CHECK(CountOf(stage.IndirectPass, "faces_drawn") == faces, "maps of soft");
   stage.Grab(Pass::FULL);
   CONTRACT_CHECK(CountOf(stage.IndirectPass, "faces_drawn") == faces + 1, "maps of full");
+
+  renderer->RemoveAllLights();
+  vtkNew<vtkLight> headlight;
+  headlight->SetLightTypeToHeadlight();
+  renderer->AddLight(headlight);
+  const Floats own = direct(Pass::SCENE, false);
+  const Floats less = direct(Pass::SOFT, true);
+  CONTRACT_CHECK(Mean(own, 0) > 0.1, "a headlight lights " << Mean(own, 0));
+  for (size_t i = 0; i < own.Values.size(); ++i)
+  {
+    CONTRACT_CHECK(std::abs(less.Values[i] - 0.4 * own.Values[i]) < rounding,
+      less.Values[i] << " of " << own.Values[i]);
+  }
 }
 
 //------------------------------------------------------------------------------

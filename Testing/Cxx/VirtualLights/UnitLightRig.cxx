@@ -136,9 +136,26 @@ VTK_INDIRECT_TEST(LightRigBall)
     for (const auto& [preset, title] : Presets)
     {
       const vtkIndirectLightRig rig = vtkIndirectLightRig::Make(preset, lamps);
-      const double kept = preset == vtkIndirectLightingGentle ? 0.8 : 0.6;
+      const bool gentle = preset == vtkIndirectLightingGentle;
+      const bool atViewer = (gentle || preset == vtkIndirectLightingSoft) && lamps.size() == 1 &&
+        lamps[0].Direction.z == 1.0;
+      const double rest = (atViewer ? 0.6 : 0.4) * (gentle ? 0.5 : 1.0);
       CheckRelative(std::string(name) + ", " + title, FindIrradianceOfBall(rig, true),
-        (kept + (1.0 - kept) / 0.83) * plain, 0.01, why);
+        (1.0 - rest + rest / (atViewer ? 0.86 : 0.83)) * plain, 0.01, why);
+      double kept = 0.0;
+      for (const vtkIndirectLamp& fill : rig.Fills)
+      {
+        kept += vtkIndirectLightRig::GetIrradianceOfBall(fill);
+      }
+      // At least: what comes from the viewer has no lobe in full and studio.
+      CheckAtLeast(std::string(name) + ", " + title + ", without shadows",
+        kept + (1.0 - rig.KeyShadow) * vtkIndirectLightRig::GetIrradianceOfBall(rig.Key),
+        (1.0 - rest) * own.GetIrradianceOfBall() * (1.0 - 1e-12), "rounding");
+      if (gentle || preset == vtkIndirectLightingSoft)
+      {
+        CheckRelative(std::string(name) + ", " + title + ", what is kept", kept,
+          (1.0 - rest) * own.GetIrradianceOfBall(), 1e-12, "rounding");
+      }
     }
   }
 }

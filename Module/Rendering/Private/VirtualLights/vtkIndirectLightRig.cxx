@@ -9,16 +9,26 @@
 
 namespace
 {
-// The share of the renderer's own lights that stays as VTK draws it. With 0.6 nothing is darker
-// than 12 of 255 that plain VTK shows brighter than 20, and a scene that hides nothing, or half of
-// the sky, is within 10 % of plain VTK's brightness. Gentle: half of the rest.
-constexpr double Kept = 0.6;
-constexpr double KeptGentle = 0.8;
+// What a preset takes of the renderer's own lights, and what it makes good for.
+struct Balance
+{
+  // The share that stays as VTK draws it: the least, in steps of 0.1, with which no more is nearly
+  // black than in plain VTK and brightness is within 10 % of it, on all that
+  // Testing/Benchmark/readability.py shows. Brightness decides: it varies with what objects hide of
+  // the rest.
+  double Kept;
+  // What objects receive of the rest, from each other's surfaces too, over what they would if
+  // nothing hid any of it: near the middle of what readability.py shows.
+  double Openness;
+};
 
-// Of light from around the viewer objects receive, from each other's surfaces too, 0.69
-// (isosurfaces within isosurfaces) to 0.97 (a superquadric) of what nothing would hide: the middle
-// of what Testing/Benchmark/readability.py shows.
-constexpr double Openness = 0.83;
+// Light from a kit, the renderer's or that of full: 0.61 (isosurfaces) to 0.99 (a part on a table).
+// With 0.5 a quadric in a kit would be 12 % darker than plain VTK's.
+constexpr Balance OfKit = { 0.6, 0.83 };
+
+// Light from around the viewer: 0.74 (a molecule) to 0.97 (a part on a table). What the camera sees
+// is open to where the camera is, so that less varies, and less has to be kept.
+constexpr Balance OfSkyAtViewer = { 0.4, 0.86 };
 
 // Half of a lobe's radiance lies within 33 degrees of its middle: several of the directions that a
 // sky is summed over, so that none of them is seen by itself.
@@ -209,15 +219,18 @@ vtkIndirectLightRig vtkIndirectLightRig::Make(int preset, std::vector<vtkIndirec
   {
     lamps.push_back({ { 0.0, 0.0, 1.0 }, glm::dvec3(1.0) });
   }
-  const double kept = preset == vtkIndirectLightingGentle ? KeptGentle : Kept;
+  const bool headlight = std::all_of(lamps.begin(), lamps.end(), IsHeadlight);
+  const bool gentle = preset == vtkIndirectLightingGentle;
+  const bool sky = gentle || preset == vtkIndirectLightingSoft;
+  const Balance balance = sky && headlight ? OfSkyAtViewer : OfKit;
+  const double rest = (gentle ? 0.5 : 1.0) * (1.0 - balance.Kept);
   vtkIndirectLightRig rig;
-  if (preset == vtkIndirectLightingSoft || preset == vtkIndirectLightingGentle)
+  if (sky)
   {
     SetSky(rig, lamps);
   }
   else
   {
-    const bool headlight = std::all_of(lamps.begin(), lamps.end(), IsHeadlight);
     glm::dvec3 color(0.0);
     for (const vtkIndirectLamp& lamp : lamps)
     {
@@ -237,7 +250,7 @@ vtkIndirectLightRig vtkIndirectLightRig::Make(int preset, std::vector<vtkIndirec
   }
   rig.Ambient = glm::max(rig.Ambient, glm::dvec3(Everywhere * plain));
   const double own = rig.GetIrradianceOfBall();
-  Scale(rig, own > 0.0 ? (1.0 - kept) / Openness * plain / own : 0.0);
-  Keep(rig, lamps, kept);
+  Scale(rig, own > 0.0 ? rest / balance.Openness * plain / own : 0.0);
+  Keep(rig, lamps, 1.0 - rest);
   return rig;
 }
