@@ -53,7 +53,10 @@ class Files(support.DirectoryTest):
         self.assertIn("frame ", line)
         self.assertIn("virtual lights", line)
         self.assertNotIn("\n", line)
-        self.assertEqual(len(steps), 2 * (demo.FRAMES + 1))
+        # Frames that draw depth maps are not measured, however many these are.
+        warming_up = sum("warming up" in step for step in steps)
+        self.assertGreaterEqual(warming_up, 2)
+        self.assertEqual(len(steps) - warming_up, 2 * demo.FRAMES)
         from TestImages import read
         from vtkmodules.vtkIOImage import vtkPNGReader
 
