@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Geometry of the lights' maps: cameras, depth ranges, culling.
 #include "Frame/vtkIndirectFrame.h"
+#include "LightMaps/vtkIndirectFootprint.h"
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkIndirectTestUtilities.h"
@@ -269,7 +270,7 @@ VTK_INDIRECT_TEST(MapTexelCenters)
             center.y <= upper.y);
       }
     }
-    const bool keeps = vtkIndirectLightMap::HasTexelCenter(lower, upper, texels);
+    const bool keeps = vtkIndirectFootprint::HasTexelCenter(lower, upper, texels);
     missed += holds && !keeps;
     held += holds;
     kept += keeps;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightMaps/vtkIndirectLightMap.h"
 
+#include "LightMaps/vtkIndirectFootprint.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -237,38 +238,15 @@ bool vtkIndirectLightMap::CanHold(int face, const double bounds[6], int texels) 
 {
   const glm::dmat3 toFace = this->GetFaceRotation(face) * glm::dmat3(this->WorldToLight);
   const glm::dvec3 origin(this->LightToWorld[3]);
-  unsigned int outsideAll = 0x1f;
-  glm::dvec2 lower(VTK_DOUBLE_MAX);
-  glm::dvec2 upper(-VTK_DOUBLE_MAX);
-  bool ahead = true;
+  vtkIndirectFootprint footprint;
   for (int i = 0; i < 8; ++i)
   {
     const glm::dvec3 p = toFace * (Corner(bounds, i) - origin) * this->SceneScale;
     const double w =
       this->HalfWidth * (this->Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL ? 1.0 : -p.z);
-    unsigned int outside = 0;
-    outside |= p.x > w ? 1u : 0u;
-    outside |= p.x < -w ? 2u : 0u;
-    outside |= p.y > w ? 4u : 0u;
-    outside |= p.y < -w ? 8u : 0u;
-    outside |= p.z > 0.0 ? 16u : 0u;
-    outsideAll &= outside;
-    ahead = ahead && w > 0.0;
-    lower = glm::min(lower, glm::dvec2(p) / w);
-    upper = glm::max(upper, glm::dvec2(p) / w);
+    footprint.Add(glm::dvec2(p), glm::dvec2(w), p.z > 0.0);
   }
-  return outsideAll == 0 && (!ahead || HasTexelCenter(lower, upper, texels));
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectLightMap::HasTexelCenter(
-  const glm::dvec2& lower, const glm::dvec2& upper, int texels)
-{
-  // OpenGL places corners at steps of 1/256 of a texel or less, and matrices are rounded.
-  constexpr double margin = 1.0 / 16.0;
-  const glm::dvec2 first = glm::ceil(0.5 * texels * (lower + 1.0) - 0.5 - margin);
-  const glm::dvec2 last = glm::floor(0.5 * texels * (upper + 1.0) - 0.5 + margin);
-  return first.x <= last.x && first.y <= last.y;
+  return footprint.IsHeld(texels);
 }
 
 //------------------------------------------------------------------------------

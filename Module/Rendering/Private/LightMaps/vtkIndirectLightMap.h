@@ -45,9 +45,6 @@ public:
    * bounds: they are in sight, and not so small that they lie between the texels' centres.
    */
   bool CanHold(int face, const double bounds[6], int texels) const;
-  /** Whether there is a texel's centre between two corners of a rectangle, from -1 to 1, of an
-   * image of so many texels along an edge. */
-  static bool HasTexelCenter(const glm::dvec2& lower, const glm::dvec2& upper, int texels);
 
   ///@{
   /** What the capture reads to draw into a map of so many texels, and to look shadows up in it. */

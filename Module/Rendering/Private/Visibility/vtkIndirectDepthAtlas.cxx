@@ -12,6 +12,7 @@
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
+#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +22,8 @@ namespace
 {
 const vtkIndirectChannel NoChannels[] = { { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
 
-// Of a texture, texels.
-int FindGreatestEdge(vtkOpenGLRenderWindow* window)
-{
-  window->MakeCurrent();
-  GLint edge = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &edge);
-  return std::min(edge, 16384);
-}
+// Of the atlas, texels; of a texture OpenGL may allow less.
+constexpr int MostTexels = 16384;
 }
 
 //------------------------------------------------------------------------------
@@ -164,8 +159,9 @@ bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapt
   const int count = static_cast<int>(emitters.size());
   // In as few columns as there can be: rows of a tile that follow each other in memory are what
   // processors' caches like.
-  const int most_rows = std::max(1, FindGreatestEdge(frame.Window) / texels);
-  const int columns = std::max(1, (count + most_rows - 1) / most_rows);
+  const int height = std::min(vtkTextureObject::GetMaximumTextureSize(frame.Window), MostTexels);
+  const int mostRows = std::max(1, height / texels);
+  const int columns = std::max(1, (count + mostRows - 1) / mostRows);
   const int rows = std::max(1, (count + columns - 1) / columns);
   vtkOpenGLState* state = frame.Window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);

@@ -2,6 +2,7 @@
 #include "Visibility/vtkIndirectDepthTile.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "LightMaps/vtkIndirectFootprint.h"
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkOpenGLCamera.h"
@@ -170,29 +171,15 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromUnits(
 bool vtkIndirectDepthTile::CanSee(
   const vtkIndirectFrame& frame, const double bounds[6], int texels) const
 {
-  unsigned int outsideAll = 0x1f;
-  glm::dvec2 lower(std::numeric_limits<double>::infinity());
-  glm::dvec2 upper = -lower;
-  bool ahead = true;
+  vtkIndirectFootprint footprint;
   for (int i = 0; i < 8; ++i)
   {
     const glm::dvec3 d = ToScene(frame, bounds, i) - this->Place;
-    const double x = glm::dot(d, this->Right);
-    const double y = glm::dot(d, this->Up);
     const double z = glm::dot(d, this->Forward);
-    const glm::dvec2 w = this->HalfWidth * (this->Parallel ? 1.0 : z);
-    unsigned int outside = 0;
-    outside |= x > w.x ? 1u : 0u;
-    outside |= x < -w.x ? 2u : 0u;
-    outside |= y > w.y ? 4u : 0u;
-    outside |= y < -w.y ? 8u : 0u;
-    outside |= z < this->Near ? 16u : 0u;
-    outsideAll &= outside;
-    ahead = ahead && w.x > 0.0;
-    lower = glm::min(lower, glm::dvec2(x, y) / w);
-    upper = glm::max(upper, glm::dvec2(x, y) / w);
+    footprint.Add({ glm::dot(d, this->Right), glm::dot(d, this->Up) },
+      this->HalfWidth * (this->Parallel ? 1.0 : z), z < this->Near);
   }
-  return outsideAll == 0 && (!ahead || vtkIndirectLightMap::HasTexelCenter(lower, upper, texels));
+  return footprint.IsHeld(texels);
 }
 
 //------------------------------------------------------------------------------

@@ -44,12 +44,10 @@ void vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
 {
   bool seen = true;
 #ifdef VTKI_VISIBILITY
-  bool lit = max(max(density.r, density.g), density.b) > 0.0f;
-#ifdef VTKI_SEGMENTS
   // Nothing to walk where there is nothing to get.
   vec3 toSender = vtkiToSender(sender, position);
-  lit = lit && dot(normal, toSender) > 0.0f && vtkiSenderStrength(toSender, senderNormal, sender.w) > 0.0f;
-#endif
+  bool lit = dot(normal, toSender) > 0.0f && vtkiSenderStrength(toSender, senderNormal, sender.w) > 0.0f &&
+    max(max(density.r, density.g), density.b) > 0.0f;
   seen = vtkiIsSenderVisible(light, open, position, normal, sender, senderNormal, lit);
 #endif
   vtkiAddSeenLight(position, normal, seen, sender, senderNormal, density, irradiance, vectorIrradiance);

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a box falls in an image that is drawn from an emitter: whether any of it can be there.
+#ifndef vtkIndirectFootprint_h
+#define vtkIndirectFootprint_h
+
+#include <glm/glm.hpp> // for corners
+#include <limits>      // for what is empty
+
+class vtkIndirectFootprint
+{
+public:
+  /**
+   * Adds a corner. place: to the right and up; width: half of what the image shows there, not
+   * positive where that is behind the emitter; tooNear: it lies before what the image shows.
+   */
+  void Add(const glm::dvec2& place, const glm::dvec2& width, bool tooNear)
+  {
+    unsigned int outside = tooNear ? 16u : 0u;
+    outside |= place.x > width.x ? 1u : 0u;
+    outside |= place.x < -width.x ? 2u : 0u;
+    outside |= place.y > width.y ? 4u : 0u;
+    outside |= place.y < -width.y ? 8u : 0u;
+    this->OutsideAll &= outside;
+    this->Ahead = this->Ahead && width.x > 0.0;
+    this->Lower = glm::min(this->Lower, place / width);
+    this->Upper = glm::max(this->Upper, place / width);
+  }
+
+  /**
+   * Whether an image of so many texels along an edge can hold anything of it: not all corners lie
+   * on one outer side, and it is not so small that it lies between the texels' centres.
+   */
+  bool IsHeld(int texels) const
+  {
+    return this->OutsideAll == 0 &&
+      (!this->Ahead || HasTexelCenter(this->Lower, this->Upper, texels));
+  }
+
+  /** Whether there is a texel's centre between two corners of a rectangle, from -1 to 1, of an
+   * image of so many texels along an edge. */
+  static bool HasTexelCenter(const glm::dvec2& lower, const glm::dvec2& upper, int texels)
+  {
+    // OpenGL places corners at steps of 1/256 of a texel or less, and matrices are rounded.
+    constexpr double margin = 1.0 / 16.0;
+    const glm::dvec2 first = glm::ceil(0.5 * texels * (lower + 1.0) - 0.5 - margin);
+    const glm::dvec2 last = glm::floor(0.5 * texels * (upper + 1.0) - 0.5 + margin);
+    return first.x <= last.x && first.y <= last.y;
+  }
+
+private:
+  unsigned int OutsideAll = 0x1f; // sides beyond which all corners are
+  bool Ahead = true;
+  glm::dvec2 Lower{ std::numeric_limits<double>::infinity() };
+  glm::dvec2 Upper{ -std::numeric_limits<double>::infinity() };
+};
+
+#endif
