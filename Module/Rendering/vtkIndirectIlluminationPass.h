@@ -163,10 +163,10 @@ public:
    * (vtkIndirectEstimatorPass::OccupancyResolution), for all estimators. MAPS: a depth map of each
    * virtual light, drawn by VTK's mappers and kept while the camera moves, for estimators that sum
    * virtual lights; others take voxels. A frame draws as many as it has time for, those of the
-   * environment included (vtkRenderWindow::SetDesiredUpdateRate; three seconds in a still picture);
-   * until all are there lights share them, as directions of the environment do, and the report says
-   * so. AUTO (default): voxels where the estimator's
-   * Occupancy is on, else maps where the estimator can take them, else none.
+   * environment included (vtkRenderWindow::SetDesiredUpdateRate; a second and a half in a still
+   * picture); until all are there lights share them, as directions of the environment do, and the
+   * report says so. AUTO (default): voxels where the estimator's Occupancy is on, else maps where
+   * the estimator can take them, else none.
    */
   vtkIndirectClampMacro(Visibility, int, AUTO, MAPS);
   void SetVisibilityToAuto() { this->SetVisibility(AUTO); }

@@ -139,8 +139,9 @@ bool vtkIndirectDepthDrawer::Begin(vtkOpenGLRenderWindow* window, vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip)
+size_t vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip)
 {
+  size_t triangles = 0;
   vtkIndirectSetUniform(this->Program, "vtkiToClip", glm::mat4(worldToClip * this->ToWorld));
   const auto last = static_cast<GLuint>(MapperAccess::CountPositions(this->Mapper) - 1);
   for (const int kind : MapperAccess::Kinds)
@@ -152,8 +153,10 @@ void vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip)
       glDrawRangeElements(
         GL_TRIANGLES, 0, last, static_cast<GLsizei>(indices->IndexCount), GL_UNSIGNED_INT, nullptr);
       indices->Release();
+      triangles += indices->IndexCount / 3;
     }
   }
+  return triangles;
 }
 
 //------------------------------------------------------------------------------

@@ -31,8 +31,8 @@ public:
 
   /** Sets up a prop that it can draw. Returns false, after an error, where the program fails. */
   bool Begin(vtkOpenGLRenderWindow* window, vtkProp* prop);
-  /** Draws it into the current viewport; both transforms in double precision. */
-  void Draw(const glm::dmat4& worldToClip);
+  /** Draws it into the current viewport; both transforms in double precision. Returns triangles. */
+  size_t Draw(const glm::dmat4& worldToClip);
   void End();
 
   void Release(vtkWindow* window);

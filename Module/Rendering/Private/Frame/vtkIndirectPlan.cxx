@@ -271,18 +271,18 @@ int vtkIndirectPlan::FindGridEdge(double tolerance)
 }
 
 //------------------------------------------------------------------------------
-// A still picture is waited for three seconds, and a moving one has half of its time for maps. What
-// one takes was measured on two cores in software (72,000 to 448,000 triangles); a GPU is faster.
-// However few there is time for, so many are enough to begin with: other lights share them.
+// A still picture has a second and a half for maps, a moving one half of its time. What one takes
+// was measured on two cores in software (72,000 to 448,000 triangles); a GPU is faster. However
+// few a still picture has time for, 64 are enough to begin with: others share them.
 int vtkIndirectPlan::FindTilesPerFrame(double triangles, double props, double seconds)
 {
   constexpr double perTile = 0.3e-3;
   constexpr double perProp = 3e-6;
   constexpr double perTriangle = 45e-9;
-  constexpr double still = 3.0;
+  constexpr double still = 1.5;
   const double time = std::min(0.5 * seconds, still);
   const double tiles = time / (perTile + perProp * props + perTriangle * triangles);
-  const double least = seconds > 1.0 ? 64.0 : 8.0;
+  const double least = seconds > 1.0 ? 64.0 : 2.0;
   return static_cast<int>(std::min(std::max(tiles, least), 1e6));
 }
 

@@ -40,9 +40,10 @@ public:
 
   /**
    * Brings tiles of these emitters up to date, each of so many texels along an edge, and not more
-   * of them than `most`: first those that have none, then those that have waited longest. Of a
-   * direction that is fitted to another scene, what was drawn before is kept until then. Without
-   * caching nothing is kept. Returns false, after an error, when OpenGL refuses.
+   * of them than `most`, but one, and four where there are none: first those that have none, then
+   * those that have waited longest. Of a direction that is fitted to another scene, what was drawn
+   * before is kept until then. Without caching nothing is kept. Returns false, after an error, when
+   * OpenGL refuses.
    */
   bool Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
     const std::vector<Emitter>& emitters, int texels, bool caching, int most = 1 << 30);
