@@ -232,7 +232,7 @@ VTK_INDIRECT_TEST(PlanTiles)
   { return vtkIndirectPlan::FindTilesPerFrame(triangles, 1.0, seconds); };
   CheckAtLeast("of 100,000 triangles, still", tiles(1e5, still), 256, "one a light by default");
   CheckEqual("of ever so many, still", tiles(1e9, still), 64);
-  CheckEqual("of ever so many, moving", tiles(1e9, moving), 2);
+  CheckEqual("of ever so many, moving", tiles(1e9, moving), 4);
   CheckAtLeast("of few, moving", tiles(1e3, moving), 64, "0.35 ms each, half of 67 ms");
   Check("more props, fewer tiles",
     vtkIndirectPlan::FindTilesPerFrame(1e3, 1000.0, moving) < tiles(1e3, moving));
@@ -244,7 +244,7 @@ VTK_INDIRECT_TEST(PlanTiles)
   Check("a window that has all time", !plan.Interactive && plan.TilesPerFrame == 64);
   circumstances.FrameSeconds = moving;
   plan = vtkIndirectPlan::Make(frame, {}, {}, circumstances);
-  Check("one in which a camera turns", plan.Interactive && plan.TilesPerFrame == 2);
+  Check("one in which a camera turns", plan.Interactive && plan.TilesPerFrame == 4);
 }
 
 VTK_INDIRECT_TEST(PlanLimits)

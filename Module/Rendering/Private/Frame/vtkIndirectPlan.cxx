@@ -282,7 +282,7 @@ int vtkIndirectPlan::FindTilesPerFrame(double triangles, double props, double se
   constexpr double still = 1.5;
   const double time = std::min(0.5 * seconds, still);
   const double tiles = time / (perTile + perProp * props + perTriangle * triangles);
-  const double least = seconds > 1.0 ? 64.0 : 2.0;
+  const double least = seconds > 1.0 ? 64.0 : 4.0;
   return static_cast<int>(std::min(std::max(tiles, least), 1e6));
 }
 
