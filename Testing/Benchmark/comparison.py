@@ -37,7 +37,7 @@ import reference_environment
 import ssao
 from reference_environment import Flip, Traced
 
-YARDSTICKS = (compare.NOTHING, "ssao")
+YARDSTICKS = (compare.NOTHING, compare.SSAO)
 TRACER = "mitsuba"
 CURVES = {"one_bounce": "one bounce", "all_bounces": "all bounces"}
 """The path tracer's curves: it converges to R2 and to R3."""
@@ -57,6 +57,8 @@ class Comparison:
     frames: int = compare.FRAMES
     stored: Path | None = None
     """Stored references: a directory of one file a scene, a scene's file, or None."""
+    with_errors: bool = True
+    """Whether there are errors beside the times."""
     size: tuple[int, int] | None = None
     python: Path | None = None
     """Python of the reference environment, or None."""
@@ -110,7 +112,13 @@ class Run(compare.Run):
     """One comparison of one scene; rows that the journal holds already are not run again."""
 
     def __init__(self, comparison: Comparison, scene: Scene) -> None:
-        super().__init__(scene, comparison.frames, comparison.stored, comparison.size)
+        super().__init__(
+            scene,
+            comparison.frames,
+            comparison.stored,
+            comparison.size,
+            with_errors=comparison.with_errors,
+        )
         self.comparison = comparison
         self.missing |= comparison.left_out
         self.record = record_of(self.stored)
@@ -125,6 +133,8 @@ class Run(compare.Run):
             },
         }
         self._truth: orbit.Truth | Exception | None = None
+        if comparison.sweep.flicker and not self.with_errors:
+            self.missing["flicker"] = self.missing["errors"]
         if scene.environment is not None:
             traced = comparison.python is not None
             asked = {
@@ -136,6 +146,7 @@ class Run(compare.Run):
     def _key(self, row: Row) -> str:
         identity = {k: v for k, v in self.common.items() if k != "schema"}
         identity["flicker"] = self.comparison.sweep.flicker
+        identity["with_errors"] = self.with_errors
         return json.dumps([identity, row.key()], sort_keys=True)
 
     def finished(self) -> dict[str, Result]:
@@ -298,7 +309,7 @@ class Run(compare.Run):
         finished = self.finished()
         frames.open_window(self.scene, self.size)
         results = []
-        kinds = {compare.NOTHING: self.nothing, "ssao": self.ssao}
+        kinds = {compare.NOTHING: self.nothing, compare.SSAO: self.ssao}
         for row in (*(Row(name, name) for name in YARDSTICKS), *rows):
             step(f"{self.scene.name}: {row.label}")
             work = kinds.get(row.method, self.method)
@@ -312,6 +323,7 @@ class Run(compare.Run):
         for row in traced:
             known = finished.get(self._key(row))
             results.append(known or next(made))
+        compare.add_differences(results)
         for result in results:
             result["missing"] = self.missing
         self.scene.render_window.Finalize()
@@ -343,6 +355,7 @@ def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
         directory=directory,
         frames=max(2, arguments.frames),
         stored=stored,
+        with_errors=compare.wants_errors(arguments),
         size=arguments.size,
     )
     _outside(comparison, arguments.reference_python)

@@ -179,7 +179,9 @@ def equals(results: list[dict[str, Any]]) -> str:
 _SKY_COLUMNS = (
     ("frame ms", "frame_ms", "{:.0f}"),
     ("indirect ms", "indirect_ms", "{:.0f}"),
-    ("over what SSAO adds", "over_ssao", "{:.2f}"),
+    ("adds, over SSAO", "added_over_ssao", "{:.2f}"),
+    ("processor", "added_processor_over_ssao", "{:.2f}"),
+    ("sky alone, over SSAO", "sky_over_ssao", "{:.2f}"),
     ("first ms", "first_ms", "{:.0f}"),
     ("nRMSE S1", "nrmse_s1", "{:.3f}"),
     ("bias S1", "bias_s1", "{:+.3f}"),
@@ -197,26 +199,19 @@ def light_from_the_sky(results: list[dict[str, Any]]) -> str:
         "",
         "Defaults, at the pace of each row; plain VTK's row is the frame and the error without any "
         "light of the sky. Indirect: all that the pass adds to surfaces, light maps and VTK's own "
-        "light.",
+        "light; what surfaces reflect of the sky is in it. Sky alone: the stage that sums its direct "
+        "light, by wall clock.",
         "",
         "| scene | frame | " + " | ".join(title for title, _, _ in _SKY_COLUMNS) + " |",
         "|---|---|" + "---:|" * len(_SKY_COLUMNS),
     ]
     for scene in dict.fromkeys(row["scene"] for row in results):
         rows = [row for row in results if row["scene"] == scene]
-        plain, occluded = (
-            next((row.get("frame_ms") or 0.0 for row in rows if row["method"] == name), 0.0)
-            for name in ("vtk", "ssao")
-        )
-        added = occluded - plain if plain and occluded else 0.0
         for row in rows:
             if not (row.get("pace") or row["method"] == "vtk"):
                 continue
-            values = dict(row)
-            if added > 0.0 and row.get("indirect_ms"):
-                values["over_ssao"] = row["indirect_ms"] / added
             cells = [
-                form.format(values[key]) if values.get(key) is not None else ""
+                form.format(row[key]) if row.get(key) is not None else ""
                 for _, key, form in _SKY_COLUMNS
             ]
             if row.get("error"):

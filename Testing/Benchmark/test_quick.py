@@ -86,7 +86,8 @@ class Quick(unittest.TestCase):
             table = list(csv.DictReader(stream))
         self.assertEqual(len(table), len(self.rows))
         known = ["commit", "shader_hash", "vtk", "gl", "width", "height", "bytes", "frame_ms",
-                 "frame_p95_ms", "indirect_ms", "flicker", "flicker_error", "change",
+                 "frame_p95_ms", "indirect_ms", "processor_ms", "added_ms",
+                 "added_processor_ms", "flicker", "flicker_error", "change",
                  "virtual_lights"]  # fmt: skip
         for stage in compare.STAGES:
             known += [f"{stage}_ms", f"{stage}_p95_ms"]

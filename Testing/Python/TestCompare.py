@@ -6,6 +6,8 @@ from __future__ import annotations
 import csv
 import io
 import shutil
+import threading
+import time
 import unittest
 from typing import Any
 from unittest import mock
@@ -123,6 +125,44 @@ class SmallerReferences(unittest.TestCase):
         self.assertIsNone(references.References(everywhere).main)
 
 
+class Differences(unittest.TestCase):
+    """What rows add to plain VTK, over what SSAO adds."""
+
+    @staticmethod
+    def row(method: str, frame: float | None, processor: float | None, error: str = "") -> Any:
+        return {"method": method, "error": error, "frame_ms": frame, "processor_ms": processor}
+
+    def test_by_wall_clock_and_by_processor_time(self) -> None:
+        rows = [self.row("vtk", 10.0, 20.0), self.row("ssao", 30.0, 60.0),
+                {**self.row("auto", 40.0, 50.0), "sky_ms": 5.0}]  # fmt: skip
+        compare.add_differences(rows)
+        self.assertEqual(rows[2]["sky_over_ssao"], 0.25)
+        self.assertEqual((rows[2]["added_ms"], rows[2]["added_processor_ms"]), (30.0, 30.0))
+        self.assertEqual(rows[2]["added_over_ssao"], 1.5)
+        self.assertEqual(rows[2]["added_processor_over_ssao"], 0.75)
+        self.assertEqual((rows[1]["added_ms"], rows[1]["added_processor_ms"]), (20.0, 40.0))
+        for row in rows[:2]:
+            self.assertNotIn("added_over_ssao", row)
+        self.assertNotIn("added_ms", rows[0])
+
+    def test_what_is_not_there_has_no_ratio(self) -> None:
+        traced = {"method": "mitsuba", "error": "", "indirect_ms": 1.0}
+        for others in (
+            [self.row("vtk", 10.0, 20.0)],
+            [self.row("vtk", 10.0, 20.0), self.row("ssao", 9.0, 20.0)],
+            [self.row("vtk", 10.0, 20.0), self.row("ssao", 90.0, 90.0, "failed")],
+        ):
+            rows = [*others, self.row("auto", 40.0, 50.0), dict(traced)]
+            compare.add_differences(rows)
+            self.assertEqual(rows[-2]["added_ms"], 30.0)
+            self.assertNotIn("added_over_ssao", rows[-2])
+            self.assertNotIn("added_processor_over_ssao", rows[-2])
+            self.assertEqual(rows[-1], traced)
+        rows = [self.row("ssao", 30.0, 60.0), self.row("auto", 40.0, 50.0)]
+        compare.add_differences(rows)
+        self.assertNotIn("added_ms", rows[1])
+
+
 @unittest.skipIf(why_no_rendering() is not None, f"{why_no_rendering()}")
 class Command(DirectoryTest):
     """The whole command on a small scene."""
@@ -213,6 +253,40 @@ class Command(DirectoryTest):
             self.assertLess(row["nrmse_s1"], 0.04)
             self.assertLess(abs(row["bias_s3"]), 0.06)
             self.assertNotIn("nrmse_r1", row)
+
+    def test_processor_time_is_that_of_all_threads_and_of_no_waiting(self) -> None:
+        scene = load_scene(self.write("small.json", small_scene()))
+        window = frames.open_window(scene, (32, 24))
+        self.addCleanup(window.Finalize)
+        plain = frames.render(scene, window, frames.Job("off", frames=3))["processor_ms"]
+
+        def work() -> None:
+            begin = time.thread_time()
+            while time.thread_time() - begin < 0.05:
+                pass
+
+        def wait(*_event: Any) -> None:
+            worker = threading.Thread(target=work)
+            worker.start()
+            worker.join()
+            time.sleep(0.2)
+
+        scene.renderer.AddObserver("StartEvent", wait)
+        found = frames.render(scene, window, frames.Job("off", frames=3))
+        self.assertGreater(found["wall_ms"]["median_ms"], 250.0)
+        self.assertGreater(found["processor_ms"]["median_ms"], 50.0)
+        # What waiting would add is 200 ms; a frame of this size takes a few.
+        self.assertLess(found["processor_ms"]["median_ms"], 150.0 + plain["median_ms"])
+
+    def test_times_alone(self) -> None:
+        rows = self.compare("--methods", "gather", "--reference", "none")
+        self.assertEqual([row["error"] for row in rows], ["", ""])
+        self.assertFalse([name for name in rows[0] if name.endswith(("_r1", "_r2"))])
+        for row in rows:
+            self.assertGreater(float(row["processor_ms"]), 0.0)
+        added = float(rows[1]["processor_ms"]) - float(rows[0]["processor_ms"])
+        self.assertAlmostEqual(float(rows[1]["added_processor_ms"]), added, places=9)
+        self.assertIn("left out: errors, because times alone were asked for", self.said)
 
     def test_a_pace_ends_where_the_scene_has_the_camera(self) -> None:
         scene = load_scene(self.write("small.json", small_scene()))

@@ -50,6 +50,9 @@ NOT_RUN = {
     ("CONTRIBUTING.md", "LD_PRELOAD="): "it runs tests; Drivers.garbage runs some of them so",
     ("Documentation/architecture.md", "scene ─▶ Plan"): "a drawing",
     ("Documentation/architecture.md", "VTK_INDIRECT_PATHS="): "Contract.PathsTake sets each of them",
+    ("Documentation/command-line.md", "Testing/Benchmark/comparison.py"): (
+        "it needs minutes; Benchmark.comparison runs such words on a small scene"
+    ),
     ("Documentation/gpu.md", "Testing/Benchmark/gpu pack"): PACK,
     ("Documentation/gpu.md", "./gpu list"): "Benchmark.card runs such lines",
     ("Documentation/guide.md", "vtkNew<vtkEnvironmentLight> sky;"): CXX,

@@ -48,7 +48,11 @@ STAGES = (
 METRICS = ("nrmse", "relmse", "relmse_trimmed", "bias", "p99", "shape", "leak")
 NOTHING = "vtk"
 """The row of plain VTK, whose indirect light is none."""
+SSAO = "ssao"
+"""The row of VTK's screen-space ambient occlusion, where a run has one."""
 PROGRAM = "Testing/Benchmark/comparison.py"
+TIMES_ALONE = "none"
+"""What --reference says for rows of times, without errors."""
 
 Result = dict[str, Any]
 
@@ -78,6 +82,8 @@ def _times(report: dict[str, Any]) -> Result:
     result["indirect_ms"] = report.get("indirect_ms")
     result["frame_ms"] = report["wall_ms"]["median_ms"]
     result["frame_p95_ms"] = report["wall_ms"]["p95_ms"]
+    result["processor_ms"] = report["processor_ms"]["median_ms"]
+    result["processor_p95_ms"] = report["processor_ms"]["p95_ms"]
     for name in ("pace", "first_ms", "warm_up_frames"):
         if name in report:
             result[name] = report[name]
@@ -90,21 +96,56 @@ def _times(report: dict[str, Any]) -> Result:
     return result
 
 
+def add_differences(results: Iterable[Result]) -> None:
+    """Note in a scene's rows what each adds to the frame of plain VTK, and that over SSAO's.
+
+    ``added_ms`` and ``added_processor_ms`` are differences of medians; the ratios ``…_over_ssao``
+    are there where the run has a row of `SSAO` that takes longer than plain VTK. ``sky_over_ssao`` is
+    that of the stage ``sky`` alone, of which wall clock is all that is known.
+    """
+    rows = [row for row in results if not row["error"]]
+    for time, added in (("frame_ms", "added"), ("processor_ms", "added_processor")):
+        found = {row["method"]: row.get(time) for row in rows}
+        plain, occluded = found.get(NOTHING), found.get(SSAO)
+        if plain is None:
+            continue
+        for row in rows:
+            if row["method"] == NOTHING or row.get(time) is None:
+                continue
+            row[f"{added}_ms"] = row[time] - plain
+            if row["method"] != SSAO and occluded is not None and occluded > plain:
+                row[f"{added}_over_ssao"] = row[f"{added}_ms"] / (occluded - plain)
+                if time == "frame_ms" and row.get("sky_ms"):
+                    row["sky_over_ssao"] = row["sky_ms"] / (occluded - plain)
+
+
 class Run:
     """One comparison of one scene."""
 
     def __init__(
-        self, scene: Scene, count: int, stored: Path | None, size: tuple[int, int] | None = None
+        self,
+        scene: Scene,
+        count: int,
+        stored: Path | None,
+        size: tuple[int, int] | None = None,
+        *,
+        with_errors: bool = True,
     ) -> None:
-        """`stored` is a file with references, a directory of one file a scene, or None."""
+        """`stored` is a file with references, a directory of one file a scene, or None.
+
+        `with_errors`: whether there are errors beside the times; R1 takes long in large images.
+        """
         self.scene = scene
         self.count = count
+        self.with_errors = with_errors
         if stored is not None and stored.is_dir():
             stored = stored / f"{scene.name}.exr"
         self.stored = stored
         self.size = size or references.natural_size(stored) or scene.size
         self.missing = references.stored_images(stored, self.size, references.names_of(scene))[1]
-        if scene.environment is not None:
+        if not with_errors:
+            self.missing = {"errors": "times alone were asked for"}
+        elif scene.environment is not None:
             self.missing["R1, R2 and R3"] = "they know VTK's lights only, S3 knows the sky as well"
         self.common: Result = {
             "schema": SCHEMA,
@@ -120,6 +161,8 @@ class Run:
 
     def references(self) -> References:
         """References of the scene, made on first use; what made them fail once fails again."""
+        if not self.with_errors:
+            return References(np.zeros((0, 0), dtype=bool))
         if self._references is None:
             try:
                 self._references = references.collect(self.scene, self.size, self.stored)
@@ -197,6 +240,7 @@ class Run:
             step(f"{self.scene.name}: {row.label}")
             work = self.nothing if row.method == NOTHING else self.method
             results.append(self.attempt(row, lambda row=row, work=work: work(row)))
+        add_differences(results)
         for result in results:
             result["missing"] = self.missing
         self.scene.render_window.Finalize()
@@ -239,7 +283,7 @@ def add_arguments(
         "--reference",
         metavar="PATH",
         help="an .exr file with the layers R2 and R3, S1 and S3, or the directory of SCENE.exr "
-        "(default: beside the scenes, if there)",
+        f"(default: beside the scenes, if there); '{TIMES_ALONE}': times alone, without errors",
     )
     parser.add_argument(
         "-o", "--output", default="report", metavar="DIRECTORY", help="(default: report)"
@@ -295,7 +339,14 @@ def _given(stored: Path, scenes: int) -> Path:
     return stored
 
 
+def wants_errors(arguments: argparse.Namespace) -> bool:
+    """Whether the command line asks for errors beside the times."""
+    return bool(arguments.reference != TIMES_ALONE)
+
+
 def _stored(arguments: argparse.Namespace) -> Path | None:
+    if not wants_errors(arguments):
+        return None
     if arguments.reference:
         return _given(Path(arguments.reference), len(arguments.scenes))
     try:
@@ -366,7 +417,13 @@ def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
     results: list[Result] = []
     with Progress("comparing", (len(what.rows) + 1) * len(arguments.scenes)) as bar:
         for name in arguments.scenes:
-            one = Run(load(name), max(2, arguments.frames), stored, arguments.size)
+            one = Run(
+                load(name),
+                max(2, arguments.frames),
+                stored,
+                arguments.size,
+                with_errors=wants_errors(arguments),
+            )
             if what.flicker:
                 one.missing["flicker"] = f"{PROGRAM} of the project's sources measures it"
             results += one.run(what.rows, bar.step)

@@ -8,9 +8,10 @@ A sweep file is one JSON object of the format ``vtkindirect.sweep/1``::
 
 A list of values stands for one row each; several lists make every combination, the last one varying
 fastest. Optional keys of a row: ``sampler``, ``label`` (default: the method and what the lists
-chose), ``pace`` (one of `frames.PACES`: what the camera does meanwhile; default: it stands, and
-nothing is reused between frames). Optional keys of the sweep: ``flicker`` (true: also along a path of the camera),
-``path_tracer`` (samples a pixel for each of its curves, {"one_bounce": […], "all_bounces": […]}).
+chose), ``pace`` (one of `frames.PACES`: what the camera does meanwhile; default: it turns by less
+than a pixel, and each frame is one of a camera that stands). Optional keys of the sweep:
+``flicker`` (true: also along a path of the camera), ``path_tracer`` (samples a pixel for each of
+its curves, {"one_bounce": […], "all_bounces": […]}).
 """
 
 from __future__ import annotations
