@@ -24,6 +24,7 @@ import math
 import statistics
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -153,14 +154,14 @@ def line(name: str, found: dict[str, Any]) -> str:
     )
 
 
-def main() -> int:
-    """Measure and print."""
+def main(words: Sequence[str] | None = None) -> int:
+    """Measure and print; `words` are those of the command line where nobody gives others."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--size", default="x".join(map(str, SIZE)), metavar="WxH")
     parser.add_argument("--frames", type=int, default=FRAMES, metavar="N")
     parser.add_argument("--actors", default=",".join(map(str, ACTORS)), metavar="N,N")
     parser.add_argument("--json", metavar="FILE")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(words)
     width, height = map(int, arguments.size.split("x"))
     windows.use_headless()
     found = {}
