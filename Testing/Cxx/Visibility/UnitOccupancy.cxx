@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The voxels of the scene: walls are watertight however thin, slanted or finely cut, and space that
 // is free is free.
+#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "RadianceHints/vtkIndirectHintGrid.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectTestUtilities.h"
+
+#include "vtkActor.h"
+#include "vtkMath.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 
 #include <algorithm>
 #include <array>
@@ -315,6 +322,36 @@ VTK_INDIRECT_TEST(OccupancyAlbedo)
   CheckRelative("mean albedo, red", volume.GetMeanAlbedo().x, (0.42 * 0.5 + 0.2 * 0.9) / 0.62, 1e-9,
     "weighed by area");
   CheckEqual("triangles that nobody asked for", volume.GetTriangles().GetNumberOfTriangles(), 0);
+}
+
+// What reflects in voxels is what reflects in maps: coefficients of both kinds of shading count.
+VTK_INDIRECT_TEST(OccupancyMaterials)
+{
+  vtkNew<vtkPlaneSource> plane;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  mapper->Update();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.8, 0.6, 0.4);
+  actor->GetProperty()->SetDiffuse(0.5);
+  actor->GetProperty()->SetMetallic(0.25);
+  vtkIndirectFrame frame;
+  vtkIndirectCaster caster;
+  caster.Prop = actor;
+  frame.Casters.push_back(caster);
+  const double bounds[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
+  std::copy(bounds, bounds + 6, frame.SceneBounds);
+  auto red = [&](int interpolation)
+  {
+    actor->GetProperty()->SetInterpolation(interpolation);
+    vtkIndirectOccupancyVolume volume;
+    volume.Update(frame, 16);
+    return volume.GetMeanAlbedo().x;
+  };
+  CheckRelative("Phong's diffuse colour", red(VTK_PHONG), 0.5 * 0.8, 1e-9, "rounding of the means");
+  CheckRelative(
+    "what is not metal, over pi", red(VTK_PBR), 0.75 * 0.5 * 0.8 / vtkMath::Pi(), 1e-9, "same");
 }
 
 VTK_INDIRECT_TEST(TriangleHits)

@@ -58,6 +58,14 @@ def _is_kit(lights: list[vtkLight]) -> bool:
     return {"headlight": headlights, "camera": len(lights) - headlights} == _KIT
 
 
+def _has_image_light(renderer: vtkRenderer) -> bool:
+    if not renderer.GetUseImageBasedLighting():
+        return False
+    # VTK has harmonics since 9.2, and from 9.4 on needs no texture beside them.
+    harmonics = getattr(renderer, "GetSphericalHarmonics", lambda: None)()
+    return renderer.GetEnvironmentTexture() is not None or harmonics is not None
+
+
 def choose(renderer: vtkRenderer, environment: Any = None) -> tuple[str, str]:
     """Return the preset that "auto" stands for, and why.
 
@@ -66,7 +74,7 @@ def choose(renderer: vtkRenderer, environment: Any = None) -> tuple[str, str]:
     """
     if environment is not None:
         return "scene", "an environment is set"
-    if renderer.GetUseImageBasedLighting() and renderer.GetEnvironmentTexture() is not None:
+    if _has_image_light(renderer):
         return "scene", "the renderer has image-based lighting"
     lights = _lights(renderer)
     automatic = bool(renderer.GetAutomaticLightCreation())

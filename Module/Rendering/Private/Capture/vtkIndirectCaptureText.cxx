@@ -24,8 +24,8 @@ bool Contains(const std::string& text, const char* what)
   return text.find(what) != std::string::npos;
 }
 
-// Edges of faces have a width in pixels: none in a map. VTK draws them within the faces, which it
-// widens for it.
+// Edges of faces have a width in pixels: none in a map. VTK draws them within the faces, which up
+// to 9.2 it widens for it.
 void LeaveEdgesOutOfMaps(std::string& geometryShader, std::string& fragmentShader)
 {
   if (!Contains(geometryShader, "edgeEqn") || !Contains(fragmentShader, "edgeEqn"))
@@ -131,7 +131,16 @@ void vtkIndirectCaptureText::Add(
   // What the sky replaces: PBR's diffuse light of the renderer's environment texture.
   if (Contains(fragmentShader, "envMatrix") && Contains(fragmentShader, "vec3 irradiance = "))
   {
-    ReplaceAll(fragmentShader, "vec3 irradiance = ", "vec3 irradiance = vtkiImageLight * ");
+    // Since 9.6.1 a part of it is specular, what rough surfaces reflect more than once.
+    const std::string both = "(FmsEms + k_D) * irradiance";
+    if (Contains(fragmentShader, both.c_str()))
+    {
+      ReplaceAll(fragmentShader, both, "(FmsEms + vtkiImageLight * k_D) * irradiance");
+    }
+    else
+    {
+      ReplaceAll(fragmentShader, "vec3 irradiance = ", "vec3 irradiance = vtkiImageLight * ");
+    }
     declarations += "uniform float vtkiImageLight;\n";
   }
   std::string albedo = "diffuseColor";

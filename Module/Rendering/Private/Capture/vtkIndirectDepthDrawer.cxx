@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
+#include "vtkVersionMacros.h"
 
 #include <cstring>
 
@@ -92,6 +93,12 @@ bool vtkIndirectDepthDrawer::CanDraw(vtkProp* prop)
     return false;
   }
   auto* actor = static_cast<vtkActor*>(prop);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  if (actor->GetCoordinateSystem() != vtkProp3D::WORLD)
+  {
+    return false; // its matrix is not all that places it
+  }
+#endif
   vtkProperty* property = actor->GetProperty();
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   if (property->GetRepresentation() != VTK_SURFACE || property->GetBackfaceCulling() ||

@@ -140,7 +140,9 @@ public:
     auto* actor = vtkActor::SafeDownCast(prop);
     auto* polygons = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
     const vtkOpenGLHelper* drawn = polygons ? polygons->*(&MapperPrimitive::LastBoundBO) : nullptr;
+    // Splats are triangles of VTK up to 9.3.
     return (!actor || actor->GetProperty()->GetRepresentation() == VTK_SURFACE) && drawn &&
+      !mapper->IsA("vtkOpenGLPointGaussianMapperHelper") &&
       (drawn->PrimitiveType == PrimitiveTris || drawn->PrimitiveType == PrimitiveTriStrips);
   }
 };

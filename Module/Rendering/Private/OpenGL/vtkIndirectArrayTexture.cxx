@@ -25,6 +25,8 @@ void vtkIndirectArrayTexture::Allocate(
   this->SetWrapS(ClampToEdge);
   this->SetWrapT(ClampToEdge);
   this->SetMaxLevel(0);
+  // CreateTexture sets them; VTK up to 9.4 does not know how to for layers later on, and asserts.
+  this->AutoParametersOff();
   this->Context->ActivateTexture(this);
   this->CreateTexture();
   this->Bind();

@@ -46,6 +46,18 @@ const Format& FindFormat(unsigned int internalFormat)
   return Formats[0];
 }
 
+// Between the framebuffers that are bound for reading and drawing; whether OpenGL did. That of
+// VTK's state may read OpenGL's error itself, or return without a word.
+bool Blit(vtkOpenGLState* state, const int from[2], const int to[2], int width, int height,
+  unsigned int what)
+{
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(from[0], from[1], from[0] + width, from[1] + height, to[0], to[1],
+    to[0] + width, to[1] + height, what, GL_NEAREST);
+  return glGetError() == GL_NO_ERROR;
+}
+
 // vtkTextureObject's name for the depth format of the framebuffer that is bound for drawing; -1
 // when that has none, has samples or stencil, or is the window's own.
 int FindBoundDepthFormat()
@@ -207,11 +219,10 @@ bool vtkIndirectTarget::CopyDepth(const int origin[2]) const
   vtkOpenGLState* state = this->Window->GetState();
   state->PushReadFramebufferBinding();
   this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
-  state->vtkglBlitFramebuffer(0, 0, this->Width, this->Height, origin[0], origin[1],
-    origin[0] + this->Width, origin[1] + this->Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  state->PopReadFramebufferBinding();
+  const int own[2] = { 0, 0 };
   // A driver may report the size of what it holds rather than the name of the format.
-  this->DepthRefused = glGetError() != GL_NO_ERROR;
+  this->DepthRefused = !Blit(state, own, origin, this->Width, this->Height, GL_DEPTH_BUFFER_BIT);
+  state->PopReadFramebufferBinding();
   return !this->DepthRefused;
 }
 
@@ -255,11 +266,10 @@ bool vtkIndirectTarget::CopyBoundColor(const int origin[2])
   state->vtkglReadBuffer(static_cast<unsigned int>(buffer));
   this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
   this->Framebuffer->ActivateDrawBuffers(1);
-  state->vtkglBlitFramebuffer(origin[0], origin[1], origin[0] + this->Width,
-    origin[1] + this->Height, 0, 0, this->Width, this->Height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  const int own[2] = { 0, 0 };
+  const bool copied = Blit(state, origin, own, this->Width, this->Height, GL_COLOR_BUFFER_BIT);
   state->vtkglReadBuffer(static_cast<unsigned int>(before));
   state->PopFramebufferBindings();
-  const bool copied = glGetError() == GL_NO_ERROR;
   if (!copied)
   {
     vtkErrorWithObjectMacro(

@@ -12,6 +12,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetMapper.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlane.h"
@@ -25,6 +26,7 @@
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,8 +82,10 @@ struct vtkIndirectOccupancyVolume::Source
   glm::dmat4 ToWorld;
   glm::dvec3 SceneCenter;
   double SceneScale;
-  glm::dvec3 Color; // diffuse colour times diffuse coefficient
-  double Diffuse;
+  glm::dvec3 Color; // what is reflected of light without scalars
+  double Diffuse;   // diffuse coefficient
+  double Reflected = 1.0;
+  bool Encoded = false; // scalars' colours are, times the coefficient, with gamma 2.2
 };
 
 vtkIndirectOccupancyVolume::vtkIndirectOccupancyVolume() = default;
@@ -323,14 +327,14 @@ void vtkIndirectOccupancyVolume::AddProp(const vtkIndirectFrame& frame, vtkProp*
     source.SceneCenter = frame.SceneCenter;
     source.SceneScale = frame.SceneScale;
     source.Diffuse = property->GetDiffuse();
-    const double* color = property->GetDiffuseColor();
-    source.Color = source.Diffuse * glm::dvec3(color[0], color[1], color[2]);
     if (property->GetInterpolation() == VTK_PBR)
     {
       // VTK's PBR divides its diffuse reflection by pi.
-      source.Diffuse = (1.0 - property->GetMetallic()) / 3.14159265358979323846;
-      source.Color = source.Diffuse * glm::dvec3(color[0], color[1], color[2]);
+      source.Reflected = (1.0 - property->GetMetallic()) / vtkMath::Pi();
+      source.Encoded = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0);
     }
+    const double* color = property->GetDiffuseColor();
+    source.Color = source.Reflected * source.Diffuse * glm::dvec3(color[0], color[1], color[2]);
     vtkDataObject* input = mapper->GetInputDataObject(0, 0);
     if (auto* data = vtkPolyData::SafeDownCast(input))
     {
@@ -406,7 +410,8 @@ void vtkIndirectOccupancyVolume::AddPolyData(const Source& source, vtkPolyData* 
       return source.Color;
     }
     const unsigned char* c = colors->GetPointer(at * colors->GetNumberOfComponents());
-    return source.Diffuse / 255.0 * glm::dvec3(c[0], c[1], c[2]);
+    const glm::dvec3 color = source.Diffuse / 255.0 * glm::dvec3(c[0], c[1], c[2]);
+    return source.Reflected * (source.Encoded ? glm::pow(color, glm::dvec3(2.2)) : color);
   };
   auto add = [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
   {
