@@ -285,7 +285,8 @@ class Readability(support.DirectoryTest):
 
     def test_balls(self) -> None:
         actors = [
-            {"source": "sphere", "center": place, "radius": 0.55, "color": [0.8, 0.3, 0.2]}
+            {"source": "sphere", "center": place, "radius": 0.55, "resolution": 24,
+             "color": [0.8, 0.3, 0.2]}
             for place in BALLS
         ]
         camera = {"position": [5, 5, 9], "focal_point": [1.6, 1.6, 0.6], "view_angle": 30}

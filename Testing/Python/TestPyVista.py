@@ -17,6 +17,9 @@ if not WHY_NOT:
         vtkindirect.use_headless()
     import pyvista
 
+# For speed: a depth map for each.
+FEW = {"number_of_lights": 16}
+
 # Effects that work on the picture with indirect light: how each is switched on and off, its pass.
 TOGETHER = {
     "vtkSSAAPass": (
@@ -95,7 +98,7 @@ class Effects(unittest.TestCase):
 
     def test_effects_on_the_picture_in_any_order(self) -> None:
         plain = self.plotter()
-        vtkindirect.enable(plain)
+        vtkindirect.enable(plain, **FEW)
         alone = self.picture(plain)
         for name, (on, off) in TOGETHER.items():
             vtk = self.plotter()
@@ -103,8 +106,8 @@ class Effects(unittest.TestCase):
             without = self.picture(vtk)
             first, last = self.plotter(), self.plotter()
             on(first)
-            vtkindirect.enable(first)
-            indirect = vtkindirect.enable(last)
+            vtkindirect.enable(first, **FEW)
+            indirect = vtkindirect.enable(last, **FEW)
             on(last)
             self.assertIs(vtkindirect.pass_of(last), indirect)
             pictures = []
@@ -132,7 +135,7 @@ class Effects(unittest.TestCase):
 
     def test_effects_that_cannot_be_combined(self) -> None:
         plain = self.plotter()
-        vtkindirect.enable(plain)
+        vtkindirect.enable(plain, **FEW)
         alone = self.picture(plain)
         for name, (on, off) in APART.items():
             for effect_first in (True, False):
@@ -141,9 +144,9 @@ class Effects(unittest.TestCase):
                     if effect_first:
                         on(plotter)
                         self.warned()
-                        vtkindirect.enable(plotter)
+                        vtkindirect.enable(plotter, **FEW)
                     else:
-                        vtkindirect.enable(plotter)
+                        vtkindirect.enable(plotter, **FEW)
                         on(plotter)
                     (text,) = self.warned()
                     self.assertIn(name, text)
@@ -151,7 +154,7 @@ class Effects(unittest.TestCase):
                     self.assertTrue(np.array_equal(self.picture(plotter), alone))
                     vtkindirect.disable(plotter)
                     self.assertIn(name, self.names(plotter))
-                    vtkindirect.enable(plotter)
+                    vtkindirect.enable(plotter, **FEW)
                     self.assertEqual(len(self.warned()), 1)
                     self.switch_off(plotter, off)
                     self.assertIsNotNone(vtkindirect.pass_of(plotter))
