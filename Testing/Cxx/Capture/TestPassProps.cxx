@@ -2,6 +2,7 @@
 // Props that are no plain surfaces: what is seen of them, and what they leave as it was.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractRoom.h"
+#include "vtkIndirectDetails.h"
 
 #include "vtkAxesActor.h"
 #include "vtkBillboardTextActor3D.h"
@@ -290,6 +291,7 @@ VTK_INDIRECT_TEST(PropsHints)
   {
     Room room;
     vtkNew<vtkRadianceHintsPass> hints;
+    SET_DETAIL(hints, NumberOfRays, 16); // hints are counted, not looked at
     room.Pass->SetEstimator(hints);
     vtkNew<vtkOutlineSource> source;
     source->SetBounds(0.2, 0.8, 0.05, 0.45, 0.2, 0.6);

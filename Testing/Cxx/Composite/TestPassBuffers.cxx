@@ -23,6 +23,7 @@ VTK_INDIRECT_TEST(BuffersOfLastFrame)
   few->SetNumberOfLights(25);
   pass->SetSampler(few);
   vtkNew<vtkRadianceHintsPass> hints;
+  hints->SetGridResolution(6, 5, 6);
   hints->SetInterpolationStep(4);
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   vtkNew<vtkRSMGatherPass> unused;

@@ -151,6 +151,7 @@ VTK_INDIRECT_TEST(ViewsShowBuffers)
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   SET_DETAIL(splatting, CoarsestResolution, 16);
   vtkNew<vtkRadianceHintsPass> hints;
+  hints->SetGridResolution(6, 5, 6);
   int views = 0;
   for (vtkIndirectEstimatorPass* estimator :
     std::initializer_list<vtkIndirectEstimatorPass*>{ gather, splatting, hints })

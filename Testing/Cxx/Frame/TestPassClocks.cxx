@@ -24,7 +24,9 @@ void CheckClocks(bool expected)
 {
   vtkNew<vtkRSMGatherPass> gather;
   vtkNew<vtkRadianceHintsPass> hints;
-  SET_DETAIL(hints, NumberOfRays, 16); // stages count, not what they find
+  // Stages count, not what they find.
+  hints->SetGridResolution(6, 5, 6);
+  SET_DETAIL(hints, NumberOfRays, 16);
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   // Its voxels begin and end the stage of visibility, within the frame.
   splatting->OccupancyOn();

@@ -218,6 +218,7 @@ VTK_INDIRECT_TEST(ToggleHints)
   const Names before = CountNames(view.Window);
   vtkNew<vtkIndirectIlluminationPass> pass;
   vtkNew<vtkRadianceHintsPass> hints;
+  hints->SetGridResolution(6, 5, 6);
   pass->SetEstimator(hints);
   pass->SetNumberOfBounces(2);
   Names first[2];
@@ -384,10 +385,12 @@ VTK_INDIRECT_TEST(Finalize)
 VTK_INDIRECT_TEST(FinalizeUnused)
 {
   vtkNew<vtkIndirectIlluminationPass> pass;
+  vtkNew<vtkRadianceHintsPass> hints;
+  hints->SetGridResolution(6, 5, 6);
   vtkSmartPointer<vtkIndirectEstimatorPass> used[] = {
     vtkSmartPointer<vtkMultiresolutionSplattingPass>::New(),
-    vtkSmartPointer<vtkMultiresolutionSplattingPass>::New(),
-    vtkSmartPointer<vtkRadianceHintsPass>::New(), vtkSmartPointer<vtkRSMGatherPass>::New()
+    vtkSmartPointer<vtkMultiresolutionSplattingPass>::New(), hints.Get(),
+    vtkSmartPointer<vtkRSMGatherPass>::New()
   };
   View view(160, 120);
   AddRoom(view.Renderer);

@@ -19,6 +19,7 @@ VTK_INDIRECT_TEST(ReleaseWithoutWindow)
   vtkNew<vtkRSMGatherPass> gather;
   vtkNew<vtkRSMReferencePass> reference;
   vtkNew<vtkRadianceHintsPass> hints;
+  hints->SetGridResolution(6, 5, 6);
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   for (vtkIndirectEstimatorPass* estimator :
     std::initializer_list<vtkIndirectEstimatorPass*>{ gather, reference, hints, splatting })

@@ -24,6 +24,7 @@ VTK_INDIRECT_TEST(SkyBounceReported)
   vtkNew<vtkRSMGatherPass> gather;
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   vtkNew<vtkRadianceHintsPass> hints;
+  hints->SetGridResolution(6, 5, 6);
   for (vtkIndirectEstimatorPass* estimator :
     std::initializer_list<vtkIndirectEstimatorPass*>{ gather, splatting, hints })
   {
