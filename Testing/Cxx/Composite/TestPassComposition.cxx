@@ -223,6 +223,13 @@ VTK_INDIRECT_TEST(Volumes)
 {
   // Newer VTKs' own volume shader; Mesa says so with no pass as well.
   AllowWarning("`g_dataPos' used uninitialized");
+  // Hidden, whatever draws it and however.
+  const Pixels opaque = GrabScene(Mode::Full,
+    [](View& view)
+    {
+      AddVolume(view, true, vtkVolumeMapper::COMPOSITE_BLEND);
+      view.Renderer->GetVolumes()->GetLastProp()->VisibilityOff();
+    });
   for (int blend : { vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
          vtkVolumeMapper::ADDITIVE_BLEND })
   {
@@ -231,12 +238,6 @@ VTK_INDIRECT_TEST(Volumes)
       auto with = [&](View& view) { AddVolume(view, smart, blend); };
       CheckDelegate(with, "volume");
       const Pixels image = GrabScene(Mode::Full, with);
-      const Pixels opaque = GrabScene(Mode::Full,
-        [&](View& view)
-        {
-          AddVolume(view, smart, blend);
-          view.Renderer->GetVolumes()->GetLastProp()->VisibilityOff();
-        });
       // Where the volume is, hidden parts included: nothing else is drawn, on grey.
       const Pixels alone = GrabScene(Mode::Plain,
         [&](View& view)
