@@ -38,8 +38,8 @@ half of all indirect light is beyond the first bounce. The relMSE divides by the
 there should be none weighs most. Each scene names the rows that are further from the truth than no indirect light at
 all, and whether the default is one of them.
 
-The rows of papers: gather-paper is the method of Dachsbacher and Stamminger 2005 with 1020, 308 and 156 samples, for
-which their paper of 2006 gives 14, 44 and 82 frames a second at 512 x 512, without the maps; here as there the
+The rows of papers: gather-paper is the method of Dachsbacher and Stamminger 2005 with 308 samples, for
+which their paper of 2006 gives 44 frames a second at 512 x 512, without the maps; here as there the
 sums are taken at 64 pixels along an edge, every twelfth of 768;
 multiresolution-paper splits as Nichols and Wyman 2009 do, their figures are among the
 [benchmarks](speed-vs-error/benchmarks.md).
