@@ -244,6 +244,10 @@ class Run(compare.Run):
         """Rows of the path tracer, or none, with the reason in `missing`."""
         if self.comparison.python is None or TRACER in self.missing:
             return []
+        traced = self.comparison.sweep.path_traced_scenes
+        if traced is not None and self.scene.name not in traced:
+            self.missing[TRACER] = "the sweep has it in other scenes: " + ", ".join(traced)
+            return []
         bounces = {"one_bounce": 1, "all_bounces": self.record.get("R3", {}).get("bounces")}
         rows = []
         for curve, samples in self.comparison.sweep.path_tracer.items():

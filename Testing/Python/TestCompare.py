@@ -93,6 +93,10 @@ class SweepFile(DirectoryTest):
         found = sweep.load(self.write("sweep.json", content))
         self.assertTrue(found.flicker)
         self.assertEqual(found.path_tracer, {"one_bounce": [], "all_bounces": [4, 16]})
+        self.assertIsNone(found.path_traced_scenes)
+        content["path_traced_scenes"] = ["box"]
+        found = sweep.load(self.write("sweep.json", content))
+        self.assertEqual(found.path_traced_scenes, ["box"])
 
     def test_a_pace_is_of_the_row_and_its_key(self) -> None:
         rows = self.load(

@@ -11,7 +11,7 @@ fastest. Optional keys of a row: ``sampler``, ``label`` (default: the method and
 chose), ``pace`` (one of `frames.PACES`: what the camera does meanwhile; default: it turns by less
 than a pixel, and each frame is one of a camera that stands). Optional keys of the sweep:
 ``flicker`` (true: also along a path of the camera), ``path_tracer`` (samples a pixel for each of
-its curves, {"one_bounce": […], "all_bounces": […]}).
+its curves, {"one_bounce": […], "all_bounces": […]}), ``path_traced_scenes`` (names; default: all).
 """
 
 from __future__ import annotations
@@ -53,6 +53,8 @@ class Sweep:
     rows: list[Row]
     flicker: bool = False
     path_tracer: dict[str, list[int]] = field(default_factory=lambda: dict(PATH_TRACER))
+    path_traced_scenes: list[str] | None = None
+    """Names of the scenes that the path tracer's rows are of; None for all."""
 
 
 def default(names: list[str]) -> Sweep:
@@ -93,4 +95,4 @@ def load(path: str | Path) -> Sweep:
         if labels.count(label) > 1:
             raise UsageError(f"{path}: two rows are called '{label}'; give them labels")
     samples = {key: sorted(set(content["path_tracer"][key])) for key in PATH_TRACER}
-    return Sweep(rows, content["flicker"], samples)
+    return Sweep(rows, content["flicker"], samples, content.get("path_traced_scenes"))
