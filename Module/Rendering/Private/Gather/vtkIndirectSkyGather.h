@@ -60,7 +60,9 @@ public:
    */
   bool UpdateMaps(const Input& input, int most);
   /** Whether all maps that the last frame could use are there and up to date. */
-  bool IsComplete() const { return this->NumberOfMissing + this->NumberOfStale == 0; }
+  bool IsComplete() const { return this->GetNumberOfTilesLeft() == 0; }
+  /** Maps that further frames draw. */
+  int GetNumberOfTilesLeft() const { return this->NumberOfMissing + this->NumberOfStale; }
   /** Grows when maps or weights have changed. */
   size_t GetContentTime() const { return this->ContentTime; }
   /** Sums. Returns false, after an error. */

@@ -419,6 +419,9 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
       static_cast<long long>(this->Visibility.GetNumberOfTilesDrawn() +
         this->Sky.GetNumberOfTilesDrawn() + this->Penumbra.GetNumberOfTilesDrawn()) },
     { "sky_tiles_drawn", static_cast<long long>(this->Sky.GetNumberOfTilesDrawn()) },
+    { "tiles_left",
+      (this->IrradianceIsThere ? this->Visibility.GetNumberOfTilesLeft() : 0) +
+        (this->SkyIsThere ? this->Sky.GetNumberOfTilesLeft() : 0) },
     { "estimates", this->NumberOfEstimates } };
   this->Frame.AddToReport(report);
   if (!this->BuffersAreThere)

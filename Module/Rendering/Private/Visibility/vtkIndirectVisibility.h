@@ -66,9 +66,11 @@ public:
   bool WalksSegments() const;
   bool LooksUpMaps() const { return this->Current.Senders && this->Current.Maps; }
   /** Whether all maps that there will be are there and up to date. */
-  bool IsComplete() const
+  bool IsComplete() const { return this->GetNumberOfTilesLeft() == 0; }
+  /** Maps that further frames draw. */
+  int GetNumberOfTilesLeft() const
   {
-    return !this->LooksUpMaps() || this->Maps.GetNumberOfStaleTiles() == 0;
+    return this->LooksUpMaps() ? this->Maps.GetNumberOfStaleTiles() : 0;
   }
   /** Whether triangles can hide senders: it was asked for, and there are some. */
   bool IsExact() const;
