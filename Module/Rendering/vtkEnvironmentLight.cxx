@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEnvironmentLight.h"
 
-#include "vtkDataArray.h"
+#include "VirtualLights/vtkIndirectRadianceImage.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkTexture.h"
 
 #include <glm/glm.hpp>
 
@@ -14,8 +12,6 @@
 #include <cmath>
 
 vtkStandardNewMacro(vtkEnvironmentLight);
-vtkCxxSetObjectMacro(vtkEnvironmentLight, Image, vtkImageData);
-vtkCxxSetObjectMacro(vtkEnvironmentLight, Texture, vtkTexture);
 
 namespace
 {
@@ -42,49 +38,6 @@ glm::dmat3 MakeFrame(const double up[3], const double right[3])
   return { x, y, glm::cross(x, y) };
 }
 
-// The pixels of an image as radiances.
-class Pixels
-{
-public:
-  Pixels(vtkImageData* image, bool encoded)
-    : Encoded(encoded)
-  {
-    const int* size = image->GetDimensions();
-    this->Size[0] = size[0];
-    this->Size[1] = size[1];
-    this->Values = image->GetPointData()->GetScalars();
-    this->Components = this->Values->GetNumberOfComponents();
-    this->Unit = this->Values->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
-  }
-
-  glm::dvec3 Get(int column, int row)
-  {
-    const vtkIdType tuple = static_cast<vtkIdType>(row) * this->Size[0] + column;
-    glm::dvec3 value;
-    for (int c = 0; c < 3; ++c)
-    {
-      double v = this->Unit * this->Values->GetComponent(tuple, this->Components < 3 ? 0 : c);
-      if (!(v >= 0.0) || !std::isfinite(v))
-      {
-        ++this->NumberOfInvalid;
-        v = 0.0;
-      }
-      // The transfer function of sRGB (IEC 61966-2-1).
-      value[c] = !this->Encoded ? v : v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    }
-    return value;
-  }
-
-  int Size[2];
-  vtkIdType NumberOfInvalid = 0;
-
-private:
-  vtkDataArray* Values;
-  int Components;
-  double Unit;
-  bool Encoded;
-};
-
 // Direction of a place in an equirectangular image: longitude from the middle to the right,
 // latitude.
 glm::dvec3 ToDirection(double longitude, double latitude)
@@ -97,11 +50,7 @@ glm::dvec3 ToDirection(double longitude, double latitude)
 //------------------------------------------------------------------------------
 vtkEnvironmentLight::vtkEnvironmentLight() = default;
 
-vtkEnvironmentLight::~vtkEnvironmentLight()
-{
-  this->SetImage(nullptr);
-  this->SetTexture(nullptr);
-}
+vtkEnvironmentLight::~vtkEnvironmentLight() = default;
 
 //------------------------------------------------------------------------------
 void vtkEnvironmentLight::PrintSelf(ostream& os, vtkIndent indent)
@@ -109,67 +58,8 @@ void vtkEnvironmentLight::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   auto print = [&](const char* name, const double v[3])
   { os << indent << name << ": (" << v[0] << ", " << v[1] << ", " << v[2] << ")\n"; };
-  print("Radiance", this->Radiance);
-  os << indent << "Image: " << this->Image << "\n";
-  os << indent << "Texture: " << this->Texture << "\n";
-  os << indent << "Encoded: " << (this->Encoded ? "On" : "Off") << "\n";
-  os << indent << "Scale: " << this->Scale << "\n";
   print("Up", this->Up);
   print("Right", this->Right);
-}
-
-//------------------------------------------------------------------------------
-void vtkEnvironmentLight::SetRadiance(double red, double green, double blue)
-{
-  const double values[3] = { red, green, blue };
-  for (const double value : values)
-  {
-    if (!(value >= 0.0) || !std::isfinite(value))
-    {
-      vtkErrorMacro("Radiance (" << red << ", " << green << ", " << blue
-                                 << ") is not set: it must be finite and not negative.");
-      return;
-    }
-  }
-  if (!std::equal(values, values + 3, this->Radiance))
-  {
-    std::copy(values, values + 3, this->Radiance);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkEnvironmentLight::GetMTime()
-{
-  vtkMTimeType time = this->Superclass::GetMTime();
-  if (this->Image)
-  {
-    return std::max(time, this->Image->GetMTime());
-  }
-  if (this->Texture)
-  {
-    time = std::max(time, this->Texture->GetMTime());
-    vtkImageData* input = this->Texture->GetInput();
-    time = input ? std::max(time, input->GetMTime()) : time;
-  }
-  return time;
-}
-
-//------------------------------------------------------------------------------
-vtkImageData* vtkEnvironmentLight::FindImage()
-{
-  if (this->Image || !this->Texture)
-  {
-    return this->Image;
-  }
-  this->Texture->Update();
-  return this->Texture->GetInput();
-}
-
-//------------------------------------------------------------------------------
-bool vtkEnvironmentLight::IsEncoded() const
-{
-  return this->Encoded || (!this->Image && this->Texture && this->Texture->GetUseSRGBColorSpace());
 }
 
 //------------------------------------------------------------------------------
@@ -177,15 +67,15 @@ void vtkEnvironmentLight::GetRadianceFrom(const double direction[3], double radi
 {
   glm::dvec3 result(this->Radiance[0], this->Radiance[1], this->Radiance[2]);
   vtkImageData* image = this->FindImage();
-  if (image && image->GetPointData()->GetScalars() && image->GetNumberOfPoints() > 0)
+  if (image && vtkIndirectRadianceImage::CanRead(image))
   {
-    Pixels pixels(image, this->IsEncoded());
+    vtkIndirectRadianceImage pixels(image, this->IsEncoded());
     const glm::dvec3 d = glm::transpose(MakeFrame(this->Up, this->Right)) *
       glm::dvec3(direction[0], direction[1], direction[2]);
     const double u = 0.5 * std::atan2(d.x, -d.z) / vtkMath::Pi() + 0.5;
     const double v = std::atan2(d.y, std::hypot(d.x, d.z)) / vtkMath::Pi() + 0.5;
-    result = pixels.Get(std::min(static_cast<int>(u * pixels.Size[0]), pixels.Size[0] - 1),
-      std::min(static_cast<int>(v * pixels.Size[1]), pixels.Size[1] - 1));
+    result = pixels.Get(std::min(static_cast<int>(u * pixels.GetWidth()), pixels.GetWidth() - 1),
+      std::min(static_cast<int>(v * pixels.GetHeight()), pixels.GetHeight() - 1));
   }
   for (int c = 0; c < 3; ++c)
   {
@@ -204,9 +94,7 @@ const std::vector<vtkEnvironmentLight::Cell>& vtkEnvironmentLight::GetCells()
   }
   this->CellsTime = time;
   this->Cells.clear();
-  if (image &&
-    (image->GetDimensions()[2] != 1 || !image->GetPointData()->GetScalars() ||
-      image->GetNumberOfPoints() < 1))
+  if (image && !vtkIndirectRadianceImage::CanRead(image))
   {
     vtkErrorMacro("The environment's image is not used: it must be of one slice, with point "
                   "scalars. No light comes from it.");
@@ -252,13 +140,13 @@ void vtkEnvironmentLight::MakeCells()
   };
   if (image)
   {
-    Pixels pixels(image, this->IsEncoded());
+    vtkIndirectRadianceImage pixels(image, this->IsEncoded());
     // Pixels that are wider than a cell are cut into pieces.
-    const int across = (Columns + pixels.Size[0] - 1) / pixels.Size[0];
-    const int upward = (Rows + pixels.Size[1] - 1) / pixels.Size[1];
-    add(across * pixels.Size[0], upward * pixels.Size[1],
+    const int across = (Columns + pixels.GetWidth() - 1) / pixels.GetWidth();
+    const int upward = (Rows + pixels.GetHeight() - 1) / pixels.GetHeight();
+    add(across * pixels.GetWidth(), upward * pixels.GetHeight(),
       [&](int i, int j) { return pixels.Get(i / across, j / upward); });
-    const vtkIdType invalid = pixels.NumberOfInvalid / (across * upward);
+    const vtkIdType invalid = pixels.GetNumberOfInvalid() / (across * upward);
     if (invalid > 0)
     {
       vtkWarningMacro(<< invalid << " value(s) of the environment's image are "

@@ -10,10 +10,6 @@
  * all of it turned by Up and Right. Its rows go from the nadir to the zenith, bottom row first, as
  * VTK's readers return them.
  *
- * Values are radiances in VTK's units. Images of bytes are divided by 255; with Encoded on, or
- * where a texture says so, values are decoded. Values that are negative or not finite count
- * as zero, and one warning tells how many there were.
- *
  * @code
  * vtkNew<vtkEnvironmentLight> sky;
  * sky->SetRadiance(1.0, 1.0, 1.0);
@@ -24,62 +20,17 @@
 #ifndef vtkEnvironmentLight_h
 #define vtkEnvironmentLight_h
 
-#include "vtkObject.h"
+#include "vtkEmitter.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
 
 #include <vector> // for the cells
 
-class vtkImageData;
-class vtkTexture;
-
-class VTKRENDERINGINDIRECT_EXPORT vtkEnvironmentLight : public vtkObject
+class VTKRENDERINGINDIRECT_EXPORT vtkEnvironmentLight : public vtkEmitter
 {
 public:
   static vtkEnvironmentLight* New();
-  vtkTypeMacro(vtkEnvironmentLight, vtkObject);
+  vtkTypeMacro(vtkEnvironmentLight, vtkEmitter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /** Radiance from every direction where there is no image. Default (1, 1, 1); not negative. */
-  void SetRadiance(double red, double green, double blue);
-  void SetRadiance(const double radiance[3])
-  {
-    this->SetRadiance(radiance[0], radiance[1], radiance[2]);
-  }
-  vtkGetVector3Macro(Radiance, double);
-  ///@}
-
-  ///@{
-  /**
-   * An equirectangular image with one (grey), three or four components (the fourth is ignored), of
-   * any numeric type. Default null. It takes precedence over Texture.
-   */
-  virtual void SetImage(vtkImageData* image);
-  vtkGetObjectMacro(Image, vtkImageData);
-  ///@}
-
-  ///@{
-  /** A texture whose input is such an image. Default null. */
-  virtual void SetTexture(vtkTexture* texture);
-  vtkGetObjectMacro(Texture, vtkTexture);
-  ///@}
-
-  ///@{
-  /**
-   * Whether the values of an image are encoded by the transfer function of sRGB (IEC 61966-2-1), as
-   * those of photographs in bytes are. Default off. Those of a texture that says so
-   * (vtkTexture::SetUseSRGBColorSpace) are decoded in any case.
-   */
-  vtkSetMacro(Encoded, bool);
-  vtkGetMacro(Encoded, bool);
-  vtkBooleanMacro(Encoded, bool);
-  ///@}
-
-  ///@{
-  /** Factor on the radiance, of an image too. Default 1, range 0 to 1e12. */
-  vtkSetClampMacro(Scale, double, 0.0, 1.0e12);
-  vtkGetMacro(Scale, double);
-  ///@}
 
   ///@{
   /**
@@ -102,9 +53,6 @@ public:
    */
   void GetRadianceFrom(const double direction[3], double radiance[3]);
 
-  /** The time of the image counts, and that of the texture with its input. */
-  vtkMTimeType GetMTime() override;
-
 #ifndef __VTK_WRAP__
   /** A piece of the sky: what it sends, and from where. */
   struct Cell
@@ -124,11 +72,6 @@ protected:
   vtkEnvironmentLight();
   ~vtkEnvironmentLight() override;
 
-  double Radiance[3] = { 1.0, 1.0, 1.0 };
-  vtkImageData* Image = nullptr;
-  vtkTexture* Texture = nullptr;
-  bool Encoded = false;
-  double Scale = 1.0;
   double Up[3] = { 0.0, 1.0, 0.0 };
   double Right[3] = { 1.0, 0.0, 0.0 };
 
@@ -136,8 +79,6 @@ private:
   vtkEnvironmentLight(const vtkEnvironmentLight&) = delete;
   void operator=(const vtkEnvironmentLight&) = delete;
 
-  vtkImageData* FindImage();
-  bool IsEncoded() const;
   void MakeCells();
 
   std::vector<Cell> Cells;

@@ -13,6 +13,7 @@
 #include "OpenGL/vtkIndirectContextGuard.h"
 #include "Pipeline/vtkIndirectLighting.h"
 #include "Pipeline/vtkIndirectPipeline.h"
+#include "vtkAreaLight.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkIndirectEstimatorPass.h"
@@ -139,6 +140,7 @@ void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "Sampler: " << this->Sampler << (this->Sampler ? "" : " (automatic)") << "\n";
   os << indent << "Environment: " << this->Environment << "\n";
+  os << indent << "NumberOfAreaLights: " << this->GetNumberOfAreaLights() << "\n";
   os << indent << "DelegatePass: " << this->DelegatePass << "\n";
   os << indent << "Lighting: " << vtkIndirectLighting::GetTitle(this->Settings.Lighting) << "\n";
   static const char* const visibilities[] = { "Auto", "None", "Voxels", "Maps" };
@@ -208,6 +210,50 @@ void vtkIndirectIlluminationPass::RemoveSampler(vtkVirtualLightSampler* sampler)
   auto& samplers = this->Internal->Pipeline.OtherSamplers;
   samplers.erase(std::remove(samplers.begin(), samplers.end(), sampler), samplers.end());
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::AddAreaLight(vtkAreaLight* light)
+{
+  auto& lights = this->Internal->Pipeline.AreaLights;
+  if (!light)
+  {
+    vtkErrorMacro("There is no area light to add.");
+  }
+  else if (std::find(lights.begin(), lights.end(), light) == lights.end())
+  {
+    lights.emplace_back(light);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::RemoveAreaLight(vtkAreaLight* light)
+{
+  auto& lights = this->Internal->Pipeline.AreaLights;
+  lights.erase(std::remove(lights.begin(), lights.end(), light), lights.end());
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::RemoveAllAreaLights()
+{
+  this->Internal->Pipeline.AreaLights.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectIlluminationPass::GetNumberOfAreaLights()
+{
+  return static_cast<int>(this->Internal->Pipeline.AreaLights.size());
+}
+
+//------------------------------------------------------------------------------
+vtkAreaLight* vtkIndirectIlluminationPass::GetAreaLight(int index)
+{
+  return index >= 0 && index < this->GetNumberOfAreaLights()
+    ? this->Internal->Pipeline.AreaLights[static_cast<size_t>(index)].Get()
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,7 @@
 #include <memory> // for the internals
 #include <string> // for names and reports
 
+class vtkAreaLight;
 class vtkEnvironmentLight;
 class vtkImageData;
 class vtkInformationIntegerKey;
@@ -84,6 +85,23 @@ public:
    */
   virtual void SetEnvironment(vtkEnvironmentLight* environment);
   vtkGetObjectMacro(Environment, vtkEnvironmentLight);
+  ///@}
+
+  ///@{
+  /**
+   * Rectangles that send light, besides the renderer's lights. What comes directly from them is the
+   * buffer `area`: Lambert's closed form at every pixel, times the share of the light that depth
+   * maps of some of its points see (Visibility none: all of it). Surfaces reflect it: virtual
+   * lights of what four points of each light see, or one where there are more than four, are summed
+   * by the estimator (buffer `bounce`); those that read the lights' maps themselves leave these
+   * out, and the report says so. One that is there already is not added again.
+   */
+  void AddAreaLight(vtkAreaLight* light);
+  void RemoveAreaLight(vtkAreaLight* light);
+  void RemoveAllAreaLights();
+  int GetNumberOfAreaLights();
+  /** Null where there are not so many. */
+  vtkAreaLight* GetAreaLight(int index);
   ///@}
 
   ///@{
@@ -295,7 +313,7 @@ public:
    * Copies a channel of the last frame, floats, bottom row first, vectors in world coordinates,
    * lengths in world units, background 0: `final`, `direct`, `indirect` (albedo E + glossy),
    * `irradiance` (E in VTK's units: all that the pass adds to VTK's own direct light) and its parts
-   * `sky` and `bounce`, `glossy`, `albedo`, `normal`, `depth` (along the view axis),
+   * `sky`, `area` and `bounce`, `glossy`, `albedo`, `normal`, `depth` (along the view axis),
    * `specular` (reflectance, power of the lobe);
    * `rsm<i>.depth`, `rsm<i>.normal`, `rsm<i>.density` (the faces of a map in a row); `lights` (four
    * components, one row a virtual light: position, area; normal, lobe exponent; B A, source).

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
 #include "vtkVirtualLightSampler.h"
 
+#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "VirtualLights/vtkIndirectLightTable.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 
 #include <algorithm>
 
@@ -46,6 +50,48 @@ vtkIndirectTarget& vtkVirtualLightSampler::BeginChange()
 {
   this->ContentTime.Modified();
   return *this->Table;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualLightSampler::Write(const vtkIndirectFrame& frame, const std::vector<Row>& lights)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  if (!this->Resize(frame.Window, static_cast<int>(lights.size())))
+  {
+    return false;
+  }
+  vtkIndirectTarget& table = this->BeginChange();
+  const size_t places = static_cast<size_t>(table.GetWidth()) * table.GetHeight();
+  std::vector<float> channels[3];
+  for (std::vector<float>& channel : channels)
+  {
+    channel.reserve(4 * places);
+  }
+  auto add = [&channels](int channel, const double v[3], double last)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      channels[channel].push_back(static_cast<float>(v[c]));
+    }
+    channels[channel].push_back(static_cast<float>(last));
+  };
+  // Those of VTK have the numbers before.
+  const double source = static_cast<double>(frame.Lights.size());
+  const Row empty = { { 0.0, 0.0, 0.0 }, 1.0, { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 } };
+  for (size_t i = 0; i < places; ++i)
+  {
+    const Row& light = i < lights.size() ? lights[i] : empty;
+    add(PositionArea, light.Position, light.Area);
+    add(NormalExponent, light.Normal, 0.0);
+    add(DensityArea, light.DensityArea, source);
+  }
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    table.Write(channel, channels[channel]);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,7 @@
 #include "vtkRenderingIndirectModule.h" // For export macro
 
 #include <memory> // for the table
+#include <vector> // for rows
 
 class vtkImageData;
 class vtkIndirectGeometryBuffer;
@@ -99,6 +100,20 @@ protected:
   bool Resize(vtkOpenGLRenderWindow* window, int numberOfLights);
   /** The table, to be filled; then the lights have changed. */
   vtkIndirectTarget& BeginChange();
+
+  /** A light as the table has it, in scene units. */
+  struct Row
+  {
+    double Position[3];
+    double Area;
+    double Normal[3];
+    double DensityArea[3];
+  };
+  /**
+   * Makes these the lights, of a source that is no vtkLight. Returns false, after an error, when
+   * OpenGL refuses.
+   */
+  bool Write(const vtkIndirectFrame& frame, const std::vector<Row>& lights);
 #endif
 
 private:

@@ -72,6 +72,8 @@ CASES = [
     Case("SceneTwoPlanes", "two_planes", size=(128, 128)),
     Case("SceneRingCaustic", "ring_caustic", size=(128, 128)),
     Case("SceneClosedSphere", "closed_sphere", (128, 128), settings={"number_of_lights": 1024}),
+    # A lamp that is a rectangle.
+    Case("SceneAreaCornell", "area_cornell", (128, 128), "auto", None, buffers=("final", "irradiance", "area"), turn=(4, 3)),
     # Light that the wall between the rooms holds back.
     Case("SceneTwoRooms", "two_rooms", (128, 128), settings={"occupancy": True}, turn=(8, 3)),
     Case("SceneTwoRoomsHints", "two_rooms", (128, 128), "hints", None, turn=(8, 3)),

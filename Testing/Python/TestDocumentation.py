@@ -56,7 +56,7 @@ class SceneFiles(unittest.TestCase):
         named = parts["actor"]["properties"]["source"]["else"]["enum"]
         self.assertEqual(named, list(sources.SOURCES))
         kinds = parts["light"]["properties"]["type"]["enum"]
-        self.assertEqual(kinds, [*lights.LIGHTS, "area"])
+        self.assertEqual(kinds, list(lights.LIGHTS))
 
     def test_names(self) -> None:
         for name in ("vivid", *data.ENDINGS):

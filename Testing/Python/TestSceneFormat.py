@@ -50,7 +50,16 @@ MISTAKES = [
     (["lights", 0], "sun", "lights[0]: must be an object, not 'sun'"),
     (["lights", 0, "type"], _set, "lights[0].type: is missing"),
     (["lights", 0, "type"], "sppot", "lights[0].type: must be one of spot, point"),
-    (["lights", 0, "type"], "area", "lights[0].type: lights of type 'area' are not built"),
+    (
+        ["lights", 0],
+        {"type": "area", "origin": [0, 0, 0], "point1": [1, 0, 0]},
+        "lights[0].point2: is missing",
+    ),
+    (
+        ["lights", 0],
+        {"type": "area", "origin": [0, 0, 0], "point1": [1, 0, 0], "point2": [2, 0, 0]},
+        "lights[0].point2: origin, point1 and point2 must span an area",
+    ),
     (["lights", 0], {"type": "environment"}, "lights[0]: must have either file or radiance"),
     (
         ["lights", 0],

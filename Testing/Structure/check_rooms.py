@@ -30,6 +30,9 @@ ROOMS = [
 PUBLIC = {
     "vtkIndirectSettings": "Frame",
     "vtkReflectiveShadowMapPass": "LightMaps",
+    "vtkAreaLight": "VirtualLights",
+    "vtkAreaLightSampler": "VirtualLights",
+    "vtkEmitter": "VirtualLights",
     "vtkEnvironmentLight": "VirtualLights",
     "vtkVirtualLightSampler": "VirtualLights",
     "vtkMapLightSampler": "VirtualLights",

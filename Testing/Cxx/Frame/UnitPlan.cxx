@@ -247,6 +247,36 @@ VTK_INDIRECT_TEST(PlanTiles)
   Check("one in which a camera turns", plan.Interactive && plan.TilesPerFrame == 4);
 }
 
+// Rectangles, and whatever else brings virtual lights of its own.
+VTK_INDIRECT_TEST(PlanOtherLights)
+{
+  vtkIndirectCircumstances circumstances;
+  circumstances.AreaLights = true;
+  circumstances.AreaLightIrradiance = 3.0;
+  circumstances.NumberOfOtherEmitters = 1;
+  vtkIndirectPlan plan = vtkIndirectPlan::Make(MakeFrame({}), {}, {}, circumstances);
+  Check("without any vtkLight", plan.Irradiance && plan.AreaLights && plan.OtherSamplers);
+  Check("which surfaces reflect", plan.AreaLightsBounce);
+  CheckEqual("what light is stored in units of", plan.IrradianceUnit, 4.0);
+  plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, {}, circumstances);
+  Check("beside a light", plan.AreaLights && plan.OtherSamplers);
+  vtkIndirectAbilities reader;
+  reader.Name = "it";
+  reader.ReadsMaps = true;
+  plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, reader, circumstances);
+  Check("direct light whoever estimates", plan.AreaLights && plan.Irradiance);
+  Check("no bounce of who reads maps", !plan.AreaLightsBounce && !plan.OtherSamplers);
+  Check("which is said",
+    Find(plan.LeftOut, "bounces of light from area lights").find("it reads") == 0 &&
+      Find(plan.LeftOut, "light of further samplers").find("it reads") == 0);
+  plan = vtkIndirectPlan::Make(MakeFrame({}), {}, reader, circumstances);
+  Check("unless there are none", plan.AreaLightsBounce && plan.OtherSamplers);
+  vtkIndirectSettings settings;
+  settings.IndirectScale = 0.0;
+  plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), settings, {}, circumstances);
+  Check("not where IndirectScale is 0", !plan.AreaLights && !plan.Irradiance);
+}
+
 VTK_INDIRECT_TEST(PlanLimits)
 {
   const vtkIndirectFrame frame = MakeFrame({ MakeLight() });

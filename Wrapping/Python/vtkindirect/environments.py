@@ -41,8 +41,8 @@ def attached(renderer: vtkRenderer) -> Any:
     return renderer.GetInformation().Get(_KEY)
 
 
-def _picture(path: str | os.PathLike[str]) -> vtkImageData:
-    """Return an image as vtkEnvironmentLight takes it: bytes, or floats that are radiances.
+def read_picture(path: str | os.PathLike[str]) -> vtkImageData:
+    """Return an image as vtkEmitter takes it: bytes, or floats that are radiances.
 
     Other whole numbers become parts of the largest that their type can hold, as the class does it
     with bytes.
@@ -64,7 +64,7 @@ def build(values: dict[str, Any]) -> Any:
     if "radiance" in values:
         light.SetRadiance(values["radiance"])
     else:
-        light.SetImage(_picture(values["file"]))
+        light.SetImage(read_picture(values["file"]))
     light.SetScale(values["scale"])
     if "up" in values:
         light.SetUp(values["up"])
@@ -83,7 +83,7 @@ def from_value(value: Any) -> Any:
         return value
     light = wrapped.get(CLASS)()
     if isinstance(value, (str, os.PathLike)):
-        light.SetImage(_picture(value))
+        light.SetImage(read_picture(value))
         return light
     radiance = value.tolist() if hasattr(value, "tolist") else value
     if not isinstance(radiance, Sequence) or isinstance(radiance, bytes):

@@ -31,6 +31,7 @@ BUFFERS = (
     "indirect",
     "irradiance",
     "sky",
+    "area",
     "bounce",
     "glossy",
     "albedo",

@@ -66,14 +66,18 @@ def _has_image_light(renderer: vtkRenderer) -> bool:
     return renderer.GetEnvironmentTexture() is not None or harmonics is not None
 
 
-def choose(renderer: vtkRenderer, environment: Any = None) -> tuple[str, str]:
+def choose(
+    renderer: vtkRenderer, environment: Any = None, area_lights: int = 0
+) -> tuple[str, str]:
     """Return the preset that "auto" stands for, and why.
 
     That is "full" where nobody has chosen the renderer's lights, else "scene". `environment` is the
-    pass's, or None.
+    pass's, or None, and `area_lights` how many it has.
     """
     if environment is not None:
         return "scene", "an environment is set"
+    if area_lights > 0:
+        return "scene", "there are area lights"
     if _has_image_light(renderer):
         return "scene", "the renderer has image-based lighting"
     lights = _lights(renderer)

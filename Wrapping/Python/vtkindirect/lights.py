@@ -9,7 +9,7 @@ from typing import Any
 
 from vtkmodules.vtkRenderingCore import vtkLight, vtkLightKit, vtkRenderer
 
-from vtkindirect import environments, wrapped
+from vtkindirect import area_lights, environments, wrapped
 from vtkindirect.errors import SceneError, UsageError
 from vtkindirect.schema import member
 
@@ -91,6 +91,13 @@ def _environment(renderer: vtkRenderer, values: Values) -> None:
     environments.attach(renderer, environments.build(values))
 
 
+def _area(renderer: vtkRenderer, values: Values) -> None:
+    area_lights.attach(renderer, area_lights.build(values))
+
+
+FILES = ("file", "texture")
+"""Keys of lights that name a file."""
+
 LIGHTS: dict[str, Callable[[vtkRenderer, Values], None]] = {
     "spot": _spot,
     "point": _point,
@@ -98,6 +105,7 @@ LIGHTS: dict[str, Callable[[vtkRenderer, Values], None]] = {
     "headlight": _headlight,
     "light_kit": _light_kit,
     "environment": _environment,
+    "area": _area,
 }
 
 
@@ -106,9 +114,10 @@ def add(renderer: vtkRenderer, values: Values, path: str, directory: Path) -> No
 
     `path` is the light's place in the scene file, for the error of a file that cannot be read.
     """
-    if "file" in values:
-        values = {**values, "file": directory / values["file"]}
+    named = next((key for key in FILES if key in values), "")
+    if named:
+        values = {**values, named: directory / values[named]}
     try:
         LIGHTS[values["type"]](renderer, values)
     except UsageError as error:
-        raise SceneError(f"{member(path, 'file')}: {error}") from None
+        raise SceneError(f"{member(path, named)}: {error}" if named else str(error)) from None

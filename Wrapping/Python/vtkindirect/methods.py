@@ -17,7 +17,7 @@ from typing import Any
 from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from vtkindirect import chain, environments, widgets, wrapped
+from vtkindirect import area_lights, chain, environments, widgets, wrapped
 from vtkindirect import lighting as lightings
 from vtkindirect import settings as properties
 from vtkindirect.errors import UsageError, check_text, unknown
@@ -62,7 +62,6 @@ SAMPLERS = {
     "uniform": "vtkUniformLightSampler",
     "importance": "vtkImportanceLightSampler",
     "random_walk": "vtkRandomWalkLightSampler",
-    "area": "vtkAreaLightSampler",
 }
 
 
@@ -199,7 +198,9 @@ def _light(renderer: vtkRenderer, record: _Record) -> None:
     if record.chosen is not None and _lighting_of(indirect) != record.chosen[0]:
         record.lighting = record.chosen = None
         return
-    record.chosen = lightings.choose(renderer, indirect.GetEnvironment())
+    record.chosen = lightings.choose(
+        renderer, indirect.GetEnvironment(), indirect.GetNumberOfAreaLights()
+    )
     if _lighting_of(indirect) != record.chosen[0]:
         properties.set_property(indirect, lightings.PROPERTY, record.chosen[0])
 
@@ -358,6 +359,9 @@ def enable(
             record.indirect.SetEnvironment(wanted)
         elif there is None and environments.attached(renderer) is not None:
             record.indirect.SetEnvironment(environments.attached(renderer))
+        if there is None:
+            for light in area_lights.attached(renderer):
+                record.indirect.AddAreaLight(light)
         if by_name:
             record.lighting = record.chosen = None
         elif lighting is not KEEP or there is None:

@@ -23,6 +23,7 @@ from vtkmodules.vtkRenderingCore import (
 
 from vtkindirect import (
     actors,
+    area_lights,
     arrays,
     data,
     document,
@@ -76,6 +77,11 @@ class Scene:
     def environment(self) -> Any:
         """The light of the sky, a vtkEnvironmentLight that `enable` gives to the pass, or None."""
         return environments.attached(self.renderer)
+
+    @property
+    def area_lights(self) -> list[Any]:
+        """The vtkAreaLights that `enable` gives to the pass."""
+        return area_lights.attached(self.renderer)
 
     @property
     def bounds(self) -> tuple[float, ...]:

@@ -88,8 +88,6 @@ def _camera(value: Values) -> Wrong:
 
 
 def _light(value: Values) -> Wrong:
-    if value["type"] == "area":
-        yield "lights of type 'area' are not built in this version", "type"
     if value["type"] == "spot" and value["focal_point"] == value["position"]:
         yield "must differ from position", "focal_point"
     if value["type"] == "environment":

@@ -41,10 +41,12 @@ const Shown FrameChannels[] = {
   { "direct", "VTK's own shading, shadowed", "VTK radiance", VTKI_CHANNEL_DIRECT, 3, 1.0f, 0.0f },
   { "indirect", "albedo E + glossy, what the pass adds", "VTK radiance", VTKI_CHANNEL_INDIRECT, 3,
     1.0f, 0.0f },
-  { "irradiance", "E, all irradiance that the pass adds: sky and bounce",
+  { "irradiance", "E, all irradiance that the pass adds: sky, area and bounce",
     "VTK irradiance, physical over pi", VTKI_CHANNEL_IRRADIANCE, 3, 1.0f, 0.0f },
   { "sky", "its part that comes directly from the environment", "VTK irradiance", VTKI_CHANNEL_SKY,
     3, 1.0f, 0.0f },
+  { "area", "its part that comes directly from area lights", "VTK irradiance", VTKI_CHANNEL_AREA, 3,
+    1.0f, 0.0f },
   { "bounce", "its part that surfaces reflect", "VTK irradiance", VTKI_CHANNEL_BOUNCE, 3, 1.0f,
     0.0f },
   { "glossy", "what receivers reflect specularly", "VTK radiance", VTKI_CHANNEL_GLOSSY, 3, 1.0f,
@@ -92,7 +94,8 @@ struct vtkIndirectComposite::Internals
                                      : "vtkIndirectIrradianceTexture.glsl");
     kernel.SetDefinitions(input.Geometry.GetAlbedoDefinitions() +
       std::string(HasGlossy(input) ? "#define VTKI_GLOSSY\n" : "") +
-      (input.Sky ? "#define VTKI_SKY\n" : "") + definitions);
+      (input.Sky ? "#define VTKI_SKY\n" : "") + (input.Area ? "#define VTKI_AREA\n" : "") +
+      definitions);
     return kernel.Use(input.Frame.Window);
   }
 
@@ -118,14 +121,18 @@ struct vtkIndirectComposite::Internals
       geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
       estimate->Glossy->Activate(0, program);
     }
-    if (input.Sky)
+    for (const vtkIndirectTarget* direct : { input.Sky, input.Area })
     {
-      input.Sky->Activate(0, program);
+      if (direct)
+      {
+        direct->Activate(0, program);
+      }
     }
     vtkIndirectSetEyeUniforms(program, input.Frame);
     program->SetUniform2i("vtkiSize", input.Frame.Size);
+    const bool adds = estimate || input.Sky || input.Area;
     program->SetUniformf(
-      "vtkiIndirectScale", estimate || input.Sky ? static_cast<float>(input.IndirectScale) : 0.0f);
+      "vtkiIndirectScale", adds ? static_cast<float>(input.IndirectScale) : 0.0f);
     program->SetUniformf(
       "vtkiIrradianceUnit", estimate ? static_cast<float>(estimate->Unit) : 0.0f);
   }
@@ -133,9 +140,12 @@ struct vtkIndirectComposite::Internals
   static void DeactivateFrame(const Input& input)
   {
     input.Geometry.GetTarget().Deactivate();
-    if (input.Sky)
+    for (const vtkIndirectTarget* direct : { input.Sky, input.Area })
     {
-      input.Sky->Deactivate();
+      if (direct)
+      {
+        direct->Deactivate();
+      }
     }
     if (!input.Estimate)
     {

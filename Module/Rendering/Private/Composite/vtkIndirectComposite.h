@@ -7,9 +7,10 @@
 // lights, while the irradiance here is physical over pi, so both kinds add albedo times E.
 //
 // Channels, as floats in world units and coordinates, background 0: `final`, `direct`, `indirect`
-// (albedo E + glossy), `irradiance` (E) and its parts `sky` and `bounce`, `glossy` (what receivers
-// reflect specularly), `albedo`, `normal`, `depth` (along the view axis), `specular` (reflectance,
-// and the power of the lobe in a fourth component; zero where SpecularTransport computes nothing).
+// (albedo E + glossy), `irradiance` (E) and its parts `sky`, `area` and `bounce`, `glossy` (what
+// receivers reflect specularly), `albedo`, `normal`, `depth` (along the view axis), `specular`
+// (reflectance, and the power of the lobe in a fourth component; zero where SpecularTransport
+// computes nothing).
 
 #ifndef vtkIndirectComposite_h
 #define vtkIndirectComposite_h
@@ -42,6 +43,7 @@ public:
     const vtkReflectiveShadowMapPass* Maps; // null without maps
     const vtkIndirectEstimate* Estimate;    // null for none
     const vtkIndirectTarget* Sky;           // irradiance from the environment, null for none
+    const vtkIndirectTarget* Area;          // the same from area lights
     double IndirectScale;
     bool DepthCleared; // of the framebuffer that is bound: nothing is drawn there yet
   };

@@ -28,7 +28,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
     triangles, static_cast<double>(frame.Casters.size()), circumstances.FrameSeconds);
   plan.NumberOfBounces = std::min(settings.NumberOfBounces, estimator.MaximumNumberOfBounces);
   const int emitters = static_cast<int>(frame.Lights.size()) + circumstances.NumberOfOtherEmitters +
-    (circumstances.Environment ? 1 : 0);
+    (circumstances.Environment ? 1 : 0) + (circumstances.AreaLights ? 1 : 0);
   plan.WhyDelegate = settings.IndirectScale == 0.0 && !settings.Shadows
     ? "IndirectScale is 0 and Shadows are off"
     : frame.Size[0] < 1 || frame.Size[1] < 1 ? "the viewport is empty"
@@ -45,10 +45,11 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.FindSenders(frame, settings);
   plan.FindVisibility(settings, estimator);
   plan.FindSky(frame, settings, estimator, circumstances);
+  plan.FindOtherLights(frame, settings, estimator, circumstances);
   plan.FindUnit(frame, circumstances);
   plan.Shadows = settings.Shadows && plan.Senders == MAPS;
   const bool sent =
-    plan.Senders != NO_SENDERS || plan.SkyBounces || circumstances.NumberOfOtherEmitters > 0;
+    plan.Senders != NO_SENDERS || plan.SkyBounces || plan.AreaLightsBounce || plan.OtherSamplers;
   plan.WhyNoIrradiance = settings.IndirectScale == 0.0 ? "IndirectScale is 0"
     : !sent                                            ? "no light emits anything"
                                                        : "";
@@ -180,13 +181,45 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectPlan::FindOtherLights(const vtkIndirectFrame& frame,
+  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
+  const vtkIndirectCircumstances& circumstances)
+{
+  const bool takes = !estimator.ReadsMaps || this->Senders == NO_SENDERS;
+  const std::string why =
+    estimator.Name + " reads the lights' maps, and nothing beside them; the result is too dark";
+  this->OtherSamplers = takes && circumstances.NumberOfOtherEmitters > 0;
+  if (!takes && circumstances.NumberOfOtherEmitters > 0)
+  {
+    this->LeftOut.emplace_back("light of further samplers", why);
+  }
+  if (!circumstances.AreaLights || settings.IndirectScale == 0.0)
+  {
+    return;
+  }
+  this->AreaLights = true;
+  this->AreaIsShadowed = settings.Visibility != vtkIndirectVisibilityNone && !frame.Casters.empty();
+  if (!this->AreaIsShadowed && !frame.Casters.empty())
+  {
+    this->LeftOut.emplace_back(
+      "what hides area lights", "Visibility is none; the result is too bright");
+  }
+  this->AreaLightsBounce = takes && !frame.Casters.empty();
+  if (!takes)
+  {
+    this->LeftOut.emplace_back("bounces of light from area lights", why);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectPlan::FindUnit(
   const vtkIndirectFrame& frame, const vtkIndirectCircumstances& circumstances)
 {
   // What the strongest light gives a surface that faces it in the middle of the scene, so that 1e-7
   // to 65504 times that can be stored. Of a sky's light some surface may
   // have a quarter or more.
-  double unit = this->SkyBounces ? circumstances.EnvironmentIrradiance : 0.0;
+  double unit = std::max(this->SkyBounces ? circumstances.EnvironmentIrradiance : 0.0,
+    this->AreaLightsBounce ? circumstances.AreaLightIrradiance : 0.0);
   for (const vtkIndirectLight& light : frame.Lights)
   {
     const double color = std::max({ light.Color.x, light.Color.y, light.Color.z });
@@ -252,6 +285,7 @@ std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) cons
     static_cast<double>(frame.Size[1]), static_cast<double>(this->Senders),
     static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
     this->ErrorTolerance, this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0,
+    this->AreaLightsBounce ? 1.0 : 0.0,
     // Moving frames look fewer maps up.
     this->Interactive && this->Visibility == vtkIndirectVisibilityMaps ? 1.0 : 0.0 };
   frame.AppendTo(key);

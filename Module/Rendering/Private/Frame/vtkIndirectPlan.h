@@ -35,7 +35,10 @@ struct vtkIndirectCircumstances
   bool OwnDelegate = false;      // what the user's own delegate draws is not known
   std::string DelegateIsRefused; // why no surfaces can be had of it; empty: they can
   int NumberOfOtherEmitters = 0; // sources of light that are no vtkLight
-  bool Environment = false;      // light comes from all around
+  bool AreaLights = false;       // of rectangles
+  /** VTK irradiance of a surface in the middle of the scene that faces all of them. */
+  double AreaLightIrradiance = 0.0;
+  bool Environment = false; // light comes from all around
   /** VTK irradiance of a surface that all of its light would fall on at a right angle. */
   double EnvironmentIrradiance = 0.0;
   bool ImageBasedLighting = false; // VTK adds that of the renderer's texture, which nothing hides
@@ -81,7 +84,11 @@ struct vtkIndirectPlan
   int SkyBlock = 1;
   int SkyTileTexels = 128;
   ///@}
-  bool SkyBounces = false; // surfaces send what the environment gives them
+  bool SkyBounces = false;       // surfaces send what the environment gives them
+  bool OtherSamplers = false;    // virtual lights that passes bring of their own
+  bool AreaLights = false;       // light comes directly from rectangles
+  bool AreaIsShadowed = true;    // and may be hidden
+  bool AreaLightsBounce = false; // surfaces send what these give them
   ///@{
   /** The time that there is for the frame; whether another is awaited, as while a camera turns. */
   double FrameSeconds = 10000.0;
@@ -135,6 +142,8 @@ private:
   void FindSenders(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings);
   void FindVisibility(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
   void FindSky(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
+    const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
+  void FindOtherLights(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void FindUnit(const vtkIndirectFrame& frame, const vtkIndirectCircumstances& circumstances);
   void LeaveOut(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);

@@ -56,7 +56,8 @@ vtkIndirectStageTimer::~vtkIndirectStageTimer()
 const char* vtkIndirectStageTimer::GetName(int stage)
 {
   static const char* const names[NumberOfStages] = { "delegate", "rsm", "geometry", "lights",
-    "visibility", "sky", "inject", "bounces", "estimate", "upsample", "composite", "frame" };
+    "visibility", "sky", "area", "inject", "bounces", "estimate", "upsample", "composite",
+    "frame" };
   return names[stage];
 }
 

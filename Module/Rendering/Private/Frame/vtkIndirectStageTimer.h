@@ -28,6 +28,7 @@ public:
     Lights,
     Visibility,
     Sky,
+    Area,
     Inject,
     Bounces,
     Estimate,

@@ -12,6 +12,7 @@
 namespace vtkIndirectKernels
 {
 using glm::abs;
+using glm::atan;
 using glm::cos;
 using glm::cross;
 using glm::dot;
@@ -63,6 +64,7 @@ namespace
 #include "vtkIndirectLibDepthTile.glsl"
 #include "vtkIndirectLibSky.glsl"
 #include "vtkIndirectLibPenumbra.glsl"
+#include "vtkIndirectLibAreaLight.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

@@ -19,7 +19,10 @@
 #include "vtkRenderState.h"
 #include "vtkTexture.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
+#include <cstdint>
 
 namespace
 {
@@ -39,7 +42,8 @@ double SumIrradiance(vtkEnvironmentLight* environment)
 void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& request)
 {
   this->Renderer = s->GetRenderer();
-  this->BuffersAreThere = this->IrradianceIsThere = this->SkyIsThere = false;
+  this->BuffersAreThere = this->IrradianceIsThere = false;
+  this->SkyIsThere = this->AreaIsThere = false;
   this->Estimator = request.Estimator;
   this->HeldEstimator = request.HoldEstimator ? request.Estimator : nullptr;
   this->Frame = vtkIndirectFrame();
@@ -51,6 +55,9 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   this->Frame.ReplacedLights = request.ReplacedLights;
   vtkIndirectCircumstances circumstances = request.Circumstances;
   circumstances.NumberOfOtherEmitters = static_cast<int>(this->OtherSamplers.size());
+  circumstances.AreaLightIrradiance =
+    vtkIndirectEmitters::FindIrradiance(this->AreaLights, glm::value_ptr(this->Frame.SceneCenter));
+  circumstances.AreaLights = circumstances.AreaLightIrradiance > 0.0;
   this->Environment =
     request.Environment ? request.Environment : this->FindImageLight(this->Frame.Renderer);
   circumstances.EnvironmentIrradiance = this->Environment ? SumIrradiance(this->Environment) : 0.0;
@@ -62,13 +69,22 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   {
     this->ReleaseSky(this->Frame.Window);
   }
+  if (!circumstances.AreaLights || request.Settings.IndirectScale == 0.0)
+  {
+    this->Area.Release(this->Frame.Window);
+    this->AreaKey.clear();
+  }
+  if ((!circumstances.Environment && !circumstances.AreaLights) ||
+    request.Settings.IndirectScale == 0.0)
+  {
+    this->SenderSampler->ReleaseGraphicsResources(this->Frame.Window);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectPipeline::ReleaseSky(vtkWindow* window)
 {
   this->Sky.Release(window);
-  this->SkySampler->ReleaseGraphicsResources(window);
   this->SkyProjection = vtkIndirectSkyProjection();
   this->SkyKey.clear();
 }
@@ -138,7 +154,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     }
     this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
   }
-  drawn = drawn && this->UpdateSkyMaps(request);
+  drawn = drawn && this->UpdateSenderMaps();
   this->Timer.Begin(vtkIndirectStageTimer::Geometry);
   vtkIndirectShadowMaps shadows;
   const bool shadowed = drawn && this->Plan.Shadows;
@@ -161,16 +177,32 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
+bool vtkIndirectPipeline::UpdateSenderMaps()
 {
-  if (!this->Plan.SkyBounces)
+  if (!this->Plan.SkyBounces && !this->Plan.AreaLightsBounce)
   {
-    this->SkySampler->ReleaseGraphicsResources(this->Frame.Window);
+    this->SenderSampler->ReleaseGraphicsResources(this->Frame.Window);
     return true;
   }
   this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
-  const bool drawn = this->SkySampler->DrawMaps(
-    this->Frame, this->Plan, this->Capture, this->SkyProjection, this->Environment);
+  vtkEnvironmentLight* const sky = this->Plan.SkyBounces ? this->Environment : nullptr;
+  const std::vector<double> source = { static_cast<double>(reinterpret_cast<uintptr_t>(sky)),
+    sky ? static_cast<double>(sky->GetMTime()) : 0.0,
+    this->Plan.AreaLightsBounce ? static_cast<double>(this->GetAreaTime()) : -1.0 };
+  if (!this->SenderSampler->Knows(source))
+  {
+    vtkIndirectEmitters::List emitters;
+    if (sky)
+    {
+      vtkIndirectEmitters::AddSky(emitters, this->SkyProjection, sky);
+    }
+    if (this->Plan.AreaLightsBounce)
+    {
+      vtkIndirectEmitters::AddAreaLights(emitters, this->AreaLights);
+    }
+    this->SenderSampler->SetEmitters(emitters, source);
+  }
+  const bool drawn = this->SenderSampler->DrawMaps(this->Frame, this->Plan, this->Capture);
   this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
   return drawn;
 }
@@ -184,6 +216,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
   this->TilesLeft = this->Plan.TilesPerFrame;
   this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
   this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
+  this->AreaIsThere = this->Plan.AreaLights && this->UpdateArea(request);
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
   const bool composed = this->Composite.Composite(this->MakeCompositeInput());
   if (composed && this->Plan.Antialiasing)
@@ -199,7 +232,7 @@ void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
 {
   this->Samplers.clear();
   vtkVirtualLightSampler* sampler = this->Estimator->ChooseSampler(users, this->Plan);
-  this->SkySampler->SetNumberOfLightsOf(sampler);
+  this->SenderSampler->SetNumberOfLightsOf(sampler);
   if (sampler && this->Plan.Senders == vtkIndirectPlan::EYE)
   {
     vtkMapLightSampler* pattern = sampler->GetViewPattern();
@@ -210,12 +243,15 @@ void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
   {
     this->Samplers.emplace_back(sampler);
   }
-  if (this->Plan.SkyBounces)
+  if (this->Plan.SkyBounces || this->Plan.AreaLightsBounce)
   {
-    this->Samplers.emplace_back(this->SkySampler.Get());
+    this->Samplers.emplace_back(this->SenderSampler.Get());
   }
-  this->Samplers.insert(
-    this->Samplers.end(), this->OtherSamplers.begin(), this->OtherSamplers.end());
+  if (this->Plan.OtherSamplers)
+  {
+    this->Samplers.insert(
+      this->Samplers.end(), this->OtherSamplers.begin(), this->OtherSamplers.end());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -231,7 +267,7 @@ std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) 
   }
   key.push_back(static_cast<double>(
     this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0));
-  key.push_back(static_cast<double>(this->Plan.SkyBounces ? this->SkySampler->GetSourceTime() : 0));
+  key.push_back(static_cast<double>(this->SenderSampler->GetSourceTime()));
   return key;
 }
 
@@ -268,7 +304,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const size_t tiles = this->Visibility.GetNumberOfTilesDrawn();
   // The sky's maps share the frame's time.
   const int most = this->Plan.TilesPerFrame;
-  const bool shared = this->Plan.Sky && this->Plan.SkyIsShadowed && !this->Sky.IsComplete();
+  const bool shared = (this->Plan.Sky && this->Plan.SkyIsShadowed && !this->Sky.IsComplete()) ||
+    (this->Plan.AreaLights && this->Plan.AreaIsShadowed && !this->Area.IsComplete());
   const bool visible =
     this->Visibility.Update({ this->Frame, this->Samplers.empty() ? nullptr : &this->Lights,
                               this->Capture, caching, shared ? most - most / 2 : most },
@@ -300,7 +337,9 @@ bool vtkIndirectPipeline::UpdateSky(const Request& request)
   const vtkIndirectSkyGather::Input input = { this->Frame, this->Plan, this->Geometry,
     this->Capture, this->Environment, this->SkyProjection };
   this->Timer.Begin(vtkIndirectStageTimer::Visibility);
+  const size_t tiles = this->Sky.GetNumberOfTilesDrawn();
   const bool visible = this->Sky.UpdateMaps(input, this->TilesLeft);
+  this->TilesLeft -= static_cast<int>(this->Sky.GetNumberOfTilesDrawn() - tiles);
   this->Timer.End(vtkIndirectStageTimer::Visibility);
   std::vector<double> key = this->Plan.MakeKey(this->Frame);
   key.push_back(static_cast<double>(this->Sky.GetContentTime()));
@@ -323,6 +362,43 @@ bool vtkIndirectPipeline::UpdateSky(const Request& request)
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkIndirectPipeline::GetAreaTime() const
+{
+  vtkMTimeType time = this->AreaLights.size();
+  for (const auto& light : this->AreaLights)
+  {
+    time = std::max(time, light->GetMTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPipeline::UpdateArea(const Request& request)
+{
+  const vtkIndirectAreaGather::Input input = { this->Frame, this->Plan, this->Geometry,
+    this->Capture, this->AreaLights };
+  this->Timer.Begin(vtkIndirectStageTimer::Visibility);
+  const bool updated = this->Area.Update(input, std::max(this->TilesLeft, 0));
+  this->Timer.End(vtkIndirectStageTimer::Visibility);
+  std::vector<double> key = this->Plan.MakeKey(this->Frame);
+  key.push_back(static_cast<double>(this->Area.GetContentTime()));
+  key.push_back(this->Plan.Interactive ? 1.0 : 0.0);
+  if (request.Settings.Caching && key == this->AreaKey)
+  {
+    return true;
+  }
+  this->AreaKey.clear();
+  this->Timer.Begin(vtkIndirectStageTimer::Area);
+  const bool summed = updated && this->Area.Sum(input);
+  this->Timer.End(vtkIndirectStageTimer::Area);
+  if (summed)
+  {
+    this->AreaKey = key;
+  }
+  return summed;
+}
+
+//------------------------------------------------------------------------------
 // The last frame's, null where there is none.
 const vtkIndirectEstimate* vtkIndirectPipeline::GetEstimate() const
 {
@@ -334,7 +410,8 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
 {
   const bool maps = this->Plan.Senders == vtkIndirectPlan::MAPS;
   return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr, this->GetEstimate(),
-    this->SkyIsThere ? &this->Sky.GetIrradiance() : nullptr, this->Plan.IndirectScale,
+    this->SkyIsThere ? &this->Sky.GetIrradiance() : nullptr,
+    this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr, this->Plan.IndirectScale,
     this->TargetIsClear };
 }
 
@@ -413,11 +490,12 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   std::copy(this->Frame.Size, this->Frame.Size + 2, report.Size);
   report.Counters = { { "shader_builds", this->Capture->GetNumberOfShaderBuilds() },
     { "faces_drawn",
-      this->Maps->GetNumberOfFacesDrawn() + this->SkySampler->GetNumberOfFacesDrawn() },
+      this->Maps->GetNumberOfFacesDrawn() + this->SenderSampler->GetNumberOfFacesDrawn() },
     { "voxel_updates", static_cast<long long>(this->Visibility.GetNumberOfUpdates()) },
     { "tiles_drawn",
       static_cast<long long>(this->Visibility.GetNumberOfTilesDrawn() +
-        this->Sky.GetNumberOfTilesDrawn() + this->Penumbra.GetNumberOfTilesDrawn()) },
+        this->Sky.GetNumberOfTilesDrawn() + this->Area.GetNumberOfTilesDrawn() +
+        this->Penumbra.GetNumberOfTilesDrawn()) },
     { "sky_tiles_drawn", static_cast<long long>(this->Sky.GetNumberOfTilesDrawn()) },
     { "tiles_left",
       (this->IrradianceIsThere ? this->Visibility.GetNumberOfTilesLeft() : 0) +
@@ -432,8 +510,8 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   auto add = [](vtkIndirectReport::Entries& to, const vtkIndirectPlan::Entries& entries)
   { to.insert(to.end(), entries.begin(), entries.end()); };
   report.Paths = this->Paths;
-  report.Bytes =
-    this->Geometry.GetTarget().GetBytes() + this->Antialiasing.GetBytes() + this->Sky.GetBytes();
+  report.Bytes = this->Geometry.GetTarget().GetBytes() + this->Antialiasing.GetBytes() +
+    this->Sky.GetBytes() + this->Area.GetBytes();
   add(report.Modelled, this->Plan.Modelled);
   add(report.LeftOut, this->Plan.LeftOut);
   if (this->Plan.Senders != vtkIndirectPlan::EYE)
@@ -456,9 +534,9 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     report.EstimatedError = this->Estimate.Error;
     this->Estimator->AddToReport(report);
     this->Visibility.AddToReport(report);
-    if (this->Plan.SkyBounces)
+    if (this->Plan.SkyBounces || this->Plan.AreaLightsBounce)
     {
-      this->SkySampler->AddToReport(report);
+      this->SenderSampler->AddToReport(report);
     }
   }
   else if (this->Plan.Irradiance)
@@ -468,6 +546,10 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   if (this->SkyIsThere)
   {
     this->Sky.AddToReport(report);
+  }
+  if (this->AreaIsThere)
+  {
+    this->Area.AddToReport(report);
   }
   if (this->IsInWindow())
   {
@@ -485,7 +567,9 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Geometry.Release(window);
   this->DefaultSampler->ReleaseGraphicsResources(window);
   this->HeadlightSampler->ReleaseGraphicsResources(window);
+  this->SenderSampler->ReleaseGraphicsResources(window);
   this->ReleaseSky(window);
+  this->Area.Release(window);
   for (const auto& sampler : this->OtherSamplers)
   {
     sampler->ReleaseGraphicsResources(window);

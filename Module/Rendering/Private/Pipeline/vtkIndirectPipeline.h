@@ -15,13 +15,15 @@
 #include "Frame/vtkIndirectReport.h"                   // for members
 #include "Frame/vtkIndirectRoom.h"                     // for a member
 #include "Frame/vtkIndirectStageTimer.h"               // for members
+#include "Gather/vtkIndirectAreaGather.h"              // for members
 #include "Gather/vtkIndirectSkyGather.h"               // for members
 #include "VirtualLights/vtkIndirectHeadlightSampler.h" // for members
+#include "VirtualLights/vtkIndirectSenderSampler.h"    // for members
 #include "VirtualLights/vtkIndirectSkyProjection.h"    // for members
-#include "VirtualLights/vtkIndirectSkySampler.h"       // for members
 #include "VirtualLights/vtkIndirectVirtualLights.h"    // for members
 #include "Visibility/vtkIndirectPenumbra.h"            // for members
 #include "Visibility/vtkIndirectVisibility.h"          // for members
+#include "vtkAreaLight.h"                              // for members
 #include "vtkEnvironmentLight.h"                       // for members
 #include "vtkIndirectEstimatorPass.h"                  // for members
 #include "vtkMultiresolutionSplattingPass.h"           // for members
@@ -94,6 +96,7 @@ public:
   vtkNew<vtkReflectiveShadowMapPass> Maps;
   vtkNew<vtkUniformLightSampler> DefaultSampler;
   vtkNew<vtkMultiresolutionSplattingPass> DefaultEstimator;
+  std::vector<vtkSmartPointer<vtkAreaLight>> AreaLights;
   /** Whose lights are summed besides those of the frame's sampler. */
   std::vector<vtkSmartPointer<vtkVirtualLightSampler>> OtherSamplers;
 
@@ -103,7 +106,9 @@ private:
   std::vector<double> MakeKey(vtkVirtualLightSampler* users) const;
   bool UpdateIrradiance(const Request& request);
   bool UpdateSky(const Request& request);
-  bool UpdateSkyMaps(const Request& request);
+  bool UpdateArea(const Request& request);
+  vtkMTimeType GetAreaTime() const;
+  bool UpdateSenderMaps();
   void ReleaseSky(vtkWindow* window);
   const vtkIndirectEstimate* GetEstimate() const;
   vtkIndirectComposite::Input MakeCompositeInput() const;
@@ -113,11 +118,12 @@ private:
   vtkIndirectPenumbra Penumbra; // of the maps' lights
   vtkIndirectGeometryBuffer Geometry;
   vtkNew<vtkIndirectHeadlightSampler> HeadlightSampler;
-  vtkNew<vtkIndirectSkySampler> SkySampler;
+  vtkNew<vtkIndirectSenderSampler> SenderSampler;
   vtkIndirectVirtualLights Lights;
   vtkIndirectVisibility Visibility;
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather Sky;
+  vtkIndirectAreaGather Area;
   vtkNew<vtkEnvironmentLight> ImageLight; // of the renderer's texture
   vtkIndirectComposite Composite;
   vtkIndirectAntialiasing Antialiasing;
@@ -131,6 +137,7 @@ private:
   bool BuffersAreThere = false;
   bool IrradianceIsThere = false;
   bool SkyIsThere = false;
+  bool AreaIsThere = false;
   long long NumberOfEstimates = 0;
   int TilesLeft = 0; // depth maps that the frame has time for still
   std::string WhyNoBuffers = "no frame has been rendered yet";
@@ -145,6 +152,7 @@ private:
   // What the irradiance was computed from; empty when there is none.
   std::vector<double> EstimateKey;
   std::vector<double> SkyKey;
+  std::vector<double> AreaKey;
   // What the estimator could not work with, and has said so: not asked again before it changes.
   std::vector<double> FailedKey;
 };

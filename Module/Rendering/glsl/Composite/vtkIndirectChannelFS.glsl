@@ -14,6 +14,9 @@ uniform sampler2D vtkiGlossy;
 #ifdef VTKI_SKY
 uniform sampler2D vtkiSky;
 #endif
+#ifdef VTKI_AREA
+uniform sampler2D vtkiArea;
+#endif
 uniform ivec2 vtkiOrigin;
 uniform float vtkiIndirectScale;
 uniform float vtkiIrradianceUnit;
@@ -35,7 +38,11 @@ void main()
 #ifdef VTKI_SKY
   sky = lit ? texelFetch(vtkiSky, pixel, 0).rgb : vec3(0.0f);
 #endif
-  vec3 irradiance = bounce + sky;
+  vec3 area = vec3(0.0f);
+#ifdef VTKI_AREA
+  area = lit ? texelFetch(vtkiArea, pixel, 0).rgb : vec3(0.0f);
+#endif
+  vec3 irradiance = bounce + sky + area;
   vec4 specular = vec4(0.0f);
   vec3 glossy = vec3(0.0f);
 #ifdef VTKI_GLOSSY
@@ -66,6 +73,10 @@ void main()
   else if (vtkiChannel == VTKI_CHANNEL_SKY)
   {
     value = sky;
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_AREA)
+  {
+    value = area;
   }
   else if (vtkiChannel == VTKI_CHANNEL_BOUNCE)
   {

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenGL/vtkIndirectGL.h"
 
-#include "VirtualLights/vtkIndirectSkySampler.h"
+#include "VirtualLights/vtkIndirectSenderSampler.h"
 
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
 #include "OpenGL/vtkIndirectTarget.h"
-#include "vtkEnvironmentLight.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkUniformLightSampler.h"
 
 #include <algorithm>
 #include <utility>
 
-vtkStandardNewMacro(vtkIndirectSkySampler);
+vtkStandardNewMacro(vtkIndirectSenderSampler);
 
 namespace
 {
@@ -33,30 +30,35 @@ bool AreSame(const vtkIndirectCaster& a, const vtkIndirectCaster& b)
     std::equal(a.Bounds, a.Bounds + 6, b.Bounds);
 }
 
-using GroupList = std::vector<vtkIndirectSkyGroups::Group>;
-
-GroupList::iterator Find(GroupList& groups, int number)
+vtkIndirectEmitters::List::iterator Find(vtkIndirectEmitters::List& emitters, int number)
 {
-  return std::find_if(
-    groups.begin(), groups.end(), [=](const auto& group) { return group.Number == number; });
+  return std::find_if(emitters.begin(), emitters.end(),
+    [=](const vtkIndirectEmitter& emitter) { return emitter.Number == number; });
 }
 
-bool IsLit(const vtkIndirectSkyGroups::Group& group)
+// Whether maps of them are the same.
+bool HaveSameMaps(const vtkIndirectLight& a, const vtkIndirectLight& b)
 {
-  return group.Strength != glm::dvec3(0.0);
+  return a.Positional == b.Positional && a.PositionWC == b.PositionWC &&
+    a.DirectionWC == b.DirectionWC && a.Attenuation == b.Attenuation;
+}
+
+bool IsLit(const vtkIndirectEmitter& emitter)
+{
+  return emitter.Strength != glm::dvec3(0.0);
 }
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectSkySampler::vtkIndirectSkySampler()
+vtkIndirectSenderSampler::vtkIndirectSenderSampler()
 {
   this->Maps->SetResolution(TexelsOfMaps);
 }
 
-vtkIndirectSkySampler::~vtkIndirectSkySampler() = default;
+vtkIndirectSenderSampler::~vtkIndirectSenderSampler() = default;
 
 //------------------------------------------------------------------------------
-void vtkIndirectSkySampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampler)
+void vtkIndirectSenderSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampler)
 {
   auto* pattern =
     vtkUniformLightSampler::SafeDownCast(sampler ? sampler->GetViewPattern() : nullptr);
@@ -67,7 +69,7 @@ void vtkIndirectSkySampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampler)
 
 //------------------------------------------------------------------------------
 // Whether what casts shadows has changed.
-bool vtkIndirectSkySampler::UpdateScene(const vtkIndirectFrame& frame)
+bool vtkIndirectSenderSampler::UpdateScene(const vtkIndirectFrame& frame)
 {
   if (frame.SceneScale == this->SceneScale && frame.SceneCenter == this->SceneCenter &&
     std::equal(frame.Casters.begin(), frame.Casters.end(), this->Casters.begin(),
@@ -82,66 +84,56 @@ bool vtkIndirectSkySampler::UpdateScene(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-// Directions keep their places while their maps hold, also those whose light has gone: a sky that
-// turns redraws nothing. Returns whether directions have come, gone or
-// moved, as that of a sun does.
-bool vtkIndirectSkySampler::UpdateGroups(
-  vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, bool anew)
+// Emitters keep their places while their maps hold, also those whose light has gone: a sky that
+// turns redraws nothing, but for what moves with it, as a sun does.
+void vtkIndirectSenderSampler::SetEmitters(
+  const vtkIndirectEmitters::List& emitters, const std::vector<double>& source)
 {
-  const vtkMTimeType time = environment->GetMTime();
-  bool changed = false;
-  if (this->Environment != environment || this->EnvironmentTime != time)
+  this->Source = source;
+  ++this->SourceTime;
+  vtkIndirectEmitters::List lit = emitters;
+  for (vtkIndirectEmitter& emitter : this->Emitters)
   {
-    this->Environment = environment;
-    this->EnvironmentTime = time;
-    ++this->SourceTime;
-    GroupList lit = vtkIndirectSkyGroups::Make(projection, environment);
-    for (vtkIndirectSkyGroups::Group& group : this->Groups)
+    const auto found = Find(lit, emitter.Number);
+    emitter.Strength = found != lit.end() ? found->Strength : glm::dvec3(0.0);
+    if (found != lit.end())
     {
-      const auto found = Find(lit, group.Number);
-      group.Strength = found != lit.end() ? found->Strength : glm::dvec3(0.0);
-      if (found != lit.end())
-      {
-        changed = changed || group.Direction != found->Direction;
-        group.Direction = found->Direction;
-        lit.erase(found);
-      }
+      this->EmittersHaveMoved =
+        this->EmittersHaveMoved || !HaveSameMaps(emitter.Light, found->Light);
+      emitter.Light = found->Light;
+      lit.erase(found);
     }
-    changed = changed || !lit.empty();
-    this->Groups.insert(this->Groups.end(), lit.begin(), lit.end());
   }
-  if (anew || this->Groups.size() > MostMaps)
-  {
-    const auto dark = std::remove_if(this->Groups.begin(), this->Groups.end(),
-      [](const vtkIndirectSkyGroups::Group& group) { return !IsLit(group); });
-    changed = changed || dark != this->Groups.end();
-    this->Groups.erase(dark, this->Groups.end());
-  }
-  return changed;
+  this->EmittersHaveMoved = this->EmittersHaveMoved || !lit.empty();
+  this->Emitters.insert(this->Emitters.end(), lit.begin(), lit.end());
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSkySampler::DrawMaps(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-  vtkSurfaceCapturePass* capture, vtkIndirectSkyProjection& projection,
-  vtkEnvironmentLight* environment)
+bool vtkIndirectSenderSampler::DrawMaps(
+  const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture)
 {
   const bool anew = this->UpdateScene(frame) || !this->MapsAreThere || !plan.Caching;
-  if (!this->UpdateGroups(projection, environment, anew) && !anew)
+  if (anew || this->Emitters.size() > MostMaps)
+  {
+    const auto dark = std::remove_if(this->Emitters.begin(), this->Emitters.end(),
+      [](const vtkIndirectEmitter& emitter) { return !IsLit(emitter); });
+    this->EmittersHaveMoved = this->EmittersHaveMoved || dark != this->Emitters.end();
+    this->Emitters.erase(dark, this->Emitters.end());
+  }
+  if (!anew && !this->EmittersHaveMoved)
   {
     return true;
   }
-  // The same scene under other lights. They are of strength one: what the maps hold does not depend
-  // on the sky's radiance.
+  this->EmittersHaveMoved = false;
+  // The same scene under other lights.
   vtkIndirectFrame scene = frame;
   vtkIndirectPlan maps;
   maps.Caching = plan.Caching;
   scene.Lights.clear();
-  for (const vtkIndirectSkyGroups::Group& group : this->Groups)
+  for (const vtkIndirectEmitter& emitter : this->Emitters)
   {
-    vtkIndirectLight light;
+    vtkIndirectLight light = emitter.Light;
     light.Index = static_cast<int>(scene.Lights.size());
-    light.DirectionWC = -group.Direction;
-    light.Color = glm::dvec3(1.0);
     maps.MapLights.push_back(light.Index);
     scene.Lights.push_back(light);
   }
@@ -152,7 +144,7 @@ bool vtkIndirectSkySampler::DrawMaps(const vtkIndirectFrame& frame, const vtkInd
 
 //------------------------------------------------------------------------------
 // The texels that send light, each once a map.
-bool vtkIndirectSkySampler::ReadSenders(const Input& input)
+bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
 {
   std::vector<vtkIndirectSenderClusters::Sender> senders;
   std::vector<glm::vec3> places;
@@ -192,9 +184,8 @@ bool vtkIndirectSkySampler::ReadSenders(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSkySampler::Update(const Input& input)
+bool vtkIndirectSenderSampler::Update(const Input& input)
 {
-  vtkOpenGLRenderWindow* window = input.Frame.Window;
   if (this->SendersTime != this->Maps->GetContentTime())
   {
     this->SendersTime = 0;
@@ -211,45 +202,23 @@ bool vtkIndirectSkySampler::Update(const Input& input)
   }
   this->MadeTime = 0;
   std::vector<glm::dvec3> strengths;
-  for (const vtkIndirectSkyGroups::Group& group : this->Groups)
+  for (const vtkIndirectEmitter& emitter : this->Emitters)
   {
-    strengths.push_back(group.Strength);
+    strengths.push_back(emitter.Strength);
   }
   const std::vector<vtkIndirectSenderClusters::Light> lights =
     this->Clusters.MakeLights(strengths, this->NumberOfLights);
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  if (!this->Resize(window, static_cast<int>(lights.size())))
+  std::vector<Row> rows;
+  rows.reserve(lights.size());
+  for (const vtkIndirectSenderClusters::Light& light : lights)
+  {
+    rows.push_back({ { light.Position.x, light.Position.y, light.Position.z }, light.Area,
+      { light.Normal.x, light.Normal.y, light.Normal.z },
+      { light.DensityArea.x, light.DensityArea.y, light.DensityArea.z } });
+  }
+  if (!this->Write(input.Frame, rows))
   {
     return false;
-  }
-  vtkIndirectTarget& table = this->BeginChange();
-  const size_t places = static_cast<size_t>(table.GetWidth()) * table.GetHeight();
-  std::vector<float> rows[3];
-  for (std::vector<float>& row : rows)
-  {
-    row.reserve(4 * places);
-  }
-  // Of no vtkLight.
-  const double source = static_cast<double>(input.Frame.Lights.size());
-  for (size_t i = 0; i < places; ++i)
-  {
-    const vtkIndirectSenderClusters::Light light =
-      i < lights.size() ? lights[i] : vtkIndirectSenderClusters::Light();
-    const glm::dvec4 values[3] = { glm::dvec4(light.Position, light.Area),
-      glm::dvec4(light.Normal, 0.0), glm::dvec4(light.DensityArea, source) };
-    for (int channel = 0; channel < 3; ++channel)
-    {
-      for (int c = 0; c < 4; ++c)
-      {
-        rows[channel].push_back(static_cast<float>(values[channel][c]));
-      }
-    }
-  }
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    table.Write(channel, rows[channel]);
   }
   this->MadeTime = this->SourceTime;
   this->MadeCount = this->NumberOfLights;
@@ -257,31 +226,40 @@ bool vtkIndirectSkySampler::Update(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-long long vtkIndirectSkySampler::GetNumberOfFacesDrawn() const
+long long vtkIndirectSenderSampler::GetNumberOfFacesDrawn() const
 {
   return this->Maps->GetNumberOfFacesDrawn();
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectSkySampler::GetBytes() const
+size_t vtkIndirectSenderSampler::GetBytes() const
 {
   return this->Superclass::GetBytes() + this->Maps->GetBytes();
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSkySampler::AddToReport(vtkIndirectReport& report) const
+void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
 {
   report.MainMemoryBytes += this->Clusters.GetBytes();
-  const auto lit = std::count_if(this->Groups.begin(), this->Groups.end(), IsLit);
-  report.Modelled.emplace_back("bounce of light from the sky",
-    std::to_string(this->GetActualNumberOfLights()) + " virtual lights of " +
-      std::to_string(this->Clusters.GetNumberOfSenders()) + " texels in maps of " +
-      std::to_string(lit) + " directions, " + std::to_string(this->Maps->GetTexels()) +
-      " texels squared");
+  const auto isOfSky = [](const vtkIndirectEmitter& emitter) { return !emitter.Light.Positional; };
+  for (const bool sky : { true, false })
+  {
+    const auto lit = std::count_if(this->Emitters.begin(), this->Emitters.end(),
+      [&](const vtkIndirectEmitter& emitter) { return IsLit(emitter) && isOfSky(emitter) == sky; });
+    if (lit > 0)
+    {
+      report.Modelled.emplace_back(
+        sky ? "bounce of light from the sky" : "bounce of light from area lights",
+        std::to_string(this->GetActualNumberOfLights()) + " virtual lights of " +
+          std::to_string(this->Clusters.GetNumberOfSenders()) + " texels in maps of " +
+          std::to_string(lit) + (sky ? " directions, " : " places, ") +
+          std::to_string(this->Maps->GetTexels()) + " texels squared");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSkySampler::ReleaseGraphicsResources(vtkWindow* window)
+void vtkIndirectSenderSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
   if (!window)
   {
@@ -291,9 +269,9 @@ void vtkIndirectSkySampler::ReleaseGraphicsResources(vtkWindow* window)
   this->Maps->ReleaseGraphicsResources(window);
   this->Texels->ReleaseGraphicsResources(window);
   this->Clusters.SetSenders({});
-  this->Groups.clear();
+  this->Emitters.clear();
+  this->Source.clear();
   this->Casters.clear();
-  this->Environment = nullptr;
   this->MapsAreThere = false;
   this->SendersTime = 0;
   this->MadeTime = 0;

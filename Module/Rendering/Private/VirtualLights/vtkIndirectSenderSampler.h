@@ -1,45 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Virtual lights of surfaces that the sky lights: maps of senders in the directions of its groups,
-// of which clusters of texels are lights. A map sees what its part of the sky reaches, so nothing
-// else sends.
+// Virtual lights of surfaces that the sky and area lights shine on: maps of senders, seen from
+// directions of the sky and pieces of area lights, of which clusters of texels are lights. A map
+// sees what its emitter's light reaches, so nothing else sends.
 //
-// Maps are kept while the camera turns and where only the sky's radiance changes; so are places of
-// lights, but where it changes by more than a factor (vtkIndirectSenderClusters).
-#ifndef vtkIndirectSkySampler_h
-#define vtkIndirectSkySampler_h
+// Maps are kept while the camera turns and where only radiances change; so are places of lights,
+// but where these change by more than a factor (vtkIndirectSenderClusters).
+#ifndef vtkIndirectSenderSampler_h
+#define vtkIndirectSenderSampler_h
 
 #include "Frame/vtkIndirectFrame.h"                    // for casters
 #include "VirtualLights/vtkIndirectAllTexelsSampler.h" // for members
+#include "VirtualLights/vtkIndirectEmitters.h"         // for members
 #include "VirtualLights/vtkIndirectSenderClusters.h"   // for members
-#include "VirtualLights/vtkIndirectSkyGroups.h"        // for members
 #include "vtkNew.h"                                    // for members
 #include "vtkVirtualLightSampler.h"
 
 #include <vector> // for lists
 
-class vtkEnvironmentLight;
-class vtkIndirectSkyProjection;
 class vtkReflectiveShadowMapPass;
 class vtkSurfaceCapturePass;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
 
-class vtkIndirectSkySampler : public vtkVirtualLightSampler
+class vtkIndirectSenderSampler : public vtkVirtualLightSampler
 {
 public:
-  static vtkIndirectSkySampler* New();
-  vtkTypeMacro(vtkIndirectSkySampler, vtkVirtualLightSampler);
+  static vtkIndirectSenderSampler* New();
+  vtkTypeMacro(vtkIndirectSenderSampler, vtkVirtualLightSampler);
 
   /** As many as a sampler has of the scene's lights; null for the default. */
   void SetNumberOfLightsOf(vtkVirtualLightSampler* sampler);
 
+  /** What a frame's emitters were found in: where it is the same they need not be found again. */
+  bool Knows(const std::vector<double>& source) const { return source == this->Source; }
+  /** Those of the frame, each of which sends light. */
+  void SetEmitters(const vtkIndirectEmitters::List& emitters, const std::vector<double>& source);
   /**
    * Brings the maps up to date, while the capture is attached. Returns false, after an error, when
    * OpenGL cannot hold them.
    */
-  bool DrawMaps(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-    vtkSurfaceCapturePass* capture, vtkIndirectSkyProjection& projection,
-    vtkEnvironmentLight* environment);
+  bool DrawMaps(
+    const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture);
   bool Update(const Input& input) override;
 
   /** Grows with what lights are made from, but their number. */
@@ -50,16 +51,14 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
-  vtkIndirectSkySampler();
-  ~vtkIndirectSkySampler() override;
+  vtkIndirectSenderSampler();
+  ~vtkIndirectSenderSampler() override;
 
 private:
-  vtkIndirectSkySampler(const vtkIndirectSkySampler&) = delete;
-  void operator=(const vtkIndirectSkySampler&) = delete;
+  vtkIndirectSenderSampler(const vtkIndirectSenderSampler&) = delete;
+  void operator=(const vtkIndirectSenderSampler&) = delete;
 
   bool UpdateScene(const vtkIndirectFrame& frame);
-  bool UpdateGroups(
-    vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, bool anew);
   bool ReadSenders(const Input& input);
 
   vtkNew<vtkReflectiveShadowMapPass> Maps;
@@ -67,9 +66,9 @@ private:
   vtkIndirectSenderClusters Clusters;
   int NumberOfLights = 256;
 
-  std::vector<vtkIndirectSkyGroups::Group> Groups; // by their maps; without light where it has gone
-  vtkEnvironmentLight* Environment = nullptr;      // whose light that is, and its time
-  vtkMTimeType EnvironmentTime = 0;
+  vtkIndirectEmitters::List Emitters; // by their maps; without light where it has gone
+  std::vector<double> Source;         // what they were found in
+  bool EmittersHaveMoved = false;     // come, gone or moved since the maps were drawn
 
   // What the maps were drawn of, and what the senders were read from.
   bool MapsAreThere = false;

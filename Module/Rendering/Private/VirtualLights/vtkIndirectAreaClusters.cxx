@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VirtualLights/vtkIndirectAreaClusters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+namespace
+{
+// Of an image with fewer pixels along an edge each is cut into cells; of one with more, several
+// share an entry of the table.
+constexpr int LeastCells = 64;
+constexpr int MostEntries = 512;
+
+// Sums over cells: of their radiance, of its sum over the colours, and of that times place, its
+// square and its own square.
+enum Quantity
+{
+  Red,
+  Green,
+  Blue,
+  Strength,
+  StrengthX,
+  StrengthY,
+  StrengthXX,
+  StrengthYY,
+  StrengthSquared,
+  NumberOfQuantities
+};
+using Sums = std::array<double, NumberOfQuantities>;
+
+// An emitter in cells; sums of any rectangle of entries from four of them (summed-area table, Crow
+// 1984).
+class Table
+{
+public:
+  explicit Table(const vtkIndirectAreaClusters::Emitter& emitter)
+    : Emitter(emitter)
+    , Repeat{ (LeastCells + emitter.Columns - 1) / emitter.Columns,
+      (LeastCells + emitter.Rows - 1) / emitter.Rows }
+    , Cells{ emitter.Columns * Repeat[0], emitter.Rows * Repeat[1] }
+    , Size{ std::min(Cells[0], MostEntries), std::min(Cells[1], MostEntries) }
+    , Entries(static_cast<size_t>(Size[0] + 1) * (Size[1] + 1), Sums{})
+  {
+    for (int y = 0; y < this->Cells[1]; ++y)
+    {
+      for (int x = 0; x < this->Cells[0]; ++x)
+      {
+        this->Add(
+          this->Entries[this->GetIndex(this->FindEntry(x, 0) + 1, this->FindEntry(y, 1) + 1)], x,
+          y);
+      }
+    }
+    for (int y = 1; y <= this->Size[1]; ++y)
+    {
+      Sums row{};
+      for (int x = 1; x <= this->Size[0]; ++x)
+      {
+        Sums& entry = this->Entries[this->GetIndex(x, y)];
+        const Sums& below = this->Entries[this->GetIndex(x, y - 1)];
+        for (int q = 0; q < NumberOfQuantities; ++q)
+        {
+          row[q] += entry[q];
+          entry[q] = below[q] + row[q];
+        }
+      }
+    }
+  }
+
+  Sums Sum(const int lower[2], const int upper[2]) const
+  {
+    const Sums& a = this->Entries[this->GetIndex(lower[0], lower[1])];
+    const Sums& b = this->Entries[this->GetIndex(upper[0], lower[1])];
+    const Sums& c = this->Entries[this->GetIndex(lower[0], upper[1])];
+    const Sums& d = this->Entries[this->GetIndex(upper[0], upper[1])];
+    Sums sums;
+    for (int q = 0; q < NumberOfQuantities; ++q)
+    {
+      sums[q] = (d[q] - b[q]) - (c[q] - a[q]);
+    }
+    // What rounding leaves of a dark piece is no light.
+    if (!(sums[Strength] > 1e-12 * this->Entries.back()[Strength]))
+    {
+      sums.fill(0.0);
+    }
+    return sums;
+  }
+
+  vtkIndirectAreaClusters::Emitter Emitter;
+  int Repeat[2]; // cells of a pixel
+  int Cells[2];
+  int Size[2]; // in entries
+
+private:
+  size_t GetIndex(int x, int y) const { return static_cast<size_t>(y) * (this->Size[0] + 1) + x; }
+  int FindEntry(int cell, int axis) const
+  {
+    return static_cast<int>(static_cast<long long>(cell) * this->Size[axis] / this->Cells[axis]);
+  }
+  // Places are from -1/2 to 1/2, which keeps digits.
+  double GetPlace(int cell, int axis) const { return (cell + 0.5) / this->Cells[axis] - 0.5; }
+
+  void Add(Sums& sums, int x, int y) const
+  {
+    const size_t pixel =
+      static_cast<size_t>(y / this->Repeat[1]) * this->Emitter.Columns + x / this->Repeat[0];
+    const float* const radiance = this->Emitter.Radiances + 3 * pixel;
+    const double light = double(radiance[0]) + radiance[1] + radiance[2];
+    const double u = this->GetPlace(x, 0);
+    const double v = this->GetPlace(y, 1);
+    const Sums one = { radiance[0], radiance[1], radiance[2], light, light * u, light * v,
+      light * u * u, light * v * v, light * light };
+    for (int q = 0; q < NumberOfQuantities; ++q)
+    {
+      sums[q] += one[q];
+    }
+  }
+
+  std::vector<Sums> Entries;
+};
+
+struct Piece
+{
+  const Table* Whole;
+  int Lower[2];
+  int Upper[2];
+  Sums Sum;
+  glm::dvec2 Mean;   // place of its light
+  glm::dvec2 Spread; // mean squared distance from that along the edges, scene units squared
+  double Width;      // light times that
+  int Axis;          // along which it can be cut; -1 where it cannot
+
+  Piece(const Table& whole, const int lower[2], const int upper[2])
+    : Whole(&whole)
+    , Lower{ lower[0], lower[1] }
+    , Upper{ upper[0], upper[1] }
+    , Sum(whole.Sum(lower, upper))
+  {
+    const vtkIndirectAreaClusters::Emitter& emitter = whole.Emitter;
+    const double light = this->Sum[Strength];
+    if (!(light > 0.0))
+    {
+      this->Width = 0.0;
+      this->Axis = -1;
+      return;
+    }
+    this->Mean = glm::dvec2(this->Sum[StrengthX], this->Sum[StrengthY]) / light;
+    const glm::dvec2 square = glm::dvec2(this->Sum[StrengthXX], this->Sum[StrengthYY]) / light;
+    const glm::dvec2 cell(1.0 / whole.Cells[0], 1.0 / whole.Cells[1]);
+    const glm::dvec2 edges(
+      glm::dot(emitter.Edge1, emitter.Edge1), glm::dot(emitter.Edge2, emitter.Edge2));
+    this->Spread =
+      edges * (glm::max(square - this->Mean * this->Mean, glm::dvec2(0.0)) + cell * cell / 12.0);
+    const double area = glm::length(glm::cross(emitter.Edge1, emitter.Edge2));
+    this->Width = light * cell.x * cell.y * area * (this->Spread.x + this->Spread.y);
+    this->Axis = this->Spread.x >= this->Spread.y ? 0 : 1;
+    this->Axis = upper[this->Axis] - lower[this->Axis] > 1 ? this->Axis : 1 - this->Axis;
+    this->Axis = upper[this->Axis] - lower[this->Axis] > 1 ? this->Axis : -1;
+  }
+
+  // Before which entry of the table it is cut.
+  int FindCut() const
+  {
+    const int cut =
+      static_cast<int>(std::lround((this->Mean[this->Axis] + 0.5) * this->Whole->Size[this->Axis]));
+    return std::min(std::max(cut, this->Lower[this->Axis] + 1), this->Upper[this->Axis] - 1);
+  }
+
+  vtkIndirectAreaClusters::Light MakeLight() const
+  {
+    const vtkIndirectAreaClusters::Emitter& emitter = this->Whole->Emitter;
+    const glm::dvec3 span = glm::cross(emitter.Edge1, emitter.Edge2);
+    const double cell =
+      glm::length(span) / (static_cast<double>(this->Whole->Cells[0]) * this->Whole->Cells[1]);
+    vtkIndirectAreaClusters::Light light;
+    light.Position =
+      emitter.Origin + (this->Mean.x + 0.5) * emitter.Edge1 + (this->Mean.y + 0.5) * emitter.Edge2;
+    light.Normal = glm::normalize(span);
+    light.RadianceArea = cell * glm::dvec3(this->Sum[Red], this->Sum[Green], this->Sum[Blue]);
+    light.Area = cell * this->Sum[Strength] * this->Sum[Strength] / this->Sum[StrengthSquared];
+    return light;
+  }
+};
+
+// The widest first; of equals the earlier one.
+struct Narrower
+{
+  bool operator()(const std::pair<double, size_t>& a, const std::pair<double, size_t>& b) const
+  {
+    return a.first != b.first ? a.first < b.first : a.second > b.second;
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIndirectAreaClusters::Light> vtkIndirectAreaClusters::MakeLights(
+  const std::vector<Emitter>& emitters, int count)
+{
+  std::vector<Table> tables;
+  tables.reserve(emitters.size());
+  std::vector<Piece> pieces;
+  std::priority_queue<std::pair<double, size_t>, std::vector<std::pair<double, size_t>>, Narrower>
+    queue;
+  int lights = 0;
+  auto sides = [](const Piece& piece) { return piece.Whole->Emitter.TwoSided ? 2 : 1; };
+  auto add = [&](const Piece& piece)
+  {
+    if (!(piece.Sum[Strength] > 0.0))
+    {
+      return;
+    }
+    lights += sides(piece);
+    if (piece.Axis >= 0)
+    {
+      queue.emplace(piece.Width, pieces.size());
+    }
+    pieces.push_back(piece);
+  };
+  for (const Emitter& emitter : emitters)
+  {
+    if (!(glm::length(glm::cross(emitter.Edge1, emitter.Edge2)) > 0.0))
+    {
+      continue;
+    }
+    tables.emplace_back(emitter);
+    const int lower[2] = { 0, 0 };
+    add(Piece(tables.back(), lower, tables.back().Size));
+  }
+  while (!queue.empty())
+  {
+    const size_t widest = queue.top().second;
+    const Piece piece = pieces[widest];
+    if (lights + sides(piece) > count)
+    {
+      break;
+    }
+    queue.pop();
+    lights -= sides(piece);
+    int middle[2] = { piece.Upper[0], piece.Upper[1] };
+    middle[piece.Axis] = piece.FindCut();
+    const Piece first(*piece.Whole, piece.Lower, middle);
+    middle[0] = piece.Lower[0];
+    middle[1] = piece.Lower[1];
+    middle[piece.Axis] = piece.FindCut();
+    const Piece second(*piece.Whole, middle, piece.Upper);
+    // One of them takes the place of the whole; the other may be dark.
+    const bool firstIsLit = first.Sum[Strength] > 0.0;
+    pieces[widest] = firstIsLit ? first : second;
+    lights += sides(piece);
+    if (pieces[widest].Axis >= 0)
+    {
+      queue.emplace(pieces[widest].Width, widest);
+    }
+    if (firstIsLit)
+    {
+      add(second);
+    }
+  }
+  std::vector<vtkIndirectAreaClusters::Light> result;
+  result.reserve(static_cast<size_t>(lights));
+  for (const Piece& piece : pieces)
+  {
+    result.push_back(piece.MakeLight());
+    if (piece.Whole->Emitter.TwoSided)
+    {
+      result.push_back(result.back());
+      result.back().Normal = -result.back().Normal;
+    }
+  }
+  return result;
+}

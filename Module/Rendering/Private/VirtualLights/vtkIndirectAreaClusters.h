@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Virtual lights of rectangles that send light: few where the light is spread evenly, more where it
+// is not.
+//
+// A rectangle is halved again and again, always the piece whose light lies farthest from its mean,
+// over all rectangles (compare Nichols and Wyman 2009, who begin with many lights and join those of
+// a piece without a discontinuity). A piece's light is the sum of its pixels', so none is lost; it
+// comes from their mean place. Its area is that which the light covers: a single bright pixel has
+// its own area, not that of the dark piece that it lies in.
+#ifndef vtkIndirectAreaClusters_h
+#define vtkIndirectAreaClusters_h
+
+#include <glm/glm.hpp> // for vectors
+
+#include <cstddef> // for size_t
+#include <vector>  // for lists
+
+class vtkIndirectAreaClusters
+{
+public:
+  /** A rectangle, or a parallelogram, of pixels of equal size. */
+  struct Emitter
+  {
+    glm::dvec3 Origin{ 0.0 }; // scene units
+    glm::dvec3 Edge1{ 0.0 };  // along rows
+    glm::dvec3 Edge2{ 0.0 };
+    int Columns = 1;
+    int Rows = 1;
+    const float* Radiances = nullptr; // three each
+    bool TwoSided = false;
+  };
+  struct Light
+  {
+    glm::dvec3 Position{ 0.0 };
+    glm::dvec3 Normal{ 0.0, 0.0, 1.0 };
+    double Area = 1.0;
+    glm::dvec3 RadianceArea{ 0.0 };
+  };
+
+  /**
+   * At most so many lights, but one for each side of an emitter that is not dark. Pieces are not
+   * smaller than pixels, a 64th of an edge where these are larger, a 512th where they are smaller.
+   */
+  static std::vector<Light> MakeLights(const std::vector<Emitter>& emitters, int count);
+};
+
+#endif

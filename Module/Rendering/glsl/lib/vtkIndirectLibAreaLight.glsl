@@ -1,0 +1,71 @@
+// What a surface element gets from a rectangle of one radiance: E = radiance times form factor (VTK units).
+#ifndef vtkIndirectLibAreaLight
+#define vtkIndirectLibAreaLight
+#include "vtkIndirectLibVirtualLight.glsl"
+
+// A rectangle that is so many times farther away than its longer edge is a disk, if its heights over the
+// receiver's horizon differ by no more than this share from their mean: the form factor is then off by less
+// than 0.5 %.
+const float VTKI_AREA_FAR = 30.0f;
+const float VTKI_AREA_EVEN = 0.2f;
+
+/* The angle under which the edge from a to b is seen from the origin, times the cosine between the normal and
+ * that of the plane through both and the origin. By the edge, so that no digits are lost where it is short. */
+float vtkiEdgeTerm(vec3 a, vec3 b, vec3 normal)
+{
+  vec3 c = cross(a, b - a);
+  float sine = length(c);
+  return sine > 0.0f ? atan(sine, dot(a, b)) / sine * dot(normal, c) : 0.0f;
+}
+
+/* Form factor from a surface element at the origin to the part of a parallelogram above its horizon (Lambert
+ * 1760), whichever way the parallelogram faces. corner: of it, seen from the element; normal: unit. */
+float vtkiRectangleFormFactor(vec3 corner, vec3 edge1, vec3 edge2, vec3 normal)
+{
+  vec3 middle = corner + 0.5f * (edge1 + edge2);
+  float least = dot(normal, corner) + min(dot(normal, edge1), 0.0f) + min(dot(normal, edge2), 0.0f);
+  vec3 span = cross(edge1, edge2);
+  float square = dot(middle, middle);
+  float area = length(span);
+  if (least >= (1.0f - VTKI_AREA_EVEN) * abs(dot(normal, middle)) &&
+    square > VTKI_AREA_FAR * VTKI_AREA_FAR * max(dot(edge1, edge1), dot(edge2, edge2)))
+  {
+    float denominator = square * (VTKI_PI * square + area);
+    return abs(dot(span, middle)) * dot(normal, middle) / denominator;
+  }
+  float sum = 0.0f;
+  vec3 leave = vec3(0.0f);
+  vec3 enter = vec3(0.0f);
+  vec3 from = corner;
+  float fromHeight = dot(normal, corner);
+  for (int i = 0; i < 4; ++i)
+  {
+    vec3 edge = i == 0 ? edge1 : (i == 1 ? edge2 : (i == 2 ? -edge1 : -edge2));
+    vec3 to = from + edge;
+    float toHeight = dot(normal, to);
+    if (max(fromHeight, toHeight) > 0.0f)
+    {
+      // Where the edge crosses the horizon, or ends there.
+      bool rises = fromHeight <= 0.0f;
+      bool falls = toHeight <= 0.0f;
+      vec3 crossing =
+        rises || falls ? from + (fromHeight / (fromHeight - toHeight)) * edge : from;
+      sum += vtkiEdgeTerm(rises ? crossing : from, falls ? crossing : to, normal);
+      enter = rises ? crossing : enter;
+      leave = falls ? crossing : leave;
+    }
+    from = to;
+    fromHeight = toHeight;
+  }
+  // What the horizon cuts off ends along it.
+  sum += vtkiEdgeTerm(leave, enter, normal);
+  return abs(sum) * (0.5f / VTKI_PI);
+}
+
+/* Of one that sends light to the side that cross(edge1, edge2) points to: 0 behind it. */
+float vtkiAreaLightFormFactor(vec3 corner, vec3 edge1, vec3 edge2, vec3 normal, bool twoSided)
+{
+  bool front = dot(cross(edge1, edge2), corner) < 0.0f;
+  return twoSided || front ? vtkiRectangleFormFactor(corner, edge1, edge2, normal) : 0.0f;
+}
+#endif

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAreaLight.h"
+
+#include "VirtualLights/vtkIndirectRadianceImage.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkAreaLight);
+
+namespace
+{
+// Across the rectangle, as long as its area.
+glm::dvec3 Span(const double origin[3], const double point1[3], const double point2[3])
+{
+  const glm::dvec3 o(origin[0], origin[1], origin[2]);
+  return glm::cross(glm::dvec3(point1[0], point1[1], point1[2]) - o,
+    glm::dvec3(point2[0], point2[1], point2[2]) - o);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkAreaLight::vtkAreaLight() = default;
+
+vtkAreaLight::~vtkAreaLight() = default;
+
+//------------------------------------------------------------------------------
+void vtkAreaLight::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  auto print = [&](const char* name, const double v[3])
+  { os << indent << name << ": (" << v[0] << ", " << v[1] << ", " << v[2] << ")\n"; };
+  print("Origin", this->Origin);
+  print("Point1", this->Point1);
+  print("Point2", this->Point2);
+  os << indent << "TwoSided: " << (this->TwoSided ? "On" : "Off") << "\n";
+  os << indent << "Switch: " << (this->Switch ? "On" : "Off") << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLight::GetNormal(double normal[3]) const
+{
+  const glm::dvec3 span = Span(this->Origin, this->Point1, this->Point2);
+  const double length = glm::length(span);
+  for (int i = 0; i < 3; ++i)
+  {
+    normal[i] = length > 0.0 ? span[i] / length : 0.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkAreaLight::GetArea() const
+{
+  return glm::length(Span(this->Origin, this->Point1, this->Point2));
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLight::GetMeanRadiance(double radiance[3])
+{
+  int columns;
+  int rows;
+  this->GetRadiances(columns, rows);
+  std::copy(this->Mean, this->Mean + 3, radiance);
+}
+
+//------------------------------------------------------------------------------
+const std::vector<float>& vtkAreaLight::GetRadiances(int& columns, int& rows)
+{
+  vtkImageData* image = this->FindImage(); // which may change the time
+  const vtkMTimeType time = this->GetMTime();
+  if (time != this->RadiancesTime)
+  {
+    this->RadiancesTime = time;
+    this->Radiances.clear();
+    this->Columns = this->Rows = 0;
+    std::fill(this->Mean, this->Mean + 3, 0.0);
+    if (image && !vtkIndirectRadianceImage::CanRead(image))
+    {
+      vtkErrorMacro("The area light's image is not used: it must be of one slice, with point "
+                    "scalars. The light is off.");
+    }
+    else
+    {
+      this->ReadRadiances();
+      for (size_t i = 0; i < this->Radiances.size(); ++i)
+      {
+        this->Mean[i % 3] += this->Radiances[i];
+      }
+      for (double& mean : this->Mean)
+      {
+        mean /= static_cast<double>(this->Columns) * this->Rows;
+      }
+    }
+  }
+  columns = this->Columns;
+  rows = this->Rows;
+  return this->Radiances;
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLight::ReadRadiances()
+{
+  auto add = [this](const glm::dvec3& share)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Radiances.push_back(static_cast<float>(this->Scale * this->Radiance[c] * share[c]));
+    }
+  };
+  vtkImageData* image = this->FindImage();
+  if (!image)
+  {
+    this->Columns = this->Rows = 1;
+    add(glm::dvec3(1.0));
+    return;
+  }
+  vtkIndirectRadianceImage pixels(image, this->IsEncoded());
+  this->Columns = pixels.GetWidth();
+  this->Rows = pixels.GetHeight();
+  this->Radiances.reserve(3 * static_cast<size_t>(this->Columns) * this->Rows);
+  for (int row = 0; row < this->Rows; ++row)
+  {
+    for (int column = 0; column < this->Columns; ++column)
+    {
+      add(pixels.Get(column, row));
+    }
+  }
+  if (pixels.GetNumberOfInvalid() > 0)
+  {
+    vtkWarningMacro(<< pixels.GetNumberOfInvalid() << " value(s) of the area light's image are "
+                    << "negative or not finite, and count as zero.");
+  }
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkAreaLight
+ * @brief A rectangle that sends light: the same radiance everywhere, or an image that may change
+ *
+ * It lies where a vtkPlaneSource with the same three points does, and sends light to the side that
+ * (Point1 - Origin) x (Point2 - Origin) points to, with TwoSided also to the other one, the same
+ * radiance in every direction (Lambert). An image is spread over it with its first pixel at Origin
+ * and its rows along Point1 - Origin; each pixel is a piece of one radiance, the image's times
+ * Radiance. The rectangle is not drawn: a vtkPlaneSource with the same points shows it.
+ *
+ * @code
+ * vtkNew<vtkAreaLight> window;
+ * window->SetOrigin(0.0, 1.0, 0.0);
+ * window->SetPoint1(0.0, 1.0, 1.0);
+ * window->SetPoint2(0.0, 2.0, 0.0);
+ * window->SetRadiance(5.0, 5.0, 5.0);
+ * pass->AddAreaLight(window);
+ * @endcode
+ *
+ * Direct illumination from dynamic area lights: Nichols and Wyman 2009.
+ *
+ * @sa vtkAreaLightSampler
+ */
+
+#ifndef vtkAreaLight_h
+#define vtkAreaLight_h
+
+#include "vtkEmitter.h"
+#include "vtkRenderingIndirectModule.h" // For export macro
+
+#include <vector> // for the radiances
+
+class VTKRENDERINGINDIRECT_EXPORT vtkAreaLight : public vtkEmitter
+{
+public:
+  static vtkAreaLight* New();
+  vtkTypeMacro(vtkAreaLight, vtkEmitter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** A corner, in world coordinates. Default (-0.5, -0.5, 0). */
+  vtkSetVector3Macro(Origin, double);
+  vtkGetVector3Macro(Origin, double);
+  ///@}
+
+  ///@{
+  /** The corner at the end of the image's first row. Default (0.5, -0.5, 0). */
+  vtkSetVector3Macro(Point1, double);
+  vtkGetVector3Macro(Point1, double);
+  ///@}
+
+  ///@{
+  /**
+   * The corner at the end of the image's first column. Default (-0.5, 0.5, 0). Where the edges are
+   * not at right angles the light is a parallelogram.
+   */
+  vtkSetVector3Macro(Point2, double);
+  vtkGetVector3Macro(Point2, double);
+  ///@}
+
+  ///@{
+  /** Whether it sends light to both sides. Default off. */
+  vtkSetMacro(TwoSided, bool);
+  vtkGetMacro(TwoSided, bool);
+  vtkBooleanMacro(TwoSided, bool);
+  ///@}
+
+  ///@{
+  /** Whether it is on. Default on. */
+  vtkSetMacro(Switch, bool);
+  vtkGetMacro(Switch, bool);
+  vtkBooleanMacro(Switch, bool);
+  ///@}
+
+  /** The side that it sends light to, unit; (0, 0, 0) where the corners span no area. */
+  void GetNormal(double normal[3]) const;
+  /** World units squared. */
+  double GetArea() const;
+  /** Mean over its area, Scale included; times the area the radiant flux over pi of one side. */
+  void GetMeanRadiance(double radiance[3]);
+
+#ifndef __VTK_WRAP__
+  /**
+   * What its pieces send, Scale included: `columns` along Point1 - Origin times `rows`, the piece
+   * at Origin first. Without an image there is one. Empty after an error.
+   */
+  const std::vector<float>& GetRadiances(int& columns, int& rows); // three floats each
+#endif
+
+protected:
+  vtkAreaLight();
+  ~vtkAreaLight() override;
+
+  double Origin[3] = { -0.5, -0.5, 0.0 };
+  double Point1[3] = { 0.5, -0.5, 0.0 };
+  double Point2[3] = { -0.5, 0.5, 0.0 };
+  bool TwoSided = false;
+  bool Switch = true;
+
+private:
+  vtkAreaLight(const vtkAreaLight&) = delete;
+  void operator=(const vtkAreaLight&) = delete;
+
+  void ReadRadiances();
+
+  std::vector<float> Radiances;
+  double Mean[3] = { 0.0, 0.0, 0.0 };
+  int Columns = 0;
+  int Rows = 0;
+  vtkMTimeType RadiancesTime = 0; // of what they were read from
+};
+
+#endif

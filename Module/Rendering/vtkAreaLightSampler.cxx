@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAreaLightSampler.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "VirtualLights/vtkIndirectAreaClusters.h"
+#include "vtkAreaLight.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkAreaLightSampler);
+
+namespace
+{
+glm::dvec3 ToVector(const double v[3])
+{
+  return { v[0], v[1], v[2] };
+}
+}
+
+//------------------------------------------------------------------------------
+vtkAreaLightSampler::vtkAreaLightSampler() = default;
+
+vtkAreaLightSampler::~vtkAreaLightSampler() = default;
+
+//------------------------------------------------------------------------------
+void vtkAreaLightSampler::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
+  os << indent << "Area lights: " << this->Lights.size() << "\n";
+  for (const auto& light : this->Lights)
+  {
+    light->PrintSelf(os, indent.GetNextIndent());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLightSampler::AddLight(vtkAreaLight* light)
+{
+  if (light && std::find(this->Lights.begin(), this->Lights.end(), light) == this->Lights.end())
+  {
+    this->Lights.emplace_back(light);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLightSampler::RemoveLight(vtkAreaLight* light)
+{
+  const auto found = std::find(this->Lights.begin(), this->Lights.end(), light);
+  if (found != this->Lights.end())
+  {
+    this->Lights.erase(found);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLightSampler::RemoveAllLights()
+{
+  if (!this->Lights.empty())
+  {
+    this->Lights.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkAreaLight* vtkAreaLightSampler::GetAreaLight(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfAreaLights()
+    ? this->Lights[static_cast<size_t>(index)].Get()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkAreaLightSampler::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (const auto& light : this->Lights)
+  {
+    time = std::max(time, light->GetMTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAreaLightSampler::Update(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  // Radiances first: reading them may update the pipeline of a texture.
+  std::vector<vtkIndirectAreaClusters::Emitter> emitters;
+  for (const auto& light : this->Lights)
+  {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
+    vtkIndirectAreaClusters::Emitter emitter;
+    const std::vector<float>& radiances = light->GetRadiances(emitter.Columns, emitter.Rows);
+    if (radiances.empty())
+    {
+      continue;
+    }
+    emitter.Radiances = radiances.data();
+    const glm::dvec3 origin = ToVector(light->GetOrigin());
+    emitter.Origin = (origin - frame.SceneCenter) * frame.SceneScale;
+    emitter.Edge1 = (ToVector(light->GetPoint1()) - origin) * frame.SceneScale;
+    emitter.Edge2 = (ToVector(light->GetPoint2()) - origin) * frame.SceneScale;
+    emitter.TwoSided = light->GetTwoSided();
+    emitters.push_back(emitter);
+  }
+  const std::vector<double> key = { static_cast<double>(this->GetMTime()), frame.SceneScale,
+    frame.SceneCenter.x, frame.SceneCenter.y, frame.SceneCenter.z,
+    static_cast<double>(frame.Lights.size()) };
+  if (key == this->MadeKey)
+  {
+    return true;
+  }
+  this->MadeKey.clear();
+  std::vector<Row> rows;
+  for (const vtkIndirectAreaClusters::Light& light :
+    vtkIndirectAreaClusters::MakeLights(emitters, this->NumberOfLights))
+  {
+    rows.push_back({ { light.Position.x, light.Position.y, light.Position.z }, light.Area,
+      { light.Normal.x, light.Normal.y, light.Normal.z },
+      { light.RadianceArea.x, light.RadianceArea.y, light.RadianceArea.z } });
+  }
+  if (!this->Write(frame, rows))
+  {
+    return false;
+  }
+  this->MadeKey = key;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLightSampler::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  if (window)
+  {
+    this->MadeKey.clear();
+  }
+}

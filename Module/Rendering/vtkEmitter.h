@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkEmitter
+ * @brief Abstract: what sends light of its own, the same radiance everywhere or an image of it
+ *
+ * Values are radiances in VTK's units: a surface that sees one radiance in all of its hemisphere
+ * has the irradiance E = radiance. Images of bytes are divided by 255; with Encoded on, or where a
+ * texture says so, values are decoded. Values that are negative or not finite count as zero, and
+ * one warning tells how many there were.
+ *
+ * @sa vtkEnvironmentLight vtkAreaLight
+ */
+
+#ifndef vtkEmitter_h
+#define vtkEmitter_h
+
+#include "vtkObject.h"
+#include "vtkRenderingIndirectModule.h" // For export macro
+
+class vtkImageData;
+class vtkTexture;
+
+class VTKRENDERINGINDIRECT_EXPORT vtkEmitter : public vtkObject
+{
+public:
+  vtkTypeMacro(vtkEmitter, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Radiance where there is no image. Default (1, 1, 1); finite and not negative. */
+  void SetRadiance(double red, double green, double blue);
+  void SetRadiance(const double radiance[3])
+  {
+    this->SetRadiance(radiance[0], radiance[1], radiance[2]);
+  }
+  vtkGetVector3Macro(Radiance, double);
+  ///@}
+
+  ///@{
+  /**
+   * An image of one slice with one (grey), three or four components (the fourth is ignored), of
+   * any numeric type. Default null. It takes precedence over Texture.
+   */
+  virtual void SetImage(vtkImageData* image);
+  vtkGetObjectMacro(Image, vtkImageData);
+  ///@}
+
+  ///@{
+  /** A texture whose input is such an image. Default null. */
+  virtual void SetTexture(vtkTexture* texture);
+  vtkGetObjectMacro(Texture, vtkTexture);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the values of an image are encoded by the transfer function of sRGB (IEC 61966-2-1), as
+   * those of photographs in bytes are. Default off. Those of a texture that says so
+   * (vtkTexture::SetUseSRGBColorSpace) are decoded in any case.
+   */
+  vtkSetMacro(Encoded, bool);
+  vtkGetMacro(Encoded, bool);
+  vtkBooleanMacro(Encoded, bool);
+  ///@}
+
+  ///@{
+  /** Factor on the radiance, of an image too. Default 1, range 0 to 1e12. */
+  vtkSetClampMacro(Scale, double, 0.0, 1.0e12);
+  vtkGetMacro(Scale, double);
+  ///@}
+
+  /** The time of the image counts, and that of the texture with its input. */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkEmitter();
+  ~vtkEmitter() override;
+
+  /** The image in force, up to date; null where there is none. */
+  vtkImageData* FindImage();
+  /** Whether its values are encoded. */
+  bool IsEncoded() const;
+
+  double Radiance[3] = { 1.0, 1.0, 1.0 };
+  vtkImageData* Image = nullptr;
+  vtkTexture* Texture = nullptr;
+  bool Encoded = false;
+  double Scale = 1.0;
+
+private:
+  vtkEmitter(const vtkEmitter&) = delete;
+  void operator=(const vtkEmitter&) = delete;
+};
+
+#endif

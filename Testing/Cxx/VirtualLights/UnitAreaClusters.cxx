@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Few lights for a rectangle of pixels: all of its light, from where it is.
+#include "VirtualLights/vtkIndirectAreaClusters.h"
+#include "vtkAreaLight.h"
+#include "vtkImageData.h"
+#include "vtkIndirectTestUtilities.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+using Clusters = vtkIndirectAreaClusters;
+
+// Pixels of colours, on a rectangle of 2 by 1.
+struct Picture
+{
+  int Columns;
+  int Rows;
+  std::vector<float> Radiances;
+
+  Picture(int columns, int rows, const std::function<glm::dvec3(int, int)>& color)
+    : Columns(columns)
+    , Rows(rows)
+  {
+    for (int y = 0; y < rows; ++y)
+    {
+      for (int x = 0; x < columns; ++x)
+      {
+        const glm::dvec3 c = color(x, y);
+        this->Radiances.insert(this->Radiances.end(),
+          { static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z) });
+      }
+    }
+  }
+
+  Clusters::Emitter GetEmitter() const
+  {
+    Clusters::Emitter emitter;
+    emitter.Origin = { 0.0, 0.0, 1.0 };
+    emitter.Edge1 = { 2.0, 0.0, 0.0 };
+    emitter.Edge2 = { 0.0, 1.0, 0.0 };
+    emitter.Columns = this->Columns;
+    emitter.Rows = this->Rows;
+    emitter.Radiances = this->Radiances.data();
+    return emitter;
+  }
+
+  glm::dvec3 Sum() const
+  {
+    glm::dvec3 sum(0.0);
+    for (size_t i = 0; i < this->Radiances.size(); ++i)
+    {
+      sum[static_cast<int>(i % 3)] += this->Radiances[i];
+    }
+    return sum * 2.0 / (1.0 * this->Columns * this->Rows);
+  }
+};
+
+glm::dvec3 Sum(const std::vector<Clusters::Light>& lights)
+{
+  glm::dvec3 sum(0.0);
+  for (const Clusters::Light& light : lights)
+  {
+    sum += light.RadianceArea;
+  }
+  return sum;
+}
+}
+
+VTK_INDIRECT_TEST(AreaClustersKeepTheLight)
+{
+  Random random(11);
+  auto noise = [&random](int, int)
+  { return glm::dvec3(random.Next(), random.Next(), std::pow(random.Next(), 8.0)); };
+  const Picture pictures[] = { { 1, 1, [](int, int) { return glm::dvec3(1.0, 0.5, 0.25); } },
+    { 8, 8, [](int x, int y) { return glm::dvec3((x + y) % 2, 0.3, 0.0); } },
+    { 100, 60, [](int x, int) { return x < 37 ? glm::dvec3(4.0) : glm::dvec3(0.0, 0.01, 0.0); } },
+    { 300, 200,
+      [](int x, int y) { return x == 123 && y == 45 ? glm::dvec3(1e4) : glm::dvec3(0.0); } },
+    { 640, 480, noise }, { 1030, 7, noise } };
+  for (const Picture& picture : pictures)
+  {
+    const std::string name =
+      std::to_string(picture.Columns) + " x " + std::to_string(picture.Rows) + ": ";
+    for (const int count : { 1, 16, 256 })
+    {
+      const std::vector<Clusters::Light> lights =
+        Clusters::MakeLights({ picture.GetEmitter() }, count);
+      CheckAtMost(name + "lights of " + std::to_string(count), static_cast<double>(lights.size()),
+        count, "as asked for");
+      const glm::dvec3 sum = Sum(lights);
+      const glm::dvec3 all = picture.Sum();
+      for (int c = 0; c < 3; ++c)
+      {
+        CheckAbsolute(name + "light", sum[c], all[c], 1e-10 * (all.x + all.y + all.z),
+          "rounding of sums in double precision");
+      }
+    }
+  }
+}
+
+VTK_INDIRECT_TEST(AreaClustersAreWhereTheLightIs)
+{
+  // Evenly bright: pieces of equal size, as nearly square as halving allows.
+  const Picture even(1, 1, [](int, int) { return glm::dvec3(3.0); });
+  std::vector<Clusters::Light> lights = Clusters::MakeLights({ even.GetEmitter() }, 128);
+  CheckEqual("pieces of a rectangle", static_cast<double>(lights.size()), 128);
+  double worst = 0.0;
+  for (const Clusters::Light& light : lights)
+  {
+    worst = std::max(worst, std::abs(light.Area / (2.0 / 128.0) - 1.0));
+    // Middles of a grid of 16 by 8.
+    const glm::dvec2 place = glm::dvec2(light.Position) * 8.0;
+    worst = std::max(worst, std::abs(place.x - std::floor(place.x) - 0.5));
+    worst = std::max(worst, std::abs(place.y - std::floor(place.y) - 0.5));
+    worst = std::max(worst, std::abs(light.Position.z - 1.0) + std::abs(light.Normal.z - 1.0));
+  }
+  CheckAtMost("a grid of squares", worst, 1e-9, "rounding of sums of 4096");
+
+  // A single bright pixel is one light of its own size, however many there may be.
+  const Picture spark(
+    300, 200, [](int x, int y) { return glm::dvec3(x == 123 && y == 45 ? 7.0 : 0.0); });
+  lights = Clusters::MakeLights({ spark.GetEmitter() }, 256);
+  CheckEqual("a bright pixel", static_cast<double>(lights.size()), 1);
+  CheckAbsolute("its place", lights[0].Position.x, 2.0 * 123.5 / 300.0, 1e-9, "rounding");
+  CheckAbsolute("its row", lights[0].Position.y, 45.5 / 200.0, 1e-9, "rounding");
+  CheckRelative("its area", lights[0].Area, 2.0 / 60000.0, 1e-9, "rounding");
+  lights = Clusters::MakeLights({ spark.GetEmitter() }, 1);
+  CheckRelative("and by itself in a dark piece", lights[0].Area, 2.0 / 60000.0, 1e-9, "rounding");
+
+  // A step: light comes from the bright side alone.
+  const Picture step(100, 60, [](int x, int) { return glm::dvec3(x < 25 ? 1.0 : 0.0); });
+  for (const Clusters::Light& light : Clusters::MakeLights({ step.GetEmitter() }, 64))
+  {
+    Check("the bright side", light.Position.x < 0.5);
+  }
+
+  // Where half is a hundred times as bright, most of the lights are there.
+  const Picture uneven(64, 64, [](int x, int) { return glm::dvec3(x < 32 ? 1.0 : 0.01); });
+  lights = Clusters::MakeLights({ uneven.GetEmitter() }, 256);
+  const auto bright = std::count_if(lights.begin(), lights.end(),
+    [](const Clusters::Light& light) { return light.Position.x < 1.0; });
+  CheckAtLeast("lights of the brighter half", static_cast<double>(bright), 200,
+    "squared edges go with the square root of the radiance: 10 to 1 would be 233");
+}
+
+VTK_INDIRECT_TEST(AreaClustersOfSeveral)
+{
+  const Picture white(1, 1, [](int, int) { return glm::dvec3(1.0); });
+  const Picture dark(16, 16, [](int, int) { return glm::dvec3(0.0); });
+  Clusters::Emitter one = white.GetEmitter();
+  Clusters::Emitter large = one;
+  large.Edge1 *= 4.0;
+  Clusters::Emitter flat = one;
+  flat.Edge2 = 3.0 * flat.Edge1;
+  CheckEqual("dark ones, and those without an area",
+    static_cast<double>(Clusters::MakeLights({ dark.GetEmitter(), flat }, 64).size()), 0);
+  CheckEqual("none", static_cast<double>(Clusters::MakeLights({}, 64).size()), 0);
+  std::vector<Clusters::Light> lights = Clusters::MakeLights({ one, large }, 2);
+  CheckEqual("one each at least", static_cast<double>(lights.size()), 2);
+  CheckEqual("even where there are to be fewer",
+    static_cast<double>(Clusters::MakeLights({ one, large }, 1).size()), 2);
+
+  one.TwoSided = true;
+  lights = Clusters::MakeLights({ one }, 64);
+  CheckEqual("of two sides", static_cast<double>(lights.size()), 64);
+  double up = 0.0;
+  for (const Clusters::Light& light : lights)
+  {
+    up += light.Normal.z * light.RadianceArea.x;
+  }
+  CheckAbsolute("to either side the same", up, 0.0, 1e-12, "rounding");
+  CheckRelative("each side sends the radiance", Sum(lights).x, 2.0 * 2.0, 1e-12, "rounding");
+}
+
+VTK_INDIRECT_TEST(AreaLightReadsImages)
+{
+  vtkNew<vtkAreaLight> light;
+  light->SetOrigin(1.0, 0.0, 0.0);
+  light->SetPoint1(3.0, 0.0, 0.0);
+  light->SetPoint2(1.0, 3.0, 0.0);
+  double normal[3];
+  light->GetNormal(normal);
+  Check("it sends light along the product of its edges",
+    normal[0] == 0.0 && normal[1] == 0.0 && normal[2] == 1.0);
+  CheckEqual("area", light->GetArea(), 6.0);
+  int columns = 0;
+  int rows = 0;
+  light->SetRadiance(1.0, 2.0, 3.0);
+  light->SetScale(2.0);
+  CheckEqual("without an image one radiance", light->GetRadiances(columns, rows)[1], 4.0);
+  Check("of one piece", columns == 1 && rows == 1);
+
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  for (int i = 0; i < 6; ++i)
+  {
+    image->SetScalarComponentFromDouble(i % 3, i / 3, 0, 0, i == 4 ? 255.0 : 0.0);
+  }
+  light->SetImage(image);
+  const std::vector<float>& radiances = light->GetRadiances(columns, rows);
+  Check("as many pieces as pixels", columns == 3 && rows == 2 && radiances.size() == 18);
+  CheckEqual("bytes are parts of 255, times Radiance and Scale", radiances[3 * 4 + 2], 6.0);
+  double mean[3];
+  light->GetMeanRadiance(mean);
+  CheckRelative("mean", mean[1], 4.0 / 6.0, 1e-7, "floats");
+  const vtkMTimeType before = light->GetMTime();
+  image->SetScalarComponentFromDouble(0, 0, 0, 0, 255.0);
+  image->Modified();
+  Check("a change of the image is one of the light", light->GetMTime() > before);
+  CheckEqual("and is read", light->GetRadiances(columns, rows)[0], 2.0);
+}
