@@ -252,7 +252,7 @@ std::vector<SenderBlock> ReadSenders(
   const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
   const vtkIndirectTarget& table = lights.GetTable();
   const std::vector<float> position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
-  const std::vector<float> normal = table.ReadBack(vtkVirtualLightSampler::NormalExponent);
+  const std::vector<float> normal = table.ReadBack(vtkVirtualLightSampler::NormalReach);
   const std::vector<float> density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
   std::vector<SenderBlock> blocks;
   size_t kept = 0;

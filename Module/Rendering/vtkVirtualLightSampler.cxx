@@ -53,16 +53,9 @@ vtkIndirectTarget& vtkVirtualLightSampler::BeginChange()
 }
 
 //------------------------------------------------------------------------------
-bool vtkVirtualLightSampler::Write(const vtkIndirectFrame& frame, const std::vector<Row>& lights)
+void vtkVirtualLightSampler::Fill(
+  vtkIndirectTarget& table, const std::vector<Row>& rows, double source)
 {
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  if (!this->Resize(frame.Window, static_cast<int>(lights.size())))
-  {
-    return false;
-  }
-  vtkIndirectTarget& table = this->BeginChange();
   const size_t places = static_cast<size_t>(table.GetWidth()) * table.GetHeight();
   std::vector<float> channels[3];
   for (std::vector<float>& channel : channels)
@@ -77,27 +70,66 @@ bool vtkVirtualLightSampler::Write(const vtkIndirectFrame& frame, const std::vec
     }
     channels[channel].push_back(static_cast<float>(last));
   };
-  // Those of VTK have the numbers before.
-  const double source = static_cast<double>(frame.Lights.size());
   const Row empty = { { 0.0, 0.0, 0.0 }, 1.0, { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 } };
   for (size_t i = 0; i < places; ++i)
   {
-    const Row& light = i < lights.size() ? lights[i] : empty;
+    const Row& light = i < rows.size() ? rows[i] : empty;
     add(PositionArea, light.Position, light.Area);
-    add(NormalExponent, light.Normal, 0.0);
+    add(NormalReach, light.Normal, light.Reach);
     add(DensityArea, light.DensityArea, source);
   }
   for (int channel = 0; channel < 3; ++channel)
   {
     table.Write(channel, channels[channel]);
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualLightSampler::Write(
+  const vtkIndirectFrame& frame, const std::vector<Row>& lights, const std::vector<Row>& branches)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  if (!this->Resize(frame.Window, static_cast<int>(lights.size())))
+  {
+    return false;
+  }
+  // Those of VTK have the numbers before.
+  const double source = static_cast<double>(frame.Lights.size());
+  Fill(this->BeginChange(), lights, source);
+  if (branches.empty())
+  {
+    this->ReleaseBranches(frame.Window);
+    return true;
+  }
+  if (!this->Branches)
+  {
+    this->Branches = std::make_unique<vtkIndirectTarget>(vtkIndirectLightTable, false);
+  }
+  const int rows = (static_cast<int>(branches.size()) + RowLength - 1) / RowLength;
+  if (!this->Branches->Resize(frame.Window, RowLength, rows))
+  {
+    return false;
+  }
+  Fill(*this->Branches, branches, source);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualLightSampler::ReleaseBranches(vtkWindow* window)
+{
+  if (this->Branches)
+  {
+    this->Branches->Release(window);
+    this->Branches = nullptr;
+  }
 }
 
 //------------------------------------------------------------------------------
 size_t vtkVirtualLightSampler::GetBytes() const
 {
-  return this->Table->GetBytes();
+  return this->Table->GetBytes() + (this->Branches ? this->Branches->GetBytes() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -106,5 +138,6 @@ void vtkVirtualLightSampler::ReleaseGraphicsResources(vtkWindow* window)
   if (window)
   {
     this->Table->Release(window);
+    this->ReleaseBranches(window);
   }
 }

@@ -49,14 +49,15 @@ public:
     const vtkIndirectFrame& Frame;
     const vtkReflectiveShadowMapPass& Maps;    // without maps where the frame has none
     const vtkIndirectGeometryBuffer& Geometry; // what the eye sees
+    double ErrorTolerance = 0.0;               // of the irradiance, over its mean; 0: standard
   };
 
   /** Channels of the table, a texel a light; empty places have no density. */
   enum Channel
   {
-    PositionArea,   // scene units; or unit direction to the light, minus its solid angle
-    NormalExponent, // of the sender, unit; 0
-    DensityArea     // reflected radiance times area, or radiance times solid angle; source
+    PositionArea, // scene units; or unit direction to the light, minus its solid angle
+    NormalReach,  // of the sender, unit; distance within which its branches are summed, 0: none
+    DensityArea   // reflected radiance times area, or radiance times solid angle; source
   };
   /** Lights in a row of the table. */
   static constexpr int RowLength = 256;
@@ -83,12 +84,32 @@ public:
   {
     return *this->Table;
   }
+  /**
+   * The nodes of a tree below the lights, vtkIndirectKernels::VTKI_BRANCHES a light; null where no
+   * light has any.
+   */
+  const vtkIndirectTarget* GetBranches() const
+  {
+    return this->Branches.get();
+  }
   /** Grows whenever the lights have changed. */
   vtkMTimeType GetContentTime() const
   {
     return this->ContentTime.GetMTime();
   }
   virtual size_t GetBytes() const;
+#endif
+
+#ifndef __VTK_WRAP__
+  /** A light as the table has it, in scene units. */
+  struct Row
+  {
+    double Position[3];
+    double Area;
+    double Normal[3];
+    double DensityArea[3];
+    double Reach = 0.0;
+  };
 #endif
 
 protected:
@@ -100,27 +121,25 @@ protected:
   bool Resize(vtkOpenGLRenderWindow* window, int numberOfLights);
   /** The table, to be filled; then the lights have changed. */
   vtkIndirectTarget& BeginChange();
-
-  /** A light as the table has it, in scene units. */
-  struct Row
-  {
-    double Position[3];
-    double Area;
-    double Normal[3];
-    double DensityArea[3];
-  };
   /**
-   * Makes these the lights, of a source that is no vtkLight. Returns false, after an error, when
-   * OpenGL refuses.
+   * Makes these the lights, of a source that is no vtkLight, with the branches of all of them or
+   * none. Returns false, after an error, when OpenGL refuses.
    */
-  bool Write(const vtkIndirectFrame& frame, const std::vector<Row>& lights);
+  bool Write(const vtkIndirectFrame& frame, const std::vector<Row>& lights,
+    const std::vector<Row>& branches = {});
 #endif
 
 private:
   vtkVirtualLightSampler(const vtkVirtualLightSampler&) = delete;
   void operator=(const vtkVirtualLightSampler&) = delete;
 
+#ifndef __VTK_WRAP__
+  static void Fill(vtkIndirectTarget& table, const std::vector<Row>& rows, double source);
+#endif
+  void ReleaseBranches(vtkWindow* window);
+
   std::unique_ptr<vtkIndirectTarget> Table;
+  std::unique_ptr<vtkIndirectTarget> Branches;
   vtkTimeStamp ContentTime;
   int NumberOfLights = 0;
 };

@@ -73,7 +73,7 @@ VTK_INDIRECT_TEST(ClustersKeepTheLight)
   for (const int count : { 1, 7, 100, 256 })
   {
     const std::string name = " of " + std::to_string(count) + " lights";
-    const std::vector<Clusters::Light> lights = clusters.MakeLights(strengths, count);
+    const std::vector<Clusters::Light> lights = clusters.MakeLights(strengths, count, 0.0).Tops;
     CheckEqual("number" + name, static_cast<double>(lights.size()), count);
     const glm::dvec3 sum = SumLight(lights);
     CheckRelative("red" + name, sum.x, 0.5 * 3.5, 1e-6, "floats of the senders");
@@ -101,16 +101,17 @@ VTK_INDIRECT_TEST(ClustersKeepTheLight)
       std::sqrt(squares / static_cast<double>(senders.size())),
       std::sqrt(5.0 / 24.0 / count) + 0.5 / 40, "rectangles of one by two, and half a texel");
   }
-  const std::vector<Clusters::Light> all = clusters.MakeLights(strengths, VTK_INT_MAX);
+  const std::vector<Clusters::Light> all = clusters.MakeLights(strengths, VTK_INT_MAX, 0.0).Tops;
   CheckEqual("all are lights", static_cast<double>(all.size()), 3.0 * 1600);
   CheckRelative("with all the light", SumLight(all).x, 0.5 * 3.5, 1e-6, "floats of the senders");
   CheckRelative("of their own area", all.back().Area, 1.0 / 1600, 1e-6, "floats of the senders");
-  Check("no senders, no lights", Clusters().MakeLights(strengths, 256).empty());
+  Check("no senders, no lights", Clusters().MakeLights(strengths, 256, 0.0).Tops.empty());
   Check("no light, no lights",
-    clusters.MakeLights(std::vector<glm::dvec3>(3, glm::dvec3(0.0)), 256).empty());
+    clusters.MakeLights(std::vector<glm::dvec3>(3, glm::dvec3(0.0)), 256, 0.0).Tops.empty());
   // A map that is dark has no say.
   const std::vector<Clusters::Light> one =
-    clusters.MakeLights({ glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.0) }, VTK_INT_MAX);
+    clusters.MakeLights({ glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.0) }, VTK_INT_MAX, 0.0)
+      .Tops;
   CheckEqual("senders of one map of three", static_cast<double>(one.size()), 1600);
 }
 
@@ -126,7 +127,8 @@ VTK_INDIRECT_TEST(ClustersKeepSidesApart)
   }
   Clusters clusters;
   clusters.SetSenders(senders);
-  const std::vector<Clusters::Light> lights = clusters.MakeLights({ glm::dvec3(1.0) }, 64);
+  const std::vector<Clusters::Light> lights =
+    clusters.MakeLights({ glm::dvec3(1.0) }, 64, 0.0).Tops;
   glm::dvec3 sides[2] = { glm::dvec3(0.0), glm::dvec3(0.0) };
   for (const Clusters::Light& light : lights)
   {
@@ -177,16 +179,16 @@ VTK_INDIRECT_TEST(ClustersStay)
   Clusters clusters;
   clusters.SetSenders(senders);
   const std::vector<Clusters::Light> before =
-    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 50);
+    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 50, 0.0).Tops;
   const std::vector<Clusters::Light> brighter =
-    clusters.MakeLights({ glm::dvec3(1e6), glm::dvec3(1.3e6) }, 50);
+    clusters.MakeLights({ glm::dvec3(1e6), glm::dvec3(1.3e6) }, 50, 0.0).Tops;
   Check("where the sky changes by a part nothing moves", AreAtSamePlaces(before, brighter));
   CheckRelative("but the light", SumLight(brighter).x, 0.5 * 2.3e6, 1e-6, "floats of the senders");
   // Another order of the same is the same.
   const std::vector<Clusters::Light> other =
-    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 30);
+    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 30, 0.0).Tops;
   const std::vector<Clusters::Light> again =
-    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 50);
+    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 50, 0.0).Tops;
   Check("nothing depends on what was asked before",
     other.size() == 30 && AreAtSamePlaces(before, again));
 }

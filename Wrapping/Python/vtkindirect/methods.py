@@ -59,6 +59,7 @@ _ROWS = (
 METHODS = {method.name: method for method in _ROWS}
 
 SAMPLERS = {
+    "tree": "vtkLightTreeSampler",
     "uniform": "vtkUniformLightSampler",
     "importance": "vtkImportanceLightSampler",
     "random_walk": "vtkRandomWalkLightSampler",

@@ -291,7 +291,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
 
   this->Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool sampled = this->Samplers.empty() ||
-    this->Lights.Update({ this->Frame, *this->Maps, this->Geometry },
+    this->Lights.Update({ this->Frame, *this->Maps, this->Geometry, this->Plan.ErrorTolerance },
       { this->Samplers.begin(), this->Samplers.end() });
   this->Timer.End(vtkIndirectStageTimer::Lights);
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every texel of every map as a virtual light of its own: the reference that others converge to.
+// Or, of many, one for each square of 2 x 2, 4 x 4, ... texels.
 #ifndef vtkIndirectAllTexelsSampler_h
 #define vtkIndirectAllTexelsSampler_h
 
 #include "vtkMapLightSampler.h"
 #include "vtkObjectFactory.h"
+
+#include <algorithm> // for the smallest map
 
 class vtkIndirectAllTexelsSampler : public vtkMapLightSampler
 {
@@ -12,16 +15,32 @@ public:
   static vtkIndirectAllTexelsSampler* New() { VTK_STANDARD_NEW_BODY(vtkIndirectAllTexelsSampler); }
   vtkTypeMacro(vtkIndirectAllTexelsSampler, vtkMapLightSampler);
 
+  /** Lights at most, as long as there are two texels along an edge. */
+  void SetMostLights(size_t count) { this->MostLights = count; }
+
   void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override
   {
+    size_t all = 0;
+    int edge = VTK_INT_MAX;
     for (const Source& source : sources)
     {
-      for (int j = 0; j < source.Size[1]; ++j)
+      all += static_cast<size_t>(source.Size[0]) * static_cast<size_t>(source.Size[1]);
+      edge = std::min({ edge, source.Size[0], source.Size[1] });
+    }
+    int step = 1;
+    while (all / static_cast<size_t>(step) / static_cast<size_t>(step) > this->MostLights &&
+      edge % (2 * step) == 0)
+    {
+      step *= 2;
+    }
+    for (const Source& source : sources)
+    {
+      for (int j = step / 2; j < source.Size[1]; j += step)
       {
-        for (int i = 0; i < source.Size[0]; ++i)
+        for (int i = step / 2; i < source.Size[0]; i += step)
         {
           pattern.push_back({ (i + 0.5f) / source.Size[0], (j + 0.5f) / source.Size[1],
-            static_cast<float>(source.Layer), 1.0f });
+            static_cast<float>(source.Layer), static_cast<float>(step * step) });
         }
       }
     }
@@ -34,6 +53,8 @@ protected:
 private:
   vtkIndirectAllTexelsSampler(const vtkIndirectAllTexelsSampler&) = delete;
   void operator=(const vtkIndirectAllTexelsSampler&) = delete;
+
+  size_t MostLights = static_cast<size_t>(-1);
 };
 
 #endif

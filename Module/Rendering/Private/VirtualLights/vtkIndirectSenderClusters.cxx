@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VirtualLights/vtkIndirectSenderClusters.h"
 
+#include "OpenGL/vtkIndirectKernels.h"
 #include "VirtualLights/vtkIndirectDirections.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <queue>
 #include <utility>
 
@@ -14,9 +17,39 @@ namespace
 // ends of half a scene.
 constexpr double NormalLength = 0.25;
 
+// What a cluster's disk has of its area. Around it a light at its middle with all of the area is
+// too dark, the more the nearer; a quarter leaves a tenth of that bias, and what is nearer still is
+// summed over its branches. See Documentation/methods/light-tree.md.
+constexpr double ShareOfArea = 0.25;
+
 double Sum(const glm::dvec3& light)
 {
   return light.x + light.y + light.z;
+}
+
+// Mean over the lights' own places of what they get of each other if nothing is hidden: how bright
+// light from them is in this scene. A few hundred of them tell.
+double FindMeanIrradiance(const std::vector<vtkIndirectSenderClusters::Light>& lights)
+{
+  constexpr size_t most = 256;
+  const size_t stride = (lights.size() + most - 1) / most;
+  double sum = 0.0;
+  size_t count = 0;
+  for (size_t i = 0; i < lights.size(); i += stride)
+  {
+    ++count;
+    for (size_t k = 0; k < lights.size(); k += stride)
+    {
+      const glm::dvec3 way = lights[k].Position - lights[i].Position;
+      const double r2 = glm::dot(way, way);
+      const double cosines = std::max(-glm::dot(lights[k].Normal, way), 0.0) *
+        std::max(glm::dot(lights[i].Normal, way), 0.0);
+      sum += cosines > 0.0 ? static_cast<double>(stride) * Sum(lights[k].DensityArea) / 3.0 *
+          cosines / (r2 * (glm::pi<double>() * r2 + lights[k].Area))
+                           : 0.0;
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
 // How much light each map has, over the mean of those that have any, in powers of four.
@@ -83,7 +116,7 @@ void vtkIndirectSenderClusters::SetSenders(std::vector<Sender> senders)
 {
   this->Senders = std::move(senders);
   this->Weights.clear();
-  this->Order.clear();
+  this->Entries.clear();
   this->Clusters.clear();
   this->Count = 0;
 }
@@ -91,22 +124,8 @@ void vtkIndirectSenderClusters::SetSenders(std::vector<Sender> senders)
 //------------------------------------------------------------------------------
 size_t vtkIndirectSenderClusters::GetBytes() const
 {
-  return this->Senders.size() * sizeof(Sender) + this->Order.size() * sizeof(size_t) +
+  return this->Senders.size() * sizeof(Sender) + this->Entries.size() * sizeof(Entry) +
     this->Clusters.size() * sizeof(Cluster);
-}
-
-//------------------------------------------------------------------------------
-double vtkIndirectSenderClusters::GetCoordinate(size_t sender, int axis) const
-{
-  const Sender& s = this->Senders[sender];
-  return axis < 3 ? double(s.Position[axis]) : NormalLength * double(s.Normal[axis - 3]);
-}
-
-//------------------------------------------------------------------------------
-double vtkIndirectSenderClusters::GetWeight(size_t sender) const
-{
-  const Sender& s = this->Senders[sender];
-  return Sum(glm::dvec3(s.Reflected)) * this->Weights[static_cast<size_t>(s.Map)];
 }
 
 //------------------------------------------------------------------------------
@@ -121,11 +140,12 @@ vtkIndirectSenderClusters::Cluster vtkIndirectSenderClusters::Measure(
   double second[NumberOfAxes] = {};
   for (size_t i = begin; i < end; ++i)
   {
-    const double weight = this->GetWeight(this->Order[i]);
+    const Entry& entry = this->Entries[i];
+    const double weight = entry.Weight;
     total += weight;
     for (int axis = 0; axis < NumberOfAxes; ++axis)
     {
-      const double x = this->GetCoordinate(this->Order[i], axis);
+      const double x = entry.Coordinates[axis];
       first[axis] += weight * x;
       second[axis] += weight * x * x;
     }
@@ -134,8 +154,9 @@ vtkIndirectSenderClusters::Cluster vtkIndirectSenderClusters::Measure(
   for (int axis = 0; axis < NumberOfAxes; ++axis)
   {
     cluster.Mean[axis] = first[axis] / total;
-    const double width = second[axis] - first[axis] * cluster.Mean[axis];
-    cluster.Width += std::max(width, 0.0);
+    const double width = std::max(second[axis] - first[axis] * cluster.Mean[axis], 0.0);
+    cluster.Width += width;
+    cluster.Spread += axis < 3 ? width / total : 0.0;
     if (width > widest)
     {
       widest = width;
@@ -146,135 +167,216 @@ vtkIndirectSenderClusters::Cluster vtkIndirectSenderClusters::Measure(
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectSenderClusters::FindMiddle(const Cluster& cluster) const
+uint32_t vtkIndirectSenderClusters::FindMiddle(const Cluster& cluster) const
 {
-  size_t middle = this->Order[cluster.Begin];
+  uint32_t middle = this->Entries[cluster.Begin].Sender;
   double nearest = -1.0;
   for (size_t i = cluster.Begin; i < cluster.End; ++i)
   {
     double distance = 0.0;
     for (int axis = 0; axis < NumberOfAxes; ++axis)
     {
-      const double x = this->GetCoordinate(this->Order[i], axis) - cluster.Mean[axis];
+      const double x = this->Entries[i].Coordinates[axis] - cluster.Mean[axis];
       distance += x * x;
     }
     if (nearest < 0.0 || distance < nearest)
     {
       nearest = distance;
-      middle = this->Order[i];
+      middle = this->Entries[i].Sender;
     }
   }
   return middle;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSenderClusters::Divide(const std::vector<double>& weights, int count)
+// Clusters of some of the entries, in their order.
+std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divide(
+  size_t begin, size_t end, size_t most)
 {
-  this->Weights = weights;
-  this->Count = count;
-  this->Order.clear();
-  this->Clusters.clear();
-  for (size_t i = 0; i < this->Senders.size(); ++i)
+  std::vector<Cluster> clusters;
+  if (end - begin <= most)
   {
-    if (this->GetWeight(i) > 0.0)
+    for (size_t i = begin; i < end; ++i)
     {
-      this->Order.push_back(i);
+      clusters.push_back(this->Measure(i, i + 1));
+      clusters.back().Middle = this->Entries[i].Sender;
     }
-  }
-  if (this->Order.empty())
-  {
-    return;
-  }
-  const size_t most = static_cast<size_t>(std::max(count, 1));
-  if (this->Order.size() <= most)
-  {
-    for (size_t i = 0; i < this->Order.size(); ++i)
-    {
-      this->Clusters.push_back(this->Measure(i, i + 1));
-    }
-    return;
+    return clusters;
   }
   // The widest first; of equals the first in order.
-  auto narrower = [this](size_t a, size_t b)
+  auto narrower = [&clusters](size_t a, size_t b)
   {
-    const double x = this->Clusters[a].Width;
-    const double y = this->Clusters[b].Width;
+    const double x = clusters[a].Width;
+    const double y = clusters[b].Width;
     return x != y ? x < y : a > b;
   };
   std::priority_queue<size_t, std::vector<size_t>, decltype(narrower)> queue(narrower);
-  this->Clusters.push_back(this->Measure(0, this->Order.size()));
+  clusters.push_back(this->Measure(begin, end));
   queue.push(0);
-  while (!queue.empty() && this->Clusters.size() < most)
+  while (!queue.empty() && clusters.size() < most)
   {
     const size_t top = queue.top();
     queue.pop();
-    const Cluster cluster = this->Clusters[top];
-    const auto begin = this->Order.begin();
-    const auto middle = std::partition(begin + static_cast<std::ptrdiff_t>(cluster.Begin),
-      begin + static_cast<std::ptrdiff_t>(cluster.End),
-      [&](size_t sender)
-      { return this->GetCoordinate(sender, cluster.Axis) < cluster.Mean[cluster.Axis]; });
-    const size_t border = static_cast<size_t>(middle - begin);
+    const Cluster cluster = clusters[top];
+    const auto first = this->Entries.begin();
+    const auto middle = std::partition(first + static_cast<std::ptrdiff_t>(cluster.Begin),
+      first + static_cast<std::ptrdiff_t>(cluster.End),
+      [&](const Entry& entry)
+      { return entry.Coordinates[cluster.Axis] < cluster.Mean[cluster.Axis]; });
+    const size_t border = static_cast<size_t>(middle - first);
     if (border == cluster.Begin || border == cluster.End)
     {
       continue; // all at one place, but for rounding: it stays as it is
     }
-    this->Clusters[top] = this->Measure(cluster.Begin, border);
-    this->Clusters.push_back(this->Measure(border, cluster.End));
+    clusters[top] = this->Measure(cluster.Begin, border);
+    clusters.push_back(this->Measure(border, cluster.End));
     queue.push(top);
-    queue.push(this->Clusters.size() - 1);
+    queue.push(clusters.size() - 1);
+  }
+  for (Cluster& cluster : clusters)
+  {
+    cluster.Middle = this->FindMiddle(cluster);
+  }
+  return clusters;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSenderClusters::DivideAll(const std::vector<double>& weights, int count)
+{
+  this->Weights = weights;
+  this->Count = count;
+  this->Entries.clear();
+  this->Clusters.clear();
+  for (size_t i = 0; i < this->Senders.size(); ++i)
+  {
+    const Sender& s = this->Senders[i];
+    const double weight = Sum(glm::dvec3(s.Reflected)) * weights[static_cast<size_t>(s.Map)];
+    if (weight > 0.0)
+    {
+      constexpr float turn = static_cast<float>(NormalLength);
+      this->Entries.push_back({ { s.Position.x, s.Position.y, s.Position.z, turn * s.Normal.x,
+                                  turn * s.Normal.y, turn * s.Normal.z },
+        static_cast<float>(weight), static_cast<uint32_t>(i) });
+    }
+  }
+  this->Clusters = this->Divide(0, this->Entries.size(), static_cast<size_t>(std::max(count, 1)));
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
+  const Cluster& cluster, const std::vector<glm::dvec3>& strengths) const
+{
+  Light light;
+  const size_t maps = strengths.size();
+  std::vector<double> areas(maps, 0.0);
+  std::vector<double> sums(maps, 0.0);
+  for (size_t i = cluster.Begin; i < cluster.End; ++i)
+  {
+    const Sender& sender = this->Senders[this->Entries[i].Sender];
+    const size_t map = static_cast<size_t>(sender.Map);
+    const glm::dvec3 sent = strengths[map] * glm::dvec3(sender.Reflected);
+    light.DensityArea += sent;
+    areas[map] += sender.Area;
+    sums[map] += Sum(sent);
+  }
+  // Each map's texels cover the surface once. A map may see a part of it: those that light most of
+  // it count most.
+  double total = 0.0;
+  double area = 0.0;
+  for (size_t map = 0; map < maps; ++map)
+  {
+    total += sums[map];
+    area += sums[map] * areas[map];
+  }
+  const Sender& middle = this->Senders[cluster.Middle];
+  light.Position = glm::dvec3(middle.Position);
+  light.Normal = glm::dvec3(middle.Normal);
+  light.Area = total > 0.0 ? area / total : static_cast<double>(middle.Area);
+  return light;
+}
+
+//------------------------------------------------------------------------------
+// Within which distance a node's error is more than the limit. It gives E = DA / (pi d^2) at most,
+// of which a share of about s^2 / d^2 is wrong, s the root mean square distance of its light from
+// its mean place.
+double vtkIndirectSenderClusters::FindReach(
+  const Light& light, const Cluster& cluster, double limit)
+{
+  if (cluster.End - cluster.Begin < 2 || !(limit > 0.0))
+  {
+    return 0.0;
+  }
+  const double fourth = Sum(light.DensityArea) / 3.0 * cluster.Spread / (glm::pi<double>() * limit);
+  return std::sqrt(std::max(std::sqrt(fourth) - cluster.Spread, 0.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSenderClusters::MakeBranches(
+  size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all)
+{
+  constexpr size_t perNode = vtkIndirectKernels::VTKI_BRANCHES_PER_NODE;
+  const size_t first = top * vtkIndirectKernels::VTKI_BRANCHES;
+  const Cluster& cluster = this->Clusters[top];
+  const std::vector<Cluster> children = this->Divide(cluster.Begin, cluster.End, perNode);
+  for (size_t i = 0; i < children.size(); ++i)
+  {
+    Light child = this->MakeLight(children[i], strengths);
+    child.Reach = FindReach(child, children[i], limit);
+    child.Area *= children[i].End - children[i].Begin > 1 ? ShareOfArea : 1.0;
+    all[first + i] = child;
+    if (child.Reach > 0.0)
+    {
+      const std::vector<Cluster> leaves = this->Divide(children[i].Begin, children[i].End, perNode);
+      for (size_t k = 0; k < leaves.size(); ++k)
+      {
+        Light leaf = this->MakeLight(leaves[k], strengths);
+        leaf.Area *= leaves[k].End - leaves[k].Begin > 1 ? ShareOfArea : 1.0;
+        all[first + perNode + i * perNode + k] = leaf;
+      }
+    }
   }
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkIndirectSenderClusters::Light> vtkIndirectSenderClusters::MakeLights(
-  const std::vector<glm::dvec3>& strengths, int count)
+vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
+  const std::vector<glm::dvec3>& strengths, int count, double error)
 {
   const std::vector<double> weights = FindWeights(strengths);
   if (weights != this->Weights || count != this->Count)
   {
-    this->Divide(weights, count);
-    for (Cluster& cluster : this->Clusters)
-    {
-      cluster.Middle = this->FindMiddle(cluster);
-    }
+    this->DivideAll(weights, count);
   }
-  std::vector<Light> lights;
-  lights.reserve(this->Clusters.size());
-  std::vector<double> areas(strengths.size(), 0.0);
-  std::vector<double> sums(strengths.size(), 0.0);
-  std::vector<size_t> maps;
+  Lights lights;
+  lights.Tops.reserve(this->Clusters.size());
+  bool divided = false;
   for (const Cluster& cluster : this->Clusters)
   {
-    Light light;
-    maps.clear();
-    for (size_t i = cluster.Begin; i < cluster.End; ++i)
-    {
-      const Sender& sender = this->Senders[this->Order[i]];
-      const size_t map = static_cast<size_t>(sender.Map);
-      const glm::dvec3 sent = strengths[map] * glm::dvec3(sender.Reflected);
-      light.DensityArea += sent;
-      if (areas[map] == 0.0)
+    lights.Tops.push_back(this->MakeLight(cluster, strengths));
+    divided = divided || cluster.End - cluster.Begin > 1;
+  }
+  const double limit = divided ? error * FindMeanIrradiance(lights.Tops) : 0.0;
+  for (size_t i = 0; i < lights.Tops.size(); ++i)
+  {
+    Light& light = lights.Tops[i];
+    const Cluster& cluster = this->Clusters[i];
+    light.Reach = FindReach(light, cluster, limit);
+    light.Area *= limit > 0.0 && cluster.End - cluster.Begin > 1 ? ShareOfArea : 1.0;
+  }
+  if (limit > 0.0)
+  {
+    Light nothing;
+    lights.Branches.assign(lights.Tops.size() * vtkIndirectKernels::VTKI_BRANCHES, nothing);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(lights.Tops.size()),
+      [&](vtkIdType begin, vtkIdType end)
       {
-        maps.push_back(map);
-      }
-      areas[map] += sender.Area;
-      sums[map] += Sum(sent);
-    }
-    // A map may see a part of the surface: those that light most of it count most.
-    double total = 0.0;
-    double area = 0.0;
-    for (const size_t map : maps)
-    {
-      total += sums[map];
-      area += sums[map] * areas[map];
-      areas[map] = sums[map] = 0.0;
-    }
-    const Sender& middle = this->Senders[cluster.Middle];
-    light.Position = glm::dvec3(middle.Position);
-    light.Normal = glm::dvec3(middle.Normal);
-    light.Area = total > 0.0 ? area / total : middle.Area;
-    lights.push_back(light);
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          if (lights.Tops[static_cast<size_t>(i)].Reach > 0.0)
+          {
+            this->MakeBranches(static_cast<size_t>(i), strengths, limit, lights.Branches);
+          }
+        }
+      });
   }
   return lights;
 }

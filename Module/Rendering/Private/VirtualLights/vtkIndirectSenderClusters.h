@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A few virtual lights for the texels of many maps: places that several maps see are one sender
-// with the light of all of them.
+// with the light of all of them. The lights are nodes of a tree over the texels (Walter, Fernandez,
+// Arbree, Bala, Donikian, Greenberg 2005, "Lightcuts"), and below each are two more generations of
+// nodes, its branches, for receivers that are too near for a single light.
 //
 // Texels are divided, always those whose light lies farthest from its mean, by place and normal
 // alike, until there are as many clusters as lights. A cluster's light is the sum of its texels',
-// so no light is lost; it comes from the texel nearest to its mean. Its area is that of the surface
-// which its texels cover, not the sum over all maps that see it: each map's texels cover it once.
+// so no light is lost; it comes from the texel nearest to its mean.
 //
 // Which texels are together follows how much light each map has in steps only: a sky that changes a
 // little moves no virtual light, so that what is kept by their places stays.
@@ -13,6 +14,7 @@
 #define vtkIndirectSenderClusters_h
 
 #include <cstddef>     // for size_t
+#include <cstdint>     // for numbers of senders
 #include <glm/glm.hpp> // for vectors
 #include <vector>      // for lists
 
@@ -33,8 +35,9 @@ public:
   {
     glm::dvec3 Position{ 0.0 };
     glm::dvec3 Normal{ 0.0, 0.0, 1.0 };
-    double Area = 1.0;
+    double Area = 1.0; // of the disk that it sends light as
     glm::dvec3 DensityArea{ 0.0 };
+    double Reach = 0.0; // nearer than this its branches are summed in its place
   };
 
   /**
@@ -46,37 +49,62 @@ public:
   void SetSenders(std::vector<Sender> senders);
   size_t GetNumberOfSenders() const { return this->Senders.size(); }
 
+  struct Lights
+  {
+    std::vector<Light> Tops;
+    /**
+     * Those below each, vtkIndirectKernels::VTKI_BRANCHES of them a light: places that are left
+     * over send nothing. Empty where no light has any.
+     */
+    std::vector<Light> Branches;
+  };
+
   /**
    * At most so many lights of the senders under lights of these strengths, one for each map. No
-   * senders, no lights; as many as there are senders, each of them is one.
+   * senders, no lights; as many as there are senders, each of them is one. A light is divided where
+   * the error of having it whole is more than `error` of the mean irradiance that the lights give
+   * each other; 0: never.
    */
-  std::vector<Light> MakeLights(const std::vector<glm::dvec3>& strengths, int count);
+  Lights MakeLights(const std::vector<glm::dvec3>& strengths, int count, double error);
+
+  /** The error that belongs to a tolerance of the irradiance's; 0: the standard one. */
+  static double FindError(double tolerance) { return 1.5 * (tolerance > 0.0 ? tolerance : 0.02); }
 
   size_t GetBytes() const;
 
 private:
   // Three of place, three of normal.
   static constexpr int NumberOfAxes = 6;
+  struct Entry
+  {
+    float Coordinates[NumberOfAxes];
+    float Weight;
+    uint32_t Sender;
+  };
   struct Cluster
   {
-    size_t Begin; // in Order
-    size_t End;
-    size_t Middle = 0; // the sender nearest to the mean
-    double Mean[NumberOfAxes];
-    int Axis = 0;       // along which it is widest
-    double Width = 0.0; // light times squared distance from the mean
+    size_t Begin = 0; // of entries
+    size_t End = 0;
+    uint32_t Middle = 0; // the sender nearest to the mean
+    double Mean[NumberOfAxes] = {};
+    int Axis = 0;        // along which it is widest
+    double Width = 0.0;  // light times squared distance from the mean
+    double Spread = 0.0; // mean squared distance of the light's places from their mean
   };
 
-  double GetCoordinate(size_t sender, int axis) const;
-  double GetWeight(size_t sender) const;
   Cluster Measure(size_t begin, size_t end) const;
-  size_t FindMiddle(const Cluster& cluster) const;
-  void Divide(const std::vector<double>& weights, int count);
+  uint32_t FindMiddle(const Cluster& cluster) const;
+  std::vector<Cluster> Divide(size_t begin, size_t end, size_t most);
+  void DivideAll(const std::vector<double>& weights, int count);
+  Light MakeLight(const Cluster& cluster, const std::vector<glm::dvec3>& strengths) const;
+  static double FindReach(const Light& light, const Cluster& cluster, double limit);
+  void MakeBranches(
+    size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all);
 
   std::vector<Sender> Senders;
   std::vector<double> Weights; // of maps
   int Count = 0;
-  std::vector<size_t> Order;
+  std::vector<Entry> Entries;
   std::vector<Cluster> Clusters;
 };
 

@@ -6,7 +6,8 @@
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
-#include "OpenGL/vtkIndirectTarget.h"
+#include "VirtualLights/vtkIndirectAllTexelsSampler.h"
+#include "vtkLightTreeSampler.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkReflectiveShadowMapPass.h"
@@ -62,9 +63,14 @@ void vtkIndirectSenderSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampl
 {
   auto* pattern =
     vtkUniformLightSampler::SafeDownCast(sampler ? sampler->GetViewPattern() : nullptr);
+  auto* tree = vtkLightTreeSampler::SafeDownCast(sampler);
   this->NumberOfLights = vtkIndirectAllTexelsSampler::SafeDownCast(sampler) ? VTK_INT_MAX
     : pattern ? pattern->GetNumberOfLights()
+    : tree    ? tree->GetNumberOfLights()
               : 256;
+  const bool divides = tree != nullptr;
+  this->SourceTime += divides != this->Divides ? 1 : 0;
+  this->Divides = divides;
 }
 
 //------------------------------------------------------------------------------
@@ -148,32 +154,10 @@ bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
 {
   std::vector<vtkIndirectSenderClusters::Sender> senders;
   std::vector<glm::vec3> places;
-  if (!this->Texels->Update({ input.Frame, *this->Maps, input.Geometry }))
+  if (!this->Texels.Read({ input.Frame, *this->Maps, input.Geometry }, senders, places))
   {
     return false;
   }
-  const vtkIndirectTarget& table = this->Texels->GetTable();
-  const std::vector<float> position = table.ReadBack(PositionArea);
-  const std::vector<float> normal = table.ReadBack(NormalExponent);
-  const std::vector<float> density = table.ReadBack(DensityArea);
-  const size_t count = static_cast<size_t>(this->Texels->GetActualNumberOfLights());
-  for (size_t i = 0; i < count; ++i)
-  {
-    const float* p = &position[4 * i];
-    const float* n = &normal[4 * i];
-    const float* d = &density[4 * i];
-    const glm::vec3 place(p[0], p[1], p[2]);
-    if (place != glm::vec3(0.0f)) // the scene's centre, where there is nothing
-    {
-      places.push_back(place);
-    }
-    if (std::max({ d[0], d[1], d[2] }) > 0.0f)
-    {
-      senders.push_back({ { p[0], p[1], p[2] }, { n[0], n[1], n[2] }, p[3], { d[0], d[1], d[2] },
-        static_cast<int>(d[3]) });
-    }
-  }
-  this->Texels->ReleaseGraphicsResources(input.Frame.Window);
   // Receivers that cast no shadows are in no map.
   if (input.Frame.NumberOfOtherReceivers == 0)
   {
@@ -206,17 +190,11 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
   {
     strengths.push_back(emitter.Strength);
   }
-  const std::vector<vtkIndirectSenderClusters::Light> lights =
-    this->Clusters.MakeLights(strengths, this->NumberOfLights);
-  std::vector<Row> rows;
-  rows.reserve(lights.size());
-  for (const vtkIndirectSenderClusters::Light& light : lights)
-  {
-    rows.push_back({ { light.Position.x, light.Position.y, light.Position.z }, light.Area,
-      { light.Normal.x, light.Normal.y, light.Normal.z },
-      { light.DensityArea.x, light.DensityArea.y, light.DensityArea.z } });
-  }
-  if (!this->Write(input.Frame, rows))
+  const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
+  const vtkIndirectSenderClusters::Lights lights =
+    this->Clusters.MakeLights(strengths, this->NumberOfLights, this->Divides ? error : 0.0);
+  if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Tops),
+        vtkIndirectSenderTexels::MakeRows(lights.Branches)))
   {
     return false;
   }
@@ -267,7 +245,7 @@ void vtkIndirectSenderSampler::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Superclass::ReleaseGraphicsResources(window);
   this->Maps->ReleaseGraphicsResources(window);
-  this->Texels->ReleaseGraphicsResources(window);
+  this->Texels.Release(window);
   this->Clusters.SetSenders({});
   this->Emitters.clear();
   this->Source.clear();

@@ -8,11 +8,11 @@
 #ifndef vtkIndirectSenderSampler_h
 #define vtkIndirectSenderSampler_h
 
-#include "Frame/vtkIndirectFrame.h"                    // for casters
-#include "VirtualLights/vtkIndirectAllTexelsSampler.h" // for members
-#include "VirtualLights/vtkIndirectEmitters.h"         // for members
-#include "VirtualLights/vtkIndirectSenderClusters.h"   // for members
-#include "vtkNew.h"                                    // for members
+#include "Frame/vtkIndirectFrame.h"                  // for casters
+#include "VirtualLights/vtkIndirectEmitters.h"       // for members
+#include "VirtualLights/vtkIndirectSenderClusters.h" // for members
+#include "VirtualLights/vtkIndirectSenderTexels.h"   // for members
+#include "vtkNew.h"                                  // for members
 #include "vtkVirtualLightSampler.h"
 
 #include <vector> // for lists
@@ -62,9 +62,10 @@ private:
   bool ReadSenders(const Input& input);
 
   vtkNew<vtkReflectiveShadowMapPass> Maps;
-  vtkNew<vtkIndirectAllTexelsSampler> Texels; // holds something only while they are read
+  vtkIndirectSenderTexels Texels;
   vtkIndirectSenderClusters Clusters;
   int NumberOfLights = 256;
+  bool Divides = false; // whether the lights have branches
 
   vtkIndirectEmitters::List Emitters; // by their maps; without light where it has gone
   std::vector<double> Source;         // what they were found in

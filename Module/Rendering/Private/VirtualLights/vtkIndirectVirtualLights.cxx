@@ -4,6 +4,7 @@
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "VirtualLights/vtkIndirectLightTable.h"
 #include "vtkImageData.h"
@@ -25,6 +26,7 @@ int CountRows(int lights)
 //------------------------------------------------------------------------------
 vtkIndirectVirtualLights::vtkIndirectVirtualLights()
   : Joined(vtkIndirectLightTable, false)
+  , JoinedBranches(vtkIndirectLightTable, false)
 {
 }
 
@@ -49,7 +51,9 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
     return this->Join(input, samplers);
   }
   this->Current = &samplers.front()->GetTable();
+  this->CurrentBranches = samplers.front()->GetBranches();
   this->Joined.Release(input.Frame.Window);
+  this->JoinedBranches.Release(input.Frame.Window);
   this->JoinedTimes.clear();
   return true;
 }
@@ -64,51 +68,72 @@ bool vtkIndirectVirtualLights::Join(const Input& input, const Samplers& samplers
   {
     times.push_back(sampler->GetContentTime());
   }
+  const bool branches = std::any_of(samplers.begin(), samplers.end(),
+    [](const vtkVirtualLightSampler* sampler) { return sampler->GetBranches() != nullptr; });
+  this->CurrentBranches = branches ? &this->JoinedBranches : nullptr;
   const int rows = CountRows(this->NumberOfLights);
   if (times == this->JoinedTimes && this->Joined.GetHeight() == rows)
   {
     return true;
   }
   this->JoinedTimes.clear();
+  if (!branches)
+  {
+    this->JoinedBranches.Release(window);
+  }
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
-  if (!this->Joined.Resize(window, RowLength, rows))
+  if (!this->JoinTables(window, samplers, this->Joined, false) ||
+    (branches && !this->JoinTables(window, samplers, this->JoinedBranches, true)))
   {
     return false;
   }
-  this->Joined.Begin();
-  this->Joined.Clear();
+  this->JoinedTimes = times;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectVirtualLights::JoinTables(
+  vtkOpenGLRenderWindow* window, const Samplers& samplers, vtkIndirectTarget& table, bool branches)
+{
+  const int perLight = branches ? vtkIndirectKernels::VTKI_BRANCHES : 1;
+  if (!table.Resize(window, RowLength, CountRows(this->NumberOfLights * perLight)))
+  {
+    return false;
+  }
+  table.Begin();
+  table.Clear();
   bool done = true;
   {
     vtkIndirectFullScreenState fullScreen(window);
     int first = 0;
     for (vtkVirtualLightSampler* sampler : samplers)
     {
-      vtkShaderProgram* program = this->Program.Use(window);
-      done = program != nullptr;
-      if (!done)
+      const int count = perLight * sampler->GetActualNumberOfLights();
+      const vtkIndirectTarget* source = branches ? sampler->GetBranches() : &sampler->GetTable();
+      if (source)
       {
-        break;
+        vtkShaderProgram* program = this->Program.Use(window);
+        done = program != nullptr;
+        if (!done)
+        {
+          break;
+        }
+        for (int channel = 0; channel < 3; ++channel)
+        {
+          source->Activate(channel, program);
+        }
+        program->SetUniformi("vtkiFirst", first);
+        program->SetUniformi("vtkiCount", count);
+        this->Program.Draw();
+        source->Deactivate();
       }
-      const int count = sampler->GetActualNumberOfLights();
-      for (int channel = 0; channel < 3; ++channel)
-      {
-        sampler->GetTable().Activate(channel, program);
-      }
-      program->SetUniformi("vtkiFirst", first);
-      program->SetUniformi("vtkiCount", count);
-      this->Program.Draw();
-      sampler->GetTable().Deactivate();
       first += count;
     }
   }
-  this->Joined.End();
-  if (done)
-  {
-    this->JoinedTimes = times;
-  }
+  table.End();
   return done;
 }
 
@@ -126,12 +151,28 @@ void vtkIndirectVirtualLights::Activate(vtkShaderProgram* program) const
     this->Current->Activate(channel, program);
   }
   program->SetUniformi("vtkiLightCount", this->NumberOfLights);
+  this->ActivateBranches(program);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVirtualLights::ActivateBranches(vtkShaderProgram* program) const
+{
+  if (this->CurrentBranches)
+  {
+    this->CurrentBranches->Activate(0, program, "vtkiBranchPosition");
+    this->CurrentBranches->Activate(1, program, "vtkiBranchNormal");
+    this->CurrentBranches->Activate(2, program, "vtkiBranchDensity");
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectVirtualLights::Deactivate() const
 {
   this->Current->Deactivate();
+  if (this->CurrentBranches)
+  {
+    this->CurrentBranches->Deactivate();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -161,6 +202,7 @@ void vtkIndirectVirtualLights::CopyLights(const vtkIndirectFrame& frame, vtkImag
       row[8 + k] = static_cast<float>(row[8 + k] / scale / scale);
     }
     row[3] = static_cast<float>(row[3] / scale / scale);
+    row[7] = static_cast<float>(row[7] / scale);
   }
 }
 
@@ -168,7 +210,9 @@ void vtkIndirectVirtualLights::CopyLights(const vtkIndirectFrame& frame, vtkImag
 void vtkIndirectVirtualLights::Release(vtkWindow* window)
 {
   this->Joined.Release(window);
+  this->JoinedBranches.Release(window);
   this->Program.Release();
   this->JoinedTimes.clear();
   this->Current = nullptr;
+  this->CurrentBranches = nullptr;
 }

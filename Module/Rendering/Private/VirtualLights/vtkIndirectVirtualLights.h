@@ -7,6 +7,7 @@
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 #include "vtkVirtualLightSampler.h"              // for its input
 
+#include <string> // for definitions
 #include <vector> // for samplers
 
 class vtkImageData;
@@ -30,15 +31,18 @@ public:
   /** Whether some lights may be directions. */
   bool HasDirections() const { return this->WithDirections; }
   /** Definitions of shaders that read lights (vtkIndirectLightRow.glsl). */
-  const char* GetDefinitions() const
+  std::string GetDefinitions() const
   {
-    return this->WithDirections ? "#define VTKI_DIRECTIONS\n" : "";
+    return std::string(this->WithDirections ? "#define VTKI_DIRECTIONS\n" : "") +
+      (this->HasBranches() ? "#define VTKI_DIVIDED\n" : "");
   }
+  /** Whether receivers that are near to a light sum what is below it (vtkIndirectBranches.glsl). */
+  bool HasBranches() const { return this->CurrentBranches != nullptr; }
   vtkMTimeType GetContentTime() const { return this->ContentTime; }
   const vtkIndirectTarget& GetTable() const { return *this->Current; }
 
   ///@{
-  /** Bind the table and set its extent; pair. */
+  /** Bind the table, and the branches where there are such, and set its extent; pair. */
   void Activate(vtkShaderProgram* program) const;
   void Deactivate() const;
   ///@}
@@ -47,15 +51,20 @@ public:
   void CopyLights(const vtkIndirectFrame& frame, vtkImageData* image) const;
 
   /** Of a table of several samplers; samplers count their own. */
-  size_t GetBytes() const { return this->Joined.GetBytes(); }
+  size_t GetBytes() const { return this->Joined.GetBytes() + this->JoinedBranches.GetBytes(); }
   void Release(vtkWindow* window);
 
 private:
+  void ActivateBranches(vtkShaderProgram* program) const;
   bool Join(const Input& input, const Samplers& samplers);
+  bool JoinTables(vtkOpenGLRenderWindow* window, const Samplers& samplers, vtkIndirectTarget& table,
+    bool branches);
 
   vtkIndirectTarget Joined;
+  vtkIndirectTarget JoinedBranches;
   vtkIndirectFullScreenProgram Program{ "vtkIndirectJoinLightsFS.glsl" };
   const vtkIndirectTarget* Current = nullptr;
+  const vtkIndirectTarget* CurrentBranches = nullptr;
   int NumberOfLights = 0;
   bool WithDirections = false;
   vtkMTimeType ContentTime = 0; // the latest of the samplers'

@@ -74,7 +74,7 @@ void vtkIndirectVisibility::ReadEmitters(const vtkIndirectVirtualLights& lights)
   const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
   const vtkIndirectTarget& table = lights.GetTable();
   const auto position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
-  const auto normal = table.ReadBack(vtkVirtualLightSampler::NormalExponent);
+  const auto normal = table.ReadBack(vtkVirtualLightSampler::NormalReach);
   const auto density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
   this->Lights.resize(count);
   for (size_t i = 0; i < count; ++i)

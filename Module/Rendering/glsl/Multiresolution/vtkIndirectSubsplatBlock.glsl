@@ -48,16 +48,60 @@ void vtkiEvaluateChild(ivec2 block, int child, bool exists)
 #include "vtkIndirectSubsplatLooks.glsl"
 #endif
 
+#ifdef VTKI_DIVIDED
+// What all receivers get of a node and what is below it, where they take a share of that.
+void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS], vec3 normal[4 * VTKI_BLOCKS],
+  float share[4 * VTKI_BLOCKS], inout vec3 irradiance[4 * VTKI_BLOCKS], inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
+{
+  for (int child = 0; child < VTKI_BRANCHES_PER_NODE; ++child)
+  {
+    vec4 sender;
+    vec4 senderNormal;
+    vec3 density;
+    vtkiFetchBranch(VTKI_BRANCHES * light + child, sender, senderNormal, density);
+    float below[4 * VTKI_BLOCKS];
+    float most = 0.0f;
+    for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
+    {
+      below[i] = share[i] * vtkiDivision(sender.xyz - position[i], senderNormal.w);
+      most = max(most, below[i]);
+      vtkiAddNode(position[i], normal[i], share[i] - below[i], sender, senderNormal.xyz, density, irradiance[i],
+        vectorIrradiance[i]);
+    }
+    int leaves = most > 0.0f ? VTKI_BRANCHES_PER_NODE : 0;
+    int first = VTKI_BRANCHES * light + VTKI_BRANCHES_PER_NODE * (1 + child);
+    for (int leaf = 0; leaf < leaves; ++leaf)
+    {
+      vtkiFetchBranch(first + leaf, sender, senderNormal, density);
+      for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
+      {
+        vtkiAddNode(position[i], normal[i], below[i], sender, senderNormal.xyz, density, irradiance[i],
+          vectorIrradiance[i]);
+      }
+    }
+  }
+}
+#endif
+
 // What all blocks get of a light.
-void vtkiAddToBlocks(int light, vec4 sender, vec3 senderNormal, vec3 density, vec3 position[4 * VTKI_BLOCKS],
+void vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, vec3 position[4 * VTKI_BLOCKS],
   vec3 normal[4 * VTKI_BLOCKS],
 #ifdef VTKI_SHARES_LOOKS
   vtkiLooks looks[VTKI_BLOCKS],
 #endif
   inout vec3 irradiance[4 * VTKI_BLOCKS], inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
 {
+#ifdef VTKI_DIVIDED
+  float division[4 * VTKI_BLOCKS];
+  float most = 0.0f;
+  for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
+  {
+    division[i] = vtkiDivision(sender.xyz - position[i], senderNormal.w);
+    most = max(most, division[i]);
+  }
+#endif
 #ifdef VTKI_SHARES_LOOKS
-  vtkiTile tile = vtkiFetchTile(light, sender.xyz, senderNormal);
+  vtkiTile tile = vtkiFetchTile(light, sender.xyz, senderNormal.xyz);
   for (int block = 0; block < VTKI_BLOCKS; ++block)
   {
     bool seen[VTKI_LOOKS];
@@ -70,15 +114,35 @@ void vtkiAddToBlocks(int light, vec4 sender, vec3 senderNormal, vec3 density, ve
     for (int i = 0; i < 4; ++i)
     {
       int child = 4 * block + i;
-      vtkiAddSeenLight(position[child], normal[child], looks[block].second[i] ? seen[1] : seen[0], sender,
-        senderNormal, density, irradiance[child], vectorIrradiance[child]);
+      float share = (looks[block].second[i] ? seen[1] : seen[0]) ? 1.0f : 0.0f;
+#ifdef VTKI_DIVIDED
+      division[child] *= share;
+      share -= division[child];
+#endif
+      vtkiAddSeenLight(position[child], normal[child], share, sender, senderNormal.xyz, density, irradiance[child],
+        vectorIrradiance[child]);
     }
   }
 #else
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
-    vtkiAddLight(position[i], normal[i], position[i], light, sender, senderNormal, density, irradiance[i],
+    float share = 1.0f;
+#ifdef VTKI_VISIBILITY
+    share = vtkiIsSenderVisible(light, position[i], position[i], normal[i], sender, senderNormal.xyz, true)
+      ? 1.0f : 0.0f;
+#endif
+#ifdef VTKI_DIVIDED
+    division[i] *= share;
+    share -= division[i];
+#endif
+    vtkiAddSeenLight(position[i], normal[i], share, sender, senderNormal.xyz, density, irradiance[i],
       vectorIrradiance[i]);
+  }
+#endif
+#ifdef VTKI_DIVIDED
+  if (most > 0.0f)
+  {
+    vtkiAddBranchesToBlocks(light, position, normal, division, irradiance, vectorIrradiance);
   }
 #endif
 }
@@ -118,7 +182,7 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
   for (int light = 0; light < vtkiBlockCount; ++light)
   {
     vec4 sender = vtkiBlockPosition[light];
-    vec3 senderNormal = vtkiBlockNormal[light].xyz;
+    vec4 senderNormal = vtkiBlockNormal[light];
     vec3 density = vtkiBlockDensity[light].rgb;
     vtkiAddToBlocks(vtkiFirstLight + light, sender, senderNormal, density, position, normal,
 #ifdef VTKI_SHARES_LOOKS
@@ -129,7 +193,7 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
   for (int light = vtkiBlockCount; light < vtkiLightCount; ++light)
   {
     vec4 sender;
-    vec3 senderNormal;
+    vec4 senderNormal;
     vec3 density;
     vtkiFetchLight(light, sender, senderNormal, density);
     vtkiAddToBlocks(vtkiFirstLight + light, sender, senderNormal, density, position, normal,

@@ -15,7 +15,7 @@ void main()
   vec3 normal;
   bool leaf = vtkiFetchLeaf(texel, position, normal);
   vec4 sender;
-  vec3 senderNormal;
+  vec4 senderNormal;
   vec3 density;
   vtkiFetchLight(gl_InstanceID, sender, senderNormal, density);
   vec3 irradiance = vec3(0.0f);

@@ -20,7 +20,7 @@ struct vtkiProbeSums
 };
 
 void vtkiAddToProbe(inout vtkiProbeSums sums, vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
-  vec3 senderNormal, vec3 density)
+  vec4 senderNormal, vec3 density)
 {
   vec3 irradiance = vec3(0.0f);
   vec3 unused = vec3(0.0f);
@@ -37,7 +37,7 @@ void vtkiAddToProbe(inout vtkiProbeSums sums, vec3 position, vec3 normal, vec3 o
   {
     sums.curvature = curvature;
     sums.sender = sender;
-    sums.normal = vec4(senderNormal, vtkiLuminance(density));
+    sums.normal = vec4(senderNormal.xyz, vtkiLuminance(density));
   }
 }
 
@@ -55,14 +55,14 @@ void main()
   int count = lit ? vtkiBlockCount : 0;
   for (int i = 0; i < count; ++i)
   {
-    vtkiAddToProbe(sums, position, normal, open, vtkiFirstLight + i, vtkiBlockPosition[i], vtkiBlockNormal[i].xyz,
+    vtkiAddToProbe(sums, position, normal, open, vtkiFirstLight + i, vtkiBlockPosition[i], vtkiBlockNormal[i],
       vtkiBlockDensity[i].rgb);
   }
   count = lit ? vtkiLightCount : 0;
   for (int i = vtkiBlockCount; i < count; ++i)
   {
     vec4 sender;
-    vec3 senderNormal;
+    vec4 senderNormal;
     vec3 density;
     vtkiFetchLight(i, sender, senderNormal, density);
     vtkiAddToProbe(sums, position, normal, open, vtkiFirstLight + i, sender, senderNormal, density);

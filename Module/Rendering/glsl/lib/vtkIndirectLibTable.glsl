@@ -7,6 +7,11 @@
 // two: a place in it is two bit operations.
 const int VTKI_ROW_LENGTH = 256;
 
+// Branches of a virtual light, in a table of their own: the nodes below it, then the nodes below the first
+// of these, and so on.
+const int VTKI_BRANCHES_PER_NODE = 8;
+const int VTKI_BRANCHES = 72;
+
 /* Texel of an entry. */
 ivec2 vtkiTableTexel(int entry)
 {

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "VirtualLights/vtkIndirectSenderTexels.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectTarget.h"
+#include "vtkOpenGLRenderWindow.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSenderTexels::Read(const vtkVirtualLightSampler::Input& input,
+  std::vector<vtkIndirectSenderClusters::Sender>& senders, std::vector<glm::vec3>& places)
+{
+  senders.clear();
+  places.clear();
+  if (!this->Texels->Update(input))
+  {
+    return false;
+  }
+  const vtkIndirectTarget& table = this->Texels->GetTable();
+  const std::vector<float> position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
+  const std::vector<float> normal = table.ReadBack(vtkVirtualLightSampler::NormalReach);
+  const std::vector<float> density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
+  const size_t count = static_cast<size_t>(this->Texels->GetActualNumberOfLights());
+  for (size_t i = 0; i < count; ++i)
+  {
+    const float* p = &position[4 * i];
+    const float* n = &normal[4 * i];
+    const float* d = &density[4 * i];
+    const glm::vec3 place(p[0], p[1], p[2]);
+    if (place != glm::vec3(0.0f)) // the scene's centre, where there is nothing
+    {
+      places.push_back(place);
+    }
+    if (std::max({ d[0], d[1], d[2] }) > 0.0f)
+    {
+      senders.push_back(
+        { place, { n[0], n[1], n[2] }, p[3], { d[0], d[1], d[2] }, static_cast<int>(d[3]) });
+    }
+  }
+  this->Texels->ReleaseGraphicsResources(input.Frame.Window);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkVirtualLightSampler::Row> vtkIndirectSenderTexels::MakeRows(
+  const std::vector<vtkIndirectSenderClusters::Light>& lights)
+{
+  std::vector<vtkVirtualLightSampler::Row> rows;
+  rows.reserve(lights.size());
+  for (const vtkIndirectSenderClusters::Light& light : lights)
+  {
+    rows.push_back({ { light.Position.x, light.Position.y, light.Position.z }, light.Area,
+      { light.Normal.x, light.Normal.y, light.Normal.z },
+      { light.DensityArea.x, light.DensityArea.y, light.DensityArea.z }, light.Reach });
+  }
+  return rows;
+}

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Virtual lights from a tree over the maps' texels, against all texels: how far they are from it,
+// beside as many that are spread evenly.
+#include "vtkIndirectTestUtilities.h"
+
+#include "OpenGL/vtkIndirectKernels.h"
+#include "VirtualLights/vtkIndirectSenderClusters.h"
+#include "vtkLightTreeSampler.h"
+#include "vtkMultiresolutionSplattingPass.h"
+#include "vtkRSMGatherPass.h"
+#include "vtkUniformLightSampler.h"
+
+#include <cmath>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+struct Difference
+{
+  double Squared; // mean squared relative difference
+  double Bias;    // of the mean, relative
+};
+
+Difference Compare(const Image& image, const Image& reference)
+{
+  const double mean = reference.Mean();
+  Difference difference = { 0.0, image.Mean() / mean - 1.0 };
+  for (size_t i = 0; i < reference.Values.size(); ++i)
+  {
+    const double value = reference.Values[i];
+    const double d = image.Values[i] - value;
+    difference.Squared += d * d / (value * value + 1e-2 * mean * mean);
+  }
+  difference.Squared /= static_cast<double>(reference.Values.size());
+  return difference;
+}
+}
+
+// A corner with a box in it, whose contacts a few hundred lights cannot resolve.
+VTK_INDIRECT_TEST(LightTreeAgainstAllTexels)
+{
+  Scene scene(64, 48);
+  scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0.8, 0.8, 0.8 });
+  scene.AddQuad({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.3, 0.6, 0.9 });
+  scene.AddBox({ 0.6, 0.0, 0.2 }, { 0.9, 0.5, 0.5 }, { 0.9, 0.9, 0.3 });
+  scene.SetEye({ 2.2, 1.6, 2.3 }, { 0.4, 0.3, 0.4 }, { 0, 1, 0 }, 36, 0.5, 6);
+  scene.AddSpot({ 1, 2, 1 }, { 0.4, 0, 0.4 }, 40, 1, { 1, 0, 0 });
+  scene.Pass->SetReflectiveShadowMapResolution(256);
+  scene.Pass->SetVisibility(vtkIndirectIlluminationPass::NONE);
+  scene.Gather->SetModeToAllTexels();
+  scene.Gather->InterpolationOff();
+  scene.Render();
+  const Image reference = scene.Copy("bounce");
+  vtkNew<vtkUniformLightSampler> uniform;
+  vtkNew<vtkLightTreeSampler> tree;
+  vtkNew<vtkMultiresolutionSplattingPass> splatting;
+  scene.Gather->SetModeToVirtualLights();
+  for (vtkIndirectEstimatorPass* estimator :
+    std::initializer_list<vtkIndirectEstimatorPass*>{ scene.Gather, splatting.Get() })
+  {
+    const std::string name = estimator->GetMethodName();
+    scene.Pass->SetEstimator(estimator);
+    scene.Pass->SetSampler(uniform);
+    scene.Render();
+    const Difference even = Compare(scene.Copy("bounce"), reference);
+    scene.Pass->SetSampler(tree);
+    scene.Render();
+    CheckEqual(name + ": lights", scene.ReadReport("virtual_lights"), 256);
+    const Difference cut = Compare(scene.Copy("bounce"), reference);
+    scene.CheckBuffers(1);
+    CheckAtMost(name + ": over that of as many even lights", cut.Squared / even.Squared, 0.25,
+      "a sixth to a fortieth in rooms");
+    CheckAtMost(name + ": mean squared relative difference", cut.Squared, 1e-2, "smooth surfaces");
+    CheckAtMost(name + ": bias", std::abs(cut.Bias), 0.03, "a twentieth where surfaces mix");
+  }
+  scene.Pass->SetSampler(nullptr);
+  scene.Pass->SetEstimator(nullptr);
+}
+
+VTK_INDIRECT_TEST(LightTreeKeepsTheLight)
+{
+  using Clusters = vtkIndirectSenderClusters;
+  constexpr size_t perNode = vtkIndirectKernels::VTKI_BRANCHES_PER_NODE;
+  std::vector<Clusters::Sender> senders;
+  for (int i = 0; i < 96 * 96; ++i)
+  {
+    const float x = (static_cast<float>(i % 96) + 0.5f) / 96.0f;
+    const float y = (static_cast<float>(i / 96) + 0.5f) / 96.0f;
+    const bool wall = i % 2 == 1;
+    senders.push_back({ wall ? glm::vec3(0.0f, x, y) : glm::vec3(x, 0.0f, y),
+      wall ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::vec3(0.0f, 1.0f, 0.0f), 2.0f / (96 * 96),
+      glm::vec3(1e-4f * (1.0f + x)), 0 });
+  }
+  Clusters clusters;
+  clusters.SetSenders(senders);
+  const Clusters::Lights lights = clusters.MakeLights({ glm::dvec3(1.0) }, 64, 0.03);
+  double all = 0.0;
+  double tops = 0.0;
+  for (const Clusters::Sender& sender : senders)
+  {
+    all += static_cast<double>(sender.Reflected.x);
+  }
+  double worst = 0.0;
+  size_t divided = 0;
+  for (size_t i = 0; i < lights.Tops.size(); ++i)
+  {
+    const double top = lights.Tops[i].DensityArea.x;
+    tops += top;
+    if (!(lights.Tops[i].Reach > 0.0))
+    {
+      continue;
+    }
+    ++divided;
+    double sum = 0.0;
+    for (size_t child = 0; child < perNode; ++child)
+    {
+      const size_t place = i * vtkIndirectKernels::VTKI_BRANCHES + child;
+      const double light = lights.Branches[place].DensityArea.x;
+      sum += light;
+      if (lights.Branches[place].Reach > 0.0)
+      {
+        double leaves = 0.0;
+        for (size_t leaf = 0; leaf < perNode; ++leaf)
+        {
+          leaves +=
+            lights
+              .Branches[i * vtkIndirectKernels::VTKI_BRANCHES + perNode + child * perNode + leaf]
+              .DensityArea.x;
+        }
+        worst = std::max(worst, std::abs(leaves / light - 1.0));
+      }
+    }
+    worst = std::max(worst, std::abs(sum / top - 1.0));
+  }
+  CheckEqual("lights", static_cast<double>(lights.Tops.size()), 64);
+  Check("some are divided", divided > 0);
+  CheckRelative("light of all", tops, all, 1e-6, "sums in double precision");
+  CheckAtMost("light of branches", worst, 1e-6, "sums in double precision");
+  // A single texel has nothing below it.
+  senders.resize(1);
+  clusters.SetSenders(senders);
+  const Clusters::Lights one = clusters.MakeLights({ glm::dvec3(1.0) }, 64, 0.03);
+  Check("a texel alone has no branches", one.Branches.empty() && one.Tops.front().Reach == 0.0);
+}
