@@ -41,11 +41,11 @@ YARDSTICKS = (compare.NOTHING, compare.SSAO)
 TRACER = "mitsuba"
 CURVES = {"one_bounce": "one bounce", "all_bounces": "all bounces"}
 """The path tracer's curves: it converges to R2 and to R3."""
-NO_SKY = {
+LIGHTS_ALONE = {
     TRACER: "its rows trace VTK's lights only",
     "flicker": "the path's reference R1 knows VTK's lights only",
 }
-"""Why something is not measured in a scene with an environment."""
+"""Why something is not measured in a scene with an environment or area lights."""
 
 
 @dataclass
@@ -135,13 +135,13 @@ class Run(compare.Run):
         self._truth: orbit.Truth | Exception | None = None
         if comparison.sweep.flicker and not self.with_errors:
             self.missing["flicker"] = self.missing["errors"]
-        if scene.environment is not None:
+        if not references.has_r1(scene):
             traced = comparison.python is not None
             asked = {
                 TRACER: traced and any(comparison.sweep.path_tracer.values()),
                 "flicker": comparison.sweep.flicker,
             }
-            self.missing |= {name: why for name, why in NO_SKY.items() if asked[name]}
+            self.missing |= {name: why for name, why in LIGHTS_ALONE.items() if asked[name]}
 
     def _key(self, row: Row) -> str:
         identity = {k: v for k, v in self.common.items() if k != "schema"}
@@ -193,19 +193,20 @@ class Run(compare.Run):
         images.write_png(path, picture)
         return path.name
 
-    def judge(self, irradiance: np.ndarray, sky: np.ndarray | None = None) -> Result:
-        """Errors of an image against each reference, HDR-FLIP included."""
-        result = super().judge(irradiance, sky)
+    def judge(self, seen: references.Buffers) -> Result:
+        """Errors of a frame's buffers against each reference, HDR-FLIP included."""
+        result = super().judge(seen)
         if self.comparison.flip is not None:
-            for name, pair in self.references().pairs(irradiance, sky):
+            for name, pair in self.references().pairs(seen):
                 result[f"flip_{name.lower()}"] = self.comparison.flip.error(*pair)
         return result
 
-    def _pictures(self, row: Row, irradiance: np.ndarray, sky: np.ndarray | None) -> Result:
+    def _pictures(self, row: Row, seen: references.Buffers) -> Result:
         main = self.references().main
         if main is None:
             return {}
-        image, reference, _ = dict(self.references().pairs(irradiance, sky))[main]
+        image, reference, _ = dict(self.references().pairs(seen))[main]
+        irradiance = seen[references.ALL_LIGHT]
         return {
             "image": self._write(row.label, shown(irradiance, 0.5 / float(reference.mean()))),
             "difference": self._write(
@@ -225,9 +226,9 @@ class Run(compare.Run):
             result.update(self._flicker(row))
         return result
 
-    def judged(self, row: Row, irradiance: np.ndarray, sky: np.ndarray | None = None) -> Result:
-        """Errors of an image and its pictures."""
-        return self.judge(irradiance, sky) | self._pictures(row, irradiance, sky)
+    def judged(self, row: Row, seen: references.Buffers) -> Result:
+        """Errors of a frame and its pictures."""
+        return self.judge(seen) | self._pictures(row, seen)
 
     def _flicker(self, row: Row) -> Result:
         truth = self.truth()
@@ -273,7 +274,7 @@ class Run(compare.Run):
             "indirect_ms": statistics.median(times),
             "indirect_p95_ms": frames.percentile_95(times),
         }
-        result.update(self.judged(row, traced.image))
+        result.update(self.judged(row, {references.ALL_LIGHT: traced.image}))
         return result
 
     def _trace(self, rows: list[Row], step: Callable[[Row], None]) -> Iterator[Result]:

@@ -44,6 +44,14 @@ _COLUMNS = (
     ("bias S3", "bias_s3", "{:+.4f}"),
     ("relMSE S3", "relmse_s3", "{:.4f}"),
     ("FLIP S3", "flip_s3", "{:.4f}"),
+    ("nRMSE A1", "nrmse_a1", "{:.4f}"),
+    ("bias A1", "bias_a1", "{:+.4f}"),
+    ("relMSE A1", "relmse_a1", "{:.4f}"),
+    ("FLIP A1", "flip_a1", "{:.4f}"),
+    ("nRMSE A3", "nrmse_a3", "{:.4f}"),
+    ("bias A3", "bias_a3", "{:+.4f}"),
+    ("relMSE A3", "relmse_a3", "{:.4f}"),
+    ("FLIP A3", "flip_a3", "{:.4f}"),
     ("flicker", "flicker", "{:+.4f}"),
     ("error flicker", "flicker_error", "{:.4f}"),
     ("MB", "megabytes", "{:.1f}"),
@@ -129,12 +137,13 @@ _OF_LIGHTS = (
     "pixels that leaves out is said at each scene. leak: part of the light that is where R2 "
     "has none."
 )
-_OF_SKY = (
+_OF_EMITTERS = (
     "Errors are of irradiance with the albedo divided out, on receivers away from silhouettes and "
-    "creases. S1: what comes directly from the sky, against the buffer sky; S3: all bounces of sky "
-    "and lights, against irradiance; both path traced. nRMSE is the RMS error over the "
-    "reference's mean, bias the mean error over it."
+    "creases. {one}: what comes directly from {what}, against the buffer {buffer}; {every}: all "
+    "bounces of it and of lights, against irradiance; both path traced. nRMSE is the RMS error "
+    "over the reference's mean, bias the mean error over it."
 )
+_EMITTERS = {references.SKY: "the sky", references.AREA: "area lights"}
 _OF_PACES = (
     f"Rows at a pace keep maps and tiles from frame to frame, and those are there before any frame "
     f"is measured: first ms is the very first frame, in which they are made. moving: the camera "
@@ -171,8 +180,10 @@ def _introduction(results: Sequence[Result]) -> list[str]:
     ]
     if any(row.get("added_over_ssao") is not None for row in results):
         said.append(_OVER_SSAO)
-    if any(row.get("nrmse_s1") is not None for row in results):
-        said.append(_OF_SKY)
+    for (one, every), what in _EMITTERS.items():
+        if any(row.get(f"nrmse_{one.lower()}") is not None for row in results):
+            buffer = references.buffer_of(one)
+            said.append(_OF_EMITTERS.format(one=one, every=every, what=what, buffer=buffer))
     if any(row.get("nrmse_r1") is not None for row in results):
         said.append(_OF_LIGHTS)
     if any(row.get("pace") for row in results):
@@ -215,8 +226,9 @@ def _notes(rows: Sequence[Result]) -> list[str]:
     notes = _left_out(rows)
     share = next((row["masked_share"] for row in rows if row.get("masked_share") is not None), None)
     if share is not None:
-        sky = main_of(rows) in references.SKY
-        who, rest = ("S1 and S3", "") if sky else ("R2 and R3", "; R1 none")
+        emitted = (pair for pair in _EMITTERS if main_of(rows) in pair)
+        names = next(emitted, references.LIGHTS)
+        who, rest = " and ".join(names), "; R1 none" if names == references.LIGHTS else ""
         notes.append(f"{who} leave out {100.0 * share:.1f} % of the pixels with a surface{rest}.")
     worse = worse_than_nothing(rows)
     return [*notes, worse] if worse else notes

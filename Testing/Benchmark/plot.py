@@ -19,6 +19,8 @@ PANELS = {
     "r3": "R3: all bounces",
     "s1": "S1: light that comes directly from the sky",
     "s3": "S3: light of the sky, all bounces",
+    "a1": "A1: light that comes directly from area lights",
+    "a3": "A3: light of area lights, all bounces",
 }
 _TRACED = {"mitsuba one bounce": ("r2",), "mitsuba all bounces": ("r3",)}
 """The panels in which the path tracer's curves stand: those of what they compute."""

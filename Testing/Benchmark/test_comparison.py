@@ -197,7 +197,7 @@ class WhatTheTextNames(unittest.TestCase):
         self.assertAlmostEqual(held.masked_share(), 1 / 4)
         image = flat.copy()
         image[1:, 3] = 3.0  # at a silhouette
-        errors = held.errors(image)
+        errors = held.errors({"irradiance": image})
         self.assertEqual(errors["R2"].nrmse, 0.0)
         self.assertAlmostEqual(errors["R1"].nrmse, (4 * 3 / 12) ** 0.5)
 
@@ -245,14 +245,17 @@ class LightFromTheSky(unittest.TestCase):
         self.assertFalse(any(line.startswith("| s | ssao") for line in lines))
 
     def test_the_page_says_what_judges(self) -> None:
-        row = {"scene": "s", "width": 3, "height": 3, "frames": 10, "vtk": "9", "missing": {},
-               "label": "moving", "method": "auto", "pace": "moving", "error": "",
-               "nrmse_s1": 0.5, "nrmse_s3": 0.25, "masked_share": 0.5}  # fmt: skip
-        text = page._markdown([row], {})
-        self.assertIn("S3 | ![S3](s-S3.png)", text)
-        self.assertIn("S1 and S3 leave out 50.0 %", text)
-        self.assertIn("| moving |", text)
-        self.assertNotIn("R1", text)
+        for kind, buffer in (("S", "sky"), ("A", "area")):
+            row = {"scene": "s", "width": 3, "height": 3, "frames": 10, "vtk": "9", "missing": {},
+                   "label": "moving", "method": "auto", "pace": "moving", "error": "",
+                   f"nrmse_{kind.lower()}1": 0.5, f"nrmse_{kind.lower()}3": 0.25,
+                   "masked_share": 0.5}  # fmt: skip
+            text = page._markdown([row], {})
+            self.assertIn(f"{kind}3 | ![{kind}3](s-{kind}3.png)", text)
+            self.assertIn(f"{kind}1 and {kind}3 leave out 50.0 %", text)
+            self.assertIn(f"against the buffer {buffer};", text)
+            self.assertIn("| moving |", text)
+            self.assertNotIn("R1", text)
 
 
 class ReferenceEnvironment(DirectoryTest):

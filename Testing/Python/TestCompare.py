@@ -120,21 +120,37 @@ class SmallerReferences(unittest.TestCase):
         centre[1::3, 1::3] = True
         image = np.where(centre, 2.0, 77.0)[..., np.newaxis].repeat(3, axis=-1)
         held = references.References(centre, {"R1": image, "R2": np.full((3, 3, 3), 2.0)})
-        pairs = dict(held.pairs(image))
+        seen = {"irradiance": image}
+        pairs = dict(held.pairs(seen))
         self.assertTrue((pairs["R2"][0] == 2.0).all() and pairs["R2"][2].all())
-        errors = held.errors(image)
+        errors = held.errors(seen)
         self.assertEqual((errors["R1"].nrmse, errors["R2"].nrmse), (0.0, 0.0))
 
-    def test_s1_judges_the_sky_and_s3_everything(self) -> None:
+    def test_some_judge_the_buffer_of_an_emitter_and_some_everything(self) -> None:
         flat = np.ones((3, 3, 3))
         everywhere = np.ones((3, 3), dtype=bool)
-        held = references.References(everywhere, {"S1": flat, "S3": 2.0 * flat})
-        self.assertEqual(held.main, "S3")
-        errors = held.errors(2.0 * flat, flat)
-        self.assertEqual((errors["S1"].nrmse, errors["S3"].nrmse), (0.0, 0.0))
-        self.assertEqual(list(held.errors(flat)), ["S3"])
-        self.assertEqual(held.errors(flat)["S3"].bias, -0.5)
+        for one, every, buffer in (("S1", "S3", "sky"), ("A1", "A3", "area")):
+            held = references.References(everywhere, {one: flat, every: 2.0 * flat})
+            self.assertEqual(held.main, every)
+            self.assertEqual(held.buffers(), ("irradiance", buffer))
+            errors = held.errors({"irradiance": 2.0 * flat, buffer: flat})
+            self.assertEqual((errors[one].nrmse, errors[every].nrmse), (0.0, 0.0))
+            errors = held.errors({"irradiance": flat})
+            self.assertEqual(list(errors), [every])
+            self.assertEqual(errors[every].bias, -0.5)
         self.assertIsNone(references.References(everywhere).main)
+
+    def test_what_judges_a_scene(self) -> None:
+        lamp, sky = [object()], object()
+        for areas, environment, names in (
+            ([], None, ("R2", "R3")),
+            ([], sky, ("S1", "S3")),
+            (lamp, None, ("A1", "A3")),
+            (lamp, sky, ("S1", "A1", "A3")),
+        ):
+            scene = mock.Mock(area_lights=areas, environment=environment)
+            self.assertEqual(references.names_of(scene), names)
+            self.assertEqual(references.has_r1(scene), names == ("R2", "R3"))
 
 
 class Differences(unittest.TestCase):
@@ -266,6 +282,29 @@ class Command(DirectoryTest):
             # Directions that are each hard; the bounce between floor and disk holds 4 % of S3.
             self.assertLess(row["nrmse_s1"], 0.04)
             self.assertLess(abs(row["bias_s3"]), 0.06)
+            self.assertNotIn("nrmse_r1", row)
+
+    @unittest.skipUnless(wrapped.has("vtkOpenEXRReader"), "vtkIndirectOpenEXR was not built")
+    def test_under_area_lights(self) -> None:
+        """A1 and A3 of moving and still frames; and plain VTK's."""
+        scene = load_scene(SCENES / "area_cornell.json")
+        stored = SCENES.parent / "Reference" / "data"
+        self.assertEqual(compare.Run(scene, 2, stored).size, (768, 768))
+        run = compare.Run(scene, 2, stored, (256, 256))
+        rows = [sweep.Row(pace, "auto", pace=pace) for pace in ("moving", "still")]
+        found = {row["label"]: row for row in run.run(rows, lambda _what: None)}
+        self.assertEqual({row["error"] for row in found.values()}, {""})
+        self.assertEqual(run.missing.keys(), {"R1, R2 and R3"})
+        for name in ("a1", "a3"):
+            self.assertAlmostEqual(found["vtk"][f"bias_{name}"], -1.0, places=12)
+        for pace, limit in (("moving", 0.06), ("still", 0.03)):
+            row = found[pace]
+            # Steps of 16 and 64 points in the penumbrae; all else is in closed form.
+            self.assertLess(row["nrmse_a1"], limit)
+            self.assertLess(abs(row["bias_a1"]), 0.01)
+            # Bounces after the first hold 0.216 of A3; 256 clusters stand for what sends the first.
+            self.assertAlmostEqual(row["bias_a3"], -0.216, delta=0.03)
+            self.assertGreater(row["frame_ms"], 0.0)
             self.assertNotIn("nrmse_r1", row)
 
     def test_processor_time_is_that_of_all_threads_and_of_no_waiting(self) -> None:

@@ -3,8 +3,8 @@
 
 VTK writes a description (`exporter.py`, the system's Python) and Mitsuba reads it (`tracer.py`, an
 environment of its own), so that no process needs both. A description is a folder with `scene.json`,
-`surface.npz` and, where there is light from all around, `environment.npz`. Lengths are in scene units,
-light strengths in VTK's units.
+`surface.npz`, where there is light from all around `environment.npz`, and where there are area lights
+`area_lights.npz` with their images. Lengths are in scene units, light strengths in VTK's units.
 """
 
 from __future__ import annotations
@@ -109,6 +109,39 @@ class Environment:
 
 
 @dataclass
+class AreaLight:
+    """A parallelogram that sends light: a corner and two edges in world coordinates.
+
+    It sends the same radiance in every direction of the side that edge1 x edge2 points to, and with
+    `two_sided` also of the other one. `image`: radiance in VTK's units, (rows, columns, 3), each
+    pixel a piece of one radiance; the first one lies at the corner, rows along `edge1`.
+    """
+
+    corner: np.ndarray
+    edge1: np.ndarray
+    edge2: np.ndarray
+    image: np.ndarray
+    two_sided: bool = False
+
+    @property
+    def normal(self) -> np.ndarray:
+        """The side that it sends light to, unit."""
+        span = np.cross(self.edge1, self.edge2)
+        return span / np.linalg.norm(span)
+
+    @property
+    def area(self) -> float:
+        """In square scene units."""
+        return float(np.linalg.norm(np.cross(self.edge1, self.edge2)))
+
+    def places(self, row: np.ndarray, column: np.ndarray) -> np.ndarray:
+        """Return places in world coordinates, given in pixels: 0 is the first pixel's edge."""
+        rows, columns = self.image.shape[:2]
+        along1 = np.asarray(column)[..., None] / columns * self.edge1
+        return self.corner + along1 + np.asarray(row)[..., None] / rows * self.edge2
+
+
+@dataclass
 class Surface:
     """Triangles: `points`, `normals` (unit, of either side) and `albedo` at vertices, `faces`.
 
@@ -150,6 +183,7 @@ class Description:
     surface: Surface
     left_out: list[dict[str, str]] = field(default_factory=list)
     environment: Environment | None = None
+    area_lights: list[AreaLight] = field(default_factory=list)
 
     @property
     def center(self) -> np.ndarray:
@@ -176,6 +210,14 @@ class Description:
         (directory / "environment.npz").unlink(missing_ok=True)
         if self.environment is not None:
             np.savez(directory / "environment.npz", **asdict(self.environment))
+        (directory / "area_lights.npz").unlink(missing_ok=True)
+        if self.area_lights:
+            arrays = {
+                f"{key}{index}": value
+                for index, light in enumerate(self.area_lights)
+                for key, value in asdict(light).items()
+            }
+            np.savez(directory / "area_lights.npz", **arrays)
         values: dict[str, Any] = {
             "schema": SCHEMA,
             "name": self.name,
@@ -185,6 +227,17 @@ class Description:
             "left_out": self.left_out,
         }
         (directory / "scene.json").write_text(json.dumps(values, indent=1) + "\n")
+
+
+def _load_area_lights(path: Path) -> list[AreaLight]:
+    lights: list[AreaLight] = []
+    with np.load(path) as arrays:
+        while f"corner{len(lights)}" in arrays:
+            values = [
+                arrays[f"{key}{len(lights)}"] for key in ("corner", "edge1", "edge2", "image")
+            ]
+            lights.append(AreaLight(*values, bool(arrays[f"two_sided{len(lights)}"])))
+    return lights
 
 
 def load(directory: Path) -> Description:
@@ -198,6 +251,7 @@ def load(directory: Path) -> Description:
     if (directory / "environment.npz").exists():
         with np.load(directory / "environment.npz") as arrays:
             environment = Environment(**arrays)
+    areas = directory / "area_lights.npz"
     return Description(
         values["name"],
         tuple(values["size"]),
@@ -206,6 +260,7 @@ def load(directory: Path) -> Description:
         surface,
         values["left_out"],
         environment,
+        _load_area_lights(areas) if areas.exists() else [],
     )
 
 

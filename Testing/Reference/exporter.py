@@ -25,7 +25,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
 )
 
-from description import Camera, Description, Environment, Light, Surface
+from description import AreaLight, Camera, Description, Environment, Light, Surface
 
 # vtkMapper's scalar modes, by number in VTK's headers.
 _DEFAULT, _POINT, _CELL, _POINT_FIELD, _CELL_FIELD = range(5)
@@ -102,24 +102,45 @@ def _axes(up: tuple[float, ...], right: tuple[float, ...]) -> list[np.ndarray]:
     return [x, y, np.cross(x, y)]
 
 
-def export_environment(light: Any) -> Environment:
-    """Return what a vtkEnvironmentLight sends, from its image, its texture or its radiance."""
-    image, encoded = light.GetImage(), False
+def _image_of(light: Any) -> np.ndarray | None:
+    """Return the values of a vtkEmitter's image or texture, (rows, columns, 3); None without."""
+    image, encoded = light.GetImage(), light.GetEncoded()
     if image is None and light.GetTexture() is not None:
         light.GetTexture().Update()
-        image, encoded = light.GetTexture().GetInput(), light.GetTexture().GetUseSRGBColorSpace()
+        image = light.GetTexture().GetInput()
+        encoded = encoded or light.GetTexture().GetUseSRGBColorSpace()
     if image is None:
+        return None
+    width, height, _ = image.GetDimensions()
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)
+    values = pixels.astype(np.float64) / (255.0 if pixels.dtype == np.uint8 else 1.0)
+    values = values[..., :3] if values.shape[2] >= 3 else np.repeat(values[..., :1], 3, axis=2)
+    values = np.where(np.isfinite(values) & (values >= 0.0), values, 0.0)
+    if encoded:  # the transfer function of sRGB, IEC 61966-2-1
+        low = values <= 0.04045
+        values = np.where(low, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+    return values
+
+
+def export_environment(light: Any) -> Environment:
+    """Return what a vtkEnvironmentLight sends, from its image, its texture or its radiance."""
+    values = _image_of(light)
+    if values is None:
         values = np.array(light.GetRadiance()).reshape(1, 1, 3)
-    else:
-        width, height, _ = image.GetDimensions()
-        pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)
-        values = pixels.astype(np.float64) / (255.0 if pixels.dtype == np.uint8 else 1.0)
-        values = values[..., :3] if values.shape[2] >= 3 else np.repeat(values[..., :1], 3, axis=2)
-        values = np.where(np.isfinite(values) & (values >= 0.0), values, 0.0)
-        if encoded:  # the transfer function of sRGB, IEC 61966-2-1
-            low = values <= 0.04045
-            values = np.where(low, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
     return Environment(light.GetScale() * values, *_axes(light.GetUp(), light.GetRight()))
+
+
+def export_area_light(light: Any) -> AreaLight | None:
+    """Return what a vtkAreaLight sends; None where it is off, dark or without area."""
+    image = _image_of(light)
+    values = np.ones((1, 1, 3)) if image is None else image
+    corner, *ends = (
+        np.array(point) for point in (light.GetOrigin(), light.GetPoint1(), light.GetPoint2())
+    )
+    radiance = light.GetScale() * np.array(light.GetRadiance()) * values
+    found = AreaLight(corner, *(end - corner for end in ends), radiance, light.GetTwoSided())
+    lit = light.GetSwitch() and found.area > 0.0 and radiance.max() > 0.0
+    return found if lit else None
 
 
 # Surfaces -----------------------------------------------------------------------------------------
@@ -291,10 +312,12 @@ def export_renderer(
     size: tuple[int, int],
     actors: Iterable[tuple[str, vtkActor]],
     environment: Any = None,
+    area_lights: Iterable[Any] = (),
 ) -> Description:
     """Return what a renderer draws of its actors at `size` pixels.
 
-    `environment`: the vtkEnvironmentLight around them, or None.
+    `environment`: the vtkEnvironmentLight around them, or None. `area_lights`: vtkAreaLights, which
+    are not drawn themselves.
     """
     renderer.UpdateLightsGeometryToFollowCamera()
     left_out: list[dict[str, str]] = []
@@ -322,4 +345,5 @@ def export_renderer(
         Surface.join(parts),
         left_out,
         None if environment is None else export_environment(environment),
+        [found for found in map(export_area_light, area_lights) if found is not None],
     )

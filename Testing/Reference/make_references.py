@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the references R2, R3, S1, S3 of scenes: path traced indirect irradiance, with its error.
+"""Makes the references R2, R3, S1, S3, A1, A3 of scenes: path traced irradiance, with its error.
 
     make_references.py [SCENE...] [--quick] [--force] [--list]
 
@@ -40,13 +40,16 @@ HARD = ("contact_corner", "grazing_light", "two_rooms", "folded_sheet", "many_ob
 SKY = ("sky_machine", "sky_statue", "sky_terrain", "sky_courtyard")
 SKY_KNOWN = ("sky_plane", "sky_wall", "sky_disk", "sky_groove")
 
-SCENES = (*DEMOS, *HARD, *SKY, *SKY_KNOWN)
+# Scenes under area lights.
+AREA = ("area_cornell", "area_machine")
+
+SCENES = (*DEMOS, *HARD, *SKY, *SKY_KNOWN, *AREA)
 
 
 @dataclass(frozen=True)
 class Settings:
     """How large and how good. `noise`: the relMSE that the noise of R2 may make, `deep_noise` that
-    of R3 and S3, `sky_noise` S1's, for which 1e-4 is 1 % of a typical pixel.
+    of R3, S3 and A3, `emitted_noise` S1's and A1's, for which 1e-4 is 1 % of a typical pixel.
 
     Samples are those of one batch; there are `least` to `most` batches. `tail`: the part of the
     light that bounces beyond the last may hold; `deepest` caps them where that is out of reach.
@@ -59,7 +62,7 @@ class Settings:
     most: int = 16
     noise: float = 3e-4
     deep_noise: float = 1e-3
-    sky_noise: float = 1e-4
+    emitted_noise: float = 1e-4
     pilot_samples: int = 16
     tail: float = 1e-3
     deepest: int = 32
@@ -205,78 +208,106 @@ class Pair:
     """The two references of some light: its first part, and all of it.
 
     `pilot` finds how many bounces matter. `one` is traced well, `rest` is what is added to it.
+    `emitted`: `one` is what comes directly from emitters, and `rest` counts all bounces of all light.
     """
 
     names: tuple[str, str]
     pilot: Part
     one: Part
     rest: Part
+    emitted: bool = True
 
 
 LIGHTS = Pair(
-    ("R2", "R3"), Part("pilot", "bounces"), Part("one", "bounces"), Part("rest", "bounces", first=2)
+    ("R2", "R3"),
+    Part("pilot", "bounces"),
+    Part("one", "bounces"),
+    Part("rest", "bounces", first=2),
+    emitted=False,
 )
 SKY_LIGHT = Pair(
     ("S1", "S3"), Part("sky-pilot", "all"), Part("sky", "sky"), Part("sky-rest", "all")
 )
+AREA_LIGHT = Pair(
+    ("A1", "A3"), Part("area-pilot", "all"), Part("area", "area"), Part("area-rest", "all")
+)
+PAIRS = (LIGHTS, SKY_LIGHT, AREA_LIGHT)
 
 
-@dataclass
-class Made:
-    """The two estimates of a `Pair`, and what the record says of them."""
+def pairs_of(scene: Description) -> list[Pair]:
+    """Return the references of a scene. Without light of a kind there is nothing in them."""
+    wanted = [
+        (LIGHTS, scene.lights),
+        (SKY_LIGHT, scene.environment is not None),
+        (AREA_LIGHT, scene.area_lights),
+    ]
+    return [pair for pair, there in wanted if there] or [LIGHTS]
 
-    one: Estimate
-    everything: Estimate
-    record: dict[str, dict[str, Any]]
 
-
-def trace_pair(work: Work, pair: Pair) -> Made:
-    """Trace both references of a pair."""
-    settings, meter = work.settings, work.meter
-    likely = settings.deepest // 2
-    meter.plan(settings.pilot_samples * settings.deepest)
-    meter.plan(settings.least * (settings.samples + settings.deep_samples * likely))
-    first = work.batch(pair.pilot, 0, settings.pilot_samples, settings.deepest)
-    pilot = work.trace([first])[0]["means"].mean(axis=1)
-    depth = estimates.depth_for(pilot, settings.tail)
-    meter.plan(settings.least * settings.deep_samples * (depth - likely))
-    limit = settings.sky_noise if pair is SKY_LIGHT else settings.noise
+def trace_one(work: Work, pair: Pair) -> tuple[Estimate, dict[str, Any]]:
+    """Trace the first of a pair's references; returns it and what the record says of it."""
+    settings = work.settings
+    work.meter.plan(settings.least * settings.samples)
+    limit = settings.emitted_noise if pair.emitted else settings.noise
     one, _, seeds = work.estimate(pair.one, settings.samples, 1, limit)
-    rest, means, deep_seeds = work.estimate(
-        pair.rest, settings.deep_samples, depth, settings.deep_noise, one
-    )
-    everything = one + rest
     valid = work.surfaces["valid"] > 0
-    whole = means.mean(axis=1)
-    first_record = {
+    record = {
         "samples": settings.samples * len(seeds),
         "batches": len(seeds),
         "seeds": seeds,
         "bounces": pair.rest.first - 1,
         **_summary(one, valid),
     }
-    count, batches = settings.deep_samples * len(deep_seeds), len(deep_seeds)
-    if pair is SKY_LIGHT:
-        first_record["rmse_over_mean"] = one.rmse_over_mean(valid)
-        sampled = {"samples_of_bounces": count, "batches_of_bounces": batches}
-    else:
-        sampled = {"samples_beyond_first_bounce": count, "batches_beyond_first_bounce": batches}
-    return Made(
-        one,
-        everything,
-        {
-            pair.names[0]: first_record,
-            pair.names[1]: {
-                **sampled,
-                "seeds": deep_seeds,
-                "bounces": depth,
-                "capped": depth == settings.deepest,
-                "left_out_by_depth": estimates.tail(whole, depth),
-                "fraction_of_bounce": (whole / whole.sum()).tolist() if whole.sum() else [],
-                **_summary(everything, valid),
-            },
-        },
+    if pair.emitted:
+        record["rmse_over_mean"] = one.rmse_over_mean(valid)
+    return one, record
+
+
+def trace_rest(work: Work, pair: Pair, known: Estimate) -> tuple[Estimate, dict[str, Any]]:
+    """Trace what the second of a pair's references adds to `known`; returns as `trace_one`."""
+    settings, meter = work.settings, work.meter
+    meter.plan(settings.pilot_samples * settings.deepest)
+    first = work.batch(pair.pilot, 0, settings.pilot_samples, settings.deepest)
+    pilot = work.trace([first])[0]["means"].mean(axis=1)
+    depth = estimates.depth_for(pilot, settings.tail)
+    meter.plan(settings.least * settings.deep_samples * depth)
+    rest, means, seeds = work.estimate(
+        pair.rest, settings.deep_samples, depth, settings.deep_noise, known
     )
+    everything = known + rest
+    whole = means.mean(axis=1)
+    of = "of_bounces" if pair.emitted else "beyond_first_bounce"
+    return everything, {
+        f"samples_{of}": settings.deep_samples * len(seeds),
+        f"batches_{of}": len(seeds),
+        "seeds": seeds,
+        "bounces": depth,
+        "capped": depth == settings.deepest,
+        "left_out_by_depth": estimates.tail(whole, depth),
+        "fraction_of_bounce": (whole / whole.sum()).tolist() if whole.sum() else [],
+        **_summary(everything, work.surfaces["valid"] > 0),
+    }
+
+
+def trace_pairs(work: Work) -> tuple[dict[str, Estimate], dict[str, dict[str, Any]]]:
+    """Trace all references of a scene; returns them and their records, by their names.
+
+    Of several kinds of emitters each has its first reference, and the last kind has all light.
+    """
+    found: dict[str, Estimate] = {}
+    records: dict[str, dict[str, Any]] = {}
+    emitted: Estimate | None = None
+    pairs = pairs_of(work.scene)
+    for pair in pairs:
+        first, second = pair.names
+        one, records[first] = trace_one(work, pair)
+        found[first] = one
+        if pair.emitted:
+            emitted = one if emitted is None else emitted + one
+        if pair.emitted and pair is not pairs[-1]:
+            continue
+        found[second], records[second] = trace_rest(work, pair, emitted or one)
+    return found, records
 
 
 def _vtk_image(values: np.ndarray) -> Any:
@@ -325,23 +356,19 @@ def make(path: Path, settings: Settings, directory: Path) -> dict[str, Any]:
     began = time.perf_counter()
     meter = Meter(path.stem)
     work = Work(path, settings, meter)
-    # Without lights there is nothing in R2 and R3, without a sky nothing in S1 and S3.
-    pairs = [LIGHTS] if work.scene.lights or work.scene.environment is None else []
-    pairs += [SKY_LIGHT] if work.scene.environment is not None else []
-    made = {pair.names: trace_pair(work, pair) for pair in pairs}
+    found, records = trace_pairs(work)
     meter.clear()
 
     seen = work.surfaces
     valid = seen["valid"] > 0
     mask = valid[..., None]
-    shown = made[pairs[-1].names].everything
+    shown = list(found.values())[-1]
     picture = seen["albedo"] * (seen["direct"] + shown.image)
     image, record = provenance.paths(path, directory)
     layers: dict[str, np.ndarray] = {}
-    for names, pair in made.items():
-        for name, found in zip(names, (pair.one, pair.everything)):
-            layers[name] = found.image
-            layers[f"{name}_error"] = np.sqrt((found.error**2).mean(axis=-1, keepdims=True))
+    for name, estimate in found.items():
+        layers[name] = estimate.image
+        layers[f"{name}_error"] = np.sqrt((estimate.error**2).mean(axis=-1, keepdims=True))
     layers.update(
         {"albedo": seen["albedo"], "direct": seen["direct"], "depth": seen["depth"][..., None]}
     )
@@ -354,7 +381,7 @@ def make(path: Path, settings: Settings, directory: Path) -> dict[str, Any]:
         "image": {"file": image.name, "size": list(work.size)},
         "settings": asdict(settings),
         "receivers": int(valid.sum()),
-        **{key: part for pair in made.values() for key, part in pair.record.items()},
+        **records,
         "geometry": _geometry(work.scene),
         "versions": {
             **work.versions,
@@ -375,8 +402,8 @@ def rows(values: dict[str, Any]) -> list[str]:
     """Return a line for each pair of references that a record holds."""
     lines = []
     size = "x".join(map(str, values["image"]["size"]))
-    for names in (LIGHTS.names, SKY_LIGHT.names):
-        if names[0] not in values:
+    for names in (pair.names for pair in PAIRS):
+        if names[1] not in values:
             continue
         one, every = (values[name] for name in names)
         lines.append(

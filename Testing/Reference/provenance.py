@@ -42,7 +42,7 @@ def data_hashes(path: Path) -> dict[str, str]:
     """Return the SHA-256 of each data file that a scene file names, by the name that it uses."""
     values = json.loads(path.read_text(encoding="utf-8-sig"))
     named = [*values["actors"], *values.get("lights", [])]
-    names = sorted({part["file"] for part in named if "file" in part})
+    names = sorted({part[key] for part in named for key in ("file", "texture") if key in part})
     return {name: file_hash(path.parent / name) for name in names}
 
 

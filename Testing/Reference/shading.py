@@ -155,8 +155,41 @@ def make_sky(sky: description.Environment) -> dict[str, Any]:
     return {"type": "envmap", "bitmap": bitmap, "to_world": mi.ScalarTransform4f(turn)}
 
 
-def make_scene(scene: description.Description, with_sky: bool = False) -> mi.Scene:
-    """Return the Mitsuba scene of a description, in tracer coordinates."""
+def make_area_light(
+    light: description.AreaLight, center: np.ndarray, scale: float
+) -> dict[str, Any]:
+    """Return Mitsuba's dictionary for an area light; only its own integrators need it.
+
+    It is a black surface there, which light does not pass. Mitsuba's rectangle has edges of length
+    2 along x and y, and its image begins where both are -1.
+    """
+    if light.two_sided:
+        raise ValueError("Mitsuba's area emitters have one side")
+    turn = np.eye(4)
+    turn[:3, 0], turn[:3, 1] = 0.5 * scale * light.edge1, 0.5 * scale * light.edge2
+    turn[:3, 2] = light.normal
+    turn[:3, 3] = (light.corner + 0.5 * (light.edge1 + light.edge2) - center) * scale
+    image = np.ascontiguousarray(light.image, dtype=np.float32)
+    radiance = {
+        "type": "bitmap",
+        "bitmap": mi.Bitmap(image),
+        "raw": True,
+        "filter_type": "nearest",
+        "wrap_mode": "clamp",
+    }
+    return {
+        "type": "rectangle",
+        "to_world": mi.ScalarTransform4f(turn),
+        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.0}},
+        "emitter": {"type": "area", "radiance": radiance},
+    }
+
+
+def make_scene(scene: description.Description, with_emitters: bool = False) -> mi.Scene:
+    """Return the Mitsuba scene of a description, in tracer coordinates.
+
+    `with_emitters`: with sky and area lights, which the tracer's own estimators do not need.
+    """
     surface = scene.surface
     properties = mi.Properties()
     properties["mesh_bsdf"] = mi.load_dict(
@@ -187,8 +220,10 @@ def make_scene(scene: description.Description, with_sky: bool = False) -> mi.Sce
     for index, light in enumerate(scene.lights):
         emitted = description.emitter(light, scene.center, scene.scale)
         objects[f"light{index}"] = make_emitter(emitted)
-    if with_sky and scene.environment is not None:
+    if with_emitters and scene.environment is not None:
         objects["sky"] = make_sky(scene.environment)
+    for index, area_light in enumerate(scene.area_lights if with_emitters else []):
+        objects[f"area{index}"] = make_area_light(area_light, scene.center, scene.scale)
     return mi.load_dict(objects)
 
 

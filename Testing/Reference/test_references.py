@@ -12,7 +12,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import make_references
 import provenance
 
-PAIRS = (("R2", "R3"), ("S1", "S3"))
+PAIRS = (("R2", "R3"), ("S1", "S3"), ("A1", "A3"))
 
 
 def pairs_of(record: dict) -> list[tuple[str, str]]:
@@ -45,13 +45,13 @@ class Stored(unittest.TestCase):
                 record = provenance.read(name)
                 self.assertTrue(pairs_of(record))
                 for one, every in pairs_of(record):
-                    limit = settings.sky_noise if one == "S1" else settings.noise
+                    limit = settings.emitted_noise if one in ("S1", "A1") else settings.noise
                     self.assertLessEqual(record[one]["noise_relmse"], 2 * limit)
                     self.assertLessEqual(record[every]["noise_relmse"], 2 * settings.deep_noise)
                     self.assertLessEqual(record[every]["left_out_by_depth"], 2 * settings.tail)
-                if "S1" in record:
-                    self.assertLessEqual(record["S1"]["rmse_over_mean"], 0.01)
-                    self.assertGreaterEqual(record["S1"]["samples"], 1024)
+                for name in {"S1", "A1"} & record.keys():
+                    self.assertLessEqual(record[name]["rmse_over_mean"], 0.01)
+                    self.assertGreaterEqual(record[name]["samples"], 1024)
 
     @unittest.skipUnless(wrapped.has("vtkOpenEXRReader"), "built without OpenEXR")
     def test_images_hold_what_the_records_say(self) -> None:

@@ -44,7 +44,12 @@ def describe(path: Path) -> Description:
 
     scene = vtkindirect.load_scene(path)
     return exporter.export_renderer(
-        scene.renderer, scene.name, scene.size, scene.actors.items(), scene.environment
+        scene.renderer,
+        scene.name,
+        scene.size,
+        scene.actors.items(),
+        scene.environment,
+        scene.area_lights,
     )
 
 

@@ -15,7 +15,7 @@ import math
 import sys
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +23,7 @@ import mitsuba as mi
 import numpy as np
 
 import description
+from area_lights import Rectangle
 from shading import SCALAR, VARIANT, albedo_at, direct, first_hit, make_scene, ray_origin, sides, take
 from sky import Sky
 
@@ -44,10 +45,14 @@ RECEIVER = ("point", "back", "facet", "normal")
 
 @dataclass
 class World:
-    """What rays meet: the scene, and beyond it the sky where there is one."""
+    """What rays meet: the scene, and beyond it the sky where there is one; and area lights."""
 
     scene: mi.Scene
     sky: Sky | None = None
+    area_lights: list[Rectangle] = field(default_factory=list)
+
+
+Estimator = Callable[[World, dict[str, Any], mi.Sampler, int], Iterator[tuple[Any, Any]]]
 
 
 def _numbers(sampler: mi.Sampler, lane: Any) -> Any:
@@ -82,15 +87,62 @@ def sky_at(world: World, receiver: dict[str, Any], sampler: mi.Sampler, lane: An
     return total
 
 
-def sky(
-    world: World, start: dict[str, Any], sampler: mi.Sampler, _depth: int
-) -> Iterator[tuple[Any, Any]]:
-    """Yield one sample of the irradiance at receivers that comes directly from the sky."""
-    lane = None if SCALAR else dr.arange(mi.UInt32, dr.width(start["point"]))
-    light = sky_at(world, {**start, "active": mi.Bool(True)}, sampler, lane)
-    if not SCALAR:
-        dr.eval(light, lane)
-    yield light, lane
+def area_at(world: World, receiver: dict[str, Any], sampler: mi.Sampler, lane: Any) -> Any:
+    """Return one sample of the irradiance that comes directly from area lights, in VTK's units.
+
+    E = 1/pi times the integral of radiance times cosine over the directions in which an area light
+    is met before any surface. One direction is drawn by the cosine, which counts where a light is
+    near, and for each light one place by the radiance; weighted as in `sky_at`.
+    """
+    facet, normal, point = receiver["facet"], receiver["normal"], receiver["point"]
+    start = ray_origin(point, facet, receiver["back"])
+    local = mi.warp.square_to_cosine_hemisphere(_numbers(sampler, lane))
+    direction = mi.Frame3f(normal).to_world(local)
+    total = mi.Color3f(0.0) if SCALAR else dr.zeros(mi.Color3f, dr.width(start))
+    for light in world.area_lights:
+        met, *by_cosine = light.meet(point, direction)
+        for drawn, (u, v) in (
+            (met, by_cosine),
+            (True, light.sample(_numbers(sampler, lane))),
+        ):
+            place, radiance = light.place(u, v), light.radiance(u, v)
+            way = place - point
+            cosine = dr.dot(normal, way) * dr.rsqrt(dr.squared_norm(way))
+            density, sent = light.density(radiance, way)
+            free = receiver["active"] & sent & drawn
+            free &= (cosine > 0.0) & (dr.dot(facet, way) > 0.0)
+            along = place - start
+            length = dr.norm(along)
+            far = length * (1.0 - mi.math.ShadowEpsilon)
+            free &= ~world.scene.ray_test(mi.Ray3f(start, along / length, far, 0.0, []), free)
+            share = cosine * dr.inv_pi
+            total += dr.select(free, radiance * (share / (share + density)), 0.0)
+    return total
+
+
+def emitted_at(world: World, receiver: dict[str, Any], sampler: mi.Sampler, lane: Any) -> Any:
+    """Return one sample of what comes directly from the sky and from area lights."""
+    light = mi.Color3f(0.0)
+    if world.sky is not None:
+        light = light + sky_at(world, receiver, sampler, lane)
+    if world.area_lights:
+        light = light + area_at(world, receiver, sampler, lane)
+    return light
+
+
+def _directly(what: Callable[..., Any]) -> Estimator:
+    """Return the estimator of one sample of light that comes directly to the receivers."""
+
+    def estimate(
+        world: World, start: dict[str, Any], sampler: mi.Sampler, _depth: int
+    ) -> Iterator[tuple[Any, Any]]:
+        lane = None if SCALAR else dr.arange(mi.UInt32, dr.width(start["point"]))
+        light = what(world, {**start, "active": mi.Bool(True)}, sampler, lane)
+        if not SCALAR:
+            dr.eval(light, lane)
+        yield light, lane
+
+    return estimate
 
 
 def bounces(
@@ -98,11 +150,11 @@ def bounces(
     start: dict[str, Any],
     sampler: mi.Sampler,
     depth: int,
-    with_sky: bool = False,
+    with_emitters: bool = False,
 ) -> Iterator[tuple[Any, Any]]:
     """Yield the incident irradiance at receivers by bounce 1, 2, ... `depth`, one sample each.
 
-    It is light of the lights, and of the sky where that is asked for. Each is the light and the
+    It is light of the lights, and of sky and area lights where that is asked for. Each is the light and the
     lanes that it belongs to; other lanes have none. There is no Russian roulette: a path ends where
     it leaves the scene, or at `depth`.
     """
@@ -134,9 +186,9 @@ def bounces(
         facet, normal, there = sides(hit, direction)
         throughput = throughput * albedo_at(hit, there)
         light = direct(scene, point, back, facet, normal, there)
-        if with_sky:
+        if with_emitters:
             receiver = dict(zip(RECEIVER, (point, back, facet, normal)), active=there)
-            light += sky_at(world, receiver, sampler, lane)
+            light += emitted_at(world, receiver, sampler, lane)
         light = throughput * light
         dr.eval(light, point, back, facet, normal, throughput, lane)
         yield light, lane
@@ -145,8 +197,8 @@ def bounces(
 def all_bounces(
     world: World, start: dict[str, Any], sampler: mi.Sampler, depth: int
 ) -> Iterator[tuple[Any, Any]]:
-    """Yield the same as `bounces`, of the lights and of the sky."""
-    return bounces(world, start, sampler, depth, with_sky=world.sky is not None)
+    """Yield the same as `bounces`, of the lights, the sky and area lights."""
+    return bounces(world, start, sampler, depth, with_emitters=True)
 
 
 def through_everything(
@@ -185,12 +237,11 @@ def through_everything(
 
 # Jobs ---------------------------------------------------------------------------------------------
 
-Estimator = Callable[[World, dict[str, Any], mi.Sampler, int], Iterator[tuple[Any, Any]]]
-
 ESTIMATORS: dict[str, Estimator] = {
     "bounces": bounces,
     "all": all_bounces,
-    "sky": sky,
+    "sky": _directly(sky_at),
+    "area": _directly(area_at),
     "open": through_everything,
 }
 
@@ -291,14 +342,16 @@ class Tracer:
         self.description = description.load(folder)
         self.size = size
         environment = self.description.environment
+        center, scale = self.description.center, self.description.scale
         self.world = World(
-            make_scene(self.description), None if environment is None else Sky(environment)
+            make_scene(self.description),
+            None if environment is None else Sky(environment),
+            [Rectangle(light, center, scale) for light in self.description.area_lights],
         )
         camera = self.description.camera
         origins, directions = (v.reshape(-1, 3) for v in camera.rays(*size))
-        scale = self.description.scale
         lengths = (camera.far - camera.near) / (directions @ np.array(camera.forward)) * scale
-        origins = (origins - self.description.center) * scale
+        origins = (origins - center) * scale
         self.start = _first_hits(self.world.scene, origins, directions, lengths)
 
     def surfaces(self) -> dict[str, np.ndarray]:
@@ -327,9 +380,9 @@ class Tracer:
     ) -> dict[str, np.ndarray]:
         """Return `image`, the irradiance by bounces `first` to `depth`, (height, width, 3).
 
-        `kind`: "bounces" of the lights, "all" for those of lights and sky, "sky" for what comes
-        directly from the sky (`depth` is 1), or "open" for one bounce with nothing in the way and
-        `depth` layers.
+        `kind`: "bounces" of the lights, "all" for those of lights, sky and area lights, "sky" and
+        "area" for what comes directly from the sky and from area lights (`depth` is 1), or "open"
+        for one bounce with nothing in the way and `depth` layers.
         `most`: how many receivers to trace, the others stay black; default: all of them.
         `means` are those of each bounce over the receivers, (bounces, 3).
         """
@@ -358,7 +411,8 @@ class Tracer:
 def _path_means(folder: Path, size: tuple[int, int], samples: int) -> dict[str, list[float]]:
     """Return the mean radiance of bounces 0, 1 and 2 by Mitsuba's own path integrator.
 
-    The sky is Mitsuba's own emitter there. Bounce 0 is what it shows of lights and sky on surfaces.
+    Sky and area lights are Mitsuba's own emitters there. Bounce 0 is what it shows of all light on
+    surfaces.
     """
     if SCALAR:
         raise ValueError("needs a vectorising variant")
@@ -383,7 +437,7 @@ def _path_means(folder: Path, size: tuple[int, int], samples: int) -> dict[str, 
             "sampler": {"type": "multijitter", "sample_count": samples},
         }
     )
-    made = make_scene(scene, with_sky=True)
+    made = make_scene(scene, with_emitters=True)
     images = []
     for depth in (1, 2, 3, 4):
         integrator = mi.load_dict({"type": "path", "max_depth": depth, "rr_depth": 1000})

@@ -137,17 +137,17 @@ class Run:
         """
         self.scene = scene
         self.count = count
-        self.with_errors = with_errors and not scene.area_lights
+        self.with_errors = with_errors
         if stored is not None and stored.is_dir():
             stored = stored / f"{scene.name}.exr"
         self.stored = stored
         self.size = size or references.natural_size(stored) or scene.size
         self.missing = references.stored_images(stored, self.size, references.names_of(scene))[1]
         if not self.with_errors:
-            why = "there is no reference for area lights yet"
-            self.missing = {"errors": why if with_errors else "times alone were asked for"}
-        elif scene.environment is not None:
-            self.missing["R1, R2 and R3"] = "they know VTK's lights only, S3 knows the sky as well"
+            self.missing = {"errors": "times alone were asked for"}
+        elif not references.has_r1(scene):
+            whole = "A3 knows area lights" if scene.area_lights else "S3 knows the sky"
+            self.missing["R1, R2 and R3"] = f"they know VTK's lights only, {whole} as well"
         self.common: Result = {
             "schema": SCHEMA,
             "scene": scene.name,
@@ -173,10 +173,10 @@ class Run:
             raise self._references
         return self._references
 
-    def judge(self, irradiance: np.ndarray, sky: np.ndarray | None = None) -> Result:
-        """Errors of an image against each reference; `sky`: the buffer of that name, for S1."""
+    def judge(self, seen: references.Buffers) -> Result:
+        """Errors of a frame's buffers against each reference."""
         result: Result = {}
-        for name, errors in self.references().errors(irradiance, sky).items():
+        for name, errors in self.references().errors(seen).items():
             values = errors.as_dict()
             result.update({f"{metric}_{name.lower()}": values[metric] for metric in METRICS})
         result["masked_share"] = self.references().masked_share()
@@ -198,7 +198,7 @@ class Run:
         result = self.timed(Row(row.label, "off"))
         result["indirect_ms"] = None
         nothing = np.zeros((self.size[1], self.size[0], 3))
-        result.update(self.judge(nothing, nothing))
+        result.update(self.judge(dict.fromkeys(self.references().buffers(), nothing)))
         return result
 
     def method(self, row: Row) -> Result:
@@ -206,16 +206,16 @@ class Run:
         self.references()
         result = self.timed(row)
         if row.method != "off":
-            irradiance = images.copy_buffer(self.scene.renderer, "irradiance")
-            judges = self.references().images
-            wanted = any(name in references.OF_SKY for name in judges)
-            sky = images.copy_buffer(self.scene.renderer, "sky") if wanted else None
-            result.update(self.judged(row, irradiance, sky))
+            seen = {
+                name: images.copy_buffer(self.scene.renderer, name)
+                for name in self.references().buffers()
+            }
+            result.update(self.judged(row, seen))
         return result
 
-    def judged(self, _row: Row, irradiance: np.ndarray, sky: np.ndarray | None) -> Result:
-        """What a row says of its image."""
-        return self.judge(irradiance, sky)
+    def judged(self, _row: Row, seen: references.Buffers) -> Result:
+        """What a row says of its frame."""
+        return self.judge(seen)
 
     def attempt(self, row: Row, work: Callable[[], Result]) -> Result:
         """Do the work of a row; whatever goes wrong becomes the row's error."""
@@ -283,7 +283,7 @@ def add_arguments(
     parser.add_argument(
         "--reference",
         metavar="PATH",
-        help="an .exr file with the layers R2 and R3, S1 and S3, or the directory of SCENE.exr "
+        help="an .exr file with the layers R2 and R3, S1 and S3, A1 and A3, or the directory of SCENE.exr "
         f"(default: beside the scenes, if there); '{TIMES_ALONE}': times alone, without errors",
     )
     parser.add_argument(

@@ -6,8 +6,10 @@
 * R2: one diffuse bounce with true visibility, R3: all bounces; path traced beforehand and stored as
   layers of ``<scene>.exr`` (irradiance in VTK's units, albedo divided out).
 * S1: what comes directly from the sky, which is the buffer ``sky``, S3: that and all bounces of sky
-  and lights; stored likewise. They take the place of the others in scenes with an environment,
-  because R1, R2 and R3 know VTK's lights only and an image holds the light of both.
+  and lights; A1: what comes directly from area lights, the buffer ``area``, A3: that, all bounces
+  and what sky there is. They are stored likewise, and take the place of the others in scenes with an
+  environment or area lights, because R1, R2 and R3 know VTK's lights only and an image holds all
+  light.
 
 A stored reference may be smaller than the image it judges, by an odd factor: its pixels are then
 the centres of blocks of pixels, and the very same points are compared.
@@ -16,7 +18,7 @@ the centres of blocks of pixels, and the very same points are compared.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -27,12 +29,16 @@ from vtkindirect import images, messages, methods, metrics, wrapped
 from vtkindirect.errors import RenderError, UsageError
 from vtkindirect.scene import Scene
 
-LIGHTS, SKY = ("R2", "R3"), ("S1", "S3")
-STORED = (*LIGHTS, *SKY)
-MAIN = ("R1", "S3", "S1")
+LIGHTS, SKY, AREA = ("R2", "R3"), ("S1", "S3"), ("A1", "A3")
+STORED = (*LIGHTS, *SKY, *AREA)
+MAIN = ("R1", "A3", "S3", "A1", "S1")
 """The reference that pictures of differences are made with: the first of these that is there."""
-OF_SKY = ("S1",)
-"""References of the buffer ``sky``; all others are of ``irradiance``."""
+ALL_LIGHT = "irradiance"
+"""The buffer that references are of, but for those of `BUFFERS`."""
+BUFFERS = {"S1": "sky", "A1": "area"}
+"""The buffer that a reference is of."""
+Buffers = Mapping[str, np.ndarray]
+"""What a frame holds of light, by the name of the buffer."""
 MAP_TEXELS = 256
 """Edge of the maps that make R1; at 128 its own relMSE is below 2e-5."""
 FACTOR = 3
@@ -62,15 +68,17 @@ class References:
         """The name of the reference that pictures of differences are made with."""
         return next((name for name in MAIN if name in self.images), None)
 
-    def pairs(
-        self, irradiance: np.ndarray, sky: np.ndarray | None = None
-    ) -> Iterator[tuple[str, tuple[np.ndarray, ...]]]:
+    def buffers(self) -> tuple[str, ...]:
+        """The buffers that the references are of."""
+        return tuple(dict.fromkeys((ALL_LIGHT, *(buffer_of(name) for name in self.images))))
+
+    def pairs(self, seen: Buffers) -> Iterator[tuple[str, tuple[np.ndarray, ...]]]:
         """For each reference its name, and image, reference and mask at the reference's pixels.
 
-        `sky` is the buffer of that name; without it nothing is compared with S1.
+        Nothing is compared with references of buffers that are not there.
         """
         for name, reference in self.images.items():
-            image, mask = sky if name in OF_SKY else irradiance, self.mask
+            image, mask = seen.get(buffer_of(name)), self.mask
             if image is None:
                 continue
             if name == "R1" and self.surfaces is not None:
@@ -81,16 +89,26 @@ class References:
                 image, mask = image[centre, centre], mask[centre, centre]
             yield name, (image, reference, mask)
 
-    def errors(
-        self, irradiance: np.ndarray, sky: np.ndarray | None = None
-    ) -> dict[str, metrics.Errors]:
-        """Errors of an image against each reference that is there, by its name; as for `pairs`."""
-        return {name: metrics.compare(*pair) for name, pair in self.pairs(irradiance, sky)}
+    def errors(self, seen: Buffers) -> dict[str, metrics.Errors]:
+        """Errors of a frame against each reference that is there, by its name; as for `pairs`."""
+        return {name: metrics.compare(*pair) for name, pair in self.pairs(seen)}
+
+
+def buffer_of(name: str) -> str:
+    """Return the buffer that a reference is of."""
+    return BUFFERS.get(name, ALL_LIGHT)
 
 
 def names_of(scene: Scene) -> tuple[str, ...]:
     """Return the stored references that judge images of a scene."""
+    if scene.area_lights:
+        return AREA if scene.environment is None else (SKY[0], *AREA)
     return SKY if scene.environment is not None else LIGHTS
+
+
+def has_r1(scene: Scene) -> bool:
+    """Whether R1 judges images of a scene: whether they hold light of VTK's lights alone."""
+    return names_of(scene) == LIGHTS
 
 
 def r1(scene: Scene) -> np.ndarray:
@@ -185,7 +203,7 @@ def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> Referen
 
     `stored` is the EXR file with the stored ones, or None.
     """
-    first = {"R1": r1(scene)} if scene.environment is None else {}
+    first = {"R1": r1(scene)} if has_r1(scene) else {}
     methods.enable(scene.renderer, "gather", lighting="scene", NumberOfLights=1)
     try:
         scene.render_window.Render()
