@@ -14,6 +14,7 @@ import argparse
 import datetime
 import hashlib
 import json
+import math
 import platform
 import sys
 import time
@@ -41,7 +42,7 @@ SKY = ("sky_machine", "sky_statue", "sky_terrain", "sky_courtyard")
 SKY_KNOWN = ("sky_plane", "sky_wall", "sky_disk", "sky_groove")
 
 # Scenes under area lights.
-AREA = ("area_cornell", "area_machine")
+AREA = ("area_cornell", "area_machine", "area_apartment")
 
 SCENES = (*DEMOS, *HARD, *SKY, *SKY_KNOWN, *AREA)
 
@@ -50,6 +51,7 @@ SCENES = (*DEMOS, *HARD, *SKY, *SKY_KNOWN, *AREA)
 class Settings:
     """How large and how good. `noise`: the relMSE that the noise of R2 may make, `deep_noise` that
     of R3, S3 and A3, `emitted_noise` S1's and A1's, for which 1e-4 is 1 % of a typical pixel.
+    `emitted_error`: the root mean square error over the mean that S1 and A1 may have.
 
     Samples are those of one batch; there are `least` to `most` batches. `tail`: the part of the
     light that bounces beyond the last may hold; `deepest` caps them where that is out of reach.
@@ -63,6 +65,7 @@ class Settings:
     noise: float = 3e-4
     deep_noise: float = 1e-3
     emitted_noise: float = 1e-4
+    emitted_error: float = 0.01
     pilot_samples: int = 16
     tail: float = 1e-3
     deepest: int = 32
@@ -166,9 +169,15 @@ class Work:
             return dict(loaded)
 
     def estimate(
-        self, part: Part, samples: int, depth: int, limit: float, of: Estimate | None = None
+        self,
+        part: Part,
+        samples: int,
+        depth: int,
+        limit: float,
+        of: Estimate | None = None,
+        error: float = math.inf,
     ) -> tuple[Estimate, np.ndarray, list[list[Any]]]:
-        """Trace batches until the noise is at most `limit`.
+        """Trace batches until the noise is at most `limit`, and the error over the mean `error`.
 
         Returns the estimate, the mean light of each bounce and the seeds. `of`: what the estimate
         will be added to, and its noise compared with.
@@ -188,7 +197,8 @@ class Work:
             result = estimates.combine([arrays["image"] for arrays in found], valid)
             whole = result if of is None else of + result
             done = len(batches) >= self.settings.most
-            if done or whole.noise(valid) <= limit:
+            fine = whole.noise(valid) <= limit and whole.rmse_over_mean(valid) <= error
+            if done or fine:
                 means = np.mean([arrays["means"] for arrays in found], axis=0)
                 return result, means, [batch["seed"] for batch in batches]
             for arrays in found:
@@ -249,7 +259,8 @@ def trace_one(work: Work, pair: Pair) -> tuple[Estimate, dict[str, Any]]:
     settings = work.settings
     work.meter.plan(settings.least * settings.samples)
     limit = settings.emitted_noise if pair.emitted else settings.noise
-    one, _, seeds = work.estimate(pair.one, settings.samples, 1, limit)
+    error = settings.emitted_error if pair.emitted else math.inf
+    one, _, seeds = work.estimate(pair.one, settings.samples, 1, limit, error=error)
     valid = work.surfaces["valid"] > 0
     record = {
         "samples": settings.samples * len(seeds),
