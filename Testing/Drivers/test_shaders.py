@@ -23,6 +23,8 @@ TESTS = (
     ("TestPassContract", "KindsFull"),
     ("TestPassContract", "PropsTubes"),
     ("TestPassContract", "SkyPathsSame"),
+    ("IndirectRadiometryTests", "AreaImageSplitsWithoutPop"),
+    ("IndirectRadiometryTests", "AreaPenumbraInMovingFrames"),
 )
 """Programs and tests that have all stages compiled between them, as on the processor, as on a card,
 and as compute shaders."""

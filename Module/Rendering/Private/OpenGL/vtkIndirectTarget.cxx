@@ -10,6 +10,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -401,13 +402,14 @@ std::vector<float> vtkIndirectTarget::ReadBack(int channel) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectTarget::Write(int channel, const std::vector<float>& values)
+void vtkIndirectTarget::Write(int channel, const std::vector<float>& values, int row)
 {
   vtkTextureObject* texture = this->Textures[channel];
   texture->Activate();
   this->Window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage2D(
-    GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, values.data());
+  const int rows = static_cast<int>(values.size() / 4 / static_cast<size_t>(this->Width));
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, row, this->Width, std::min(rows, this->Height - row),
+    GL_RGBA, GL_FLOAT, values.data());
   texture->Deactivate();
 }
 

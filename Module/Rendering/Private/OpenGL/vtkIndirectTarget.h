@@ -92,8 +92,8 @@ public:
   /** Reads a channel back, four floats a pixel, bottom row first. */
   std::vector<float> ReadBack(int channel) const;
 
-  /** Replaces a channel's content: four floats a pixel, bottom row first. */
-  void Write(int channel, const std::vector<float>& values);
+  /** Replaces a channel's content from a row on: four floats a pixel, bottom row first. */
+  void Write(int channel, const std::vector<float>& values, int row = 0);
 
   /** One line a channel: name, meaning, size, format, space and unit. */
   void Print(std::ostream& os, vtkIndent indent) const;

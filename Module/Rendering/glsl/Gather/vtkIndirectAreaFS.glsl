@@ -3,7 +3,7 @@
 // What comes directly from one area light: in closed form if nothing hid it, times the share of it that is seen, by
 // the depth maps of a few points of it.
 // VTKI_AREA_POINTS: points in the block. VTKI_VISIBILITY: without it nothing hides the light.
-// VTKI_AREA_IMAGE: its radiance is an image: a pyramid of it, summed down to where it does not matter.
+// VTKI_AREA_IMAGE: its radiance is an image.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibAreaLight.glsl"
 #ifdef VTKI_VISIBILITY
@@ -15,7 +15,9 @@ uniform vec3 vtkiAreaEdge1;
 uniform vec3 vtkiAreaEdge2;
 uniform vec3 vtkiAreaNormal; // where it sends light to
 uniform bool vtkiAreaTwoSided;
-uniform vec3 vtkiAreaRadiance; // the mean
+#ifndef VTKI_AREA_IMAGE
+uniform vec3 vtkiAreaRadiance;
+#endif
 
 #ifdef VTKI_VISIBILITY
 layout(std140) uniform vtkiAreaBlock
@@ -28,62 +30,9 @@ uniform float vtkiAreaShare; // area that a point stands for
 #endif
 
 #ifdef VTKI_AREA_IMAGE
-uniform sampler2D vtkiAreaPyramid; // radiance; greatest deviation of its sum over the colours from the mean
-uniform int vtkiAreaLevel;         // of the single texel
-uniform float vtkiAreaTolerance;
+#include "vtkIndirectAreaImage.glsl"
 
-// Levels lie beside each other, the finest one alone to the left.
-vec4 vtkiFetchAreaTexel(int level, ivec2 texel)
-{
-  int edge = 1 << vtkiAreaLevel;
-  ivec2 first = level == 0 ? ivec2(0) : ivec2(edge, edge - (edge >> (level - 1)));
-  return texelFetch(vtkiAreaPyramid, first + texel, 0);
-}
-
-// Irradiance from the image if nothing hid it. A texel stands for all below it where their differences make less
-// than the tolerance of the whole.
-vec3 vtkiFromAreaImage(vec3 corner, vec3 normal)
-{
-  vec4 whole = vtkiFetchAreaTexel(vtkiAreaLevel, ivec2(0));
-  float goal = vtkiAreaTolerance * (whole.r + whole.g + whole.b) *
-    vtkiRectangleFormFactor(corner, vtkiAreaEdge1, vtkiAreaEdge2, normal);
-  int level = vtkiAreaLevel;
-  ivec2 texel = ivec2(0);
-  vec3 sum = vec3(0.0f);
-  // More are not worth their time: what is left is taken as it is.
-  for (int round = 0; round < 2048 && level <= vtkiAreaLevel; ++round)
-  {
-    float width = 1.0f / float(1 << (vtkiAreaLevel - level));
-    vec3 edge1 = width * vtkiAreaEdge1;
-    vec3 edge2 = width * vtkiAreaEdge2;
-    vec3 at = corner + float(texel.x) * edge1 + float(texel.y) * edge2;
-    vec4 radiance = vtkiFetchAreaTexel(level, texel);
-    float factor = vtkiRectangleFormFactor(at, edge1, edge2, normal);
-    vec3 middle = at + 0.5f * (edge1 + edge2);
-    float radius2 = 0.25f * (dot(edge1, edge1) + dot(edge2, edge2));
-    // How much what it sends changes over it.
-    float change = min(2.0f * sqrt(radius2 / max(dot(middle, middle), 1.0e-20f)), 1.0f);
-    bool taken = level == 0 || radiance.a * factor * change <= goal || round > 1536;
-    sum += taken ? radiance.rgb * factor : vec3(0.0f);
-    if (!taken)
-    {
-      --level;
-      texel *= 2;
-    }
-    else
-    {
-      while ((texel.x & texel.y & 1) == 1 && level < vtkiAreaLevel)
-      {
-        texel >>= 1;
-        ++level;
-      }
-      bool last = level >= vtkiAreaLevel;
-      level += last ? 1 : 0;
-      texel += (texel.x & 1) == 0 ? ivec2(1, 0) : ivec2(-1, 1);
-    }
-  }
-  return sum;
-}
+uniform ivec2 vtkiAreaImage; // first row of its pyramid, level of the single texel
 #endif
 
 void main()
@@ -97,12 +46,14 @@ void main()
   {
     discard;
   }
+  float whole = vtkiRectangleFormFactor(corner, vtkiAreaEdge1, vtkiAreaEdge2, receiver.normal);
 #ifdef VTKI_AREA_IMAGE
-  vec3 irradiance = vtkiFromAreaImage(corner, receiver.normal);
+  vec3 mean = vtkiMeanOfImage(
+    vtkiAreaImage, corner, vtkiAreaEdge1, vtkiAreaEdge2, receiver.normal, whole);
 #else
-  vec3 irradiance = vtkiAreaRadiance *
-    vtkiRectangleFormFactor(corner, vtkiAreaEdge1, vtkiAreaEdge2, receiver.normal);
+  vec3 mean = vtkiAreaRadiance;
 #endif
+  vec3 irradiance = whole * mean;
 #ifdef VTKI_VISIBILITY
   vec3 axis = front ? vtkiAreaNormal : -vtkiAreaNormal;
   vec3 all = vec3(0.0f);

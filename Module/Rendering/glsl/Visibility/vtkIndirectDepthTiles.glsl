@@ -26,24 +26,28 @@ vtkiTile vtkiMakeTile(int number, vec3 place, vec3 axis)
 }
 
 // Nearer to the emitter's horizon than its tile reaches, what the tile's border sees in the same azimuth
-// tells how far to the side the light gets.
-bool vtkiIsSeenInTile(vtkiTile tile, vec3 position, vec3 normal)
+// tells how far to the side the light gets. middle: of the tile; away, normal: the way from the emitter to the
+// receiver and its normal, along the tile's axes right, up and that of the emitter.
+bool vtkiIsSeenAlongTile(vec2 middle, vec3 away, vec3 normal)
 {
-  vec3 away = position - tile.place;
-  float x = dot(tile.right, away);
-  float y = dot(tile.up, away);
-  float depth = dot(tile.axis, away);
   float texels = vtkiTileShape.z;
-  float border = max(abs(x), abs(y)) * (1.0f / VTKI_TILE_TANGENT);
+  float border = max(abs(away.x), abs(away.y)) * (1.0f / VTKI_TILE_TANGENT);
   // Texels from the middle; within the tile, rounding included.
-  float scale = (0.499995f / VTKI_TILE_TANGENT) * texels / max(max(depth, border), VTKI_TILE_NEAR);
-  vec2 at = floor(vec2(x, y) * scale) + 0.5f;
+  float scale = (0.499995f / VTKI_TILE_TANGENT) * texels / max(max(away.z, border), VTKI_TILE_NEAR);
+  vec2 at = floor(away.xy * scale) + 0.5f;
   vec2 tangents = at * (2.0f * VTKI_TILE_TANGENT / texels);
   // A look-up at a texel's centre is exact, and in software faster than a fetch.
   float inverse = vtkiTileInverseDepth(
-    textureLod(vtkiDepthTiles, tile.middle + at / (vtkiTileShape.xy * texels), 0.0f).r);
-  float along = dot(normal, tile.right) * tangents.x + dot(normal, tile.up) * tangents.y +
-    dot(normal, tile.axis);
+    textureLod(vtkiDepthTiles, middle + at / (vtkiTileShape.xy * texels), 0.0f).r);
+  float along = dot(normal.xy, tangents) + normal.z;
   return vtkiIsSeenInPerspectiveTile(
-    inverse, depth, border, dot(normal, away), along, VTKI_TILE_ROUGHNESS * 2.0f * VTKI_TILE_TANGENT / texels);
+    inverse, away.z, border, dot(normal, away), along, VTKI_TILE_ROUGHNESS * 2.0f * VTKI_TILE_TANGENT / texels);
+}
+
+bool vtkiIsSeenInTile(vtkiTile tile, vec3 position, vec3 normal)
+{
+  vec3 away = position - tile.place;
+  return vtkiIsSeenAlongTile(tile.middle,
+    vec3(dot(tile.right, away), dot(tile.up, away), dot(tile.axis, away)),
+    vec3(dot(tile.right, normal), dot(tile.up, normal), dot(tile.axis, normal)));
 }

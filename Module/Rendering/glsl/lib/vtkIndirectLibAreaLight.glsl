@@ -62,6 +62,47 @@ float vtkiRectangleFormFactor(vec3 corner, vec3 edge1, vec3 edge2, vec3 normal)
   return abs(sum) * (0.5f / VTKI_PI);
 }
 
+// From so many times its longer edge on, a piece of a rectangle is far: see vtkiPieceFormFactor.
+const float VTKI_PIECE_FAR = 3.0f;
+
+/* Mean height over the horizon, nothing below it, of a piece that reaches so far up and down from its middle. */
+float vtkiMeanHeight(float height, float reach)
+{
+  float above = max(height + reach, 0.0f);
+  return height >= reach ? height : 0.25f * above * above / max(reach, 1.0e-30f);
+}
+
+// A far piece of a rectangle, seen from a receiver.
+struct vtkiPiece
+{
+  float square; // of the distance to its middle
+  float height; // of the middle over the horizon, no less than the piece reaches up
+  vec2 rise;    // of both edges over the horizon
+  vec2 along;   // products of both edges with the way to the middle
+  vec2 length2; // squares of both edges
+};
+
+/* What the places of a far piece give in the mean, over what its middle gives: height / distance^4 to second order,
+ * which is off by the fourth power of edge over distance. */
+float vtkiPieceMean(vtkiPiece piece)
+{
+  float a1 = piece.along.x / piece.square;
+  float a2 = piece.along.y / piece.square;
+  float l2 = (piece.length2.x + piece.length2.y) / piece.square;
+  return 1.0f + (a1 * a1 + a2 * a2) - l2 / 6.0f -
+    (piece.rise.x * a1 + piece.rise.y * a2) / (3.0f * piece.height);
+}
+
+/* Variance of what they give over the square of their mean: from the slope along both edges, and the fall to all
+ * sides. A uniform variable along an edge has the variance 1 / 12, its square 1 / 180. */
+float vtkiPieceVariance(vtkiPiece piece)
+{
+  float slope1 = piece.rise.x / piece.height - 4.0f * piece.along.x / piece.square;
+  float slope2 = piece.rise.y / piece.height - 4.0f * piece.along.y / piece.square;
+  float share = max(piece.length2.x, piece.length2.y) / piece.square;
+  return (slope1 * slope1 + slope2 * slope2) / 12.0f + 0.045f * share * share;
+}
+
 /* Of one that sends light to the side that cross(edge1, edge2) points to: 0 behind it. */
 float vtkiAreaLightFormFactor(vec3 corner, vec3 edge1, vec3 edge2, vec3 normal, bool twoSided)
 {

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Gather/vtkIndirectAreaLamps.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "vtkAreaLight.h"
+#include "vtkOpenGLRenderWindow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+const vtkIndirectChannel PyramidChannels[] = {
+  { "area.pyramid", "vtkiAreaPyramid", "mean radiance; three times its variance below", GL_RGBA32F,
+    "-", "VTK radiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+// Of the texture that images share: half of what every OpenGL 4 has, in case others have more.
+constexpr int MostRows = 8192;
+
+glm::dvec3 ToVector(const double v[3])
+{
+  return { v[0], v[1], v[2] };
+}
+
+// Each prefix of these fills the square evenly (additive recurrence, Roberts 2018).
+glm::dvec2 PlaceOf(int number)
+{
+  const glm::dvec2 place =
+    0.5 + static_cast<double>(number) * glm::dvec2(0.75487766624669276, 0.56984029099805327);
+  return glm::fract(place);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectAreaLamps::vtkIndirectAreaLamps()
+  : Texture(PyramidChannels, false)
+{
+}
+
+//------------------------------------------------------------------------------
+// What is behind a point's texels: of a level that is as fine as the points are.
+void vtkIndirectAreaLamps::UpdatePoints(Lamp& lamp, int count)
+{
+  lamp.Points.resize(static_cast<size_t>(count));
+  const bool uniform = lamp.Pyramid.IsUniform();
+  for (int k = 0; k < count; ++k)
+  {
+    lamp.Points[static_cast<size_t>(k)].Place = PlaceOf(k);
+    lamp.Points[static_cast<size_t>(k)].Weight = glm::dvec3(uniform ? 1.0 : 0.0);
+  }
+  if (uniform)
+  {
+    return;
+  }
+  const int level = std::max(lamp.Pyramid.GetTop() - 5, 0);
+  const int edge = lamp.Pyramid.GetEdge(level);
+  const glm::dvec2 lengths(glm::length(lamp.Edge1), glm::length(lamp.Edge2));
+  const glm::dvec3 unit = glm::max(lamp.Radiance, glm::dvec3(1e-300));
+  for (int y = 0; y < edge; ++y)
+  {
+    for (int x = 0; x < edge; ++x)
+    {
+      const glm::dvec2 place(glm::dvec2(x + 0.5, y + 0.5) / (1.0 * edge));
+      Point* nearest = nullptr;
+      double least = 0.0;
+      for (Point& point : lamp.Points)
+      {
+        const glm::dvec2 apart = (point.Place - place) * lengths;
+        const double square = glm::dot(apart, apart);
+        if (!nearest || square < least)
+        {
+          nearest = &point;
+          least = square;
+        }
+      }
+      nearest->Weight += glm::dvec3(lamp.Pyramid.GetMean(level, x, y)) / unit *
+        (static_cast<double>(count) / (1.0 * edge * edge));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectAreaLamps::UpdateLamp(Lamp& lamp, vtkAreaLight* light, int points, int texels)
+{
+  const glm::dvec3 origin = ToVector(light->GetOrigin());
+  lamp.Corner = (origin - this->SceneCenter) * this->SceneScale;
+  lamp.Edge1 = (ToVector(light->GetPoint1()) - origin) * this->SceneScale;
+  lamp.Edge2 = (ToVector(light->GetPoint2()) - origin) * this->SceneScale;
+  double values[3];
+  light->GetNormal(values);
+  lamp.Normal = ToVector(values);
+  light->GetMeanRadiance(values);
+  lamp.Radiance = ToVector(values);
+  lamp.TwoSided = light->GetTwoSided();
+  const bool same = lamp.Light == light && lamp.Time == light->GetMTime() &&
+    lamp.Points.size() == static_cast<size_t>(points) && lamp.Pyramid.GetEdge(0) <= texels;
+  lamp.Light = light;
+  lamp.Time = light->GetMTime();
+  if (!same)
+  {
+    int columns;
+    int rows;
+    const std::vector<float>& radiances = light->GetRadiances(columns, rows);
+    lamp.Pyramid.Build(radiances, columns, rows, texels);
+    lamp.TextureIsStale = true;
+    this->UpdatePoints(lamp, points);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaLamps::Update(
+  const vtkIndirectFrame& frame, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights)
+{
+  std::vector<vtkAreaLight*> lit;
+  for (const auto& light : lights)
+  {
+    double mean[3];
+    light->GetMeanRadiance(mean);
+    if (light->GetSwitch() && light->GetArea() > 0.0 &&
+      std::max({ mean[0], mean[1], mean[2] }) > 0.0)
+    {
+      lit.push_back(light);
+    }
+  }
+  bool same = lit.size() == this->Lamps.size() && frame.SceneScale == this->SceneScale &&
+    frame.SceneCenter == this->SceneCenter;
+  for (size_t i = 0; same && i < lit.size(); ++i)
+  {
+    same = this->Lamps[i]->Light == lit[i] && this->Lamps[i]->Time == lit[i]->GetMTime();
+  }
+  if (same)
+  {
+    return false;
+  }
+  this->SceneScale = frame.SceneScale;
+  this->SceneCenter = frame.SceneCenter;
+  this->Lamps.resize(std::min(this->Lamps.size(), lit.size()));
+  while (this->Lamps.size() < lit.size())
+  {
+    this->Lamps.push_back(std::make_unique<Lamp>());
+  }
+  const int count = static_cast<int>(lit.size());
+  const int points = std::max(MostPoints / std::max(count, 1), LeastPoints);
+  int texels = vtkIndirectAreaPyramid::MostTexels;
+  while (texels > 1 && texels * count > MostRows)
+  {
+    texels /= 2;
+  }
+  for (size_t i = 0; i < lit.size(); ++i)
+  {
+    this->UpdateLamp(*this->Lamps[i], lit[i], points, texels);
+  }
+  this->PlaceImages();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectAreaLamps::PlaceImages()
+{
+  this->Width = this->Height = 0;
+  for (const auto& lamp : this->Lamps)
+  {
+    const int row = lamp->Pyramid.IsUniform() ? -1 : this->Height;
+    lamp->TextureIsStale = lamp->TextureIsStale || row != lamp->Row;
+    lamp->Row = row;
+    if (row >= 0)
+    {
+      const int edge = lamp->Pyramid.GetEdge(0);
+      this->Height += edge;
+      this->Width = std::max(this->Width, edge + (edge + 1) / 2);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaLamps::UpdateTexture(const vtkIndirectFrame& frame)
+{
+  if (this->Height == 0)
+  {
+    this->Texture.Release(frame.Window);
+    return true;
+  }
+  const bool anew = !this->Texture.GetFramebuffer() || this->Texture.GetWidth() != this->Width ||
+    this->Texture.GetHeight() != this->Height;
+  if (!this->Texture.Resize(frame.Window, this->Width, this->Height))
+  {
+    return false;
+  }
+  for (const auto& lamp : this->Lamps)
+  {
+    if (lamp->Row >= 0 && (anew || lamp->TextureIsStale))
+    {
+      this->Texture.Write(0, lamp->Pyramid.MakeTexture(this->Width), lamp->Row);
+      lamp->TextureIsStale = false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectAreaLamps::Release(vtkWindow* window)
+{
+  this->Texture.Release(window);
+  this->Lamps.clear();
+  this->Width = this->Height = 0;
+}

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Gather/vtkIndirectAreaSamples.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "Visibility/vtkIndirectDepthAtlas.h"
+
+#include <algorithm>
+
+namespace
+{
+const vtkIndirectChannel OpenChannels[] = {
+  { "area.open", "vtkiAreaOpen", "irradiance if nothing hid area lights; distance", GL_RGBA32F, "-",
+    "VTK irradiance" },
+  { "area.openPlane", "vtkiAreaOpenPlane", "normal, and height along it", GL_RGBA32F, "view",
+    "scene" },
+  { "area.openFront", "vtkiAreaOpenFront", "a bit for each lamp that sends light to its side of it",
+    GL_RGBA32F, "-", "-" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel SampleChannels[] = {
+  { "area.light", "vtkiAreaLight", "irradiance from area lights; distance over that of samples",
+    GL_RGBA32F, "-", "VTK irradiance" },
+  { "area.plane", "vtkiAreaPlane", "normal, and height along it", GL_RGBA32F, "view", "scene" },
+  { "area.share", "vtkiAreaShare", "share of it that is seen", GL_RGBA32F, "-", "1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+// Pixels between places where light is known if nothing hid it; between samples, as in
+// vtkIndirectAreaSamples.glsl.
+constexpr int OpenStep = 8;
+constexpr int SampleStep = 4;
+// 16384 bytes are what every OpenGL has for a block.
+constexpr size_t LampsOfBatch = 16;
+constexpr size_t RowsOfLamp = 9;
+constexpr size_t RowsOfPoint = 3;
+static_assert(
+  (RowsOfLamp + RowsOfPoint * vtkIndirectAreaSamples::NumberOfPoints) * LampsOfBatch * 16 <= 16384,
+  "a block's bytes");
+
+int DivideUp(int number, int step)
+{
+  return (number + step - 1) / step;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectAreaSamples::vtkIndirectAreaSamples()
+  : Open(OpenChannels, false)
+  , Samples(SampleChannels, false)
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaSamples::Resize(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  const int* const size = frame.Size;
+  // One more at the border, so that each pixel lies between four.
+  return this->Open.Resize(
+           frame.Window, DivideUp(size[0], OpenStep) + 1, DivideUp(size[1], OpenStep) + 1) &&
+    this->Samples.Resize(
+      frame.Window, DivideUp(size[0], SampleStep) + 1, DivideUp(size[1], SampleStep) + 1);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectAreaSamples::GetDefinitions(const Input& input, const Batch& batch) const
+{
+  return std::string(input.Atlas ? "#define VTKI_VISIBILITY\n" : "") +
+    (batch.Images > 0 ? "#define VTKI_AREA_IMAGE\n" : "") + "#define VTKI_AREA_LAMPS " +
+    std::to_string(LampsOfBatch) + "\n#define VTKI_AREA_POINTS " + std::to_string(NumberOfPoints) +
+    "\n#define VTKI_AREA_STEP " + std::to_string(OpenStep) + "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectAreaSamples::SetBlock(const Input& input, const Batch& batch)
+{
+  constexpr size_t points = LampsOfBatch * NumberOfPoints;
+  std::vector<glm::vec4> block(LampsOfBatch * RowsOfLamp + RowsOfPoint * points, glm::vec4(0.0f));
+  auto row = [](const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w)); };
+  for (size_t i = 0; i < batch.Count; ++i)
+  {
+    const vtkIndirectAreaLamps::Lamp& lamp = *input.Lamps.Get()[batch.First + i];
+    glm::vec4* rows = block.data();
+    rows[i] = row(lamp.Corner, lamp.TwoSided ? 1.0 : 0.0);
+    rows[LampsOfBatch + i] = row(lamp.Edge1, lamp.Row >= 0 ? lamp.Pyramid.GetTop() : -1);
+    rows[2 * LampsOfBatch + i] = row(lamp.Edge2, lamp.Row);
+    rows[3 * LampsOfBatch + i] = row(lamp.Normal, lamp.GetArea() / NumberOfPoints);
+    rows[4 * LampsOfBatch + i] = row(lamp.Radiance, 0.0);
+    rows += 5 * LampsOfBatch;
+    for (size_t side = 0; side < 2; ++side)
+    {
+      glm::vec3 right;
+      glm::vec3 up;
+      vtkIndirectKernels::vtkiFrameAlong(
+        glm::vec3(side == 0 ? lamp.Normal : -lamp.Normal), up, right);
+      rows[2 * i + side] = glm::vec4(right, 0.0f);
+      rows[2 * LampsOfBatch + 2 * i + side] = glm::vec4(up, 0.0f);
+      for (size_t k = 0; k < NumberOfPoints && k < lamp.Points.size(); ++k)
+      {
+        const vtkIndirectAreaLamps::Point& point = lamp.Points[k];
+        const glm::vec3 place(point.Place.x * lamp.Edge1 + point.Place.y * lamp.Edge2);
+        const int tile = point.Tiles[side];
+        glm::vec2 middle(-1.0f);
+        if (input.Atlas && tile >= 0 && input.Atlas->HasTile(static_cast<size_t>(tile)))
+        {
+          const int columns = input.Atlas->GetNumberOfColumns();
+          middle = (glm::vec2(tile % columns, tile / columns) + 0.5f) /
+            glm::vec2(columns, input.Atlas->GetNumberOfRows());
+        }
+        rows[4 * LampsOfBatch + side * points + i * NumberOfPoints + k] =
+          glm::vec4(glm::dot(right, place), glm::dot(up, place), middle.x, middle.y);
+        rows[4 * LampsOfBatch + 2 * points + i * NumberOfPoints + k] =
+          row(point.Weight * lamp.Radiance, 0.0);
+      }
+    }
+  }
+  this->Block.Update(input.Frame.Window, block.data(), block.size() * sizeof(glm::vec4));
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkIndirectAreaSamples::Use(
+  const Input& input, const Batch& batch, vtkIndirectFullScreenProgram& kernel)
+{
+  vtkShaderProgram* program = kernel.Use(input.Frame.Window, this->GetDefinitions(input, batch));
+  if (!program)
+  {
+    return nullptr;
+  }
+  vtkIndirectSetEyeUniforms(program, input.Frame);
+  program->SetUniform2i("vtkiSize", input.Frame.Size);
+  program->SetUniformi("vtkiAreaCount", static_cast<int>(batch.Count));
+  this->Block.Activate(program);
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  if (input.Atlas)
+  {
+    input.Atlas->Activate(program);
+  }
+  if (batch.Images > 0)
+  {
+    input.Lamps.GetTexture().Activate(0, program);
+    program->SetUniformf("vtkiAreaTolerance", static_cast<float>(input.Tolerance));
+  }
+  return program;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectAreaSamples::Deactivate(const Input& input, const Batch& batch)
+{
+  input.Geometry.GetTarget().Deactivate();
+  if (input.Atlas)
+  {
+    input.Atlas->Deactivate();
+  }
+  if (batch.Images > 0)
+  {
+    input.Lamps.GetTexture().Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaSamples::FindOpen(const Input& input, const Batch& batch)
+{
+  this->Open.Begin();
+  const bool done = this->Use(input, batch, this->OpenKernel) != nullptr;
+  if (done)
+  {
+    this->OpenKernel.Draw();
+  }
+  this->Deactivate(input, batch);
+  this->Open.End();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaSamples::FindSamples(const Input& input, const Batch& batch)
+{
+  this->Samples.Begin();
+  vtkShaderProgram* program = this->Use(input, batch, this->SampleKernel);
+  if (program)
+  {
+    const int open[2] = { this->Open.GetWidth(), this->Open.GetHeight() };
+    program->SetUniform2i("vtkiAreaOpenSize", open);
+    this->Open.Activate(0, program);
+    this->Open.Activate(1, program);
+    this->Open.Activate(2, program);
+    this->SampleKernel.Draw();
+    this->Open.Deactivate();
+  }
+  this->Deactivate(input, batch);
+  this->Samples.End();
+  return program != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaSamples::Interpolate(
+  const Input& input, const Batch& batch, vtkIndirectTarget& irradiance)
+{
+  irradiance.Begin();
+  vtkShaderProgram* program = this->Use(input, batch, this->SumKernel);
+  if (program)
+  {
+    const int samples[2] = { this->Samples.GetWidth(), this->Samples.GetHeight() };
+    program->SetUniform2i("vtkiAreaSamples", samples);
+    this->Samples.Activate(0, program);
+    this->Samples.Activate(1, program);
+    if (input.Atlas)
+    {
+      this->Samples.Activate(2, program);
+    }
+    vtkOpenGLState* state = input.Frame.Window->GetState();
+    // The first writes, the others add.
+    state->vtkglBlendFunc(GL_ONE, GL_ONE);
+    if (batch.First > 0)
+    {
+      state->vtkglEnable(GL_BLEND);
+    }
+    this->SumKernel.Draw();
+    state->vtkglDisable(GL_BLEND);
+    this->Samples.Deactivate();
+  }
+  this->Deactivate(input, batch);
+  irradiance.End();
+  return program != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaSamples::Sum(const Input& input, vtkIndirectTarget& irradiance)
+{
+  const vtkIndirectAreaLamps::List& lamps = input.Lamps.Get();
+  bool done = true;
+  for (size_t first = 0; done && first < lamps.size(); first += LampsOfBatch)
+  {
+    Batch batch = { first, std::min(lamps.size() - first, LampsOfBatch), 0 };
+    for (size_t i = 0; i < batch.Count; ++i)
+    {
+      batch.Images += lamps[first + i]->Row >= 0 ? 1 : 0;
+    }
+    done = this->Resize(input);
+    if (done)
+    {
+      this->SetBlock(input, batch);
+    }
+    done = done && this->FindOpen(input, batch) && this->FindSamples(input, batch) &&
+      this->Interpolate(input, batch, irradiance);
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectAreaSamples::GetBytes() const
+{
+  return this->Open.GetBytes() + this->Samples.GetBytes() + this->Block.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectAreaSamples::Release(vtkWindow* window)
+{
+  this->Open.Release(window);
+  this->Samples.Release(window);
+  this->Block.Release();
+  for (vtkIndirectFullScreenProgram* kernel :
+    { &this->OpenKernel, &this->SampleKernel, &this->SumKernel })
+  {
+    kernel->Release();
+  }
+}

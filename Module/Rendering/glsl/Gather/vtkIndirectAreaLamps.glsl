@@ -1,0 +1,117 @@
+// Area lights of a moving frame: irradiance if nothing hid them, and what of it points of them find hidden.
+// VTKI_AREA_LAMPS: in the block; VTKI_AREA_POINTS: of each; VTKI_VISIBILITY: without it nothing hides them.
+// VTKI_AREA_IMAGE: some have images. VTKI_AREA_STEP: pixels between places where light is known if nothing hid it.
+#ifndef VTKI_AREA_LAMPS
+#define VTKI_AREA_LAMPS 16
+#define VTKI_AREA_POINTS 16
+#define VTKI_AREA_STEP 8
+#endif
+#include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectLibAreaLight.glsl"
+#include "vtkIndirectLibInterpolation.glsl"
+#ifdef VTKI_VISIBILITY
+#include "vtkIndirectDepthTiles.glsl"
+#endif
+#ifdef VTKI_AREA_IMAGE
+#include "vtkIndirectAreaImage.glsl"
+#endif
+
+layout(std140) uniform vtkiAreaBlock
+{
+  vec4 vtkiAreaCorner[VTKI_AREA_LAMPS];   // scene units; whether it has two sides
+  vec4 vtkiAreaEdge1[VTKI_AREA_LAMPS];    // level of the single texel of its image, or -1
+  vec4 vtkiAreaEdge2[VTKI_AREA_LAMPS];    // first row of its image
+  vec4 vtkiAreaNormal[VTKI_AREA_LAMPS];   // where it sends light to; area that a point stands for
+  vec4 vtkiAreaRadiance[VTKI_AREA_LAMPS]; // the mean
+  // Of the depth maps of its front, and of those of its back.
+  vec4 vtkiAreaRight[2 * VTKI_AREA_LAMPS];
+  vec4 vtkiAreaUp[2 * VTKI_AREA_LAMPS];
+  // By lamps: places along these axes, from the corner; the middle of the tile, or -1 where there is none.
+  vec4 vtkiAreaFront[VTKI_AREA_LAMPS * VTKI_AREA_POINTS];
+  vec4 vtkiAreaBack[VTKI_AREA_LAMPS * VTKI_AREA_POINTS];
+  vec4 vtkiAreaSent[VTKI_AREA_LAMPS * VTKI_AREA_POINTS]; // radiance
+};
+uniform int vtkiAreaCount; // lamps
+
+// Irradiance if nothing hid the lamps; the distance of the nearest one. front: a bit for each that sends light to
+// the receiver's side of it. Zero where nobody asks: software leaves loops that nobody takes, and takes both sides of
+// a branch.
+vec4 vtkiFindOpen(vtkiReceiver receiver, bool asked, out float front)
+{
+  front = 0.0f;
+  vec3 sum = vec3(0.0f);
+  float nearest = 1.0e30f;
+  int count = asked ? vtkiAreaCount : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    vec3 corner = vtkiAreaCorner[i].xyz - receiver.position;
+    vec3 edge1 = vtkiAreaEdge1[i].xyz;
+    vec3 edge2 = vtkiAreaEdge2[i].xyz;
+    bool lit = dot(vtkiAreaNormal[i].xyz, corner) < 0.0f || vtkiAreaCorner[i].w > 0.0f;
+    float whole = lit ? vtkiRectangleFormFactor(corner, edge1, edge2, receiver.normal) : 0.0f;
+    vec3 mean = vtkiAreaRadiance[i].rgb;
+#ifdef VTKI_AREA_IMAGE
+    ivec2 image = ivec2(vtkiAreaEdge2[i].w, vtkiAreaEdge1[i].w);
+    vec3 found =
+      vtkiMeanOfImage(image, corner, edge1, edge2, receiver.normal, image.y > 0 ? whole : 0.0f);
+    mean = image.y > 0 ? found : mean;
+#endif
+    sum += whole * mean;
+    vec2 along = clamp(-vec2(dot(corner, edge1) / max(dot(edge1, edge1), 1.0e-30f),
+                         dot(corner, edge2) / max(dot(edge2, edge2), 1.0e-30f)),
+      0.0f, 1.0f);
+    nearest = lit ? min(nearest, length(corner + along.x * edge1 + along.y * edge2)) : nearest;
+    front += lit ? float(1 << i) : 0.0f;
+  }
+  return vec4(sum, asked ? nearest : 0.0f);
+}
+
+#ifdef VTKI_VISIBILITY
+// What a receiver gets of some points of each lamp, and what it would if it saw them all. None where count is 0.
+void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen, inout vec3 all)
+{
+  int lamps = count > 0 ? vtkiAreaCount : 0;
+  for (int i = 0; i < lamps; ++i)
+  {
+    vec3 from = receiver.position - vtkiAreaCorner[i].xyz;
+    float height = dot(vtkiAreaNormal[i].xyz, from);
+    bool front = height > 0.0f;
+    bool lit = front || vtkiAreaCorner[i].w > 0.0f;
+    vec3 right = front ? vtkiAreaRight[2 * i].xyz : vtkiAreaRight[2 * i + 1].xyz;
+    vec3 up = front ? vtkiAreaUp[2 * i].xyz : vtkiAreaUp[2 * i + 1].xyz;
+    vec3 axis = front ? vtkiAreaNormal[i].xyz : -vtkiAreaNormal[i].xyz;
+    vec3 place = vec3(dot(right, from), dot(up, from), abs(height));
+    vec3 normal = vec3(
+      dot(right, receiver.normal), dot(up, receiver.normal), dot(axis, receiver.normal));
+    float area = vtkiAreaNormal[i].w;
+    for (int k = first; k < first + count; ++k)
+    {
+      int row = i * VTKI_AREA_POINTS + k;
+      vec4 point = front ? vtkiAreaFront[row] : vtkiAreaBack[row];
+      vec3 away = vec3(place.xy - point.xy, place.z);
+      // The disk of vtkiVirtualLightWeight.
+      float r2 = max(dot(away, away), 1.0e-30f);
+      float weight = place.z * max(-dot(normal, away), 0.0f) / (r2 * (VTKI_PI * r2 + area));
+      bool visible = vtkiIsSeenAlongTile(point.zw, away, normal);
+      vec3 given = lit && point.z >= 0.0f ? weight * vtkiAreaSent[row].rgb : vec3(0.0f);
+      all += given;
+      seen += visible ? given : vec3(0.0f);
+    }
+  }
+}
+
+// Where no point faces the receiver nothing is known of what hides the rest.
+vec3 vtkiShareOf(vec3 seen, vec3 all)
+{
+  return mix(vec3(1.0f), seen / max(all, vec3(1.0e-30f)), greaterThan(all, vec3(0.0f)));
+}
+
+// By all points; one where nobody asks.
+vec3 vtkiFindOwnShare(vtkiReceiver receiver, bool asked)
+{
+  vec3 seen = vec3(0.0f);
+  vec3 all = vec3(0.0f);
+  vtkiAddShares(0, asked ? VTKI_AREA_POINTS : 0, receiver, seen, all);
+  return vtkiShareOf(seen, all);
+}
+#endif

@@ -1,0 +1,80 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// At a pixel of each block: irradiance from area lights if nothing hid them, interpolated from where it is known, times
+// the share that four pixels around, which ask all points between them, find not to be hidden; that share; and the
+// surface there.
+#include "vtkIndirectAreaLamps.glsl"
+#include "vtkIndirectAreaSamples.glsl"
+
+uniform sampler2D vtkiAreaOpen; // at every VTKI_AREA_STEP-th pixel
+uniform sampler2D vtkiAreaOpenPlane;
+uniform sampler2D vtkiAreaOpenFront;
+uniform ivec2 vtkiAreaOpenSize;
+
+#ifdef VTKI_VISIBILITY
+vec3 vtkiFindShare(ivec2 pixel, vtkiReceiver receiver, vec4 plane, float width, bool lit)
+{
+  vec3 seen = vec3(0.0f);
+  vec3 all = vec3(0.0f);
+  int count = lit ? 4 : 0;
+  for (int k = 0; k < count; ++k)
+  {
+    ivec2 at = pixel + 2 * ivec2(k & 1, k >> 1) - 1;
+    vtkiReceiver probe;
+    bool same = vtkiFetchReceiver(clamp(at, ivec2(0), vtkiSize - 1), probe);
+    same = vtkiIsOnPlane(plane, probe, VTKI_INTERPOLATION_DISTANCE * width, VTKI_INTERPOLATION_COSINE) && same;
+    // Beside thin things the block's pixel asks for others.
+    probe.position = same ? probe.position : receiver.position;
+    probe.normal = same ? probe.normal : receiver.normal;
+    vtkiAddShares(k * (VTKI_AREA_POINTS / 4), VTKI_AREA_POINTS / 4, probe, seen, all);
+  }
+  return vtkiShareOf(seen, all);
+}
+#endif
+
+void main()
+{
+  ivec2 pixel = min(VTKI_AREA_BLOCK * ivec2(gl_FragCoord.xy), vtkiSize - 1);
+  vtkiReceiver receiver;
+  bool lit = vtkiFetchReceiver(pixel, receiver);
+  vec4 plane = lit ? vec4(receiver.normalVC, dot(receiver.normalVC, receiver.positionVC)) : vec4(0.0f);
+  float width = vtkiPixelWidth(receiver.depth);
+  float tolerance = VTKI_INTERPOLATION_DISTANCE * width;
+  ivec2 cell = pixel / VTKI_AREA_STEP;
+  vec2 between = vtkiBetween(pixel, cell, VTKI_AREA_STEP);
+  vec3 open = vec3(0.0f);
+  float weights = 0.0f;
+  float nearest = 1.0e30f;
+  float least = 1.0e30f;
+  float most = 0.0f;
+  for (int k = 0; k < 4; ++k)
+  {
+    vec2 place = (vec2(cell + ivec2(k & 1, k >> 1)) + 0.5f) / vec2(vtkiAreaOpenSize);
+    vec4 light = textureLod(vtkiAreaOpen, place, 0.0f);
+    bool same = vtkiIsOnPlane(
+      textureLod(vtkiAreaOpenPlane, place, 0.0f), receiver, tolerance, VTKI_AREA_COSINE);
+    float weight = vtkiBilinear(between, k);
+    open += same ? weight * light.rgb : vec3(0.0f);
+    weights += same ? weight : 0.0f;
+    nearest = same ? min(nearest, light.a) : nearest;
+    float front = textureLod(vtkiAreaOpenFront, place, 0.0f).r;
+    least = same ? min(least, front) : least;
+    most = same ? max(most, front) : most;
+  }
+  // Where the plane of a lamp runs through, its light ends: there it is not interpolated further.
+  bool crossed = weights > 0.0f && least != most;
+  bool even = !crossed && weights > 0.99f &&
+    nearest >= VTKI_AREA_DISTANCES * float(VTKI_AREA_STEP) * width;
+  float ownFront;
+  vec4 own = vtkiFindOpen(receiver, lit && !even, ownFront);
+  crossed = crossed || (!even && weights > 0.0f && ownFront != least);
+  open = even ? open / weights : own.rgb;
+  nearest = even ? nearest : own.a;
+  vec3 share = vec3(1.0f);
+#ifdef VTKI_VISIBILITY
+  share = vtkiFindShare(pixel, receiver, plane, width, lit);
+#endif
+  gl_FragData[0] = vec4(open * share, crossed ? 0.0f : nearest / (float(VTKI_AREA_BLOCK) * width));
+  gl_FragData[1] = plane;
+  gl_FragData[2] = vec4(share, 1.0f);
+}

@@ -1,0 +1,59 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// What comes directly from area lights in a moving frame: of the four samples around a pixel, where they stand for it;
+// else what it finds itself.
+#include "vtkIndirectAreaLamps.glsl"
+#include "vtkIndirectAreaSamples.glsl"
+
+uniform sampler2D vtkiAreaLight; // distance of the nearest lamp over that of samples
+uniform sampler2D vtkiAreaPlane;
+uniform sampler2D vtkiAreaShare;
+uniform ivec2 vtkiAreaSamples;
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vtkiReceiver receiver;
+  bool lit = vtkiFetchReceiver(pixel, receiver);
+  float tolerance =
+    float(VTKI_AREA_BLOCK) * VTKI_INTERPOLATION_DISTANCE * vtkiPixelWidth(receiver.depth);
+  ivec2 cell = pixel / VTKI_AREA_BLOCK;
+  vec2 between = vtkiBetween(pixel, cell, VTKI_AREA_BLOCK);
+  vec2 scale = 1.0f / vec2(vtkiAreaSamples);
+  vec3 light = vec3(0.0f);
+  float weights = 0.0f;
+  float distances = 1.0e30f;
+  for (int k = 0; k < 4; ++k)
+  {
+    vec2 place = (vec2(cell + ivec2(k & 1, k >> 1)) + 0.5f) * scale;
+    bool same =
+      vtkiIsOnPlane(textureLod(vtkiAreaPlane, place, 0.0f), receiver, tolerance, VTKI_AREA_COSINE);
+    vec4 sampled = textureLod(vtkiAreaLight, place, 0.0f);
+    float weight = same ? vtkiBilinear(between, k) : 0.0f;
+    light += weight * sampled.rgb;
+    weights += weight;
+    distances = same ? min(distances, sampled.a) : distances;
+  }
+  bool even = (weights > 0.99f && distances >= VTKI_AREA_DISTANCES) ||
+    (weights > 0.1f && distances >= VTKI_AREA_DISTANCES_BESIDE);
+  float front;
+  vec3 own = vtkiFindOpen(receiver, lit && !even, front).rgb;
+#ifdef VTKI_VISIBILITY
+  vec3 share = vec3(0.0f);
+  float shares = 0.0f;
+  int count = lit && !even ? 4 : 0;
+  for (int k = 0; k < count; ++k)
+  {
+    vec2 place = (vec2(cell + ivec2(k & 1, k >> 1)) + 0.5f) * scale;
+    bool same = vtkiIsOnPlane(
+      textureLod(vtkiAreaPlane, place, 0.0f), receiver, tolerance, VTKI_INTERPOLATION_COSINE);
+    float weight = same ? vtkiBilinear(between, k) : 0.0f;
+    share += weight * textureLod(vtkiAreaShare, place, 0.0f).rgb;
+    shares += weight;
+  }
+  bool alone = shares < 0.1f;
+  vec3 ownShare = vtkiFindOwnShare(receiver, lit && !even && alone);
+  own *= alone ? ownShare : share / shares;
+#endif
+  gl_FragData[0] = vec4(lit ? (even ? light / weights : own) : vec3(0.0f), 1.0f);
+}
