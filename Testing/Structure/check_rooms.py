@@ -35,6 +35,7 @@ PUBLIC = {
     "vtkEmitter": "VirtualLights",
     "vtkEnvironmentLight": "VirtualLights",
     "vtkVirtualLightSampler": "VirtualLights",
+    "vtkLightTreeSampler": "VirtualLights",
     "vtkMapLightSampler": "VirtualLights",
     "vtkUniformLightSampler": "VirtualLights",
     "vtkRSMGatherPass": "Gather",
