@@ -37,6 +37,7 @@ void vtkAreaLight::PrintSelf(ostream& os, vtkIndent indent)
   print("Point1", this->Point1);
   print("Point2", this->Point2);
   os << indent << "TwoSided: " << (this->TwoSided ? "On" : "Off") << "\n";
+  os << indent << "Visible: " << (this->Visible ? "On" : "Off") << "\n";
   os << indent << "Switch: " << (this->Switch ? "On" : "Off") << "\n";
 }
 

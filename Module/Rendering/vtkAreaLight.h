@@ -7,7 +7,7 @@
  * (Point1 - Origin) x (Point2 - Origin) points to, with TwoSided also to the other one, the same
  * radiance in every direction (Lambert). An image is spread over it with its first pixel at Origin
  * and its rows along Point1 - Origin; each pixel is a piece of one radiance, the image's times
- * Radiance. The rectangle is not drawn: a vtkPlaneSource with the same points shows it.
+ * Radiance. The rectangle itself is drawn where Visible is on.
  *
  * @code
  * vtkNew<vtkAreaLight> window;
@@ -67,6 +67,17 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether the rectangle is seen in the picture: its radiance, or its image, from the sides that
+   * it sends light to, in front of what it hides. It is no prop: it hides nothing from any light,
+   * is in no bounds, and cannot be picked. Default off, as VTK's lights are not seen.
+   */
+  vtkSetMacro(Visible, bool);
+  vtkGetMacro(Visible, bool);
+  vtkBooleanMacro(Visible, bool);
+  ///@}
+
+  ///@{
   /** Whether it is on. Default on. */
   vtkSetMacro(Switch, bool);
   vtkGetMacro(Switch, bool);
@@ -96,6 +107,7 @@ protected:
   double Point1[3] = { 0.5, -0.5, 0.0 };
   double Point2[3] = { -0.5, 0.5, 0.0 };
   bool TwoSided = false;
+  bool Visible = false;
   bool Switch = true;
 
 private:

@@ -30,7 +30,6 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkSequencePass.h"
-#include "vtkUniformLightSampler.h"
 
 #include <algorithm>
 #include <optional>
@@ -448,7 +447,8 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
   int channel = 0;
   const std::vector<std::string> own = this->GetFrameEstimator()->GetChannelNames();
   const bool estimators = std::find(own.begin(), own.end(), name) != own.end();
-  const bool known = name == "lights" || vtkIndirectComposite::FindChannel(name) >= 0 ||
+  const bool known = name == "lights" || name == "branches" ||
+    vtkIndirectComposite::FindChannel(name) >= 0 ||
     vtkIndirectComposite::ParseMapChannel(name, map, channel) || estimators;
   if (!image)
   {
@@ -457,8 +457,8 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
   }
   if (!known)
   {
-    vtkErrorMacro(
-      "'" << name << "' is no buffer; known are " << this->GetChannelNames() << ", lights.");
+    vtkErrorMacro("'" << name << "' is no buffer; known are " << this->GetChannelNames()
+                      << ", lights, branches.");
     return false;
   }
   const std::string why = this->Internal->Pipeline.CopyChannel(name, image);

@@ -66,7 +66,7 @@ public:
   ///@}
 
   ///@{
-  /** What chooses virtual lights. Default null: automatic, a vtkUniformLightSampler of 256 lights.
+  /** What chooses virtual lights. Default null: automatic, a vtkLightTreeSampler.
    */
   virtual void SetSampler(vtkVirtualLightSampler* sampler);
   vtkGetObjectMacro(Sampler, vtkVirtualLightSampler);
@@ -316,7 +316,8 @@ public:
    * `sky`, `area` and `bounce`, `glossy`, `albedo`, `normal`, `depth` (along the view axis),
    * `specular` (reflectance, power of the lobe);
    * `rsm<i>.depth`, `rsm<i>.normal`, `rsm<i>.density` (the faces of a map in a row); `lights` (four
-   * components, one row a virtual light: position, area; normal, lobe exponent; B A, source).
+   * components, one row a virtual light: position, area; normal, reach; B A, source) and `branches`
+   * (what is below each, 72 rows a light).
    * An estimator may have more; see its page. Returns false, after one error, for an unknown name
    * or when the last frame has no such channel.
    */
@@ -344,7 +345,6 @@ public:
   static vtkInformationIntegerKey* SENDS_LIGHT();
   ///@}
 
-#ifndef __VTK_WRAP__
   ///@{
   /**
    * Further samplers, whose virtual lights are summed besides those of the frame's sampler: a frame
@@ -354,6 +354,7 @@ public:
   void RemoveSampler(vtkVirtualLightSampler* sampler);
   ///@}
 
+#ifndef __VTK_WRAP__
   /** The estimator where none is set, and not held: one that draws its frames through this pass. */
   void BorrowEstimator(vtkIndirectEstimatorPass* estimator);
 #endif

@@ -6,6 +6,7 @@
 #include "VirtualLights/vtkIndirectSenderTexels.h"
 #include "vtkObjectFactory.h"
 #include "vtkReflectiveShadowMapPass.h"
+#include "vtkUniformLightSampler.h"
 
 #include <algorithm>
 
@@ -23,6 +24,7 @@ struct vtkLightTreeSampler::Internals
 {
   vtkIndirectSenderTexels Texels;
   vtkIndirectSenderClusters Clusters;
+  vtkNew<vtkUniformLightSampler> ViewPattern;
   size_t Sources = 0; // of the texels' lights
   // What the tree was made of, and the lights.
   vtkMTimeType MapTime = 0;
@@ -87,6 +89,14 @@ bool vtkLightTreeSampler::Update(const Input& input)
 }
 
 //------------------------------------------------------------------------------
+// What the eye sees changes with every move of the camera, too often to make a tree of it.
+vtkMapLightSampler* vtkLightTreeSampler::GetViewPattern()
+{
+  this->Internal->ViewPattern->SetNumberOfLights(this->NumberOfLights);
+  return this->Internal->ViewPattern;
+}
+
+//------------------------------------------------------------------------------
 size_t vtkLightTreeSampler::GetMainMemoryBytes() const
 {
   return this->Internal->Clusters.GetBytes();
@@ -101,6 +111,7 @@ void vtkLightTreeSampler::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Superclass::ReleaseGraphicsResources(window);
   this->Internal->Texels.Release(window);
+  this->Internal->ViewPattern->ReleaseGraphicsResources(window);
   this->Internal->Clusters.SetSenders({});
   this->Internal->MapTime = 0;
   this->Internal->Count = 0;

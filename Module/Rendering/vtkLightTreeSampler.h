@@ -12,11 +12,11 @@
  * scene. So no light is lost, none is spent on texels that no light reaches, and contacts have
  * thousands of lights.
  *
- * Against all texels of the maps the mean squared relative error is a third to a twentieth of what
- * as many lights of vtkUniformLightSampler leave, at about the same time. Approximations: a node is
- * a disk at its middle texel with a quarter of its area; where a node mixes surfaces that face
- * different ways the result is too dark, by up to 5 %. Maps are read back when they have changed:
- * 10 to 40 ms. A node's depth map serves its branches.
+ * The mean squared relative error is half to a thirtieth of what as many lights of
+ * vtkUniformLightSampler leave, at about the same time. Approximations: a node is a disk at its
+ * mean place with a quarter of its area; where a receiver's horizon cuts a node the result is too
+ * dark, by up to 5 %. Maps are read back when they have changed: 10 to 40 ms. A node's depth map
+ * serves its branches.
  */
 
 #ifndef vtkLightTreeSampler_h
@@ -37,8 +37,10 @@ public:
 
   ///@{
   /**
-   * Virtual lights that all receivers sum, over all lights of the scene together. Default 256,
-   * range 1 to 1048576.
+   * Virtual lights that all receivers sum at most, over all lights of the scene together. Half as
+   * many where these lie within 4 % of the scene's diagonal of what they stand for, root mean
+   * square. Where a headlight is the only light, as many as this of even ones of what the eye sees.
+   * Default 256, range 1 to 1048576.
    */
   vtkSetClampMacro(NumberOfLights, int, 1, 1048576);
   vtkGetMacro(NumberOfLights, int);
@@ -46,6 +48,7 @@ public:
 
 #ifndef __VTK_WRAP__
   bool Update(const Input& input) override;
+  vtkMapLightSampler* GetViewPattern() override;
   /** In main memory. */
   size_t GetMainMemoryBytes() const;
 #endif

@@ -44,6 +44,7 @@ struct SenderBlock
 {
   double Position[3][Lanes];
   double Normal[3][Lanes];
+  double Spread[Lanes]; // of the surfaces' normals: see vtkiMeanProjection
   double Area[Lanes];
   double DensityArea[3][Lanes];
 };
@@ -71,7 +72,8 @@ void Sum(const SenderBlock* blocks, size_t count, const Receiver& receiver, doub
       const double r2 = x * x + y * y + z * z;
       const double sender = -(s.Normal[0][i] * x + s.Normal[1][i] * y + s.Normal[2][i] * z);
       const double mine = receiver.Normal[0] * x + receiver.Normal[1] * y + receiver.Normal[2] * z;
-      const double facing = (sender > 0.0 ? sender : 0.0) * (mine > 0.0 ? mine : 0.0);
+      const double projected = 0.5 * (sender + std::sqrt(sender * sender + s.Spread[i] * r2));
+      const double facing = projected * (mine > 0.0 ? mine : 0.0);
       const double denominator = r2 * (pi * r2 + s.Area[i]);
       const double weight = denominator > 0.0 ? facing / denominator : 0.0;
       sums[0][i] += s.DensityArea[0][i] * weight;
@@ -114,11 +116,12 @@ void SumLobe(
         mine += n[c] * l[c];
         mirrored += (facing * n[c] - v[c]) * l[c];
       }
-      if (r2 > 0.0 && sender > 0.0 && mine > 0.0 && mirrored > 0.0)
+      const double projected = 0.5 * (sender + std::sqrt(sender * sender + s.Spread[i] * r2));
+      if (r2 > 0.0 && projected > 0.0 && mine > 0.0 && mirrored > 0.0)
       {
         const double r = std::sqrt(r2);
         const double weight =
-          sender / r / (pi * r2 + s.Area[i]) * std::pow(std::min(mirrored / r, 1.0), power);
+          projected / r / (pi * r2 + s.Area[i]) * std::pow(std::min(mirrored / r, 1.0), power);
         for (int c = 0; c < 3; ++c)
         {
           total[c] += s.DensityArea[c][i] * weight;
@@ -152,6 +155,13 @@ struct OpenLines
   bool IsVisible(const End&, const End&) const { return true; }
 };
 
+// Lanes that stay empty have no normal.
+glm::dvec3 Normalized(const glm::dvec3& normal)
+{
+  const double length = glm::length(normal);
+  return length > 0.0 ? normal / length : normal;
+}
+
 // The senders as ends of segments, block by block.
 template <typename Lines>
 using SenderEnds = std::vector<std::array<typename Lines::End, Lanes>>;
@@ -166,7 +176,7 @@ SenderEnds<Lines> FindEnds(const std::vector<SenderBlock>& blocks, const Lines& 
     for (size_t i = 0; i < Lanes; ++i)
     {
       ends[b][i] = lines.FindEnd({ s.Position[0][i], s.Position[1][i], s.Position[2][i] },
-        { s.Normal[0][i], s.Normal[1][i], s.Normal[2][i] });
+        Normalized({ s.Normal[0][i], s.Normal[1][i], s.Normal[2][i] }));
     }
   }
   return ends;
@@ -199,7 +209,8 @@ void FindVisible(const std::vector<SenderBlock>& blocks, const SenderEnds<Lines>
         facing[0] -= visible.Normal[c][i] * toSender;
         facing[1] += receiver.Normal[c] * toSender;
       }
-      if (facing[0] > 0.0 && facing[1] > 0.0 && !lines.IsVisible(end, ends[b][i]))
+      const bool sends = facing[0] > 0.0 || visible.Spread[i] > 0.0;
+      if (sends && facing[1] > 0.0 && !lines.IsVisible(end, ends[b][i]))
       {
         visible.DensityArea[0][i] = visible.DensityArea[1][i] = visible.DensityArea[2][i] = 0.0;
       }
@@ -285,6 +296,9 @@ std::vector<SenderBlock> ReadSenders(
       block.DensityArea[c][lane] = d[c];
     }
     block.Area[lane] = position[4 * i + 3];
+    const float* n = &normal[4 * i];
+    block.Spread[lane] =
+      static_cast<double>(vtkIndirectKernels::vtkiSpreadOfNormals(glm::vec3(n[0], n[1], n[2])));
   }
   return blocks;
 }
@@ -354,7 +368,9 @@ struct Sums
             const std::vector<SenderBlock>& blocks = hides ? visible : this->Senders;
             Sum(blocks.data(), blocks.size(), receiver, total);
             const float* lobe = this->Specular.empty() ? nullptr : &this->Specular[4 * p];
-            const bool mirrors = lobe && std::max({ lobe[0], lobe[1], lobe[2] }) > 0.0f;
+            // Below zero: roughness of PBR, which area lights alone know.
+            const bool mirrors =
+              lobe && lobe[3] >= 0.0f && std::max({ lobe[0], lobe[1], lobe[2] }) > 0.0f;
             double reflected[3] = { 0.0, 0.0, 0.0 };
             SumDirections(
               this->Directions, lines, receiver, end, mirrors ? lobe[3] : -1.0, total, reflected);

@@ -19,7 +19,7 @@ import json
 import statistics
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -80,10 +80,15 @@ def make_lamp(kind: str, number: int) -> Any:
 class Measured:
     """A scene that is rendered a frame at a time."""
 
-    def __init__(self, size: tuple[int, int], mix: str | None) -> None:
+    def __init__(
+        self,
+        size: tuple[int, int],
+        mix: str | None,
+        make: Callable[[str, int], Any] = make_lamp,
+    ) -> None:
         self.scene: Scene = load_scene(SCENE)
         self.scene.size = size
-        self.scene.area_lights.clear()
+        area_lights.detach_all(self.scene.renderer)
         self.videos: list[Any] = []
         self.frame = 0
         self.times: list[float] = []
@@ -103,7 +108,7 @@ class Measured:
             if "-" in mix:
                 self.indirect.SetVisibilityToNone()
             for number, kind in enumerate(mix.replace("-", "")):
-                lamp = make_lamp(kind, number)
+                lamp = make(kind, number)
                 self.indirect.AddAreaLight(lamp)
                 if kind == "v":
                     self.videos.append(lamp)
@@ -120,12 +125,14 @@ class Measured:
         return taken
 
     def fill(self) -> None:
-        """Render until all depth maps are there."""
-        self.render()
-        before, drawn = -1, frames.tiles_drawn(self.indirect)
-        while drawn > before:
+        """Render until no depth map is missing; some of what surfaces reflect change with videos."""
+        before = -1
+        for _ in range(frames.MOST_FILLING_FRAMES):
             self.render()
-            before, drawn = drawn, frames.tiles_drawn(self.indirect)
+            drawn = frames.tiles_drawn(self.indirect)
+            if drawn == before:
+                break
+            before = drawn
 
     def stages(self, count: int) -> dict[str, float]:
         """Return the medians of the stages; apart, because each waits for OpenGL."""

@@ -2,7 +2,8 @@
 """Puts comparisons and benchmarks into the documentation: publish.py REPORTS [DOCUMENTATION].
 
 REPORTS is the directory that Testing/Benchmark/report fills: ``all``, ``hints``, ``occupancy`` and
-``sky`` are comparisons by ``comparison.py``, ``*.md`` are tables that benchmarks printed.
+``sky`` are comparisons by ``comparison.py``, ``*.md`` are tables that benchmarks printed, and
+``area.page`` is a whole page.
 """
 
 from __future__ import annotations
@@ -25,8 +26,9 @@ Regenerate this page and its siblings with one command, which also writes differ
 """
 
 ALL = """
-Siblings: [light from the sky](speed-vs-error/sky.md), [radiance hints and their paper](speed-vs-error/hints.md),
-[occupancy](speed-vs-error/occupancy.md), [multiresolution splatting and hints against the gather, SSAO and their papers](speed-vs-error/benchmarks.md).
+Siblings: [light from the sky](speed-vs-error/sky.md), [area lights by their number](speed-vs-error/area.md),
+[radiance hints and their paper](speed-vs-error/hints.md), [occupancy](speed-vs-error/occupancy.md),
+[multiresolution splatting and hints against the gather, SSAO and their papers](speed-vs-error/benchmarks.md).
 
 How to read it: times are of a camera that turns in a scene that stands still; first ms is the frame that makes what
 later ones keep (light maps, depth maps, hints, shaders). R1 is what a method without visibility (-open, and the
@@ -258,6 +260,8 @@ def main() -> int:
     for name, page in PAGES.items():
         publish(reports / name, page, documentation)
     publish_tables(reports, documentation)
+    if (reports / "area.page").is_file():
+        shutil.copy(reports / "area.page", figures / "area.md")
     return 0
 
 

@@ -364,8 +364,8 @@ class Command(DirectoryTest):
             "sweep.json",
             sweep_of(
                 {"method": "reference", "settings": {"ReflectiveShadowMapResolution": 256}},
-                {"method": "gather", "settings": {"NumberOfLights": [16, 1024],
-                                                  "Interpolation": False}},
+                {"method": "gather", "sampler": "uniform",
+                 "settings": {"NumberOfLights": [16, 1024], "Interpolation": False}},
             ),
         )
         rows = {row["label"]: row for row in self.compare("--sweep", path)}

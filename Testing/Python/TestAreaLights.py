@@ -44,7 +44,28 @@ class Scenes(support.DirectoryTest):
         self.assertEqual(first.GetPoint2(), (0.5, -0.5, 1.0))
         self.assertFalse(first.GetTwoSided())
         self.assertTrue(second.GetTwoSided())
+        self.assertFalse(first.GetVisible())
         self.assertEqual(scene.lights, [])
+
+    def test_visible(self) -> None:
+        # Seen from below, the side that it sends light to.
+        eye = {"position": [0, -1.5, 0.1], "focal_point": [0, 0, 1], "view_up": [0, 0, 1]}
+        scene = self.load({**LAMP, "radiance": [0.2, 0.4, 0.6], "visible": True})
+        (lamp,) = scene.area_lights
+        self.assertTrue(lamp.GetVisible())
+        camera = scene.renderer.GetActiveCamera()
+        camera.SetPosition(eye["position"])
+        camera.SetFocalPoint(eye["focal_point"])
+        window = scene.make_window()
+        vtkindirect.enable(scene)
+        window.Render()
+        pixel = images.copy_buffer(scene.renderer, "final")[24, 32]
+        self.assertTrue(np.allclose(pixel, (0.2, 0.4, 0.6)), pixel)
+        lamp.VisibleOff()
+        window.Render()
+        pixel = images.copy_buffer(scene.renderer, "final")[24, 32]
+        self.assertFalse(np.allclose(pixel, (0.2, 0.4, 0.6)), pixel)
+        window.Finalize()
 
     @unittest.skipUnless(wrapped.has("vtkOpenEXRWriter"), "built without OpenEXR")
     def test_texture(self) -> None:

@@ -152,7 +152,7 @@ class Rendering(support.DirectoryTest):
         result = self.run_line(
             *words,
             *("--report", report, "--frames", 2, "--size", "50x40", "--method", "gather"),
-            *("--set", "NumberOfLights=50", "--set", "Pattern=grid"),
+            *("--set", "NumberOfLights=50", "--set", "Pattern=grid", "--sampler", "uniform"),
             run=support.command_line,
         )
         self.assertEqual(result.stderr, "")

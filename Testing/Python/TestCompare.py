@@ -211,8 +211,9 @@ class Command(DirectoryTest):
             "sweep.json",
             sweep_of(
                 {"method": "reference", "settings": {"ReflectiveShadowMapResolution": 256}},
-                {"method": "gather", "settings": {"NumberOfLights": [16, 1024],
-                                                  "Interpolation": False, "Visibility": "none"}},
+                {"method": "gather", "sampler": "uniform",
+                 "settings": {"NumberOfLights": [16, 1024], "Interpolation": False,
+                              "Visibility": "none"}},
             ),
         )
         rows = {row["label"]: row for row in self.compare("--sweep", path, run=command_line)}
@@ -297,7 +298,7 @@ class Command(DirectoryTest):
         self.assertEqual(run.missing.keys(), {"R1, R2 and R3"})
         for name in ("a1", "a3"):
             self.assertAlmostEqual(found["vtk"][f"bias_{name}"], -1.0, places=12)
-        for pace, limit in (("moving", 0.06), ("still", 0.03)):
+        for pace, limit in (("moving", 0.04), ("still", 0.01)):
             row = found[pace]
             # Steps of 16 and 64 points in the penumbrae; all else is in closed form.
             self.assertLess(row["nrmse_a1"], limit)
@@ -306,6 +307,26 @@ class Command(DirectoryTest):
             self.assertAlmostEqual(row["bias_a3"], -0.216, delta=0.03)
             self.assertGreater(row["frame_ms"], 0.0)
             self.assertNotIn("nrmse_r1", row)
+
+    @unittest.skipUnless(wrapped.has("vtkOpenEXRReader"), "vtkIndirectOpenEXR was not built")
+    def test_shadows_of_area_lights(self) -> None:
+        """A1 when all maps are there: a lamp over boxes, two over a machine, a window's picture.
+
+        What 1024 points with exact visibility leave is 0.002, 0.002 and 0.020 of these; and A1's
+        own noise 0.001, 0.001 and 0.008. The rest are texels.
+        """
+        stored = SCENES.parent / "Reference" / "data"
+        for name, size, limit in (
+            ("area_cornell", (256, 256), 0.003),
+            ("area_machine", (256, 192), 0.012),
+            ("area_apartment", (256, 192), 0.03),
+        ):
+            with self.subTest(name):
+                run = compare.Run(load_scene(SCENES / f"{name}.json"), 1, stored, size)
+                (_, row) = run.run([sweep.Row("all", "auto")], lambda _what: None)
+                self.assertEqual(row["error"], "")
+                self.assertLess(row["nrmse_a1"], limit)
+                self.assertLess(abs(row["bias_a1"]), 0.005)
 
     def test_processor_time_is_that_of_all_threads_and_of_no_waiting(self) -> None:
         scene = load_scene(self.write("small.json", small_scene()))
@@ -392,7 +413,7 @@ class Command(DirectoryTest):
             sweep_of(
                 {"method": "a method to come"},
                 {"label": "wrong", "method": "gather", "settings": {"Colour": "blue"}},
-                {"method": "gather", "settings": {"Pattern": "grid"}},
+                {"method": "gather", "sampler": "uniform", "settings": {"Pattern": "grid"}},
                 {"method": "auto", "settings": {"NumberOfLights": 16, "Occupancy": True}},
             ),
         )

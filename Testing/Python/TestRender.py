@@ -114,7 +114,7 @@ class Render(unittest.TestCase):
         self.assertLess(errors["finest"], 1e-3)  # sums are stored in half floats
         self.assertLess(errors["default"], 0.05)
         self.assertLess(errors["default"], errors["half"])
-        self.assertLess(errors["half"], 0.1)
+        self.assertLess(errors["half"], 0.13)  # what is below lights is narrower than 2 x 2 pixels
 
     def test_off(self) -> None:
         scene, report = self.render("cornell_box", method="off", frames=2, size=(100, 60))

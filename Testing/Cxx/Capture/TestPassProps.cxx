@@ -18,6 +18,7 @@
 #include "vtkSmartVolumeMapper.h"
 #include "vtkTextProperty.h"
 #include "vtkTexture.h"
+#include "vtkUniformLightSampler.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -196,6 +197,8 @@ VTK_INDIRECT_TEST(PropsSplats)
   };
   Room room;
   room.Pass->SetVisibilityToNone(); // of lights at a shadow's edge rounding decides
+  vtkNew<vtkUniformLightSampler> sampler; // a tree measures normals in the scene's diagonals
+  room.Pass->SetSampler(sampler);
   room.GetRenderer()->SetBackground(0.1, 0.2, 0.3);
   const Pixels plainWithout = room.Grab(false);
   const Pixels without = room.Grab(true);

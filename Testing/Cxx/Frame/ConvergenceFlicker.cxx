@@ -5,6 +5,7 @@
 
 #include "vtkCamera.h"
 #include "vtkLight.h"
+#include "vtkLightTreeSampler.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
@@ -30,6 +31,7 @@ struct FlickerScene : Scene
   vtkNew<vtkMultiresolutionSplattingPass> Splatting;
   vtkNew<vtkRadianceHintsPass> Hints;
   vtkNew<vtkUniformLightSampler> Changing;
+  vtkNew<vtkLightTreeSampler> Tree;
   vtkLight* Light;
 
   FlickerScene()
@@ -137,6 +139,12 @@ VTK_INDIRECT_TEST(FlickerOfLight)
   check("gather", scene.DefaultGather, 1.2);
   check("multiresolution", scene.Splatting, 1.2);
   check("hints", scene.Hints, 1.4);
+  CheckAtMost("gather, lights of a tree: change over that of all texels",
+    FindFlicker(scene.Follow(scene.DefaultGather, scene.Tree, false)) / truth, 1.2,
+    "clusters change by a little");
+  CheckAtMost("multiresolution, lights of a tree: change over that of all texels",
+    FindFlicker(scene.Follow(scene.Splatting, scene.Tree, false)) / truth, 1.2,
+    "clusters change by a little");
 }
 
 VTK_INDIRECT_TEST(FlickerOfEye)

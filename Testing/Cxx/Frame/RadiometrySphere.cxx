@@ -5,6 +5,7 @@
 
 #include "vtkActor.h"
 #include "vtkLight.h"
+#include "vtkLightTreeSampler.h"
 #include "vtkMath.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkUniformLightSampler.h"
@@ -151,6 +152,25 @@ VTK_INDIRECT_TEST(ClosedSphereVirtualLights)
       "bias and the nearest light's share");
     CheckAbsolute(what + ", largest", s.Largest, 1.0, 0.01, "one per cent");
   }
+}
+
+VTK_INDIRECT_TEST(ClosedSphereLightTree)
+{
+  SphereScene scene({ 0.0, 0.0, 1.0 });
+  vtkNew<vtkLightTreeSampler> tree;
+  scene.Pass->SetSampler(tree);
+  scene.Gather->SetModeToVirtualLights();
+  for (const double tolerance : { 0.0, 0.005 })
+  {
+    scene.Pass->SetErrorTolerance(tolerance);
+    const Statistics s = scene.Measure("irradiance", scene.Albedo / (Radius * Radius));
+    const std::string what = "tolerance " + std::to_string(tolerance) + ", E1 over albedo E0: ";
+    const double limit = tolerance > 0.0 ? tolerance : 0.02;
+    CheckAbsolute(what + "mean", s.Mean, 1.0, limit, "the tolerance, by default 0.02");
+    CheckAbsolute(what + "least", s.Least, 1.0, limit, "the same");
+    CheckAbsolute(what + "largest", s.Largest, 1.0, limit, "the same");
+  }
+  scene.Pass->SetSampler(nullptr);
 }
 
 VTK_INDIRECT_TEST(ClosedSphereKnownBias)

@@ -200,6 +200,35 @@ VTK_INDIRECT_TEST(PlanBuffers)
   Check("IndirectScale 0", !vtkIndirectPlan::Make(frame, settings, glossy, {}).Specular);
 }
 
+// Area lights in specular lobes, and as they are seen.
+VTK_INDIRECT_TEST(PlanAreaLights)
+{
+  vtkIndirectFrame frame = MakeFrame({ MakeLight() });
+  vtkIndirectCircumstances circumstances;
+  circumstances.AreaLights = true;
+  vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, {}, {}, circumstances);
+  Check("no receiver is specular",
+    !plan.AreaSpecular && !plan.SurfacesAreSpecular && plan.AlbedoInAlpha);
+  CheckEqual("none is seen", plan.VisibleAreaLights, 0);
+  frame.Specular = true;
+  plan = vtkIndirectPlan::Make(frame, {}, {}, circumstances);
+  Check("whatever the estimator does",
+    plan.AreaSpecular && plan.SurfacesAreSpecular && !plan.Specular && !plan.AlbedoInAlpha);
+  Check("without area lights", !vtkIndirectPlan::Make(frame, {}, {}, {}).SurfacesAreSpecular);
+  frame.Specular = false;
+  frame.PhysicallyBased = true;
+  plan = vtkIndirectPlan::Make(frame, {}, {}, circumstances);
+  Check("PBR",
+    plan.AreaSpecular && !plan.Specular &&
+      Find(plan.Modelled, "area lights in specular lobes").find("PBR") != std::string::npos);
+  vtkIndirectSettings settings;
+  settings.IndirectScale = 0.0;
+  circumstances.VisibleAreaLights = 2;
+  plan = vtkIndirectPlan::Make(frame, settings, {}, circumstances);
+  Check("IndirectScale 0", !plan.AreaSpecular);
+  CheckEqual("they are seen all the same", plan.VisibleAreaLights, 2);
+}
+
 // Maps where single lights are summed, voxels where the estimator asks for them.
 VTK_INDIRECT_TEST(PlanVisibility)
 {

@@ -17,6 +17,9 @@ using namespace vtkIndirectTest;
 namespace
 {
 constexpr int Texels = 64;
+// So large that there are places between samples, which are every eighth pixel: no frame that is
+// much smaller interpolates anything here.
+constexpr int Edge = 256;
 using Picture = std::function<double(double, double)>; // of pixels
 
 struct ImageScene : Scene
@@ -27,7 +30,8 @@ struct ImageScene : Scene
   glm::dvec3 Edge1;
   glm::dvec3 Edge2;
 
-  ImageScene(const glm::dvec3& corner, const glm::dvec3& edge1, const glm::dvec3& edge2, int size)
+  ImageScene(
+    const glm::dvec3& corner, const glm::dvec3& edge1, const glm::dvec3& edge2, int size = Edge)
     : Scene(size, size)
   {
     this->Gather->SetModeToVirtualLights();
@@ -91,6 +95,14 @@ bool Everywhere(const Scene::Receiver&)
   return true;
 }
 
+// Every so many pixels of every so many rows: sums over thousands of pieces take long. An odd
+// number gets all places between samples.
+std::function<bool(const Scene::Receiver&)> Every(int step)
+{
+  return [step](const Scene::Receiver& receiver)
+  { return receiver.X % step == step / 2 && receiver.Y % step == step / 2; };
+}
+
 double Checkers(double x, double y)
 {
   return (static_cast<int>(x) / 8 + static_cast<int>(y) / 8) % 2 ? 1.0 : 0.0;
@@ -123,7 +135,7 @@ VTK_INDIRECT_TEST(AreaImageInFrames)
 {
   for (const double height : { 0.75, 0.1 })
   {
-    ImageScene scene({ -0.5, -0.5, height }, { 0, 1, 0 }, { 1, 0, 0 }, 48);
+    ImageScene scene({ -0.5, -0.5, height }, { 0, 1, 0 }, { 1, 0, 0 });
     for (const auto& picture : Pictures)
     {
       scene.Show(picture.second);
@@ -140,7 +152,7 @@ VTK_INDIRECT_TEST(AreaImageInFrames)
           }
           return sums[number++];
         };
-        CompareLight(scene, "area", Everywhere, expect,
+        CompareLight(scene, "area", Every(5), expect,
           { 5e-3, 0.01, "a hundredth of the value is what users are promised" },
           std::string(picture.first) + " at " + std::to_string(height) +
             (moving ? ", moving" : ", still"));
@@ -155,7 +167,7 @@ VTK_INDIRECT_TEST(AreaLightInMovingFrames)
 {
   for (const double height : { 1e-3, 0.03, 0.5, 1.0, 30.0 })
   {
-    ImageScene scene({ -0.5, -0.5, height }, { 0, 1, 0 }, { 1, 0, 0 }, 256);
+    ImageScene scene({ -0.5, -0.5, height }, { 0, 1, 0 }, { 1, 0, 0 });
     CompareLight(
       scene, "area", Everywhere,
       [&](const auto& r)
@@ -164,9 +176,10 @@ VTK_INDIRECT_TEST(AreaLightInMovingFrames)
           { { -0.5, -0.5, height }, { 0.5, -0.5, height }, { 0.5, 0.5, height },
             { -0.5, 0.5, height } });
       },
-      { 1e-3, 5e-3, "interpolated over a tenth of the distance" }, "at " + std::to_string(height));
+      { 1e-3, 3e-3, "interpolated over a fourteenth of the distance" },
+      "at " + std::to_string(height));
   }
-  ImageScene scene({ 0, -0.5, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, 256);
+  ImageScene scene({ 0, -0.5, 0 }, { 0, 1, 0 }, { 0, 0, 1 });
   CompareLight(
     scene, "area", Everywhere,
     [](const auto& r)
@@ -175,17 +188,17 @@ VTK_INDIRECT_TEST(AreaLightInMovingFrames)
         { 0, 0.5, 0 } };
       return r.Position.x > 0.0 ? PolygonFormFactor(r.Position, r.Normal, lamp) : 0.0;
     },
-    { 1e-3, 5e-3, "interpolated over a tenth of the distance" }, "standing");
+    { 1e-3, 3e-3, "interpolated over a fourteenth of the distance" }, "standing");
 }
 
 // A picture that moves over the lamp, frame by frame: what is rendered changes no more than the sum
 // over many pieces does.
 VTK_INDIRECT_TEST(AreaVideoWithoutFlicker)
 {
-  constexpr int edge = 24;
+  const auto counts = Every(11);
   for (const auto& picture : { Pictures[0], Pictures[3] })
   {
-    ImageScene scene({ -0.5, -0.5, 0.4 }, { 0, 1, 0 }, { 1, 0, 0 }, edge);
+    ImageScene scene({ -0.5, -0.5, 0.4 }, { 0, 1, 0 }, { 1, 0, 0 });
     Image before;
     std::vector<double> sumsBefore;
     double changes = 0.0;
@@ -201,12 +214,16 @@ VTK_INDIRECT_TEST(AreaVideoWithoutFlicker)
       std::vector<double> sums;
       for (const Scene::Receiver& receiver : receivers)
       {
-        sums.push_back(receiver.Lit ? scene.Sum(receiver, shown, 1) : 0.0);
+        const bool lit = receiver.Lit && counts(receiver);
+        sums.push_back(lit ? scene.Sum(receiver, shown, 1) : 0.0);
       }
       for (size_t i = 0; frame > 0 && i < sums.size(); ++i)
       {
-        changes += std::pow(light.Values[3 * i] - before.Values[3 * i], 2.0);
-        expected += std::pow(sums[i] - sumsBefore[i], 2.0);
+        if (sums[i] > 0.0)
+        {
+          changes += std::pow(light.Values[3 * i] - before.Values[3 * i], 2.0);
+          expected += std::pow(sums[i] - sumsBefore[i], 2.0);
+        }
       }
       before = light;
       sumsBefore = sums;
@@ -221,15 +238,15 @@ VTK_INDIRECT_TEST(AreaVideoWithoutFlicker)
 // light of each step differs from that of the last one as the sum does, but for a small part of it.
 VTK_INDIRECT_TEST(AreaImageSplitsWithoutPop)
 {
-  constexpr int edge = 16;
-  ImageScene scene({ -0.5, -0.5, 0.2 }, { 0, 1, 0 }, { 1, 0, 0 }, edge);
+  const auto counts = Every(11);
+  ImageScene scene({ -0.5, -0.5, 0.2 }, { 0, 1, 0 }, { 1, 0, 0 });
   scene.Show(Photograph);
   for (const bool moving : { true, false })
   {
     scene.SetMoving(moving);
     std::vector<double> errorsBefore;
     double worst = 0.0;
-    int count = 0;
+    size_t count = 0;
     for (int step = 0; step < 40; ++step)
     {
       scene.Place({ -0.5, -0.5, 0.2 * std::pow(1.03, step) }, { 0, 1, 0 }, { 1, 0, 0 });
@@ -238,19 +255,22 @@ VTK_INDIRECT_TEST(AreaImageSplitsWithoutPop)
       const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
       std::vector<double> errors;
       std::vector<double> sums;
-      double mean = 0.0;
+      double total = 0.0;
       for (size_t i = 0; i < receivers.size(); ++i)
       {
-        const double sum = receivers[i].Lit ? scene.Sum(receivers[i], Photograph, 1) : 0.0;
-        errors.push_back(light.Values[3 * i] - sum);
-        sums.push_back(sum);
-        mean += sum / static_cast<double>(receivers.size());
-        count += sum > 0.0 ? 1 : 0;
+        if (receivers[i].Lit && counts(receivers[i]))
+        {
+          sums.push_back(scene.Sum(receivers[i], Photograph, 1));
+          errors.push_back(light.Values[3 * i] - sums.back());
+          total += sums.back();
+        }
       }
+      const double mean = total / static_cast<double>(sums.size());
       for (size_t i = 0; step > 0 && i < errors.size(); ++i)
       {
         worst = std::max(worst, std::abs(errors[i] - errorsBefore[i]) / std::max(sums[i], mean));
       }
+      count += sums.size();
       errorsBefore = errors;
     }
     Check("receivers are lit", count > 1000, "a test of nothing passes");
@@ -263,7 +283,7 @@ VTK_INDIRECT_TEST(AreaImageSplitsWithoutPop)
 // seen from a place of the floor is a rectangle, too.
 VTK_INDIRECT_TEST(AreaPenumbraInMovingFrames)
 {
-  ImageScene scene({ -0.5, -0.5, 1 }, { 0, 1, 0 }, { 1, 0, 0 }, 256);
+  ImageScene scene({ -0.5, -0.5, 1 }, { 0, 1, 0 }, { 1, 0, 0 });
   scene.Pass->SetVisibilityToMaps();
   scene.AddQuad({ -2, -2, 0.5 }, { 0, -2, 0.5 }, { -2, 2, 0.5 }, { 0.5, 0.5, 0.5 });
   scene.SetEye({ 4.0, 0.0, 3.0 }, { 0.4, 0, 0 }, { 0, 0, 1 }, 30.0, 0.1, 20.0);
@@ -312,5 +332,5 @@ VTK_INDIRECT_TEST(AreaLightsInBatches)
       return PolygonFormFactor(r.Position, r.Normal,
         { { -0.5, -0.5, 1 }, { 0.5, -0.5, 1 }, { 0.5, 0.5, 1 }, { -0.5, 0.5, 1 } });
     },
-    { 1e-3, 5e-3, "interpolated over a tenth of the distance" });
+    { 1e-3, 3e-3, "interpolated over a fourteenth of the distance" });
 }

@@ -455,7 +455,7 @@ std::vector<Scene::Receiver> Scene::GetReceivers()
           clip.z / clip.w, 1.0);
       const glm::dvec3 n = normal.Color(x, y);
       receivers.push_back({ glm::length(n) > 0.5,
-        glm::dvec3(viewToWorld * glm::dvec4(glm::dvec3(view) / view.w, 1.0)), n });
+        glm::dvec3(viewToWorld * glm::dvec4(glm::dvec3(view) / view.w, 1.0)), n, x, y });
     }
   }
   return receivers;

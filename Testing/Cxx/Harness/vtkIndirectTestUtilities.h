@@ -159,6 +159,8 @@ public:
     bool Lit;
     glm::dvec3 Position;
     glm::dvec3 Normal;
+    int X; // pixel
+    int Y;
   };
   std::vector<Receiver> GetReceivers();
 

@@ -212,7 +212,7 @@ VTK_INDIRECT_TEST(AreaLightIsReflected)
     return albedo * sum * 4.0 / (edge * edge) / vtkMath::Pi();
   };
   CompareLight(scene, "bounce", onCeiling, expect,
-    { 0.02, 0.03, "four points for the lamp, 256 clusters of the floor two units away" });
+    { 0.03, 0.03, "four points for the lamp leave out 1 %, 256 clusters of their maps the rest" });
   CheckEqual("virtual lights of the floor", scene.ReadReport("virtual_lights"), 256);
 }
 

@@ -2,6 +2,7 @@
 // Plates whose form factors are known: one is lit, the other's irradiance is compared with B F.
 #include "vtkIndirectTestUtilities.h"
 
+#include "vtkLightTreeSampler.h"
 #include "vtkMath.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkUniformLightSampler.h"
@@ -180,4 +181,48 @@ VTK_INDIRECT_TEST(PerpendicularSquaresBias)
     CheckAbsolute("bias with N = " + std::to_string(n * n), bias, -0.6 / n, 0.2 / n,
       "known of the disk kernel: about -0.6 / sqrt(N)");
   }
+}
+
+// Nearest to the edge even lights are far apart; what is below the tree's is not.
+VTK_INDIRECT_TEST(PerpendicularSquaresLightTree)
+{
+  const Polygon floor = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+  Corner scene(256, 64);
+  vtkNew<vtkLightTreeSampler> tree;
+  scene.Gather->SetModeToVirtualLights();
+  auto measure = [&](vtkVirtualLightSampler* sampler)
+  {
+    scene.Pass->SetSampler(sampler);
+    scene.Render();
+    return scene.Copy("irradiance");
+  };
+  // Root mean square over a row of pixels, relative.
+  auto findError = [&](const Image& image, int y)
+  {
+    double squares = 0.0;
+    for (int x = 0; x < 64; ++x)
+    {
+      const glm::dvec3 p(0.0, (x + 0.5) / 64.0, (y + 0.5) / 64.0);
+      const double expected = Albedo.x * PolygonFormFactor(p, { 1, 0, 0 }, floor);
+      squares += std::pow(image.At(x, y)[0] / expected - 1.0, 2.0);
+    }
+    return std::sqrt(squares / 64.0);
+  };
+  const Image even = measure(scene.Sampler);
+  const Image cut = measure(tree);
+  for (const int y : { 1, 2, 4, 8 })
+  {
+    const std::string what = std::to_string(y) + " pixels from the edge: ";
+    CheckAtMost(what + "error", findError(cut, y), 0.1, "contacts within 10 %");
+    CheckAtLeast(
+      what + "that of even lights", findError(even, y), y < 4 ? 0.2 : 0.03, "the test's own power");
+  }
+  const double f = PerpendicularSquaresFormFactor();
+  CheckRelative(
+    "mean over the wall / B", cut.Mean() / Albedo.x, f, 0.02, "the tolerance where none is set");
+  scene.Pass->SetErrorTolerance(0.0025);
+  CheckRelative("tolerance 0.0025: mean over the wall / B", measure(tree).Mean() / Albedo.x, f,
+    5e-3, "measured 0.0066 with a tolerance of 0.005, which is of what is usual at a receiver");
+  scene.CheckBuffers(1);
+  scene.Pass->SetSampler(nullptr);
 }

@@ -66,11 +66,11 @@ VTK_INDIRECT_TEST(LightTreeAgainstAllTexels)
     const Difference even = Compare(scene.Copy("bounce"), reference);
     scene.Pass->SetSampler(tree);
     scene.Render();
-    CheckEqual(name + ": lights", scene.ReadReport("virtual_lights"), 256);
+    CheckEqual(name + ": lights", scene.ReadReport("virtual_lights"), 128);
     const Difference cut = Compare(scene.Copy("bounce"), reference);
     scene.CheckBuffers(1);
     CheckAtMost(name + ": over that of as many even lights", cut.Squared / even.Squared, 0.25,
-      "a sixth to a fortieth in rooms");
+      "with half as many lights; measured 0.012 and 0.079");
     CheckAtMost(name + ": mean squared relative difference", cut.Squared, 1e-2, "smooth surfaces");
     CheckAtMost(name + ": bias", std::abs(cut.Bias), 0.03, "a twentieth where surfaces mix");
   }
@@ -115,7 +115,7 @@ VTK_INDIRECT_TEST(LightTreeKeepsTheLight)
     double sum = 0.0;
     for (size_t child = 0; child < perNode; ++child)
     {
-      const size_t place = i * vtkIndirectKernels::VTKI_BRANCHES + child;
+      const size_t place = i * vtkIndirectKernels::VTKI_BRANCHES + child * (perNode + 1);
       const double light = lights.Branches[place].DensityArea.x;
       sum += light;
       if (lights.Branches[place].Reach > 0.0)
@@ -123,10 +123,7 @@ VTK_INDIRECT_TEST(LightTreeKeepsTheLight)
         double leaves = 0.0;
         for (size_t leaf = 0; leaf < perNode; ++leaf)
         {
-          leaves +=
-            lights
-              .Branches[i * vtkIndirectKernels::VTKI_BRANCHES + perNode + child * perNode + leaf]
-              .DensityArea.x;
+          leaves += lights.Branches[place + 1 + leaf].DensityArea.x;
         }
         worst = std::max(worst, std::abs(leaves / light - 1.0));
       }

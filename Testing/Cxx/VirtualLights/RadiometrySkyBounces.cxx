@@ -246,12 +246,19 @@ VTK_INDIRECT_TEST(SkyBouncesBesideLights)
         sum.Values[i] += images[1].Values[i];
       }
       double worst = 0.0;
+      size_t others = 0;
       for (size_t i = 0; i < sum.Values.size(); ++i)
       {
-        worst = std::max(worst, std::abs(double(sum.Values[i]) - images[2].Values[i]));
+        const double difference =
+          std::abs(double(sum.Values[i]) - images[2].Values[i]) / sum.Mean();
+        worst = std::max(worst, difference);
+        others += difference > 1e-4 ? 1 : 0;
       }
-      CheckAtMost("worst difference of the sum over its mean", worst / sum.Mean(), 1e-4,
-        "the order of a sum of floats");
+      CheckAtMost("worst difference of the sum over its mean", worst, maps ? 0.03 : 1e-4,
+        maps ? "one of 256 lights, several times as bright as usual"
+             : "the order of a sum of floats");
+      CheckAtMost("values that differ by more than 1e-4", static_cast<double>(others),
+        maps ? 12.0 : 0.0, "on the border of two texels of a depth map rounding decides");
     }
   }
 }

@@ -38,8 +38,10 @@ VTK_INDIRECT_TEST(SkyBounceReported)
     CONTRACT_CHECK(report.FindReason("left_out", "bounces of light from the sky").empty(),
       name << ": " << report.GetText());
     CONTRACT_CHECK(report.FindReason("left_out", "indirect light").empty(), report.GetText());
-    // Hints sum over more than the frame's sampler has, as of lights.
-    CONTRACT_CHECK(report.GetNumber("virtual_lights") == (estimator == hints ? 1024 : 256),
+    // Hints sum over more than the frame's sampler has, as of lights; the tree stops halfway where
+    // that is near enough.
+    const double lights = report.GetNumber("virtual_lights");
+    CONTRACT_CHECK(estimator == hints ? lights == 1024 : lights >= 128 && lights <= 256,
       name << ": " << report.Get("virtual_lights"));
     CONTRACT_CHECK(Mean(Read(pass, "bounce"), 0) > 0.01, name << " has no bounce");
   }
@@ -79,8 +81,8 @@ VTK_INDIRECT_TEST(SkyTakesNothingWhereItIsNot)
   pass->SetEnvironment(sky);
   const Report with = measure();
   CONTRACT_CHECK(with.GetNumber("bytes") > without.GetNumber("bytes"), with.Get("bytes"));
-  CONTRACT_CHECK(
-    with.GetNumber("virtual_lights") == 2 * without.GetNumber("virtual_lights"), with.GetText());
+  const double lights = with.GetNumber("virtual_lights") - without.GetNumber("virtual_lights");
+  CONTRACT_CHECK(lights >= 128 && lights <= 256, with.GetText());
   CONTRACT_CHECK(with.GetNumber("counters.faces_drawn") > 16, with.Get("counters.faces_drawn"));
   const double faces = with.GetNumber("counters.faces_drawn");
 

@@ -36,6 +36,11 @@ def attached(renderer: vtkRenderer) -> list[Any]:
     return [lights.GetItemAsObject(i) for i in range(lights.GetNumberOfItems())]
 
 
+def detach_all(renderer: vtkRenderer) -> None:
+    """Take those of a renderer away; a pass that has them keeps them."""
+    renderer.GetInformation().Remove(_KEY)
+
+
 def build(values: dict[str, Any]) -> Any:
     """Return the vtkAreaLight of a checked light of a scene file; `texture` is a whole path."""
     light = wrapped.get(CLASS)()
@@ -44,6 +49,7 @@ def build(values: dict[str, Any]) -> Any:
     light.SetPoint2(values["point2"])
     light.SetRadiance(values["radiance"])
     light.SetTwoSided(values["two_sided"])
+    light.SetVisible(values["visible"])
     if "texture" in values:
         light.SetImage(environments.read_picture(values["texture"]))
     return light

@@ -39,6 +39,7 @@ BUFFERS = (
     "depth",
     "specular",
     "lights",
+    "branches",
 )
 MAP_BUFFERS = ("depth", "normal", "density")
 # Of multiresolution splatting; <n> is a level, 0 for pixels.

@@ -36,14 +36,14 @@ class Method:
 _ROWS = (
     Method("auto", None, None, "the pass chooses from the scene"),
     Method("off", None, None, "no indirect light: VTK's own image"),
-    Method("gather", "vtkRSMGatherPass", "vtkUniformLightSampler", "sum over virtual lights"),
+    Method("gather", "vtkRSMGatherPass", "vtkLightTreeSampler", "sum over virtual lights"),
     Method(
         "splatting", "vtkIndirectSplattingPass", "vtkUniformLightSampler", "virtual lights drawn"
     ),
     Method(
         "multiresolution",
         "vtkMultiresolutionSplattingPass",
-        "vtkUniformLightSampler",
+        "vtkLightTreeSampler",
         "sum over virtual lights, once for each group of pixels that looks alike",
     ),
     Method("hints", "vtkRadianceHintsPass", None, "light sampled in a grid of the space"),
@@ -268,7 +268,7 @@ def _configure(
         targets = parts(indirect)
         for name in settings:
             if properties.find(targets, name) is None:
-                _explain_owner(name, method)
+                _explain_owner(name, method, indirect.GetSampler())
         new = [target for target in targets if target not in record.configured]
         properties.apply_where_possible(new, record.settings)
         asked = properties.apply(targets, settings)
@@ -280,16 +280,22 @@ def _configure(
     record.settings.update(asked)
 
 
-def _explain_owner(name: str, method: Method) -> None:
-    """Raise when a property belongs to another method than the one in use."""
-    for other in METHODS.values():
-        for class_name in (other.estimator, other.sampler):
-            if class_name is None or not wrapped.has(class_name):
-                continue
-            if properties.find([wrapped.get(class_name)()], name) is not None:
-                raise UsageError(
-                    f"property '{name}' belongs to method '{other.name}', not '{method.name}'"
-                )
+def _explain_owner(name: str, method: Method, sampler: Any) -> None:
+    """Raise when a property belongs to another method or sampler than the one in use."""
+
+    def owns(class_name: str | None) -> bool:
+        if class_name is None or not wrapped.has(class_name):
+            return False
+        return properties.find([wrapped.get(class_name)()], name) is not None
+
+    for other, class_name in SAMPLERS.items():
+        if owns(class_name) and (sampler is None or not sampler.IsA(class_name)):
+            raise UsageError(f"property '{name}' belongs to sampler '{other}': name it, too")
+    for row in METHODS.values():
+        if owns(row.estimator):
+            raise UsageError(
+                f"property '{name}' belongs to method '{row.name}', not '{method.name}'"
+            )
 
 
 KEEP: Any = object()

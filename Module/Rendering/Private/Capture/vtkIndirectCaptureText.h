@@ -10,10 +10,11 @@ class vtkIndirectLightConstants;
 struct vtkIndirectCaptureText
 {
   const vtkIndirectLightConstants& LightConstants;
-  bool Shadows;      // whether shadows are looked up
-  bool Specular;     // whether the specular colour and power are written
-  bool FlatUniforms; // whether uniforms come as flat varyings
-  bool Soft;         // whether alpha says where the mapper draws a surface
+  bool Shadows;       // whether shadows are looked up
+  bool Specular;      // whether the specular colour and power are written
+  bool SpecularOfPBR; // whether F0 and roughness are, in the same place
+  bool FlatUniforms;  // whether uniforms come as flat varyings
+  bool Soft;          // whether alpha says where the mapper draws a surface
 
   /**
    * Leaves a marker in front of VTK's light code: what the mapper declares is known only after it

@@ -30,8 +30,8 @@ const vtkIndirectChannel Channels[] = {
   // Only where not all is solid, or something is specular.
   { "geometry.albedo", "vtkiAlbedo", "albedo", GL_R32F, "-", "1" },
   // Only where a material of the scene is specular.
-  { "geometry.specular", "vtkiSpecular", "specular reflectance, power of the lobe", GL_RGBA16F, "-",
-    "1" },
+  { "geometry.specular", "vtkiSpecular", "specular reflectance, power of the lobe or -roughness",
+    GL_RGBA16F, "-", "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
@@ -77,7 +77,9 @@ bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirec
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
 
-  this->NumberOfChannels = plan.Specular ? Specular + 1 : plan.AlbedoInAlpha ? Albedo : Albedo + 1;
+  this->NumberOfChannels = plan.SurfacesAreSpecular ? Specular + 1
+    : plan.AlbedoInAlpha                            ? Albedo
+                                                    : Albedo + 1;
   this->Target->SetNumberOfChannels(this->NumberOfChannels);
   this->Target->MatchDepth();
   if (!this->Target->Resize(frame.Window, frame.Size[0], frame.Size[1]))
@@ -129,6 +131,26 @@ bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirec
   const bool complete = !clearAfter || this->Clear(frame.Window, true);
   this->Target->End();
   return complete;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectGeometryBuffer::DrawMore(
+  const vtkIndirectFrame& frame, const std::function<bool()>& draw)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkIndirectFullScreenState kernelState(frame.Window);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  this->Target->Begin();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_TRUE);
+  const bool drawn = draw();
+  this->Target->End();
+  return drawn;
 }
 
 //------------------------------------------------------------------------------

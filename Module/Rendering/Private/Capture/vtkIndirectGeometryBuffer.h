@@ -9,8 +9,9 @@
 // coordinates) with the kind of shading
 // - geometry.albedo, R32F: the bits of the albedo (of PBR times 1 - metallic), ten a channel; there
 // only when the lit texels do not hold them
-// - geometry.specular, RGBA16F: specular reflectance of Phong's model and the power of its lobe;
-// there only when the capture's Specular is on
+// - geometry.specular, RGBA16F: specular reflectance of Phong's model and the power of its lobe,
+// of VTK's PBR, where that is asked for, F0 and minus the roughness; there only when the capture's
+// Specular is on
 // and a depth texture, of the format of the framebuffer that the frame goes to.
 
 #ifndef vtkIndirectGeometryBuffer_h
@@ -18,7 +19,8 @@
 
 #include "Capture/vtkIndirectGeometryChannels.h" // for its channels
 
-#include <memory> // for the target
+#include <functional> // for what else is drawn
+#include <memory>     // for the target
 
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
@@ -44,6 +46,12 @@ public:
    */
   bool Update(const vtkRenderState* s, const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     vtkSurfaceCapturePass* capture, const vtkIndirectShadowMaps* shadows);
+
+  /**
+   * Draws more of what the eye sees, into the buffer as the last Update has left it: `draw` writes
+   * all channels, tested by depth and not blended. Returns what it returns.
+   */
+  bool DrawMore(const vtkIndirectFrame& frame, const std::function<bool()>& draw);
 
   const vtkIndirectTarget& GetTarget() const { return *this->Target; }
   /** Whether the lit texels of the last frame hold the albedo, and there is no channel for it. */

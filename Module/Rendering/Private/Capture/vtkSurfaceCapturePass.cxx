@@ -201,6 +201,17 @@ void vtkSurfaceCapturePass::SetSpecular(bool specular)
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::SetSpecularOfPBR(bool specular)
+{
+  if (specular != this->SpecularOfPBR)
+  {
+    this->SpecularOfPBR = specular;
+    this->SourceTime.Modified();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
 {
   this->Detach();
@@ -427,7 +438,7 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   ++this->NumberOfShaderBuilds;
   const Internals& in = *this->Internal;
   const vtkIndirectCaptureText text{ in.LightConstants, this->Shadows, this->Specular,
-    in.FlatUniforms, mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0 };
+    this->SpecularOfPBR, in.FlatUniforms, mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0 };
   text.Add(vertexShader, geometryShader, fragmentShader);
   return true;
 }

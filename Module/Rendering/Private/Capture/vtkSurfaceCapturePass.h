@@ -82,6 +82,8 @@ public:
    * Default off. Shader sources differ, so a change rebuilds them.
    */
   void SetSpecular(bool specular);
+  /** Whether they write F0 and minus the roughness of VTK's PBR there; off: zero. Default off. */
+  void SetSpecularOfPBR(bool specular);
   vtkGetMacro(Specular, bool);
   vtkBooleanMacro(Specular, bool);
   ///@}
@@ -149,6 +151,7 @@ protected:
   vtkIdType NumberOfShaderBuilds = 0;
   bool Shadows = true;
   bool Specular = false;
+  bool SpecularOfPBR = false;
   bool ImageLight = true;
   vtkTimeStamp SourceTime; // of the last change to injected text
 

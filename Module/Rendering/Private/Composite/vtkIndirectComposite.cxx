@@ -55,8 +55,8 @@ const Shown FrameChannels[] = {
     0.0f },
   { "normal", "unit shading normal in world coordinates", "1", VTKI_CHANNEL_NORMAL, 3, 0.5f, 0.5f },
   { "depth", "distance along the view axis", "world units", VTKI_CHANNEL_DEPTH, 1, 1.0f, 0.0f },
-  { "specular", "specular reflectance, power of the lobe", "1", VTKI_CHANNEL_SPECULAR, 4, 1.0f,
-    0.0f },
+  { "specular", "specular reflectance, power of the lobe or of PBR minus its roughness", "1",
+    VTKI_CHANNEL_SPECULAR, 4, 1.0f, 0.0f },
 };
 const Shown MapChannels[] = {
   { "depth", "depth along a face's axis", "world units", VTKI_MAP_CHANNEL_DEPTH, 1, 1.0f, 0.0f },
@@ -95,7 +95,7 @@ struct vtkIndirectComposite::Internals
     kernel.SetDefinitions(input.Geometry.GetAlbedoDefinitions() +
       std::string(HasGlossy(input) ? "#define VTKI_GLOSSY\n" : "") +
       (input.Sky ? "#define VTKI_SKY\n" : "") + (input.Area ? "#define VTKI_AREA\n" : "") +
-      definitions);
+      (input.AreaGlossy ? "#define VTKI_AREA_GLOSSY\n" : "") + definitions);
     return kernel.Use(input.Frame.Window);
   }
 
@@ -116,12 +116,15 @@ struct vtkIndirectComposite::Internals
       program->SetUniform2i("vtkiCoarseSize", size);
       program->SetUniformi("vtkiStep", estimate->Step);
     }
-    if (HasGlossy(input))
+    if (HasGlossy(input) || input.AreaGlossy)
     {
       geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
+    }
+    if (HasGlossy(input))
+    {
       estimate->Glossy->Activate(0, program);
     }
-    for (const vtkIndirectTarget* direct : { input.Sky, input.Area })
+    for (const vtkIndirectTarget* direct : { input.Sky, input.Area, input.AreaGlossy })
     {
       if (direct)
       {
@@ -140,7 +143,7 @@ struct vtkIndirectComposite::Internals
   static void DeactivateFrame(const Input& input)
   {
     input.Geometry.GetTarget().Deactivate();
-    for (const vtkIndirectTarget* direct : { input.Sky, input.Area })
+    for (const vtkIndirectTarget* direct : { input.Sky, input.Area, input.AreaGlossy })
     {
       if (direct)
       {

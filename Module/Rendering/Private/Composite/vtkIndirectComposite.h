@@ -9,8 +9,8 @@
 // Channels, as floats in world units and coordinates, background 0: `final`, `direct`, `indirect`
 // (albedo E + glossy), `irradiance` (E) and its parts `sky`, `area` and `bounce`, `glossy` (what
 // receivers reflect specularly), `albedo`, `normal`, `depth` (along the view axis), `specular`
-// (reflectance, and the power of the lobe in a fourth component; zero where SpecularTransport
-// computes nothing).
+// (reflectance, and in a fourth component the power of the lobe, of VTK's PBR minus its roughness;
+// zero where nothing is computed of it).
 
 #ifndef vtkIndirectComposite_h
 #define vtkIndirectComposite_h
@@ -44,6 +44,7 @@ public:
     const vtkIndirectEstimate* Estimate;    // null for none
     const vtkIndirectTarget* Sky;           // irradiance from the environment, null for none
     const vtkIndirectTarget* Area;          // the same from area lights
+    const vtkIndirectTarget* AreaGlossy;    // what is reflected specularly of these
     double IndirectScale;
     bool DepthCleared; // of the framebuffer that is bound: nothing is drawn there yet
   };

@@ -177,6 +177,7 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
   this->CoversFully = this->CoversFully && kind.CoversFully;
   this->NumberOfTriangles += kind.NumberOfTriangles;
   this->Specular = this->Specular || (kind.Captured && kind.Specular);
+  this->PhysicallyBased = this->PhysicallyBased || (kind.Captured && kind.PhysicallyBased);
   (kind.Captured ? this->Captured : this->ColorOnly).push_back(prop);
   if (!prop->GetUseBounds())
   {

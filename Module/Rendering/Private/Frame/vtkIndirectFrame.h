@@ -81,8 +81,9 @@ struct vtkIndirectFrame
   std::vector<vtkProp*> Props;     // all visible ones
   std::vector<vtkProp*> Captured;  // opaque ones whose surfaces the capture gets
   std::vector<vtkProp*> ColorOnly; // other opaque ones: they have a colour, but no surface
-  bool Specular = false;    // whether a lit opaque prop reflects specularly, by Phong's model
-  bool CoversFully = false; // whether whatever an opaque prop draws hides all that is behind it
+  bool Specular = false;        // whether a lit opaque prop reflects specularly, by Phong's model
+  bool PhysicallyBased = false; // whether one is lit by VTK's PBR, and so reflects by its lobe
+  bool CoversFully = false;     // whether whatever an opaque prop draws hides all that is behind it
   double NumberOfTriangles = 0.0; // about, of opaque props; 1e9 of one whose number is unknown
   int NumberOfOtherReceivers = 0; // captured lit props that are no casters
   std::vector<vtkIndirectCaster> Casters;

@@ -41,6 +41,12 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
     plan.Modelled.emplace_back("the delegate alone", plan.WhyDelegate);
     return plan;
   }
+  plan.VisibleAreaLights = circumstances.VisibleAreaLights;
+  if (plan.VisibleAreaLights > 0)
+  {
+    plan.Modelled.emplace_back("area lights that are seen",
+      std::to_string(plan.VisibleAreaLights) + " drawn as what they send");
+  }
 
   plan.FindSenders(frame, settings);
   plan.FindVisibility(settings, estimator);
@@ -56,8 +62,16 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.Irradiance = plan.WhyNoIrradiance.empty();
   plan.Specular = settings.IndirectScale > 0.0 && estimator.ComputesGlossy &&
     estimator.SpecularTransport && frame.Specular;
+  plan.AreaSpecular = plan.AreaLights && (frame.Specular || frame.PhysicallyBased);
+  if (plan.AreaSpecular)
+  {
+    plan.Modelled.emplace_back("area lights in specular lobes",
+      frame.PhysicallyBased ? "receivers reflect them by Phong's lobes and VTK's PBR, without coat"
+                            : "receivers reflect them by Phong's lobes");
+  }
+  plan.SurfacesAreSpecular = plan.Specular || plan.AreaSpecular;
   // With specular reflectance beside it the albedo has an image of its own in any case.
-  plan.AlbedoInAlpha = frame.CoversFully && !circumstances.OwnDelegate && !plan.Specular;
+  plan.AlbedoInAlpha = frame.CoversFully && !circumstances.OwnDelegate && !plan.SurfacesAreSpecular;
   // Twice is too much, and what the user has chosen wins.
   const std::string& other = circumstances.OtherAntialiasing;
   plan.Antialiasing = settings.Antialiasing && other.empty();

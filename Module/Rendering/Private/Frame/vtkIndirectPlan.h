@@ -38,7 +38,8 @@ struct vtkIndirectCircumstances
   bool AreaLights = false;       // of rectangles
   /** VTK irradiance of a surface in the middle of the scene that faces all of them. */
   double AreaLightIrradiance = 0.0;
-  bool Environment = false; // light comes from all around
+  int VisibleAreaLights = 0; // that are seen themselves
+  bool Environment = false;  // light comes from all around
   /** VTK irradiance of a surface that all of its light would fall on at a right angle. */
   double EnvironmentIrradiance = 0.0;
   bool ImageBasedLighting = false; // VTK adds that of the renderer's texture, which nothing hides
@@ -63,10 +64,11 @@ struct vtkIndirectPlan
   int Senders = NO_SENDERS;
   /** Lights with a map: places in vtkIndirectFrame::Lights. */
   std::vector<int> MapLights;
-  bool Shadows = false;       // mappers look shadows up in these maps
-  bool Specular = false;      // the geometry buffer has what is needed for specular reflection
-  bool AlbedoInAlpha = false; // alpha says nothing, and the albedo has its place
-  bool Antialiasing = false;  // edges of the composed picture are antialiased
+  bool Shadows = false;             // mappers look shadows up in these maps
+  bool Specular = false;            // estimators reflect specularly
+  bool SurfacesAreSpecular = false; // the geometry buffer has what is needed for that
+  bool AlbedoInAlpha = false;       // alpha says nothing, and the albedo has its place
+  bool Antialiasing = false;        // edges of the composed picture are antialiased
   /** Whether there is irradiance to estimate; else WhyNoIrradiance. */
   bool Irradiance = false;
   std::string WhyNoIrradiance;
@@ -89,6 +91,8 @@ struct vtkIndirectPlan
   bool AreaLights = false;       // light comes directly from rectangles
   bool AreaIsShadowed = true;    // and may be hidden
   bool AreaLightsBounce = false; // surfaces send what these give them
+  bool AreaSpecular = false;     // receivers reflect them specularly, too
+  int VisibleAreaLights = 0;     // that are drawn
   ///@{
   /** The time that there is for the frame; whether another is awaited, as while a camera turns. */
   double FrameSeconds = 10000.0;

@@ -106,6 +106,11 @@ bool IsSpecular(vtkProperty* property)
     property->GetSpecular() > 0.0 && (color[0] > 0.0 || color[1] > 0.0 || color[2] > 0.0);
 }
 
+bool IsPhysicallyBased(vtkProperty* property)
+{
+  return property && property->GetLighting() && property->GetInterpolation() == VTK_PBR;
+}
+
 // Whether data has lines or points and nothing else. Data sets that are no polygons become some in
 // their mappers; of data without cells nothing is known.
 bool IsLinesOrPoints(vtkDataObject* data)
@@ -254,6 +259,8 @@ vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
     kind.DepthTriangles += drawn ? CountTriangles(drawn) : 20000.0;
     kind.Specular =
       kind.Specular || IsSpecular(actor->GetProperty()) || IsSpecular(actor->GetBackfaceProperty());
+    kind.PhysicallyBased = kind.PhysicallyBased || IsPhysicallyBased(actor->GetProperty()) ||
+      IsPhysicallyBased(actor->GetBackfaceProperty());
     kind.Lit = kind.Lit || !IsUnlit(actor->GetProperty(), drawn);
     const char* why = FindNoSurface(actor, drawn);
     kind.Surface = kind.Surface || !why;

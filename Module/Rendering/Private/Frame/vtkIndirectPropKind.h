@@ -25,6 +25,8 @@ struct vtkIndirectPropKind
   bool Lit = false;
   /** Whether a lit part reflects specularly, by Phong's model. */
   bool Specular = false;
+  /** Whether VTK's PBR lights a part of it, which reflects specularly in any case. */
+  bool PhysicallyBased = false;
   /** Whether it is drawn with alpha one wherever it draws, so that nothing shines through. */
   bool CoversFully = false;
   /** About how many triangles it draws; 1e9 where its mapper alone knows. */

@@ -20,53 +20,12 @@ const vtkIndirectChannel Channels[] = {
     "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-constexpr int MostPoints = vtkIndirectAreaLamps::MostPoints;
-constexpr int TileTexels = 128;
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectAreaGather::vtkIndirectAreaGather()
-  : Kernels{ { "vtkIndirectAreaFS.glsl" }, { "vtkIndirectAreaFS.glsl" } }
-  , Irradiance(Channels, false)
+  : Irradiance(Channels, false)
 {
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectAreaGather::UpdateMaps(const Input& input, int most)
-{
-  if (!this->Visible)
-  {
-    this->Atlas.Release(input.Frame.Window);
-    return true;
-  }
-  std::vector<vtkIndirectDepthAtlas::Emitter> emitters;
-  for (const auto& each : this->Lamps.Get())
-  {
-    Lamp& lamp = *each;
-    for (size_t k = 0; k < lamp.Points.size(); ++k)
-    {
-      vtkIndirectAreaLamps::Point& point = lamp.Points[k];
-      const glm::dvec3 place = lamp.GetPlace(point);
-      for (int side = 0; side < 2; ++side)
-      {
-        point.Tiles[side] = -1;
-        if (side == 0 || lamp.TwoSided)
-        {
-          point.Tiles[side] = static_cast<int>(emitters.size());
-          vtkIndirectDepthAtlas::Emitter emitter;
-          emitter.Tile =
-            vtkIndirectDepthTile::FromPlace(place, side == 0 ? lamp.Normal : -lamp.Normal);
-          emitter.Turn = k;
-          emitters.push_back(emitter);
-        }
-      }
-    }
-  }
-  const size_t before = this->Atlas.GetNumberOfTilesDrawn();
-  const bool updated =
-    this->Atlas.Update(input.Frame, input.Capture, emitters, TileTexels, input.Plan.Caching, most);
-  this->ContentTime += this->Atlas.GetNumberOfTilesDrawn() - before;
-  return updated;
 }
 
 //------------------------------------------------------------------------------
@@ -77,13 +36,44 @@ bool vtkIndirectAreaGather::Update(const Input& input, int most)
   this->ContentTime += visible != this->Visible ? 1 : 0;
   this->Visible = visible;
   this->Moving = input.Plan.Interactive;
-  return this->UpdateMaps(input, most);
+  if (!this->Visible)
+  {
+    this->Maps.Release(input.Frame.Window);
+    this->Rounds.Release(input.Frame.Window);
+    return true;
+  }
+  const size_t before = this->Maps.GetAtlas().GetNumberOfTilesDrawn();
+  const bool updated =
+    this->Maps.Update(input.Frame, input.Capture, this->Lamps, 0, input.Plan.Caching, most);
+  this->TilesLeft = most - static_cast<int>(this->Maps.GetAtlas().GetNumberOfTilesDrawn() - before);
+  return updated;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectAreaGather::IsComplete() const
 {
-  return !this->Visible || this->Atlas.GetNumberOfStaleTiles() == 0;
+  return !this->Visible || this->Maps.IsComplete();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaGather::IsFinished() const
+{
+  return !this->Visible || this->Moving || this->Rounds.IsFinished();
+}
+
+//------------------------------------------------------------------------------
+// That further frames will draw.
+int vtkIndirectAreaGather::GetNumberOfTilesLeft() const
+{
+  if (!this->Visible)
+  {
+    return 0;
+  }
+  const int rounds = this->IsFinished()
+    ? 0
+    : vtkIndirectAreaLamps::NumberOfRounds - this->Rounds.GetNumberOfRounds();
+  return this->Maps.GetAtlas().GetNumberOfStaleTiles() +
+    rounds * this->Maps.GetAtlas().GetNumberOfTiles();
 }
 
 //------------------------------------------------------------------------------
@@ -104,41 +94,11 @@ void vtkIndirectAreaGather::SetLamp(const Input& input, vtkShaderProgram* progra
   vtkIndirectSetUniform(program, "vtkiAreaEdge2", glm::vec3(lamp.Edge2));
   vtkIndirectSetUniform(program, "vtkiAreaNormal", glm::vec3(lamp.Normal));
   program->SetUniformi("vtkiAreaTwoSided", lamp.TwoSided ? 1 : 0);
-  if (lamp.Row >= 0)
-  {
-    const int image[2] = { lamp.Row, lamp.Pyramid.GetTop() };
-    program->SetUniform2i("vtkiAreaImage", image);
-    program->SetUniformf("vtkiAreaTolerance", static_cast<float>(this->GetTolerance(input)));
-  }
-  else
-  {
-    vtkIndirectSetUniform(program, "vtkiAreaRadiance", glm::vec3(lamp.Radiance));
-  }
+  vtkIndirectSetUniform(program, "vtkiAreaRadiance", glm::vec3(lamp.Radiance));
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaGather::SetPoints(
-  const Input& input, vtkShaderProgram* program, const Lamp& lamp)
-{
-  const size_t count = lamp.Points.size();
-  std::vector<glm::vec4> block(2 * MostPoints, glm::vec4(0.0f));
-  auto tileOf = [this](int tile)
-  { return tile >= 0 && this->Atlas.HasTile(static_cast<size_t>(tile)) ? 1.0 * tile : -1.0; };
-  for (size_t k = 0; k < count; ++k)
-  {
-    const vtkIndirectAreaLamps::Point& point = lamp.Points[k];
-    block[k] = glm::vec4(glm::dvec4(lamp.GetPlace(point), tileOf(point.Tiles[0])));
-    block[MostPoints + k] = glm::vec4(glm::dvec4(point.Weight, tileOf(point.Tiles[1])));
-  }
-  this->Block.Update(input.Frame.Window, block.data(), block.size() * sizeof(glm::vec4));
-  this->Block.Activate(program);
-  program->SetUniformi("vtkiAreaCount", static_cast<int>(count));
-  program->SetUniformf(
-    "vtkiAreaShare", static_cast<float>(lamp.GetArea() / std::max<size_t>(count, 1)));
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectAreaGather::Sum(const Input& input)
+bool vtkIndirectAreaGather::Sum(const Input& input, bool same)
 {
   const vtkIndirectFrame& frame = input.Frame;
   if (!this->Irradiance.Resize(frame.Window, frame.Size[0], frame.Size[1]))
@@ -150,38 +110,97 @@ bool vtkIndirectAreaGather::Sum(const Input& input)
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-  vtkIndirectFullScreenState kernelState(frame.Window);
-  if (!this->Lamps.UpdateTexture(frame))
+  if (same)
+  {
+    return this->SumIrradiance(input, true);
+  }
+  if (!this->Lamps.UpdateTexture(frame) || !this->SumIrradiance(input, false))
   {
     return false;
   }
-  if (this->Moving && !this->Lamps.Get().empty())
-  {
-    return this->Samples.Sum({ frame, input.Geometry, this->Lamps,
-                               this->Visible ? &this->Atlas : nullptr, this->GetTolerance(input) },
-      this->Irradiance);
-  }
-  return this->SumPixels(input);
+  vtkIndirectFullScreenState kernelState(frame.Window);
+  return this->SumLobes(input);
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectAreaGather::SumPixels(const Input& input)
+bool vtkIndirectAreaGather::SumLobes(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
+  this->Specular = input.Plan.AreaSpecular;
+  if (!this->Specular)
+  {
+    this->Lobes.Release(frame.Window);
+    return true;
+  }
+  const int points =
+    this->Moving ? vtkIndirectAreaSamples::NumberOfPoints : vtkIndirectAreaLamps::MostPoints;
+  return this->Lobes.Sum(
+    { frame, input.Geometry, this->Lamps, this->Visible ? &this->Maps : nullptr,
+      static_cast<size_t>(points), this->GetTolerance(input) });
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaGather::SumIrradiance(const Input& input, bool same)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  if (this->Moving && !this->Lamps.Get().empty())
+  {
+    vtkIndirectFullScreenState kernelState(frame.Window);
+    return this->Samples.Sum(
+      { frame, input.Geometry, this->Lamps, this->Visible ? &this->Maps : nullptr,
+        this->GetTolerance(input), vtkIndirectAreaSamples::DistancesOfMoving },
+      this->Irradiance);
+  }
+  if (!this->Visible)
+  {
+    vtkIndirectFullScreenState kernelState(frame.Window);
+    return this->SumOpen(input, this->Irradiance);
+  }
+  return this->SumRounds(input, same);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaGather::SumRounds(const Input& input, bool same)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  const vtkIndirectAreaRounds::Input rounds = { frame, input.Geometry, input.Capture, this->Lamps,
+    this->Maps, input.Plan.Caching };
+  bool done = this->Rounds.Resize(frame);
+  if (done && same)
+  {
+    done = this->Rounds.Continue(rounds, this->TilesLeft);
+  }
+  vtkIndirectFullScreenState kernelState(frame.Window);
+  if (done && !same)
+  {
+    done = this->SumOpen(input, this->Rounds.GetOpen()) && this->Rounds.Begin(rounds);
+  }
+  return done && this->Rounds.Multiply(frame, this->Irradiance);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& target)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  const vtkIndirectAreaLamps::List& lamps = this->Lamps.Get();
+  // Images are worth samples: what has one radiance takes less time than those.
+  if (std::any_of(lamps.begin(), lamps.end(), [](const auto& lamp) { return lamp->Row >= 0; }))
+  {
+    return this->StillSamples.Sum(
+      { frame, input.Geometry, this->Lamps, nullptr, this->GetTolerance(input),
+        vtkIndirectAreaSamples::DistancesOfStill },
+      target);
+  }
   vtkOpenGLState* state = frame.Window->GetState();
   bool done = true;
-  this->Irradiance.Begin();
-  this->Irradiance.Clear();
+  target.Begin();
+  target.Clear();
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   for (const auto& each : this->Lamps.Get())
   {
     const Lamp& lamp = *each;
-    vtkIndirectFullScreenProgram& kernel = this->Kernels[lamp.Row >= 0];
-    vtkShaderProgram* program = kernel.Use(frame.Window,
-      "#define VTKI_AREA_POINTS " + std::to_string(MostPoints) + "\n" +
-        (this->Visible ? "#define VTKI_VISIBILITY\n" : "") +
-        (lamp.Row >= 0 ? "#define VTKI_AREA_IMAGE\n" : ""));
+    vtkShaderProgram* program = this->Kernel.Use(frame.Window);
     done = program != nullptr;
     if (!done)
     {
@@ -189,36 +208,20 @@ bool vtkIndirectAreaGather::SumPixels(const Input& input)
     }
     this->SetLamp(input, program, lamp);
     input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-    if (lamp.Row >= 0)
-    {
-      this->Lamps.GetTexture().Activate(0, program);
-    }
-    if (this->Visible)
-    {
-      this->SetPoints(input, program, lamp);
-      this->Atlas.Activate(program);
-    }
-    kernel.Draw();
-    if (this->Visible)
-    {
-      this->Atlas.Deactivate();
-    }
-    if (lamp.Row >= 0)
-    {
-      this->Lamps.GetTexture().Deactivate();
-    }
+    this->Kernel.Draw();
     input.Geometry.GetTarget().Deactivate();
   }
   state->vtkglDisable(GL_BLEND);
-  this->Irradiance.End();
+  target.End();
   return done;
 }
 
 //------------------------------------------------------------------------------
 size_t vtkIndirectAreaGather::GetBytes() const
 {
-  return this->Irradiance.GetBytes() + this->Atlas.GetBytes() + this->Block.GetBytes() +
-    this->Lamps.GetBytes() + this->Samples.GetBytes();
+  return this->Irradiance.GetBytes() + this->Maps.GetAtlas().GetBytes() + this->Lamps.GetBytes() +
+    this->Samples.GetBytes() + this->StillSamples.GetBytes() + this->Rounds.GetBytes() +
+    this->Lobes.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -233,14 +236,15 @@ void vtkIndirectAreaGather::AddToReport(vtkIndirectReport& report) const
     (this->Moving ? " at every fourth pixel" : "");
   if (this->Visible)
   {
-    const size_t points = this->Moving ? static_cast<size_t>(vtkIndirectAreaSamples::NumberOfPoints)
-                                       : lamps.front()->Points.size();
+    const int points = this->Moving
+      ? vtkIndirectAreaSamples::NumberOfPoints
+      : this->Lamps.GetNumberOfPoints() * std::max(this->Rounds.GetNumberOfRounds(), 1);
     what += ", hidden by depth maps of " + std::to_string(points) + " points of each, " +
-      std::to_string(TileTexels) + " texels squared";
+      std::to_string(this->Maps.GetAtlas().GetTexels()) + " texels squared";
   }
   report.Modelled.emplace_back("light of area lights", what);
-  const int missing = this->Visible ? this->Atlas.GetNumberOfMissingTiles() : 0;
-  const int stale = this->Visible ? this->Atlas.GetNumberOfStaleTiles() - missing : 0;
+  const int missing = this->Visible ? this->Maps.GetAtlas().GetNumberOfMissingTiles() : 0;
+  const int stale = this->Visible ? this->Maps.GetAtlas().GetNumberOfStaleTiles() - missing : 0;
   if (missing > 0)
   {
     report.LeftOut.emplace_back(
@@ -253,18 +257,24 @@ void vtkIndirectAreaGather::AddToReport(vtkIndirectReport& report) const
       "what has just moved, in " + std::to_string(stale) + " depth maps of area lights",
       "further frames draw them again");
   }
+  if (!this->IsFinished())
+  {
+    const int left = vtkIndirectAreaLamps::NumberOfRounds - this->Rounds.GetNumberOfRounds();
+    report.LeftOut.emplace_back(
+      std::to_string(left * this->Lamps.GetNumberOfPoints()) + " points of each area light",
+      "further frames of a view that stands still ask them what hides the light");
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectAreaGather::Release(vtkWindow* window)
 {
   this->Irradiance.Release(window);
-  this->Atlas.Release(window);
-  this->Block.Release();
+  this->Maps.Release(window);
+  this->Rounds.Release(window);
   this->Lamps.Release(window);
   this->Samples.Release(window);
-  for (vtkIndirectFullScreenProgram& kernel : this->Kernels)
-  {
-    kernel.Release();
-  }
+  this->Lobes.Release(window);
+  this->StillSamples.Release(window);
+  this->Kernel.Release();
 }

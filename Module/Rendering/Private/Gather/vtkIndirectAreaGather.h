@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The irradiance that comes directly from area lights: in closed form if nothing hid them (images:
 // texels of a pyramid, as fine as the tolerance asks for), times the share of the light that is
-// seen. That share is a ratio of two sums over a few points of the light, each with a depth map of
-// its own: where nothing is hidden it is one, and there is no noise. Still frames do so at every
-// pixel, moving ones at samples (vtkIndirectAreaSamples).
+// seen. That share is a ratio of two sums over points of the light, each with a depth map of its
+// own: where nothing is hidden it is one, and there is no noise. Still frames do so at every pixel
+// (vtkIndirectAreaRounds), moving ones at samples (vtkIndirectAreaSamples).
 #ifndef vtkIndirectAreaGather_h
 #define vtkIndirectAreaGather_h
 
 #include "Gather/vtkIndirectAreaLamps.h"         // for a member
+#include "Gather/vtkIndirectAreaLobes.h"         // for a member
+#include "Gather/vtkIndirectAreaMaps.h"          // for a member
+#include "Gather/vtkIndirectAreaRounds.h"        // for a member
 #include "Gather/vtkIndirectAreaSamples.h"       // for a member
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectTarget.h"            // for members
-#include "OpenGL/vtkIndirectUniformBlock.h"      // for members
-#include "Visibility/vtkIndirectDepthAtlas.h"    // for members
 #include "vtkSmartPointer.h"                     // for lights
 
-#include <string> // for definitions
 #include <vector> // for lists
 
 class vtkAreaLight;
@@ -48,14 +48,25 @@ public:
   /** Whether all maps are there and up to date. */
   bool IsComplete() const;
   /** Grows when lights or maps have changed. */
-  size_t GetContentTime() const { return this->ContentTime; }
-  /** Sums. Returns false, after an error. */
-  bool Sum(const Input& input);
+  size_t GetContentTime() const { return this->ContentTime + this->Maps.GetContentTime(); }
+  /** Whether frames of the same view add nothing to it. */
+  bool IsFinished() const;
+  /** Sums. same: nothing but the time left has changed since. Returns false, after an error. */
+  bool Sum(const Input& input, bool same);
 
   /** Irradiance in VTK's units, a value for every pixel. */
   const vtkIndirectTarget& GetIrradiance() const { return this->Irradiance; }
+  /** What receivers reflect specularly; null where none does. */
+  const vtkIndirectTarget* GetReflected() const
+  {
+    return this->Specular ? &this->Lobes.GetReflected() : nullptr;
+  }
 
-  size_t GetNumberOfTilesDrawn() const { return this->Atlas.GetNumberOfTilesDrawn(); }
+  int GetNumberOfTilesLeft() const;
+  size_t GetNumberOfTilesDrawn() const
+  {
+    return this->Maps.GetAtlas().GetNumberOfTilesDrawn() + this->Rounds.GetNumberOfTilesDrawn();
+  }
   size_t GetBytes() const;
   void AddToReport(vtkIndirectReport& report) const;
   void Release(vtkWindow* window);
@@ -63,20 +74,25 @@ public:
 private:
   using Lamp = vtkIndirectAreaLamps::Lamp;
 
-  bool UpdateMaps(const Input& input, int most);
   double GetTolerance(const Input& input) const;
-  bool SumPixels(const Input& input);
+  bool SumIrradiance(const Input& input, bool same);
+  bool SumLobes(const Input& input);
+  bool SumRounds(const Input& input, bool same);
+  bool SumOpen(const Input& input, vtkIndirectTarget& target);
   void SetLamp(const Input& input, vtkShaderProgram* program, const Lamp& lamp);
-  void SetPoints(const Input& input, vtkShaderProgram* program, const Lamp& lamp);
 
   vtkIndirectAreaLamps Lamps;
-  vtkIndirectDepthAtlas Atlas;
-  bool Visible = false; // something can hide them
+  vtkIndirectAreaMaps Maps; // of the first round
+  bool Visible = false;     // something can hide them
   size_t ContentTime = 0;
   bool Moving = false;
-  vtkIndirectUniformBlock Block{ "vtkiAreaBlock" };
-  vtkIndirectFullScreenProgram Kernels[2]; // of one radiance, of images
-  vtkIndirectAreaSamples Samples;
+  int TilesLeft = 0;                                               // to draw in this frame
+  vtkIndirectFullScreenProgram Kernel{ "vtkIndirectAreaFS.glsl" }; // of one radiance
+  vtkIndirectAreaSamples Samples;                                  // of moving frames
+  vtkIndirectAreaSamples StillSamples;                             // of images, in others
+  vtkIndirectAreaRounds Rounds;
+  vtkIndirectAreaLobes Lobes;
+  bool Specular = false; // some receiver is
   vtkIndirectTarget Irradiance;
 };
 

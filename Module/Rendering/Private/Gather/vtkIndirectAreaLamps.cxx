@@ -26,12 +26,25 @@ glm::dvec3 ToVector(const double v[3])
   return { v[0], v[1], v[2] };
 }
 
-// Each prefix of these fills the square evenly (additive recurrence, Roberts 2018).
-glm::dvec2 PlaceOf(int number)
+// A net of points of the square whose number is a power of two, and so of any such number of them
+// that follow each other from a multiple of it on (Sobol 1967, the first two dimensions). Each cell
+// of 16, 64 or 1024 of them has its point near its middle, by the digits that are flipped.
+glm::dvec2 PlaceOf(unsigned int number)
 {
-  const glm::dvec2 place =
-    0.5 + static_cast<double>(number) * glm::dvec2(0.75487766624669276, 0.56984029099805327);
-  return glm::fract(place);
+  constexpr unsigned int flipped = (1u << 27) | (1u << 25) | (1u << 21);
+  unsigned int x = 0;
+  unsigned int y = 0;
+  unsigned int direction = 1u << 31;
+  for (unsigned int bit = 0; bit < 32; ++bit)
+  {
+    if ((number >> bit) & 1u)
+    {
+      x |= 1u << (31 - bit);
+      y ^= direction;
+    }
+    direction ^= direction >> 1;
+  }
+  return glm::dvec2(x ^ flipped, y ^ flipped) / 4294967296.0;
 }
 }
 
@@ -42,24 +55,44 @@ vtkIndirectAreaLamps::vtkIndirectAreaLamps()
 }
 
 //------------------------------------------------------------------------------
-// What is behind a point's texels: of a level that is as fine as the points are.
-void vtkIndirectAreaLamps::UpdatePoints(Lamp& lamp, int count)
+int vtkIndirectAreaLamps::GetNumberOfPoints() const
 {
-  lamp.Points.resize(static_cast<size_t>(count));
-  const bool uniform = lamp.Pyramid.IsUniform();
+  const int count = static_cast<int>(this->Lamps.size());
+  return std::max(MostPoints / std::max(count, 1), LeastPoints);
+}
+
+//------------------------------------------------------------------------------
+// Of images, a level that is as fine as the points of all rounds are.
+std::vector<vtkIndirectAreaLamps::Point> vtkIndirectAreaLamps::MakePoints(
+  const Lamp& lamp, int round) const
+{
+  const int count = this->GetNumberOfPoints();
+  std::vector<Point> points(static_cast<size_t>(count));
   for (int k = 0; k < count; ++k)
   {
-    lamp.Points[static_cast<size_t>(k)].Place = PlaceOf(k);
-    lamp.Points[static_cast<size_t>(k)].Weight = glm::dvec3(uniform ? 1.0 : 0.0);
+    points[static_cast<size_t>(k)].Place = PlaceOf(static_cast<unsigned int>(round * count + k));
   }
-  if (uniform)
+  if (lamp.Pyramid.IsUniform())
   {
-    return;
+    return points;
   }
   const int level = std::max(lamp.Pyramid.GetTop() - 5, 0);
   const int edge = lamp.Pyramid.GetEdge(level);
-  const glm::dvec2 lengths(glm::length(lamp.Edge1), glm::length(lamp.Edge2));
   const glm::dvec3 unit = glm::max(lamp.Radiance, glm::dvec3(1e-300));
+  if (round > 0)
+  {
+    for (Point& point : points)
+    {
+      const glm::ivec2 texel(point.Place * (1.0 * edge));
+      point.Weight = glm::dvec3(lamp.Pyramid.GetMean(level, texel.x, texel.y)) / unit;
+    }
+    return points;
+  }
+  const glm::dvec2 lengths(glm::length(lamp.Edge1), glm::length(lamp.Edge2));
+  for (Point& point : points)
+  {
+    point.Weight = glm::dvec3(0.0);
+  }
   for (int y = 0; y < edge; ++y)
   {
     for (int x = 0; x < edge; ++x)
@@ -67,7 +100,7 @@ void vtkIndirectAreaLamps::UpdatePoints(Lamp& lamp, int count)
       const glm::dvec2 place(glm::dvec2(x + 0.5, y + 0.5) / (1.0 * edge));
       Point* nearest = nullptr;
       double least = 0.0;
-      for (Point& point : lamp.Points)
+      for (Point& point : points)
       {
         const glm::dvec2 apart = (point.Place - place) * lengths;
         const double square = glm::dot(apart, apart);
@@ -81,10 +114,11 @@ void vtkIndirectAreaLamps::UpdatePoints(Lamp& lamp, int count)
         (static_cast<double>(count) / (1.0 * edge * edge));
     }
   }
+  return points;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaLamps::UpdateLamp(Lamp& lamp, vtkAreaLight* light, int points, int texels)
+void vtkIndirectAreaLamps::UpdateLamp(Lamp& lamp, vtkAreaLight* light, int texels)
 {
   const glm::dvec3 origin = ToVector(light->GetOrigin());
   lamp.Corner = (origin - this->SceneCenter) * this->SceneScale;
@@ -96,8 +130,8 @@ void vtkIndirectAreaLamps::UpdateLamp(Lamp& lamp, vtkAreaLight* light, int point
   light->GetMeanRadiance(values);
   lamp.Radiance = ToVector(values);
   lamp.TwoSided = light->GetTwoSided();
-  const bool same = lamp.Light == light && lamp.Time == light->GetMTime() &&
-    lamp.Points.size() == static_cast<size_t>(points) && lamp.Pyramid.GetEdge(0) <= texels;
+  const bool same =
+    lamp.Light == light && lamp.Time == light->GetMTime() && lamp.Pyramid.GetEdge(0) <= texels;
   lamp.Light = light;
   lamp.Time = light->GetMTime();
   if (!same)
@@ -107,7 +141,6 @@ void vtkIndirectAreaLamps::UpdateLamp(Lamp& lamp, vtkAreaLight* light, int point
     const std::vector<float>& radiances = light->GetRadiances(columns, rows);
     lamp.Pyramid.Build(radiances, columns, rows, texels);
     lamp.TextureIsStale = true;
-    this->UpdatePoints(lamp, points);
   }
 }
 
@@ -144,7 +177,6 @@ bool vtkIndirectAreaLamps::Update(
     this->Lamps.push_back(std::make_unique<Lamp>());
   }
   const int count = static_cast<int>(lit.size());
-  const int points = std::max(MostPoints / std::max(count, 1), LeastPoints);
   int texels = vtkIndirectAreaPyramid::MostTexels;
   while (texels > 1 && texels * count > MostRows)
   {
@@ -152,7 +184,7 @@ bool vtkIndirectAreaLamps::Update(
   }
   for (size_t i = 0; i < lit.size(); ++i)
   {
-    this->UpdateLamp(*this->Lamps[i], lit[i], points, texels);
+    this->UpdateLamp(*this->Lamps[i], lit[i], texels);
   }
   this->PlaceImages();
   return true;

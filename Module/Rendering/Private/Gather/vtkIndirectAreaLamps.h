@@ -24,15 +24,17 @@ class vtkIndirectAreaLamps
 public:
   vtkIndirectAreaLamps();
 
-  /** Points of a lamp; where there are many, fewer of each, but so many at least. */
+  /** Points of a lamp in a round; where lamps are many, fewer of each, but so many at least. */
   static constexpr int MostPoints = 64;
   static constexpr int LeastPoints = 16;
+  /** Rounds, in which a frame that stands still asks further points. */
+  static constexpr int NumberOfRounds = 16;
 
   // A point of a light: where, what it stands for, and its places in the atlas of depth maps.
   struct Point
   {
     glm::dvec2 Place;          // in [0,1) along the edges
-    glm::dvec3 Weight;         // radiance over the mean
+    glm::dvec3 Weight{ 1.0 };  // radiance over the mean
     int Tiles[2] = { -1, -1 }; // of the front, and of the back
   };
   struct Lamp
@@ -48,7 +50,6 @@ public:
     vtkIndirectAreaPyramid Pyramid;
     int Row = -1; // first of the image's in the texture; -1 where the radiance is one
     bool TextureIsStale = true;
-    std::vector<Point> Points;
 
     double GetArea() const { return glm::length(glm::cross(this->Edge1, this->Edge2)); }
     glm::dvec3 GetPlace(const Point& point) const
@@ -63,6 +64,14 @@ public:
     const vtkIndirectFrame& frame, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
   const List& Get() const { return this->Lamps; }
 
+  /** Of each lamp, in a round. */
+  int GetNumberOfPoints() const;
+  /**
+   * Those of a round. In the first one, which may be all there is, each stands for what of an image
+   * is nearer to it than to others; in further ones, which fill the gaps, for what is where it is.
+   */
+  std::vector<Point> MakePoints(const Lamp& lamp, int round) const;
+
   /** Brings the images' texture up to date. Returns false, after an error. */
   bool UpdateTexture(const vtkIndirectFrame& frame);
   /** That texture: vtkiAreaPyramid. Only where some lamp has an image. */
@@ -72,8 +81,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  void UpdateLamp(Lamp& lamp, vtkAreaLight* light, int points, int texels);
-  void UpdatePoints(Lamp& lamp, int count);
+  void UpdateLamp(Lamp& lamp, vtkAreaLight* light, int texels);
   void PlaceImages();
 
   List Lamps;

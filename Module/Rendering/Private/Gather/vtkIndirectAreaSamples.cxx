@@ -6,9 +6,8 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "OpenGL/vtkIndirectKernels.h"
+#include "Gather/vtkIndirectAreaMaps.h"
 #include "OpenGL/vtkIndirectUniforms.h"
-#include "Visibility/vtkIndirectDepthAtlas.h"
 
 #include <algorithm>
 
@@ -35,13 +34,8 @@ const vtkIndirectChannel SampleChannels[] = {
 // vtkIndirectAreaSamples.glsl.
 constexpr int OpenStep = 8;
 constexpr int SampleStep = 4;
-// 16384 bytes are what every OpenGL has for a block.
-constexpr size_t LampsOfBatch = 16;
-constexpr size_t RowsOfLamp = 9;
-constexpr size_t RowsOfPoint = 3;
-static_assert(
-  (RowsOfLamp + RowsOfPoint * vtkIndirectAreaSamples::NumberOfPoints) * LampsOfBatch * 16 <= 16384,
-  "a block's bytes");
+// Together with their points they have less than 16384 bytes, which every OpenGL has for a block.
+constexpr size_t LampsOfBatch = 8;
 
 int DivideUp(int number, int step)
 {
@@ -51,7 +45,8 @@ int DivideUp(int number, int step)
 
 //------------------------------------------------------------------------------
 vtkIndirectAreaSamples::vtkIndirectAreaSamples()
-  : Open(OpenChannels, false)
+  : Block(LampsOfBatch, NumberOfPoints)
+  , Open(OpenChannels, false)
   , Samples(SampleChannels, false)
 {
 }
@@ -71,56 +66,10 @@ bool vtkIndirectAreaSamples::Resize(const Input& input)
 //------------------------------------------------------------------------------
 std::string vtkIndirectAreaSamples::GetDefinitions(const Input& input, const Batch& batch) const
 {
-  return std::string(input.Atlas ? "#define VTKI_VISIBILITY\n" : "") +
-    (batch.Images > 0 ? "#define VTKI_AREA_IMAGE\n" : "") + "#define VTKI_AREA_LAMPS " +
-    std::to_string(LampsOfBatch) + "\n#define VTKI_AREA_POINTS " + std::to_string(NumberOfPoints) +
-    "\n#define VTKI_AREA_STEP " + std::to_string(OpenStep) + "\n";
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAreaSamples::SetBlock(const Input& input, const Batch& batch)
-{
-  constexpr size_t points = LampsOfBatch * NumberOfPoints;
-  std::vector<glm::vec4> block(LampsOfBatch * RowsOfLamp + RowsOfPoint * points, glm::vec4(0.0f));
-  auto row = [](const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w)); };
-  for (size_t i = 0; i < batch.Count; ++i)
-  {
-    const vtkIndirectAreaLamps::Lamp& lamp = *input.Lamps.Get()[batch.First + i];
-    glm::vec4* rows = block.data();
-    rows[i] = row(lamp.Corner, lamp.TwoSided ? 1.0 : 0.0);
-    rows[LampsOfBatch + i] = row(lamp.Edge1, lamp.Row >= 0 ? lamp.Pyramid.GetTop() : -1);
-    rows[2 * LampsOfBatch + i] = row(lamp.Edge2, lamp.Row);
-    rows[3 * LampsOfBatch + i] = row(lamp.Normal, lamp.GetArea() / NumberOfPoints);
-    rows[4 * LampsOfBatch + i] = row(lamp.Radiance, 0.0);
-    rows += 5 * LampsOfBatch;
-    for (size_t side = 0; side < 2; ++side)
-    {
-      glm::vec3 right;
-      glm::vec3 up;
-      vtkIndirectKernels::vtkiFrameAlong(
-        glm::vec3(side == 0 ? lamp.Normal : -lamp.Normal), up, right);
-      rows[2 * i + side] = glm::vec4(right, 0.0f);
-      rows[2 * LampsOfBatch + 2 * i + side] = glm::vec4(up, 0.0f);
-      for (size_t k = 0; k < NumberOfPoints && k < lamp.Points.size(); ++k)
-      {
-        const vtkIndirectAreaLamps::Point& point = lamp.Points[k];
-        const glm::vec3 place(point.Place.x * lamp.Edge1 + point.Place.y * lamp.Edge2);
-        const int tile = point.Tiles[side];
-        glm::vec2 middle(-1.0f);
-        if (input.Atlas && tile >= 0 && input.Atlas->HasTile(static_cast<size_t>(tile)))
-        {
-          const int columns = input.Atlas->GetNumberOfColumns();
-          middle = (glm::vec2(tile % columns, tile / columns) + 0.5f) /
-            glm::vec2(columns, input.Atlas->GetNumberOfRows());
-        }
-        rows[4 * LampsOfBatch + side * points + i * NumberOfPoints + k] =
-          glm::vec4(glm::dot(right, place), glm::dot(up, place), middle.x, middle.y);
-        rows[4 * LampsOfBatch + 2 * points + i * NumberOfPoints + k] =
-          row(point.Weight * lamp.Radiance, 0.0);
-      }
-    }
-  }
-  this->Block.Update(input.Frame.Window, block.data(), block.size() * sizeof(glm::vec4));
+  return std::string(input.Maps ? "#define VTKI_VISIBILITY\n" : "") +
+    (batch.Images > 0 ? "#define VTKI_AREA_IMAGE\n" : "") + this->Block.GetDefinitions() +
+    "#define VTKI_AREA_DISTANCES " + std::to_string(input.Distances) +
+    ".0f\n#define VTKI_AREA_STEP " + std::to_string(OpenStep) + "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -137,9 +86,9 @@ vtkShaderProgram* vtkIndirectAreaSamples::Use(
   program->SetUniformi("vtkiAreaCount", static_cast<int>(batch.Count));
   this->Block.Activate(program);
   input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-  if (input.Atlas)
+  if (input.Maps)
   {
-    input.Atlas->Activate(program);
+    input.Maps->GetAtlas().Activate(program);
   }
   if (batch.Images > 0)
   {
@@ -153,9 +102,9 @@ vtkShaderProgram* vtkIndirectAreaSamples::Use(
 void vtkIndirectAreaSamples::Deactivate(const Input& input, const Batch& batch)
 {
   input.Geometry.GetTarget().Deactivate();
-  if (input.Atlas)
+  if (input.Maps)
   {
-    input.Atlas->Deactivate();
+    input.Maps->GetAtlas().Deactivate();
   }
   if (batch.Images > 0)
   {
@@ -209,7 +158,7 @@ bool vtkIndirectAreaSamples::Interpolate(
     program->SetUniform2i("vtkiAreaSamples", samples);
     this->Samples.Activate(0, program);
     this->Samples.Activate(1, program);
-    if (input.Atlas)
+    if (input.Maps)
     {
       this->Samples.Activate(2, program);
     }
@@ -244,7 +193,7 @@ bool vtkIndirectAreaSamples::Sum(const Input& input, vtkIndirectTarget& irradian
     done = this->Resize(input);
     if (done)
     {
-      this->SetBlock(input, batch);
+      this->Block.Update(input.Frame.Window, input.Lamps, first, batch.Count, input.Maps);
     }
     done = done && this->FindOpen(input, batch) && this->FindSamples(input, batch) &&
       this->Interpolate(input, batch, irradiance);

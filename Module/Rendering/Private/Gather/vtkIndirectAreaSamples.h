@@ -8,14 +8,14 @@
 #ifndef vtkIndirectAreaSamples_h
 #define vtkIndirectAreaSamples_h
 
+#include "Gather/vtkIndirectAreaBlock.h"         // for a member
 #include "Gather/vtkIndirectAreaLamps.h"         // for lamps
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectTarget.h"            // for members
-#include "OpenGL/vtkIndirectUniformBlock.h"      // for a member
 
 #include <string> // for definitions
 
-class vtkIndirectDepthAtlas;
+class vtkIndirectAreaMaps;
 class vtkIndirectGeometryBuffer;
 class vtkShaderProgram;
 
@@ -26,14 +26,20 @@ public:
 
   /** Points of a lamp that are asked. */
   static constexpr int NumberOfPoints = 16;
+  ///@{
+  /** Distances in moving frames, and in those that stand still. */
+  static constexpr int DistancesOfMoving = 14;
+  static constexpr int DistancesOfStill = 28;
+  ///@}
 
   struct Input
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
     const vtkIndirectAreaLamps& Lamps;
-    const vtkIndirectDepthAtlas* Atlas; // null where nothing hides lamps
-    double Tolerance;                   // of the mean of an image
+    const vtkIndirectAreaMaps* Maps; // null where nothing hides lamps
+    double Tolerance;                // of the mean of an image
+    int Distances;                   // from which on light is interpolated, over those of samples
   };
 
   /**
@@ -56,7 +62,6 @@ private:
 
   bool Resize(const Input& input);
   std::string GetDefinitions(const Input& input, const Batch& batch) const;
-  void SetBlock(const Input& input, const Batch& batch);
   vtkShaderProgram* Use(
     const Input& input, const Batch& batch, vtkIndirectFullScreenProgram& kernel);
   void Deactivate(const Input& input, const Batch& batch);
@@ -64,9 +69,9 @@ private:
   bool FindSamples(const Input& input, const Batch& batch);
   bool Interpolate(const Input& input, const Batch& batch, vtkIndirectTarget& irradiance);
 
+  vtkIndirectAreaBlock Block;
   vtkIndirectTarget Open;
   vtkIndirectTarget Samples;
-  vtkIndirectUniformBlock Block{ "vtkiAreaBlock" };
   vtkIndirectFullScreenProgram OpenKernel{ "vtkIndirectAreaOpenFS.glsl" };
   vtkIndirectFullScreenProgram SampleKernel{ "vtkIndirectAreaSamplesFS.glsl" };
   vtkIndirectFullScreenProgram SumKernel{ "vtkIndirectAreaSumFS.glsl" };

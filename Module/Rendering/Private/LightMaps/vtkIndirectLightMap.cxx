@@ -204,13 +204,15 @@ vtkOpenGLCamera* vtkIndirectLightMap::GetCamera(int face, bool eyeIsParallel)
 }
 
 //------------------------------------------------------------------------------
-glm::dmat4 vtkIndirectLightMap::MakeProjection(
-  bool parallel, const glm::dvec2& halfWidth, double nearPlane, double farPlane)
+glm::dmat4 vtkIndirectLightMap::MakeProjection(bool parallel, const glm::dvec2& halfWidth,
+  double nearPlane, double farPlane, const glm::dvec2& middle)
 {
   const double depth = farPlane - nearPlane;
   glm::dmat4 projection(0.0);
   projection[0][0] = 1.0 / halfWidth.x;
   projection[1][1] = 1.0 / halfWidth.y;
+  projection[2][0] = parallel ? 0.0 : middle.x / halfWidth.x;
+  projection[2][1] = parallel ? 0.0 : middle.y / halfWidth.y;
   projection[2][2] = -(parallel ? 2.0 : farPlane + nearPlane) / depth;
   projection[3][2] = -(parallel ? farPlane + nearPlane : 2.0 * farPlane * nearPlane) / depth;
   projection[2][3] = parallel ? 0.0 : -1.0;

@@ -33,10 +33,11 @@ public:
 
   /**
    * From view to clip coordinates, of a map or a tile. halfWidth: tangents, or for a parallel
-   * projection lengths in the unit of near and far.
+   * projection lengths in the unit of near and far. middle: of a perspective one that does not look
+   * straight ahead, tangents.
    */
-  static glm::dmat4 MakeProjection(
-    bool parallel, const glm::dvec2& halfWidth, double nearPlane, double farPlane);
+  static glm::dmat4 MakeProjection(bool parallel, const glm::dvec2& halfWidth, double nearPlane,
+    double farPlane, const glm::dvec2& middle = glm::dvec2(0.0));
   /** Gives a camera that projection, whatever its flag ParallelProjection is. */
   static void SetProjection(vtkOpenGLCamera* camera, const glm::dmat4& projection);
 

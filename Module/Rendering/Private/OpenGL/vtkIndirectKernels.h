@@ -12,10 +12,12 @@
 namespace vtkIndirectKernels
 {
 using glm::abs;
+using glm::asinh;
 using glm::atan;
 using glm::cos;
 using glm::cross;
 using glm::dot;
+using glm::exp;
 using glm::floatBitsToUint;
 using glm::floor;
 using glm::fract;
@@ -65,6 +67,7 @@ namespace
 #include "vtkIndirectLibSky.glsl"
 #include "vtkIndirectLibPenumbra.glsl"
 #include "vtkIndirectLibAreaLight.glsl"
+#include "vtkIndirectLibLobe.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

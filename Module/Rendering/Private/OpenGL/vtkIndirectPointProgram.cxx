@@ -60,6 +60,14 @@ void vtkIndirectPointProgram::Draw(int count, int pixels)
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectPointProgram::DrawRectangle()
+{
+  glBindVertexArray(this->VertexArray);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectPointProgram::DrawInstances(
   int attribute, unsigned int buffer, size_t offset, int count, int instances)
 {

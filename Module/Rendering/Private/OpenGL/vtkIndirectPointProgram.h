@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A program that draws points which its vertex shader makes from their numbers, or one integer
-// each.
+// each; or a rectangle of four.
 #ifndef vtkIndirectPointProgram_h
 #define vtkIndirectPointProgram_h
 
@@ -29,6 +29,9 @@ public:
 
   /** Draws points 0 to count - 1, squares of so many pixels. */
   void Draw(int count, int pixels);
+
+  /** Draws the rectangle of corners 0 to 3, the last two beside the first two in order. */
+  void DrawRectangle();
 
   /**
    * Draws points of one pixel, each so many times; an unsigned integer of each, from a buffer at

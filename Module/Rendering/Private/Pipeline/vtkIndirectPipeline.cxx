@@ -13,11 +13,7 @@
 #include "vtkMapLightSampler.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLRenderer.h"
-#include "vtkPBRIrradianceTexture.h"
-#include "vtkPointData.h"
 #include "vtkRenderState.h"
-#include "vtkTexture.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -58,8 +54,9 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.AreaLightIrradiance =
     vtkIndirectEmitters::FindIrradiance(this->AreaLights, glm::value_ptr(this->Frame.SceneCenter));
   circumstances.AreaLights = circumstances.AreaLightIrradiance > 0.0;
+  circumstances.VisibleAreaLights = vtkIndirectVisibleLamps::Count(this->AreaLights);
   this->Environment =
-    request.Environment ? request.Environment : this->FindImageLight(this->Frame.Renderer);
+    request.Environment ? request.Environment : this->ImageLight.Find(this->Frame.Renderer);
   circumstances.EnvironmentIrradiance = this->Environment ? SumIrradiance(this->Environment) : 0.0;
   circumstances.Environment = circumstances.EnvironmentIrradiance > 0.0;
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
@@ -90,36 +87,6 @@ void vtkIndirectPipeline::ReleaseSky(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-// The texture that the renderer lights physically based props with, as light from all around; null
-// where there is none that can be read.
-vtkEnvironmentLight* vtkIndirectPipeline::FindImageLight(vtkRenderer* renderer)
-{
-  vtkTexture* texture =
-    renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
-  vtkImageData* image = nullptr;
-  if (texture && !texture->GetCubeMap())
-  {
-    texture->Update();
-    image = texture->GetInput();
-  }
-  if (!image || !image->GetPointData()->GetScalars() || image->GetDimensions()[2] != 1)
-  {
-    this->ImageLight->SetTexture(nullptr);
-    return nullptr;
-  }
-  this->ImageLight->SetTexture(texture);
-  // VTK's shaders of PBR look the texture's middle up to the right, a quarter of a turn from where
-  // its skybox has it.
-  double front[3];
-  vtkMath::Cross(renderer->GetEnvironmentRight(), renderer->GetEnvironmentUp(), front);
-  this->ImageLight->SetUp(renderer->GetEnvironmentUp());
-  this->ImageLight->SetRight(front);
-  auto* opengl = vtkOpenGLRenderer::SafeDownCast(renderer);
-  this->ImageLight->SetEncoded(opengl && opengl->GetEnvMapIrradiance()->GetConvertToLinear());
-  return this->ImageLight;
-}
-
-//------------------------------------------------------------------------------
 // The maps come first because visibility belongs to each light: it goes into VTK's own shading.
 bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& request)
 {
@@ -134,7 +101,8 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   this->Paths = vtkIndirectPaths::GetAll();
   this->Capture->SetDelegatePass(request.Delegate);
   this->Capture->SetShadows(this->Plan.Shadows);
-  this->Capture->SetSpecular(this->Plan.Specular);
+  this->Capture->SetSpecular(this->Plan.SurfacesAreSpecular);
+  this->Capture->SetSpecularOfPBR(this->Plan.AreaSpecular && this->Frame.PhysicallyBased);
   this->Capture->SetImageLight(!this->Plan.ReplacesImageLight);
   this->Capture->Attach(this->Frame);
   const vtkIndirectDarkLight dark(this->Frame);
@@ -171,6 +139,8 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     this->Maps->Deactivate();
     this->Penumbra.Deactivate();
   }
+  drawn = drawn && !this->IsRedirected() &&
+    this->VisibleLamps.Draw(this->Frame, this->AreaLights, this->Geometry);
   this->Timer.End(vtkIndirectStageTimer::Geometry);
   this->Capture->Detach();
   return drawn && !this->IsRedirected();
@@ -236,7 +206,7 @@ void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
   if (sampler && this->Plan.Senders == vtkIndirectPlan::EYE)
   {
     vtkMapLightSampler* pattern = sampler->GetViewPattern();
-    this->HeadlightSampler->SetPattern(pattern ? pattern : this->DefaultSampler.Get());
+    this->HeadlightSampler->SetPattern(pattern ? pattern : this->DefaultSampler->GetViewPattern());
     sampler = this->HeadlightSampler;
   }
   if (sampler && this->Plan.Senders != vtkIndirectPlan::NO_SENDERS)
@@ -255,10 +225,20 @@ void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
 }
 
 //------------------------------------------------------------------------------
+// What all light depends on.
+std::vector<double> vtkIndirectPipeline::MakeFrameKey() const
+{
+  std::vector<double> key = this->Plan.MakeKey(this->Frame);
+  // Receivers that a lamp hides get nothing.
+  key.push_back(this->Plan.VisibleAreaLights > 0 ? static_cast<double>(this->GetAreaTime()) : -1.0);
+  return key;
+}
+
+//------------------------------------------------------------------------------
 // What the irradiance depends on.
 std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) const
 {
-  std::vector<double> key = this->Plan.MakeKey(this->Frame);
+  std::vector<double> key = this->MakeFrameKey();
   key.push_back(static_cast<double>(this->Estimator->GetMTime()));
   key.push_back(static_cast<double>(users->GetMTime()));
   for (const auto& sampler : this->OtherSamplers)
@@ -341,7 +321,7 @@ bool vtkIndirectPipeline::UpdateSky(const Request& request)
   const bool visible = this->Sky.UpdateMaps(input, this->TilesLeft);
   this->TilesLeft -= static_cast<int>(this->Sky.GetNumberOfTilesDrawn() - tiles);
   this->Timer.End(vtkIndirectStageTimer::Visibility);
-  std::vector<double> key = this->Plan.MakeKey(this->Frame);
+  std::vector<double> key = this->MakeFrameKey();
   key.push_back(static_cast<double>(this->Sky.GetContentTime()));
   key.push_back(this->Plan.NumberOfSkyDirections);
   key.push_back(this->Plan.SkyBlock);
@@ -380,16 +360,17 @@ bool vtkIndirectPipeline::UpdateArea(const Request& request)
   this->Timer.Begin(vtkIndirectStageTimer::Visibility);
   const bool updated = this->Area.Update(input, std::max(this->TilesLeft, 0));
   this->Timer.End(vtkIndirectStageTimer::Visibility);
-  std::vector<double> key = this->Plan.MakeKey(this->Frame);
+  std::vector<double> key = this->MakeFrameKey();
   key.push_back(static_cast<double>(this->Area.GetContentTime()));
   key.push_back(this->Plan.Interactive ? 1.0 : 0.0);
-  if (request.Settings.Caching && key == this->AreaKey)
+  const bool same = request.Settings.Caching && key == this->AreaKey;
+  if (same && this->Area.IsFinished())
   {
     return true;
   }
   this->AreaKey.clear();
   this->Timer.Begin(vtkIndirectStageTimer::Area);
-  const bool summed = updated && this->Area.Sum(input);
+  const bool summed = updated && this->Area.Sum(input, same);
   this->Timer.End(vtkIndirectStageTimer::Area);
   if (summed)
   {
@@ -411,7 +392,8 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
   const bool maps = this->Plan.Senders == vtkIndirectPlan::MAPS;
   return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr, this->GetEstimate(),
     this->SkyIsThere ? &this->Sky.GetIrradiance() : nullptr,
-    this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr, this->Plan.IndirectScale,
+    this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr,
+    this->AreaIsThere ? this->Area.GetReflected() : nullptr, this->Plan.IndirectScale,
     this->TargetIsClear };
 }
 
@@ -468,6 +450,15 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
     this->Lights.CopyLights(this->Frame, image);
     return {};
   }
+  if (name == "branches")
+  {
+    if (!this->GetEstimate() || this->Samplers.empty() || !this->Lights.HasBranches())
+    {
+      return "no virtual light of the last frame has any";
+    }
+    this->Lights.CopyBranches(this->Frame, image);
+    return {};
+  }
   if (this->RenderChannel(name))
   {
     this->Composite.CopyImage(image);
@@ -499,19 +490,24 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     { "sky_tiles_drawn", static_cast<long long>(this->Sky.GetNumberOfTilesDrawn()) },
     { "tiles_left",
       (this->IrradianceIsThere ? this->Visibility.GetNumberOfTilesLeft() : 0) +
-        (this->SkyIsThere ? this->Sky.GetNumberOfTilesLeft() : 0) },
+        (this->SkyIsThere ? this->Sky.GetNumberOfTilesLeft() : 0) +
+        (this->AreaIsThere ? this->Area.GetNumberOfTilesLeft() : 0) },
     { "estimates", this->NumberOfEstimates } };
   this->Frame.AddToReport(report);
   if (!this->BuffersAreThere)
   {
     report.Modelled.emplace_back("the delegate alone", this->WhyNoBuffers);
+    if (vtkIndirectVisibleLamps::Count(this->AreaLights) > 0)
+    {
+      report.LeftOut.emplace_back("area lights that are seen", this->WhyNoBuffers);
+    }
     return;
   }
   auto add = [](vtkIndirectReport::Entries& to, const vtkIndirectPlan::Entries& entries)
   { to.insert(to.end(), entries.begin(), entries.end()); };
   report.Paths = this->Paths;
   report.Bytes = this->Geometry.GetTarget().GetBytes() + this->Antialiasing.GetBytes() +
-    this->Sky.GetBytes() + this->Area.GetBytes();
+    this->Sky.GetBytes() + this->Area.GetBytes() + this->VisibleLamps.GetBytes();
   add(report.Modelled, this->Plan.Modelled);
   add(report.LeftOut, this->Plan.LeftOut);
   if (this->Plan.Senders != vtkIndirectPlan::EYE)
@@ -570,6 +566,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->SenderSampler->ReleaseGraphicsResources(window);
   this->ReleaseSky(window);
   this->Area.Release(window);
+  this->VisibleLamps.Release(window);
   for (const auto& sampler : this->OtherSamplers)
   {
     sampler->ReleaseGraphicsResources(window);

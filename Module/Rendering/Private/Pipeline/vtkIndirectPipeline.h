@@ -17,6 +17,8 @@
 #include "Frame/vtkIndirectStageTimer.h"               // for members
 #include "Gather/vtkIndirectAreaGather.h"              // for members
 #include "Gather/vtkIndirectSkyGather.h"               // for members
+#include "Gather/vtkIndirectVisibleLamps.h"            // for members
+#include "Pipeline/vtkIndirectImageLight.h"            // for members
 #include "VirtualLights/vtkIndirectHeadlightSampler.h" // for members
 #include "VirtualLights/vtkIndirectSenderSampler.h"    // for members
 #include "VirtualLights/vtkIndirectSkyProjection.h"    // for members
@@ -26,11 +28,11 @@
 #include "vtkAreaLight.h"                              // for members
 #include "vtkEnvironmentLight.h"                       // for members
 #include "vtkIndirectEstimatorPass.h"                  // for members
+#include "vtkLightTreeSampler.h"                       // for members
 #include "vtkMultiresolutionSplattingPass.h"           // for members
 #include "vtkNew.h"                                    // for members
 #include "vtkReflectiveShadowMapPass.h"                // for members
 #include "vtkSmartPointer.h"                           // for members
-#include "vtkUniformLightSampler.h"                    // for members
 #include "vtkWeakPointer.h"                            // for members
 
 #include <string> // for names
@@ -94,15 +96,15 @@ public:
 
   vtkIndirectStageTimer Timer;
   vtkNew<vtkReflectiveShadowMapPass> Maps;
-  vtkNew<vtkUniformLightSampler> DefaultSampler;
+  vtkNew<vtkLightTreeSampler> DefaultSampler;
   vtkNew<vtkMultiresolutionSplattingPass> DefaultEstimator;
   std::vector<vtkSmartPointer<vtkAreaLight>> AreaLights;
   /** Whose lights are summed besides those of the frame's sampler. */
   std::vector<vtkSmartPointer<vtkVirtualLightSampler>> OtherSamplers;
 
 private:
-  vtkEnvironmentLight* FindImageLight(vtkRenderer* renderer);
   void ChooseSamplers(vtkVirtualLightSampler* users);
+  std::vector<double> MakeFrameKey() const;
   std::vector<double> MakeKey(vtkVirtualLightSampler* users) const;
   bool UpdateIrradiance(const Request& request);
   bool UpdateSky(const Request& request);
@@ -124,7 +126,8 @@ private:
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather Sky;
   vtkIndirectAreaGather Area;
-  vtkNew<vtkEnvironmentLight> ImageLight; // of the renderer's texture
+  vtkIndirectVisibleLamps VisibleLamps;
+  vtkIndirectImageLight ImageLight;
   vtkIndirectComposite Composite;
   vtkIndirectAntialiasing Antialiasing;
 

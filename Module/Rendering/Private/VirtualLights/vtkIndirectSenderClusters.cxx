@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <limits>
 #include <queue>
 #include <utility>
 
@@ -22,34 +23,57 @@ constexpr double NormalLength = 0.25;
 // summed over its branches. See Documentation/methods/light-tree.md.
 constexpr double ShareOfArea = 0.25;
 
+// Half as many clusters as there may be are enough where their light lies within this of their
+// means, root mean square over all of it: along surfaces in one piece. Many small objects take all.
+constexpr double Nearness = 0.04;
+
+// What is left of a mean normal at least, so that it has a direction.
+constexpr double LeastNormal = 0.01;
+
+// By how much one choice has to be better than another to be taken in its place. Texels in rows
+// have many choices that are the same but for rounding, which must not decide: lights would jump.
+constexpr double Margin = 0.01;
+
 double Sum(const glm::dvec3& light)
 {
   return light.x + light.y + light.z;
 }
 
-// Mean over the lights' own places of what they get of each other if nothing is hidden: how bright
-// light from them is in this scene. A few hundred of them tell.
-double FindMeanIrradiance(const std::vector<vtkIndirectSenderClusters::Light>& lights)
+// How bright light is in this scene: what would fall on the sides of the box around the senders if
+// none of their light left it. Exact in a closed box. Of what the lights in rooms and on parts give
+// each other it is 0.8 to 2 times, on open ground more; and it is there where they face away from
+// each other.
+double FindMeanIrradiance(const std::vector<vtkIndirectSenderClusters::Sender>& senders,
+  const std::vector<vtkIndirectSenderClusters::Light>& lights)
 {
-  constexpr size_t most = 256;
-  const size_t stride = (lights.size() + most - 1) / most;
-  double sum = 0.0;
-  size_t count = 0;
-  for (size_t i = 0; i < lights.size(); i += stride)
+  glm::vec3 least(std::numeric_limits<float>::max());
+  glm::vec3 largest(std::numeric_limits<float>::lowest());
+  for (const vtkIndirectSenderClusters::Sender& sender : senders)
   {
-    ++count;
-    for (size_t k = 0; k < lights.size(); k += stride)
-    {
-      const glm::dvec3 way = lights[k].Position - lights[i].Position;
-      const double r2 = glm::dot(way, way);
-      const double cosines = std::max(-glm::dot(lights[k].Normal, way), 0.0) *
-        std::max(glm::dot(lights[i].Normal, way), 0.0);
-      sum += cosines > 0.0 ? static_cast<double>(stride) * Sum(lights[k].DensityArea) / 3.0 *
-          cosines / (r2 * (glm::pi<double>() * r2 + lights[k].Area))
-                           : 0.0;
-    }
+    least = glm::min(least, sender.Position);
+    largest = glm::max(largest, sender.Position);
   }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+  double flux = 0.0;
+  for (const vtkIndirectSenderClusters::Light& light : lights)
+  {
+    flux += Sum(light.DensityArea) / 3.0;
+  }
+  const glm::dvec3 edges = largest - least;
+  const double sides = 2.0 * (edges.x * edges.y + edges.y * edges.z + edges.z * edges.x);
+  return sides > 0.0 ? flux / sides : 0.0;
+}
+
+// A cluster's mean place, as far as it lies beside its middle texel or before it, where a bowl's
+// is: that moves smoothly with a light, from texel to texel it would jump. Behind it is the body.
+glm::dvec3 FindPlace(const vtkIndirectSenderClusters::Sender& middle, const glm::dvec3& mean)
+{
+  const glm::dvec3 place(middle.Position);
+  const glm::dvec3 normal(middle.Normal);
+  const double height = glm::dot(mean - place, normal);
+  const glm::dvec3 step = mean - place - std::min(height, 0.0) * normal;
+  const double pitch = std::sqrt(static_cast<double>(middle.Area));
+  const double length = glm::length(step);
+  return length > pitch ? place + (pitch / length) * step : place + step;
 }
 
 // How much light each map has, over the mean of those that have any, in powers of four.
@@ -159,10 +183,14 @@ vtkIndirectSenderClusters::Cluster vtkIndirectSenderClusters::Measure(
     cluster.Spread += axis < 3 ? width / total : 0.0;
     if (width > widest)
     {
-      widest = width;
+      widest = width / (1.0 + Margin);
       cluster.Axis = axis;
     }
   }
+  // A place beyond the mean, where texels in rows do not end.
+  cluster.Border = cluster.Mean[cluster.Axis] + Margin * std::sqrt(widest / total);
+  // Steps of a hundredth, of a logarithm that an odd number moves away from what is usual.
+  cluster.Order = cluster.Width > 0.0 ? std::floor(std::log(cluster.Width) / Margin + 0.37) : -1e9;
   return cluster;
 }
 
@@ -181,7 +209,7 @@ uint32_t vtkIndirectSenderClusters::FindMiddle(const Cluster& cluster) const
     }
     if (nearest < 0.0 || distance < nearest)
     {
-      nearest = distance;
+      nearest = distance / (1.0 + Margin);
       middle = this->Entries[i].Sender;
     }
   }
@@ -189,9 +217,10 @@ uint32_t vtkIndirectSenderClusters::FindMiddle(const Cluster& cluster) const
 }
 
 //------------------------------------------------------------------------------
-// Clusters of some of the entries, in their order.
+// Clusters of some of the entries, in their order. No more than `least` where these are near
+// enough.
 std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divide(
-  size_t begin, size_t end, size_t most)
+  size_t begin, size_t end, size_t least, size_t most)
 {
   std::vector<Cluster> clusters;
   if (end - begin <= most)
@@ -203,17 +232,21 @@ std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divid
     }
     return clusters;
   }
-  // The widest first; of equals the first in order.
-  auto narrower = [&clusters](size_t a, size_t b)
-  {
-    const double x = clusters[a].Width;
-    const double y = clusters[b].Width;
-    return x != y ? x < y : a > b;
+  // The widest first; of those that are as good as equal the first in order.
+  auto narrower = [&clusters](size_t a, size_t b) {
+    return clusters[a].Order != clusters[b].Order ? clusters[a].Order < clusters[b].Order : a > b;
   };
   std::priority_queue<size_t, std::vector<size_t>, decltype(narrower)> queue(narrower);
   clusters.push_back(this->Measure(begin, end));
   queue.push(0);
-  while (!queue.empty() && clusters.size() < most)
+  double total = 0.0;
+  for (size_t i = begin; i < end; ++i)
+  {
+    total += this->Entries[i].Weight;
+  }
+  const double enough = Nearness * Nearness * total;
+  double width = clusters.front().Width;
+  while (!queue.empty() && clusters.size() < most && (clusters.size() < least || width > enough))
   {
     const size_t top = queue.top();
     queue.pop();
@@ -221,8 +254,7 @@ std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divid
     const auto first = this->Entries.begin();
     const auto middle = std::partition(first + static_cast<std::ptrdiff_t>(cluster.Begin),
       first + static_cast<std::ptrdiff_t>(cluster.End),
-      [&](const Entry& entry)
-      { return entry.Coordinates[cluster.Axis] < cluster.Mean[cluster.Axis]; });
+      [&](const Entry& entry) { return entry.Coordinates[cluster.Axis] < cluster.Border; });
     const size_t border = static_cast<size_t>(middle - first);
     if (border == cluster.Begin || border == cluster.End)
     {
@@ -230,6 +262,7 @@ std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divid
     }
     clusters[top] = this->Measure(cluster.Begin, border);
     clusters.push_back(this->Measure(border, cluster.End));
+    width += clusters[top].Width + clusters.back().Width - cluster.Width;
     queue.push(top);
     queue.push(clusters.size() - 1);
   }
@@ -241,10 +274,12 @@ std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divid
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSenderClusters::DivideAll(const std::vector<double>& weights, int count)
+void vtkIndirectSenderClusters::DivideAll(
+  const std::vector<double>& weights, int count, bool divides)
 {
   this->Weights = weights;
   this->Count = count;
+  this->Divides = divides;
   this->Entries.clear();
   this->Clusters.clear();
   for (size_t i = 0; i < this->Senders.size(); ++i)
@@ -259,7 +294,8 @@ void vtkIndirectSenderClusters::DivideAll(const std::vector<double>& weights, in
         static_cast<float>(weight), static_cast<uint32_t>(i) });
     }
   }
-  this->Clusters = this->Divide(0, this->Entries.size(), static_cast<size_t>(std::max(count, 1)));
+  const size_t most = static_cast<size_t>(std::max(count, 1));
+  this->Clusters = this->Divide(0, this->Entries.size(), divides ? (most + 1) / 2 : most, most);
 }
 
 //------------------------------------------------------------------------------
@@ -270,12 +306,14 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
   const size_t maps = strengths.size();
   std::vector<double> areas(maps, 0.0);
   std::vector<double> sums(maps, 0.0);
+  glm::dvec3 normal(0.0);
   for (size_t i = cluster.Begin; i < cluster.End; ++i)
   {
     const Sender& sender = this->Senders[this->Entries[i].Sender];
     const size_t map = static_cast<size_t>(sender.Map);
     const glm::dvec3 sent = strengths[map] * glm::dvec3(sender.Reflected);
     light.DensityArea += sent;
+    normal += Sum(sent) * glm::dvec3(sender.Normal);
     areas[map] += sender.Area;
     sums[map] += Sum(sent);
   }
@@ -289,8 +327,10 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
     area += sums[map] * areas[map];
   }
   const Sender& middle = this->Senders[cluster.Middle];
-  light.Position = glm::dvec3(middle.Position);
-  light.Normal = glm::dvec3(middle.Normal);
+  light.Position = FindPlace(middle, glm::dvec3(cluster.Mean[0], cluster.Mean[1], cluster.Mean[2]));
+  // Normals that cancel out are those of the middle, all but.
+  const glm::dvec3 mean = total > 0.0 ? normal / total : glm::dvec3(middle.Normal);
+  light.Normal = glm::length(mean) > LeastNormal ? mean : LeastNormal * glm::dvec3(middle.Normal);
   light.Area = total > 0.0 ? area / total : static_cast<double>(middle.Area);
   return light;
 }
@@ -317,21 +357,23 @@ void vtkIndirectSenderClusters::MakeBranches(
   constexpr size_t perNode = vtkIndirectKernels::VTKI_BRANCHES_PER_NODE;
   const size_t first = top * vtkIndirectKernels::VTKI_BRANCHES;
   const Cluster& cluster = this->Clusters[top];
-  const std::vector<Cluster> children = this->Divide(cluster.Begin, cluster.End, perNode);
+  const std::vector<Cluster> children = this->Divide(cluster.Begin, cluster.End, perNode, perNode);
   for (size_t i = 0; i < children.size(); ++i)
   {
     Light child = this->MakeLight(children[i], strengths);
     child.Reach = FindReach(child, children[i], limit);
     child.Area *= children[i].End - children[i].Begin > 1 ? ShareOfArea : 1.0;
-    all[first + i] = child;
+    const size_t family = first + i * (perNode + 1);
+    all[family] = child;
     if (child.Reach > 0.0)
     {
-      const std::vector<Cluster> leaves = this->Divide(children[i].Begin, children[i].End, perNode);
+      const std::vector<Cluster> leaves =
+        this->Divide(children[i].Begin, children[i].End, perNode, perNode);
       for (size_t k = 0; k < leaves.size(); ++k)
       {
         Light leaf = this->MakeLight(leaves[k], strengths);
         leaf.Area *= leaves[k].End - leaves[k].Begin > 1 ? ShareOfArea : 1.0;
-        all[first + perNode + i * perNode + k] = leaf;
+        all[family + 1 + k] = leaf;
       }
     }
   }
@@ -342,9 +384,10 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
   const std::vector<glm::dvec3>& strengths, int count, double error)
 {
   const std::vector<double> weights = FindWeights(strengths);
-  if (weights != this->Weights || count != this->Count)
+  const bool divides = error > 0.0;
+  if (weights != this->Weights || count != this->Count || divides != this->Divides)
   {
-    this->DivideAll(weights, count);
+    this->DivideAll(weights, count, divides);
   }
   Lights lights;
   lights.Tops.reserve(this->Clusters.size());
@@ -354,17 +397,19 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
     lights.Tops.push_back(this->MakeLight(cluster, strengths));
     divided = divided || cluster.End - cluster.Begin > 1;
   }
-  const double limit = divided ? error * FindMeanIrradiance(lights.Tops) : 0.0;
+  const double limit = divided ? error * FindMeanIrradiance(this->Senders, lights.Tops) : 0.0;
   for (size_t i = 0; i < lights.Tops.size(); ++i)
   {
     Light& light = lights.Tops[i];
     const Cluster& cluster = this->Clusters[i];
     light.Reach = FindReach(light, cluster, limit);
     light.Area *= limit > 0.0 && cluster.End - cluster.Begin > 1 ? ShareOfArea : 1.0;
+    light.Normal = limit > 0.0 ? light.Normal : glm::dvec3(this->Senders[cluster.Middle].Normal);
   }
   if (limit > 0.0)
   {
     Light nothing;
+    nothing.Reach = -1.0;
     lights.Branches.assign(lights.Tops.size() * vtkIndirectKernels::VTKI_BRANCHES, nothing);
     vtkSMPTools::For(0, static_cast<vtkIdType>(lights.Tops.size()),
       [&](vtkIdType begin, vtkIdType end)

@@ -34,6 +34,7 @@ public:
   struct Light
   {
     glm::dvec3 Position{ 0.0 };
+    /** The mean of what it stands for: shorter than one where that faces different ways. */
     glm::dvec3 Normal{ 0.0, 0.0, 1.0 };
     double Area = 1.0; // of the disk that it sends light as
     glm::dvec3 DensityArea{ 0.0 };
@@ -54,21 +55,22 @@ public:
     std::vector<Light> Tops;
     /**
      * Those below each, vtkIndirectKernels::VTKI_BRANCHES of them a light: places that are left
-     * over send nothing. Empty where no light has any.
+     * over send nothing and have a reach below zero. Empty where no light has any.
      */
     std::vector<Light> Branches;
   };
 
   /**
-   * At most so many lights of the senders under lights of these strengths, one for each map. No
-   * senders, no lights; as many as there are senders, each of them is one. A light is divided where
-   * the error of having it whole is more than `error` of the mean irradiance that the lights give
-   * each other; 0: never.
+   * At most so many lights of the senders under lights of these strengths, one for each map; half
+   * as many where they are near enough to what they stand for and `error` is not 0. No senders, no
+   * lights; as many as there are senders, each of them is one. A light is divided where the error
+   * of having it whole is more than `error` of the mean irradiance that the lights give each other;
+   * 0: never.
    */
   Lights MakeLights(const std::vector<glm::dvec3>& strengths, int count, double error);
 
   /** The error that belongs to a tolerance of the irradiance's; 0: the standard one. */
-  static double FindError(double tolerance) { return 1.5 * (tolerance > 0.0 ? tolerance : 0.02); }
+  static double FindError(double tolerance) { return 2.0 * (tolerance > 0.0 ? tolerance : 0.02); }
 
   size_t GetBytes() const;
 
@@ -88,14 +90,16 @@ private:
     uint32_t Middle = 0; // the sender nearest to the mean
     double Mean[NumberOfAxes] = {};
     int Axis = 0;        // along which it is widest
+    double Border = 0.0; // where it is divided along that
+    double Order = 0.0;  // of its width: larger ones are divided first
     double Width = 0.0;  // light times squared distance from the mean
     double Spread = 0.0; // mean squared distance of the light's places from their mean
   };
 
   Cluster Measure(size_t begin, size_t end) const;
   uint32_t FindMiddle(const Cluster& cluster) const;
-  std::vector<Cluster> Divide(size_t begin, size_t end, size_t most);
-  void DivideAll(const std::vector<double>& weights, int count);
+  std::vector<Cluster> Divide(size_t begin, size_t end, size_t least, size_t most);
+  void DivideAll(const std::vector<double>& weights, int count, bool divides);
   Light MakeLight(const Cluster& cluster, const std::vector<glm::dvec3>& strengths) const;
   static double FindReach(const Light& light, const Cluster& cluster, double limit);
   void MakeBranches(
@@ -104,6 +108,7 @@ private:
   std::vector<Sender> Senders;
   std::vector<double> Weights; // of maps
   int Count = 0;
+  bool Divides = false; // into branches
   std::vector<Entry> Entries;
   std::vector<Cluster> Clusters;
 };

@@ -178,13 +178,28 @@ void vtkIndirectVirtualLights::Deactivate() const
 //------------------------------------------------------------------------------
 void vtkIndirectVirtualLights::CopyLights(const vtkIndirectFrame& frame, vtkImageData* image) const
 {
+  Copy(frame, *this->Current, this->NumberOfLights, image);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVirtualLights::CopyBranches(
+  const vtkIndirectFrame& frame, vtkImageData* image) const
+{
+  Copy(
+    frame, *this->CurrentBranches, vtkIndirectKernels::VTKI_BRANCHES * this->NumberOfLights, image);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVirtualLights::Copy(
+  const vtkIndirectFrame& frame, const vtkIndirectTarget& table, int count, vtkImageData* image)
+{
   const double scale = frame.SceneScale;
-  image->SetDimensions(3, this->NumberOfLights, 1);
+  image->SetDimensions(3, count, 1);
   image->AllocateScalars(VTK_FLOAT, 4);
   auto* out = static_cast<float*>(image->GetScalarPointer());
-  const std::vector<float> channels[3] = { this->Current->ReadBack(0), this->Current->ReadBack(1),
-    this->Current->ReadBack(2) };
-  for (int i = 0; i < this->NumberOfLights; ++i)
+  const std::vector<float> channels[3] = { table.ReadBack(0), table.ReadBack(1),
+    table.ReadBack(2) };
+  for (int i = 0; i < count; ++i)
   {
     float* row = out + 12 * i;
     for (int c = 0; c < 3; ++c)

@@ -47,14 +47,22 @@ public:
   void Deactivate() const;
   ///@}
 
-  /** Copies the lights: a row each of three texels of four floats, in world units. */
+  ///@{
+  /**
+   * Copies the lights, and what is below them: a row each of three texels of four floats, in world
+   * units.
+   */
   void CopyLights(const vtkIndirectFrame& frame, vtkImageData* image) const;
+  void CopyBranches(const vtkIndirectFrame& frame, vtkImageData* image) const;
+  ///@}
 
   /** Of a table of several samplers; samplers count their own. */
   size_t GetBytes() const { return this->Joined.GetBytes() + this->JoinedBranches.GetBytes(); }
   void Release(vtkWindow* window);
 
 private:
+  static void Copy(
+    const vtkIndirectFrame& frame, const vtkIndirectTarget& table, int count, vtkImageData* image);
   void ActivateBranches(vtkShaderProgram* program) const;
   bool Join(const Input& input, const Samplers& samplers);
   bool JoinTables(vtkOpenGLRenderWindow* window, const Samplers& samplers, vtkIndirectTarget& table,

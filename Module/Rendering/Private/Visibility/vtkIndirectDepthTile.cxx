@@ -176,7 +176,7 @@ bool vtkIndirectDepthTile::CanSee(
   {
     const glm::dvec3 d = ToScene(frame, bounds, i) - this->Place;
     const double z = glm::dot(d, this->Forward);
-    footprint.Add({ glm::dot(d, this->Right), glm::dot(d, this->Up) },
+    footprint.Add(glm::dvec2(glm::dot(d, this->Right), glm::dot(d, this->Up)) - this->Middle * z,
       this->HalfWidth * (this->Parallel ? 1.0 : z), z < this->Near);
   }
   return footprint.IsHeld(texels);
@@ -190,7 +190,7 @@ glm::dmat4 vtkIndirectDepthTile::GetWorldToClip(const vtkIndirectFrame& frame) c
   glm::dmat4 view(rotation);
   view[3] = glm::dvec4(-(rotation * (frame.SceneCenter + this->Place / frame.SceneScale)), 1.0);
   return vtkIndirectLightMap::MakeProjection(
-           this->Parallel, this->HalfWidth, this->Near, this->Far) *
+           this->Parallel, this->HalfWidth, this->Near, this->Far, this->Middle) *
     view;
 }
 
@@ -209,7 +209,7 @@ void vtkIndirectDepthTile::SetUp(vtkOpenGLCamera* camera, const vtkIndirectFrame
   const glm::dvec2 halfWidth =
     this->Parallel ? this->HalfWidth / frame.SceneScale : this->HalfWidth;
   vtkIndirectLightMap::SetProjection(
-    camera, vtkIndirectLightMap::MakeProjection(this->Parallel, halfWidth, n, f));
+    camera, vtkIndirectLightMap::MakeProjection(this->Parallel, halfWidth, n, f, this->Middle));
   camera->Modified();
 }
 
@@ -218,5 +218,5 @@ bool vtkIndirectDepthTile::operator==(const vtkIndirectDepthTile& other) const
 {
   return this->Parallel == other.Parallel && this->Place == other.Place &&
     this->Forward == other.Forward && this->HalfWidth == other.HalfWidth &&
-    this->Near == other.Near && this->Far == other.Far;
+    this->Middle == other.Middle && this->Near == other.Near && this->Far == other.Far;
 }

@@ -16,6 +16,7 @@ struct vtkIndirectDepthTile
   glm::dvec3 Up{ 0.0, 1.0, 0.0 };
   glm::dvec3 Forward{ 0.0, 0.0, -1.0 };
   glm::dvec2 HalfWidth{ 1.0 }; // tangents (perspective) or scene units (parallel)
+  glm::dvec2 Middle{ 0.0 };    // tangents, of a window that does not look straight ahead
   double Near = 0.0;           // scene units along Forward
   double Far = 1.0;
 

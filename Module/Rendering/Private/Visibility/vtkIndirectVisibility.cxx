@@ -84,7 +84,10 @@ void vtkIndirectVisibility::ReadEmitters(const vtkIndirectVirtualLights& lights)
     const float* d = &density[4 * i];
     vtkIndirectDepthAtlas::Emitter& emitter = this->Lights[i];
     emitter.Sends = p[3] > 0.0f && std::max({ d[0], d[1], d[2] }) > 0.0f;
-    emitter.Tile = vtkIndirectDepthTile::FromPlace({ p[0], p[1], p[2] }, { n[0], n[1], n[2] });
+    // Of surfaces that differ it is a mean, which is shorter than one.
+    const glm::dvec3 axis =
+      emitter.Sends ? glm::normalize(glm::dvec3(n[0], n[1], n[2])) : glm::dvec3(n[0], n[1], n[2]);
+    emitter.Tile = vtkIndirectDepthTile::FromPlace({ p[0], p[1], p[2] }, axis);
   }
   this->Stride = (count + MaximumNumberOfTiles - 1) / MaximumNumberOfTiles;
   this->Emitters.clear();

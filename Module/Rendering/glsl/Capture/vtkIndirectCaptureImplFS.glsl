@@ -1,6 +1,7 @@
   // The mapper's names are bound to these by vtkSurfaceCapturePass: VTKI_ALBEDO, VTKI_NORMAL,
   // VTKI_SLOPE, VTKI_KIND, VTKI_DEPTH, VTKI_SENDER_SCALE; and where something in the scene is specular,
-  // VTKI_SPECULAR: the mapper's specular colour and power, zero where it has none.
+  // VTKI_SPECULAR: the mapper's specular colour and power, of VTK's PBR F0 and minus the roughness; zero where it has
+  // none.
   {
     vec3 vtkiAlbedo = max(VTKI_ALBEDO, vec3(0.0f));
     vec3 vtkiNormal = VTKI_NORMAL;
@@ -32,7 +33,7 @@
       gl_FragData[2].a = gl_FragData[1].a;
 #endif
 #ifdef VTKI_SPECULAR
-      gl_FragData[3] = max(VTKI_SPECULAR, vec4(0.0f));
+      gl_FragData[3] = max(VTKI_SPECULAR, vec4(vec3(0.0f), -1.0f));
 #endif
     }
   }

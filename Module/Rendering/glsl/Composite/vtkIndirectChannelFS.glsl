@@ -7,8 +7,13 @@
 #include "vtkIndirectLibColor.glsl"
 #include VTKI_GATHER
 
-#ifdef VTKI_GLOSSY
+#if defined(VTKI_GLOSSY) || defined(VTKI_AREA_GLOSSY)
 uniform sampler2D vtkiSpecular;
+#endif
+#ifdef VTKI_AREA_GLOSSY
+uniform sampler2D vtkiAreaGlossy;
+#endif
+#ifdef VTKI_GLOSSY
 uniform sampler2D vtkiGlossy;
 #endif
 #ifdef VTKI_SKY
@@ -45,10 +50,15 @@ void main()
   vec3 irradiance = bounce + sky + area;
   vec4 specular = vec4(0.0f);
   vec3 glossy = vec3(0.0f);
-#ifdef VTKI_GLOSSY
+#if defined(VTKI_GLOSSY) || defined(VTKI_AREA_GLOSSY)
   specular = lit ? texelFetch(vtkiSpecular, pixel, 0) : vec4(0.0f);
+#endif
+#ifdef VTKI_GLOSSY
   glossy =
     lit ? specular.rgb * texelFetch(vtkiGlossy, pixel, 0).rgb * vtkiIrradianceUnit : vec3(0.0f);
+#endif
+#ifdef VTKI_AREA_GLOSSY
+  glossy += lit ? texelFetch(vtkiAreaGlossy, pixel, 0).rgb : vec3(0.0f);
 #endif
   vec3 indirect =
     vtkiIndirectScale > 0.0f ? (albedo * irradiance + glossy) * vtkiIndirectScale : vec3(0.0f);

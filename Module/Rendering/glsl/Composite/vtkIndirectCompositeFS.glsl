@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Direct light plus albedo times irradiance, with VTKI_SKY also that of the environment, with VTKI_AREA that of area
-// lights, and with VTKI_GLOSSY what is reflected specularly.
+// lights, with VTKI_AREA_GLOSSY what receivers reflect specularly of these, and with VTKI_GLOSSY what is reflected specularly.
 // Background is left as it was drawn. Depth comes too, unless with VTKI_DEPTH_COPIED it is there already.
 // VTKI_ALBEDO_IN_ALPHA where the lit image has the albedo in place of alpha, VTKI_ENCODED where the scene has
 // physically based materials, whose colours are encoded. VTKI_GATHER names the file that knows where the
@@ -26,6 +26,9 @@ uniform sampler2D vtkiSky;
 #endif
 #ifdef VTKI_AREA
 uniform sampler2D vtkiArea;
+#endif
+#ifdef VTKI_AREA_GLOSSY
+uniform sampler2D vtkiAreaGlossy;
 #endif
 
 void main()
@@ -60,6 +63,9 @@ void main()
 #endif
 #ifdef VTKI_AREA
     indirect += albedo * textureLod(vtkiArea, pixel, 0.0f).rgb * (vtkiIndirectScale * lit.a);
+#endif
+#ifdef VTKI_AREA_GLOSSY
+    indirect += textureLod(vtkiAreaGlossy, pixel, 0.0f).rgb * (vtkiIndirectScale * lit.a);
 #endif
 #ifdef VTKI_GLOSSY
     indirect += textureLod(vtkiSpecular, pixel, 0.0f).rgb *

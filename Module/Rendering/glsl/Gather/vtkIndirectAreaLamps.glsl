@@ -10,7 +10,7 @@
 #include "vtkIndirectLibAreaLight.glsl"
 #include "vtkIndirectLibInterpolation.glsl"
 #ifdef VTKI_VISIBILITY
-#include "vtkIndirectDepthTiles.glsl"
+#include "vtkIndirectDepthWindows.glsl"
 #endif
 #ifdef VTKI_AREA_IMAGE
 #include "vtkIndirectAreaImage.glsl"
@@ -21,15 +21,17 @@ layout(std140) uniform vtkiAreaBlock
   vec4 vtkiAreaCorner[VTKI_AREA_LAMPS];   // scene units; whether it has two sides
   vec4 vtkiAreaEdge1[VTKI_AREA_LAMPS];    // level of the single texel of its image, or -1
   vec4 vtkiAreaEdge2[VTKI_AREA_LAMPS];    // first row of its image
-  vec4 vtkiAreaNormal[VTKI_AREA_LAMPS];   // where it sends light to; area that a point stands for
+  vec4 vtkiAreaNormal[VTKI_AREA_LAMPS];   // where it sends light to; area of a point's disk
   vec4 vtkiAreaRadiance[VTKI_AREA_LAMPS]; // the mean
-  // Of the depth maps of its front, and of those of its back.
+  // Of the depth maps of its front, and of those of its back; one over the depths at which they begin and end.
   vec4 vtkiAreaRight[2 * VTKI_AREA_LAMPS];
   vec4 vtkiAreaUp[2 * VTKI_AREA_LAMPS];
   // By lamps: places along these axes, from the corner; the middle of the tile, or -1 where there is none.
   vec4 vtkiAreaFront[VTKI_AREA_LAMPS * VTKI_AREA_POINTS];
   vec4 vtkiAreaBack[VTKI_AREA_LAMPS * VTKI_AREA_POINTS];
-  vec4 vtkiAreaSent[VTKI_AREA_LAMPS * VTKI_AREA_POINTS]; // radiance
+  vec4 vtkiAreaFrontWindow[VTKI_AREA_LAMPS * VTKI_AREA_POINTS]; // of vtkiIsSeenInWindow
+  vec4 vtkiAreaBackWindow[VTKI_AREA_LAMPS * VTKI_AREA_POINTS];
+  vec4 vtkiAreaSent[VTKI_AREA_LAMPS * VTKI_AREA_POINTS]; // radiance times the area that the point stands for
 };
 uniform int vtkiAreaCount; // lamps
 
@@ -78,6 +80,8 @@ void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen,
     bool front = height > 0.0f;
     bool lit = front || vtkiAreaCorner[i].w > 0.0f;
     vec3 right = front ? vtkiAreaRight[2 * i].xyz : vtkiAreaRight[2 * i + 1].xyz;
+    vec2 range = front ? vec2(vtkiAreaRight[2 * i].w, vtkiAreaUp[2 * i].w)
+                       : vec2(vtkiAreaRight[2 * i + 1].w, vtkiAreaUp[2 * i + 1].w);
     vec3 up = front ? vtkiAreaUp[2 * i].xyz : vtkiAreaUp[2 * i + 1].xyz;
     vec3 axis = front ? vtkiAreaNormal[i].xyz : -vtkiAreaNormal[i].xyz;
     vec3 place = vec3(dot(right, from), dot(up, from), abs(height));
@@ -92,7 +96,8 @@ void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen,
       // The disk of vtkiVirtualLightWeight.
       float r2 = max(dot(away, away), 1.0e-30f);
       float weight = place.z * max(-dot(normal, away), 0.0f) / (r2 * (VTKI_PI * r2 + area));
-      bool visible = vtkiIsSeenAlongTile(point.zw, away, normal);
+      vec4 window = front ? vtkiAreaFrontWindow[row] : vtkiAreaBackWindow[row];
+      bool visible = vtkiIsSeenInWindow(point.zw, window, range, away, normal);
       vec3 given = lit && point.z >= 0.0f ? weight * vtkiAreaSent[row].rgb : vec3(0.0f);
       all += given;
       seen += visible ? given : vec3(0.0f);

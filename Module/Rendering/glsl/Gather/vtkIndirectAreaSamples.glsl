@@ -2,10 +2,12 @@
 #include "vtkIndirectLibInterpolation.glsl"
 
 // Between samples light is interpolated that comes from so many times their distance at least: what falls with a
-// power of the distance is then off by less than a hundredth. Where not all samples around are on the surface, so that
+// power of the distance is then off by less than half a hundredth. Where not all samples around are on the surface, so that
 // their middle is elsewhere, from three times that.
-const float VTKI_AREA_DISTANCES = 10.0f;
-const float VTKI_AREA_DISTANCES_BESIDE = 30.0f;
+#ifndef VTKI_AREA_DISTANCES
+#define VTKI_AREA_DISTANCES 14.0f
+#endif
+const float VTKI_AREA_DISTANCES_BESIDE = 3.0f * VTKI_AREA_DISTANCES;
 
 // Least cosine of normals between which light is interpolated; what hides it may be between others.
 const float VTKI_AREA_COSINE = 0.99f;

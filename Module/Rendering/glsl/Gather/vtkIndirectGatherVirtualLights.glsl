@@ -14,40 +14,94 @@ uniform sampler2D vtkiLightDensity;  // reflected density times area, source
 uniform ivec2 vtkiLightRows; // first row, one past the last row
 uniform int vtkiLightCount;
 
+void vtkiFetchLight(int light, out vec4 sender, out vec4 senderNormal, out vec3 density)
+{
+  ivec2 at = vtkiTableTexel(light);
+  sender = texelFetch(vtkiLightPosition, at, 0);
+  senderNormal = texelFetch(vtkiLightNormal, at, 0);
+  density = texelFetch(vtkiLightDensity, at, 0).rgb;
+}
+
+// What comes of a light as a whole. Returns whether the receiver is near to it, so that what is below is to be added.
+bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, inout vec3 irradiance)
+{
+  vec4 sender;
+  vec4 senderNormal;
+  vec3 density;
+  vtkiFetchLight(light, sender, senderNormal, density);
+  vec3 toSender = vtkiToSender(sender, position);
+  float weight = vtkiSenderWeight(toSender, senderNormal.xyz, normal, sender.w);
+  float division = 0.0f;
+#ifdef VTKI_DIVIDED
+  division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
+#endif
+  bool seen = true;
+#ifdef VTKI_VISIBILITY
+  bool lit = (weight > 0.0f || division > 0.0f) && max(max(density.r, density.g), density.b) > 0.0f;
+  seen = vtkiIsSenderVisible(light, open, position, normal, sender, senderNormal.xyz, lit);
+#endif
+  irradiance += seen ? density * (weight * (1.0f - division)) : vec3(0.0f);
+  return seen && division > 0.0f;
+}
+
+#ifdef VTKI_DIVIDED
+// What comes of what is below a light that the receiver is near to and sees.
+void vtkiAddBelow(vec3 position, vec3 normal, int light, inout vec3 irradiance)
+{
+  vec4 sender;
+  vec4 senderNormal;
+  vec3 density;
+  vtkiFetchLight(light, sender, senderNormal, density);
+  vec3 toSender = sender.xyz - position;
+  float share = vtkiDivision(dot(toSender, toSender), senderNormal.w);
+  float below = 0.0f;
+  int place = 0;
+  while (place < VTKI_BRANCHES)
+  {
+    vtkiFetchBranch(light, place, sender, senderNormal, density);
+    toSender = sender.xyz - position;
+    bool isChild = vtkiIsChild(place);
+    below = isChild ? share * vtkiDivision(dot(toSender, toSender), senderNormal.w) : below;
+    float weight = vtkiSenderWeight(toSender, senderNormal.xyz, normal, sender.w);
+    irradiance += density * (weight * (isChild ? share - below : below));
+    place = vtkiNextBranch(place, senderNormal.w, below > 0.0f);
+  }
+}
+#endif
+
 vec3 vtkiGather(vec3 position, vec3 normal)
 {
   vec3 total = vec3(0.0f);
+  vec3 open = position;
 #ifdef VTKI_VISIBILITY
-  vec3 open = vtkiOpenPlace(position, normal);
+  open = vtkiOpenPlace(position, normal);
 #endif
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y; ++row)
   {
     // Sums by row keep rounding errors of long sums small.
     vec3 partial = vec3(0.0f);
-    int columns = min(VTKI_ROW_LENGTH, vtkiLightCount - row * VTKI_ROW_LENGTH);
-    for (int column = 0; column < columns; ++column)
+    int endOfRow = min((row + 1) * VTKI_ROW_LENGTH, vtkiLightCount);
+#ifdef VTKI_DIVIDED
+    const int atOnce = VTKI_NEAR_LIGHTS;
+#else
+    const int atOnce = VTKI_ROW_LENGTH;
+#endif
+    for (int first = row * VTKI_ROW_LENGTH; first < endOfRow; first += atOnce)
     {
-      ivec2 at = ivec2(column, row);
-      vec4 sender = texelFetch(vtkiLightPosition, at, 0);
-      vec4 senderNormal = texelFetch(vtkiLightNormal, at, 0);
-      vec3 density = texelFetch(vtkiLightDensity, at, 0).rgb;
-      float weight =
-        vtkiSenderWeight(vtkiToSender(sender, position), senderNormal.xyz, normal, sender.w);
-      float share = 1.0f;
-      float division = 0.0f;
+      int end = min(first + atOnce, endOfRow);
+      uvec4 near = uvec4(0u);
+      for (int light = first; light < end; ++light)
+      {
+        bool isNear = vtkiAddLight(position, normal, open, light, partial);
 #ifdef VTKI_DIVIDED
-      division = vtkiDivision(sender.xyz - position, senderNormal.w);
+        vtkiKeepNear(near, light - first, isNear);
 #endif
-#ifdef VTKI_VISIBILITY
-      bool lit = (weight > 0.0f || division > 0.0f) && max(max(density.r, density.g), density.b) > 0.0f;
-      bool seen = vtkiIsSenderVisible(
-        row * VTKI_ROW_LENGTH + column, open, position, normal, sender, senderNormal.xyz, lit);
-      share = seen ? 1.0f : 0.0f;
-#endif
-      partial += density * (weight * share * (1.0f - division));
+      }
 #ifdef VTKI_DIVIDED
-      vec3 unused = vec3(0.0f);
-      vtkiAddBranches(row * VTKI_ROW_LENGTH + column, position, normal, share * division, partial, unused);
+      while (vtkiHasNear(near))
+      {
+        vtkiAddBelow(position, normal, first + vtkiTakeNear(near), partial);
+      }
 #endif
     }
     total += partial;

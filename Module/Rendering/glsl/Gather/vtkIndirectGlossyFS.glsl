@@ -22,6 +22,7 @@ float vtkiDirectionInLobe(vec3 toLight, vec3 normalR)
   return mirrored > 0.0f ? pow(min(mirrored, 1.0f), vtkiReceiverPower) / VTKI_PI : 0.0f;
 }
 #define vtkiVirtualLightWeight vtkiWeightInLobe
+#define vtkiMeanLightWeight vtkiWeightInLobe
 #define vtkiDirectionWeight vtkiDirectionInLobe
 #include VTKI_GATHER
 
@@ -35,7 +36,8 @@ void main()
     mat3(vtkiViewToScene) * vtkiMirror(receiver.positionVC, receiver.normalVC);
   vtkiReceiverPower = specular.a;
   vec3 sum = vec3(0.0f);
-  if (lit && max(max(specular.r, specular.g), specular.b) > 0.0f)
+  // Powers below zero are roughnesses of VTK's PBR, which area lights alone know.
+  if (lit && specular.a >= 0.0f && max(max(specular.r, specular.g), specular.b) > 0.0f)
   {
     sum = vtkiGather(receiver.position, receiver.normal);
   }

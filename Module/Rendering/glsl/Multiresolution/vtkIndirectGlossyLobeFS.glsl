@@ -27,7 +27,7 @@ void main()
     ivec2 inside = min(at, vtkiFinerSize - 1);
 #ifdef VTKI_PIXELS
     vec4 specular = texelFetch(vtkiSpecular, inside, 0);
-    bool present = vtkiSurfaceIsLit(texelFetch(vtkiSurface, inside, 0)) &&
+    bool present = vtkiSurfaceIsLit(texelFetch(vtkiSurface, inside, 0)) && specular.a >= 0.0f &&
       max(max(specular.r, specular.g), specular.b) > 0.0f;
     float power = specular.a;
 #else

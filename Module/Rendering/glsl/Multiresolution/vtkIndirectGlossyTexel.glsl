@@ -29,7 +29,7 @@ vtkiGlossyReceiver vtkiFetchGlossyReceiver(ivec2 texel)
   vec4 surface = texelFetch(vtkiSurface, inside, 0);
   vec4 specular = texelFetch(vtkiSpecular, inside, 0);
   vec2 center = 2.0f * (vec2(inside) + 0.5f) / vec2(vtkiSize) - 1.0f;
-  bool present = vtkiSurfaceIsLit(surface) && max(max(specular.r, specular.g), specular.b) > 0.0f;
+  bool present = vtkiSurfaceIsLit(surface) && specular.a >= 0.0f && max(max(specular.r, specular.g), specular.b) > 0.0f;
   receiver.depth = vtkiSurfaceDepth(surface);
   receiver.normal = vtkiSurfaceNormal(surface);
   receiver.power = specular.a;

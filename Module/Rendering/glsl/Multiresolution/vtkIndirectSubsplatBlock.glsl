@@ -48,58 +48,18 @@ void vtkiEvaluateChild(ivec2 block, int child, bool exists)
 #include "vtkIndirectSubsplatLooks.glsl"
 #endif
 
-#ifdef VTKI_DIVIDED
-// What all receivers get of a node and what is below it, where they take a share of that.
-void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS], vec3 normal[4 * VTKI_BLOCKS],
-  float share[4 * VTKI_BLOCKS], inout vec3 irradiance[4 * VTKI_BLOCKS], inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
-{
-  for (int child = 0; child < VTKI_BRANCHES_PER_NODE; ++child)
-  {
-    vec4 sender;
-    vec4 senderNormal;
-    vec3 density;
-    vtkiFetchBranch(VTKI_BRANCHES * light + child, sender, senderNormal, density);
-    float below[4 * VTKI_BLOCKS];
-    float most = 0.0f;
-    for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
-    {
-      below[i] = share[i] * vtkiDivision(sender.xyz - position[i], senderNormal.w);
-      most = max(most, below[i]);
-      vtkiAddNode(position[i], normal[i], share[i] - below[i], sender, senderNormal.xyz, density, irradiance[i],
-        vectorIrradiance[i]);
-    }
-    int leaves = most > 0.0f ? VTKI_BRANCHES_PER_NODE : 0;
-    int first = VTKI_BRANCHES * light + VTKI_BRANCHES_PER_NODE * (1 + child);
-    for (int leaf = 0; leaf < leaves; ++leaf)
-    {
-      vtkiFetchBranch(first + leaf, sender, senderNormal, density);
-      for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
-      {
-        vtkiAddNode(position[i], normal[i], below[i], sender, senderNormal.xyz, density, irradiance[i],
-          vectorIrradiance[i]);
-      }
-    }
-  }
-}
+#ifdef VTKI_SHARES_LOOKS
+#define VTKI_LOOKS_OF_BLOCKS , vtkiLooks looks[VTKI_BLOCKS]
+#define VTKI_WITH_LOOKS , looks
+#else
+#define VTKI_LOOKS_OF_BLOCKS
+#define VTKI_WITH_LOOKS
 #endif
 
-// What all blocks get of a light.
-void vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, vec3 position[4 * VTKI_BLOCKS],
-  vec3 normal[4 * VTKI_BLOCKS],
-#ifdef VTKI_SHARES_LOOKS
-  vtkiLooks looks[VTKI_BLOCKS],
-#endif
-  inout vec3 irradiance[4 * VTKI_BLOCKS], inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
+// How much each receiver sees of a light.
+void vtkiFindShares(int light, vec4 sender, vec4 senderNormal, vec3 position[4 * VTKI_BLOCKS],
+  vec3 normal[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, out float share[4 * VTKI_BLOCKS])
 {
-#ifdef VTKI_DIVIDED
-  float division[4 * VTKI_BLOCKS];
-  float most = 0.0f;
-  for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
-  {
-    division[i] = vtkiDivision(sender.xyz - position[i], senderNormal.w);
-    most = max(most, division[i]);
-  }
-#endif
 #ifdef VTKI_SHARES_LOOKS
   vtkiTile tile = vtkiFetchTile(light, sender.xyz, senderNormal.xyz);
   for (int block = 0; block < VTKI_BLOCKS; ++block)
@@ -113,39 +73,80 @@ void vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, ve
     }
     for (int i = 0; i < 4; ++i)
     {
-      int child = 4 * block + i;
-      float share = (looks[block].second[i] ? seen[1] : seen[0]) ? 1.0f : 0.0f;
-#ifdef VTKI_DIVIDED
-      division[child] *= share;
-      share -= division[child];
-#endif
-      vtkiAddSeenLight(position[child], normal[child], share, sender, senderNormal.xyz, density, irradiance[child],
-        vectorIrradiance[child]);
+      share[4 * block + i] = (looks[block].second[i] ? seen[1] : seen[0]) ? 1.0f : 0.0f;
     }
   }
 #else
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
-    float share = 1.0f;
+    share[i] = 1.0f;
 #ifdef VTKI_VISIBILITY
-    share = vtkiIsSenderVisible(light, position[i], position[i], normal[i], sender, senderNormal.xyz, true)
+    share[i] = vtkiIsSenderVisible(light, position[i], position[i], normal[i], sender, senderNormal.xyz, true)
       ? 1.0f : 0.0f;
 #endif
-#ifdef VTKI_DIVIDED
-    division[i] *= share;
-    share -= division[i];
-#endif
-    vtkiAddSeenLight(position[i], normal[i], share, sender, senderNormal.xyz, density, irradiance[i],
-      vectorIrradiance[i]);
-  }
-#endif
-#ifdef VTKI_DIVIDED
-  if (most > 0.0f)
-  {
-    vtkiAddBranchesToBlocks(light, position, normal, division, irradiance, vectorIrradiance);
   }
 #endif
 }
+
+// What all blocks get of a light as a whole. Returns whether some of them are near to it.
+bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, vec3 position[4 * VTKI_BLOCKS],
+  vec3 normal[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, inout vec3 irradiance[4 * VTKI_BLOCKS],
+  inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
+{
+  float share[4 * VTKI_BLOCKS];
+  vtkiFindShares(light, sender, senderNormal, position, normal VTKI_WITH_LOOKS, share);
+  float nearest = 0.0f;
+  for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
+  {
+#ifdef VTKI_DIVIDED
+    vec3 toSender = sender.xyz - position[i];
+    float division = share[i] * vtkiDivision(dot(toSender, toSender), senderNormal.w);
+    nearest = max(nearest, division);
+    share[i] -= division;
+#endif
+    vtkiAddSeenLight(position[i], normal[i], share[i], sender, senderNormal.xyz, density, irradiance[i],
+      vectorIrradiance[i]);
+  }
+  return nearest > 0.0f;
+}
+
+#ifdef VTKI_DIVIDED
+// What all blocks get of what is below a light.
+void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS],
+  vec3 normal[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, inout vec3 irradiance[4 * VTKI_BLOCKS],
+  inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
+{
+  vec4 sender;
+  vec4 senderNormal;
+  vec3 density;
+  vtkiFetchLight(light, sender, senderNormal, density);
+  float share[4 * VTKI_BLOCKS];
+  vtkiFindShares(vtkiFirstLight + light, sender, senderNormal, position, normal VTKI_WITH_LOOKS, share);
+  float below[4 * VTKI_BLOCKS];
+  for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
+  {
+    vec3 toSender = sender.xyz - position[i];
+    share[i] *= vtkiDivision(dot(toSender, toSender), senderNormal.w);
+    below[i] = 0.0f;
+  }
+  int place = 0;
+  while (place < VTKI_BRANCHES)
+  {
+    vtkiFetchBranch(vtkiFirstLight + light, place, sender, senderNormal, density);
+    bool isChild = vtkiIsChild(place);
+    float nearest = 0.0f;
+    for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
+    {
+      vec3 toSender = sender.xyz - position[i];
+      below[i] = isChild ? share[i] * vtkiDivision(dot(toSender, toSender), senderNormal.w) : below[i];
+      nearest = max(nearest, below[i]);
+      vtkiAddSeenLight(position[i], normal[i], isChild ? share[i] - below[i] : below[i], sender, senderNormal.xyz,
+        density, irradiance[i], vectorIrradiance[i]);
+    }
+    place = vtkiNextBranch(place, senderNormal.w, nearest > 0.0f);
+  }
+}
+#endif
 
 // blocks: indices of texels that are split, one level above those that are evaluated; exists: whether
 // there is one.
@@ -179,28 +180,43 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     looks[block] = vtkiMakeLooks(positions, normals, leaves);
   }
 #endif
-  for (int light = 0; light < vtkiBlockCount; ++light)
-  {
-    vec4 sender = vtkiBlockPosition[light];
-    vec4 senderNormal = vtkiBlockNormal[light];
-    vec3 density = vtkiBlockDensity[light].rgb;
-    vtkiAddToBlocks(vtkiFirstLight + light, sender, senderNormal, density, position, normal,
-#ifdef VTKI_SHARES_LOOKS
-      looks,
+#ifdef VTKI_DIVIDED
+  const int atOnce = VTKI_NEAR_LIGHTS;
+#else
+  int atOnce = vtkiLightCount;
 #endif
-      irradiance, vectorIrradiance);
-  }
-  for (int light = vtkiBlockCount; light < vtkiLightCount; ++light)
+  for (int first = 0; first < vtkiLightCount; first += atOnce)
   {
-    vec4 sender;
-    vec4 senderNormal;
-    vec3 density;
-    vtkiFetchLight(light, sender, senderNormal, density);
-    vtkiAddToBlocks(vtkiFirstLight + light, sender, senderNormal, density, position, normal,
-#ifdef VTKI_SHARES_LOOKS
-      looks,
+    int end = min(first + atOnce, vtkiLightCount);
+    int endOfBlock = min(end, vtkiBlockCount);
+    uvec4 near = uvec4(0u);
+    for (int light = first; light < endOfBlock; ++light)
+    {
+      bool isNear = vtkiAddToBlocks(vtkiFirstLight + light, vtkiBlockPosition[light], vtkiBlockNormal[light],
+        vtkiBlockDensity[light].rgb, position, normal VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
+#ifdef VTKI_DIVIDED
+      vtkiKeepNear(near, light - first, isNear);
 #endif
-      irradiance, vectorIrradiance);
+    }
+    for (int light = max(first, vtkiBlockCount); light < end; ++light)
+    {
+      vec4 sender;
+      vec4 senderNormal;
+      vec3 density;
+      vtkiFetchLight(light, sender, senderNormal, density);
+      bool isNear = vtkiAddToBlocks(vtkiFirstLight + light, sender, senderNormal, density, position,
+        normal VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
+#ifdef VTKI_DIVIDED
+      vtkiKeepNear(near, light - first, isNear);
+#endif
+    }
+#ifdef VTKI_DIVIDED
+    while (vtkiHasNear(near))
+    {
+      vtkiAddBranchesToBlocks(
+        first + vtkiTakeNear(near), position, normal VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
+    }
+#endif
   }
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {

@@ -41,26 +41,70 @@ void vtkiAddSeenLight(vec3 position, vec3 normal, float share, vec4 sender, vec3
   vectorIrradiance += (strength * vtkiLuminance(density)) * toSender;
 }
 
-// open: see vtkiOpenPlace; light: its number in the table; both of no meaning without VTKI_VISIBILITY.
-void vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
-  inout vec3 irradiance, inout vec3 vectorIrradiance)
+// Whether a receiver sees a light. open: see vtkiOpenPlace; light: its number in the table; both of no meaning
+// without VTKI_VISIBILITY. division: the share of it that comes from what is below it.
+bool vtkiSees(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
+  float division)
 {
-  bool seen = true;
-  float division = 0.0f;
-#ifdef VTKI_DIVIDED
-  division = vtkiDivision(sender.xyz - position, senderNormal.w);
-#endif
 #ifdef VTKI_VISIBILITY
   // Nothing to walk where there is nothing to get.
   vec3 toSender = vtkiToSender(sender, position);
   bool lit = max(max(density.r, density.g), density.b) > 0.0f && (division > 0.0f ||
     (dot(normal, toSender) > 0.0f && vtkiSenderStrength(toSender, senderNormal.xyz, sender.w) > 0.0f));
-  seen = vtkiIsSenderVisible(light, open, position, normal, sender, senderNormal.xyz, lit);
+  return vtkiIsSenderVisible(light, open, position, normal, sender, senderNormal.xyz, lit);
+#else
+  return true;
 #endif
+}
+
+// What a receiver gets of a light as a whole. Returns whether it is near to it, so that what is below is to be added.
+bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
+  inout vec3 irradiance, inout vec3 vectorIrradiance)
+{
+  float division = 0.0f;
+#ifdef VTKI_DIVIDED
+  vec3 toSender = sender.xyz - position;
+  division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
+#endif
+  bool seen = vtkiSees(position, normal, open, light, sender, senderNormal, density, division);
   vtkiAddSeenLight(position, normal, seen ? 1.0f - division : 0.0f, sender, senderNormal.xyz, density, irradiance,
     vectorIrradiance);
+  return seen && division > 0.0f;
+}
+
 #ifdef VTKI_DIVIDED
-  vtkiAddBranches(light, position, normal, seen ? division : 0.0f, irradiance, vectorIrradiance);
+// What is below a light that the receiver is near to and sees. light: its number in the table.
+void vtkiAddBelow(vec3 position, vec3 normal, int light, vec4 sender, float reach, inout vec3 irradiance,
+  inout vec3 vectorIrradiance)
+{
+  vec3 toSender = sender.xyz - position;
+  float share = vtkiDivision(dot(toSender, toSender), reach);
+  float below = 0.0f;
+  int place = share > 0.0f ? 0 : VTKI_BRANCHES;
+  while (place < VTKI_BRANCHES)
+  {
+    vec4 node;
+    vec4 nodeNormal;
+    vec3 density;
+    vtkiFetchBranch(light, place, node, nodeNormal, density);
+    vec3 toNode = node.xyz - position;
+    bool isChild = vtkiIsChild(place);
+    below = isChild ? share * vtkiDivision(dot(toNode, toNode), nodeNormal.w) : below;
+    vtkiAddSeenLight(position, normal, isChild ? share - below : below, node, nodeNormal.xyz, density, irradiance,
+      vectorIrradiance);
+    place = vtkiNextBranch(place, nodeNormal.w, below > 0.0f);
+  }
+}
+#endif
+
+// A light and what is below it.
+void vtkiAddWholeLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
+  inout vec3 irradiance, inout vec3 vectorIrradiance)
+{
+  bool isNear =
+    vtkiAddLight(position, normal, open, light, sender, senderNormal, density, irradiance, vectorIrradiance);
+#ifdef VTKI_DIVIDED
+  vtkiAddBelow(position, normal, light, sender, isNear ? senderNormal.w : 0.0f, irradiance, vectorIrradiance);
 #endif
 }
 
@@ -71,19 +115,47 @@ void vtkiEvaluateSubsplat(
   irradiance = vec3(0.0f);
   vectorIrradiance = vec3(0.0f);
   vec3 open = vtkiOpenPlace(position, normal);
-  int count = wanted ? vtkiBlockCount : 0;
-  for (int i = 0; i < count; ++i)
+  int count = wanted ? vtkiLightCount : 0;
+#ifdef VTKI_DIVIDED
+  const int atOnce = VTKI_NEAR_LIGHTS;
+#else
+  int atOnce = max(count, 1);
+#endif
+  for (int first = 0; first < count; first += atOnce)
   {
-    vtkiAddLight(position, normal, open, vtkiFirstLight + i, vtkiBlockPosition[i], vtkiBlockNormal[i],
-      vtkiBlockDensity[i].rgb, irradiance, vectorIrradiance);
-  }
-  count = wanted ? vtkiLightCount : 0;
-  for (int i = vtkiBlockCount; i < count; ++i)
-  {
-    vec4 sender;
-    vec4 senderNormal;
-    vec3 density;
-    vtkiFetchLight(i, sender, senderNormal, density);
-    vtkiAddLight(position, normal, open, vtkiFirstLight + i, sender, senderNormal, density, irradiance, vectorIrradiance);
+    int end = min(first + atOnce, count);
+    uvec4 near = uvec4(0u);
+    int endOfBlock = min(end, vtkiBlockCount);
+    for (int i = first; i < endOfBlock; ++i)
+    {
+      bool isNear = vtkiAddLight(position, normal, open, vtkiFirstLight + i, vtkiBlockPosition[i],
+        vtkiBlockNormal[i], vtkiBlockDensity[i].rgb, irradiance, vectorIrradiance);
+#ifdef VTKI_DIVIDED
+      vtkiKeepNear(near, i - first, isNear);
+#endif
+    }
+    for (int i = max(first, vtkiBlockCount); i < end; ++i)
+    {
+      vec4 sender;
+      vec4 senderNormal;
+      vec3 density;
+      vtkiFetchLight(i, sender, senderNormal, density);
+      bool isNear = vtkiAddLight(position, normal, open, vtkiFirstLight + i, sender, senderNormal, density,
+        irradiance, vectorIrradiance);
+#ifdef VTKI_DIVIDED
+      vtkiKeepNear(near, i - first, isNear);
+#endif
+    }
+#ifdef VTKI_DIVIDED
+    while (vtkiHasNear(near))
+    {
+      int light = first + vtkiTakeNear(near);
+      vec4 sender;
+      vec4 senderNormal;
+      vec3 unused;
+      vtkiFetchLight(light, sender, senderNormal, unused);
+      vtkiAddBelow(position, normal, vtkiFirstLight + light, sender, senderNormal.w, irradiance, vectorIrradiance);
+    }
+#endif
   }
 }

@@ -20,7 +20,7 @@ void main()
   vtkiFetchLight(gl_InstanceID, sender, senderNormal, density);
   vec3 irradiance = vec3(0.0f);
   vec3 vectorIrradiance = vec3(0.0f);
-  vtkiAddLight(position, normal, vtkiOpenPlace(position, normal), vtkiFirstLight + gl_InstanceID, sender,
+  vtkiAddWholeLight(position, normal, vtkiOpenPlace(position, normal), vtkiFirstLight + gl_InstanceID, sender,
     senderNormal, density, irradiance, vectorIrradiance);
 #ifdef VTKI_PIXELS
   vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vec2(vtkiSize) - 1.0f;

@@ -24,7 +24,7 @@ void vtkiAddToProbe(inout vtkiProbeSums sums, vec3 position, vec3 normal, vec3 o
 {
   vec3 irradiance = vec3(0.0f);
   vec3 unused = vec3(0.0f);
-  vtkiAddLight(position, normal, open, light, sender, senderNormal, density, irradiance, unused);
+  vtkiAddWholeLight(position, normal, open, light, sender, senderNormal, density, irradiance, unused);
   float luminance = vtkiLuminance(irradiance);
   sums.sum += luminance;
   sums.difference += sums.sign * luminance;

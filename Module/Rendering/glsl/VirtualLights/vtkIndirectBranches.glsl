@@ -1,61 +1,66 @@
 // Nodes of a tree below virtual lights: a receiver that is near to a light sums these in its place
-// (vtkLightTreeSampler).
+// (vtkLightTreeSampler). Lights are summed whole first, VTKI_NEAR_LIGHTS at a time, and those that are near to a
+// receiver are kept in a set of bits and looked at afterwards: to walk below each light as it comes takes as long
+// for those that are far, where groups of receivers go through a loop together.
 #include "vtkIndirectLightRow.glsl"
+
+const int VTKI_NEAR_LIGHTS = 128;
 
 uniform sampler2D vtkiBranchPosition; // as of virtual lights; see vtkIndirectLibTable.glsl for their order
 uniform sampler2D vtkiBranchNormal;
 uniform sampler2D vtkiBranchDensity;
 
 // Share of a light that comes from the nodes below it: all within eight tenths of its reach, none beyond it.
-float vtkiDivision(vec3 toSender, float reach)
+float vtkiDivision(float distance2, float reach)
 {
   float reach2 = max(reach * reach, 1.0e-30f);
-  return clamp((reach2 - dot(toSender, toSender)) / (0.36f * reach2), 0.0f, 1.0f);
+  return clamp((reach2 - distance2) / (0.36f * reach2), 0.0f, 1.0f);
 }
 
-void vtkiFetchBranch(int entry, out vec4 sender, out vec4 senderNormal, out vec3 density)
+void vtkiKeepNear(inout uvec4 near, int light, bool isNear)
 {
-  ivec2 at = vtkiTableTexel(entry);
+  uint bit = isNear ? 1u << uint(light & 31) : 0u;
+  int word = light >> 5;
+  near |= uvec4(word == 0 ? bit : 0u, word == 1 ? bit : 0u, word == 2 ? bit : 0u, word == 3 ? bit : 0u);
+}
+
+bool vtkiHasNear(uvec4 near)
+{
+  return (near.x | near.y | near.z | near.w) != 0u;
+}
+
+// Takes a light out of those that are kept.
+int vtkiTakeNear(inout uvec4 near)
+{
+  int word = near.x != 0u ? 0 : (near.y != 0u ? 1 : (near.z != 0u ? 2 : 3));
+  uint bits = word == 0 ? near.x : (word == 1 ? near.y : (word == 2 ? near.z : near.w));
+  uint lowest = bits & (~bits + 1u);
+  near &= ~uvec4(word == 0 ? lowest : 0u, word == 1 ? lowest : 0u, word == 2 ? lowest : 0u,
+    word == 3 ? lowest : 0u);
+  // Floats have powers of two exactly; rounding takes care of the logarithm.
+  return 32 * word + int(log2(float(lowest)) + 0.5f);
+}
+
+// The walk through what is below a light: the place after this one, below it where that is wanted.
+// A reach below zero: here is nothing, nor at the places of its kind that follow.
+int vtkiNextBranch(int place, float reach, bool below)
+{
+  const int family = VTKI_BRANCHES_PER_NODE + 1;
+  int afterwards = (place / family + 1) * family;
+  bool isChild = place % family == 0;
+  int past = isChild && reach < 0.0f ? VTKI_BRANCHES : afterwards;
+  return reach >= 0.0f && (below || !isChild) ? place + 1 : past;
+}
+
+bool vtkiIsChild(int place)
+{
+  return place % (VTKI_BRANCHES_PER_NODE + 1) == 0;
+}
+
+void vtkiFetchBranch(int light, int place, out vec4 sender, out vec4 senderNormal, out vec3 density)
+{
+  ivec2 at = vtkiTableTexel(VTKI_BRANCHES * light + place);
   sender = texelFetch(vtkiBranchPosition, at, 0);
   senderNormal = texelFetch(vtkiBranchNormal, at, 0);
   density = texelFetch(vtkiBranchDensity, at, 0).rgb;
-}
-
-// Irradiance, and the luminance of the vector irradiance, of a node's share.
-void vtkiAddNode(vec3 position, vec3 normal, float share, vec4 sender, vec3 senderNormal, vec3 density,
-  inout vec3 irradiance, inout vec3 vectorIrradiance)
-{
-  vec3 toSender = sender.xyz - position;
-  float cosine = dot(normal, toSender);
-  float strength =
-    cosine > 0.0f ? share * vtkiVirtualLightStrength(toSender, senderNormal, sender.w) : 0.0f;
-  irradiance += (strength * cosine) * density;
-  vectorIrradiance +=
-    (strength * dot(density, vec3(0.2126f, 0.7152f, 0.0722f))) * toSender;
-}
-
-// What is below a light, for one receiver. share: of what comes of these; 0: nothing is done.
-void vtkiAddBranches(int light, vec3 position, vec3 normal, float share, inout vec3 irradiance,
-  inout vec3 vectorIrradiance)
-{
-  int children = share > 0.0f ? VTKI_BRANCHES_PER_NODE : 0;
-  for (int child = 0; child < children; ++child)
-  {
-    vec4 sender;
-    vec4 senderNormal;
-    vec3 density;
-    int entry = VTKI_BRANCHES * light + child;
-    vtkiFetchBranch(entry, sender, senderNormal, density);
-    float division = vtkiDivision(sender.xyz - position, senderNormal.w);
-    vtkiAddNode(position, normal, share * (1.0f - division), sender, senderNormal.xyz, density, irradiance,
-      vectorIrradiance);
-    int leaves = division > 0.0f ? VTKI_BRANCHES_PER_NODE : 0;
-    int first = VTKI_BRANCHES * light + VTKI_BRANCHES_PER_NODE * (1 + child);
-    for (int leaf = 0; leaf < leaves; ++leaf)
-    {
-      vtkiFetchBranch(first + leaf, sender, senderNormal, density);
-      vtkiAddNode(position, normal, share * division, sender, senderNormal.xyz, density, irradiance,
-        vectorIrradiance);
-    }
-  }
 }

@@ -13,13 +13,18 @@ vec3 vtkiToSender(vec4 sender, vec3 position)
 }
 
 // Times the receiver's cosine and the density it is the light's irradiance; see
-// vtkiVirtualLightStrength.
+// vtkiVirtualLightStrength. Only lights with branches (VTKI_DIVIDED) stand for surfaces that differ.
 float vtkiSenderStrength(vec3 toSender, vec3 senderNormal, float area)
 {
-#ifdef VTKI_DIRECTIONS
-  return area < 0.0f ? 1.0f / VTKI_PI : vtkiVirtualLightStrength(toSender, senderNormal, area);
+#ifdef VTKI_DIVIDED
+  float strength = vtkiMeanLightStrength(toSender, senderNormal, area);
 #else
-  return vtkiVirtualLightStrength(toSender, senderNormal, area);
+  float strength = vtkiVirtualLightStrength(toSender, senderNormal, area);
+#endif
+#ifdef VTKI_DIRECTIONS
+  return area < 0.0f ? 1.0f / VTKI_PI : strength;
+#else
+  return strength;
 #endif
 }
 
@@ -31,5 +36,9 @@ float vtkiSenderWeight(vec3 toSender, vec3 senderNormal, vec3 normal, float area
     return vtkiDirectionWeight(toSender, normal);
   }
 #endif
+#ifdef VTKI_DIVIDED
+  return vtkiMeanLightWeight(toSender, senderNormal, normal, area);
+#else
   return vtkiVirtualLightWeight(toSender, senderNormal, normal, area);
+#endif
 }

@@ -25,6 +25,9 @@ vtkiTile vtkiFetchTile(int light, vec3 place, vec3 axis)
   return vtkiMakeTile(
     int(owner.w + 0.5f), owner.xyz, texelFetch(vtkiTileOwners, at + ivec2(0, rows), 0).xyz);
 #else
+#ifdef VTKI_DIVIDED
+  axis = normalize(axis);
+#endif
   return vtkiMakeTile(light, place, axis);
 #endif
 }

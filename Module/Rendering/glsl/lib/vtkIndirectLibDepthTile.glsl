@@ -10,6 +10,9 @@ const float VTKI_TILE_TANGENT = 3.0f;
 // Near and far end of such a tile: a scene is one across, and nothing reaches farther.
 const float VTKI_TILE_NEAR = 1.0f / 2048.0f;
 const float VTKI_TILE_FAR = 1.0f;
+// The tile of an area light is fitted to what can hide the light: at most so far to the sides, and no nearer.
+const float VTKI_WINDOW_TANGENT = 5.0f;
+const float VTKI_WINDOW_NEAR = 1.0f / 16384.0f;
 // Facets stand for curved surfaces: a concave one rises over its neighbour's plane by less than this
 // share of a texel as long as they meet at less than 16 degrees (half a texel times the sine).
 const float VTKI_TILE_ROUGHNESS = 0.14f;

@@ -20,7 +20,8 @@ vec3 vtkiMirror(vec3 positionVC, vec3 normalVC)
  * direction for lights above the horizon, without a cosine at the receiver (Phong 1975,
  * "Illumination for computer generated pictures"):
  *   w = cosS / (pi r^2 + A) * max(R.V, 0)^power.
- * toSender: sender minus receiver, scene units; normals and mirror unit; area > 0. The size of the
+ * toSender: sender minus receiver, scene units; normalR and mirror unit, normalS unit or a mean
+ * (vtkiMeanProjection); area > 0. The size of the
  * disk against the lobe is ignored: of either sign at a pixel. No visibility. */
 float vtkiGlossyWeight(
   vec3 toSender, vec3 normalS, vec3 normalR, vec3 mirror, float power, float area)
@@ -30,7 +31,7 @@ float vtkiGlossyWeight(
   float mirrored = r > 0.0f ? min(dot(mirror, toSender) / r, 1.0f) : 0.0f;
   bool sees = mirrored > 0.0f && dot(normalR, toSender) > 0.0f;
   float lobe = sees ? pow(mirrored, power) : 0.0f;
-  return vtkiVirtualLightStrength(toSender, normalS, area) * r * lobe;
+  return vtkiMeanLightStrength(toSender, normalS, area) * r * lobe;
 }
 
 /* Where a light is against the horizon of a patch of surface: 1 above all of it, -1 below, where it has
@@ -66,7 +67,7 @@ float vtkiGlossyVariation(vec3 toSender, vec3 normalS, vec3 mirror, float power,
     : mirrored * cos(twice) + sqrt(max(1.0f - mirrored * mirrored, 0.0f)) * sin(twice);
   float lobe = nearest > 0.0f ? pow(min(nearest, 1.0f), power) : 0.0f;
   float closest = max(r - 2.0f * radius, 0.0f);
-  float facing = max(-dot(normalS, toSender), 0.0f) + 2.0f * radius;
+  float facing = vtkiMeanProjection(toSender, normalS, r * r) + 2.0f * radius;
   float cosine = facing < closest ? facing / closest : 1.0f;
   float strength = cosine / (VTKI_PI * closest * closest + area);
   float curvature = power * max(power * (1.0f - nearest * nearest), 1.0f) + 6.0f;

@@ -7,8 +7,8 @@
 // two: a place in it is two bit operations.
 const int VTKI_ROW_LENGTH = 256;
 
-// Branches of a virtual light, in a table of their own: the nodes below it, then the nodes below the first
-// of these, and so on.
+// Branches of a virtual light, in a table of their own: the first node below it, the nodes below that one, the
+// second node below it, and so on.
 const int VTKI_BRANCHES_PER_NODE = 8;
 const int VTKI_BRANCHES = 72;
 

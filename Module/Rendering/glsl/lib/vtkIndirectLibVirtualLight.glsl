@@ -30,6 +30,36 @@ float vtkiVirtualLightStrength(vec3 toSender, vec3 normalS, float area)
   return denominator > 0.0f ? projectedS / denominator : 0.0f;
 }
 
+/* What normals of this mean add to a squared cosine's place below: 2 / pi times the variance along one direction,
+ * which is half of what a mean of length less than one leaves; of that, what rounding leaves is nothing. */
+float vtkiSpreadOfNormals(vec3 mean)
+{
+  return max(1.0f - dot(mean, mean) - 1.0e-4f, 0.0f) / VTKI_PI;
+}
+
+/* The mean of max(dot(normal, -toSender), 0) over normals whose mean is normalS: exact where all are alike, and where
+ * cosines are normally distributed about zero; in between it is too large, by a tenth of their spread at most.
+ * toSender as above, r2 its square. */
+float vtkiMeanProjection(vec3 toSender, vec3 normalS, float r2)
+{
+  float projected = -dot(normalS, toSender);
+  return 0.5f * (projected + sqrt(projected * projected + vtkiSpreadOfNormals(normalS) * r2));
+}
+
+/* vtkiVirtualLightStrength and vtkiVirtualLightWeight of a light that stands for surfaces whose mean normal is
+ * normalS. */
+float vtkiMeanLightStrength(vec3 toSender, vec3 normalS, float area)
+{
+  float r2 = dot(toSender, toSender);
+  float denominator = r2 * (VTKI_PI * r2 + area);
+  return denominator > 0.0f ? vtkiMeanProjection(toSender, normalS, r2) / denominator : 0.0f;
+}
+
+float vtkiMeanLightWeight(vec3 toSender, vec3 normalS, vec3 normalR, float area)
+{
+  return max(dot(normalR, toSender), 0.0f) * vtkiMeanLightStrength(toSender, normalS, area);
+}
+
 /* Weight w such that light from a direction, of radiance times solid angle LO, adds LO * w to a
  * receiver's irradiance (VTK units: physical over pi). toLight, normalR: unit. */
 float vtkiDirectionWeight(vec3 toLight, vec3 normalR)

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Gather/vtkIndirectAreaLobes.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "Gather/vtkIndirectAreaMaps.h"
+#include "Gather/vtkIndirectLobeTable.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+const vtkIndirectChannel Channels[] = {
+  { "area.glossy", "vtkiAreaGlossy", "what receivers reflect specularly of area lights", GL_RGBA32F,
+    "-", "VTK radiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel TableChannels[] = {
+  { "lobe.transforms", "vtkiLobeTransforms", "entries of inverse transforms", GL_RGBA32F, "-",
+    "1" },
+  { "lobe.integrals", "vtkiLobeIntegrals", "of the lobe, and with Schlick's weight", GL_RGBA32F,
+    "-", "1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+constexpr size_t MostPoints = vtkIndirectAreaLamps::MostPoints;
+constexpr size_t RowsOfPoint = 5; // of the block
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectAreaLobes::vtkIndirectAreaLobes()
+  : Kernels{ { "vtkIndirectAreaLobeFS.glsl" }, { "vtkIndirectAreaLobeFS.glsl" } }
+  , Tables(TableChannels, false)
+  , Reflected(Channels, false)
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaLobes::UpdateTables(const Input& input)
+{
+  constexpr int entries = vtkIndirectLobeEntries;
+  if (!input.Frame.PhysicallyBased || this->Tables.GetFramebuffer())
+  {
+    return true;
+  }
+  if (!this->Tables.Resize(input.Frame.Window, entries, entries))
+  {
+    return false;
+  }
+  std::vector<float> values[2];
+  for (const auto& row : vtkIndirectLobeTable)
+  {
+    for (const auto& entry : row)
+    {
+      values[0].insert(values[0].end(), entry, entry + 4);
+      values[1].insert(values[1].end(), { entry[4], entry[5], 0.0f, 0.0f });
+    }
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Tables.Write(i, values[i]);
+    this->Tables.GetTexture(i)->SetMinificationFilter(vtkTextureObject::Linear);
+    this->Tables.GetTexture(i)->SetMagnificationFilter(vtkTextureObject::Linear);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectAreaLobes::SetPoints(const Input& input, vtkShaderProgram* program, size_t number)
+{
+  const Lamp& lamp = *input.Lamps.Get()[number];
+  const vtkIndirectAreaMaps& maps = *input.Maps;
+  const std::vector<vtkIndirectAreaLamps::Point>& points = maps.GetPoints(number);
+  const size_t count = std::min(points.size(), input.Points);
+  std::vector<glm::vec4> block(RowsOfPoint * MostPoints, glm::vec4(0.0f));
+  for (size_t k = 0; k < count; ++k)
+  {
+    const vtkIndirectAreaLamps::Point& point = points[k];
+    block[k] = glm::vec4(glm::dvec4(lamp.GetPlace(point), 0.0));
+    block[MostPoints + k] = glm::vec4(glm::dvec4(point.Weight, 0.0));
+    block[2 * MostPoints + k] = glm::vec4(maps.GetMiddle(point, 0), maps.GetMiddle(point, 1));
+    block[3 * MostPoints + k] = maps.GetWindow(point, 0);
+    block[4 * MostPoints + k] = maps.GetWindow(point, 1);
+  }
+  this->Block.Update(input.Frame.Window, block.data(), block.size() * sizeof(glm::vec4));
+  this->Block.Activate(program);
+  program->SetUniformi("vtkiAreaCount", static_cast<int>(count));
+  vtkIndirectSetUniform(program, "vtkiAreaFrontRange", glm::vec2(1.0 / maps.GetRange(number, 0)));
+  vtkIndirectSetUniform(program, "vtkiAreaBackRange", glm::vec2(1.0 / maps.GetRange(number, 1)));
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaLobes::AddLamp(const Input& input, size_t number)
+{
+  const Lamp& lamp = *input.Lamps.Get()[number];
+  const vtkIndirectFrame& frame = input.Frame;
+  const bool image = lamp.Row >= 0;
+  vtkShaderProgram* program = this->Kernels[image].Use(frame.Window,
+    "#define VTKI_AREA_POINTS " + std::to_string(MostPoints) + "\n" +
+      (input.Maps ? "#define VTKI_VISIBILITY\n" : "") +
+      (frame.PhysicallyBased ? "#define VTKI_LOBE_TABLE\n" : "") +
+      (image ? "#define VTKI_AREA_IMAGE\n" : ""));
+  if (!program)
+  {
+    return false;
+  }
+  vtkIndirectSetEyeUniforms(program, frame);
+  program->SetUniform2i("vtkiSize", frame.Size);
+  vtkIndirectSetUniform(program, "vtkiAreaCorner", glm::vec3(lamp.Corner));
+  vtkIndirectSetUniform(program, "vtkiAreaEdge1", glm::vec3(lamp.Edge1));
+  vtkIndirectSetUniform(program, "vtkiAreaEdge2", glm::vec3(lamp.Edge2));
+  vtkIndirectSetUniform(program, "vtkiAreaNormal", glm::vec3(lamp.Normal));
+  program->SetUniformi("vtkiAreaTwoSided", lamp.TwoSided ? 1 : 0);
+  const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
+  geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
+  geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
+  if (frame.PhysicallyBased)
+  {
+    this->Tables.Activate(0, program);
+    this->Tables.Activate(1, program);
+    vtkIndirectSetUniform(
+      program, "vtkiLobeShape", glm::vec2(vtkIndirectLobeEntries, vtkIndirectLeastRoughness));
+  }
+  if (image)
+  {
+    const int place[2] = { lamp.Row, lamp.Pyramid.GetTop() };
+    program->SetUniform2i("vtkiAreaImage", place);
+    program->SetUniformf("vtkiAreaTolerance", static_cast<float>(input.Tolerance));
+    input.Lamps.GetTexture().Activate(0, program);
+  }
+  else
+  {
+    vtkIndirectSetUniform(program, "vtkiAreaRadiance", glm::vec3(lamp.Radiance));
+  }
+  if (input.Maps)
+  {
+    this->SetPoints(input, program, number);
+    input.Maps->GetAtlas().Activate(program);
+  }
+  this->Kernels[image].Draw();
+  if (input.Maps)
+  {
+    input.Maps->GetAtlas().Deactivate();
+  }
+  if (image)
+  {
+    input.Lamps.GetTexture().Deactivate();
+  }
+  if (frame.PhysicallyBased)
+  {
+    this->Tables.Deactivate();
+  }
+  geometry.Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaLobes::Sum(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  if (!this->UpdateTables(input) ||
+    !this->Reflected.Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  this->Reflected.Begin();
+  this->Reflected.Clear();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  const vtkIndirectAreaLamps::List& lamps = input.Lamps.Get();
+  bool done = true;
+  for (size_t i = 0; done && i < lamps.size(); ++i)
+  {
+    done = this->AddLamp(input, i);
+  }
+  state->vtkglDisable(GL_BLEND);
+  this->Reflected.End();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectAreaLobes::GetBytes() const
+{
+  return this->Reflected.GetBytes() + this->Tables.GetBytes() + this->Block.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectAreaLobes::Release(vtkWindow* window)
+{
+  this->Reflected.Release(window);
+  this->Tables.Release(window);
+  this->Block.Release();
+  for (vtkIndirectFullScreenProgram& kernel : this->Kernels)
+  {
+    kernel.Release();
+  }
+}

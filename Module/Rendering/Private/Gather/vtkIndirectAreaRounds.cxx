@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Gather/vtkIndirectAreaRounds.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+
+namespace
+{
+const vtkIndirectChannel OpenChannels[] = {
+  { "area.open", "vtkiAreaOpen", "irradiance if nothing hid area lights", GL_RGBA32F, "-",
+    "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel SumChannels[] = {
+  { "area.seen", "vtkiAreaSeen", "what points of area lights give that are seen", GL_RGBA32F, "-",
+    "VTK irradiance" },
+  { "area.all", "vtkiAreaAll", "what all of them would", GL_RGBA32F, "-", "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectAreaRounds::vtkIndirectAreaRounds()
+  : Block(1, vtkIndirectAreaLamps::MostPoints)
+  , Open(OpenChannels, false)
+  , Sums(SumChannels, false)
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaRounds::Resize(const vtkIndirectFrame& frame)
+{
+  return this->Open.Resize(frame.Window, frame.Size[0], frame.Size[1]) &&
+    this->Sums.Resize(frame.Window, frame.Size[0], frame.Size[1]);
+}
+
+//------------------------------------------------------------------------------
+// Of points that have a map.
+bool vtkIndirectAreaRounds::Add(const Input& input, const vtkIndirectAreaMaps& maps)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkOpenGLState* state = frame.Window->GetState();
+  this->Sums.Begin();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  bool done = true;
+  for (size_t i = 0; done && i < input.Lamps.Get().size(); ++i)
+  {
+    vtkShaderProgram* program = this->ShareKernel.Use(frame.Window, this->Block.GetDefinitions());
+    done = program != nullptr;
+    if (done)
+    {
+      this->Block.Update(frame.Window, input.Lamps, i, 1, &maps);
+      vtkIndirectSetEyeUniforms(program, frame);
+      program->SetUniform2i("vtkiSize", frame.Size);
+      program->SetUniformi("vtkiAreaCount", 1);
+      program->SetUniformi("vtkiAreaPoints", static_cast<int>(maps.GetPoints(i).size()));
+      this->Block.Activate(program);
+      input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+      maps.GetAtlas().Activate(program);
+      this->ShareKernel.Draw();
+      maps.GetAtlas().Deactivate();
+      input.Geometry.GetTarget().Deactivate();
+    }
+  }
+  state->vtkglDisable(GL_BLEND);
+  this->Sums.End();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaRounds::Begin(const Input& input)
+{
+  this->Sums.Begin();
+  this->Sums.Clear();
+  this->Sums.End();
+  this->Rounds = 1;
+  return this->Add(input, input.First);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaRounds::Continue(const Input& input, int most)
+{
+  if (!this->Maps.Update(
+        input.Frame, input.Capture, input.Lamps, this->Rounds, input.Caching, most))
+  {
+    return false;
+  }
+  if (!this->Maps.IsComplete())
+  {
+    return true;
+  }
+  ++this->Rounds;
+  const bool added = this->Add(input, this->Maps);
+  if (this->IsFinished())
+  {
+    this->Maps.Release(input.Frame.Window);
+  }
+  return added;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaRounds::Multiply(const vtkIndirectFrame& frame, vtkIndirectTarget& irradiance)
+{
+  irradiance.Begin();
+  vtkShaderProgram* program = this->ProductKernel.Use(frame.Window);
+  if (program)
+  {
+    this->Open.Activate(0, program);
+    this->Sums.Activate(0, program);
+    this->Sums.Activate(1, program);
+    this->ProductKernel.Draw();
+    this->Sums.Deactivate();
+    this->Open.Deactivate();
+  }
+  irradiance.End();
+  return program != nullptr;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectAreaRounds::GetBytes() const
+{
+  return this->Open.GetBytes() + this->Sums.GetBytes() + this->Block.GetBytes() +
+    this->Maps.GetAtlas().GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectAreaRounds::Release(vtkWindow* window)
+{
+  this->Open.Release(window);
+  this->Sums.Release(window);
+  this->Maps.Release(window);
+  this->Block.Release();
+  this->ShareKernel.Release();
+  this->ProductKernel.Release();
+  this->Rounds = 0;
+}

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Gather/vtkIndirectVisibleLamps.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "vtkAreaLight.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+glm::dvec3 ToVector(const double v[3])
+{
+  return { v[0], v[1], v[2] };
+}
+
+bool IsSeen(vtkAreaLight* light)
+{
+  int columns;
+  int rows;
+  return light->GetVisible() && light->GetSwitch() && light->GetArea() > 0.0 &&
+    !light->GetRadiances(columns, rows).empty();
+}
+
+struct Place
+{
+  glm::dvec3 Corner; // world
+  glm::dvec3 Edge1;
+  glm::dvec3 Edge2;
+
+  explicit Place(vtkAreaLight* light)
+    : Corner(ToVector(light->GetOrigin()))
+    , Edge1(ToVector(light->GetPoint1()) - this->Corner)
+    , Edge2(ToVector(light->GetPoint2()) - this->Corner)
+  {
+  }
+  glm::dvec3 GetCorner(int number) const
+  {
+    return this->Corner + ((number & 1) ? this->Edge1 : glm::dvec3(0.0)) +
+      ((number & 2) ? this->Edge2 : glm::dvec3(0.0));
+  }
+};
+
+// Whether the eye is on a side that sends light.
+bool IsFacing(const vtkIndirectFrame& frame, vtkAreaLight* light, const glm::dvec3& normal)
+{
+  const glm::dmat4 toWorld = glm::inverse(frame.WorldToView);
+  const glm::dvec3 toEye =
+    frame.Parallel ? glm::dvec3(toWorld[2]) : glm::dvec3(toWorld[3]) - Place(light).GetCorner(0);
+  return light->GetTwoSided() || glm::dot(normal, toEye) > 0.0;
+}
+
+// As long as one of these lives surfaces are not cut at the near and far planes, and win over those
+// that they lie in: a lamp on a wall is seen.
+struct LampState
+{
+  LampState()
+  {
+    glEnable(GL_DEPTH_CLAMP);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-1.0f, -4.0f);
+  }
+  ~LampState()
+  {
+    glPolygonOffset(0.0f, 0.0f);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_DEPTH_CLAMP);
+  }
+  LampState(const LampState&) = delete;
+  void operator=(const LampState&) = delete;
+};
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectVisibleLamps::Count(const Lights& lights)
+{
+  return static_cast<int>(
+    std::count_if(lights.begin(), lights.end(), [](const auto& light) { return IsSeen(light); }));
+}
+
+//------------------------------------------------------------------------------
+// Pixels of an image are pieces of one radiance: seen from near by they have edges, from afar the
+// mean of those that share a pixel of the picture.
+vtkTextureObject* vtkIndirectVisibleLamps::FindPicture(
+  vtkOpenGLRenderWindow* window, vtkAreaLight* light)
+{
+  int columns;
+  int rows;
+  const std::vector<float>& radiances = light->GetRadiances(columns, rows);
+  if (columns * rows == 1)
+  {
+    return nullptr;
+  }
+  Picture& picture = this->Pictures[light];
+  const vtkMTimeType time = light->GetMTime();
+  if (!picture.Texture || picture.Time != time)
+  {
+    picture.Time = time;
+    picture.Texture = vtkSmartPointer<vtkTextureObject>::New();
+    picture.Texture->SetContext(window);
+    picture.Texture->SetMaxLevel(1000); // all that there are
+    picture.Texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
+    picture.Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    picture.Texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    picture.Texture->SetWrapT(vtkTextureObject::ClampToEdge);
+    if (!picture.Texture->Create2DFromRaw(static_cast<unsigned int>(columns),
+          static_cast<unsigned int>(rows), 3, VTK_FLOAT, const_cast<float*>(radiances.data())))
+    {
+      this->Pictures.erase(light);
+      return nullptr;
+    }
+    picture.Texture->Bind();
+    glGenerateMipmap(GL_TEXTURE_2D);
+  }
+  return picture.Texture;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectVisibleLamps::DrawLamp(
+  const vtkIndirectFrame& frame, vtkAreaLight* light, const vtkIndirectGeometryBuffer& geometry)
+{
+  double normal[3];
+  light->GetNormal(normal);
+  if (!IsFacing(frame, light, ToVector(normal)))
+  {
+    return true;
+  }
+  vtkTextureObject* const picture = this->FindPicture(frame.Window, light);
+  vtkIndirectPointProgram& kernel = this->Kernels[picture != nullptr];
+  vtkShaderProgram* program = kernel.Use(frame.Window,
+    std::string(geometry.GetAlbedoDefinitions()) +
+      (geometry.HasEncoded() ? "#define VTKI_ENCODED\n" : "") +
+      (picture ? "#define VTKI_LAMP_IMAGE\n" : ""));
+  if (!program)
+  {
+    return false;
+  }
+  const Place place(light);
+  float corners[4][4];
+  glm::vec4 depths;
+  for (int i = 0; i < 4; ++i)
+  {
+    const glm::dvec4 inView = frame.WorldToView * glm::dvec4(place.GetCorner(i), 1.0);
+    const glm::vec4 inClip(frame.Projection * inView);
+    std::copy(&inClip.x, &inClip.x + 4, corners[i]);
+    depths[i] = static_cast<float>(-inView.z * frame.SceneScale);
+  }
+  program->SetUniform4fv("vtkiLampCorner", 4, corners);
+  program->SetUniform4f("vtkiLampDepth", &depths.x);
+  const glm::dvec3 inView = glm::dmat3(frame.WorldToView) * ToVector(normal);
+  vtkIndirectSetUniform(program, "vtkiLampNormal", glm::vec3(glm::normalize(inView)));
+  if (picture)
+  {
+    picture->Activate();
+    program->SetUniformi("vtkiLampImage", picture->GetTextureUnit());
+  }
+  else
+  {
+    double radiance[3];
+    light->GetMeanRadiance(radiance);
+    vtkIndirectSetUniform(program, "vtkiLampRadiance", glm::vec3(ToVector(radiance)));
+  }
+  kernel.DrawRectangle();
+  if (picture)
+  {
+    picture->Deactivate();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectVisibleLamps::Draw(
+  const vtkIndirectFrame& frame, const Lights& lights, vtkIndirectGeometryBuffer& geometry)
+{
+  Lights seen;
+  std::copy_if(lights.begin(), lights.end(), std::back_inserter(seen),
+    [](const auto& light) { return IsSeen(light); });
+  for (auto it = this->Pictures.begin(); it != this->Pictures.end();)
+  {
+    const bool kept = std::find(seen.begin(), seen.end(), it->first) != seen.end();
+    it = kept ? std::next(it) : this->Pictures.erase(it);
+  }
+  if (seen.empty())
+  {
+    return true;
+  }
+  // Beyond the far plane depth does not tell which is in front.
+  auto depth = [&](const vtkSmartPointer<vtkAreaLight>& light)
+  {
+    const Place place(light);
+    const glm::dvec3 middle = place.Corner + 0.5 * (place.Edge1 + place.Edge2);
+    return (frame.WorldToView * glm::dvec4(middle, 1.0)).z;
+  };
+  std::stable_sort(
+    seen.begin(), seen.end(), [&](const auto& a, const auto& b) { return depth(a) < depth(b); });
+  return geometry.DrawMore(frame,
+    [&]()
+    {
+      const LampState state;
+      return std::all_of(seen.begin(), seen.end(),
+        [&](const auto& light) { return this->DrawLamp(frame, light, geometry); });
+    });
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectVisibleLamps::GetBytes() const
+{
+  size_t bytes = 0;
+  for (const auto& picture : this->Pictures)
+  {
+    vtkTextureObject* const texture = picture.second.Texture;
+    // With its means: a third more.
+    bytes += static_cast<size_t>(texture->GetWidth()) * texture->GetHeight() * 16;
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVisibleLamps::Release(vtkWindow* window)
+{
+  for (const auto& picture : this->Pictures)
+  {
+    picture.second.Texture->ReleaseGraphicsResources(window);
+  }
+  this->Pictures.clear();
+  for (vtkIndirectPointProgram& kernel : this->Kernels)
+  {
+    kernel.Release();
+  }
+}

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Visibility/vtkIndirectCasterWindow.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "Visibility/vtkIndirectDepthTile.h"
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace
+{
+// Of a mesh that is tested for being convex: a box has 24 points, each cell is tested with all.
+constexpr vtkIdType MostPoints = 128;
+
+glm::dvec3 ToVector(const double v[3])
+{
+  return { v[0], v[1], v[2] };
+}
+
+// A cell's points relative to its plane, as far as rounding tells.
+struct Sides
+{
+  bool Before = false;
+  bool Behind = false;
+};
+
+Sides FindSides(vtkPoints* points, const vtkIdType* ids, vtkIdType size, double tolerance)
+{
+  const glm::dvec3 first = ToVector(points->GetPoint(ids[0]));
+  glm::dvec3 normal(0.0);
+  for (vtkIdType i = 1; i + 1 < size; ++i)
+  {
+    const glm::dvec3 a = ToVector(points->GetPoint(ids[i])) - first;
+    const glm::dvec3 b = ToVector(points->GetPoint(ids[i + 1])) - first;
+    normal += glm::cross(a, b);
+  }
+  const double length = glm::length(normal);
+  Sides sides;
+  for (vtkIdType i = 0; length > 0.0 && i < points->GetNumberOfPoints(); ++i)
+  {
+    const double height = glm::dot(ToVector(points->GetPoint(i)) - first, normal) / length;
+    sides.Before = sides.Before || height > tolerance;
+    sides.Behind = sides.Behind || height < -tolerance;
+  }
+  return sides;
+}
+
+// Adds the edges of a cell, or takes those away that are there: none are left of a closed surface.
+void FlipEdges(vtkPoints* points, const vtkIdType* ids, vtkIdType size,
+  std::set<std::pair<std::array<double, 3>, std::array<double, 3>>>& edges)
+{
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    std::array<double, 3> a;
+    std::array<double, 3> b;
+    points->GetPoint(ids[i], a.data());
+    points->GetPoint(ids[(i + 1) % size], b.data());
+    const auto edge = std::minmax(a, b);
+    if (!edges.insert(edge).second)
+    {
+      edges.erase(edge);
+    }
+  }
+}
+
+std::array<glm::dvec3, 8> ToBox(const vtkIndirectFrame& frame, const double bounds[6])
+{
+  std::array<glm::dvec3, 8> box;
+  for (unsigned int i = 0; i < 8; ++i)
+  {
+    const glm::dvec3 p(bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)]);
+    box[i] = (p - frame.SceneCenter) * frame.SceneScale;
+  }
+  return box;
+}
+
+bool IsNamed(vtkObjectBase* object, const char* name)
+{
+  return object && std::strcmp(object->GetClassName(), name) == 0;
+}
+
+// The two least places along an axis, or against it, that casters' bounds begin at.
+struct Least
+{
+  double First = std::numeric_limits<double>::infinity();
+  double Second = std::numeric_limits<double>::infinity();
+
+  void Add(double place)
+  {
+    this->Second = std::min(this->Second, std::max(this->First, place));
+    this->First = std::min(this->First, place);
+  }
+  double GetOfOthers(double own) const { return own == this->First ? this->Second : this->First; }
+};
+
+// Where bounds begin along the axis of a face of boxes, from outside; and where they end.
+double FindBegin(const double bounds[6], int face)
+{
+  return face % 2 == 0 ? bounds[face] : -bounds[face];
+}
+double FindEnd(const double bounds[6], int face)
+{
+  return face % 2 == 0 ? bounds[face + 1] : -bounds[face - 1];
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectCasterWindow::IsConvex(vtkProp* prop)
+{
+  // Others draw something else than their input.
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  vtkPolyData* mesh = IsNamed(actor, "vtkOpenGLActor") && IsNamed(mapper, "vtkOpenGLPolyDataMapper")
+    ? mapper->GetInput()
+    : nullptr;
+  if (!mesh || !mesh->GetPoints() || mesh->GetNumberOfPoints() > MostPoints ||
+    mesh->GetNumberOfPolys() == 0 || mesh->GetNumberOfPolys() != mesh->GetNumberOfCells())
+  {
+    return false;
+  }
+  const double tolerance = 1e-5 * mesh->GetLength();
+  vtkCellArray* cells = mesh->GetPolys();
+  vtkNew<vtkIdList> ids;
+  std::set<std::pair<std::array<double, 3>, std::array<double, 3>>> edges;
+  bool flat = true;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    cells->GetCellAtId(i, ids);
+    const vtkIdType size = ids->GetNumberOfIds();
+    if (size < 3)
+    {
+      return false;
+    }
+    const Sides sides = FindSides(mesh->GetPoints(), ids->GetPointer(0), size, tolerance);
+    if (sides.Before && sides.Behind)
+    {
+      return false;
+    }
+    flat = flat && !sides.Before && !sides.Behind;
+    FlipEdges(mesh->GetPoints(), ids->GetPointer(0), size, edges);
+  }
+  return flat || edges.empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectCasterWindow::Update(
+  const vtkIndirectFrame& frame, const std::vector<glm::dvec3>& corners)
+{
+  std::array<Least, 6> least;        // of casters
+  std::array<double, 6> cornerBegin; // of the polygon
+  for (int face = 0; face < 6; ++face)
+  {
+    for (const vtkIndirectCaster& caster : frame.Casters)
+    {
+      least[face].Add(FindBegin(caster.GetFit(), face));
+    }
+    cornerBegin[face] = std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& corner : corners)
+    {
+      const double place = corner[face / 2] / frame.SceneScale + frame.SceneCenter[face / 2];
+      cornerBegin[face] = std::min(cornerBegin[face], face % 2 == 0 ? place : -place);
+    }
+  }
+  const double tolerance = 1e-6 / frame.SceneScale;
+  std::vector<Box> boxes;
+  for (size_t k = 0; k < frame.Casters.size(); ++k)
+  {
+    const double* const fit = frame.Casters[k].GetFit();
+    bool apart = false;
+    for (int face = 0; face < 6 && !apart; ++face)
+    {
+      const double end = FindEnd(fit, face) - tolerance;
+      apart = cornerBegin[face] >= end && least[face].GetOfOthers(FindBegin(fit, face)) >= end;
+    }
+    if (apart && IsConvex(frame.Casters[k].Prop))
+    {
+      continue;
+    }
+    boxes.push_back(ToBox(frame, fit));
+  }
+  const Box all = ToBox(frame, frame.SceneBounds);
+  const bool same = boxes == this->Boxes && all == this->All;
+  this->Boxes = std::move(boxes);
+  this->All = all;
+  return !same;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCasterWindow::Fit(vtkIndirectDepthTile& tile) const
+{
+  const double limit = vtkIndirectKernels::VTKI_WINDOW_TANGENT;
+  tile.Near = vtkIndirectKernels::VTKI_WINDOW_NEAR;
+  double nearest = std::numeric_limits<double>::infinity();
+  glm::dvec2 lower(std::numeric_limits<double>::infinity());
+  glm::dvec2 upper = -lower;
+  for (const Box& box : this->Boxes)
+  {
+    glm::dvec2 boxLower(std::numeric_limits<double>::infinity());
+    glm::dvec2 boxUpper = -boxLower;
+    double boxNearest = std::numeric_limits<double>::infinity();
+    std::array<glm::dvec3, 8> seen;
+    for (size_t i = 0; i < 8; ++i)
+    {
+      const glm::dvec3 d = box[i] - tile.Place;
+      seen[i] =
+        glm::dvec3(glm::dot(d, tile.Right), glm::dot(d, tile.Up), glm::dot(d, tile.Forward));
+    }
+    auto add = [&](const glm::dvec3& p)
+    {
+      const glm::dvec2 tangents = glm::dvec2(p) / p.z;
+      boxLower = glm::min(boxLower, tangents);
+      boxUpper = glm::max(boxUpper, tangents);
+      boxNearest = std::min(boxNearest, p.z);
+    };
+    for (size_t i = 0; i < 8; ++i)
+    {
+      if (seen[i].z >= tile.Near)
+      {
+        add(seen[i]);
+      }
+      // Where edges come before the near plane.
+      for (const size_t bit : { size_t(1), size_t(2), size_t(4) })
+      {
+        const glm::dvec3& a = seen[i];
+        const glm::dvec3& b = seen[i ^ bit];
+        if (a.z < tile.Near && b.z > tile.Near)
+        {
+          add(glm::mix(a, b, (tile.Near - a.z) / (b.z - a.z)));
+        }
+      }
+    }
+    const bool held = boxLower.x <= limit && boxLower.y <= limit && boxUpper.x >= -limit &&
+      boxUpper.y >= -limit && boxLower.x <= boxUpper.x;
+    if (held)
+    {
+      lower = glm::min(lower, boxLower);
+      upper = glm::max(upper, boxUpper);
+      nearest = std::min(nearest, boxNearest);
+    }
+  }
+  if (!(lower.x <= upper.x))
+  {
+    // Nothing hides anything: any view will do.
+    lower = upper = glm::dvec2(0.0);
+  }
+  // A margin keeps the outermost from falling on the edge; what is thin has an extent, too.
+  constexpr double margin = 0.005;
+  const glm::dvec2 room = glm::max(margin * (upper - lower), glm::dvec2(1e-3));
+  lower = glm::max(lower - room, glm::dvec2(-limit));
+  upper = glm::min(upper + room, glm::dvec2(limit));
+  double farthest = 2.0 * tile.Near;
+  for (const glm::dvec3& corner : this->All)
+  {
+    farthest = std::max(farthest, glm::dot(corner - tile.Place, tile.Forward));
+  }
+  tile.Far = 1.01 * farthest;
+  // Half of it, for what is rounded.
+  tile.Near = std::max(std::min(0.5 * nearest, 0.5 * tile.Far), tile.Near);
+  tile.Middle = 0.5 * (lower + upper);
+  tile.HalfWidth = 0.5 * (upper - lower);
+}

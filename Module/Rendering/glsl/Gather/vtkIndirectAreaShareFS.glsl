@@ -1,0 +1,19 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// What a pixel gets of points of an area light, and what it would if it saw them all: added to what other rounds and
+// lights give.
+#define VTKI_VISIBILITY
+#include "vtkIndirectAreaLamps.glsl"
+
+uniform int vtkiAreaPoints; // of the block, in use
+
+void main()
+{
+  vtkiReceiver receiver;
+  bool lit = vtkiFetchReceiver(ivec2(gl_FragCoord.xy), receiver);
+  vec3 seen = vec3(0.0f);
+  vec3 all = vec3(0.0f);
+  vtkiAddShares(0, lit ? vtkiAreaPoints : 0, receiver, seen, all);
+  gl_FragData[0] = vec4(seen, 0.0f);
+  gl_FragData[1] = vec4(all, 0.0f);
+}
