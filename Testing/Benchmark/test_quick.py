@@ -106,7 +106,8 @@ class Quick(unittest.TestCase):
         found = {(row["scene"], row["label"]): row for row in self.rows}
         for scene in SCENES:
             few, many = (found[scene, f"gather NumberOfLights={n}"] for n in (64, 256))
-            self.assertLess(many["nrmse_r1"], few["nrmse_r1"])
+            # Against R2, of rays: near the tree's error, texels of R1's small maps here are most.
+            self.assertLess(many["relmse_r2"], few["relmse_r2"])
             self.assertAlmostEqual(found[scene, "vtk"]["bias_r3"], -1.0, places=12)
         # A wall keeps light out, a seventh of which came through where nothing tested visibility.
         for row in self.methods():

@@ -172,17 +172,20 @@ card::Errors card::Compare(const Image& image, const Image& reference, const Ima
 bool card::WritePicture(const std::string& path, const Image& image, double white,
   const std::vector<std::array<int, 2>>& crosses)
 {
+  // Buffers of a few columns, such as the lights', are enlarged: crosses would cover them.
   constexpr int maximumWidth = 960;
+  constexpr int minimumWidth = 32;
   const int step = (image.Width + maximumWidth - 1) / maximumWidth;
-  const int width = std::max(1, image.Width / step);
-  const int height = std::max(1, image.Height / step);
+  const int zoom = std::max(1, minimumWidth / image.Width);
+  const int width = std::max(1, zoom * image.Width / step);
+  const int height = std::max(1, zoom * image.Height / step);
   std::vector<unsigned char> bytes(3 * static_cast<size_t>(width) * height);
   auto at = [&](int x, int y) { return &bytes[3 * (static_cast<size_t>(y) * width + x)]; };
   for (int y = 0; y < height; ++y)
   {
     for (int x = 0; x < width; ++x)
     {
-      const float* values = image.At(x * step, y * step);
+      const float* values = image.At(x * step / zoom, y * step / zoom);
       for (int c = 0; c < 3; ++c)
       {
         const double value = std::abs(values[std::min(c, image.Components - 1)]) / white;
@@ -196,8 +199,8 @@ bool card::WritePicture(const std::string& path, const Image& image, double whit
   {
     for (int k = -arm; k <= arm; ++k)
     {
-      const int x = cross[0] / step;
-      const int y = cross[1] / step;
+      const int x = (cross[0] * zoom + zoom / 2) / step;
+      const int y = (cross[1] * zoom + zoom / 2) / step;
       const int places[2][2] = { { x + k, y }, { x, y + k } };
       for (const auto& place : places)
       {

@@ -42,8 +42,8 @@ struct Errors
 Errors Compare(const Image& image, const Image& reference, const Image& mask);
 
 /**
- * A PNG file of at most 960 pixels' width: the image, values from 0 to `white` as 0 to 255 (gamma
- * 2.2), with red crosses at the places. Returns false when it cannot be written.
+ * A PNG file, 32 to 960 pixels wide: the image, values from 0 to `white` as 0 to 255 (gamma 2.2),
+ * with red crosses at the places. Returns false when it cannot be written.
  */
 bool WritePicture(const std::string& path, const Image& image, double white,
   const std::vector<std::array<int, 2>>& crosses);

@@ -166,7 +166,7 @@ class Card(unittest.TestCase):
         }
         for name in ("albedo", "direct", "irradiance", "final", "window", "rsm0.density", "lights"):
             self.assertFalse(checks[name]["passed"], name)
-            self.assertGreater((results / checks[name]["picture"]).stat().st_size, 100)
+            self.assertGreater((results / checks[name]["picture"]).stat().st_size, 100, name)
         for name in ("depth", "normal", "rsm0.depth"):
             self.assertTrue(checks[name]["passed"], checks[name])
         self.assertIn("pictures/", (results / "page.md").read_text(encoding="utf-8"))
