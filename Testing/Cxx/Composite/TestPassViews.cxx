@@ -19,7 +19,7 @@ namespace
 {
 constexpr int Maps = 2;
 
-// The names that an error lists, with a number for <i>: buffers that views show, and `lights`.
+// The names that an error lists, with a number for <i>: buffers that views show, `lights` and `branches`.
 std::vector<std::string> FindNames(vtkIndirectIlluminationPass* pass)
 {
   ExpectedErrors errors;
@@ -172,7 +172,7 @@ VTK_INDIRECT_TEST(ViewsShowBuffers)
       // Those that do not depend on the estimator are looked at once.
       const bool own = name == "final" || name == "indirect" || name == "irradiance" ||
         name == "bounce" || name == "glossy" || name.compare(0, 8, "subsplat") == 0;
-      if (name == "lights" || (estimator != gather && (isMap || !own)) ||
+      if (name == "lights" || name == "branches" || (estimator != gather && (isMap || !own)) ||
         (estimator == hints && name == "glossy"))
       {
         continue;
