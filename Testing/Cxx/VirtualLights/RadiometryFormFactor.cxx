@@ -218,11 +218,11 @@ VTK_INDIRECT_TEST(PerpendicularSquaresLightTree)
       what + "that of even lights", findError(even, y), y < 4 ? 0.2 : 0.03, "the test's own power");
   }
   const double f = PerpendicularSquaresFormFactor();
-  CheckRelative(
-    "mean over the wall / B", cut.Mean() / Albedo.x, f, 0.02, "the tolerance where none is set");
+  CheckRelative("mean over the wall / B", cut.Mean() / Albedo.x, f, 5e-3,
+    "a quarter of the tolerance where none is set");
   scene.Pass->SetErrorTolerance(0.0025);
   CheckRelative("tolerance 0.0025: mean over the wall / B", measure(tree).Mean() / Albedo.x, f,
-    5e-3, "measured 0.0066 with a tolerance of 0.005, which is of what is usual at a receiver");
+    2.5e-3, "the tolerance");
   scene.CheckBuffers(1);
   scene.Pass->SetSampler(nullptr);
 }
