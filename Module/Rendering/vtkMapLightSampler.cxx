@@ -10,14 +10,62 @@
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "VirtualLights/vtkIndirectPatternTexture.h"
+#include "VirtualLights/vtkIndirectSampleWarp.h"
 #include "vtkReflectiveShadowMapPass.h"
 
 #include <cmath>
+
+namespace
+{
+using Source = vtkMapLightSampler::Source;
+using Drawing = vtkMapLightSampler::Drawing;
+
+// The faces of the maps; or the charts that samples are warped in, by their numbers, of which they
+// take shares: one a light, or -1 for all of them.
+std::vector<Source> MakeSources(const vtkReflectiveShadowMapPass& maps, const Drawing& drawing)
+{
+  std::vector<Source> sources;
+  const int count = maps.GetNumberOfMaps();
+  if (drawing.By == Drawing::FLUX)
+  {
+    Source all;
+    all.Layer = -1;
+    sources.assign(count > 0 ? 1 : 0, all);
+    return sources;
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const vtkIndirectLightMap& map = maps.GetMap(i);
+    Source source;
+    source.Light = i;
+    if (drawing.By == Drawing::LIT_TEXELS)
+    {
+      source.Layer = i;
+      sources.push_back(source);
+      continue;
+    }
+    source.Size[0] = source.Size[1] = maps.GetTexels();
+    source.Disk = map.Projection == vtkIndirectKernels::VTKI_MAP_SINGLE;
+    if (map.Projection == vtkIndirectKernels::VTKI_MAP_FACES)
+    {
+      source.CosCone =
+        map.Light.ConeAngle < 90.0 ? std::cos(glm::radians(map.Light.ConeAngle)) : -1.0;
+    }
+    for (int face = 0; face < map.NumberOfFaces; ++face)
+    {
+      source.Layer = map.FirstLayer + face;
+      sources.push_back(source);
+    }
+  }
+  return sources;
+}
+}
 
 //------------------------------------------------------------------------------
 struct vtkMapLightSampler::Internals
 {
   vtkIndirectPatternTexture Pattern;
+  vtkIndirectSampleWarp Warp;
   vtkIndirectFullScreenProgram Program{ "vtkIndirectVirtualLightFS.glsl" };
   vtkMTimeType MapTime = 0; // of the maps that the lights were made from
 };
@@ -38,7 +86,8 @@ void vtkMapLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 size_t vtkMapLightSampler::GetBytes() const
 {
-  return this->Superclass::GetBytes() + this->Internal->Pattern.GetBytes();
+  return this->Superclass::GetBytes() + this->Internal->Pattern.GetBytes() +
+    this->Internal->Warp.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -47,25 +96,8 @@ bool vtkMapLightSampler::Update(const Input& input)
   Internals& in = *this->Internal;
   const vtkReflectiveShadowMapPass& maps = input.Maps;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
-  std::vector<Source> sources;
-  for (int i = 0; i < maps.GetNumberOfMaps(); ++i)
-  {
-    const vtkIndirectLightMap& map = maps.GetMap(i);
-    for (int face = 0; face < map.NumberOfFaces; ++face)
-    {
-      Source source;
-      source.Layer = map.FirstLayer + face;
-      source.Light = i;
-      source.Size[0] = source.Size[1] = maps.GetTexels();
-      source.Disk = map.Projection == vtkIndirectKernels::VTKI_MAP_SINGLE;
-      if (map.Projection == vtkIndirectKernels::VTKI_MAP_FACES)
-      {
-        source.CosCone =
-          map.Light.ConeAngle < 90.0 ? std::cos(glm::radians(map.Light.ConeAngle)) : -1.0;
-      }
-      sources.push_back(source);
-    }
-  }
+  const Drawing drawing = this->GetDrawing();
+  const std::vector<Source> sources = MakeSources(maps, drawing);
   const bool changed = in.Pattern.Update(window, *this, sources);
   if (!changed && in.MapTime == maps.GetContentTime())
   {
@@ -85,6 +117,15 @@ bool vtkMapLightSampler::Update(const Input& input)
     in.MapTime = maps.GetContentTime();
     return true;
   }
+  const bool warped = drawing.By != Drawing::NOTHING;
+  if (!warped)
+  {
+    in.Warp.Release(window);
+  }
+  else if (!in.Warp.Update(window, maps, drawing, in.Pattern))
+  {
+    return false;
+  }
   vtkShaderProgram* program = in.Program.Use(window, table);
   if (!program)
   {
@@ -93,11 +134,11 @@ bool vtkMapLightSampler::Update(const Input& input)
   table.Begin();
   {
     vtkIndirectFullScreenState fullScreen(window);
-    in.Pattern.Activate(program);
+    warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
     maps.Activate(program);
     in.Program.Draw();
     maps.Deactivate();
-    in.Pattern.Deactivate();
+    warped ? in.Warp.Deactivate() : in.Pattern.Deactivate();
   }
   table.End();
   in.MapTime = maps.GetContentTime();
@@ -113,6 +154,7 @@ void vtkMapLightSampler::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Superclass::ReleaseGraphicsResources(window);
   this->Internal->Pattern.Release(window);
+  this->Internal->Warp.Release(window);
   this->Internal->Program.Release();
   this->Internal->MapTime = 0;
 }

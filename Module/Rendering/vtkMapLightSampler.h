@@ -56,6 +56,26 @@ public:
   /** Fills a pattern for these sources; its samples of a source sum to that source's texels. */
   virtual void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) = 0;
 
+  /** What the pattern's places are warped by, so that more of them lie where more light comes from.
+   */
+  struct Drawing
+  {
+    enum Importance
+    {
+      NOTHING,    // the pattern's places are texels of the map, lit or not
+      LIT_TEXELS, // texels that send light are drawn alike
+      FLUX        // by how much light they send, over all lights of the scene together
+    };
+    Importance By = NOTHING;
+    double Evenness = 0.0;    // share of samples that are drawn alike within each light
+    int Method = 0;           // VTKI_WARP_APART or VTKI_WARP_TOGETHER
+    int Levels = VTK_INT_MAX; // of the warp, from the coarsest on
+  };
+  virtual Drawing GetDrawing() const
+  {
+    return {};
+  }
+
   bool Update(const Input& input) override;
   vtkMapLightSampler* GetViewPattern() override
   {

@@ -18,6 +18,15 @@ void vtkUniformLightSampler::PrintSelf(ostream& os, vtkIndent indent)
   static const char* const names[] = { "Grid", "Jittered", "LowDiscrepancy" };
   os << indent << "Pattern: " << names[this->Pattern] << "\n";
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
+  os << indent << "LitTexels: " << (this->LitTexels ? "On" : "Off") << "\n";
+}
+
+//------------------------------------------------------------------------------
+vtkMapLightSampler::Drawing vtkUniformLightSampler::GetDrawing() const
+{
+  Drawing drawing;
+  drawing.By = this->LitTexels ? Drawing::LIT_TEXELS : Drawing::NOTHING;
+  return drawing;
 }
 
 //------------------------------------------------------------------------------

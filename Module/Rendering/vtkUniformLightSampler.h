@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkUniformLightSampler
- * @brief Virtual lights spread evenly over the lights' maps
+ * @brief Virtual lights spread evenly over the texels of the lights' maps that send light
  *
- * The lights of the scene share NumberOfLights equally. Patterns depend on nothing but the numbers
- * given here: the same scene gives the same lights on every machine.
+ * The lights of the scene share NumberOfLights equally. A pattern in the unit square, which depends
+ * on nothing but the numbers given here, is warped to the texels that send light, so that none of
+ * it is lost on the others (Documentation/methods/importance-sampling.md); where all texels do, the
+ * warp changes nothing. Maps of several faces have lights spread evenly over directions.
  */
 
 #ifndef vtkUniformLightSampler_h
@@ -24,7 +26,7 @@ public:
   {
     GRID = 0,           // regular grid, the largest square number of lights that fits
     JITTERED = 1,       // one random place in each cell of that grid, from a fixed seed
-    LOW_DISCREPANCY = 2 // Fibonacci lattice, any number of lights; over directions for cube maps
+    LOW_DISCREPANCY = 2 // Fibonacci lattice, any number of lights
   };
 
   ///@{
@@ -45,8 +47,19 @@ public:
   vtkGetMacro(NumberOfLights, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether lights are drawn from texels that send light only. Off, they are spread over whole
+   * maps, as in the paper, and those on the other texels have no light. Default on.
+   */
+  vtkSetMacro(LitTexels, bool);
+  vtkGetMacro(LitTexels, bool);
+  vtkBooleanMacro(LitTexels, bool);
+  ///@}
+
 #ifndef __VTK_WRAP__
   void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override;
+  Drawing GetDrawing() const override;
 #endif
 
 protected:
@@ -55,6 +68,7 @@ protected:
 
   int Pattern = LOW_DISCREPANCY;
   int NumberOfLights = 256;
+  bool LitTexels = true;
 
 private:
   vtkUniformLightSampler(const vtkUniformLightSampler&) = delete;

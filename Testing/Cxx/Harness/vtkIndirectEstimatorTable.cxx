@@ -18,6 +18,8 @@ void InstallSampler(vtkIndirectIlluminationPass* pass, int pattern, int numberOf
   vtkNew<vtkUniformLightSampler> sampler;
   sampler->SetPattern(pattern);
   sampler->SetNumberOfLights(numberOfLights);
+  // Warped, random places draw some texels twice, however many they are.
+  sampler->SetLitTexels(pattern != vtkUniformLightSampler::JITTERED);
   pass->SetSampler(sampler);
   pass->SetErrorTolerance(0.0);
   pass->SetVisibilityToNone();

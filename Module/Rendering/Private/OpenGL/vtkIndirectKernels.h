@@ -59,6 +59,7 @@ namespace
 #include "vtkIndirectLibShadow.glsl"
 #include "vtkIndirectLibInterpolation.glsl"
 #include "vtkIndirectLibSampling.glsl"
+#include "vtkIndirectLibImportance.glsl"
 #include "vtkIndirectLibColor.glsl"
 #include "vtkIndirectLibHarmonics.glsl"
 #include "vtkIndirectLibOccupancy.glsl"

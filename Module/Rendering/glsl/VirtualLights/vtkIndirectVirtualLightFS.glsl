@@ -22,7 +22,8 @@ void main()
     light.normal = vec3(0.0f, 0.0f, 1.0f);
     weight = 1.0f;
   }
-  gl_FragData[0] = vec4(light.position, light.area * weight);
+  // Several lights on one texel share its light; each of them is a disk as large as it.
+  gl_FragData[0] = vec4(light.position, light.area * max(weight, 1.0f));
   gl_FragData[1] = vec4(light.normal, 0.0f);
   gl_FragData[2] = vec4(light.densityArea * weight, light.source);
 }

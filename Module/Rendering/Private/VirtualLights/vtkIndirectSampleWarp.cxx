@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "VirtualLights/vtkIndirectSampleWarp.h"
+
+#include "LightMaps/vtkIndirectLightMap.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "vtkReflectiveShadowMapPass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+const vtkIndirectChannel NodeChannels[] = {
+  { "importance.lit", "vtkiLit", "cells that send light, by quadrants", GL_RGBA32F, "chart", "1" },
+  { "importance.flux", "vtkiFlux", "light that cells send, by quadrants", GL_RGBA32F, "chart",
+    "of the strongest light" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+const vtkIndirectChannel SampleChannels[] = {
+  { "importance.samples", "vtkiPattern", "map coordinates, layer, texels that it stands for",
+    GL_RGBA32F, "map", "1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+// No cone of light: a map of one face.
+constexpr float OneFace = 2.0f;
+}
+
+vtkIndirectSampleWarp::vtkIndirectSampleWarp()
+  : Even(NodeChannels, false)
+  , Odd(NodeChannels, false)
+  , Samples(SampleChannels, false)
+{
+}
+
+vtkIndirectSampleWarp::~vtkIndirectSampleWarp() = default;
+
+//------------------------------------------------------------------------------
+// A chart a light; returns false, after an error, when OpenGL refuses.
+bool vtkIndirectSampleWarp::UpdateCharts(
+  vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps)
+{
+  std::vector<float> charts;
+  int edge = 2;
+  this->Strongest = 0.0;
+  for (int i = 0; i < maps.GetNumberOfMaps(); ++i)
+  {
+    const vtkIndirectLightMap& map = maps.GetMap(i);
+    const bool faces = map.Projection == vtkIndirectKernels::VTKI_MAP_FACES;
+    const double cone =
+      map.Light.ConeAngle < 90.0 ? std::cos(glm::radians(map.Light.ConeAngle)) : -1.0;
+    charts.insert(charts.end(),
+      { static_cast<float>(map.FirstLayer), faces ? static_cast<float>(cone) : OneFace, 0.0f,
+        0.0f });
+    // A sphere in a square as fine as in the middles of a cube's faces.
+    edge = std::max(edge, maps.GetTexels() * (faces ? 2 : 1));
+    this->Strongest =
+      std::max({ this->Strongest, map.Light.Color.x, map.Light.Color.y, map.Light.Color.z });
+  }
+  this->Cells = 2;
+  this->Levels = 1;
+  while (this->Cells < std::min(edge, MostCells))
+  {
+    this->Cells *= 2;
+    ++this->Levels;
+  }
+  const int count = maps.GetNumberOfMaps();
+  this->Columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
+  this->Rows = (count + this->Columns - 1) / this->Columns;
+  if (!this->ChartTexture || charts != this->Charts)
+  {
+    this->Charts = charts;
+    if (!this->ChartTexture)
+    {
+      this->ChartTexture = vtkSmartPointer<vtkTextureObject>::New();
+    }
+    this->ChartTexture->SetContext(window);
+    this->ChartTexture->SetMinificationFilter(vtkTextureObject::Nearest);
+    this->ChartTexture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    if (!this->ChartTexture->Create2DFromRaw(count, 1, 4, VTK_FLOAT, this->Charts.data()))
+    {
+      return false;
+    }
+  }
+  int widths[2] = { 0, 0 };
+  for (int level = 0; level < this->Levels; ++level)
+  {
+    widths[level % 2] += this->FindLevelWidth(level);
+  }
+  const int channels = this->WithFlux ? 2 : 1;
+  const int height = this->Rows * (this->Cells / 2);
+  this->Even.SetNumberOfChannels(channels);
+  this->Odd.SetNumberOfChannels(channels);
+  return this->Even.Resize(window, widths[0], height) &&
+    this->Odd.Resize(window, std::max(1, widths[1]), std::max(1, height / 2));
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSampleWarp::ActivateCharts(vtkShaderProgram* program) const
+{
+  this->ChartTexture->Activate();
+  program->SetUniformi("vtkiCharts", this->ChartTexture->GetTextureUnit());
+  program->SetUniformi("vtkiCells", this->Cells);
+  program->SetUniformi("vtkiColumns", this->Columns);
+  program->SetUniformi("vtkiNumberOfCharts", static_cast<int>(this->Charts.size() / 4));
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSampleWarp::ActivateNodes(
+  int parity, vtkShaderProgram* program, const char* lit, const char* flux) const
+{
+  const vtkIndirectTarget& nodes = parity == 0 ? this->Even : this->Odd;
+  nodes.Activate(0, program, lit);
+  if (this->WithFlux)
+  {
+    nodes.Activate(1, program, flux);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSampleWarp::SumNodes(
+  vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps)
+{
+  const std::string definitions = this->WithFlux ? "#define VTKI_FLUX\n" : "";
+  vtkIndirectFullScreenState fullScreen(window);
+  vtkOpenGLState* state = window->GetState();
+  const int height = this->Rows * (this->Cells / 2);
+  int begin[2] = { this->FindLevelWidth(0), 0 };
+  vtkShaderProgram* program = this->ImportanceProgram.Use(window, definitions);
+  if (!program)
+  {
+    return false;
+  }
+  this->Even.Begin();
+  state->vtkglViewport(0, 0, begin[0], height);
+  maps.Activate(program);
+  this->ActivateCharts(program);
+  program->SetUniformf(
+    "vtkiScale", static_cast<float>(this->Strongest > 0.0 ? 1.0 / this->Strongest : 1.0));
+  this->ImportanceProgram.Draw();
+  this->ChartTexture->Deactivate();
+  maps.Deactivate();
+  this->Even.End();
+  int below = 0;
+  for (int level = 1; level < this->Levels; ++level)
+  {
+    program = this->SumProgram.Use(window, definitions);
+    if (!program)
+    {
+      return false;
+    }
+    const int parity = level % 2;
+    vtkIndirectTarget& nodes = parity == 0 ? this->Even : this->Odd;
+    nodes.Begin();
+    state->vtkglViewport(begin[parity], 0, this->FindLevelWidth(level), height >> level);
+    this->ActivateNodes(1 - parity, program, "vtkiLit", "vtkiFlux");
+    program->SetUniformi("vtkiBelow", below);
+    program->SetUniformi("vtkiBegin", begin[parity]);
+    this->SumProgram.Draw();
+    (parity == 0 ? this->Odd : this->Even).Deactivate();
+    nodes.End();
+    below = begin[parity];
+    begin[parity] += this->FindLevelWidth(level);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window,
+  const vtkReflectiveShadowMapPass& maps, const vtkMapLightSampler::Drawing& drawing,
+  const vtkIndirectPatternTexture& pattern)
+{
+  constexpr int width = vtkVirtualLightSampler::RowLength;
+  const int rows = std::max(1, (pattern.GetNumberOfSamples() + width - 1) / width);
+  if (!this->Samples.Resize(window, width, rows))
+  {
+    return false;
+  }
+  this->WarpProgram.SetDefinitions(this->WithFlux ? "#define VTKI_FLUX\n" : "");
+  vtkShaderProgram* program = this->WarpProgram.Use(window, this->Samples);
+  if (!program)
+  {
+    return false;
+  }
+  this->Samples.Begin();
+  {
+    vtkIndirectFullScreenState fullScreen(window);
+    pattern.Activate(program);
+    maps.Activate(program);
+    this->ActivateCharts(program);
+    this->ActivateNodes(0, program, "vtkiLitEven", "vtkiFluxEven");
+    this->ActivateNodes(1, program, "vtkiLitOdd", "vtkiFluxOdd");
+    program->SetUniformi("vtkiLevels", this->Levels);
+    if (this->WithFlux)
+    {
+      program->SetUniformf("vtkiEvenness", static_cast<float>(drawing.Evenness));
+      program->SetUniformi("vtkiMethod", drawing.Method);
+      program->SetUniformi("vtkiWarpedLevels", drawing.Levels);
+    }
+    this->WarpProgram.Draw();
+    this->Odd.Deactivate();
+    this->Even.Deactivate();
+    this->ChartTexture->Deactivate();
+    maps.Deactivate();
+    pattern.Deactivate();
+  }
+  this->Samples.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSampleWarp::Update(vtkOpenGLRenderWindow* window,
+  const vtkReflectiveShadowMapPass& maps, const vtkMapLightSampler::Drawing& drawing,
+  const vtkIndirectPatternTexture& pattern)
+{
+  const bool flux = drawing.By == vtkMapLightSampler::Drawing::FLUX;
+  if (this->MapTime != maps.GetContentTime() || this->WithFlux != flux)
+  {
+    this->MapTime = 0;
+    this->WithFlux = flux;
+    if (!this->UpdateCharts(window, maps) || !this->SumNodes(window, maps))
+    {
+      return false;
+    }
+    this->MapTime = maps.GetContentTime();
+  }
+  return this->Warp(window, maps, drawing, pattern);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSampleWarp::Activate(vtkShaderProgram* program) const
+{
+  this->Samples.Activate(0, program);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSampleWarp::Deactivate() const
+{
+  this->Samples.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectSampleWarp::GetBytes() const
+{
+  return this->Even.GetBytes() + this->Odd.GetBytes() + this->Samples.GetBytes() +
+    this->Charts.size() * sizeof(float);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSampleWarp::Release(vtkWindow* window)
+{
+  this->Even.Release(window);
+  this->Odd.Release(window);
+  this->Samples.Release(window);
+  if (this->ChartTexture)
+  {
+    this->ChartTexture->ReleaseGraphicsResources(window);
+    this->ChartTexture = nullptr;
+  }
+  this->Charts.clear();
+  this->ImportanceProgram.Release();
+  this->SumProgram.Release();
+  this->WarpProgram.Release();
+  this->MapTime = 0;
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws samples from the texels of lights' maps that send light: warps an even pattern by sums over
+// squares of texels (vtkIndirectLibImportance.glsl). All on the card; nothing is read back.
+//
+// A map of one face is drawn from as it is, one of several faces by a chart of its directions.
+// Nodes of four cells and their sums lie in two textures, level by level in turn, so that none is
+// read while it is drawn to.
+#ifndef vtkIndirectSampleWarp_h
+#define vtkIndirectSampleWarp_h
+
+#include "OpenGL/vtkIndirectFullScreenProgram.h"     // for members
+#include "OpenGL/vtkIndirectTarget.h"                // for members
+#include "VirtualLights/vtkIndirectPatternTexture.h" // for the pattern
+#include "vtkMapLightSampler.h"                      // for charts
+
+#include <cstddef> // for size_t
+#include <vector>  // for charts
+
+class vtkReflectiveShadowMapPass;
+
+class vtkIndirectSampleWarp
+{
+public:
+  vtkIndirectSampleWarp();
+  ~vtkIndirectSampleWarp();
+
+  /** Cells along the edge of a chart at most: of larger maps one texel stands for several. */
+  static constexpr int MostCells = 1024;
+
+  /**
+   * Brings the samples up to date: those of the pattern, whose layers are charts, as samples of
+   * texels. Returns false, after an error, when OpenGL refuses.
+   */
+  bool Update(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps,
+    const vtkMapLightSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
+
+  /** Binds the samples in place of a pattern; pair with Deactivate. */
+  void Activate(vtkShaderProgram* program) const;
+  void Deactivate() const;
+
+  /** Cells along the edge of a chart, after Update. */
+  int GetCells() const { return this->Cells; }
+  size_t GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  bool UpdateCharts(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps);
+  bool SumNodes(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps);
+  bool Warp(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps,
+    const vtkMapLightSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
+  void ActivateCharts(vtkShaderProgram* program) const;
+  void ActivateNodes(
+    int parity, vtkShaderProgram* program, const char* lit, const char* flux) const;
+  int FindLevelWidth(int level) const { return this->Columns * (this->Cells / 2) >> level; }
+
+  // What the nodes were made of.
+  vtkMTimeType MapTime = 0;
+  bool WithFlux = false;
+
+  std::vector<float> Charts; // four numbers each
+  int Cells = 2;             // along an edge of a chart, a power of two
+  int Levels = 1;
+  int Columns = 1; // of charts
+  int Rows = 1;
+  double Strongest = 1.0; // of the lights
+  vtkSmartPointer<vtkTextureObject> ChartTexture;
+  vtkIndirectTarget Even;
+  vtkIndirectTarget Odd;
+  vtkIndirectTarget Samples;
+  vtkIndirectFullScreenProgram ImportanceProgram{ "vtkIndirectImportanceFS.glsl" };
+  vtkIndirectFullScreenProgram SumProgram{ "vtkIndirectImportanceSumFS.glsl" };
+  vtkIndirectFullScreenProgram WarpProgram{ "vtkIndirectWarpFS.glsl" };
+};
+
+#endif

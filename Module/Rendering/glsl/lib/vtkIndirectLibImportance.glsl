@@ -1,0 +1,81 @@
+// Places drawn by importance, from sums over squares of cells: hierarchical warping, after Clarberg, Jarosz,
+// Akenine-Moller and Jensen 2005, "Wavelet importance sampling", as Dachsbacher and Stamminger 2006, "Splatting
+// indirect illumination", have it in section 3.5.
+//
+// A chart is the square in which a light's map is drawn from, with a power of two of cells along an
+// edge. Quadrants of a node are the sums over its four quarters: x at the lower left, y at the lower right, z at the
+// upper left, w at the upper right.
+#ifndef vtkIndirectLibImportance
+#define vtkIndirectLibImportance
+#include "vtkIndirectLibPortable.glsl"
+
+// How a node's columns are warped.
+const int VTKI_WARP_APART = 0;    // those of its upper and its lower half by their own sums: the paper's method A
+const int VTKI_WARP_TOGETHER = 1; // those of both halves by their common sums: method B
+const int VTKI_WARP_EVENLY = 2;   // no part of a node that has anything is more likely than another
+
+// The largest number below one.
+const float VTKI_BELOW_ONE = 0.99999994f;
+
+/* One step of warping: whether a coordinate in [0,1) falls into the second of two parts, and where in its part, in
+ * [0,1). Equation (5) of the paper, counted within the halves that it maps to; how likely it was to fall there is
+ * multiplied to the probability, the inverse of equation (6) but for the factor two of the halves. One of the parts
+ * must have something; one that has nothing is never chosen. */
+bool vtkiWarp(float first, float second, VTKI_INOUT(float) coordinate, VTKI_INOUT(float) probability)
+{
+  float both = max(first + second, 1.0e-37f);
+  float share = second > 0.0f ? first / both : 1.0f;
+  bool isSecond = !(coordinate < share);
+  float part = isSecond ? second / both : share;
+  coordinate = min((isSecond ? coordinate - share : coordinate) / max(part, 1.0e-30f), VTKI_BELOW_ONE);
+  probability *= part;
+  return isSecond;
+}
+
+float vtkiOneWhereAny(float sum)
+{
+  return sum > 0.0f ? 1.0f : 0.0f;
+}
+
+/* The quarter of a node that a place in it, in [0,1)^2, falls into; place and probability as above. */
+ivec2 vtkiWarpQuadrant(vec4 quadrants, int method, VTKI_INOUT(vec2) place, VTKI_INOUT(float) probability)
+{
+  bool evenly = method == VTKI_WARP_EVENLY;
+  float x = place.x;
+  float y = place.y;
+  float lower = quadrants.x + quadrants.y;
+  float upper = quadrants.z + quadrants.w;
+  bool isUpper = vtkiWarp(evenly ? vtkiOneWhereAny(lower) : lower, evenly ? vtkiOneWhereAny(upper) : upper,
+    y, probability);
+  float left = isUpper ? quadrants.z : quadrants.x;
+  float right = isUpper ? quadrants.w : quadrants.y;
+  bool together = method == VTKI_WARP_TOGETHER && left > 0.0f && right > 0.0f;
+  left = evenly ? vtkiOneWhereAny(left) : (together ? quadrants.x + quadrants.z : left);
+  right = evenly ? vtkiOneWhereAny(right) : (together ? quadrants.y + quadrants.w : right);
+  bool isRight = vtkiWarp(left, right, x, probability);
+  place = vec2(x, y);
+  return ivec2(isRight ? 1 : 0, isUpper ? 1 : 0);
+}
+
+/* Direction in a light's frame of a place in the chart of a map with faces: the cone of light about -z whose cosine
+ * is given (-1: all directions), areas kept. */
+vec3 vtkiChartDirection(vec2 place, float cosCone)
+{
+  float depth = place.x * (1.0f - cosCone);
+  float radius = sqrt(max(depth * (2.0f - depth), 0.0f));
+  float angle = 2.0f * VTKI_PI * place.y;
+  return vec3(radius * cos(angle), radius * sin(angle), depth - 1.0f);
+}
+
+/* Levels of nodes lie in two textures in turn, each to the right of the one before: where the nodes of a level begin
+ * in its texture. width: that of the nodes of level 0; those of the next level are half as many. */
+int vtkiNodesBegin(int width, int level)
+{
+  int begin = 0;
+  for (int i = level - 2; i >= 0; i -= 2)
+  {
+    begin += width >> i;
+  }
+  return begin;
+}
+#endif
