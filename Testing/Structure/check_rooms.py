@@ -34,6 +34,7 @@ PUBLIC = {
     "vtkAreaLightSampler": "VirtualLights",
     "vtkEmitter": "VirtualLights",
     "vtkEnvironmentLight": "VirtualLights",
+    "vtkImportanceLightSampler": "VirtualLights",
     "vtkVirtualLightSampler": "VirtualLights",
     "vtkLightTreeSampler": "VirtualLights",
     "vtkMapLightSampler": "VirtualLights",

@@ -123,7 +123,7 @@ void vtkIndirectSampleWarp::ActivateNodes(
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSampleWarp::SumNodes(
-  vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps)
+  vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps, double occlusion)
 {
   const std::string definitions = this->WithFlux ? "#define VTKI_FLUX\n" : "";
   vtkIndirectFullScreenState fullScreen(window);
@@ -141,6 +141,7 @@ bool vtkIndirectSampleWarp::SumNodes(
   this->ActivateCharts(program);
   program->SetUniformf(
     "vtkiScale", static_cast<float>(this->Strongest > 0.0 ? 1.0 / this->Strongest : 1.0));
+  program->SetUniformf("vtkiOcclusion", static_cast<float>(occlusion));
   this->ImportanceProgram.Draw();
   this->ChartTexture->Deactivate();
   maps.Deactivate();
@@ -218,15 +219,17 @@ bool vtkIndirectSampleWarp::Update(vtkOpenGLRenderWindow* window,
   const vtkIndirectPatternTexture& pattern)
 {
   const bool flux = drawing.By == vtkMapLightSampler::Drawing::FLUX;
-  if (this->MapTime != maps.GetContentTime() || this->WithFlux != flux)
+  if (this->MapTime != maps.GetContentTime() || this->WithFlux != flux ||
+    this->Occlusion != drawing.Occlusion)
   {
     this->MapTime = 0;
     this->WithFlux = flux;
-    if (!this->UpdateCharts(window, maps) || !this->SumNodes(window, maps))
+    if (!this->UpdateCharts(window, maps) || !this->SumNodes(window, maps, drawing.Occlusion))
     {
       return false;
     }
     this->MapTime = maps.GetContentTime();
+    this->Occlusion = drawing.Occlusion;
   }
   return this->Warp(window, maps, drawing, pattern);
 }

@@ -45,7 +45,8 @@ public:
 
 private:
   bool UpdateCharts(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps);
-  bool SumNodes(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps);
+  bool SumNodes(
+    vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps, double occlusion);
   bool Warp(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps,
     const vtkMapLightSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
   void ActivateCharts(vtkShaderProgram* program) const;
@@ -56,6 +57,7 @@ private:
   // What the nodes were made of.
   vtkMTimeType MapTime = 0;
   bool WithFlux = false;
+  double Occlusion = 0.0;
 
   std::vector<float> Charts; // four numbers each
   int Cells = 2;             // along an edge of a chart, a power of two

@@ -2,8 +2,10 @@
 //VTK::Output::Dec
 // What the cells of charts are drawn by: the lowest nodes, four cells each.
 #include "vtkIndirectChart.glsl"
+#include "vtkIndirectAccessibility.glsl"
 
 uniform int vtkiNumberOfCharts;
+uniform float vtkiOcclusion;
 uniform float vtkiScale; // over the strongest light's intensity, so that no product is too small for a float
 
 // Whether a cell sends light, and how much.
@@ -22,7 +24,12 @@ vec2 vtkiCellImportance(int chart, ivec2 cell)
   float sum = flux.r + flux.g + flux.b;
   // Cells of directions are all of the same size; texels that stand for others count as these.
   float even = texelFetch(vtkiCharts, ivec2(chart, 0), 0).y <= 1.0f ? 1.0f : texels;
-  return sum > 0.0f ? vec2(even, sum * texels) : vec2(0.0f);
+  if (!(sum > 0.0f))
+  {
+    return vec2(0.0f);
+  }
+  float factor = vtkiOcclusion > 0.0f ? vtkiNeighborFactor(vtkiOcclusion, vtkiAccessibility(layer, texel)) : 1.0f;
+  return vec2(even, sum * texels * factor);
 }
 
 void main()

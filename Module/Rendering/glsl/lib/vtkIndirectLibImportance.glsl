@@ -67,6 +67,24 @@ vec3 vtkiChartDirection(vec2 place, float cosCone)
   return vec3(radius * cos(angle), radius * sin(angle), depth - 1.0f);
 }
 
+// Other surfaces within this, scene units, count for how open a place is.
+const float VTKI_NEIGHBOR_RADIUS = 0.1f;
+
+/* How much of what is above a place is hidden by a surface that lies so from it, in [0,1]: the cosine at the place,
+ * less the farther it is. */
+float vtkiHiddenBy(vec3 toSurface, vec3 normal)
+{
+  float distance = length(toSurface);
+  float cosine = max(dot(normal, toSurface), 0.0f) / max(distance, 1.0e-20f);
+  return cosine * max(1.0f - distance / (2.0f * VTKI_NEIGHBOR_RADIUS), 0.0f);
+}
+
+/* What a texel's flux is multiplied by to be its importance; accessibility: share of the hemisphere that is open. */
+float vtkiNeighborFactor(float occlusion, float accessibility)
+{
+  return 0.015625f + max(1.0f - occlusion * accessibility, 0.0f);
+}
+
 /* Levels of nodes lie in two textures in turn, each to the right of the one before: where the nodes of a level begin
  * in its texture. width: that of the nodes of level 0; those of the next level are half as many. */
 int vtkiNodesBegin(int width, int level)

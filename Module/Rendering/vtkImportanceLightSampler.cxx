@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkImportanceLightSampler.h"
+
+#include "OpenGL/vtkIndirectKernels.h"
+#include "VirtualLights/vtkIndirectSamplePattern.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkImportanceLightSampler);
+
+static_assert(vtkImportanceLightSampler::APART == vtkIndirectKernels::VTKI_WARP_APART &&
+    vtkImportanceLightSampler::TOGETHER == vtkIndirectKernels::VTKI_WARP_TOGETHER,
+  "what shaders know the methods by");
+
+//------------------------------------------------------------------------------
+void vtkImportanceLightSampler::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
+  os << indent << "Method: " << (this->Method == APART ? "Apart" : "Together") << "\n";
+  os << indent << "Levels: " << this->Levels << "\n";
+  os << indent << "Evenness: " << this->Evenness << "\n";
+  os << indent << "Occlusion: " << this->Occlusion << "\n";
+}
+
+//------------------------------------------------------------------------------
+vtkMapLightSampler::Drawing vtkImportanceLightSampler::GetDrawing() const
+{
+  Drawing drawing;
+  drawing.By = Drawing::FLUX;
+  drawing.Evenness = this->Evenness;
+  drawing.Method = this->Method;
+  drawing.Levels = this->Levels > 0 ? this->Levels : VTK_INT_MAX;
+  drawing.Occlusion = this->Occlusion;
+  return drawing;
+}
+
+//------------------------------------------------------------------------------
+// A Fibonacci lattice over all of them side by side.
+void vtkImportanceLightSampler::MakePattern(
+  const std::vector<Source>& sources, std::vector<Sample>& pattern)
+{
+  const size_t count = sources.size();
+  for (int i = 0; i < this->NumberOfLights && count > 0; ++i)
+  {
+    const double along = (i + 0.5) / this->NumberOfLights * static_cast<double>(count);
+    const size_t place = std::min(static_cast<size_t>(along), count - 1);
+    const Source& source = sources[place];
+    const double texels =
+      static_cast<double>(source.Size[0]) * source.Size[1] * static_cast<double>(count);
+    pattern.push_back({ static_cast<float>(along - static_cast<double>(place)),
+      static_cast<float>(vtkIndirectSamplePattern::GoldenRatioFraction(i)),
+      static_cast<float>(source.Layer), static_cast<float>(texels / this->NumberOfLights) });
+  }
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkImportanceLightSampler
+ * @brief Virtual lights drawn from the lights' maps where most light comes from
+ *
+ * After Dachsbacher and Stamminger 2006, "Splatting indirect illumination", section 3.5: sums of
+ * the texels' reflected flux over squares of them, on the card, and a low-discrepancy pattern that
+ * is warped by these from the coarsest level on (equations 4 to 6). All lights of the scene share
+ * NumberOfLights by the flux that they reflect. Each virtual light is divided by the probability
+ * that it was drawn with, exactly, so that sums have no bias; nothing is drawn where nothing is
+ * lit.
+ *
+ * Where texels reflect alike, lights are those of vtkUniformLightSampler. Approximations: none in
+ * the sums; of maps of more than 1024 texels along an edge one texel stands for several.
+ * Documentation/methods/importance-sampling.md says where it pays.
+ */
+
+#ifndef vtkImportanceLightSampler_h
+#define vtkImportanceLightSampler_h
+
+#include "vtkMapLightSampler.h"
+#include "vtkRenderingIndirectModule.h" // For export macro
+
+class VTKRENDERINGINDIRECT_EXPORT vtkImportanceLightSampler : public vtkMapLightSampler
+{
+public:
+  static vtkImportanceLightSampler* New();
+  vtkTypeMacro(vtkImportanceLightSampler, vtkMapLightSampler);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Virtual lights of a frame, over all lights of the scene together. Default 256, range 1 to
+   * 1048576. Where a headlight is the only light, as many even ones of what the eye sees.
+   */
+  vtkSetClampMacro(NumberOfLights, int, 1, 1048576);
+  vtkGetMacro(NumberOfLights, int);
+  ///@}
+
+  enum MethodType
+  {
+    APART = 0,   // a square's halves are warped by their own sums: the paper's method A
+    TOGETHER = 1 // both halves by their common sums: method B, with lights of unlike weights
+  };
+
+  ///@{
+  /** How squares are warped. Default APART. */
+  vtkSetClampMacro(Method, int, APART, TOGETHER);
+  vtkGetMacro(Method, int);
+  void SetMethodToApart() { this->SetMethod(APART); }
+  void SetMethodToTogether() { this->SetMethod(TOGETHER); }
+  ///@}
+
+  ///@{
+  /**
+   * Levels of the warp, from the coarsest on; below these, lights are spread evenly over what sends
+   * light. Default 0: all of them; range 0 to 10. The paper has 1 to 4.
+   */
+  vtkSetClampMacro(Levels, int, 0, 10);
+  vtkGetMacro(Levels, int);
+  ///@}
+
+  ///@{
+  /**
+   * Share of lights that is spread evenly over the texels that send light, within each light of the
+   * scene. It bounds the area that a virtual light stands for, where surfaces reflect little.
+   * Default 0.5, range 0 to 1.
+   */
+  vtkSetClampMacro(Evenness, double, 0.0, 1.0);
+  vtkGetMacro(Evenness, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much more important texels are that have other surfaces near them: the importance is
+   * multiplied by 1 - Occlusion * O, O the share of the hemisphere above a texel that no other
+   * surface in the light's map fills within a tenth of the scene's diagonal. The paper's (1 - O) is
+   * the value 1; below it every texel that sends light may be drawn, and at 1 those without a
+   * neighbor still are, with 1/64. Default 0, range 0 to 1.
+   */
+  vtkSetClampMacro(Occlusion, double, 0.0, 1.0);
+  vtkGetMacro(Occlusion, double);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override;
+  Drawing GetDrawing() const override;
+#endif
+
+protected:
+  vtkImportanceLightSampler() = default;
+  ~vtkImportanceLightSampler() override = default;
+
+  int NumberOfLights = 256;
+  int Method = APART;
+  int Levels = 0;
+  double Evenness = 0.5;
+  double Occlusion = 0.0;
+
+private:
+  vtkImportanceLightSampler(const vtkImportanceLightSampler&) = delete;
+  void operator=(const vtkImportanceLightSampler&) = delete;
+};
+
+#endif
