@@ -6,7 +6,7 @@
  * After Dachsbacher and Stamminger 2006, "Splatting indirect illumination", section 3.5: sums of
  * the texels' reflected flux over squares of them, on the card, and a low-discrepancy pattern that
  * is warped by these from the coarsest level on (equations 4 to 6). All lights of the scene share
- * NumberOfLights by the flux that they reflect. Each virtual light is divided by the probability
+ * NumberOfLights by this importance. Each virtual light is divided by the probability
  * that it was drawn with, exactly, so that sums have no bias; nothing is drawn where nothing is
  * lit.
  *
@@ -64,7 +64,7 @@ public:
   /**
    * Share of lights that is spread evenly over the texels that send light, within each light of the
    * scene. It bounds the area that a virtual light stands for, where surfaces reflect little.
-   * Default 0.5, range 0 to 1.
+   * Default 0.25, range 0 to 1.
    */
   vtkSetClampMacro(Evenness, double, 0.0, 1.0);
   vtkGetMacro(Evenness, double);
@@ -72,11 +72,12 @@ public:
 
   ///@{
   /**
-   * How much more important texels are that have other surfaces near them: the importance is
-   * multiplied by 1 - Occlusion * O, O the share of the hemisphere above a texel that no other
-   * surface in the light's map fills within a tenth of the scene's diagonal. The paper's (1 - O) is
-   * the value 1; below it every texel that sends light may be drawn, and at 1 those without a
-   * neighbor still are, with 1/64. Default 0, range 0 to 1.
+   * How much more important texels are that have other surfaces near them, which their light has an
+   * effect on: the flux is multiplied by 1/64 + 1 - Occlusion * O, O the share of the hemisphere
+   * above a texel that no surface in the light's map fills within a tenth of the scene's diagonal.
+   * At 1 it is the paper's (1 - O), but that every texel that sends light may be drawn. Surfaces
+   * that the light does not see are left out: O is too large there, the sums are right all the
+   * same. Default 0.9, range 0 to 1.
    */
   vtkSetClampMacro(Occlusion, double, 0.0, 1.0);
   vtkGetMacro(Occlusion, double);
@@ -94,8 +95,8 @@ protected:
   int NumberOfLights = 256;
   int Method = APART;
   int Levels = 0;
-  double Evenness = 0.5;
-  double Occlusion = 0.0;
+  double Evenness = 0.25;
+  double Occlusion = 0.9;
 
 private:
   vtkImportanceLightSampler(const vtkImportanceLightSampler&) = delete;

@@ -3,6 +3,7 @@
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
+#include "vtkImportanceLightSampler.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkOpaquePass.h"
 #include "vtkRSMGatherPass.h"
@@ -94,6 +95,13 @@ VTK_INDIRECT_TEST(PrintSettings)
 
   CHECK_PRINT(sampler, Pattern, vtkUniformLightSampler::JITTERED, "Jittered");
   CHECK_PRINT(sampler, NumberOfLights, 33, "33");
+  CHECK_PRINT(sampler, LitTexels, false, "Off");
+  vtkNew<vtkImportanceLightSampler> importance;
+  CHECK_PRINT(importance, NumberOfLights, 34, "34");
+  CHECK_PRINT(importance, Method, vtkImportanceLightSampler::TOGETHER, "Together");
+  CHECK_PRINT(importance, Levels, 3, "3");
+  CHECK_PRINT(importance, Evenness, 0.5, "0.5");
+  CHECK_PRINT(importance, Occlusion, 0.25, "0.25");
 
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   CheckLine(splatting, "MethodName: multiresolution", true);

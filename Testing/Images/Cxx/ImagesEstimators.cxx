@@ -3,6 +3,7 @@
 #include "ImagePicture.h"
 
 #include "vtkActorCollection.h"
+#include "vtkImportanceLightSampler.h"
 
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMReferencePass.h"
@@ -141,6 +142,28 @@ VTK_INDIRECT_IMAGE(SamplerUniformJittered)
   images::AddRoom(picture);
   picture.Sampler->SetNumberOfLights(16);
   picture.Sampler->SetPatternToJittered();
+}
+
+// The spread over whole maps: some of the nine lights are lost.
+VTK_INDIRECT_IMAGE(SamplerUniformWholeMaps)
+{
+  images::AddRoom(picture);
+  picture.Sampler->SetNumberOfLights(9);
+  picture.Sampler->LitTexelsOff();
+}
+
+VTK_INDIRECT_IMAGE(SamplerImportanceFew)
+{
+  images::AddRoom(picture);
+  vtkNew<vtkImportanceLightSampler> sampler;
+  sampler->SetNumberOfLights(9);
+  picture.Pass->SetSampler(sampler);
+}
+
+VTK_INDIRECT_IMAGE(SamplerImportance)
+{
+  images::AddRoom(picture);
+  picture.Pass->SetSampler(vtkNew<vtkImportanceLightSampler>());
 }
 
 VTK_INDIRECT_IMAGE(SamplerAutomatic)
