@@ -126,6 +126,7 @@ bool vtkMapLightSampler::Update(const Input& input)
   {
     return false;
   }
+  in.Program.SetDefinitions(drawing.Modulated ? "#define VTKI_AMBIENT_OCCLUSION\n" : "");
   vtkShaderProgram* program = in.Program.Use(window, table);
   if (!program)
   {

@@ -70,6 +70,7 @@ public:
     double Evenness = 0.0;    // share of samples that are drawn alike within each light
     int Method = 0;           // VTKI_WARP_APART or VTKI_WARP_TOGETHER
     int Levels = VTK_INT_MAX; // of the warp, from the coarsest on
+    bool Modulated = false;   // lights lose the part of their light that open surfaces would send
     double Occlusion = 0.0;   // how much more surfaces are drawn from that others are near to
   };
   virtual Drawing GetDrawing() const

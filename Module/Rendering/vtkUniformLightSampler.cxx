@@ -19,6 +19,7 @@ void vtkUniformLightSampler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Pattern: " << names[this->Pattern] << "\n";
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "LitTexels: " << (this->LitTexels ? "On" : "Off") << "\n";
+  os << indent << "AmbientOcclusion: " << (this->AmbientOcclusion ? "On" : "Off") << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -26,6 +27,7 @@ vtkMapLightSampler::Drawing vtkUniformLightSampler::GetDrawing() const
 {
   Drawing drawing;
   drawing.By = this->LitTexels ? Drawing::LIT_TEXELS : Drawing::NOTHING;
+  drawing.Modulated = this->AmbientOcclusion;
   return drawing;
 }
 

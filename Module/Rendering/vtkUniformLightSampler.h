@@ -57,6 +57,18 @@ public:
   vtkBooleanMacro(LitTexels, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether a light is multiplied by the share of the hemisphere above it that other surfaces in
+   * its map fill within a tenth of the scene's diagonal, so that lights that few surfaces are near
+   * to are small (Dachsbacher and Stamminger 2006, section 3.6). Not physical: too dark, by all
+   * light of open surfaces, and no part of any comparison with a reference. Default off.
+   */
+  vtkSetMacro(AmbientOcclusion, bool);
+  vtkGetMacro(AmbientOcclusion, bool);
+  vtkBooleanMacro(AmbientOcclusion, bool);
+  ///@}
+
 #ifndef __VTK_WRAP__
   void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override;
   Drawing GetDrawing() const override;
@@ -69,6 +81,7 @@ protected:
   int Pattern = LOW_DISCREPANCY;
   int NumberOfLights = 256;
   bool LitTexels = true;
+  bool AmbientOcclusion = false;
 
 private:
   vtkUniformLightSampler(const vtkUniformLightSampler&) = delete;

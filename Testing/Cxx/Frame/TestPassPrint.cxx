@@ -96,6 +96,7 @@ VTK_INDIRECT_TEST(PrintSettings)
   CHECK_PRINT(sampler, Pattern, vtkUniformLightSampler::JITTERED, "Jittered");
   CHECK_PRINT(sampler, NumberOfLights, 33, "33");
   CHECK_PRINT(sampler, LitTexels, false, "Off");
+  CHECK_PRINT(sampler, AmbientOcclusion, true, "On");
   vtkNew<vtkImportanceLightSampler> importance;
   CHECK_PRINT(importance, NumberOfLights, 34, "34");
   CHECK_PRINT(importance, Method, vtkImportanceLightSampler::TOGETHER, "Together");

@@ -180,3 +180,40 @@ VTK_INDIRECT_TEST(LitTexelsDoNotJump)
   CheckAtLeast("spread over the whole map: over that", follow(false, false) / truth / lit, 1.2,
     "lights there come and go at borders; measured 1.4");
 }
+
+// Lights of a plane alone send nothing then, those of a corner some, none more than it has.
+VTK_INDIRECT_TEST(LitTexelsAmbientOcclusion)
+{
+  for (const bool corner : { false, true })
+  {
+    MapScene scene;
+    scene.AddQuad({ -2, -2, 0 }, { 2, -2, 0 }, { -2, 2, 0 }, { 0.8, 0.4, 0.2 });
+    corner ? (void)scene.AddQuad({ -2, 2, 0 }, { 2, 2, 0 }, { -2, 2, 3 }, { 0.8, 0.4, 0.2 })
+           : (void)0;
+    scene.AddPoint({ 0, -1, 2 }, { 1, 0, 0 });
+    scene.Pass->SetReflectiveShadowMapResolution(64);
+    const std::vector<VirtualLight> plain = scene.Draw(false);
+    scene.Sampler->AmbientOcclusionOn();
+    const std::vector<VirtualLight> modulated = scene.Draw(false);
+    int more = 0;
+    double nearest = 0.0;
+    double farthest = 0.0;
+    for (size_t i = 0; i < plain.size(); ++i)
+    {
+      more += modulated[i].DensityArea.x > plain[i].DensityArea.x ? 1 : 0;
+      const double share = modulated[i].DensityArea.x / plain[i].DensityArea.x;
+      const bool inCorner = plain[i].Position.y > 1.8 && plain[i].Position.z < 0.01;
+      nearest = inCorner ? std::max(nearest, share) : nearest;
+      farthest = plain[i].Position.y < 1.0 ? std::max(farthest, share) : farthest;
+    }
+    const std::string what = corner ? "corner: " : "plane: ";
+    CheckEqual(what + "lights with more light than without", more, 0);
+    CheckAtMost(what + "share that is left of lights on the open floor", farthest, 1e-3,
+      "depths of half a texel");
+    if (corner)
+    {
+      CheckAtLeast(what + "share that is left of a light in the corner", nearest, 0.1,
+        "half of the hemisphere is hidden");
+    }
+  }
+}

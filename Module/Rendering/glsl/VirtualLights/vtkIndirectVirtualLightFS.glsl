@@ -2,6 +2,10 @@
 //VTK::Output::Dec
 // One fragment a virtual light: a pattern of map coordinates in, lights out.
 #include "vtkIndirectMapTexel.glsl"
+#ifdef VTKI_AMBIENT_OCCLUSION
+#include "vtkIndirectLibImportance.glsl"
+#include "vtkIndirectAccessibility.glsl"
+#endif
 
 uniform sampler2D vtkiPattern; // map coordinates in [0,1)^2, layer, texels that the sample stands for
 
@@ -22,6 +26,13 @@ void main()
     light.normal = vec3(0.0f, 0.0f, 1.0f);
     weight = 1.0f;
   }
+#ifdef VTKI_AMBIENT_OCCLUSION
+  // Not physical: light of open surfaces is left out.
+  if (light.densityArea != vec3(0.0f))
+  {
+    light.densityArea *= 1.0f - vtkiAccessibility(layer, texel);
+  }
+#endif
   // Several lights on one texel share its light; each of them is a disk as large as it.
   gl_FragData[0] = vec4(light.position, light.area * max(weight, 1.0f));
   gl_FragData[1] = vec4(light.normal, 0.0f);
