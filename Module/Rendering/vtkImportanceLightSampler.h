@@ -11,7 +11,7 @@
  * lit.
  *
  * Where texels reflect alike, lights are those of vtkUniformLightSampler. Approximations: none in
- * the sums; of maps of more than 1024 texels along an edge one texel stands for several.
+ * the sums; of maps of more than 256 texels along an edge one texel stands for several.
  * Documentation/methods/importance-sampling.md says where it pays.
  */
 

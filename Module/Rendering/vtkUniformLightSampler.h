@@ -6,7 +6,8 @@
  * The lights of the scene share NumberOfLights equally. A pattern in the unit square, which depends
  * on nothing but the numbers given here, is warped to the texels that send light, so that none of
  * it is lost on the others (Documentation/methods/importance-sampling.md); where all texels do, the
- * warp changes nothing. Maps of several faces have lights spread evenly over directions.
+ * warp changes nothing. Maps of several faces have lights spread evenly over directions. Of maps of
+ * more than 256 texels along an edge one texel stands for several.
  */
 
 #ifndef vtkUniformLightSampler_h

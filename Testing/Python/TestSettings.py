@@ -17,6 +17,7 @@ CLASSES = (
     "vtkRSMGatherPass",
     "vtkRSMReferencePass",
     "vtkUniformLightSampler",
+    "vtkImportanceLightSampler",
 )
 
 

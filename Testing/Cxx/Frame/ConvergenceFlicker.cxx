@@ -163,7 +163,8 @@ VTK_INDIRECT_TEST(FlickerOfEye)
     "measured 0.115 and 0.095: samples at every fourth pixel slide over the many edges of a small "
     "picture";
   check("gather", scene.DefaultGather, 0.13, interpolated);
-  check("multiresolution", scene.Splatting, 7e-3, "measured 0.0047");
+  check("multiresolution", scene.Splatting, 0.013,
+    "measured 0.0047 and 0.0099 with lights at other places: subsplats slide over what is near them");
   check("hints", scene.Hints, 0.11, interpolated);
   scene.DefaultGather->InterpolationOff();
   scene.Hints->SetInterpolationStep(1);

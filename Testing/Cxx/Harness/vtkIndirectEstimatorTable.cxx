@@ -2,6 +2,7 @@
 #include "vtkIndirectEstimatorTable.h"
 #include "vtkIndirectDetails.h"
 
+#include "vtkImportanceLightSampler.h"
 #include "vtkIndirectIlluminationPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkNew.h"
@@ -34,6 +35,14 @@ void InstallGather(vtkIndirectIlluminationPass* pass, int numberOfLights)
   gather->SetNumberOfSamples(numberOfLights);
   pass->SetEstimator(gather);
   InstallSampler(pass, Pattern, numberOfLights);
+}
+
+void InstallImportance(vtkIndirectIlluminationPass* pass, int numberOfLights)
+{
+  InstallGather<vtkRSMGatherPass::VIRTUAL_LIGHTS, 0, false>(pass, numberOfLights);
+  vtkNew<vtkImportanceLightSampler> sampler;
+  sampler->SetNumberOfLights(numberOfLights);
+  pass->SetSampler(sampler);
 }
 
 // Drivers may cut bits off, 2^-10 each time that an interpolated value is stored: four levels.
@@ -80,6 +89,7 @@ const std::vector<EstimatorEntry>& GetEstimators()
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::JITTERED, false> },
     { "gather, low discrepancy", Entry::LIGHTS, true, false, 0.0, 0.0,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::LOW_DISCREPANCY, false> },
+    { "gather, importance", Entry::LIGHTS, true, false, 0.0, 0.0, InstallImportance },
     // The error of interpolation stays, however many lights there are.
     { "gather, interpolated", Entry::OTHER, false, false, 0.0, 0.0,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::LOW_DISCREPANCY, true> },
