@@ -18,7 +18,7 @@ void vtkImportanceLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
-  os << indent << "Method: " << (this->Method == APART ? "Apart" : "Together") << "\n";
+  os << indent << "Warping: " << (this->Warping == APART ? "Apart" : "Together") << "\n";
   os << indent << "Levels: " << this->Levels << "\n";
   os << indent << "Evenness: " << this->Evenness << "\n";
   os << indent << "Occlusion: " << this->Occlusion << "\n";
@@ -30,7 +30,7 @@ vtkMapLightSampler::Drawing vtkImportanceLightSampler::GetDrawing() const
   Drawing drawing;
   drawing.By = Drawing::FLUX;
   drawing.Evenness = this->Evenness;
-  drawing.Method = this->Method;
+  drawing.Method = this->Warping;
   drawing.Levels = this->Levels > 0 ? this->Levels : VTK_INT_MAX;
   drawing.Occlusion = this->Occlusion;
   return drawing;

@@ -37,7 +37,7 @@ public:
   vtkGetMacro(NumberOfLights, int);
   ///@}
 
-  enum MethodType
+  enum WarpingType
   {
     APART = 0,   // a square's halves are warped by their own sums: the paper's method A
     TOGETHER = 1 // both halves by their common sums: method B, with lights of unlike weights
@@ -45,10 +45,10 @@ public:
 
   ///@{
   /** How squares are warped. Default APART. */
-  vtkSetClampMacro(Method, int, APART, TOGETHER);
-  vtkGetMacro(Method, int);
-  void SetMethodToApart() { this->SetMethod(APART); }
-  void SetMethodToTogether() { this->SetMethod(TOGETHER); }
+  vtkSetClampMacro(Warping, int, APART, TOGETHER);
+  vtkGetMacro(Warping, int);
+  void SetWarpingToApart() { this->SetWarping(APART); }
+  void SetWarpingToTogether() { this->SetWarping(TOGETHER); }
   ///@}
 
   ///@{
@@ -93,7 +93,7 @@ protected:
   ~vtkImportanceLightSampler() override = default;
 
   int NumberOfLights = 256;
-  int Method = APART;
+  int Warping = APART;
   int Levels = 0;
   double Evenness = 0.25;
   double Occlusion = 0.9;

@@ -172,7 +172,7 @@ def measure_warping(path: str, count: int) -> dict[tuple[str, int, int], float]:
     for turn in range(count + 1):
         for case in cases:
             method, edge, levels = case
-            sampler.SetMethod(0 if method == "apart" else 1)
+            sampler.SetWarping(0 if method == "apart" else 1)
             sampler.SetLevels(levels)
             sampler.SetNumberOfLights(edge * edge)
             sampler.Modified()

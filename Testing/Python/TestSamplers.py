@@ -61,7 +61,7 @@ class Samplers(unittest.TestCase):
         self.assertLess(errors["importance"], 0.85 * errors["uniform"])
 
     def test_properties(self) -> None:
-        self.render("importance", mode="virtual_lights", number_of_lights=100, method="together",
+        self.render("importance", mode="virtual_lights", number_of_lights=100, warping="together",
                     levels=3, evenness=0.5, occlusion=0.0)  # fmt: skip
         rows = self.lights()
         self.assertEqual(len(rows), 100)
@@ -69,7 +69,7 @@ class Samplers(unittest.TestCase):
         with self.assertRaises(UsageError):
             self.render("importance", evenness=1.5)
         with self.assertRaises(UsageError):
-            self.render("importance", method="both")
+            self.render("importance", warping="both")
 
     def test_whole_maps(self) -> None:
         self.render("uniform", mode="virtual_lights", lit_texels=False)

@@ -164,7 +164,8 @@ VTK_INDIRECT_TEST(FlickerOfEye)
     "picture";
   check("gather", scene.DefaultGather, 0.13, interpolated);
   check("multiresolution", scene.Splatting, 0.013,
-    "measured 0.0047 and 0.0099 with lights at other places: subsplats slide over what is near them");
+    "measured 0.0047 and 0.0099 with lights at other places: subsplats slide over what is near "
+    "them");
   check("hints", scene.Hints, 0.11, interpolated);
   scene.DefaultGather->InterpolationOff();
   scene.Hints->SetInterpolationStep(1);

@@ -99,7 +99,7 @@ VTK_INDIRECT_TEST(PrintSettings)
   CHECK_PRINT(sampler, AmbientOcclusion, true, "On");
   vtkNew<vtkImportanceLightSampler> importance;
   CHECK_PRINT(importance, NumberOfLights, 34, "34");
-  CHECK_PRINT(importance, Method, vtkImportanceLightSampler::TOGETHER, "Together");
+  CHECK_PRINT(importance, Warping, vtkImportanceLightSampler::TOGETHER, "Together");
   CHECK_PRINT(importance, Levels, 3, "3");
   CHECK_PRINT(importance, Evenness, 0.5, "0.5");
   CHECK_PRINT(importance, Occlusion, 0.25, "0.25");

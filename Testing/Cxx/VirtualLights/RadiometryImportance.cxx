@@ -133,7 +133,7 @@ VTK_INDIRECT_TEST(ImportanceUnbiased)
       {
         for (const double occlusion : { 0.0, 1.0 })
         {
-          scene.Importance->SetMethod(method);
+          scene.Importance->SetWarping(method);
           scene.Importance->SetLevels(levels);
           scene.Importance->SetEvenness(evenness);
           scene.Importance->SetOcclusion(occlusion);
