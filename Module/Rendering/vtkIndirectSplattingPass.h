@@ -12,6 +12,8 @@
  * - The light's irradiance is that of vtkRSMGatherPass, the disk kernel, which needs no clamp.
  * Inside its iso-surface it counts, outside it does not: neither SplatShape nor what an ellipsoid
  * holds beyond the iso-surface changes the picture.
+ * - Where lights have branches (vtkLightTreeSampler) receivers that are near to a light sum these,
+ * as the gather does, and the bound holds all of them.
  * - What the bounds cut off is not lost: it varies slowly, and is summed at every FarFieldStep-th
  *   pixel and interpolated (FarField). How much it is stands in the report.
  * - Sums do not depend on an order of drawing: splats are blended in 32-bit floats in the order of
@@ -28,7 +30,7 @@
  * Receivers with Phong's model and a specular coefficient also reflect the lights in their lobes:
  * all of them, summed at each of their pixels; see SpecularTransport.
  *
- * Memory: 16 bytes a pixel, 16 for each of those that the far field is summed at, and 32 a light.
+ * Memory: 16 bytes a pixel, 32 for each of those that the far field is summed at, and 32 a light.
  */
 
 #ifndef vtkIndirectSplattingPass_h
@@ -120,7 +122,7 @@ protected:
 
   struct SettingsType
   {
-    double IntensityThreshold = 0.05;
+    double IntensityThreshold = 0.02;
     int SplatShape = ELLIPSOIDS;
     bool FarField = true;
     int FarFieldStep = 8;

@@ -21,6 +21,8 @@ constexpr int RowLength = vtkVirtualLightSampler::RowLength;
 const vtkIndirectChannel CoarseChannels[] = {
   { "splats.far", "vtkiCoarse", "irradiance that splats cut off, luminance of all of it",
     GL_RGBA32F, "-", "VTK irradiance" },
+  { "splats.vector", "vtkiCoarseVector", "luminance of the vector irradiance that splats cut off",
+    GL_RGBA32F, "scene", "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
@@ -47,13 +49,13 @@ std::string GetDefinitions(const vtkIndirectEstimateInput& input, int step, bool
 {
   const vtkIndirectVisibility& visibility = input.Visibility;
   const bool many = input.Lights->GetNumberOfLights() > visibility.GetMaximumNumberOfSenders();
-  // Pixels where hardly a sample is near are summed anew, or, with too many lights for one draw,
-  // not at all.
+  // Pixels that no sample around faces the way of are summed anew, or, with too many lights for one
+  // draw, get nothing.
   return visibility.GetDefinitions() + input.Lights->GetDefinitions() +
     (fades ? "#define VTKI_SPLAT_FADES\n" : "") + "#define VTKI_STEP " + std::to_string(step) +
     "\n" +
     (many ? "#define VTKI_SPLAT_MANY\n#define VTKI_SPLAT_LEAST_WEIGHT 0.0f\n"
-          : "#define VTKI_SPLAT_LEAST_WEIGHT 0.05f\n");
+          : "#define VTKI_SPLAT_LEAST_WEIGHT 1.0e-6f\n");
 }
 }
 
@@ -124,6 +126,7 @@ bool vtkIndirectFarField::AddTo(const vtkIndirectEstimateInput& input,
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   Activate(input, table, program);
   this->Coarse.Activate(0, program);
+  this->Coarse.Activate(1, program);
   const int size[2] = { this->Coarse.GetWidth(), this->Coarse.GetHeight() };
   program->SetUniform2i("vtkiCoarseSize", size);
   this->Interpolate.Draw();

@@ -9,11 +9,12 @@ void main()
 {
   ivec2 pixel = min(ivec2(gl_FragCoord.xy) * vtkiStep, vtkiSize - 1);
   vtkiReceiver receiver;
-  vec4 sum = vec4(0.0f);
+  vtkiFarField sum = vtkiFarField(vec3(0.0f), 0.0f, vec3(0.0f));
   if (vtkiFetchReceiver(pixel, receiver))
   {
     sum = vtkiSumFarField(receiver.position, receiver.normal, vtkiLightRows.x * VTKI_ROW_LENGTH,
       min(vtkiLightRows.y * VTKI_ROW_LENGTH, vtkiLightCount));
   }
-  gl_FragData[0] = sum;
+  gl_FragData[0] = vec4(sum.irradiance, sum.all);
+  gl_FragData[1] = vec4(sum.vector, 0.0f);
 }

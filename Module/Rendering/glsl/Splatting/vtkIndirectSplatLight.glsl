@@ -42,6 +42,19 @@ const bool vtkiSplatFades = true;
 const bool vtkiSplatFades = false;
 #endif
 
+// What the splat gives of a light at a place, the rest being the far field's. A receiver that is near to a light
+// with branches has all of it: these lie elsewhere than the light's middle, and vary as fast as any near light.
+float vtkiShareOfSplat(vec3 toSender, vec4 sender, vec4 senderNormal, vec3 density, float low)
+{
+  float level = vtkiSplatLevel(toSender, sender, senderNormal.xyz, density, low);
+  float share = vtkiSplatShare(level, vtkiSplatFades);
+#ifdef VTKI_DIVIDED
+  float division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
+  share = vtkiSplatFades ? max(share, division) : (division > 0.0f ? 1.0f : share);
+#endif
+  return share;
+}
+
 // All that comes of a light.
 vec3 vtkiWholeSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density)
 {
@@ -60,8 +73,7 @@ vec3 vtkiWholeSender(vec3 position, vec3 normal, vec3 open, int light, vec4 send
 vec3 vtkiSplatSender(
   vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density, float low)
 {
-  float level = vtkiSplatLevel(vtkiToSender(sender, position), sender, senderNormal.xyz, density, low);
-  float share = vtkiSplatShare(level, vtkiSplatFades);
+  float share = vtkiShareOfSplat(vtkiToSender(sender, position), sender, senderNormal, density, low);
   vec3 irradiance = vec3(0.0f);
   if (share > 0.0f)
   {
