@@ -94,7 +94,7 @@ bool vtkIndirectSplattingPass::Sum(const Input& input)
   const bool fades = cuts && this->Settings.FarField;
   const int step = this->Settings.FarField ? this->Settings.FarFieldStep : StepOfMeasure;
   timer.Begin(vtkIndirectStageTimer::Estimate);
-  bool done = in.Table.Update(input, this->Settings.IntensityThreshold) &&
+  bool done = in.Table.Update(input, this->Settings.IntensityThreshold, fades) &&
     in.Splats.Sum(
       input, in.Table, *this->Irradiance, this->Settings.SplatShape == SCREEN_QUADS, fades) &&
     (!this->HasGlossy || in.Glossy.Sum(input, *this->Glossy, 1.0, {}));

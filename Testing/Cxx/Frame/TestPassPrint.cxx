@@ -3,6 +3,7 @@
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
+#include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkOpaquePass.h"
 #include "vtkRSMGatherPass.h"
@@ -94,6 +95,13 @@ VTK_INDIRECT_TEST(PrintSettings)
 
   CHECK_PRINT(sampler, Pattern, vtkUniformLightSampler::JITTERED, "Jittered");
   CHECK_PRINT(sampler, NumberOfLights, 33, "33");
+
+  vtkNew<vtkIndirectSplattingPass> splats;
+  CheckLine(splats, "MethodName: splatting", true);
+  CHECK_PRINT(splats, IntensityThreshold, 0.125, "0.125");
+  CHECK_PRINT(splats, SplatShape, vtkIndirectSplattingPass::SCREEN_QUADS, "ScreenQuads");
+  CHECK_PRINT(splats, FarField, false, "Off");
+  CHECK_PRINT(splats, FarFieldStep, 12, "12");
 
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   CheckLine(splatting, "MethodName: multiresolution", true);

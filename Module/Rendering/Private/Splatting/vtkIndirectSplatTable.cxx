@@ -40,17 +40,20 @@ vtkIndirectSplatTable::vtkIndirectSplatTable()
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSplatTable::Update(const vtkIndirectEstimateInput& input, double threshold)
+bool vtkIndirectSplatTable::Update(
+  const vtkIndirectEstimateInput& input, double threshold, bool fades)
 {
   const vtkIndirectVirtualLights& lights = *input.Lights;
   if (this->Bounds.GetWidth() > 0 && this->ContentTime == lights.GetContentTime() &&
-    this->NumberOfLights == lights.GetNumberOfLights() && this->Threshold == threshold)
+    this->NumberOfLights == lights.GetNumberOfLights() && this->Threshold == threshold &&
+    this->Fades == fades)
   {
     return true;
   }
   this->NumberOfLights = -1;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   this->Threshold = threshold;
+  this->Fades = fades;
   if (!this->Columns.Resize(window, RowLength, 1) || !this->Mean.Resize(window, 1, 1) ||
     !this->Bounds.Resize(window, RowLength, lights.GetNumberOfRows()) || !this->Draw(input))
   {
@@ -69,7 +72,7 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   const std::string definitions = lights.GetDefinitions();
   this->SumColumns.SetDefinitions(definitions);
   this->SumAll.SetDefinitions(definitions + "#define VTKI_SPLAT_COLUMNS\n");
-  this->MakeBounds.SetDefinitions(definitions);
+  this->MakeBounds.SetDefinitions(definitions + (this->Fades ? "#define VTKI_SPLAT_FADES\n" : ""));
 
   vtkShaderProgram* program = this->SumColumns.Use(window, this->Columns);
   if (!program)

@@ -14,10 +14,11 @@ public:
   vtkIndirectSplatTable();
 
   /**
-   * Brings it up to date; threshold: IntensityThreshold. Returns false, after an error, when OpenGL
+   * Brings it up to date; threshold: IntensityThreshold; fades: there is a
+   * far field. Returns false, after an error, when OpenGL
    * refuses.
    */
-  bool Update(const vtkIndirectEstimateInput& input, double threshold);
+  bool Update(const vtkIndirectEstimateInput& input, double threshold, bool fades);
 
   ///@{
   /** Bind what vtkIndirectSplatLight.glsl and vtkIndirectSplatBounds.glsl read; pair. */
@@ -44,6 +45,7 @@ private:
   vtkMTimeType ContentTime = 0;
   int NumberOfLights = -1;
   double Threshold = 0.0;
+  bool Fades = false;
 };
 
 #endif

@@ -42,17 +42,24 @@ const bool vtkiSplatFades = true;
 const bool vtkiSplatFades = false;
 #endif
 
-// What the splat gives of a light at a place, the rest being the far field's. A receiver that is near to a light
-// with branches has all of it: these lie elsewhere than the light's middle, and vary as fast as any near light.
+// Distance within which all of a light is its splat's: with branches, which lie elsewhere than the light's middle and
+// vary as fast as any near light, that to which they are summed; with a far field the light's neighbourhood.
+float vtkiBall(vec4 sender, vec4 senderNormal)
+{
+  float ball = vtkiSplatFades ? vtkiNearReach(sender.w) : 0.0f;
+#ifdef VTKI_DIVIDED
+  ball = max(ball, senderNormal.w);
+#endif
+  return ball;
+}
+
+// What the splat gives of a light at a place, the rest being the far field's.
 float vtkiShareOfSplat(vec3 toSender, vec4 sender, vec4 senderNormal, vec3 density, float low)
 {
   float level = vtkiSplatLevel(toSender, sender, senderNormal.xyz, density, low);
   float share = vtkiSplatShare(level, vtkiSplatFades);
-#ifdef VTKI_DIVIDED
-  float division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
-  share = vtkiSplatFades ? max(share, division) : (division > 0.0f ? 1.0f : share);
-#endif
-  return share;
+  float near = vtkiNearShare(dot(toSender, toSender), vtkiBall(sender, senderNormal));
+  return max(share, vtkiSplatFades || near <= 0.0f ? near : 1.0f);
 }
 
 // All that comes of a light.

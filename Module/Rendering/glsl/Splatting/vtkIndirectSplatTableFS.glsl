@@ -18,14 +18,13 @@ void main()
 #ifdef VTKI_DIVIDED
     // Cosines are those of one normal, or else spread to all sides.
     float exponent = vtkiSpreadOfNormals(senderNormal.xyz) > 0.0f ? 0.0f : 1.0f;
-    float ball = senderNormal.w;
 #else
     const float exponent = 1.0f;
-    const float ball = 0.0f;
 #endif
     vec3 axis = senderNormal.xyz / max(length(senderNormal.xyz), 1.0e-20f);
     splat = vtkiWithinScene(
-      vtkiMakeSplat(sender.xyz, axis, exponent, sqrt(vtkiSquaredReach(intensity, low)), ball));
+      vtkiMakeSplat(sender.xyz, axis, exponent, sqrt(vtkiSquaredReach(intensity, low)),
+      vtkiBall(sender, senderNormal)));
   }
   bool sends = light < vtkiLightCount && max(max(density.r, density.g), density.b) > 0.0f;
   gl_FragData[0] = vec4(splat.center, splat.along);

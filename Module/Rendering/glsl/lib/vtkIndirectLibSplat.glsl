@@ -11,6 +11,11 @@ const float VTKI_SPLAT_LENGTH = 0.05f;
 // Rounding that bounds leave room for.
 const float VTKI_SPLAT_MARGIN = 1.0001f;
 
+// With a far field a light counts within so many radii of its own disk, however dim it is: there its irradiance is up
+// to that of the surface which it stands for, and varies as fast as the disk is small. Beyond, one such light adds a
+// sixteenth of that at most.
+const float VTKI_SPLAT_NEAR = 4.0f;
+
 // An ellipsoid of revolution that holds the light's iso-surface.
 struct vtkiSplat
 {
@@ -150,5 +155,18 @@ float vtkiSplatShare(float level, bool fades)
 {
   float t = min(max(level - 1.0f, 0.0f), 1.0f);
   return fades ? t * t * (3.0f - 2.0f * t) : (level >= 1.0f ? 1.0f : 0.0f);
+}
+
+/* Radius within which a light of that area counts anyhow. */
+float vtkiNearReach(float area)
+{
+  return VTKI_SPLAT_NEAR * sqrt(max(area, 0.0f) / VTKI_PI);
+}
+
+/* Share that counts by that: all within eight tenths of the reach, nothing beyond it. */
+float vtkiNearShare(float distance2, float reach)
+{
+  float reach2 = max(reach * reach, 1.0e-30f);
+  return min(max((reach2 - distance2) / (0.36f * reach2), 0.0f), 1.0f);
 }
 #endif
