@@ -19,10 +19,9 @@
 #include "vtkUniformLightSampler.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <unistd.h>
-
-#include <cstdlib>
 
 using namespace contract;
 
@@ -91,18 +90,6 @@ double GetResidentMegabytes()
 }
 
 //------------------------------------------------------------------------------
-VTK_INDIRECT_TEST(ToggleSplatting)
-{
-  vtkNew<vtkIndirectSplattingPass> splatting;
-  for (const char* paths : { "splats=blend", "splats=tiles" })
-  {
-    setenv("VTK_INDIRECT_PATHS", paths, 1);
-    CheckToggle(splatting);
-  }
-  unsetenv("VTK_INDIRECT_PATHS");
-}
-
-//------------------------------------------------------------------------------
 namespace
 {
 void CheckToggle(vtkIndirectEstimatorPass* estimator)
@@ -156,6 +143,18 @@ void CheckToggle(vtkIndirectEstimatorPass* estimator)
 VTK_INDIRECT_TEST(Toggle)
 {
   CheckToggle(nullptr);
+}
+
+//------------------------------------------------------------------------------
+VTK_INDIRECT_TEST(ToggleSplatting)
+{
+  vtkNew<vtkIndirectSplattingPass> splatting;
+  for (const char* paths : { "splats=blend", "splats=tiles" })
+  {
+    setenv("VTK_INDIRECT_PATHS", paths, 1);
+    CheckToggle(splatting);
+  }
+  unsetenv("VTK_INDIRECT_PATHS");
 }
 
 VTK_INDIRECT_TEST(ToggleMultiresolution)
