@@ -69,7 +69,9 @@ class Splatting(unittest.TestCase):
         self.assertLess(cut.sum(), 0.8 * gathered.sum())
         self.assertIn("beyond the bounds", json.dumps(report["left_out"]))
 
-        whole, report, share = splat(intensity_threshold=0.05, far_field_step=4)
+        whole, report, share = splat(
+            intensity_threshold=0.05, far_field=True, far_field_step=4
+        )
         self.assertGreater(share, 0.2)
         # In an image this small a sample of the far field stands for a tenth of a wall.
         self.assertAlmostEqual(whole.sum() / gathered.sum(), 1.0, delta=0.02)
@@ -80,7 +82,10 @@ class Splatting(unittest.TestCase):
         vtkindirect.enable(loaded.renderer, "splatting", intensity_threshold=0.0, **COMMON)
         loaded.render_window.Render()
         counts = 256.0 * images.copy_buffer(loaded.renderer, "splat.overdraw")[..., 0]
-        self.assertEqual(counts.max(), methods.report(loaded.renderer)["virtual_lights"])
+        # Lights that send nothing have no splat.
+        self.assertLessEqual(counts.max(), methods.report(loaded.renderer)["virtual_lights"])
+        self.assertGreater(counts.max(), 40)
+        np.testing.assert_array_equal(counts, np.round(counts))
         with self.assertRaises(vtkindirect.errors.UsageError):
             images.copy_buffer(loaded.renderer, "splat.nothing")
 

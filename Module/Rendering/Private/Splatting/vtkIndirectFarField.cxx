@@ -53,9 +53,7 @@ std::string GetDefinitions(const vtkIndirectEstimateInput& input, int step, bool
   // draw, get nothing.
   return visibility.GetDefinitions() + input.Lights->GetDefinitions() +
     (fades ? "#define VTKI_SPLAT_FADES\n" : "") + "#define VTKI_STEP " + std::to_string(step) +
-    "\n" +
-    (many ? "#define VTKI_SPLAT_MANY\n#define VTKI_SPLAT_LEAST_WEIGHT 0.0f\n"
-          : "#define VTKI_SPLAT_LEAST_WEIGHT 1.0e-6f\n");
+    "\n" + (many ? "#define VTKI_SPLAT_MANY\n" : "");
 }
 }
 

@@ -15,6 +15,8 @@ uniform ivec2 vtkiCoarseSize;
 // What a sample on another surface counts, of one on the pixel's own. Normals must agree either way: lights that one
 // of them has below its horizon and the other has not are not told.
 const float VTKI_OTHER_SURFACE = 0.01f;
+// Weights together that say nothing.
+const float VTKI_LEAST_WEIGHT = 1.0e-6f;
 
 // Irradiance at the pixel by one sample, its weight in the fourth component.
 vec4 vtkiFarFieldBySample(vtkiReceiver receiver, ivec2 at, float weight)
@@ -58,7 +60,7 @@ void main()
       // A sample next to the pixel may be the only one.
       sum += vtkiFarFieldBySample(receiver, min(corner + shift, vtkiCoarseSize - 1), w.x * w.y + 1.0e-3f);
     }
-    if (sum.a > VTKI_SPLAT_LEAST_WEIGHT)
+    if (sum.a > VTKI_LEAST_WEIGHT)
     {
       left = sum.rgb / sum.a;
     }
