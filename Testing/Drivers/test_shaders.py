@@ -23,6 +23,7 @@ TESTS = (
     ("TestPassContract", "KindsFull"),
     ("TestPassContract", "PropsTubes"),
     ("TestPassContract", "SkyPathsSame"),
+    ("IndirectSplattingTests", "BranchesAndVisibility"),
     ("IndirectRadiometryTests", "AreaImageSplitsWithoutPop"),
     ("IndirectRadiometryTests", "AreaPenumbraInMovingFrames"),
 )

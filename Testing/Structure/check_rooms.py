@@ -22,6 +22,7 @@ ROOMS = [
     "VirtualLights",
     "Visibility",
     "Gather",
+    "Splatting",
     "Multiresolution",
     "RadianceHints",
     "Composite",
@@ -41,6 +42,7 @@ PUBLIC = {
     "vtkUniformLightSampler": "VirtualLights",
     "vtkRSMGatherPass": "Gather",
     "vtkRSMReferencePass": "Gather",
+    "vtkIndirectSplattingPass": "Splatting",
     "vtkMultiresolutionSplattingPass": "Multiresolution",
     "vtkRadianceHintsPass": "RadianceHints",
     # What a user puts on a renderer: above all rooms.
@@ -51,6 +53,7 @@ PUBLIC = {
 MAY_NAME_ESTIMATORS = {
     "vtkRSMGatherPass",
     "vtkRSMReferencePass",
+    "vtkIndirectSplattingPass",
     "vtkMultiresolutionSplattingPass",
     "vtkRadianceHintsPass",
     "vtkIndirectPipeline",

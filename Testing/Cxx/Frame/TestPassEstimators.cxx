@@ -3,6 +3,7 @@
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
+#include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRSMReferencePass.h"
@@ -67,6 +68,7 @@ VTK_INDIRECT_TEST(EstimatorsAlone)
   CheckAlone<vtkRSMGatherPass>();
   CheckAlone<vtkRSMReferencePass>();
   CheckAlone<vtkMultiresolutionSplattingPass>();
+  CheckAlone<vtkIndirectSplattingPass>();
   CheckAlone<vtkRadianceHintsPass>();
 }
 

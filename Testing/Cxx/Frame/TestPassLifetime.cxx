@@ -10,6 +10,7 @@
 #endif
 
 #include "vtkImageData.h"
+#include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
@@ -18,6 +19,7 @@
 #include "vtkUniformLightSampler.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <unistd.h>
 
@@ -141,6 +143,18 @@ void CheckToggle(vtkIndirectEstimatorPass* estimator)
 VTK_INDIRECT_TEST(Toggle)
 {
   CheckToggle(nullptr);
+}
+
+//------------------------------------------------------------------------------
+VTK_INDIRECT_TEST(ToggleSplatting)
+{
+  vtkNew<vtkIndirectSplattingPass> splatting;
+  for (const char* paths : { "splats=blend", "splats=tiles" })
+  {
+    setenv("VTK_INDIRECT_PATHS", paths, 1);
+    CheckToggle(splatting);
+  }
+  unsetenv("VTK_INDIRECT_PATHS");
 }
 
 VTK_INDIRECT_TEST(ToggleMultiresolution)
@@ -390,7 +404,7 @@ VTK_INDIRECT_TEST(FinalizeUnused)
   vtkSmartPointer<vtkIndirectEstimatorPass> used[] = {
     vtkSmartPointer<vtkMultiresolutionSplattingPass>::New(),
     vtkSmartPointer<vtkMultiresolutionSplattingPass>::New(), hints.Get(),
-    vtkSmartPointer<vtkRSMGatherPass>::New()
+    vtkSmartPointer<vtkRSMGatherPass>::New(), vtkSmartPointer<vtkIndirectSplattingPass>::New()
   };
   View view(160, 120);
   AddRoom(view.Renderer);
@@ -413,7 +427,7 @@ VTK_INDIRECT_TEST(FinalizeUnused)
   other.Renderer->SetPass(fresh);
   CONTRACT_CHECK(Compare(before, other.Grab()).Max == 0.0, "in a new window");
   pass->SetEstimator(nullptr);
-  for (int i : { 0, 2, 3 })
+  for (int i : { 0, 2, 3, 4 })
   {
     used[i] = nullptr;
     CONTRACT_CHECK(

@@ -4,6 +4,7 @@
 #include "vtkIndirectContractUtilities.h"
 
 #include "vtkImportanceLightSampler.h"
+#include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkOpaquePass.h"
 #include "vtkRSMGatherPass.h"
@@ -103,6 +104,13 @@ VTK_INDIRECT_TEST(PrintSettings)
   CHECK_PRINT(importance, Levels, 3, "3");
   CHECK_PRINT(importance, Evenness, 0.5, "0.5");
   CHECK_PRINT(importance, Occlusion, 0.25, "0.25");
+
+  vtkNew<vtkIndirectSplattingPass> splats;
+  CheckLine(splats, "MethodName: splatting", true);
+  CHECK_PRINT(splats, IntensityThreshold, 0.125, "0.125");
+  CHECK_PRINT(splats, SplatShape, vtkIndirectSplattingPass::SCREEN_QUADS, "ScreenQuads");
+  CHECK_PRINT(splats, FarField, false, "Off");
+  CHECK_PRINT(splats, FarFieldStep, 12, "12");
 
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   CheckLine(splatting, "MethodName: multiresolution", true);

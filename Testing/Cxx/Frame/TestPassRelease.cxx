@@ -3,6 +3,7 @@
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
+#include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRSMReferencePass.h"
@@ -20,9 +21,10 @@ VTK_INDIRECT_TEST(ReleaseWithoutWindow)
   vtkNew<vtkRSMReferencePass> reference;
   vtkNew<vtkRadianceHintsPass> hints;
   hints->SetGridResolution(6, 5, 6);
-  vtkNew<vtkMultiresolutionSplattingPass> splatting;
-  for (vtkIndirectEstimatorPass* estimator :
-    std::initializer_list<vtkIndirectEstimatorPass*>{ gather, reference, hints, splatting })
+  vtkNew<vtkMultiresolutionSplattingPass> multiresolution;
+  vtkNew<vtkIndirectSplattingPass> splatting;
+  for (vtkIndirectEstimatorPass* estimator : std::initializer_list<vtkIndirectEstimatorPass*>{
+         gather, reference, hints, multiresolution, splatting })
   {
     View view(80, 60);
     AddRoom(view.Renderer);

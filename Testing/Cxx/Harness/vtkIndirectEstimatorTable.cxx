@@ -4,6 +4,7 @@
 
 #include "vtkImportanceLightSampler.h"
 #include "vtkIndirectIlluminationPass.h"
+#include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkNew.h"
 #include "vtkRSMGatherPass.h"
@@ -61,6 +62,18 @@ void InstallMultiresolution(vtkIndirectIlluminationPass* pass, int numberOfLight
   InstallSampler(pass, vtkUniformLightSampler::LOW_DISCREPANCY, numberOfLights);
 }
 
+template <bool All>
+void InstallSplatting(vtkIndirectIlluminationPass* pass, int numberOfLights)
+{
+  vtkNew<vtkIndirectSplattingPass> splatting;
+  if (All)
+  {
+    splatting->SetIntensityThreshold(0.0);
+  }
+  pass->SetEstimator(splatting);
+  InstallSampler(pass, vtkUniformLightSampler::LOW_DISCREPANCY, numberOfLights);
+}
+
 // 11 and 16 hints along an edge, and fewer rays and voxels than by default, which would be most of
 // the time of these tests: what is hard about numbers is hard at every hint.
 template <bool Finer>
@@ -99,6 +112,9 @@ const std::vector<EstimatorEntry>& GetEstimators()
     // As with the interpolated gather; see Multiresolution.Defaults.
     { "multiresolution", Entry::OTHER, false, false, HalfFloats, 0.0,
       InstallMultiresolution<false> },
+    // The error of the far field's interpolation stays.
+    { "splatting", Entry::OTHER, false, false, 0.0, 0.0, InstallSplatting<false> },
+    { "splatting, all", Entry::LIGHTS, true, false, 0.0, 0.0, InstallSplatting<true> },
     // A field of a few harmonics at points of a grid: no sum over lights, however many there are.
     // Band two of a hemisphere, which order 2 leaves out, is an eighth of it at the horizon; lit
     // parts of a plane fill half of one at most: 1/16 and a little. Where the harmonics cancel,

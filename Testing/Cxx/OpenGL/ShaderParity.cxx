@@ -205,12 +205,12 @@ VTK_INDIRECT_TEST(StagesLink)
   {
     const std::string name = entry->Name;
     const std::string text = entry->Text;
-    // The capture's files are parts of mappers' shaders; the frame above has linked them. Points
-    // and lamps that are seen come with vertex stages of their own; the tests of multiresolution
-    // splatting and Contract.VisibleLamp* link both.
+    // The capture's files are parts of mappers' shaders; the frame above has linked them. Points,
+    // splats and lamps that are seen come with vertex stages of their own; the tests of both kinds
+    // of splatting and Contract.VisibleLamp* link them.
     const bool stage = name.size() > 7 && name.substr(name.size() - 7) == "FS.glsl" &&
       name.find("vtkIndirectCapture") != 0 && name.find("PointFS") == std::string::npos &&
-      name != "vtkIndirectLampFS.glsl";
+      name != "vtkIndirectLampFS.glsl" && name != "vtkIndirectSplatFS.glsl";
     if (!stage)
     {
       continue;

@@ -5,6 +5,7 @@
 #include "vtkActorCollection.h"
 #include "vtkImportanceLightSampler.h"
 
+#include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMReferencePass.h"
 #include "vtkRadianceHintsPass.h"
@@ -59,6 +60,22 @@ VTK_INDIRECT_IMAGE(EstimatorGlossy)
   images::AddRoom(picture);
   MakeSpecular(picture);
   picture.Buffers.push_back({ "glossy", picture.Pass, "glossy" });
+}
+
+VTK_INDIRECT_IMAGE(EstimatorSplatting)
+{
+  images::AddRoom(picture);
+  picture.Pass->SetEstimator(vtkNew<vtkIndirectSplattingPass>());
+}
+
+// As in the paper each splat ends where its light counts no more: rims on the walls, and less
+// light.
+VTK_INDIRECT_IMAGE(EstimatorSplattingCutOff)
+{
+  images::AddRoom(picture);
+  vtkNew<vtkIndirectSplattingPass> splatting;
+  splatting->FarFieldOff();
+  picture.Pass->SetEstimator(splatting);
 }
 
 VTK_INDIRECT_IMAGE(EstimatorMultiresolution)

@@ -5,6 +5,7 @@
 
 #include "vtkActorCollection.h"
 
+#include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 
 namespace
@@ -107,6 +108,16 @@ VTK_INDIRECT_IMAGE(ViewMapOfPoint)
   picture.Pass->SetReflectiveShadowMapResolution(64);
   picture.Window->SetSize(192, 32);
   picture.ShowChannel("rsm0.density");
+}
+
+// The number of splats at each pixel, here of each tile of 16 x 16 pixels, white for 256 of its 256
+// lights.
+VTK_INDIRECT_IMAGE(ViewSplatOverdraw)
+{
+  images::AddRoom(picture);
+  vtkNew<vtkIndirectSplattingPass> splatting;
+  picture.Pass->SetEstimator(splatting);
+  picture.ShowChannel("splat.overdraw");
 }
 
 VTK_INDIRECT_IMAGE(ViewSubsplatLevel)

@@ -135,8 +135,8 @@ def commands() -> dict[str, argparse.ArgumentParser]:
         default=images.FINAL,
         metavar="NAME",
         help=f"what to write: {', '.join(images.BUFFERS)}, rsm<i>.depth, rsm<i>.normal, "
-        f"rsm<i>.density, with the method multiresolution {', '.join(images.SUBSPLAT_BUFFERS)} "
-        "(default: final)",
+        f"rsm<i>.density, with the method multiresolution {', '.join(images.SUBSPLAT_BUFFERS)}, "
+        f"with the method splatting {', '.join(images.SPLAT_BUFFERS)} (default: final)",
     )
     render.add_argument(
         "--float", action="store_true", dest="full", help="store .exr in 32 bits instead of 16"

@@ -49,6 +49,8 @@ SUBSPLAT_BUFFERS = (
     "subsplat.evaluated<n>",
     "subsplat.upsampled<n>",
 )
+# Of splatting: the number of splats at each pixel over 256.
+SPLAT_BUFFERS = ("splat.overdraw",)
 FORMATS = (".png", ".exr")
 
 _MAP = re.compile(rf"rsm\d{{1,3}}\.({'|'.join(MAP_BUFFERS)})")
@@ -60,9 +62,10 @@ _SUBSPLAT = re.compile(
 def check_buffer(name: str) -> str:
     """Return the name of a buffer that a pass may have."""
     check_text("buffer", name)
-    if name in BUFFERS or _MAP.fullmatch(name) or _SUBSPLAT.fullmatch(name):
+    if name in (*BUFFERS, *SPLAT_BUFFERS) or _MAP.fullmatch(name) or _SUBSPLAT.fullmatch(name):
         return name
-    known = (*BUFFERS, *(f"rsm0.{kind}" for kind in MAP_BUFFERS), *SUBSPLAT_BUFFERS)
+    maps = (f"rsm0.{kind}" for kind in MAP_BUFFERS)
+    known = (*BUFFERS, *maps, *SUBSPLAT_BUFFERS, *SPLAT_BUFFERS)
     raise UsageError(unknown("buffer", name, known))
 
 

@@ -24,6 +24,7 @@ using glm::fract;
 using glm::ivec2;
 using glm::ivec3;
 using glm::length;
+using glm::log;
 using glm::mat3;
 using glm::max;
 using glm::min;
@@ -55,6 +56,7 @@ namespace
 #include "vtkIndirectLibTable.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"
 #include "vtkIndirectLibGlossy.glsl"
+#include "vtkIndirectLibSplat.glsl"
 #include "vtkIndirectLibSubsplat.glsl"
 #include "vtkIndirectLibShadow.glsl"
 #include "vtkIndirectLibInterpolation.glsl"

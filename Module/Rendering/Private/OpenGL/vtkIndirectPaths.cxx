@@ -49,6 +49,11 @@ const std::array<Entry, NumberOfPaths> Entries{ {
   { "kernels", { "fragment", "compute" },
     "full-screen kernels that write all of a target are fragment or compute shaders",
     KernelsFragment, KernelsFragment, { false, true } },
+  // Tiles sum lights in registers, in a fixed order, where blending reads and writes 16 bytes of each
+  // pixel for each splat.
+  { "splats", { "blend", "tiles" },
+    "splats of virtual lights are drawn and blended, or summed by compute shaders in tiles",
+    SplatsInTiles, SplatsInTiles, { false, true } },
   // See vtkIndirectFlatUniforms.h: a GPU reads a uniform once for all pixels.
   { "uniforms", { "plain", "flat" },
     "fragment shaders read uniforms or get them as flat varyings, mappers' where there are pixels "
@@ -69,7 +74,8 @@ bool CanDo(int path, int value)
 
 int GetDefault(int path)
 {
-  return RunsOnProcessor() ? Entries[path].OnProcessor : Entries[path].OnGPU;
+  const int value = RunsOnProcessor() ? Entries[path].OnProcessor : Entries[path].OnGPU;
+  return CanDo(path, value) || !CanDo(path, 1 - value) ? value : 1 - value;
 }
 
 // What the environment says.

@@ -19,6 +19,7 @@ enum Path
   Depth,    // how depth gets to the framebuffer that the frame goes to
   Grouping, // split texels that an invocation of multiresolution splatting works for
   Kernels,  // what full-screen kernels run as, where they write all of a target without tests
+  Splats,   // how splats of virtual lights are summed
   Uniforms, // how fragment shaders get their uniforms
   NumberOfPaths
 };
@@ -43,6 +44,11 @@ enum KernelsValue
 {
   KernelsFragment,
   KernelsCompute
+};
+enum SplatsValue
+{
+  SplatsBlended,
+  SplatsInTiles
 };
 enum UniformsValue
 {

@@ -22,13 +22,11 @@ void vtkiFetchLight(int light, out vec4 sender, out vec4 senderNormal, out vec3 
   density = texelFetch(vtkiLightDensity, at, 0).rgb;
 }
 
-// What comes of a light as a whole. Returns whether the receiver is near to it, so that what is below is to be added.
-bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, inout vec3 irradiance)
+// What comes of a light as a whole, of this density. Returns whether the receiver is near to it, so that what is
+// below is to be added.
+bool vtkiAddSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
+  inout vec3 irradiance)
 {
-  vec4 sender;
-  vec4 senderNormal;
-  vec3 density;
-  vtkiFetchLight(light, sender, senderNormal, density);
   vec3 toSender = vtkiToSender(sender, position);
   float weight = vtkiSenderWeight(toSender, senderNormal.xyz, normal, sender.w);
   float division = 0.0f;
@@ -42,6 +40,15 @@ bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, inout vec3 i
 #endif
   irradiance += seen ? density * (weight * (1.0f - division)) : vec3(0.0f);
   return seen && division > 0.0f;
+}
+
+bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, inout vec3 irradiance)
+{
+  vec4 sender;
+  vec4 senderNormal;
+  vec3 density;
+  vtkiFetchLight(light, sender, senderNormal, density);
+  return vtkiAddSender(position, normal, open, light, sender, senderNormal, density, irradiance);
 }
 
 #ifdef VTKI_DIVIDED

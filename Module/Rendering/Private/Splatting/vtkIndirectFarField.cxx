@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Splatting/vtkIndirectFarField.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "Splatting/vtkIndirectSplatTable.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Visibility/vtkIndirectVisibility.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr int RowLength = vtkVirtualLightSampler::RowLength;
+
+const vtkIndirectChannel CoarseChannels[] = {
+  { "splats.far", "vtkiCoarse", "irradiance that splats cut off, luminance of all of it",
+    GL_RGBA32F, "-", "VTK irradiance" },
+  { "splats.vector", "vtkiCoarseVector", "luminance of the vector irradiance that splats cut off",
+    GL_RGBA32F, "scene", "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+void Activate(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
+  vtkShaderProgram* program)
+{
+  vtkIndirectSetEyeUniforms(program, input.Frame);
+  program->SetUniform2i("vtkiSize", input.Frame.Size);
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  input.Visibility.Activate(input.Frame.Window, program);
+  input.Lights->Activate(program);
+  table.Activate(program);
+}
+
+void Deactivate(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table)
+{
+  input.Geometry.GetTarget().Deactivate();
+  input.Visibility.Deactivate();
+  input.Lights->Deactivate();
+  table.Deactivate();
+}
+
+std::string GetDefinitions(const vtkIndirectEstimateInput& input, int step, bool fades)
+{
+  const vtkIndirectVisibility& visibility = input.Visibility;
+  const bool many = input.Lights->GetNumberOfLights() > visibility.GetMaximumNumberOfSenders();
+  // Pixels that no sample around faces the way of are summed anew, or, with too many lights for one
+  // draw, get nothing.
+  return visibility.GetDefinitions() + input.Lights->GetDefinitions() +
+    (fades ? "#define VTKI_SPLAT_FADES\n" : "") + "#define VTKI_STEP " + std::to_string(step) +
+    "\n" + (many ? "#define VTKI_SPLAT_MANY\n" : "");
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectFarField::vtkIndirectFarField()
+  : Coarse(CoarseChannels, false)
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectFarField::Sum(
+  const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, int step, bool fades)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  this->ShareIsKnown = false;
+  if (!this->Coarse.Resize(
+        frame.Window, (frame.Size[0] + 2 * step - 2) / step, (frame.Size[1] + 2 * step - 2) / step))
+  {
+    return false;
+  }
+  const int rows = input.Lights->GetNumberOfRows();
+  const int rowsPerDraw = input.Visibility.GetMaximumNumberOfSenders() / RowLength;
+  const bool adds = rows > rowsPerDraw;
+  this->SumCoarse.SetDefinitions(GetDefinitions(input, step, fades));
+  vtkShaderProgram* program = this->SumCoarse.Use(frame.Window, this->Coarse, adds);
+  if (!program)
+  {
+    return false;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  this->Coarse.Begin();
+  if (adds)
+  {
+    this->Coarse.Clear();
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  }
+  Activate(input, table, program);
+  for (int row = 0; row < rows; row += rowsPerDraw)
+  {
+    const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
+    program->SetUniform2i("vtkiLightRows", block);
+    this->SumCoarse.Draw();
+  }
+  Deactivate(input, table);
+  state->vtkglDisable(GL_BLEND);
+  this->Coarse.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectFarField::AddTo(const vtkIndirectEstimateInput& input,
+  const vtkIndirectSplatTable& table, int step, bool fades, vtkIndirectTarget& irradiance)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  this->Interpolate.SetDefinitions(GetDefinitions(input, step, fades));
+  vtkShaderProgram* program = this->Interpolate.Use(frame.Window, irradiance, true);
+  if (!program)
+  {
+    return false;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  irradiance.Begin();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  Activate(input, table, program);
+  this->Coarse.Activate(0, program);
+  this->Coarse.Activate(1, program);
+  const int size[2] = { this->Coarse.GetWidth(), this->Coarse.GetHeight() };
+  program->SetUniform2i("vtkiCoarseSize", size);
+  this->Interpolate.Draw();
+  this->Coarse.Deactivate();
+  Deactivate(input, table);
+  state->vtkglDisable(GL_BLEND);
+  irradiance.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectFarField::FindShare() const
+{
+  if (!this->ShareIsKnown && this->Coarse.GetWidth() > 0)
+  {
+    const std::vector<float> values = this->Coarse.ReadBack(0);
+    double cut = 0.0;
+    double all = 0.0;
+    for (size_t i = 0; i < values.size(); i += 4)
+    {
+      cut += vtkIndirectKernels::vtkiLuminance({ values[i], values[i + 1], values[i + 2] });
+      all += values[i + 3];
+    }
+    this->Share = all > 0.0 ? cut / all : 0.0;
+    this->ShareIsKnown = true;
+  }
+  return this->Share;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFarField::ReleaseSum(vtkWindow* window)
+{
+  this->Coarse.Release(window);
+  this->Share = 0.0;
+  this->ShareIsKnown = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFarField::Release(vtkWindow* window)
+{
+  this->ReleaseSum(window);
+  this->SumCoarse.Release();
+  this->Interpolate.Release();
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What splats cut off: summed at every n-th pixel, measured, and given back to pixels between.
+#ifndef vtkIndirectFarField_h
+#define vtkIndirectFarField_h
+
+#include "Frame/vtkIndirectEstimate.h"           // for the input
+#include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectTarget.h"            // for members
+
+class vtkIndirectSplatTable;
+
+class vtkIndirectFarField
+{
+public:
+  vtkIndirectFarField();
+
+  /**
+   * Sums it at every step-th pixel. Within a vtkIndirectFullScreenState. Returns false, after an
+   * error, when OpenGL refuses.
+   */
+  bool Sum(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, int step,
+    bool fades);
+  /** Adds it to `irradiance`, of the frame's size; after Sum with the same. */
+  bool AddTo(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, int step,
+    bool fades, vtkIndirectTarget& irradiance);
+
+  /**
+   * Share of the last frame's irradiance that splats cut off, by luminance, over the pixels of the
+   * sum; 0 where there is none. Reads the sum back, once a frame.
+   */
+  double FindShare() const;
+
+  /** Forgets the sum where nothing is cut off. */
+  void ReleaseSum(vtkWindow* window);
+  size_t GetBytes() const { return this->Coarse.GetBytes(); }
+  void Release(vtkWindow* window);
+
+private:
+  vtkIndirectTarget Coarse;
+  vtkIndirectFullScreenProgram SumCoarse{ "vtkIndirectFarFieldFS.glsl" };
+  vtkIndirectFullScreenProgram Interpolate{ "vtkIndirectFarFieldAddFS.glsl" };
+  mutable double Share = 0.0;
+  mutable bool ShareIsKnown = true;
+};
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is drawn for each splat: a polyhedron about the unit ball, or a rectangle.
+#ifndef vtkIndirectSplatMesh_h
+#define vtkIndirectSplatMesh_h
+
+#include "vtkOpenGLRenderWindow.h" // for the weak pointer
+#include "vtkWeakPointer.h"        // for the context
+
+#include <array>       // for triangles
+#include <cstddef>     // for size_t
+#include <glm/glm.hpp> // for corners
+#include <vector>      // for lists
+
+class vtkIndirectSplatMesh
+{
+public:
+  struct Polyhedron
+  {
+    std::vector<glm::dvec3> Corners;
+    std::vector<std::array<unsigned short, 3>> Triangles; // counterclockwise from outside
+  };
+
+  /**
+   * An icosahedron whose faces are cut into four each, enlarged until it holds the unit ball: 42
+   * corners, 80 triangles. An affine map keeps that, so it holds any ellipsoid that the ball is
+   * mapped to.
+   */
+  static Polyhedron MakePolyhedron();
+
+  vtkIndirectSplatMesh() = default;
+  ~vtkIndirectSplatMesh();
+  vtkIndirectSplatMesh(const vtkIndirectSplatMesh&) = delete;
+  void operator=(const vtkIndirectSplatMesh&) = delete;
+
+  /** Draws so many instances of the polyhedron or of the square from -1 to 1; the corners go to
+   * that attribute. */
+  void Draw(vtkOpenGLRenderWindow* window, int attribute, bool rectangles, int instances);
+
+  size_t GetBytes() const { return this->Bytes; }
+  void Release();
+
+private:
+  void Create(vtkOpenGLRenderWindow* window);
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  unsigned int VertexArray = 0;
+  unsigned int Buffers[2] = { 0, 0 }; // corners, triangles
+  int NumberOfIndices = 0;
+  int FirstOfRectangle = 0; // its first corner
+  size_t Bytes = 0;
+};
+
+#endif

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Splatting/vtkIndirectSplatTable.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+
+#include <string>
+
+namespace
+{
+constexpr int RowLength = vtkVirtualLightSampler::RowLength;
+
+const vtkIndirectChannel ColumnsChannels[] = {
+  { "splats.columns", "vtkiSplatColumns", "sum of intensities, number of lights", GL_RG32F, "-",
+    "VTK radiance times scene units squared over pi, 1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel MeanChannels[] = {
+  { "splats.mean", "vtkiSplatMean", "mean intensity, number of lights", GL_RG32F, "-",
+    "VTK radiance times scene units squared over pi, 1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel BoundsChannels[] = {
+  { "splats.center", "vtkiSplatCenter", "centre, half length", GL_RGBA32F, "scene", "scene units" },
+  { "splats.axis", "vtkiSplatAxis", "axis, half width", GL_RGBA32F, "scene", "1, scene units" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSplatTable::vtkIndirectSplatTable()
+  : Columns(ColumnsChannels, false)
+  , Mean(MeanChannels, false)
+  , Bounds(BoundsChannels, false)
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSplatTable::Update(
+  const vtkIndirectEstimateInput& input, double threshold, bool fades)
+{
+  const vtkIndirectVirtualLights& lights = *input.Lights;
+  if (this->Bounds.GetWidth() > 0 && this->ContentTime == lights.GetContentTime() &&
+    this->NumberOfLights == lights.GetNumberOfLights() && this->Threshold == threshold &&
+    this->Fades == fades)
+  {
+    return true;
+  }
+  this->NumberOfLights = -1;
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  this->Threshold = threshold;
+  this->Fades = fades;
+  if (!this->Columns.Resize(window, RowLength, 1) || !this->Mean.Resize(window, 1, 1) ||
+    !this->Bounds.Resize(window, RowLength, lights.GetNumberOfRows()) || !this->Draw(input))
+  {
+    return false;
+  }
+  this->ContentTime = lights.GetContentTime();
+  this->NumberOfLights = lights.GetNumberOfLights();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  const vtkIndirectVirtualLights& lights = *input.Lights;
+  const std::string definitions = lights.GetDefinitions();
+  this->SumColumns.SetDefinitions(definitions);
+  this->SumAll.SetDefinitions(definitions + "#define VTKI_SPLAT_COLUMNS\n");
+  this->MakeBounds.SetDefinitions(definitions + (this->Fades ? "#define VTKI_SPLAT_FADES\n" : ""));
+
+  vtkShaderProgram* program = this->SumColumns.Use(window, this->Columns);
+  if (!program)
+  {
+    return false;
+  }
+  this->Columns.Begin();
+  lights.Activate(program);
+  this->SumColumns.Draw();
+  lights.Deactivate();
+  this->Columns.End();
+
+  program = this->SumAll.Use(window, this->Mean);
+  if (!program)
+  {
+    return false;
+  }
+  this->Mean.Begin();
+  this->Columns.Activate(0, program);
+  this->SumAll.Draw();
+  this->Columns.Deactivate();
+  this->Mean.End();
+
+  program = this->MakeBounds.Use(window, this->Bounds);
+  if (!program)
+  {
+    return false;
+  }
+  this->Bounds.Begin();
+  lights.Activate(program);
+  this->Activate(program);
+  this->MakeBounds.Draw();
+  this->Deactivate();
+  lights.Deactivate();
+  this->Bounds.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSplatTable::Activate(vtkShaderProgram* program) const
+{
+  const double length = vtkIndirectKernels::VTKI_SPLAT_LENGTH;
+  program->SetUniformf(
+    "vtkiSplatThreshold", static_cast<float>(this->Threshold / (length * length)));
+  this->Mean.Activate(0, program);
+  if (program->IsUniformUsed("vtkiSplatCenter"))
+  {
+    this->Bounds.Activate(0, program);
+    this->Bounds.Activate(1, program);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSplatTable::Deactivate() const
+{
+  this->Mean.Deactivate();
+  this->Bounds.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectSplatTable::GetBytes() const
+{
+  return this->Columns.GetBytes() + this->Mean.GetBytes() + this->Bounds.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSplatTable::Release(vtkWindow* window)
+{
+  this->Columns.Release(window);
+  this->Mean.Release(window);
+  this->Bounds.Release(window);
+  this->SumColumns.Release();
+  this->SumAll.Release();
+  this->MakeBounds.Release();
+  this->NumberOfLights = -1;
+}

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Splatting/vtkIndirectSplats.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "OpenGL/vtkIndirectFlatUniforms.h"
+#include "OpenGL/vtkIndirectPaths.h"
+#include "OpenGL/vtkIndirectShaderLibrary.h"
+#include "OpenGL/vtkIndirectTarget.h"
+#include "Splatting/vtkIndirectSplatTable.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Visibility/vtkIndirectVisibility.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace
+{
+constexpr int RowLength = vtkVirtualLightSampler::RowLength;
+// Lights in one draw: long draws stall a desktop, and some drivers end them.
+constexpr int SplatsPerDraw = 16 * RowLength;
+constexpr int TileSize = 16;
+
+// To clip coordinates whose fourth component is of order one, whatever the scene measures: products
+// of three of them stay within floats.
+glm::mat4 FindSceneToClip(const vtkIndirectFrame& frame)
+{
+  const double scale = frame.SceneScale;
+  const glm::dmat4 toView =
+    glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / scale)) * glm::inverse(frame.ViewToScene);
+  return glm::mat4((frame.Parallel ? 1.0 : scale) * (frame.Projection * toView));
+}
+
+// Back faces in front of which a surface lies, not cut at the near and far planes, added. The state
+// of vtkIndirectFullScreenState comes back.
+class SplatState
+{
+public:
+  SplatState(vtkOpenGLState* state, bool culls)
+    : State(state)
+    , Cull(state, GL_CULL_FACE)
+    , Mask(state)
+    , Func(state)
+    , Blend(state)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFunc(GL_ONE, GL_ONE);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_GREATER);
+    state->vtkglDepthMask(GL_FALSE);
+    culls ? state->vtkglEnable(GL_CULL_FACE) : state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglCullFace(GL_FRONT);
+    glEnable(GL_DEPTH_CLAMP);
+  }
+  ~SplatState()
+  {
+    glDisable(GL_DEPTH_CLAMP);
+    this->State->vtkglCullFace(GL_BACK);
+    this->State->vtkglDisable(GL_DEPTH_TEST);
+    this->State->vtkglDisable(GL_BLEND);
+  }
+  SplatState(const SplatState&) = delete;
+  void operator=(const SplatState&) = delete;
+
+private:
+  vtkOpenGLState* State;
+  vtkOpenGLState::ScopedglEnableDisable Cull;
+  vtkOpenGLState::ScopedglDepthMask Mask;
+  vtkOpenGLState::ScopedglDepthFunc Func;
+  vtkOpenGLState::ScopedglBlendFuncSeparate Blend;
+};
+
+void Activate(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
+  vtkShaderProgram* program)
+{
+  vtkIndirectSetEyeUniforms(program, input.Frame);
+  program->SetUniform2i("vtkiSize", input.Frame.Size);
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  input.Visibility.Activate(input.Frame.Window, program);
+  input.Lights->Activate(program);
+  table.Activate(program);
+}
+
+void Deactivate(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table)
+{
+  input.Geometry.GetTarget().Deactivate();
+  input.Visibility.Deactivate();
+  input.Lights->Deactivate();
+  table.Deactivate();
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSplats::UsesTiles()
+{
+  return vtkIndirectPaths::Get(vtkIndirectPaths::Splats) == vtkIndirectPaths::SplatsInTiles;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSplats::Sum(const vtkIndirectEstimateInput& input,
+  const vtkIndirectSplatTable& table, vtkIndirectTarget& sum, bool rectangles, bool fades)
+{
+  const std::string definitions = std::string(input.Visibility.GetDefinitions()) +
+    input.Lights->GetDefinitions() + (fades ? "#define VTKI_SPLAT_FADES\n" : "");
+  return UsesTiles() ? this->SumInTiles(input, table, sum, definitions)
+                     : this->SumBlended(input, table, sum, rectangles,
+                         definitions + (rectangles ? "#define VTKI_SPLAT_RECTANGLES\n" : ""));
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkIndirectSplats::UseSplats(
+  vtkOpenGLRenderWindow* window, const std::string& definitions)
+{
+  if (this->VertexText.empty() || definitions != this->Definitions)
+  {
+    this->Definitions = definitions;
+    this->VertexText = vtkIndirectShaderLibrary::GetShader("vtkIndirectSplatVS.glsl", definitions);
+    this->FragmentText =
+      vtkIndirectShaderLibrary::GetShader("vtkIndirectSplatFS.glsl", definitions);
+    if (vtkIndirectPaths::Get(vtkIndirectPaths::Uniforms) == vtkIndirectPaths::UniformsFlat)
+    {
+      // Beside the light's own.
+      vtkIndirectFlatUniforms::Move(this->VertexText, this->FragmentText, 48);
+    }
+  }
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    this->VertexText.c_str(), this->FragmentText.c_str(), "");
+  return program && program->GetCompiled() ? program : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSplats::SumBlended(const vtkIndirectEstimateInput& input,
+  const vtkIndirectSplatTable& table, vtkIndirectTarget& sum, bool rectangles,
+  const std::string& definitions)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkShaderProgram* program = this->UseSplats(frame.Window, definitions);
+  if (!program)
+  {
+    return false;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  sum.Begin();
+  sum.Clear();
+  {
+    const SplatState splats(state, !rectangles);
+    Activate(input, table, program);
+    vtkIndirectSetUniform(program, "vtkiSceneToClip", FindSceneToClip(frame));
+    // Normalized device coordinates are twice depths; the surface's and the splat's are rounded.
+    program->SetUniformf(
+      "vtkiDepthMargin", static_cast<float>(8.0 * input.Geometry.GetTarget().GetDepthStep()));
+    const int attribute = program->FindAttributeArray("vtkiCorner");
+    const int lights = input.Lights->GetNumberOfLights();
+    for (int first = 0; first < lights; first += SplatsPerDraw)
+    {
+      program->SetUniformi("vtkiFirstLight", first);
+      this->Mesh.Draw(frame.Window, attribute, rectangles, std::min(SplatsPerDraw, lights - first));
+      if (lights > SplatsPerDraw)
+      {
+        glFlush();
+      }
+    }
+    Deactivate(input, table);
+  }
+  sum.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
+  const vtkIndirectSplatTable& table, vtkIndirectTarget& sum, const std::string& definitions)
+{
+#ifdef GL_COMPUTE_SHADER
+  const vtkIndirectFrame& frame = input.Frame;
+  this->Tiles.SetDefinitions(definitions);
+  vtkShaderProgram* program = this->Tiles.Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  Activate(input, table, program);
+  glBindImageTexture(
+    0, sum.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
+  // What the kernel reads must have arrived: llvmpipe does not wait for it by itself.
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  const int rows = input.Lights->GetNumberOfRows();
+  const int rowsPerDraw = input.Visibility.GetMaximumNumberOfSenders() / RowLength;
+  for (int row = 0; row < rows; row += rowsPerDraw)
+  {
+    const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
+    program->SetUniform2i("vtkiLightRows", block);
+    program->SetUniformi("vtkiAdds", row > 0);
+    glDispatchCompute(static_cast<GLuint>((frame.Size[0] + TileSize - 1) / TileSize),
+      static_cast<GLuint>((frame.Size[1] + TileSize - 1) / TileSize), 1);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  }
+  // Whoever comes next samples it, draws over it, adds to it, reads it back or replaces it.
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
+  Deactivate(input, table);
+  return true;
+#else
+  return input.Lights && table.GetBytes() > 0 && sum.GetWidth() > 0 && definitions.empty();
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSplats::Release()
+{
+  this->Mesh.Release();
+  this->Tiles.Release(nullptr);
+  this->VertexText.clear();
+  this->FragmentText.clear();
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sums virtual lights, each where it counts: by splats that are drawn and blended, or by compute
+// shaders in tiles of 16 x 16 pixels. Both give the same within rounding.
+#ifndef vtkIndirectSplats_h
+#define vtkIndirectSplats_h
+
+#include "Frame/vtkIndirectEstimate.h"        // for the input
+#include "OpenGL/vtkIndirectComputeProgram.h" // for a member
+#include "Splatting/vtkIndirectSplatMesh.h"   // for a member
+
+#include <string> // for texts
+
+class vtkIndirectSplatTable;
+class vtkIndirectTarget;
+class vtkShaderProgram;
+
+class vtkIndirectSplats
+{
+public:
+  /** Whether this OpenGL sums in tiles now; see vtkIndirectPaths. */
+  static bool UsesTiles();
+
+  /**
+   * Fills `sum`, of the frame's size and RGBA32F; its fourth component is the number of splats at a
+   * pixel. Where it does not use tiles the target shares the geometry buffer's depth. fades: splats
+   * end smoothly (vtkiSplatShare). Within a vtkIndirectFullScreenState. Returns false when a
+   * program does not compile.
+   */
+  bool Sum(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
+    vtkIndirectTarget& sum, bool rectangles, bool fades);
+
+  size_t GetBytes() const { return this->Mesh.GetBytes(); }
+  void Release();
+
+private:
+  vtkShaderProgram* UseSplats(vtkOpenGLRenderWindow* window, const std::string& definitions);
+  bool SumBlended(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
+    vtkIndirectTarget& sum, bool rectangles, const std::string& definitions);
+  bool SumInTiles(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
+    vtkIndirectTarget& sum, const std::string& definitions);
+
+  vtkIndirectSplatMesh Mesh;
+  std::string Definitions;
+  std::string VertexText;
+  std::string FragmentText;
+  vtkIndirectComputeProgram Tiles{ "vtkIndirectSplatTilesCS.glsl" };
+};
+
+#endif

@@ -1,0 +1,34 @@
+// What splats leave of virtual lights.
+#include "vtkIndirectSplatLight.glsl"
+#include "vtkIndirectLibSubsplat.glsl"
+
+struct vtkiFarField
+{
+  vec3 irradiance; // that is cut off
+  float all;       // luminance of all that comes
+  vec3 vector;     // luminance of the vector irradiance of what is cut off
+};
+
+vtkiFarField vtkiSumFarField(vec3 position, vec3 normal, int first, int end)
+{
+  float low = vtkiSplatLow();
+  vec3 open = vtkiSplatOpenPlace(position, normal);
+  vtkiFarField sum = vtkiFarField(vec3(0.0f), 0.0f, vec3(0.0f));
+  for (int light = first; light < end; ++light)
+  {
+    vec4 sender;
+    vec4 senderNormal;
+    vec3 density;
+    vtkiFetchLight(light, sender, senderNormal, density);
+    vec3 toSender = vtkiToSender(sender, position);
+    float share = vtkiShareOfSplat(toSender, sender, senderNormal, density, low);
+    vec3 whole = vtkiWholeSender(position, normal, open, light, sender, senderNormal, density);
+    vec3 left = (1.0f - share) * whole;
+    sum.irradiance += left;
+    sum.all += vtkiLuminance(whole);
+    // Over the cosine. What is below a light comes from elsewhere than its middle, which may lie at the horizon.
+    float across = max(dot(normal, toSender), 0.05f * length(toSender));
+    sum.vector += across > 0.0f ? (vtkiLuminance(left) / across) * toSender : vec3(0.0f);
+  }
+  return sum;
+}

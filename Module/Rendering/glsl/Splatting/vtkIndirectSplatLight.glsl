@@ -1,0 +1,99 @@
+// How far a virtual light counts: its intensity against the lowest that does.
+#include "vtkIndirectGatherVirtualLights.glsl"
+#include "vtkIndirectLibSplat.glsl"
+#include "vtkIndirectSplatLow.glsl"
+
+// Along the normal, of the brightest colour. With branches a light stands for normals that differ, and sends
+// some light to all sides.
+float vtkiGreatestIntensity(vec3 senderNormal, vec3 density)
+{
+  float intensity = max(max(density.r, density.g), density.b) / VTKI_PI;
+#ifdef VTKI_DIVIDED
+  intensity *= vtkiMeanProjection(-senderNormal / max(length(senderNormal), 1.0e-20f), senderNormal, 1.0f);
+#endif
+  return max(intensity, 0.0f);
+}
+
+// Squared distance to which the light reaches along its normal. Both intensities go with what lights send, which
+// may be anything: nothing but their quotient is of order one.
+float vtkiSquaredReach(float intensity, float low)
+{
+  return low > 0.0f ? min(intensity / low, 1.0e12f) : 1.0e12f;
+}
+
+// Intensity over the squared distance at a place, over the lowest that counts.
+float vtkiSplatLevel(vec3 toSender, vec4 sender, vec3 senderNormal, vec3 density, float low)
+{
+  float r2 = max(dot(toSender, toSender), 1.0e-20f);
+#ifdef VTKI_DIVIDED
+  float projected = vtkiMeanProjection(toSender, senderNormal, r2);
+#else
+  float projected = max(-dot(senderNormal, toSender), 0.0f);
+#endif
+  float intensity = max(max(density.r, density.g), density.b) / VTKI_PI;
+  float level = vtkiSquaredReach(intensity, low) * (projected / (sqrt(r2) * r2));
+  // Light from a direction has no distance, and nothing is cut off where all counts.
+  return sender.w < 0.0f || !(low > 0.0f) ? 2.0f : level;
+}
+
+#ifdef VTKI_SPLAT_FADES
+const bool vtkiSplatFades = true;
+#else
+const bool vtkiSplatFades = false;
+#endif
+
+// Distance within which all of a light is its splat's: with branches, which lie elsewhere than the light's middle and
+// vary as fast as any near light, that to which they are summed; with a far field the light's neighbourhood.
+float vtkiBall(vec4 sender, vec4 senderNormal)
+{
+  float ball = vtkiSplatFades ? vtkiNearReach(sender.w) : 0.0f;
+#ifdef VTKI_DIVIDED
+  ball = max(ball, senderNormal.w);
+#endif
+  return ball;
+}
+
+// What the splat gives of a light at a place, the rest being the far field's.
+float vtkiShareOfSplat(vec3 toSender, vec4 sender, vec4 senderNormal, vec3 density, float low)
+{
+  float level = vtkiSplatLevel(toSender, sender, senderNormal.xyz, density, low);
+  float share = vtkiSplatShare(level, vtkiSplatFades);
+  float near = vtkiNearShare(dot(toSender, toSender), vtkiBall(sender, senderNormal));
+  return max(share, vtkiSplatFades || near <= 0.0f ? near : 1.0f);
+}
+
+// All that comes of a light.
+vec3 vtkiWholeSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density)
+{
+  vec3 irradiance = vec3(0.0f);
+  bool below = vtkiAddSender(position, normal, open, light, sender, senderNormal, density, irradiance);
+#ifdef VTKI_DIVIDED
+  if (below)
+  {
+    vtkiAddBelow(position, normal, light, irradiance);
+  }
+#endif
+  return irradiance;
+}
+
+// What its splat gives of that.
+vec3 vtkiSplatSender(
+  vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density, float low)
+{
+  float share = vtkiShareOfSplat(vtkiToSender(sender, position), sender, senderNormal, density, low);
+  vec3 irradiance = vec3(0.0f);
+  if (share > 0.0f)
+  {
+    irradiance = share * vtkiWholeSender(position, normal, open, light, sender, senderNormal, density);
+  }
+  return irradiance;
+}
+
+vec3 vtkiSplatOpenPlace(vec3 position, vec3 normal)
+{
+#ifdef VTKI_VISIBILITY
+  return vtkiOpenPlace(position, normal);
+#else
+  return position;
+#endif
+}

@@ -1,0 +1,32 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// One fragment a virtual light: the ellipsoid outside of which it does not count.
+#include "vtkIndirectSplatLight.glsl"
+
+void main()
+{
+  int light = vtkiTableEntry(ivec2(gl_FragCoord.xy));
+  vec4 sender;
+  vec4 senderNormal;
+  vec3 density;
+  vtkiFetchLight(min(light, max(vtkiLightCount - 1, 0)), sender, senderNormal, density);
+  float low = vtkiSplatLow();
+  float intensity = vtkiGreatestIntensity(senderNormal.xyz, density);
+  vtkiSplat splat = vtkiWholeScene();
+  if (sender.w >= 0.0f && low > 0.0f)
+  {
+#ifdef VTKI_DIVIDED
+    // Cosines are those of one normal, or else spread to all sides.
+    float exponent = vtkiSpreadOfNormals(senderNormal.xyz) > 0.0f ? 0.0f : 1.0f;
+#else
+    const float exponent = 1.0f;
+#endif
+    vec3 axis = senderNormal.xyz / max(length(senderNormal.xyz), 1.0e-20f);
+    splat = vtkiWithinScene(
+      vtkiMakeSplat(sender.xyz, axis, exponent, sqrt(vtkiSquaredReach(intensity, low)),
+      vtkiBall(sender, senderNormal)));
+  }
+  bool sends = light < vtkiLightCount && max(max(density.r, density.g), density.b) > 0.0f;
+  gl_FragData[0] = vec4(splat.center, splat.along);
+  gl_FragData[1] = vec4(splat.axis, sends ? splat.across : -1.0f);
+}

@@ -1,0 +1,112 @@
+//VTK::System::Dec
+// A group of invocations for each tile of 16 x 16 pixels: lists the splats that meet the box about the tile's
+// surfaces, a set of bits for 256 of them at a time, and sums those in the order of their numbers.
+#include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectSplatLight.glsl"
+#include "vtkIndirectSplatBounds.glsl"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+layout(rgba32f, binding = 0) uniform image2D vtkiSum;
+uniform bool vtkiAdds; // to what further lights have given
+
+// Coordinates as unsigned integers in the same order, so that they can be compared atomically.
+shared uint vtkiLowest[3];
+shared uint vtkiHighest[3];
+shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
+
+uint vtkiOrdered(float value)
+{
+  uint bits = floatBitsToUint(value);
+  return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
+}
+
+float vtkiFromOrdered(uint bits)
+{
+  return uintBitsToFloat((bits & 0x80000000u) != 0u ? bits & 0x7fffffffu : ~bits);
+}
+
+vec3 vtkiFromOrdered(uint bits[3])
+{
+  return vec3(vtkiFromOrdered(bits[0]), vtkiFromOrdered(bits[1]), vtkiFromOrdered(bits[2]));
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  int number = int(gl_LocalInvocationIndex);
+  vtkiReceiver receiver;
+  bool inside = pixel.x < vtkiSize.x && pixel.y < vtkiSize.y;
+  bool lit = vtkiFetchReceiver(min(pixel, vtkiSize - 1), receiver) && inside;
+  if (number < 3)
+  {
+    vtkiLowest[number] = 0xffffffffu;
+    vtkiHighest[number] = 0u;
+  }
+  barrier();
+  if (lit)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      uint at = vtkiOrdered(receiver.position[i]);
+      atomicMin(vtkiLowest[i], at);
+      atomicMax(vtkiHighest[i], at);
+    }
+  }
+  barrier();
+  bool any = vtkiLowest[0] <= vtkiHighest[0];
+  vec3 lower = any ? vtkiFromOrdered(vtkiLowest) : vec3(0.0f);
+  vec3 upper = any ? vtkiFromOrdered(vtkiHighest) : vec3(0.0f);
+  vec3 middle = 0.5f * (lower + upper);
+  // Room for what the middle is rounded by.
+  vec3 halfSize = 0.5f * (upper - lower) + 1.0e-6f;
+
+  float low = vtkiSplatLow();
+  vec3 open = receiver.position;
+  if (lit)
+  {
+    open = vtkiSplatOpenPlace(receiver.position, receiver.normal);
+  }
+  vec4 total = vec4(0.0f);
+  for (int row = vtkiLightRows.x; row < vtkiLightRows.y && any; ++row)
+  {
+    if (number < VTKI_ROW_LENGTH / 32)
+    {
+      vtkiListed[number] = 0u;
+    }
+    barrier();
+    int light = row * VTKI_ROW_LENGTH + number;
+    if (light < vtkiLightCount && vtkiSplatMeetsBox(vtkiFetchSplat(light), middle, halfSize))
+    {
+      atomicOr(vtkiListed[number >> 5], 1u << uint(number & 31));
+    }
+    barrier();
+    // Sums by row keep rounding errors of long sums small.
+    vec4 partial = vec4(0.0f);
+    for (int word = 0; word < VTKI_ROW_LENGTH / 32; ++word)
+    {
+      uint bits = vtkiListed[word];
+      while (bits != 0u)
+      {
+        int next = row * VTKI_ROW_LENGTH + 32 * word + findLSB(bits);
+        bits &= bits - 1u;
+        vec4 sender;
+        vec4 senderNormal;
+        vec3 density;
+        vtkiFetchLight(next, sender, senderNormal, density);
+        partial += vec4(vtkiSplatSender(receiver.position, receiver.normal, open, next, sender, senderNormal,
+          density, low), 1.0f);
+      }
+    }
+    total += partial;
+    barrier();
+  }
+  if (inside)
+  {
+    vec4 before = vec4(0.0f);
+    if (vtkiAdds)
+    {
+      before = imageLoad(vtkiSum, pixel);
+    }
+    imageStore(vtkiSum, pixel, before + (lit ? total : vec4(0.0f)));
+  }
+}

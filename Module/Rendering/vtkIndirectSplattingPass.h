@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkIndirectSplattingPass
+ * @brief One bounce of light from virtual lights that are each summed only where they count
+ *
+ * Dachsbacher and Stamminger 2006, "Splatting indirect illumination": for each virtual light a
+ * splat is drawn that covers the pixels which it may light to more than I_low, and added. I_low is
+ * an intensity over a squared distance, and the bound is an ellipsoid about the iso-surface where
+ * the light reaches it (section 3.4 and appendix of the paper); see IntensityThreshold.
+ *
+ * Where this differs from the paper:
+ * - The light's irradiance is that of vtkRSMGatherPass, the disk kernel, which needs no clamp.
+ * Inside its iso-surface it counts, outside it does not: neither SplatShape nor what an ellipsoid
+ * holds beyond the iso-surface changes the picture.
+ * - Where lights have branches (vtkLightTreeSampler) receivers that are near to a light sum these,
+ * as the gather does, and the bound holds all of them.
+ * - What the bounds cut off is not lost: it varies slowly, and is summed at every FarFieldStep-th
+ *   pixel and interpolated (FarField). How much it is stands in the report.
+ * - Sums do not depend on an order of drawing: splats are blended in 32-bit floats in the order of
+ *   the lights, or, with OpenGL 4.3, summed in that order in tiles of 16 x 16 pixels, each of which
+ *   lists the ellipsoids that its surfaces meet (`splats` of VTK_INDIRECT_PATHS).
+ *
+ * Approximations: those of vtkRSMGatherPass over the same lights, to which the result converges as
+ * IntensityThreshold goes to 0, and the far field's interpolation, of either sign. Without FarField
+ * what is cut off is lost (bias <= 0).
+ *
+ * Buffers (vtkIndirectIlluminationPass::DebugView, CopyBuffer): `splat.overdraw`, the number of
+ * splats at each pixel over 256 (figure 8 of the paper).
+ *
+ * Receivers with Phong's model and a specular coefficient also reflect the lights in their lobes:
+ * all of them, summed at each of their pixels; see SpecularTransport.
+ *
+ * Memory: 16 bytes a pixel, 32 for each of those that the far field is summed at, and 32 a light.
+ */
+
+#ifndef vtkIndirectSplattingPass_h
+#define vtkIndirectSplattingPass_h
+
+#include "vtkIndirectEstimatorPass.h"
+#include "vtkIndirectSettings.h"        // For properties
+#include "vtkRenderingIndirectModule.h" // For export macro
+
+class VTKRENDERINGINDIRECT_EXPORT vtkIndirectSplattingPass : public vtkIndirectEstimatorPass
+{
+public:
+  static vtkIndirectSplattingPass* New();
+  vtkTypeMacro(vtkIndirectSplattingPass, vtkIndirectEstimatorPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  const char* GetMethodName() const override { return "splatting"; }
+  bool ComputesGlossy() const override { return true; }
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * The lowest intensity over a squared distance at which a virtual light counts is I_low =
+   * IntensityThreshold * I0 / l^2: I0 is the mean intensity of the frame's virtual lights along
+   * their normals, and l a twentieth of the diagonal of the scene's bounds. The mean light reaches
+   * l / sqrt(IntensityThreshold): half a diagonal for 0.01, 0.22 for 0.05, 0.16 for 0.1, whatever
+   * the number of lights; one of four times that intensity twice as far. 0: all lights count
+   * everywhere. Default 0.05, range 0 to 1.
+   */
+  vtkIndirectClampMacro(IntensityThreshold, double, 0.0, 1.0);
+  ///@}
+
+  enum SplatShapeType
+  {
+    SCREEN_QUADS = 0,
+    ELLIPSOIDS = 1
+  };
+
+  ///@{
+  /**
+   * What is drawn for a light: the rectangle about its ellipsoid on the screen, or a mesh of 80
+   * triangles about it. Both are as far away as the ellipsoid's far side, so that the depth test
+   * leaves out what is behind it. The picture is the same; with sums in tiles nothing is drawn.
+   * Default ELLIPSOIDS.
+   */
+  vtkIndirectClampMacro(SplatShape, int, SCREEN_QUADS, ELLIPSOIDS);
+  void SetSplatShapeToScreenQuads() { this->SetSplatShape(SCREEN_QUADS); }
+  void SetSplatShapeToEllipsoids() { this->SetSplatShape(ELLIPSOIDS); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether what the bounds cut off is given back, as a term that is interpolated between every
+   * FarFieldStep-th pixels. Splats then end smoothly, from 2 I_low to I_low. Without it each ends
+   * with a step of up to I_low times the receiver's cosine, as in the paper, and the picture is
+   * darker. Default on.
+   */
+  vtkIndirectFlagMacro(FarField);
+  ///@}
+
+  ///@{
+  /** Pixels from one sample of the far field to the next. Default 8, range 2 to 64. */
+  vtkIndirectClampMacro(FarFieldStep, int, 2, 64);
+  ///@}
+
+  /**
+   * Share of the last frame's irradiance that lay outside of the bounds, by luminance: measured at
+   * every FarFieldStep-th pixel, or without FarField at every 16th. 0 before a frame, and where all
+   * lights count everywhere.
+   */
+  double GetCutOffShare() const;
+
+#ifndef __VTK_WRAP__
+  bool TakesLightMaps() const override
+  {
+    return true;
+  }
+  vtkIndirectEstimate Estimate(const Input& input) override;
+  size_t GetBytes() const override;
+  void AddToReport(vtkIndirectReport& report) const override;
+  std::vector<std::string> GetChannelNames() const override;
+  int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
+    const vtkIndirectGeometryBuffer& geometry) override;
+#endif
+
+protected:
+  vtkIndirectSplattingPass();
+  ~vtkIndirectSplattingPass() override;
+
+  struct SettingsType
+  {
+    double IntensityThreshold = 0.02;
+    int SplatShape = ELLIPSOIDS;
+    bool FarField = true;
+    int FarFieldStep = 8;
+  };
+  SettingsType Settings;
+
+private:
+  bool Sum(const Input& input);
+
+  vtkIndirectSplattingPass(const vtkIndirectSplattingPass&) = delete;
+  void operator=(const vtkIndirectSplattingPass&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Splats against the gather of the same lights at every pixel, and against sums in double
+// precision.
+//
+// Tolerances are relative to a pixel's irradiance, or to a ten-thousandth of the brightest one:
+// below it, cosines of senders in nearly the same plane are rounding.
+#include "vtkIndirectSplattingScene.h"
+
+#include "OpenGL/vtkIndirectKernels.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkUniformLightSampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+constexpr double Least = 1e-4;
+}
+
+VTK_INDIRECT_TEST(AllIsGather)
+{
+  double worst[NumberOfSplatWays] = {};
+  int lit = 0;
+  constexpr int frames = 15;
+  for (int number = 0; number < frames; ++number)
+  {
+    const FrameSize& size = GetFrameSizes()[number % GetFrameSizes().size()];
+    SplattingFrame scene(number, size, static_cast<FrameLight>(number % NumberOfFrameLights));
+    scene.Sampler->SetNumberOfLights(48 + number);
+    scene.Pass->SetReflectiveShadowMapResolution(64);
+    if (number % 3 == 2)
+    {
+      scene.SetParallelEye(0.6);
+    }
+    const Image expected = scene.GatherAll();
+    scene.Splats->SetIntensityThreshold(0.0);
+    for (int way = 0; way < NumberOfSplatWays; ++way)
+    {
+      const ImageError error =
+        Compare(scene.SplatLights(static_cast<SplatWay>(way)), expected, Least);
+      worst[way] = std::max(worst[way], error.Worst);
+      lit += error.Mean > 0.0 ? 1 : 0;
+      std::printf("       %s, %s: mean %.3g, worst %.2e\n", scene.Name.c_str(),
+        GetName(static_cast<SplatWay>(way)), error.Mean, error.Worst);
+    }
+  }
+  CheckAtLeast("frames with indirect light, of 45", lit, 30, "the test's own power");
+  for (int way = 0; way < NumberOfSplatWays; ++way)
+  {
+    CheckAtMost(std::string("worst relative difference, ") + GetName(static_cast<SplatWay>(way)),
+      worst[way], 1e-5, "the order of sums");
+  }
+}
+
+VTK_INDIRECT_TEST(CutOff)
+{
+  // Without the far field: the sum over the lights that reach I_low at the receiver, in double
+  // precision from the lights and receivers that the frame had.
+  double worst = 0.0;
+  double between[NumberOfSplatWays] = {};
+  double share = 1.0;
+  double shares = 0.0;
+  int receivers = 0;
+  for (int number = 0; number < 6; ++number)
+  {
+    SplattingFrame scene(100 + number, { 83, 61 }, static_cast<FrameLight>(number % 4));
+    scene.Sampler->SetNumberOfLights(150);
+    scene.Pass->SetReflectiveShadowMapResolution(64);
+    if (number == 5)
+    {
+      scene.SetParallelEye(0.6);
+    }
+    scene.Splats->FarFieldOff();
+    scene.Splats->SetIntensityThreshold(0.05);
+    const Image image = scene.SplatLights(SplatWay::TILES);
+    double measured = scene.Splats->GetCutOffShare();
+    for (int way = 1; way < NumberOfSplatWays; ++way)
+    {
+      const ImageError error = Compare(scene.SplatLights(static_cast<SplatWay>(way)), image, Least);
+      between[way] = std::max(between[way], error.Worst);
+    }
+    const std::vector<VirtualLight> lights = scene.CopyLights();
+    double bounds[6];
+    scene.Renderer->ComputeVisiblePropBounds(bounds);
+    const double diagonal = std::sqrt(std::pow(bounds[1] - bounds[0], 2.0) +
+      std::pow(bounds[3] - bounds[2], 2.0) + std::pow(bounds[5] - bounds[4], 2.0));
+    const double length = diagonal / 20.0;
+    auto intensity = [](const VirtualLight& light)
+    {
+      return std::max({ light.DensityArea.x, light.DensityArea.y, light.DensityArea.z }) /
+        3.14159265358979;
+    };
+    double sum = 0.0;
+    double count = 0.0;
+    for (const VirtualLight& light : lights)
+    {
+      sum += intensity(light);
+      count += intensity(light) > 0.0 ? 1.0 : 0.0;
+    }
+    const double low = 0.05 * sum / std::max(count, 1.0) / (length * length);
+    double largest = 0.0;
+    for (float value : image.Values)
+    {
+      largest = std::max(largest, static_cast<double>(value));
+    }
+    double cut = 0.0;
+    double all = 0.0;
+    std::vector<double> errors;
+    for (const Scene::Receiver& r : scene.GetReceivers())
+    {
+      if (!r.Lit || lights.empty())
+      {
+        continue;
+      }
+      // Lights that are about to count or not by rounding say nothing.
+      glm::dvec3 sure(0.0);
+      glm::dvec3 unsure(0.0);
+      for (const VirtualLight& light : lights)
+      {
+        const glm::dvec3 toReceiver = r.Position - light.Position;
+        const double d = glm::length(toReceiver);
+        const double level =
+          intensity(light) * std::max(glm::dot(light.Normal, toReceiver), 0.0) / (d * d * d * low);
+        const glm::dvec3 e = Gather({ light }, r.Position, r.Normal);
+        sure += level >= 1.001 ? e : glm::dvec3(0.0);
+        unsure += level > 0.999 && level < 1.001 ? e : glm::dvec3(0.0);
+        all += e.x;
+        cut += level < 1.0 ? e.x : 0.0;
+      }
+      const glm::dvec3 value = image.Color(r.X, r.Y);
+      for (int c = 0; c < 3; ++c)
+      {
+        const double scale = std::max(sure[c], Least * largest);
+        errors.push_back(
+          std::max({ sure[c] - value[c], value[c] - sure[c] - unsure[c], 0.0 }) / scale);
+      }
+      ++receivers;
+    }
+    if (!errors.empty() && all > 0.0)
+    {
+      worst = std::max(worst, Percentile(errors, 0.999));
+      share = std::min(share, cut / all);
+      shares = std::max(shares, std::abs(measured - cut / all));
+      std::printf("       %s: cut off %.4f, measured at every 16th pixel %.4f, worst %.2e\n",
+        scene.Name.c_str(), cut / all, measured, Percentile(errors, 0.999));
+    }
+  }
+  CheckAtLeast("receivers", receivers, 5000, "the test's own power");
+  CheckAtLeast("least share that is cut off", share, 0.02, "the test's own power");
+  CheckAtMost("99.9th percentile of the relative error against double precision", worst, 1e-4,
+    "rounding of floats, largest where walls meet");
+  CheckAtMost("share that is said to be cut off, of 20 to 30 samples", shares, 0.1,
+    "luminance against red, and few samples");
+  for (int way = 1; way < NumberOfSplatWays; ++way)
+  {
+    CheckAtMost(std::string(GetName(static_cast<SplatWay>(way))) + " against tiles, worst",
+      between[way], 1e-5, "the order of sums");
+  }
+}
