@@ -24,6 +24,7 @@ using glm::fract;
 using glm::ivec2;
 using glm::ivec3;
 using glm::length;
+using glm::log;
 using glm::mat3;
 using glm::max;
 using glm::min;
@@ -68,6 +69,7 @@ namespace
 #include "vtkIndirectLibPenumbra.glsl"
 #include "vtkIndirectLibAreaLight.glsl"
 #include "vtkIndirectLibLobe.glsl"
+#include "vtkIndirectLibSenderLobe.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
