@@ -200,6 +200,8 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     caster.SendsLight = ReadKey(prop, vtkIndirectPropKeys::SendsLight(), true);
     caster.Triangles = kind.DepthTriangles;
     this->AllSendLight = this->AllSendLight && caster.SendsLight;
+    this->SendersAreSpecular = this->SendersAreSpecular ||
+      (caster.SendsLight && (kind.Specular || kind.PhysicallyBased));
     this->Casters.push_back(caster);
     return;
   }

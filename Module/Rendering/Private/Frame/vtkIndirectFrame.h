@@ -88,6 +88,7 @@ struct vtkIndirectFrame
   int NumberOfOtherReceivers = 0; // captured lit props that are no casters
   std::vector<vtkIndirectCaster> Casters;
   bool AllSendLight = true; // whether all surfaces may send light
+  bool SendersAreSpecular = false; // whether some that may reflect specularly
   std::vector<vtkIndirectLight> Lights;
   /** The renderer's own, which what has no surface is drawn with; null: Lights are these. */
   vtkLightCollection* ReplacedLights = nullptr;

@@ -70,6 +70,8 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
                             : "receivers reflect them by Phong's lobes");
   }
   plan.SurfacesAreSpecular = plan.Specular || plan.AreaSpecular;
+  plan.SenderLobes = settings.IndirectScale > 0.0 && plan.Senders == MAPS && estimator.SumsLobes &&
+    estimator.SpecularTransport && frame.SendersAreSpecular;
   // With specular reflectance beside it the albedo has an image of its own in any case.
   plan.AlbedoInAlpha = frame.CoversFully && !circumstances.OwnDelegate && !plan.SurfacesAreSpecular;
   // Twice is too much, and what the user has chosen wins.
@@ -298,7 +300,7 @@ std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) cons
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
     static_cast<double>(frame.Size[1]), static_cast<double>(this->Senders),
     static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
-    this->ErrorTolerance, this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0,
+    this->ErrorTolerance, this->SenderLobes ? 1.0 : 0.0, this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0,
     this->AreaLightsBounce ? 1.0 : 0.0,
     // Moving frames look fewer maps up.
     this->Interactive && this->Visibility == vtkIndirectVisibilityMaps ? 1.0 : 0.0 };

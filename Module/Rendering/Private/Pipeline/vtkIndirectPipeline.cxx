@@ -101,7 +101,8 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   this->Paths = vtkIndirectPaths::GetAll();
   this->Capture->SetDelegatePass(request.Delegate);
   this->Capture->SetShadows(this->Plan.Shadows);
-  this->Capture->SetSpecular(this->Plan.SurfacesAreSpecular);
+  this->Capture->SetSpecular(this->Plan.SurfacesAreSpecular || this->Plan.SenderLobes);
+  this->Maps->SetSpecular(this->Plan.SenderLobes);
   this->Capture->SetSpecularOfPBR(this->Plan.AreaSpecular && this->Frame.PhysicallyBased);
   this->Capture->SetImageLight(!this->Plan.ReplacesImageLight);
   this->Capture->Attach(this->Frame);
