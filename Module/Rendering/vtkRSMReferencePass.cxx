@@ -168,14 +168,16 @@ double FindLobe(const LobeSender& s, const glm::dvec3& toReceiver)
   const double z = (8.0 * freedom + 1.0) / (8.0 * freedom + 3.0) *
     std::sqrt(-freedom * LogOfRest(std::min(height, 1.0)));
   const double integral = 2.0 * pi / freedom * 0.5 * std::erfc(-z / std::sqrt(2.0));
-  return std::exp(0.5 * exponent * LogOfRest(sine)) / integral / (r2 + s.Area / pi);
+  return std::exp(0.5 * exponent * LogOfRest(sine)) / integral /
+    (r2 + s.Area / (pi * std::max(exponent, 1.0)));
 }
 
-// Adds lobes to the irradiance, and to what a lobe of that power reflects; power < 0: there is none.
+// Adds lobes to the irradiance, and to what a lobe of that power reflects; power < 0: there is
+// none.
 template <typename Lines>
-void SumLobes(const std::vector<LobeSender>& senders,
-  const std::vector<typename Lines::End>& ends, const Lines& lines, const Receiver& receiver,
-  const typename Lines::End& end, double power, double* total, double* reflected)
+void SumLobes(const std::vector<LobeSender>& senders, const std::vector<typename Lines::End>& ends,
+  const Lines& lines, const Receiver& receiver, const typename Lines::End& end, double power,
+  double* total, double* reflected)
 {
   const glm::dvec3 position(receiver.Position[0], receiver.Position[1], receiver.Position[2]);
   const glm::dvec3 normal(receiver.Normal[0], receiver.Normal[1], receiver.Normal[2]);

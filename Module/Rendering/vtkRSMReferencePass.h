@@ -14,8 +14,8 @@
  *     S(x) = sum over senders p of B_p A_p cosS max(R.V, 0)^power / (pi r^2 + A_p).
  *
  * Both with what senders reflect specularly: their lobes, of flux F_p, add
- * F_p I(w) cosR / (r^2 + A_p / pi) to E and the same without cosR, times the receiver's lobe, to S
- * (vtkIndirectLibSenderLobe.glsl has the lobe I and how it is normalised).
+ * F_p I(w) cosR / (r^2 + A_p / (pi max(P', 1))) to E and the same without cosR, times the
+ * receiver's lobe, to S (vtkIndirectLibSenderLobe.glsl has the lobe I and how it is normalised).
  *
  * In mode ALL_TEXELS the senders are all texels of all maps:
  * with maps of 256 texels squared that is the reference called R1. In mode VIRTUAL_LIGHTS they are

@@ -123,8 +123,11 @@ VTK_INDIRECT_TEST(SenderLobeFlux)
               std::sin(a) * (width / rings) * (2.0 * vtkMath::Pi() / steps);
           }
         }
-        // The disk kernel takes area over pi more than the square of the distance.
-        const double flux = sum * (distance * distance + area / vtkMath::Pi());
+        // The light's own size is in the kernel's denominator.
+        const double flux = sum *
+          (distance * distance +
+            static_cast<double>(
+              vtkiLobeSize(static_cast<float>(widened), static_cast<float>(area))));
         worst = std::max(worst, std::abs(flux - 1.0));
       }
     }
@@ -155,8 +158,9 @@ VTK_INDIRECT_TEST(SenderLobeLimits)
     const float variation = vtkiSenderLobeVariation(
       toSender, normal, direction, static_cast<float>(power), static_cast<float>(area), 0.01f);
     notFinite += std::isfinite(weight) && weight >= 0.0f && std::isfinite(variation) ? 0 : 1;
-    // No brighter than the lobe's middle at the light itself.
-    const double most = vtkMath::Pi() / area * (power + 1.0) / vtkMath::Pi();
+    // What leaves a light of flux one is one over its area, and twice that where half of the lobe
+    // is cut off.
+    const double most = 2.0 / area;
     unbounded += weight <= 1.01 * most ? 0 : 1;
     behind += dot(normal, vec3(w)) <= 0.0f && weight > 0.0f ? 1 : 0;
   }

@@ -68,6 +68,7 @@ struct vtkIndirectPlan
   bool Shadows = false;             // mappers look shadows up in these maps
   bool Specular = false;            // estimators reflect specularly
   bool SurfacesAreSpecular = false; // the geometry buffer has what is needed for that
+  bool SendersAreSpecular = false;  // some of them
   bool SenderLobes = false;         // maps have what senders reflect specularly
   bool AlbedoInAlpha = false;       // alpha says nothing, and the albedo has its place
   bool Antialiasing = false;        // edges of the composed picture are antialiased

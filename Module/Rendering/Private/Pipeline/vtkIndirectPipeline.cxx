@@ -460,6 +460,15 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
     this->Lights.CopyBranches(this->Frame, image);
     return {};
   }
+  if (name == "lobes")
+  {
+    if (!this->GetEstimate() || this->Samplers.empty() || !this->Lights.HasLobes())
+    {
+      return "no virtual light of the last frame has any";
+    }
+    this->Lights.CopyLobes(this->Frame, image);
+    return {};
+  }
   if (this->RenderChannel(name))
   {
     this->Composite.CopyImage(image);

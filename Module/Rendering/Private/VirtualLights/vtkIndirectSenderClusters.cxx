@@ -380,7 +380,8 @@ void vtkIndirectSenderClusters::AddLobe(
   }
   const double length = glm::length(direction) / total;
   light.LobeDirection = length > LeastNormal ? glm::normalize(direction) : fallback;
-  const double variance = width / total + 0.5 * std::max(1.0 - length * length, 0.0);
+  // That of the directions all along one axis, as where a mirror is curved along one.
+  const double variance = width / total + std::max(1.0 - length * length, 0.0);
   light.LobeExponent = std::max(1.0 / variance - 1.0, 0.0);
 }
 
@@ -452,7 +453,9 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
     Light& light = lights.Tops[i];
     const Cluster& cluster = this->Clusters[i];
     light.Reach = FindReach(light, cluster, limit);
-    light.Area *= limit > 0.0 && cluster.End - cluster.Begin > 1 ? ShareOfArea : 1.0;
+    // Lobes are as wide as their whole light, or it would be seen in pieces.
+    const bool mirrors = Sum(light.LobeDensityArea) > Sum(light.DensityArea);
+    light.Area *= limit > 0.0 && cluster.End - cluster.Begin > 1 && !mirrors ? ShareOfArea : 1.0;
     light.Normal = limit > 0.0 ? light.Normal : glm::dvec3(this->Senders[cluster.Middle].Normal);
   }
   if (limit > 0.0)

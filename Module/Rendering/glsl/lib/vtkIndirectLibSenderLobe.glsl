@@ -83,11 +83,19 @@ float vtkiLobeExponent(float exponent, float distance, float area)
   return exponent * nearness * nearness;
 }
 
-/* Intensity of a lobe of flux one towards a receiver, over r^2 + A / pi and the distance: times the receiver's projection
+/* What the size of a light adds to the squared distance in the denominator: A / pi for diffuse light, as of the disk of
+ * vtkiVirtualLightWeight, and less for a lobe, whose light does not spread over the hemisphere before it arrives; that
+ * it is bounded is the widened exponent's matter. With A / pi a caustic close to its mirror lost a tenth of its flux. */
+float vtkiLobeSize(float exponent, float area)
+{
+  return area / (VTKI_PI * max(exponent, 1.0f));
+}
+
+/* Intensity of a lobe of flux one towards a receiver, over r^2 + vtkiLobeSize and the distance: times the receiver's projection
  * max(dot(normalR, toSender), 0) and the lobe's flux it is its irradiance (VTK units, both physical over pi), and times
  * toSender its share of the vector irradiance. Dachsbacher and Stamminger 2006, eq. 3, with the lobe clamped to the
  * sender's hemisphere and normalised over it:
- *   I(w) = max(r.w, 0)^P' / N(P', n.r),   E = flux I(w) cosR / (r^2 + A / pi).
+ *   I(w) = max(r.w, 0)^P' / N(P', n.r),   E = flux I(w) cosR / (r^2 + A / (pi max(P', 1))).
  * toSender: sender minus receiver, scene units; normalS: unit, or a mean; direction: unit; exponent >= 0; area > 0.
  * Bounded without a clamp: the exponent is zero at the light. No visibility. The form factor's cosine at the sender is
  * the lobe's own matter, so a wide lobe is brighter along the surface than VTK's specular term shows it there, and
@@ -104,7 +112,7 @@ float vtkiSenderLobeStrength(
   float cosine = dot(normalS, direction) * (length2 > 0.0f ? 1.0f / sqrt(length2) : 0.0f);
   float widened = vtkiLobeExponent(exponent, r, area);
   float intensity = vtkiLobePower(dot(aside, aside), widened) / vtkiLobeIntegral(widened, cosine);
-  return leaves && r > 0.0f ? intensity / (r * (r2 + area * (1.0f / VTKI_PI))) : 0.0f;
+  return leaves && r > 0.0f ? intensity / (r * (r2 + vtkiLobeSize(widened, area))) : 0.0f;
 }
 
 /* The same with the receiver's cosine: irradiance over flux. */
@@ -136,7 +144,7 @@ float vtkiSenderLobeVariation(
   float lobe = nearestCosine > 0.0f ? vtkiLobePower(nearestSine * nearestSine, widened) : 0.0f;
   float length2 = dot(normalS, normalS);
   float upright = dot(normalS, direction) * (length2 > 0.0f ? 1.0f / sqrt(length2) : 0.0f);
-  float strength = lobe / (vtkiLobeIntegral(steepest, upright) * (closest * closest + area * (1.0f / VTKI_PI)));
+  float strength = lobe / (vtkiLobeIntegral(steepest, upright) * (closest * closest + vtkiLobeSize(steepest, area)));
   float curvature = steepest * max(steepest * nearestSine * nearestSine, 1.0f) + 6.0f;
   return strength * min(0.5f * shift * shift * curvature, 1.0f);
 }
