@@ -160,7 +160,8 @@ size_t vtkMultiresolutionSplattingPass::GetBytes() const
 {
   const Internals& in = *this->Internal;
   return this->Superclass::GetBytes() + in.Lights.GetBytes() + in.Pyramid.GetBytes() +
-    in.Illumination.GetBytes() + in.Glossy.GetBytes() + (in.Batch ? in.Batch->GetBytes() : 0);
+    in.Illumination.GetBytes() + in.Glossy.GetBytes() + in.Lobes.GetBytes() +
+    (in.Batch ? in.Batch->GetBytes() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -279,10 +280,11 @@ vtkIndirectEstimate vtkMultiresolutionSplattingPass::Estimate(const Input& input
   if (input.Lights->HasLobes())
   {
     input.Timer.Begin(vtkIndirectStageTimer::Upsample);
-    done = done && in.Lobes.Add(input,
-      { *this->Irradiance, this->HasGlossy ? this->Glossy.get() : nullptr,
-        1.0 / settings.StorageScale },
-      settings.PlaneThreshold > 0.0 ? LobeStep : 1, LobeTolerance);
+    done = done &&
+      in.Lobes.Add(input,
+        { *this->Irradiance, this->HasGlossy ? this->Glossy.get() : nullptr,
+          1.0 / settings.StorageScale },
+        settings.PlaneThreshold > 0.0 ? LobeStep : 1, LobeTolerance);
     input.Timer.End(vtkIndirectStageTimer::Upsample);
   }
 

@@ -126,12 +126,12 @@ VTK_INDIRECT_TEST(SenderLobeFluxOfMaps)
     const double angle = vtkMath::RadiansFromDegrees(degrees);
     for (const double power : { 0.0, 1.0, 20.0, 128.0 })
     {
-      Scene scene(32, 32);
+      Scene scene(8, 8);
       MakePhong(scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 1, 1 }), 0.5, power);
       scene.AddQuad({ 2, 0, 0 }, { 2, 1, 0 }, { 2, 0, 1 }, { 0.5, 0.5, 0.5 });
       scene.SetEye({ 0.5, 3, 0.5 }, { 0.5, 0, 0.5 }, { 0, 0, 1 }, 50, 0.5, 6);
       scene.AddDirectional({ std::sin(angle), -std::cos(angle), 0 });
-      scene.Pass->SetReflectiveShadowMapResolution(128);
+      scene.Pass->SetReflectiveShadowMapResolution(256);
       scene.Render();
       const std::vector<Lobe> lobes = CopyLobes(scene);
       const double expected = 0.5 * PhongFlux(power, std::cos(angle)) / vtkMath::Pi();
@@ -152,7 +152,7 @@ VTK_INDIRECT_TEST(SenderLobeFluxOfMaps)
     }
   }
   // Of a metal nearly all light is reflected, by VTK's PBR in its units: I cos / pi.
-  Scene scene(32, 32);
+  Scene scene(8, 8);
   MakeMetal(scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0.9, 0.6, 0.3 }), 0.3);
   scene.AddQuad({ 2, 0, 0 }, { 2, 1, 0 }, { 2, 0, 1 }, { 0.5, 0.5, 0.5 });
   scene.SetEye({ 0.5, 3, 0.5 }, { 0.5, 0, 0.5 }, { 0, 0, 1 }, 50, 0.5, 6);
@@ -392,4 +392,54 @@ VTK_INDIRECT_TEST(SenderLobesAgainstReference)
     !scene.Pass->GetReflectiveShadowMaps()->HasSpecular());
   Check("and the picture is darker", scene.Copy("irradiance").Mean() < 0.999 * e.Mean());
   scene.Gather->SpecularTransportOn();
+}
+
+// Nothing but numbers: mirrors and matt metal, light along the surface and all but on it, black.
+VTK_INDIRECT_TEST(SenderLobesOfExtremes)
+{
+  Scene scene(24, 24);
+  vtkActor* plate = scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 1, 1 });
+  vtkActor* wall = scene.AddQuad({ 1, 0, 0 }, { 1, 0, 1 }, { 1, 1, 0 }, { 0.5, 0.6, 0.7 });
+  MakePhong(wall, 1.0, 128.0);
+  scene.SetEye({ -1.5, 1.5, 1.8 }, { 0.7, 0.3, 0.5 }, { 0, 1, 0 }, 40, 0.5, 6);
+  scene.Pass->SetReflectiveShadowMapResolution(32);
+  scene.Gather->SetModeToVirtualLights();
+  scene.Sampler->SetNumberOfLights(64);
+  vtkLight* lights[] = { scene.AddDirectional({ 1, -1e-3, 0 }),
+    scene.AddDirectional({ 0.1, -1, 0 }), scene.AddPoint({ 0.5, 1e-4, 0.5 }, { 1, 0, 0 }),
+    scene.AddPoint({ 0.5, 1e-4, 0.5 }, { 0, 0, 1 }) };
+  for (vtkLight* one : lights)
+  {
+    for (vtkLight* light : lights)
+    {
+      light->SetSwitch(light == one);
+    }
+    for (const double roughness : { -1.0, 0.0, 0.03, 1.0 })
+    {
+      if (roughness < 0.0)
+      {
+        plate->GetProperty()->SetInterpolationToPhong();
+        MakePhong(plate, 1.0, 0.0);
+      }
+      else
+      {
+        plate->GetProperty()->SetDiffuse(1.0);
+        MakeMetal(plate, roughness);
+      }
+      for (const bool interpolated : { false, true })
+      {
+        scene.Gather->SetInterpolation(interpolated);
+        scene.Render();
+        scene.CheckBuffers(1);
+      }
+    }
+  }
+  // Black metal, and black Phong: no flux, and nothing that is not a number.
+  plate->GetProperty()->SetColor(0, 0, 0);
+  MakePhong(wall, 0.0, 1.0);
+  wall->GetProperty()->SetColor(0, 0, 0);
+  scene.Render();
+  scene.CheckBuffers(1);
+  CheckAtMost("flux of what is black, over that of what is white", SumFlux(CopyLobes(scene)).x,
+    1e-6, "F0 of a black metal is zero");
 }
