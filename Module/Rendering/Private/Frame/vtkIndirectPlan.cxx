@@ -70,6 +70,8 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
                             : "receivers reflect them by Phong's lobes");
   }
   plan.SurfacesAreSpecular = plan.Specular || plan.AreaSpecular;
+  plan.Refraction = plan.Irradiance && !frame.Refractors.empty() && estimator.SumsLobes &&
+    estimator.SpecularTransport && !frame.Lights.empty();
   plan.SendersAreSpecular = frame.SendersAreSpecular;
   plan.SenderLobes = settings.IndirectScale > 0.0 && plan.Senders == MAPS && estimator.SumsLobes &&
     estimator.SpecularTransport && frame.SendersAreSpecular;
@@ -292,6 +294,12 @@ void vtkIndirectPlan::LeaveOut(
         : estimator.SpecularTransport ? "no receiver is specular"
                                       : "SpecularTransport is off");
   }
+  if (this->Refraction)
+  {
+    this->EstimateModelled.emplace_back("light through glass",
+      "refracted at both faces, a lobe a virtual light; that bodies of glass hold light back "
+      "is not");
+  }
   if (this->SenderLobes)
   {
     this->EstimateModelled.emplace_back("specular reflection of senders",
@@ -318,8 +326,8 @@ std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) cons
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
     static_cast<double>(frame.Size[1]), static_cast<double>(this->Senders),
     static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
-    this->ErrorTolerance, this->SenderLobes ? 1.0 : 0.0, this->Sky ? 1.0 : 0.0,
-    this->SkyBounces ? 1.0 : 0.0, this->AreaLightsBounce ? 1.0 : 0.0,
+    this->ErrorTolerance, this->SenderLobes ? 1.0 : 0.0, this->Refraction ? 1.0 : 0.0,
+    this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0, this->AreaLightsBounce ? 1.0 : 0.0,
     // Moving frames look fewer maps up.
     this->Interactive && this->Visibility == vtkIndirectVisibilityMaps ? 1.0 : 0.0 };
   frame.AppendTo(key);

@@ -69,6 +69,7 @@ struct vtkIndirectPlan
   bool Specular = false;            // estimators reflect specularly
   bool SurfacesAreSpecular = false; // the geometry buffer has what is needed for that
   bool SendersAreSpecular = false;  // some of them
+  bool Refraction = false;          // bodies of glass send what comes through them
   bool SenderLobes = false;         // maps have what senders reflect specularly
   bool AlbedoInAlpha = false;       // alpha says nothing, and the albedo has its place
   bool Antialiasing = false;        // edges of the composed picture are antialiased

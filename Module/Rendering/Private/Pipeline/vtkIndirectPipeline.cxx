@@ -218,6 +218,15 @@ void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
   {
     this->Samplers.emplace_back(this->SenderSampler.Get());
   }
+  if (this->Plan.Refraction)
+  {
+    this->RefractionSampler->SetNumberOfLightsOf(sampler);
+    this->Samplers.emplace_back(this->RefractionSampler.Get());
+  }
+  else
+  {
+    this->RefractionSampler->ReleaseGraphicsResources(this->Frame.Window);
+  }
   if (this->Plan.OtherSamplers)
   {
     this->Samplers.insert(
@@ -574,6 +583,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->DefaultSampler->ReleaseGraphicsResources(window);
   this->HeadlightSampler->ReleaseGraphicsResources(window);
   this->SenderSampler->ReleaseGraphicsResources(window);
+  this->RefractionSampler->ReleaseGraphicsResources(window);
   this->ReleaseSky(window);
   this->Area.Release(window);
   this->VisibleLamps.Release(window);
