@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The caustic of a metal ring, and beside it the path tracer's, for gallery.py.
+"""The caustics of a metal ring, beside it the path tracer's, and of a ball of glass, for gallery.py.
 
-On the left a ring of VTK's PBR metal with 4096 virtual lights. In the middle and on the right the
-irradiance of Testing/Scenes/ring_caustic.json, whose ring is of Phong's model: by 4096 virtual
+On the left a ring of VTK's PBR metal with 4096 virtual lights, on the right a ball of glass. Between
+them the irradiance of Testing/Scenes/ring_caustic.json, whose ring is of Phong's model: by 4096 virtual
 lights, and path traced (R2), four times as bright as it is. Prints how far the first is from the
 second, with 256 lights, too.
 """
@@ -29,17 +29,31 @@ METAL = {
     "color": [0.95, 0.75, 0.4],
     "diffuse": 1.0,
 }
+GLASS = {
+    "name": "ball",
+    "source": "sphere",
+    "center": [0, 0.55, 0],
+    "radius": 0.45,
+    "resolution": 96,
+    "color": [1.0, 1.0, 1.0],
+    "opacity": 0.15,
+    "interpolation": "pbr",
+    "refraction_index": 1.5,
+    "roughness": 0.15,
+}
 BRIGHTER = 4.0
 GAP = 4
 
 
-def load(size: int, material: dict | None = None) -> vtkindirect.Scene:
-    """The scene, its ring of another material where one is given."""
+def load(size: int, material: dict | None = None, ball: bool = False) -> vtkindirect.Scene:
+    """The scene, its ring of another material where one is given, or a ball of glass in its place."""
     values = json.loads(SCENE.read_text(encoding="utf-8"))
     values["size"] = [size, size]
     for actor in values["actors"]:
         if actor["name"] == "ring" and material is not None:
             actor.update(material)
+    if ball:
+        values["actors"] = [actor for actor in values["actors"] if actor["name"] != "ring"] + [GLASS]
     with tempfile.TemporaryDirectory(prefix="vtkindirect-") as name:
         path = Path(name) / "ring.json"
         path.write_text(json.dumps(values), encoding="utf-8")
@@ -93,6 +107,7 @@ def picture() -> np.ndarray:
         render(load(SIZE, METAL), 4096),
         shown(render(load(SIZE), 4096, "irradiance")),
         shown(np.repeat(np.repeat(traced, ratio, axis=0), ratio, axis=1)),
+        render(load(SIZE, ball=True), 4096),
     ]
     gap = np.full((SIZE, GAP, 3), 255, dtype=np.uint8)
     return np.hstack([part for one in parts for part in (gap, one)][1:])
