@@ -32,8 +32,8 @@ METAL = {
 GLASS = {
     "name": "ball",
     "source": "sphere",
-    "center": [0, 0.55, 0],
-    "radius": 0.45,
+    "center": [0.45, 0.42, 0],
+    "radius": 0.4,
     "resolution": 96,
     "color": [1.0, 1.0, 1.0],
     "opacity": 0.15,
