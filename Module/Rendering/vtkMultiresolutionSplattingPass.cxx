@@ -30,7 +30,7 @@ namespace
 // Lobes of senders: at every so many pixels, and what interpolation between them may change of
 // them, over their light.
 constexpr int LobeStep = 4;
-constexpr double LobeTolerance = 0.02;
+constexpr double LobeTolerance = 0.05;
 
 const vtkIndirectChannel BatchChannels[] = {
   { "subsplat.batch", "vtkiBatch", "irradiance from some of the lights", GL_RGBA32F, "-",

@@ -76,7 +76,10 @@ public:
    * Whether the next maps hold what senders reflect specularly. The capture must write it. Default
    * off.
    */
-  void SetSpecular(bool specular) { this->Specular = specular; }
+  void SetSpecular(bool specular)
+  {
+    this->Specular = specular;
+  }
   /** Whether the maps hold it, so that shaders are built with VTKI_LOBES. */
   bool HasSpecular() const;
 

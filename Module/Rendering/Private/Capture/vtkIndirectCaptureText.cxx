@@ -196,8 +196,8 @@ void vtkIndirectCaptureText::Add(
       : physical                    ? "vec4(F0, -max(roughness, 0.001))\n"
                                     : "vec4(0.0)\n";
     outputs += std::string("#define VTKI_SPECULAR ") +
-      (physical && !this->SpecularOfPBR ? "vec4(0.0)\n" : sends) +
-      "#define VTKI_SPECULAR_SENDER " + sends;
+      (physical && !this->SpecularOfPBR ? "vec4(0.0)\n" : sends) + "#define VTKI_SPECULAR_SENDER " +
+      sends;
   }
   outputs += vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureImplFS.glsl");
   vtkShaderProgram::Substitute(

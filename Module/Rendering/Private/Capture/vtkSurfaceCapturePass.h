@@ -84,8 +84,8 @@ public:
    */
   void SetSpecular(bool specular);
   /**
-   * Whether they write F0 and minus the roughness of VTK's PBR of what the eye sees, too; off: zero.
-   * Default off.
+   * Whether they write F0 and minus the roughness of VTK's PBR of what the eye sees, too; off:
+   * zero. Default off.
    */
   void SetSpecularOfPBR(bool specular);
   vtkGetMacro(Specular, bool);

@@ -49,8 +49,8 @@ bool vtkIndirectLobeGather::Add(
     ? vtkIndirectVisibility::MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength
     : RowsPerDraw;
   // Pixels that interpolation leaves are summed in one go.
-  const bool interpolate = step > 1 &&
-    rows * vtkVirtualLightSampler::RowLength <= visibility.GetMaximumNumberOfSenders();
+  const bool interpolate =
+    step > 1 && rows * vtkVirtualLightSampler::RowLength <= visibility.GetMaximumNumberOfSenders();
   if (!interpolate)
   {
     this->Coarse.Release(window);

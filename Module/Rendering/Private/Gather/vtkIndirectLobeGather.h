@@ -30,8 +30,7 @@ public:
    * vtkIndirectFullScreenState, and a scope of the blending's function. Returns false, after an
    * error, when OpenGL refuses.
    */
-  bool Add(
-    const vtkIndirectEstimateInput& input, const Output& output, int step, double tolerance);
+  bool Add(const vtkIndirectEstimateInput& input, const Output& output, int step, double tolerance);
 
   size_t GetBytes() const { return this->Coarse.GetBytes(); }
   void Release(vtkWindow* window);
