@@ -65,6 +65,7 @@ void vtkIndirectEstimatorPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MethodName: " << this->GetMethodName() << "\n";
   os << indent << "SpecularTransport: " << (this->SpecularTransport ? "On" : "Off") << "\n";
   os << indent << "ComputesGlossy: " << (this->ComputesGlossy() ? "yes" : "no") << "\n";
+  os << indent << "SumsLobes: " << (this->SumsLobes() ? "yes" : "no") << "\n";
   os << indent << "MaximumNumberOfBounces: " << this->GetMaximumNumberOfBounces() << "\n";
   os << indent << "Occupancy: " << (this->Occupancy ? "On" : "Off") << "\n";
   os << indent << "OccupancyResolution: " << this->OccupancyResolution << "\n";
@@ -97,6 +98,7 @@ vtkIndirectAbilities vtkIndirectEstimatorPass::GetAbilities(double tolerance) co
   abilities.Name = this->GetClassName();
   abilities.MaximumNumberOfBounces = this->GetMaximumNumberOfBounces();
   abilities.ComputesGlossy = this->ComputesGlossy();
+  abilities.SumsLobes = this->SumsLobes();
   abilities.SpecularTransport = this->SpecularTransport;
   abilities.Occupancy = this->Occupancy;
   abilities.TakesLightMaps = this->TakesLightMaps();

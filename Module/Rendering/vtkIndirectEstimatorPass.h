@@ -8,7 +8,8 @@
  *
  * Estimators that know how also compute what receivers reflect specularly, by the lobes of VTK's
  * Phong model; see SpecularTransport. It comes without the material's specular colour, by which the
- * composite multiplies it.
+ * composite multiplies it. Some also sum what senders reflect specularly, such as caustics; see
+ * SumsLobes.
  */
 
 #ifndef vtkIndirectEstimatorPass_h
@@ -59,7 +60,8 @@ public:
   ///@{
   /**
    * Whether receivers with Phong's model and a specular coefficient reflect indirect light
-   * specularly, where the estimator can compute it. Costs nothing where there are none. Default on.
+   * specularly, and senders with such or with VTK's PBR reflect the lights specularly, where the
+   * estimator can compute it. Costs nothing where there are none. Default on.
    */
   vtkSetMacro(SpecularTransport, bool);
   vtkGetMacro(SpecularTransport, bool);
@@ -67,6 +69,8 @@ public:
   ///@}
   /** Whether this estimator can compute specular reflection of receivers. */
   virtual bool ComputesGlossy() const { return false; }
+  /** Whether it can sum what senders reflect specularly, the lobes of virtual lights. */
+  virtual bool SumsLobes() const { return false; }
 
   ///@{
   /**

@@ -447,7 +447,7 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
   int channel = 0;
   const std::vector<std::string> own = this->GetFrameEstimator()->GetChannelNames();
   const bool estimators = std::find(own.begin(), own.end(), name) != own.end();
-  const bool known = name == "lights" || name == "branches" ||
+  const bool known = name == "lights" || name == "branches" || name == "lobes" ||
     vtkIndirectComposite::FindChannel(name) >= 0 ||
     vtkIndirectComposite::ParseMapChannel(name, map, channel) || estimators;
   if (!image)

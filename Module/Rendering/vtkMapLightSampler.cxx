@@ -67,6 +67,7 @@ struct vtkMapLightSampler::Internals
   vtkIndirectPatternTexture Pattern;
   vtkIndirectSampleWarp Warp;
   vtkIndirectFullScreenProgram Program{ "vtkIndirectVirtualLightFS.glsl" };
+  vtkIndirectFullScreenProgram LobeProgram{ "vtkIndirectVirtualLobeFS.glsl" };
   vtkMTimeType MapTime = 0; // of the maps that the lights were made from
 };
 
@@ -114,6 +115,7 @@ bool vtkMapLightSampler::Update(const Input& input)
   vtkIndirectTarget& table = this->BeginChange();
   if (sources.empty())
   {
+    this->ReleaseLobes(window);
     in.MapTime = maps.GetContentTime();
     return true;
   }
@@ -142,7 +144,41 @@ bool vtkMapLightSampler::Update(const Input& input)
     warped ? in.Warp.Deactivate() : in.Pattern.Deactivate();
   }
   table.End();
+  if (!this->DrawLobes(input))
+  {
+    return false;
+  }
   in.MapTime = maps.GetContentTime();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Where the maps have what senders reflect specularly.
+bool vtkMapLightSampler::DrawLobes(const Input& input)
+{
+  Internals& in = *this->Internal;
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  if (!input.Maps.HasSpecular())
+  {
+    this->ReleaseLobes(window);
+    return true;
+  }
+  vtkIndirectTarget* lobes = this->MakeLobes(window);
+  vtkShaderProgram* program = lobes ? in.LobeProgram.Use(window, *lobes) : nullptr;
+  if (!program)
+  {
+    return false;
+  }
+  lobes->Begin();
+  {
+    vtkIndirectFullScreenState fullScreen(window);
+    in.Pattern.Activate(program);
+    input.Maps.Activate(program);
+    in.LobeProgram.Draw();
+    input.Maps.Deactivate();
+    in.Pattern.Deactivate();
+  }
+  lobes->End();
   return true;
 }
 
@@ -157,5 +193,6 @@ void vtkMapLightSampler::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Pattern.Release(window);
   this->Internal->Warp.Release(window);
   this->Internal->Program.Release();
+  this->Internal->LobeProgram.Release();
   this->Internal->MapTime = 0;
 }

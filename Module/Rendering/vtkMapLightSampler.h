@@ -91,6 +91,8 @@ protected:
   ~vtkMapLightSampler() override;
 
 private:
+  bool DrawLobes(const Input& input);
+
   vtkMapLightSampler(const vtkMapLightSampler&) = delete;
   void operator=(const vtkMapLightSampler&) = delete;
 

@@ -9,6 +9,7 @@
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "Gather/vtkIndirectGlossyGather.h"
+#include "Gather/vtkIndirectLobeGather.h"
 #include "Multiresolution/vtkIndirectGlossySubsplats.h"
 #include "Multiresolution/vtkIndirectSubsplatIllumination.h"
 #include "Multiresolution/vtkIndirectSubsplatView.h"
@@ -26,6 +27,11 @@ vtkStandardNewMacro(vtkMultiresolutionSplattingPass);
 
 namespace
 {
+// Lobes of senders: at every so many pixels, and what interpolation between them may change of
+// them, over their light.
+constexpr int LobeStep = 4;
+constexpr double LobeTolerance = 0.05;
+
 const vtkIndirectChannel BatchChannels[] = {
   { "subsplat.batch", "vtkiBatch", "irradiance from some of the lights", GL_RGBA32F, "-",
     "VTK irradiance" },
@@ -48,6 +54,7 @@ struct vtkMultiresolutionSplattingPass::Internals
   vtkIndirectSubsplatView View;
   vtkIndirectGlossySubsplats Glossy;
   vtkIndirectGlossyGather GlossyGather;
+  vtkIndirectLobeGather Lobes;
   // The image of a batch of lights, where there are several.
   std::unique_ptr<vtkIndirectTarget> Batch;
   bool BatchIsHalf = false;
@@ -153,7 +160,8 @@ size_t vtkMultiresolutionSplattingPass::GetBytes() const
 {
   const Internals& in = *this->Internal;
   return this->Superclass::GetBytes() + in.Lights.GetBytes() + in.Pyramid.GetBytes() +
-    in.Illumination.GetBytes() + in.Glossy.GetBytes() + (in.Batch ? in.Batch->GetBytes() : 0);
+    in.Illumination.GetBytes() + in.Glossy.GetBytes() + in.Lobes.GetBytes() +
+    (in.Batch ? in.Batch->GetBytes() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -266,6 +274,17 @@ vtkIndirectEstimate vtkMultiresolutionSplattingPass::Estimate(const Input& input
   done = done && this->FillGlossy(input, settings);
   if (this->HasGlossy)
   {
+    input.Timer.End(vtkIndirectStageTimer::Upsample);
+  }
+
+  if (input.Lights->HasLobes())
+  {
+    input.Timer.Begin(vtkIndirectStageTimer::Upsample);
+    done = done &&
+      in.Lobes.Add(input,
+        { *this->Irradiance, this->HasGlossy ? this->Glossy.get() : nullptr,
+          1.0 / settings.StorageScale },
+        settings.PlaneThreshold > 0.0 ? LobeStep : 1, LobeTolerance);
     input.Timer.End(vtkIndirectStageTimer::Upsample);
   }
 
@@ -485,6 +504,7 @@ void vtkMultiresolutionSplattingPass::ReleaseGraphicsResources(vtkWindow* window
   in.View.Release();
   in.Glossy.Release(window);
   in.GlossyGather.Release();
+  in.Lobes.Release(window);
   if (in.Batch)
   {
     in.Batch->Release(window);

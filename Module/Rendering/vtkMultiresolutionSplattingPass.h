@@ -56,6 +56,7 @@ public:
 
   const char* GetMethodName() const override { return "multiresolution"; }
   bool ComputesGlossy() const override { return true; }
+  bool SumsLobes() const override { return true; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   enum PresetType

@@ -10,6 +10,7 @@
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "Gather/vtkIndirectGlossyGather.h"
+#include "Gather/vtkIndirectLobeGather.h"
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
@@ -41,6 +42,8 @@ const char* const NeighborhoodFile = "vtkIndirectGatherNeighborhood.glsl";
 
 // Rows of 256 lights in one draw: long draws stall a desktop, and some drivers end them.
 constexpr int RowsPerDraw = 16;
+// What interpolation may change of lobes, over their light.
+constexpr double LobeTolerance = 0.05;
 constexpr int MaximumNumberOfSegments = vtkIndirectVisibility::MaximumNumberOfSegments;
 }
 
@@ -53,6 +56,7 @@ struct vtkRSMGatherPass::Internals
   vtkIndirectFullScreenProgram Upsample[2] = { { "vtkIndirectUpsampleFS.glsl", LightsFile },
     { "vtkIndirectUpsampleFS.glsl", NeighborhoodFile } };
   vtkIndirectGlossyGather Glossy;
+  vtkIndirectLobeGather Lobes;
   vtkNew<vtkIndirectAllTexelsSampler> AllTexels;
   std::string WhatDiskLeaves; // of the last frame; empty where a disk leaves nothing
 
@@ -102,7 +106,8 @@ void vtkRSMGatherPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 size_t vtkRSMGatherPass::GetBytes() const
 {
-  return this->Superclass::GetBytes() + this->Internal->Coarse.GetBytes();
+  return this->Superclass::GetBytes() + this->Internal->Coarse.GetBytes() +
+    this->Internal->Lobes.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -258,9 +263,18 @@ bool vtkRSMGatherPass::Sum(const Input& input)
     return false;
   }
   timer.End(vtkIndirectStageTimer::Estimate);
+  auto addLobes = [&]()
+  {
+    timer.Begin(vtkIndirectStageTimer::Upsample);
+    const bool added = in.Lobes.Add(input,
+      { *this->Irradiance, this->HasGlossy ? this->Glossy.get() : nullptr, 1.0 }, step,
+      LobeTolerance);
+    timer.End(vtkIndirectStageTimer::Upsample);
+    return added;
+  };
   if (!interpolate)
   {
-    return true;
+    return addLobes();
   }
 
   timer.Begin(vtkIndirectStageTimer::Upsample);
@@ -284,7 +298,7 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   this->Irradiance->End();
   releaseTextures();
   timer.End(vtkIndirectStageTimer::Upsample);
-  return true;
+  return addLobes();
 }
 
 //------------------------------------------------------------------------------
@@ -298,6 +312,7 @@ void vtkRSMGatherPass::ReleaseGraphicsResources(vtkWindow* window)
   Internals& in = *this->Internal;
   in.Coarse.Release(window);
   in.Glossy.Release();
+  in.Lobes.Release(window);
   in.AllTexels->ReleaseGraphicsResources(window);
   for (int i = 0; i < 2; ++i)
   {

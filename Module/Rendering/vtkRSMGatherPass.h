@@ -44,6 +44,7 @@ public:
 
   const char* GetMethodName() const override { return "gather"; }
   bool ComputesGlossy() const override { return true; }
+  bool SumsLobes() const override { return this->Settings.Mode != NEIGHBORHOOD; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   enum ModeType

@@ -131,6 +131,110 @@ void SumLobe(
   }
 }
 
+// The lobe of a specular sender, in double precision.
+struct LobeSender
+{
+  glm::dvec3 Position;
+  glm::dvec3 Normal; // unit
+  double Area;
+  glm::dvec3 Direction;
+  double Exponent;
+  glm::dvec3 Flux;
+};
+
+// log of cos^2 of an angle by its sine, without loss of digits.
+double LogOfRest(double sine)
+{
+  return std::log1p(-std::min(sine * sine, 1.0 - 1e-15));
+}
+
+// What a lobe of flux one gives a surface that faces it: vtkiSenderLobeStrength times the distance.
+double FindLobe(const LobeSender& s, const glm::dvec3& toReceiver)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const double r2 = glm::dot(toReceiver, toReceiver);
+  const double r = std::sqrt(r2);
+  if (!(r > 0.0) || glm::dot(s.Normal, toReceiver) <= 0.0 ||
+    glm::dot(s.Direction, toReceiver) <= 0.0)
+  {
+    return 0.0;
+  }
+  // The lobe is widened where it would be narrower than half the light.
+  const double reach = 0.5 * std::sqrt(s.Exponent * s.Area);
+  const double exponent = reach > r ? s.Exponent * r2 / (reach * reach) : s.Exponent;
+  const double sine = glm::length(glm::cross(s.Direction, toReceiver)) / r;
+  const double height = std::max(glm::dot(s.Normal, s.Direction), 0.0);
+  const double freedom = exponent + 1.0;
+  const double z = (8.0 * freedom + 1.0) / (8.0 * freedom + 3.0) *
+    std::sqrt(-freedom * LogOfRest(std::min(height, 1.0)));
+  const double integral = 2.0 * pi / freedom * 0.5 * std::erfc(-z / std::sqrt(2.0));
+  return std::exp(0.5 * exponent * LogOfRest(sine)) / integral /
+    (r2 + s.Area / (pi * std::max(exponent, 1.0)));
+}
+
+// Adds lobes to the irradiance, and to what a lobe of that power reflects; power < 0: there is
+// none.
+template <typename Lines>
+void SumLobes(const std::vector<LobeSender>& senders, const std::vector<typename Lines::End>& ends,
+  const Lines& lines, const Receiver& receiver, const typename Lines::End& end, double power,
+  double* total, double* reflected)
+{
+  const glm::dvec3 position(receiver.Position[0], receiver.Position[1], receiver.Position[2]);
+  const glm::dvec3 normal(receiver.Normal[0], receiver.Normal[1], receiver.Normal[2]);
+  const glm::dvec3 toEye(receiver.ToEye[0], receiver.ToEye[1], receiver.ToEye[2]);
+  const glm::dvec3 mirror = 2.0 * glm::dot(normal, toEye) * normal - toEye;
+  for (size_t i = 0; i < senders.size(); ++i)
+  {
+    const LobeSender& s = senders[i];
+    const glm::dvec3 way = position - s.Position;
+    const double cosine = -glm::dot(normal, way);
+    const double facing = cosine > 0.0 ? FindLobe(s, way) : 0.0;
+    if (!(facing > 0.0) || !lines.IsVisible(end, ends[i]))
+    {
+      continue;
+    }
+    const double r = glm::length(way);
+    const double mirrored = -glm::dot(mirror, way) / r;
+    const double lobe =
+      power >= 0.0 && mirrored > 0.0 ? std::pow(std::min(mirrored, 1.0), power) : 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      total[c] += s.Flux[c] * facing * cosine / r;
+      reflected[c] += s.Flux[c] * facing * lobe;
+    }
+  }
+}
+
+std::vector<LobeSender> ReadLobes(const vtkIndirectVirtualLights& lights)
+{
+  std::vector<LobeSender> senders;
+  if (!lights.HasLobes())
+  {
+    return senders;
+  }
+  const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
+  const vtkIndirectTarget& table = lights.GetTable();
+  const vtkIndirectTarget& lobes = *lights.GetLobes();
+  const std::vector<float> position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
+  const std::vector<float> normal = table.ReadBack(vtkVirtualLightSampler::NormalReach);
+  const std::vector<float> direction =
+    lobes.ReadBack(vtkVirtualLightSampler::LobeDirectionExponent);
+  const std::vector<float> density = lobes.ReadBack(vtkVirtualLightSampler::LobeDensityArea);
+  for (size_t i = 0; i < count; ++i)
+  {
+    const float* d = &density[4 * i];
+    if (std::max({ d[0], d[1], d[2] }) > 0.0f)
+    {
+      const float* p = &position[4 * i];
+      const float* n = &normal[4 * i];
+      const float* w = &direction[4 * i];
+      senders.push_back({ { p[0], p[1], p[2] }, glm::normalize(glm::dvec3(n[0], n[1], n[2])), p[3],
+        glm::normalize(glm::dvec3(w[0], w[1], w[2])), w[3], { d[0], d[1], d[2] } });
+    }
+  }
+  return senders;
+}
+
 // Whether two points on surfaces see each other, in three ways (with vtkIndirectSightLines) of one
 // form: a kind of End, FindEnd(position, normal) and IsVisible(End, End). This one asks voxels.
 struct VoxelLines
@@ -338,6 +442,7 @@ struct Sums
   const std::vector<float>& Specular; // empty where nothing reflects specularly
   std::vector<SenderBlock> Senders;
   std::vector<DirectionLight> Directions;
+  std::vector<LobeSender> Lobes;
   std::vector<float> Irradiance;
   std::vector<float> Glossy;
 
@@ -346,6 +451,11 @@ struct Sums
   {
     constexpr bool hides = !std::is_same<Lines, OpenLines>::value;
     const SenderEnds<Lines> ends = FindEnds(this->Senders, lines);
+    std::vector<typename Lines::End> endsOfLobes;
+    for (const LobeSender& lobe : this->Lobes)
+    {
+      endsOfLobes.push_back(lines.FindEnd(lobe.Position, lobe.Normal));
+    }
     this->Irradiance.assign(this->Surfaces.size(), 0.0f);
     this->Glossy.assign(this->Specular.size(), 0.0f);
     vtkSMPTools::For(0, static_cast<vtkIdType>(this->Surfaces.size() / 4),
@@ -374,6 +484,8 @@ struct Sums
             double reflected[3] = { 0.0, 0.0, 0.0 };
             SumDirections(
               this->Directions, lines, receiver, end, mirrors ? lobe[3] : -1.0, total, reflected);
+            SumLobes(this->Lobes, endsOfLobes, lines, receiver, end, mirrors ? lobe[3] : -1.0,
+              total, reflected);
             if (mirrors)
             {
               SumLobe(blocks.data(), blocks.size(), receiver, lobe[3], reflected);
@@ -452,8 +564,9 @@ vtkIndirectEstimate vtkRSMReferencePass::Estimate(const Input& input)
   const std::vector<float> specular = this->HasGlossy
     ? input.Geometry.GetTarget().ReadBack(vtkIndirectGeometryBuffer::Specular)
     : std::vector<float>();
-  Sums sums = { input.Frame, surfaces, specular, {}, {}, {}, {} };
+  Sums sums = { input.Frame, surfaces, specular, {}, {}, {}, {}, {} };
   sums.Senders = ReadSenders(*input.Lights, sums.Directions);
+  sums.Lobes = ReadLobes(*input.Lights);
   const vtkIndirectVisibility& visibility = input.Visibility;
   if (visibility.IsExact())
   {

@@ -13,6 +13,10 @@
  *
  *     S(x) = sum over senders p of B_p A_p cosS max(R.V, 0)^power / (pi r^2 + A_p).
  *
+ * Both with what senders reflect specularly: their lobes, of flux F_p, add
+ * F_p I(w) cosR / (r^2 + A_p / (pi max(P', 1))) to E and the same without cosR, times the
+ * receiver's lobe, to S (vtkIndirectLibSenderLobe.glsl has the lobe I and how it is normalised).
+ *
  * In mode ALL_TEXELS the senders are all texels of all maps:
  * with maps of 256 texels squared that is the reference called R1. In mode VIRTUAL_LIGHTS they are
  * the sampler's lights, which isolates the arithmetic of a shader from its sampling.
@@ -40,6 +44,7 @@ public:
 
   const char* GetMethodName() const override { return "reference"; }
   bool ComputesGlossy() const override { return true; }
+  bool SumsLobes() const override { return true; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   enum ModeType

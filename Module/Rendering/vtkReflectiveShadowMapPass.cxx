@@ -10,6 +10,7 @@
 #include "Frame/vtkIndirectRendererAccess.h"
 #include "Frame/vtkIndirectReport.h"
 #include "LightMaps/vtkIndirectLightMap.h"
+#include "LightMaps/vtkIndirectLobeTable.h"
 #include "LightMaps/vtkIndirectShadowRows.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectLayeredTarget.h"
@@ -36,8 +37,13 @@ const vtkIndirectChannel Channels[] = {
     "face view", "1, 1, scene units" },
   { "rsm.slope", "vtkiMapSlope", "slope of depth over a texel's width", GL_RG16F, "face view",
     "1" },
+  // Only where senders have lobes.
+  { "rsm.specular", "vtkiMapSpecular", "specular reflectance, power of the lobe or -roughness",
+    GL_RGBA16F, "-", "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+
+constexpr int ChannelsOfDiffuse = 3;
 
 struct CasterKey
 {
@@ -70,6 +76,7 @@ struct vtkReflectiveShadowMapPass::Internals
   std::vector<FaceKey> Faces; // by layer
   std::vector<float> Table;
   vtkSmartPointer<vtkTextureObject> TableTexture;
+  vtkSmartPointer<vtkTextureObject> FresnelTexture; // where senders have lobes
 };
 
 vtkReflectiveShadowMapPass::vtkReflectiveShadowMapPass()
@@ -104,6 +111,12 @@ int vtkReflectiveShadowMapPass::GetNumberOfLayers() const
 const vtkIndirectLightMap& vtkReflectiveShadowMapPass::GetMap(int i) const
 {
   return *this->Internal->Maps[i];
+}
+
+//------------------------------------------------------------------------------
+bool vtkReflectiveShadowMapPass::HasSpecular() const
+{
+  return this->Internal->Target.GetNumberOfChannels() > ChannelsOfDiffuse;
 }
 
 //------------------------------------------------------------------------------
@@ -175,6 +188,7 @@ bool vtkReflectiveShadowMapPass::Update(
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   bool lost = false;
+  in.Target.SetNumberOfChannels(ChannelsOfDiffuse + (this->Specular ? 1 : 0));
   if (!in.Target.Resize(frame.Window, this->Resolution, in.NumberOfLayers, lost))
   {
     in.NumberOfMaps = in.NumberOfLayers = 0;
@@ -216,6 +230,7 @@ bool vtkReflectiveShadowMapPass::Update(
     }
   }
   this->UpdateTable(frame);
+  this->UpdateFresnel(frame);
   return true;
 }
 
@@ -300,12 +315,56 @@ void vtkReflectiveShadowMapPass::UpdateTable(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
+// What VTK's PBR reflects of light from a direction, for vtkIndirectMapLobe.glsl.
+void vtkReflectiveShadowMapPass::UpdateFresnel(const vtkIndirectFrame& frame)
+{
+  Internals& in = *this->Internal;
+  if (!this->HasSpecular())
+  {
+    if (in.FresnelTexture)
+    {
+      in.FresnelTexture->ReleaseGraphicsResources(frame.Window);
+      in.FresnelTexture = nullptr;
+    }
+    return;
+  }
+  if (in.FresnelTexture)
+  {
+    return;
+  }
+  std::vector<float> values;
+  for (const auto& row : vtkIndirectLobeTable)
+  {
+    for (const auto& entry : row)
+    {
+      values.insert(values.end(), { entry[4], entry[5] });
+    }
+  }
+  in.FresnelTexture = vtkSmartPointer<vtkTextureObject>::New();
+  in.FresnelTexture->SetContext(frame.Window);
+  in.FresnelTexture->SetWrapS(vtkTextureObject::ClampToEdge);
+  in.FresnelTexture->SetWrapT(vtkTextureObject::ClampToEdge);
+  in.FresnelTexture->SetMinificationFilter(vtkTextureObject::Linear);
+  in.FresnelTexture->SetMagnificationFilter(vtkTextureObject::Linear);
+  in.FresnelTexture->Create2DFromRaw(
+    vtkIndirectLobeEntries, vtkIndirectLobeEntries, 2, VTK_FLOAT, values.data());
+}
+
+//------------------------------------------------------------------------------
 void vtkReflectiveShadowMapPass::Activate(vtkShaderProgram* program) const
 {
   Internals& in = *this->Internal;
-  for (int i = 0; Channels[i].InternalFormat; ++i)
+  for (int i = 0; i < in.Target.GetNumberOfChannels(); ++i)
   {
     in.Target.Activate(i, program);
+  }
+  if (in.FresnelTexture && program->IsUniformUsed("vtkiMapFresnel"))
+  {
+    in.FresnelTexture->Activate();
+    program->SetUniformi("vtkiMapFresnel", in.FresnelTexture->GetTextureUnit());
+    const float shape[2] = { static_cast<float>(vtkIndirectLobeEntries),
+      vtkIndirectLeastRoughness };
+    program->SetUniform2f("vtkiMapFresnelShape", shape);
   }
   in.TableTexture->Activate();
   program->SetUniformi("vtkiMapTable", in.TableTexture->GetTextureUnit());
@@ -337,6 +396,10 @@ void vtkReflectiveShadowMapPass::Deactivate() const
   {
     this->Internal->TableTexture->Deactivate();
   }
+  if (this->Internal->FresnelTexture)
+  {
+    this->Internal->FresnelTexture->Deactivate();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -354,5 +417,10 @@ void vtkReflectiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* window)
   {
     in.TableTexture->ReleaseGraphicsResources(window);
     in.TableTexture = nullptr;
+  }
+  if (in.FresnelTexture)
+  {
+    in.FresnelTexture->ReleaseGraphicsResources(window);
+    in.FresnelTexture = nullptr;
   }
 }

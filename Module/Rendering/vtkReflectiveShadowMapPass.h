@@ -11,6 +11,8 @@
  * - rsm.surface, RGBA32F: octahedral normal (the face's view coordinates), linear depth along its
  * axis
  * - rsm.slope, RG16F: slope of the depth, from which follows the facet's normal n_g
+ * - rsm.specular, RGBA16F: specular colour and power of VTK's Phong model, of its PBR F0 and minus
+ * the roughness; there only where senders have lobes
  * and a depth array for percentage-closer shadow look-ups.
  *
  * When it is sampled, albedo (n_s.l)/(n_g.l) times att(d) d^2 cone (positional lights) is the
@@ -70,6 +72,17 @@ public:
   bool Update(
     const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture);
 
+  /**
+   * Whether the next maps hold what senders reflect specularly. The capture must write it. Default
+   * off.
+   */
+  void SetSpecular(bool specular)
+  {
+    this->Specular = specular;
+  }
+  /** Whether the maps hold it, so that shaders are built with VTKI_LOBES. */
+  bool HasSpecular() const;
+
   const vtkIndirectLightMap& GetMap(int i) const;
   /** Since construction. */
   vtkIdType GetNumberOfFacesDrawn() const
@@ -104,6 +117,7 @@ protected:
   ~vtkReflectiveShadowMapPass() override;
 
   int Resolution = 512;
+  bool Specular = false;
   vtkIdType NumberOfFacesDrawn = 0;
   vtkTimeStamp ContentTime;
 
@@ -112,6 +126,7 @@ private:
   void operator=(const vtkReflectiveShadowMapPass&) = delete;
 
   void UpdateTable(const vtkIndirectFrame& frame);
+  void UpdateFresnel(const vtkIndirectFrame& frame);
   void DrawFace(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
     vtkIndirectLightMap& map, int face);
 

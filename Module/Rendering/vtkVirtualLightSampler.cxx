@@ -29,6 +29,10 @@ void vtkVirtualLightSampler::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ActualNumberOfLights: " << this->GetActualNumberOfLights() << "\n";
   this->Table->Print(os, indent);
+  if (this->Lobes)
+  {
+    this->Lobes->Print(os, indent);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -98,6 +102,10 @@ bool vtkVirtualLightSampler::Write(
   // Those of VTK have the numbers before.
   const double source = static_cast<double>(frame.Lights.size());
   Fill(this->BeginChange(), lights, source);
+  if (!this->WriteLobes(frame.Window, lights))
+  {
+    return false;
+  }
   if (branches.empty())
   {
     this->ReleaseBranches(frame.Window);
@@ -117,6 +125,66 @@ bool vtkVirtualLightSampler::Write(
 }
 
 //------------------------------------------------------------------------------
+bool vtkVirtualLightSampler::WriteLobes(
+  vtkOpenGLRenderWindow* window, const std::vector<Row>& lights)
+{
+  const bool any = std::any_of(lights.begin(), lights.end(),
+    [](const Row& row)
+    {
+      return std::max({ row.LobeDensityArea[0], row.LobeDensityArea[1], row.LobeDensityArea[2] }) >
+        0.0;
+    });
+  if (!any)
+  {
+    this->ReleaseLobes(window);
+    return true;
+  }
+  vtkIndirectTarget* lobes = this->MakeLobes(window);
+  if (!lobes)
+  {
+    return false;
+  }
+  const size_t places = static_cast<size_t>(lobes->GetWidth()) * lobes->GetHeight();
+  std::vector<float> channels[2] = { std::vector<float>(4 * places, 0.0f),
+    std::vector<float>(4 * places, 0.0f) };
+  const Row empty = {};
+  for (size_t i = 0; i < places; ++i)
+  {
+    const Row& light = i < lights.size() ? lights[i] : empty;
+    for (size_t c = 0; c < 3; ++c)
+    {
+      channels[LobeDirectionExponent][4 * i + c] = static_cast<float>(light.LobeDirection[c]);
+      channels[LobeDensityArea][4 * i + c] = static_cast<float>(light.LobeDensityArea[c]);
+    }
+    channels[LobeDirectionExponent][4 * i + 3] = static_cast<float>(light.LobeExponent);
+  }
+  lobes->Write(LobeDirectionExponent, channels[LobeDirectionExponent]);
+  lobes->Write(LobeDensityArea, channels[LobeDensityArea]);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectTarget* vtkVirtualLightSampler::MakeLobes(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Lobes)
+  {
+    this->Lobes = std::make_unique<vtkIndirectTarget>(vtkIndirectSenderLobeTable, false);
+  }
+  const bool made = this->Lobes->Resize(window, this->Table->GetWidth(), this->Table->GetHeight());
+  return made ? this->Lobes.get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualLightSampler::ReleaseLobes(vtkWindow* window)
+{
+  if (this->Lobes)
+  {
+    this->Lobes->Release(window);
+    this->Lobes = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkVirtualLightSampler::ReleaseBranches(vtkWindow* window)
 {
   if (this->Branches)
@@ -129,7 +197,8 @@ void vtkVirtualLightSampler::ReleaseBranches(vtkWindow* window)
 //------------------------------------------------------------------------------
 size_t vtkVirtualLightSampler::GetBytes() const
 {
-  return this->Table->GetBytes() + (this->Branches ? this->Branches->GetBytes() : 0);
+  return this->Table->GetBytes() + (this->Branches ? this->Branches->GetBytes() : 0) +
+    (this->Lobes ? this->Lobes->GetBytes() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -139,5 +208,6 @@ void vtkVirtualLightSampler::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Table->Release(window);
     this->ReleaseBranches(window);
+    this->ReleaseLobes(window);
   }
 }

@@ -8,6 +8,10 @@
  * radiosity"; Dachsbacher and Stamminger 2005). Or it is a direction that light comes from, with
  * the solid angle that it stands for and the radiance times that.
  *
+ * Where a light falls on something specular, a virtual light has a lobe, too: about the direction
+ * in which it is reflected (Dachsbacher and Stamminger 2006, "Splatting indirect illumination", eq.
+ * 3).
+ *
  * A sampler owns the table of its lights and the time at which they last changed. Subclasses say
  * where the lights come from: vtkMapLightSampler from the lights' maps, others from elsewhere.
  */
@@ -59,6 +63,12 @@ public:
     NormalReach,  // of the sender, unit; distance within which its branches are summed, 0: none
     DensityArea   // reflected radiance times area, or radiance times solid angle; source
   };
+  /** Channels of the table of lobes, a texel a light; lights without a lobe have no density. */
+  enum LobeChannel
+  {
+    LobeDirectionExponent, // unit direction in which most is sent; exponent
+    LobeDensityArea        // flux over the hemisphere, in the unit of DensityArea's; 0
+  };
   /** Lights in a row of the table. */
   static constexpr int RowLength = 256;
 
@@ -92,6 +102,14 @@ public:
   {
     return this->Branches.get();
   }
+  /**
+   * The lights' specular lobes, in the places of their lights; null where none has one. A receiver
+   * gets of a lobe what vtkiSenderLobeWeight says (vtkIndirectLibSenderLobe.glsl).
+   */
+  const vtkIndirectTarget* GetLobes() const
+  {
+    return this->Lobes.get();
+  }
   /** Grows whenever the lights have changed. */
   vtkMTimeType GetContentTime() const
   {
@@ -109,6 +127,10 @@ public:
     double Normal[3];
     double DensityArea[3];
     double Reach = 0.0;
+    /** Unit; what follows is the lobe's, and without density there is none. */
+    double LobeDirection[3] = { 0.0, 0.0, 1.0 };
+    double LobeExponent = 0.0;
+    double LobeDensityArea[3] = { 0.0, 0.0, 0.0 };
   };
 #endif
 
@@ -123,10 +145,18 @@ protected:
   vtkIndirectTarget& BeginChange();
   /**
    * Makes these the lights, of a source that is no vtkLight, with the branches of all of them or
-   * none. Returns false, after an error, when OpenGL refuses.
+   * none, and with lobes where one of the lights has one; branches have none. Returns false, after
+   * an error, when OpenGL refuses.
    */
   bool Write(const vtkIndirectFrame& frame, const std::vector<Row>& lights,
     const std::vector<Row>& branches = {});
+  /**
+   * Room for the lobes of the lights that Resize made room for, to be filled; null, after an error,
+   * when OpenGL refuses.
+   */
+  vtkIndirectTarget* MakeLobes(vtkOpenGLRenderWindow* window);
+  /** From now on no light has a lobe. */
+  void ReleaseLobes(vtkWindow* window);
 #endif
 
 private:
@@ -135,11 +165,13 @@ private:
 
 #ifndef __VTK_WRAP__
   static void Fill(vtkIndirectTarget& table, const std::vector<Row>& rows, double source);
+  bool WriteLobes(vtkOpenGLRenderWindow* window, const std::vector<Row>& lights);
 #endif
   void ReleaseBranches(vtkWindow* window);
 
   std::unique_ptr<vtkIndirectTarget> Table;
   std::unique_ptr<vtkIndirectTarget> Branches;
+  std::unique_ptr<vtkIndirectTarget> Lobes;
   vtkTimeStamp ContentTime;
   int NumberOfLights = 0;
 };

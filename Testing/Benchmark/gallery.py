@@ -19,10 +19,13 @@ import vtkindirect
 from vtkindirect import images
 from vtkmodules.vtkRenderingCore import vtkTextActor
 
+import caustics
 import shots
 import ssao
 
-NAMES = ("molecule", "terrain", "machine", "brain", "apartment")
+RING = "ring"
+"""The caustic of a metal ring, which is no shot: see caustics.py."""
+NAMES = (RING, "molecule", "terrain", "machine", "brain", "apartment")
 DIRECTORY = Path(__file__).resolve().parents[2] / "Documentation" / "gallery"
 MULTISAMPLES = 8
 """What a vtkRenderWindow asks for by default."""
@@ -90,12 +93,13 @@ def main() -> int:
     parser.add_argument("-o", "--output", type=Path, default=DIRECTORY, metavar="DIRECTORY")
     words = parser.parse_args()
     for name in words.names:
-        if name not in shots.SHOTS:
-            parser.error(f"there is no shot '{name}'; known: {', '.join(shots.SHOTS)}")
+        if name != RING and name not in shots.SHOTS:
+            known = ", ".join((RING, *shots.SHOTS))
+            parser.error(f"there is no shot '{name}'; known: {known}")
     words.output.mkdir(parents=True, exist_ok=True)
     for name in words.names or NAMES:
         path = words.output / f"row_{name}.png"
-        images.write_png(path, row(shots.SHOTS[name]))
+        images.write_png(path, caustics.picture() if name == RING else row(shots.SHOTS[name]))
         print(path, flush=True)
     return 0
 

@@ -4,7 +4,9 @@
 import re
 import unittest
 
+import numpy as np
 import support
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
@@ -64,5 +66,16 @@ class Buffers(unittest.TestCase):
         for name, components in printed().items():
             self.assertTrue(illumination.CopyBuffer(name.replace("<i>", "0"), image), name)
             self.assertEqual(image.GetNumberOfScalarComponents(), components, name)
+        # A row a light: direction, exponent; flux. The sphere's specular power is VTK's default.
+        self.assertTrue(illumination.CopyBuffer("lights", image))
+        lights = image.GetDimensions()[1]
+        self.assertTrue(illumination.CopyBuffer("lobes", image))
+        self.assertEqual(image.GetDimensions(), (2, lights, 1))
+        lobes = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(lights, 2, 4)
+        lit = lobes[:, 1, 0] > 0.0
+        self.assertTrue(lit.any())
+        lengths = np.linalg.norm(lobes[lit, 0, :3], axis=1)
+        self.assertLess(abs(lengths - 1.0).max(), 1e-5)
+        self.assertTrue((lobes[lit, 0, 3] <= actor.GetProperty().GetSpecularPower() + 1e-3).all())
         renderer.SetPass(None)
         window.Finalize()

@@ -55,6 +55,7 @@ NOT_RUN = {
     ),
     ("Documentation/gpu.md", "Testing/Benchmark/gpu pack"): PACK,
     ("Documentation/gpu.md", "./gpu list"): "Benchmark.card runs such lines",
+    ("Documentation/methods/glossy-senders.md", "E += "): "a formula",
     ("Documentation/guide.md", "vtkNew<vtkEnvironmentLight> sky;"): CXX,
     ("Documentation/guide.md", "vtkNew<vtkAreaLight> window;"): CXX,
     ("Documentation/guide.md", "vtkIndirectIlluminationPass::SetLightRadius"): CXX,

@@ -145,6 +145,9 @@ class AreaLight:
 class Surface:
     """Triangles: `points`, `normals` (unit, of either side) and `albedo` at vertices, `faces`.
 
+    `specular`: colour and power of VTK's specular term at vertices, (vertices, 4); None where no
+    surface has one.
+
     Normals need not agree with the winding of the faces. As in VTK, the winding decides which side
     is seen, and the normal is turned round when that is the back.
     """
@@ -153,6 +156,7 @@ class Surface:
     normals: np.ndarray
     albedo: np.ndarray
     faces: np.ndarray
+    specular: np.ndarray | None = None
 
     @property
     def area(self) -> float:
@@ -164,11 +168,20 @@ class Surface:
     def join(cls, parts: list[Surface]) -> Surface:
         """Return all triangles of several surfaces as one."""
         offsets = np.cumsum([0] + [len(part.points) for part in parts[:-1]])
+        specular = None
+        if any(part.specular is not None for part in parts):
+            specular = np.concatenate(
+                [
+                    np.zeros((len(part.points), 4)) if part.specular is None else part.specular
+                    for part in parts
+                ]
+            )
         return cls(
             np.concatenate([part.points for part in parts]),
             np.concatenate([part.normals for part in parts]),
             np.concatenate([part.albedo for part in parts]),
             np.concatenate([part.faces + shift for part, shift in zip(parts, offsets)]),
+            specular,
         )
 
 
@@ -200,12 +213,16 @@ class Description:
     def save(self, directory: Path) -> None:
         """Write the description into a folder that exists."""
         surface = self.surface
+        more = {}
+        if surface.specular is not None:
+            more["specular"] = surface.specular.astype(np.float32)
         np.savez(
             directory / "surface.npz",
             points=surface.points,
             normals=surface.normals.astype(np.float32),
             albedo=surface.albedo.astype(np.float32),
             faces=surface.faces.astype(np.uint32),
+            **more,
         )
         (directory / "environment.npz").unlink(missing_ok=True)
         if self.environment is not None:
@@ -247,6 +264,8 @@ def load(directory: Path) -> Description:
         raise ValueError(f"{directory}: schema {values['schema']}, not {SCHEMA}")
     with np.load(directory / "surface.npz") as arrays:
         surface = Surface(*(arrays[key] for key in ("points", "normals", "albedo", "faces")))
+        if "specular" in arrays:
+            surface.specular = arrays["specular"]
     environment = None
     if (directory / "environment.npz").exists():
         with np.load(directory / "environment.npz") as arrays:

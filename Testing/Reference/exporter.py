@@ -293,7 +293,17 @@ def export_actor(actor: vtkActor) -> Surface:
         faces = np.searchsorted(corners, faces)
     else:
         faces = np.arange(len(corners)).reshape(-1, 3)
-    return Surface(points[corners], normals, prop.GetDiffuse() * color, faces)
+    return Surface(
+        points[corners], normals, prop.GetDiffuse() * color, faces, _specular(prop, len(corners))
+    )
+
+
+def _specular(prop: vtkProperty, vertices: int) -> np.ndarray | None:
+    """Return colour and power of VTK's specular term at each vertex; None without one."""
+    color = prop.GetSpecular() * np.array(prop.GetSpecularColor())
+    if not (prop.GetLighting() and color.max() > 0.0):
+        return None
+    return np.tile([*color, prop.GetSpecularPower()], (vertices, 1))
 
 
 def _why_left_out(actor: vtkActor) -> str | None:

@@ -44,7 +44,10 @@ SKY_KNOWN = ("sky_plane", "sky_wall", "sky_disk", "sky_groove")
 # Scenes under area lights.
 AREA = ("area_cornell", "area_machine", "area_apartment")
 
-SCENES = (*DEMOS, *HARD, *SKY, *SKY_KNOWN, *AREA)
+# Scenes whose senders are specular.
+SPECULAR = ("ring_caustic",)
+
+SCENES = (*DEMOS, *HARD, *SPECULAR, *SKY, *SKY_KNOWN, *AREA)
 
 
 @dataclass(frozen=True)
@@ -76,7 +79,7 @@ QUICK = Settings(width=96, samples=256, deep_samples=64, least=2, most=2, pilot_
 
 def settings_of(name: str) -> Settings:
     """The settings of a scene's stored reference; simple ones need fewer pixels to be judged."""
-    return Settings(width=128) if name in (*HARD, *SKY_KNOWN) else Settings()
+    return Settings(width=128) if name in (*HARD, *SPECULAR, *SKY_KNOWN) else Settings()
 
 
 class Meter:

@@ -210,6 +210,10 @@ def make_scene(scene: description.Description, with_emitters: bool = False) -> m
         props=properties,
     )
     mesh.add_attribute("vertex_color", 3, surface.albedo.astype(np.float32).ravel())
+    if surface.specular is not None:
+        specular = surface.specular.astype(np.float32)
+        mesh.add_attribute("vertex_specular", 3, specular[:, :3].ravel())
+        mesh.add_attribute("vertex_power", 1, specular[:, 3].ravel())
     parameters = mi.traverse(mesh)
     points = (surface.points - scene.center) * scene.scale
     parameters["faces"] = surface.faces.astype(np.uint32).ravel()
@@ -267,8 +271,28 @@ def albedo_at(hit: Any, there: Any) -> Any:
     return dr.select(there & dr.all((value >= 0.0) & (value < 2.0)), value, 0.0)
 
 
-def direct(scene: mi.Scene, point: Any, back: Any, facet: Any, normal: Any, active: Any) -> Any:
-    """Return the direct irradiance at a point in VTK's units, shadowed; see `ray_origin`."""
+def specular_at(hit: Any, there: Any) -> tuple[Any, Any]:
+    """Return colour and power of VTK's specular term at hits, of a scene that has such."""
+    color = hit.shape.eval_attribute_3("vertex_specular", hit, there)
+    power = hit.shape.eval_attribute_1("vertex_power", hit, there)
+    good = there & dr.all((color >= 0.0) & (color < 100.0)) & (power >= 0.0)
+    return dr.select(good, color, 0.0), dr.select(good, power, 1.0)
+
+
+def direct(
+    scene: mi.Scene,
+    point: Any,
+    back: Any,
+    facet: Any,
+    normal: Any,
+    active: Any,
+    power: Any = None,
+) -> Any:
+    """Return the direct irradiance at a point in VTK's units, shadowed; see `ray_origin`.
+
+    With `power` instead what VTK's specular term of coefficient one shows the viewer, who is at
+    `back`: the sum of I max(r.v, 0)^power over the lights that the surface faces, without a cosine.
+    """
     total = mi.Color3f(0.0) if SCALAR else dr.zeros(mi.Color3f, dr.width(point))
     reference = mi.Interaction3f() if SCALAR else dr.zeros(mi.Interaction3f)
     reference.p = point
@@ -283,7 +307,11 @@ def direct(scene: mi.Scene, point: Any, back: Any, facet: Any, normal: Any, acti
         length = dr.norm(way)
         ray = mi.Ray3f(origin, way / length, length * (1.0 - mi.math.ShadowEpsilon), 0.0, [])
         lit &= ~scene.ray_test(ray, lit)
-        total += dr.select(lit, weight * (cosine * dr.inv_pi), 0.0)
+        factor = cosine
+        if power is not None:
+            mirrored = dr.dot(2.0 * cosine * normal - sample.d, back)
+            factor = dr.select(mirrored > 0.0, dr.power(dr.maximum(mirrored, 1e-6), power), 0.0)
+        total += dr.select(lit, weight * (factor * dr.inv_pi), 0.0)
     return total
 
 

@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
+from description import Surface
 from exporter import ExportError, export_actor, export_renderer, triangles
 
 
@@ -185,6 +186,22 @@ class WhatIsLeftOut(unittest.TestCase):
                 {"what": "wire", "why": "has no polygons"},
             ],
         )
+
+    def test_specular(self) -> None:
+        matt, shiny = _actor(_square()), _actor(_square())
+        self.assertIsNone(export_actor(matt).specular)
+        prop = shiny.GetProperty()
+        prop.SetSpecular(0.5)
+        prop.SetSpecularColor(1.0, 0.5, 0.25)
+        prop.SetSpecularPower(30.0)
+        found = export_actor(shiny)
+        self.assertEqual(found.specular.shape, (len(found.points), 4))
+        self.assertEqual(found.specular[0].tolist(), [0.5, 0.25, 0.125, 30.0])
+        joined = Surface.join([export_actor(matt), found])
+        self.assertEqual(len(joined.specular), len(joined.points))
+        self.assertEqual(joined.specular[0].tolist(), [0.0] * 4)
+        prop.LightingOff()
+        self.assertIsNone(export_actor(shiny).specular)
 
     def test_what_is_refused(self) -> None:
         actor = _actor(_square())

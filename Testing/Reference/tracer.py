@@ -24,7 +24,18 @@ import numpy as np
 
 import description
 from area_lights import Rectangle
-from shading import SCALAR, VARIANT, albedo_at, direct, first_hit, make_scene, ray_origin, sides, take
+from shading import (
+    SCALAR,
+    VARIANT,
+    albedo_at,
+    direct,
+    first_hit,
+    make_scene,
+    ray_origin,
+    sides,
+    specular_at,
+    take,
+)
 from sky import Sky
 
 import drjit as dr  # isort: skip  needs the variant that shading chooses
@@ -50,6 +61,7 @@ class World:
     scene: mi.Scene
     sky: Sky | None = None
     area_lights: list[Rectangle] = field(default_factory=list)
+    specular: bool = False  # whether a surface has VTK's specular term
 
 
 Estimator = Callable[[World, dict[str, Any], mi.Sampler, int], Iterator[tuple[Any, Any]]]
@@ -155,7 +167,8 @@ def bounces(
     """Yield the incident irradiance at receivers by bounce 1, 2, ... `depth`, one sample each.
 
     It is light of the lights, and of sky and area lights where that is asked for. Each is the light and the
-    lanes that it belongs to; other lanes have none. There is no Russian roulette: a path ends where
+    lanes that it belongs to; other lanes have none. Surfaces with VTK's specular term also show the
+    lights in it; light of other surfaces they reflect diffusely. There is no Russian roulette: a path ends where
     it leaves the scene, or at `depth`.
     """
     scene = world.scene
@@ -184,12 +197,17 @@ def bounces(
             throughput, lane = take(throughput, alive), take(lane, alive)
         point, back = hit.p, -direction
         facet, normal, there = sides(hit, direction)
+        mirrored = mi.Color3f(0.0)
+        if world.specular:
+            color, power = specular_at(hit, there)
+            shown = direct(scene, point, back, facet, normal, there, power)
+            mirrored = throughput * color * shown
         throughput = throughput * albedo_at(hit, there)
         light = direct(scene, point, back, facet, normal, there)
         if with_emitters:
             receiver = dict(zip(RECEIVER, (point, back, facet, normal)), active=there)
             light += emitted_at(world, receiver, sampler, lane)
-        light = throughput * light
+        light = throughput * light + mirrored
         dr.eval(light, point, back, facet, normal, throughput, lane)
         yield light, lane
 
@@ -231,6 +249,9 @@ def through_everything(
         facet, normal, there = sides(hit, direction)
         light = direct(scene, point, -direction, facet, normal, there)
         light = light * albedo_at(hit, there)
+        if world.specular:
+            color, power = specular_at(hit, there)
+            light += color * direct(scene, point, -direction, facet, normal, there, power)
         dr.eval(light, point, direction, lane)
         yield light, lane
 
@@ -347,6 +368,7 @@ class Tracer:
             make_scene(self.description),
             None if environment is None else Sky(environment),
             [Rectangle(light, center, scale) for light in self.description.area_lights],
+            self.description.surface.specular is not None,
         )
         camera = self.description.camera
         origins, directions = (v.reshape(-1, 3) for v in camera.rays(*size))

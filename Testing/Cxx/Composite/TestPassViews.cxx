@@ -19,7 +19,8 @@ namespace
 {
 constexpr int Maps = 2;
 
-// The names that an error lists, with a number for <i>: buffers that views show, `lights` and `branches`.
+// The names that an error lists, with a number for <i>: buffers that views show, `lights`,
+// `branches` and `lobes`.
 std::vector<std::string> FindNames(vtkIndirectIlluminationPass* pass)
 {
   ExpectedErrors errors;
@@ -172,8 +173,8 @@ VTK_INDIRECT_TEST(ViewsShowBuffers)
       // Those that do not depend on the estimator are looked at once.
       const bool own = name == "final" || name == "indirect" || name == "irradiance" ||
         name == "bounce" || name == "glossy" || name.compare(0, 8, "subsplat") == 0;
-      if (name == "lights" || name == "branches" || (estimator != gather && (isMap || !own)) ||
-        (estimator == hints && name == "glossy"))
+      if (name == "lights" || name == "branches" || name == "lobes" ||
+        (estimator != gather && (isMap || !own)) || (estimator == hints && name == "glossy"))
       {
         continue;
       }

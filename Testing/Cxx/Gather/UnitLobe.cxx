@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What receivers reflect of rectangles in their specular lobes, against sums over the rectangle in
 // double precision of the lobes as VTK's lights evaluate them.
-#include "Gather/vtkIndirectLobeTable.h"
+#include "LightMaps/vtkIndirectLobeTable.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkIndirectTestUtilities.h"
 

@@ -303,15 +303,14 @@ VTK_INDIRECT_TEST(Albedos)
       });
   }
   {
-    // VTK's ambient and specular coefficients are no part of what is reflected diffusely.
-    HardCase scene("white surfaces that also shine");
+    // VTK's ambient coefficient is no part of what is reflected.
+    HardCase scene("white surfaces that also glow");
     scene.AddCorner(glm::dvec3(1.0));
     vtkActorCollection* actors = scene.Renderer->GetActors();
     actors->InitTraversal();
     while (vtkActor* actor = actors->GetNextActor())
     {
       actor->GetProperty()->SetAmbient(0.3);
-      actor->GetProperty()->SetSpecular(0.7);
     }
     AddLight(scene);
     Results results = Render(scene);
@@ -321,7 +320,34 @@ VTK_INDIRECT_TEST(Albedos)
       {
         CheckAtMost(result.first + ": share of pixels that differ",
           GetShareOfDifferent(results[result.first], result.second, 1e-6), 0.0,
-          "neither changes what is sent");
+          "it does not change what is sent");
+      }
+    }
+  }
+  {
+    // Its specular term comes to what is reflected diffusely, and takes nothing from it.
+    HardCase scene("white surfaces that also shine");
+    scene.AddCorner(glm::dvec3(1.0));
+    vtkActorCollection* actors = scene.Renderer->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor())
+    {
+      actor->GetProperty()->SetSpecular(0.7);
+    }
+    AddLight(scene);
+    Results results = Render(scene);
+    for (auto& result : expected)
+    {
+      if (result.first.find("irradiance") != std::string::npos)
+      {
+        const Image& shining = results[result.first];
+        double least = 0.0;
+        for (size_t i = 0; i < shining.Values.size(); ++i)
+        {
+          least = std::min(least, static_cast<double>(shining.Values[i]) - result.second.Values[i]);
+        }
+        CheckAtLeast(result.first + ": what specular senders add, least", least,
+          -4e-3 * result.second.Mean(), "half floats");
       }
     }
   }

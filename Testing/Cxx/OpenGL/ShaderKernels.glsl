@@ -3,7 +3,7 @@
 #ifndef ShaderKernels
 #define ShaderKernels
 
-const int VTKI_KERNEL_COUNT = 29;
+const int VTKI_KERNEL_COUNT = 30;
 
 mat3 vtkiTestMatrix(vec4 a, vec4 b, float c)
 {
@@ -179,6 +179,15 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
     vec2 shares = vtkiNeighborShares(areas.x, areas.y);
     return vec4(areas.x + float(forward), areas.y + float(backward),
       shares.x + vtkiEdgeStrength(0.2f * b.w), shares.y);
+  }
+  if (kernel == 28)
+  {
+    float power = pow(10.0f, 6.0f * b.w) - 1.0f;
+    vec3 up = dot(a3, b3) < 0.0f ? -a3 : a3;
+    vec3 toSender = (0.1f + a.w) * (c.w > 0.0f ? c3 : normalize(-b3 + 0.002f * c3));
+    return vec4(vtkiSenderLobeWeight(toSender, up, -b3, b3, power, 0.01f + a.w * a.w),
+      vtkiPhongFlux(power, a.w), vtkiLobeIntegral(power, a.w),
+      vtkiExponentOfRoughness(0.1f + 0.9f * b.w));
   }
   return vec4(VTKI_PI, VTKI_GAMMA, float(VTKI_MAP_CAMERA), VTKI_SURFACE_UNLIT);
 }

@@ -11,6 +11,7 @@
 #include "vtkIndirectLibOccupancy.glsl"
 #include "vtkIndirectLibPlane.glsl"
 #include "vtkIndirectLibSampling.glsl"
+#include "vtkIndirectLibSenderLobe.glsl"
 #include "vtkIndirectLibShadow.glsl"
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"

@@ -81,6 +81,8 @@ const Kernel Kernels[] = {
   { "vtkiPackAlbedo, vtkiUnpackAlbedo", 2e-3, 1.0,
     "a rounding may fall on the next of 1023 roots" },
   { "vtkiRunForward, vtkiRunBackward, vtkiRunAreas, vtkiNeighborShares", 1e-5, 0.1, Rounding },
+  { "vtkiSenderLobeWeight, vtkiPhongFlux, vtkiLobeIntegral, vtkiExponentOfRoughness", 2e-3, 0.1,
+    "GPU exp and log of limited precision, exponents up to 1e6" },
   { "constants", 0.0, 1.0, "literals" },
 };
 

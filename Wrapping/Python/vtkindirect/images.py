@@ -40,6 +40,7 @@ BUFFERS = (
     "specular",
     "lights",
     "branches",
+    "lobes",
 )
 MAP_BUFFERS = ("depth", "normal", "density")
 # Of multiresolution splatting; <n> is a level, 0 for pixels.

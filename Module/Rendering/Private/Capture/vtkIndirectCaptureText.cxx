@@ -190,12 +190,14 @@ void vtkIndirectCaptureText::Add(
     // VTK declares these where a surface is lit; its PBR has them too and does not use them.
     const bool phong = lit && !pbr && Contains(fragmentShader, "vec3 specularColor =") &&
       Contains(fragmentShader, "float specularPower =");
-    const bool physical = lit && pbr && this->SpecularOfPBR &&
-      Contains(fragmentShader, "vec3 F0 =") && Contains(fragmentShader, "float roughness =");
+    const bool physical = lit && pbr && Contains(fragmentShader, "vec3 F0 =") &&
+      Contains(fragmentShader, "float roughness =");
+    const char* const sends = phong ? "vec4(specularColor, specularPower)\n"
+      : physical                    ? "vec4(F0, -max(roughness, 0.001))\n"
+                                    : "vec4(0.0)\n";
     outputs += std::string("#define VTKI_SPECULAR ") +
-      (phong         ? "vec4(specularColor, specularPower)\n"
-          : physical ? "vec4(F0, -max(roughness, 0.001))\n"
-                     : "vec4(0.0)\n");
+      (physical && !this->SpecularOfPBR ? "vec4(0.0)\n" : sends) + "#define VTKI_SPECULAR_SENDER " +
+      sends;
   }
   outputs += vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureImplFS.glsl");
   vtkShaderProgram::Substitute(

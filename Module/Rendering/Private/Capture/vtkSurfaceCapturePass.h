@@ -20,7 +20,7 @@
  * of VTK keeps working.
  *
  * Approximations: PBR's diffuse part is taken as albedo (1 - metallic) / pi, without VTK's (1 - F):
- * high by the Fresnel reflectance, about 4 %. Specular reflection sends no light.
+ * high by the Fresnel reflectance, about 4 %.
  *
  * @sa vtkIndirectGeometryBuffer vtkReflectiveShadowMapPass
  */
@@ -78,11 +78,15 @@ public:
 
   ///@{
   /**
-   * Whether mappers write the specular colour and power of what the eye sees, as a third output.
+   * Whether mappers write the specular colour and power of what the eye sees, as a third output,
+   * and of what a light sees, of VTK's PBR F0 and minus the roughness.
    * Default off. Shader sources differ, so a change rebuilds them.
    */
   void SetSpecular(bool specular);
-  /** Whether they write F0 and minus the roughness of VTK's PBR there; off: zero. Default off. */
+  /**
+   * Whether they write F0 and minus the roughness of VTK's PBR of what the eye sees, too; off:
+   * zero. Default off.
+   */
   void SetSpecularOfPBR(bool specular);
   vtkGetMacro(Specular, bool);
   vtkBooleanMacro(Specular, bool);

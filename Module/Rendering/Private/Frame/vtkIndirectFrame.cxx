@@ -143,8 +143,15 @@ void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room)
     }
     if (prop->HasTranslucentPolygonalGeometry())
     {
+      vtkActor* refractor = vtkIndirectPropKind::FindRefractor(prop);
+      if (refractor)
+      {
+        this->Refractors.push_back(refractor);
+      }
       this->LeaveOut(prop->GetClassName(),
-        "translucent geometry casts no shadows, and neither sends nor receives indirect light");
+        refractor
+          ? "glass casts no shadows and receives no indirect light"
+          : "translucent geometry casts no shadows, and neither sends nor receives indirect light");
     }
     if (!prop->HasOpaqueGeometry())
     {
@@ -200,6 +207,8 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     caster.SendsLight = ReadKey(prop, vtkIndirectPropKeys::SendsLight(), true);
     caster.Triangles = kind.DepthTriangles;
     this->AllSendLight = this->AllSendLight && caster.SendsLight;
+    this->SendersAreSpecular =
+      this->SendersAreSpecular || (caster.SendsLight && (kind.Specular || kind.PhysicallyBased));
     this->Casters.push_back(caster);
     return;
   }

@@ -17,6 +17,7 @@ class vtkBoundingBox;
 class vtkIndirectRoom;
 class vtkLight;
 class vtkLightCollection;
+class vtkActor;
 class vtkMatrix4x4;
 class vtkOpenGLRenderWindow;
 class vtkProp;
@@ -87,7 +88,9 @@ struct vtkIndirectFrame
   double NumberOfTriangles = 0.0; // about, of opaque props; 1e9 of one whose number is unknown
   int NumberOfOtherReceivers = 0; // captured lit props that are no casters
   std::vector<vtkIndirectCaster> Casters;
-  bool AllSendLight = true; // whether all surfaces may send light
+  bool AllSendLight = true;          // whether all surfaces may send light
+  std::vector<vtkActor*> Refractors; // translucent ones that are glass, see vtkIndirectPropKind
+  bool SendersAreSpecular = false;   // whether some that may reflect specularly
   std::vector<vtkIndirectLight> Lights;
   /** The renderer's own, which what has no surface is drawn with; null: Lights are these. */
   vtkLightCollection* ReplacedLights = nullptr;

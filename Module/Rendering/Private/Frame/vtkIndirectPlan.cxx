@@ -70,6 +70,11 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
                             : "receivers reflect them by Phong's lobes");
   }
   plan.SurfacesAreSpecular = plan.Specular || plan.AreaSpecular;
+  plan.Refraction = plan.Irradiance && !frame.Refractors.empty() && estimator.SumsLobes &&
+    estimator.SpecularTransport && !frame.Lights.empty();
+  plan.SendersAreSpecular = frame.SendersAreSpecular;
+  plan.SenderLobes = settings.IndirectScale > 0.0 && plan.Senders == MAPS && estimator.SumsLobes &&
+    estimator.SpecularTransport && frame.SendersAreSpecular;
   // With specular reflectance beside it the albedo has an image of its own in any case.
   plan.AlbedoInAlpha = frame.CoversFully && !circumstances.OwnDelegate && !plan.SurfacesAreSpecular;
   // Twice is too much, and what the user has chosen wins.
@@ -277,19 +282,42 @@ void vtkIndirectPlan::LeaveOut(
       "bounces beyond " + std::to_string(estimator.MaximumNumberOfBounces),
       estimator.Name + " computes no more; the result is too dark");
   }
-  if (!this->Specular)
+  if (this->Specular)
+  {
+    this->EstimateModelled.emplace_back(
+      "specular indirect light", "receivers reflect it by the lobes of Phong's model");
+  }
+  else
   {
     this->EstimateLeftOut.emplace_back("specular indirect light",
-      !estimator.ComputesGlossy
-        ? "senders are taken as diffuse, and " + estimator.Name + " takes receivers as diffuse"
-        : estimator.SpecularTransport ? "senders are taken as diffuse; no receiver is specular"
+      !estimator.ComputesGlossy       ? estimator.Name + " takes receivers as diffuse"
+        : estimator.SpecularTransport ? "no receiver is specular"
                                       : "SpecularTransport is off");
-    return;
   }
-  this->EstimateModelled.emplace_back(
-    "specular indirect light", "receivers reflect it by the lobes of Phong's model");
-  this->EstimateLeftOut.emplace_back(
-    "specular reflection of senders", "senders are taken as diffuse");
+  if (this->Refraction)
+  {
+    this->EstimateModelled.emplace_back("light through glass",
+      "refracted at both faces, a lobe a virtual light; that bodies of glass hold light back "
+      "is not");
+  }
+  if (this->SenderLobes)
+  {
+    this->EstimateModelled.emplace_back("specular reflection of senders",
+      "a lobe a virtual light about the mirror direction of the light, of the flux of VTK's "
+      "specular term");
+  }
+  const bool others = this->SkyBounces || this->AreaLightsBounce;
+  if (!this->SenderLobes || others)
+  {
+    this->EstimateLeftOut.emplace_back(this->SenderLobes
+        ? "specular reflection of senders, of the sky and area lights"
+        : "specular reflection of senders",
+      !estimator.SpecularTransport    ? "SpecularTransport is off"
+        : !this->SendersAreSpecular   ? "no sender is specular"
+        : others && this->SenderLobes ? "senders under these are taken as diffuse"
+        : !estimator.SumsLobes        ? estimator.Name + " takes senders as diffuse"
+                                      : "senders under these lights are taken as diffuse");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -298,8 +326,8 @@ std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) cons
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
     static_cast<double>(frame.Size[1]), static_cast<double>(this->Senders),
     static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
-    this->ErrorTolerance, this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0,
-    this->AreaLightsBounce ? 1.0 : 0.0,
+    this->ErrorTolerance, this->SenderLobes ? 1.0 : 0.0, this->Refraction ? 1.0 : 0.0,
+    this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0, this->AreaLightsBounce ? 1.0 : 0.0,
     // Moving frames look fewer maps up.
     this->Interactive && this->Visibility == vtkIndirectVisibilityMaps ? 1.0 : 0.0 };
   frame.AppendTo(key);

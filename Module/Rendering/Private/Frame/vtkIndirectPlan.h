@@ -19,6 +19,7 @@ struct vtkIndirectAbilities
   std::string Name = "an estimator"; // for reasons
   int MaximumNumberOfBounces = 1;
   bool ComputesGlossy = false;
+  bool SumsLobes = false; // of senders
   bool SpecularTransport = true;
   bool Occupancy = false;         // asks for voxels where the user has chosen nothing
   bool TakesLightMaps = false;    // can look visibility up in a map of each virtual light
@@ -67,6 +68,9 @@ struct vtkIndirectPlan
   bool Shadows = false;             // mappers look shadows up in these maps
   bool Specular = false;            // estimators reflect specularly
   bool SurfacesAreSpecular = false; // the geometry buffer has what is needed for that
+  bool SendersAreSpecular = false;  // some of them
+  bool Refraction = false;          // bodies of glass send what comes through them
+  bool SenderLobes = false;         // maps have what senders reflect specularly
   bool AlbedoInAlpha = false;       // alpha says nothing, and the albedo has its place
   bool Antialiasing = false;        // edges of the composed picture are antialiased
   /** Whether there is irradiance to estimate; else WhyNoIrradiance. */

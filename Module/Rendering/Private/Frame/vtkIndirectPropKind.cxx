@@ -275,3 +275,18 @@ vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
   kind.NoCaster = !kind.Captured ? ColorAlone : !kind.Surface ? noSurface : turns ? Turns : nullptr;
   return kind;
 }
+
+//------------------------------------------------------------------------------
+vtkActor* vtkIndirectPropKind::FindRefractor(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkProperty* property = actor && actor->GetMapper() ? actor->GetProperty() : nullptr;
+  if (!property || property->GetInterpolation() != VTK_PBR || property->GetOpacity() >= 1.0 ||
+    property->GetBaseIOR() <= 1.0 || property->GetRepresentation() != VTK_SURFACE)
+  {
+    return nullptr;
+  }
+  actor->GetMapper()->Update();
+  auto* polygons = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  return polygons && polygons->GetNumberOfPolys() > 0 ? actor : nullptr;
+}

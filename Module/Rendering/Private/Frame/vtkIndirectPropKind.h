@@ -3,6 +3,7 @@
 #ifndef vtkIndirectPropKind_h
 #define vtkIndirectPropKind_h
 
+class vtkActor;
 class vtkProp;
 
 struct vtkIndirectPropKind
@@ -35,6 +36,12 @@ struct vtkIndirectPropKind
   double DepthTriangles = 0.0;
 
   static vtkIndirectPropKind Find(vtkProp* prop);
+
+  /**
+   * The actor that a prop is if it refracts light, else null: with VTK's PBR, a BaseIOR above one,
+   * an opacity below one, and polygons that the processor can read.
+   */
+  static vtkActor* FindRefractor(vtkProp* prop);
 };
 
 #endif

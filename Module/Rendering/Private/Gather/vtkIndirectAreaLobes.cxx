@@ -7,7 +7,7 @@
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Gather/vtkIndirectAreaMaps.h"
-#include "Gather/vtkIndirectLobeTable.h"
+#include "LightMaps/vtkIndirectLobeTable.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 
 #include <algorithm>

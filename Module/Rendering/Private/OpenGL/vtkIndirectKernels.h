@@ -71,6 +71,7 @@ namespace
 #include "vtkIndirectLibPenumbra.glsl"
 #include "vtkIndirectLibAreaLight.glsl"
 #include "vtkIndirectLibLobe.glsl"
+#include "vtkIndirectLibSenderLobe.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

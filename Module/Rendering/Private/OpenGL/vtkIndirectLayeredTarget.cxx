@@ -43,7 +43,8 @@ bool vtkIndirectLayeredTarget::Resize(
   vtkOpenGLRenderWindow* window, int texels, int layers, bool& lost)
 {
   lost = false;
-  if (this->Window == window && this->Texels == texels && this->Layers >= layers)
+  if (this->Window == window && this->Texels == texels && this->Layers >= layers &&
+    this->GetNumberOfChannels() == this->NumberOfChannels)
   {
     return true;
   }

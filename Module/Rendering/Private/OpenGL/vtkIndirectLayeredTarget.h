@@ -23,6 +23,11 @@ public:
   explicit vtkIndirectLayeredTarget(const vtkIndirectChannel* channels);
   ~vtkIndirectLayeredTarget();
 
+  /** Uses only so many of the table's channels, from the first on; takes effect with Resize. */
+  void SetNumberOfChannels(int count) { this->NumberOfChannels = count; }
+  /** After Resize. */
+  int GetNumberOfChannels() const { return static_cast<int>(this->Textures.size()); }
+
   /**
    * Creates the textures; layers grow as needed and never shrink. Sets `lost` when the old content
    * is gone. Returns false when OpenGL cannot hold them, after one error for each new attempt.

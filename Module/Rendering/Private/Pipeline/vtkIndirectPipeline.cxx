@@ -101,7 +101,8 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   this->Paths = vtkIndirectPaths::GetAll();
   this->Capture->SetDelegatePass(request.Delegate);
   this->Capture->SetShadows(this->Plan.Shadows);
-  this->Capture->SetSpecular(this->Plan.SurfacesAreSpecular);
+  this->Capture->SetSpecular(this->Plan.SurfacesAreSpecular || this->Plan.SenderLobes);
+  this->Maps->SetSpecular(this->Plan.SenderLobes);
   this->Capture->SetSpecularOfPBR(this->Plan.AreaSpecular && this->Frame.PhysicallyBased);
   this->Capture->SetImageLight(!this->Plan.ReplacesImageLight);
   this->Capture->Attach(this->Frame);
@@ -216,6 +217,15 @@ void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
   if (this->Plan.SkyBounces || this->Plan.AreaLightsBounce)
   {
     this->Samplers.emplace_back(this->SenderSampler.Get());
+  }
+  if (this->Plan.Refraction)
+  {
+    this->RefractionSampler->SetNumberOfLightsOf(sampler);
+    this->Samplers.emplace_back(this->RefractionSampler.Get());
+  }
+  else
+  {
+    this->RefractionSampler->ReleaseGraphicsResources(this->Frame.Window);
   }
   if (this->Plan.OtherSamplers)
   {
@@ -459,6 +469,15 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
     this->Lights.CopyBranches(this->Frame, image);
     return {};
   }
+  if (name == "lobes")
+  {
+    if (!this->GetEstimate() || this->Samplers.empty() || !this->Lights.HasLobes())
+    {
+      return "no virtual light of the last frame has any";
+    }
+    this->Lights.CopyLobes(this->Frame, image);
+    return {};
+  }
   if (this->RenderChannel(name))
   {
     this->Composite.CopyImage(image);
@@ -564,6 +583,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->DefaultSampler->ReleaseGraphicsResources(window);
   this->HeadlightSampler->ReleaseGraphicsResources(window);
   this->SenderSampler->ReleaseGraphicsResources(window);
+  this->RefractionSampler->ReleaseGraphicsResources(window);
   this->ReleaseSky(window);
   this->Area.Release(window);
   this->VisibleLamps.Release(window);

@@ -5,35 +5,36 @@
 #ifndef vtkIndirectPipeline_h
 #define vtkIndirectPipeline_h
 
-#include "Capture/vtkIndirectGeometryBuffer.h"         // for members
-#include "Capture/vtkSurfaceCapturePass.h"             // for members
-#include "Composite/vtkIndirectAntialiasing.h"         // for members
-#include "Composite/vtkIndirectComposite.h"            // for members
-#include "Frame/vtkIndirectEstimate.h"                 // for members
-#include "Frame/vtkIndirectFrame.h"                    // for members
-#include "Frame/vtkIndirectPlan.h"                     // for members
-#include "Frame/vtkIndirectReport.h"                   // for members
-#include "Frame/vtkIndirectRoom.h"                     // for a member
-#include "Frame/vtkIndirectStageTimer.h"               // for members
-#include "Gather/vtkIndirectAreaGather.h"              // for members
-#include "Gather/vtkIndirectSkyGather.h"               // for members
-#include "Gather/vtkIndirectVisibleLamps.h"            // for members
-#include "Pipeline/vtkIndirectImageLight.h"            // for members
-#include "VirtualLights/vtkIndirectHeadlightSampler.h" // for members
-#include "VirtualLights/vtkIndirectSenderSampler.h"    // for members
-#include "VirtualLights/vtkIndirectSkyProjection.h"    // for members
-#include "VirtualLights/vtkIndirectVirtualLights.h"    // for members
-#include "Visibility/vtkIndirectPenumbra.h"            // for members
-#include "Visibility/vtkIndirectVisibility.h"          // for members
-#include "vtkAreaLight.h"                              // for members
-#include "vtkEnvironmentLight.h"                       // for members
-#include "vtkIndirectEstimatorPass.h"                  // for members
-#include "vtkLightTreeSampler.h"                       // for members
-#include "vtkMultiresolutionSplattingPass.h"           // for members
-#include "vtkNew.h"                                    // for members
-#include "vtkReflectiveShadowMapPass.h"                // for members
-#include "vtkSmartPointer.h"                           // for members
-#include "vtkWeakPointer.h"                            // for members
+#include "Capture/vtkIndirectGeometryBuffer.h"          // for members
+#include "Capture/vtkSurfaceCapturePass.h"              // for members
+#include "Composite/vtkIndirectAntialiasing.h"          // for members
+#include "Composite/vtkIndirectComposite.h"             // for members
+#include "Frame/vtkIndirectEstimate.h"                  // for members
+#include "Frame/vtkIndirectFrame.h"                     // for members
+#include "Frame/vtkIndirectPlan.h"                      // for members
+#include "Frame/vtkIndirectReport.h"                    // for members
+#include "Frame/vtkIndirectRoom.h"                      // for a member
+#include "Frame/vtkIndirectStageTimer.h"                // for members
+#include "Gather/vtkIndirectAreaGather.h"               // for members
+#include "Gather/vtkIndirectSkyGather.h"                // for members
+#include "Gather/vtkIndirectVisibleLamps.h"             // for members
+#include "Pipeline/vtkIndirectImageLight.h"             // for members
+#include "VirtualLights/vtkIndirectHeadlightSampler.h"  // for members
+#include "VirtualLights/vtkIndirectRefractionSampler.h" // for members
+#include "VirtualLights/vtkIndirectSenderSampler.h"     // for members
+#include "VirtualLights/vtkIndirectSkyProjection.h"     // for members
+#include "VirtualLights/vtkIndirectVirtualLights.h"     // for members
+#include "Visibility/vtkIndirectPenumbra.h"             // for members
+#include "Visibility/vtkIndirectVisibility.h"           // for members
+#include "vtkAreaLight.h"                               // for members
+#include "vtkEnvironmentLight.h"                        // for members
+#include "vtkIndirectEstimatorPass.h"                   // for members
+#include "vtkLightTreeSampler.h"                        // for members
+#include "vtkMultiresolutionSplattingPass.h"            // for members
+#include "vtkNew.h"                                     // for members
+#include "vtkReflectiveShadowMapPass.h"                 // for members
+#include "vtkSmartPointer.h"                            // for members
+#include "vtkWeakPointer.h"                             // for members
 
 #include <string> // for names
 #include <vector> // for samplers
@@ -121,6 +122,7 @@ private:
   vtkIndirectGeometryBuffer Geometry;
   vtkNew<vtkIndirectHeadlightSampler> HeadlightSampler;
   vtkNew<vtkIndirectSenderSampler> SenderSampler;
+  vtkNew<vtkIndirectRefractionSampler> RefractionSampler; // of bodies of glass
   vtkIndirectVirtualLights Lights;
   vtkIndirectVisibility Visibility;
   vtkIndirectSkyProjection SkyProjection;

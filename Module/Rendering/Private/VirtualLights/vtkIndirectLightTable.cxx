@@ -11,3 +11,11 @@ const vtkIndirectChannel vtkIndirectLightTable[] = {
     "VTK radiance times scene units squared" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+
+const vtkIndirectChannel vtkIndirectSenderLobeTable[] = {
+  { "lights.lobe", "vtkiLobeDirection", "direction of the lobe, exponent", GL_RGBA32F, "scene",
+    "1" },
+  { "lights.flux", "vtkiLobeDensity", "flux density of the lobe times area", GL_RGBA32F, "-",
+    "VTK radiance times scene units squared" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Channels of a table of virtual lights; see vtkVirtualLightSampler::Channel.
+// Channels of a table of virtual lights, and of their lobes; see vtkVirtualLightSampler::Channel
+// and LobeChannel.
 #ifndef vtkIndirectLightTable_h
 #define vtkIndirectLightTable_h
 
 #include "OpenGL/vtkIndirectChannel.h"
 
 extern const vtkIndirectChannel vtkIndirectLightTable[];
+extern const vtkIndirectChannel vtkIndirectSenderLobeTable[];
 
 #endif

@@ -30,6 +30,9 @@ constexpr double Nearness = 0.04;
 // What is left of a mean normal at least, so that it has a direction.
 constexpr double LeastNormal = 0.01;
 
+// By how much more than diffuse light a lobe counts the turn of normals.
+constexpr double LobeTurn = 3.0;
+
 // By how much one choice has to be better than another to be taken in its place. Texels in rows
 // have many choices that are the same but for rounding, which must not decide: lights would jump.
 constexpr double Margin = 0.01;
@@ -285,10 +288,13 @@ void vtkIndirectSenderClusters::DivideAll(
   for (size_t i = 0; i < this->Senders.size(); ++i)
   {
     const Sender& s = this->Senders[i];
-    const double weight = Sum(glm::dvec3(s.Reflected)) * weights[static_cast<size_t>(s.Map)];
+    const double lobe = Sum(glm::dvec3(s.LobeReflected));
+    const double sent = Sum(glm::dvec3(s.Reflected)) + lobe;
+    const double weight = sent * weights[static_cast<size_t>(s.Map)];
     if (weight > 0.0)
     {
-      constexpr float turn = static_cast<float>(NormalLength);
+      // What is mirrored turns by twice as much as the normal.
+      const auto turn = static_cast<float>(NormalLength * (1.0 + LobeTurn * lobe / sent));
       this->Entries.push_back({ { s.Position.x, s.Position.y, s.Position.z, turn * s.Normal.x,
                                   turn * s.Normal.y, turn * s.Normal.z },
         static_cast<float>(weight), static_cast<uint32_t>(i) });
@@ -313,9 +319,10 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
     const size_t map = static_cast<size_t>(sender.Map);
     const glm::dvec3 sent = strengths[map] * glm::dvec3(sender.Reflected);
     light.DensityArea += sent;
-    normal += Sum(sent) * glm::dvec3(sender.Normal);
+    const double all = Sum(sent) + Sum(strengths[map] * glm::dvec3(sender.LobeReflected));
+    normal += all * glm::dvec3(sender.Normal);
     areas[map] += sender.Area;
-    sums[map] += Sum(sent);
+    sums[map] += all;
   }
   // Each map's texels cover the surface once. A map may see a part of it: those that light most of
   // it count most.
@@ -332,7 +339,50 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
   const glm::dvec3 mean = total > 0.0 ? normal / total : glm::dvec3(middle.Normal);
   light.Normal = glm::length(mean) > LeastNormal ? mean : LeastNormal * glm::dvec3(middle.Normal);
   light.Area = total > 0.0 ? area / total : static_cast<double>(middle.Area);
+  this->AddLobe(cluster, strengths, light);
   return light;
+}
+
+//------------------------------------------------------------------------------
+// The mean direction, and an exponent of the variance about it: of directions among each other, and
+// of each lobe, 1 / exponent along either axis.
+void vtkIndirectSenderClusters::AddLobe(
+  const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const
+{
+  glm::dvec3 direction(0.0);
+  double total = 0.0;
+  double width = 0.0;
+  double strongest = 0.0;
+  glm::dvec3 fallback(0.0, 0.0, 1.0);
+  for (size_t i = cluster.Begin; i < cluster.End; ++i)
+  {
+    const Sender& sender = this->Senders[this->Entries[i].Sender];
+    const glm::dvec3 sent =
+      strengths[static_cast<size_t>(sender.Map)] * glm::dvec3(sender.LobeReflected);
+    const double sum = Sum(sent);
+    if (!(sum > 0.0))
+    {
+      continue;
+    }
+    light.LobeDensityArea += sent;
+    total += sum;
+    direction += sum * glm::dvec3(sender.LobeDirection);
+    width += sum / (static_cast<double>(sender.LobeExponent) + 1.0);
+    if (sum > strongest)
+    {
+      strongest = sum;
+      fallback = glm::dvec3(sender.LobeDirection);
+    }
+  }
+  if (!(total > 0.0))
+  {
+    return;
+  }
+  const double length = glm::length(direction) / total;
+  light.LobeDirection = length > LeastNormal ? glm::normalize(direction) : fallback;
+  // That of the directions all along one axis, as where a mirror is curved along one.
+  const double variance = width / total + std::max(1.0 - length * length, 0.0);
+  light.LobeExponent = std::max(1.0 / variance - 1.0, 0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -403,7 +453,9 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
     Light& light = lights.Tops[i];
     const Cluster& cluster = this->Clusters[i];
     light.Reach = FindReach(light, cluster, limit);
-    light.Area *= limit > 0.0 && cluster.End - cluster.Begin > 1 ? ShareOfArea : 1.0;
+    // Lobes are as wide as their whole light, or it would be seen in pieces.
+    const bool mirrors = Sum(light.LobeDensityArea) > Sum(light.DensityArea);
+    light.Area *= limit > 0.0 && cluster.End - cluster.Begin > 1 && !mirrors ? ShareOfArea : 1.0;
     light.Normal = limit > 0.0 ? light.Normal : glm::dvec3(this->Senders[cluster.Middle].Normal);
   }
   if (limit > 0.0)

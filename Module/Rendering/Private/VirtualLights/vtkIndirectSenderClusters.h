@@ -29,6 +29,10 @@ public:
     float Area;
     glm::vec3 Reflected; // density times area, of a light of strength one
     int Map;
+    // Of what it reflects specularly, where it does.
+    glm::vec3 LobeDirection{ 0.0f, 0.0f, 1.0f };
+    float LobeExponent = 0.0f;
+    glm::vec3 LobeReflected{ 0.0f };
   };
 
   struct Light
@@ -39,6 +43,10 @@ public:
     double Area = 1.0; // of the disk that it sends light as
     glm::dvec3 DensityArea{ 0.0 };
     double Reach = 0.0; // nearer than this its branches are summed in its place
+    /** One for the lobes of what it stands for, of the same flux, as wide as they are together. */
+    glm::dvec3 LobeDirection{ 0.0, 0.0, 1.0 };
+    double LobeExponent = 0.0;
+    glm::dvec3 LobeDensityArea{ 0.0 };
   };
 
   /**
@@ -105,6 +113,8 @@ private:
   std::vector<Cluster> Divide(size_t begin, size_t end, size_t least, size_t most);
   void DivideAll(const std::vector<double>& weights, int count, bool divides);
   Light MakeLight(const Cluster& cluster, const std::vector<glm::dvec3>& strengths) const;
+  void AddLobe(
+    const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const;
   static double FindReach(const Light& light, const Cluster& cluster, double limit);
   void MakeBranches(
     size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all);

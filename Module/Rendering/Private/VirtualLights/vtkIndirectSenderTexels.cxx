@@ -24,6 +24,11 @@ bool vtkIndirectSenderTexels::Read(const vtkVirtualLightSampler::Input& input,
   const std::vector<float> normal = table.ReadBack(vtkVirtualLightSampler::NormalReach);
   const std::vector<float> density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
   const size_t count = static_cast<size_t>(this->Texels->GetActualNumberOfLights());
+  const vtkIndirectTarget* lobes = this->Texels->GetLobes();
+  const std::vector<float> direction =
+    lobes ? lobes->ReadBack(vtkVirtualLightSampler::LobeDirectionExponent) : std::vector<float>();
+  const std::vector<float> flux =
+    lobes ? lobes->ReadBack(vtkVirtualLightSampler::LobeDensityArea) : std::vector<float>();
   for (size_t i = 0; i < count; ++i)
   {
     const float* p = &position[4 * i];
@@ -34,10 +39,20 @@ bool vtkIndirectSenderTexels::Read(const vtkVirtualLightSampler::Input& input,
     {
       places.push_back(place);
     }
-    if (std::max({ d[0], d[1], d[2] }) > 0.0f)
+    const bool mirrors =
+      lobes && std::max({ flux[4 * i], flux[4 * i + 1], flux[4 * i + 2] }) > 0.0f;
+    if (std::max({ d[0], d[1], d[2] }) > 0.0f || mirrors)
     {
       senders.push_back(
         { place, { n[0], n[1], n[2] }, p[3], { d[0], d[1], d[2] }, static_cast<int>(d[3]) });
+    }
+    if (mirrors)
+    {
+      vtkIndirectSenderClusters::Sender& sender = senders.back();
+      const float* w = &direction[4 * i];
+      sender.LobeDirection = { w[0], w[1], w[2] };
+      sender.LobeExponent = w[3];
+      sender.LobeReflected = { flux[4 * i], flux[4 * i + 1], flux[4 * i + 2] };
     }
   }
   this->Texels->ReleaseGraphicsResources(input.Frame.Window);
@@ -54,7 +69,9 @@ std::vector<vtkVirtualLightSampler::Row> vtkIndirectSenderTexels::MakeRows(
   {
     rows.push_back({ { light.Position.x, light.Position.y, light.Position.z }, light.Area,
       { light.Normal.x, light.Normal.y, light.Normal.z },
-      { light.DensityArea.x, light.DensityArea.y, light.DensityArea.z }, light.Reach });
+      { light.DensityArea.x, light.DensityArea.y, light.DensityArea.z }, light.Reach,
+      { light.LobeDirection.x, light.LobeDirection.y, light.LobeDirection.z }, light.LobeExponent,
+      { light.LobeDensityArea.x, light.LobeDensityArea.y, light.LobeDensityArea.z } });
   }
   return rows;
 }

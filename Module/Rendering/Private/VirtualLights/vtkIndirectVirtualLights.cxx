@@ -27,7 +27,24 @@ int CountRows(int lights)
 vtkIndirectVirtualLights::vtkIndirectVirtualLights()
   : Joined(vtkIndirectLightTable, false)
   , JoinedBranches(vtkIndirectLightTable, false)
+  , JoinedLobes(vtkIndirectSenderLobeTable, false)
 {
+}
+
+//------------------------------------------------------------------------------
+const vtkIndirectTarget* vtkIndirectVirtualLights::GetPart(
+  const vtkVirtualLightSampler* sampler, Part part)
+{
+  return part == Tops  ? &sampler->GetTable()
+    : part == Branches ? sampler->GetBranches()
+                       : sampler->GetLobes();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectVirtualLights::HasPart(const Samplers& samplers, Part part)
+{
+  return std::any_of(samplers.begin(), samplers.end(),
+    [part](const vtkVirtualLightSampler* sampler) { return GetPart(sampler, part) != nullptr; });
 }
 
 //------------------------------------------------------------------------------
@@ -52,8 +69,10 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
   }
   this->Current = &samplers.front()->GetTable();
   this->CurrentBranches = samplers.front()->GetBranches();
+  this->CurrentLobes = samplers.front()->GetLobes();
   this->Joined.Release(input.Frame.Window);
   this->JoinedBranches.Release(input.Frame.Window);
+  this->JoinedLobes.Release(input.Frame.Window);
   this->JoinedTimes.clear();
   return true;
 }
@@ -68,9 +87,10 @@ bool vtkIndirectVirtualLights::Join(const Input& input, const Samplers& samplers
   {
     times.push_back(sampler->GetContentTime());
   }
-  const bool branches = std::any_of(samplers.begin(), samplers.end(),
-    [](const vtkVirtualLightSampler* sampler) { return sampler->GetBranches() != nullptr; });
+  const bool branches = HasPart(samplers, Branches);
+  const bool lobes = HasPart(samplers, Lobes);
   this->CurrentBranches = branches ? &this->JoinedBranches : nullptr;
+  this->CurrentLobes = lobes ? &this->JoinedLobes : nullptr;
   const int rows = CountRows(this->NumberOfLights);
   if (times == this->JoinedTimes && this->Joined.GetHeight() == rows)
   {
@@ -81,12 +101,17 @@ bool vtkIndirectVirtualLights::Join(const Input& input, const Samplers& samplers
   {
     this->JoinedBranches.Release(window);
   }
+  if (!lobes)
+  {
+    this->JoinedLobes.Release(window);
+  }
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
-  if (!this->JoinTables(window, samplers, this->Joined, false) ||
-    (branches && !this->JoinTables(window, samplers, this->JoinedBranches, true)))
+  if (!this->JoinTables(window, samplers, this->Joined, Tops) ||
+    (branches && !this->JoinTables(window, samplers, this->JoinedBranches, Branches)) ||
+    (lobes && !this->JoinTables(window, samplers, this->JoinedLobes, Lobes)))
   {
     return false;
   }
@@ -96,13 +121,14 @@ bool vtkIndirectVirtualLights::Join(const Input& input, const Samplers& samplers
 
 //------------------------------------------------------------------------------
 bool vtkIndirectVirtualLights::JoinTables(
-  vtkOpenGLRenderWindow* window, const Samplers& samplers, vtkIndirectTarget& table, bool branches)
+  vtkOpenGLRenderWindow* window, const Samplers& samplers, vtkIndirectTarget& table, Part part)
 {
-  const int perLight = branches ? vtkIndirectKernels::VTKI_BRANCHES : 1;
+  const int perLight = part == Branches ? vtkIndirectKernels::VTKI_BRANCHES : 1;
   if (!table.Resize(window, RowLength, CountRows(this->NumberOfLights * perLight)))
   {
     return false;
   }
+  vtkIndirectFullScreenProgram& join = part == Lobes ? this->LobeProgram : this->Program;
   table.Begin();
   table.Clear();
   bool done = true;
@@ -112,22 +138,22 @@ bool vtkIndirectVirtualLights::JoinTables(
     for (vtkVirtualLightSampler* sampler : samplers)
     {
       const int count = perLight * sampler->GetActualNumberOfLights();
-      const vtkIndirectTarget* source = branches ? sampler->GetBranches() : &sampler->GetTable();
+      const vtkIndirectTarget* source = GetPart(sampler, part);
       if (source)
       {
-        vtkShaderProgram* program = this->Program.Use(window);
+        vtkShaderProgram* program = join.Use(window, part == Lobes ? "#define VTKI_LOBES\n" : "");
         done = program != nullptr;
         if (!done)
         {
           break;
         }
-        for (int channel = 0; channel < 3; ++channel)
+        for (int channel = 0; channel < source->GetNumberOfChannels(); ++channel)
         {
           source->Activate(channel, program);
         }
         program->SetUniformi("vtkiFirst", first);
         program->SetUniformi("vtkiCount", count);
-        this->Program.Draw();
+        join.Draw();
         source->Deactivate();
       }
       first += count;
@@ -172,6 +198,50 @@ void vtkIndirectVirtualLights::Deactivate() const
   if (this->CurrentBranches)
   {
     this->CurrentBranches->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVirtualLights::ActivateLobes(vtkShaderProgram* program) const
+{
+  if (this->CurrentLobes)
+  {
+    this->CurrentLobes->Activate(vtkVirtualLightSampler::LobeDirectionExponent, program);
+    this->CurrentLobes->Activate(vtkVirtualLightSampler::LobeDensityArea, program);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVirtualLights::DeactivateLobes() const
+{
+  if (this->CurrentLobes)
+  {
+    this->CurrentLobes->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVirtualLights::CopyLobes(const vtkIndirectFrame& frame, vtkImageData* image) const
+{
+  constexpr int channels = 2;
+  image->SetDimensions(channels, this->NumberOfLights, 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  auto* out = static_cast<float*>(image->GetScalarPointer());
+  for (int c = 0; c < channels; ++c)
+  {
+    const std::vector<float> values = this->CurrentLobes->ReadBack(c);
+    // Areas are the last channel's.
+    const double unit = c == vtkVirtualLightSampler::LobeDensityArea
+      ? 1.0 / (frame.SceneScale * frame.SceneScale)
+      : 1.0;
+    for (size_t i = 0; i < static_cast<size_t>(this->NumberOfLights); ++i)
+    {
+      for (size_t k = 0; k < 4; ++k)
+      {
+        out[(i * channels + static_cast<size_t>(c)) * 4 + k] =
+          static_cast<float>(values[4 * i + k] * unit);
+      }
+    }
   }
 }
 
@@ -226,8 +296,11 @@ void vtkIndirectVirtualLights::Release(vtkWindow* window)
 {
   this->Joined.Release(window);
   this->JoinedBranches.Release(window);
+  this->JoinedLobes.Release(window);
   this->Program.Release();
+  this->LobeProgram.Release();
   this->JoinedTimes.clear();
   this->Current = nullptr;
   this->CurrentBranches = nullptr;
+  this->CurrentLobes = nullptr;
 }

@@ -36,6 +36,9 @@ public:
     return std::string(this->WithDirections ? "#define VTKI_DIRECTIONS\n" : "") +
       (this->HasBranches() ? "#define VTKI_DIVIDED\n" : "");
   }
+  /** Whether some lights have a specular lobe; the table of these, or null. */
+  bool HasLobes() const { return this->CurrentLobes != nullptr; }
+  const vtkIndirectTarget* GetLobes() const { return this->CurrentLobes; }
   /** Whether receivers that are near to a light sum what is below it (vtkIndirectBranches.glsl). */
   bool HasBranches() const { return this->CurrentBranches != nullptr; }
   vtkMTimeType GetContentTime() const { return this->ContentTime; }
@@ -48,6 +51,12 @@ public:
   ///@}
 
   ///@{
+  /** Bind the lobes, where there are such; pair. */
+  void ActivateLobes(vtkShaderProgram* program) const;
+  void DeactivateLobes() const;
+  ///@}
+
+  ///@{
   /**
    * Copies the lights, and what is below them: a row each of three texels of four floats, in world
    * units.
@@ -55,9 +64,14 @@ public:
   void CopyLights(const vtkIndirectFrame& frame, vtkImageData* image) const;
   void CopyBranches(const vtkIndirectFrame& frame, vtkImageData* image) const;
   ///@}
+  /** Copies the lobes: a row each of two texels of four floats, in world units. */
+  void CopyLobes(const vtkIndirectFrame& frame, vtkImageData* image) const;
 
   /** Of a table of several samplers; samplers count their own. */
-  size_t GetBytes() const { return this->Joined.GetBytes() + this->JoinedBranches.GetBytes(); }
+  size_t GetBytes() const
+  {
+    return this->Joined.GetBytes() + this->JoinedBranches.GetBytes() + this->JoinedLobes.GetBytes();
+  }
   void Release(vtkWindow* window);
 
 private:
@@ -65,14 +79,25 @@ private:
     const vtkIndirectFrame& frame, const vtkIndirectTarget& table, int count, vtkImageData* image);
   void ActivateBranches(vtkShaderProgram* program) const;
   bool Join(const Input& input, const Samplers& samplers);
-  bool JoinTables(vtkOpenGLRenderWindow* window, const Samplers& samplers, vtkIndirectTarget& table,
-    bool branches);
+  enum Part
+  {
+    Tops,
+    Branches,
+    Lobes
+  };
+  static const vtkIndirectTarget* GetPart(const vtkVirtualLightSampler* sampler, Part part);
+  static bool HasPart(const Samplers& samplers, Part part);
+  bool JoinTables(
+    vtkOpenGLRenderWindow* window, const Samplers& samplers, vtkIndirectTarget& table, Part part);
 
   vtkIndirectTarget Joined;
   vtkIndirectTarget JoinedBranches;
+  vtkIndirectTarget JoinedLobes;
   vtkIndirectFullScreenProgram Program{ "vtkIndirectJoinLightsFS.glsl" };
+  vtkIndirectFullScreenProgram LobeProgram{ "vtkIndirectJoinLightsFS.glsl" };
   const vtkIndirectTarget* Current = nullptr;
   const vtkIndirectTarget* CurrentBranches = nullptr;
+  const vtkIndirectTarget* CurrentLobes = nullptr;
   int NumberOfLights = 0;
   bool WithDirections = false;
   vtkMTimeType ContentTime = 0; // the latest of the samplers'

@@ -76,14 +76,18 @@ void vtkIndirectVisibility::ReadEmitters(const vtkIndirectVirtualLights& lights)
   const auto position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
   const auto normal = table.ReadBack(vtkVirtualLightSampler::NormalReach);
   const auto density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
+  const auto lobes = lights.HasLobes()
+    ? lights.GetLobes()->ReadBack(vtkVirtualLightSampler::LobeDensityArea)
+    : std::vector<float>(density.size(), 0.0f);
   this->Lights.resize(count);
   for (size_t i = 0; i < count; ++i)
   {
     const float* p = &position[4 * i];
     const float* n = &normal[4 * i];
     const float* d = &density[4 * i];
+    const float* lobe = &lobes[4 * i];
     vtkIndirectDepthAtlas::Emitter& emitter = this->Lights[i];
-    emitter.Sends = p[3] > 0.0f && std::max({ d[0], d[1], d[2] }) > 0.0f;
+    emitter.Sends = p[3] > 0.0f && std::max({ d[0], d[1], d[2], lobe[0], lobe[1], lobe[2] }) > 0.0f;
     // Of surfaces that differ it is a mean, which is shorter than one.
     const glm::dvec3 axis =
       emitter.Sends ? glm::normalize(glm::dvec3(n[0], n[1], n[2])) : glm::dvec3(n[0], n[1], n[2]);

@@ -1,7 +1,7 @@
   // The mapper's names are bound to these by vtkSurfaceCapturePass: VTKI_ALBEDO, VTKI_NORMAL,
   // VTKI_SLOPE, VTKI_KIND, VTKI_DEPTH, VTKI_SENDER_SCALE; and where something in the scene is specular,
   // VTKI_SPECULAR: the mapper's specular colour and power, of VTK's PBR F0 and minus the roughness; zero where it has
-  // none.
+  // none; and VTKI_SPECULAR_SENDER, the same as lights' maps have it.
   {
     vec3 vtkiAlbedo = max(VTKI_ALBEDO, vec3(0.0f));
     vec3 vtkiNormal = VTKI_NORMAL;
@@ -17,6 +17,10 @@
     {
       gl_FragData[0] = vec4(vtkiAlbedo * VTKI_SENDER_SCALE, 1.0f);
       gl_FragData[2] = vec4(VTKI_SLOPE, 0.0f, 1.0f);
+#ifdef VTKI_SPECULAR
+      vec4 vtkiLobe = VTKI_SPECULAR_SENDER;
+      gl_FragData[3] = vec4(max(vtkiLobe.rgb * vtkiMapLight.z, vec3(0.0f)), max(vtkiLobe.a, -1.0f));
+#endif
     }
     else
     {

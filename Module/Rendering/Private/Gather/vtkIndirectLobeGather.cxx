@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Gather/vtkIndirectLobeGather.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectPlan.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Visibility/vtkIndirectVisibility.h"
+#include "vtkVirtualLightSampler.h"
+
+#include <algorithm>
+
+namespace
+{
+const vtkIndirectChannel CoarseChannels[] = {
+  { "lobes.coarse", "vtkiCoarse", "irradiance of lobes at every few pixels, variation", GL_RGBA32F,
+    "-", "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+// Rows of 256 lights in one draw: long draws stall a desktop, and some drivers end them.
+constexpr int RowsPerDraw = 16;
+
+// What is less than this of the brightest irradiance of the frame is interpolated in any case.
+constexpr double Least = 1e-3;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectLobeGather::vtkIndirectLobeGather()
+  : Coarse(CoarseChannels, false)
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectLobeGather::Add(
+  const vtkIndirectEstimateInput& input, const Output& output, int step, double tolerance)
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  if (!input.Lights || !input.Lights->HasLobes())
+  {
+    this->Coarse.Release(window);
+    return true;
+  }
+  const vtkIndirectVisibility& visibility = input.Visibility;
+  const int rows = input.Lights->GetNumberOfRows();
+  const int rowsPerDraw = visibility.WalksSegments()
+    ? vtkIndirectVisibility::MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength
+    : RowsPerDraw;
+  // Pixels that interpolation leaves are summed in one go.
+  const bool interpolate =
+    step > 1 && rows * vtkVirtualLightSampler::RowLength <= visibility.GetMaximumNumberOfSenders();
+  if (!interpolate)
+  {
+    this->Coarse.Release(window);
+    if (!this->Draw(
+          input, this->AtPixels, "", output.Irradiance, output.Unit, 1, tolerance, rowsPerDraw))
+    {
+      return false;
+    }
+  }
+  else
+  {
+    const int* size = input.Frame.Size;
+    if (!this->Coarse.Resize(
+          window, (size[0] + 2 * step - 2) / step, (size[1] + 2 * step - 2) / step))
+    {
+      return false;
+    }
+    this->Coarse.Begin();
+    this->Coarse.Clear();
+    this->Coarse.End();
+    if (!this->Draw(input, this->AtSamples, "#define VTKI_COARSE\n", this->Coarse, 1.0, step,
+          tolerance, rowsPerDraw) ||
+      !this->Draw(input, this->AtPixels, "#define VTKI_INTERPOLATED\n", output.Irradiance,
+        output.Unit, step, tolerance, rows))
+    {
+      return false;
+    }
+  }
+  return !output.Glossy ||
+    this->Draw(input, this->InGlossy, "#define VTKI_GLOSSY\n", *output.Glossy, output.Unit, 1,
+      tolerance, rowsPerDraw);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectLobeGather::Draw(const vtkIndirectEstimateInput& input,
+  vtkIndirectFullScreenProgram& kernel, const std::string& definitions, vtkIndirectTarget& target,
+  double unit, int step, double tolerance, int rowsPerDraw)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  const vtkIndirectVirtualLights& lights = *input.Lights;
+  vtkShaderProgram* program = kernel.Use(
+    frame.Window, definitions + input.Visibility.GetDefinitions() + lights.GetDefinitions());
+  if (!program)
+  {
+    return false;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  const bool interpolates = &target != &this->Coarse && step > 1;
+  vtkIndirectSetEyeUniforms(program, frame);
+  program->SetUniform2i("vtkiSize", frame.Size);
+  program->SetUniformf("vtkiStorageScale", static_cast<float>(1.0 / unit));
+  program->SetUniformi("vtkiStep", step);
+  const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
+  geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
+  if (&kernel == &this->InGlossy)
+  {
+    geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
+  }
+  input.Visibility.Activate(frame.Window, program);
+  lights.Activate(program);
+  lights.ActivateLobes(program);
+  if (interpolates)
+  {
+    const int coarse[2] = { this->Coarse.GetWidth(), this->Coarse.GetHeight() };
+    this->Coarse.Activate(0, program);
+    program->SetUniform2i("vtkiCoarseSize", coarse);
+    program->SetUniformf("vtkiTolerance", static_cast<float>(tolerance));
+    program->SetUniformf("vtkiLeast", static_cast<float>(Least * input.Plan.IrradianceUnit));
+  }
+  target.Begin();
+  state->vtkglEnable(GL_BLEND);
+  // An image's own alpha is one; of samples it is a sum.
+  const GLenum alpha = &target == &this->Coarse ? GL_ONE : GL_ZERO;
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, alpha, GL_ONE);
+  const int rows = lights.GetNumberOfRows();
+  for (int row = 0; row < rows; row += rowsPerDraw)
+  {
+    const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
+    program->SetUniform2i("vtkiLightRows", block);
+    kernel.Draw();
+    if (rows > rowsPerDraw)
+    {
+      glFlush();
+    }
+  }
+  state->vtkglDisable(GL_BLEND);
+  target.End();
+  if (interpolates)
+  {
+    this->Coarse.Deactivate();
+  }
+  geometry.Deactivate();
+  input.Visibility.Deactivate();
+  lights.DeactivateLobes();
+  lights.Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLobeGather::Release(vtkWindow* window)
+{
+  this->Coarse.Release(window);
+  this->AtSamples.Release();
+  this->AtPixels.Release();
+  this->InGlossy.Release();
+}

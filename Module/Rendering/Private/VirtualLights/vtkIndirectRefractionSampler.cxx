@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VirtualLights/vtkIndirectRefractionSampler.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "vtkActor.h"
+#include "vtkLightTreeSampler.h"
+#include "vtkObjectFactory.h"
+#include "vtkProperty.h"
+#include "vtkUniformLightSampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+
+vtkStandardNewMacro(vtkIndirectRefractionSampler);
+
+namespace
+{
+// att(d) d^2 cone, towards a place.
+double FindFalloff(const vtkIndirectLight& light, const glm::dvec3& way, double distance)
+{
+  const double cosine = glm::dot(way, light.DirectionWC);
+  double cone = 1.0;
+  if (light.ConeAngle < 90.0)
+  {
+    cone = cosine >= std::cos(glm::radians(light.ConeAngle))
+      ? std::pow(std::max(cosine, 0.0), light.Exponent)
+      : 0.0;
+  }
+  const double denominator =
+    light.Attenuation.x + distance * (light.Attenuation.y + distance * light.Attenuation.z);
+  return denominator > 0.0 ? cone * distance * distance / denominator : 0.0;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectRefractionSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampler)
+{
+  auto* tree = vtkLightTreeSampler::SafeDownCast(sampler);
+  auto* uniform = vtkUniformLightSampler::SafeDownCast(sampler);
+  this->NumberOfLights = tree ? tree->GetNumberOfLights()
+    : uniform                 ? uniform->GetNumberOfLights()
+                              : 256;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectRefractionSampler::Update(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  std::vector<double> key = { static_cast<double>(this->NumberOfLights), frame.SceneScale,
+    frame.SceneCenter.x, frame.SceneCenter.y, frame.SceneCenter.z };
+  for (const vtkIndirectLight& light : frame.Lights)
+  {
+    const double numbers[] = { light.PositionWC.x, light.PositionWC.y, light.PositionWC.z,
+      light.DirectionWC.x, light.DirectionWC.y, light.DirectionWC.z, light.Color.x, light.Color.y,
+      light.Color.z, light.Attenuation.x, light.Attenuation.y, light.Attenuation.z, light.ConeAngle,
+      light.Exponent, light.Positional ? 1.0 : 0.0, light.Fill ? 1.0 : 0.0 };
+    key.insert(key.end(), std::begin(numbers), std::end(numbers));
+  }
+  for (vtkActor* actor : frame.Refractors)
+  {
+    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(actor)));
+    key.push_back(static_cast<double>(actor->GetRedrawMTime()));
+  }
+  if (key == this->Key)
+  {
+    return true;
+  }
+  this->Key.clear();
+  std::vector<Row> rows;
+  for (vtkActor* actor : frame.Refractors)
+  {
+    vtkIndirectRefraction body;
+    body.SetBody(actor);
+    for (const vtkIndirectLight& light : frame.Lights)
+    {
+      if (!light.Fill && light.Color != glm::dvec3(0.0))
+      {
+        this->Add(frame, light, actor, body, rows);
+      }
+    }
+  }
+  if (!this->Write(frame, rows))
+  {
+    return false;
+  }
+  this->Key = key;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkIndirectLight& light,
+  vtkActor* actor, const vtkIndirectRefraction& body, std::vector<Row>& rows) const
+{
+  double bounds[6];
+  actor->GetBounds(bounds);
+  const glm::dvec3 lower(bounds[0], bounds[2], bounds[4]);
+  const glm::dvec3 upper(bounds[1], bounds[3], bounds[5]);
+  const glm::dvec3 center = 0.5 * (lower + upper);
+  const double radius = 0.5 * glm::length(upper - lower);
+  const double distance = glm::length(center - light.PositionWC);
+  if (!(radius > 0.0) || (light.Positional && distance <= radius))
+  {
+    return; // a light within the bounds of glass
+  }
+  const glm::dvec3 axis =
+    light.Positional ? (center - light.PositionWC) / distance : light.DirectionWC;
+  const glm::dvec3 other =
+    std::abs(axis.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+  const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
+  const glm::dvec3 up = glm::cross(right, axis);
+  // Of tangents, or of lengths for light of one direction.
+  const double halfWidth =
+    light.Positional ? radius / std::sqrt(distance * distance - radius * radius) : radius;
+  const int edge = std::max(2, static_cast<int>(std::sqrt(2.0 * this->NumberOfLights) + 0.5));
+  const double step = 2.0 * halfWidth / edge;
+  std::vector<vtkIndirectRefraction::Path> paths(static_cast<size_t>(edge) * edge);
+  std::vector<double> fluxes(paths.size(), 0.0);
+  std::vector<double> areas(paths.size(), 0.0); // of the square where it enters, across the way
+  for (int j = 0; j < edge; ++j)
+  {
+    for (int i = 0; i < edge; ++i)
+    {
+      const double x = (i + 0.5) * step - halfWidth;
+      const double y = (j + 0.5) * step - halfWidth;
+      const size_t at = static_cast<size_t>(j) * edge + i;
+      const glm::dvec3 ray = axis + x * right + y * up;
+      const glm::dvec3 way = light.Positional ? glm::normalize(ray) : axis;
+      const glm::dvec3 origin =
+        light.Positional ? light.PositionWC : center - 2.0 * radius * axis + x * right + y * up;
+      paths[at] =
+        body.Trace(origin, way, light.Positional ? distance + 2.0 * radius : 4.0 * radius);
+      const double length = glm::length(ray);
+      const double angle = step * step / (length * length * length);
+      areas[at] = light.Positional ? angle * distance * distance : step * step;
+      fluxes[at] = paths[at].Share *
+        (light.Positional ? angle * FindFalloff(light, way, distance) : step * step);
+    }
+  }
+  const double base = vtkIndirectKernels::vtkiExponentOfRoughness(
+    static_cast<float>(actor->GetProperty()->GetRoughness()));
+  const double s = frame.SceneScale;
+  for (int j = 0; j < edge; ++j)
+  {
+    for (int i = 0; i < edge; ++i)
+    {
+      const size_t at = static_cast<size_t>(j) * edge + i;
+      const vtkIndirectRefraction::Path& path = paths[at];
+      if (!(fluxes[at] > 0.0))
+      {
+        continue;
+      }
+      // As of mirrors in maps: lobes of neighbours meet.
+      double turn = 0.0;
+      const int neighbors[4][2] = { { i - 1, j }, { i + 1, j }, { i, j - 1 }, { i, j + 1 } };
+      for (const auto& n : neighbors)
+      {
+        if (n[0] >= 0 && n[0] < edge && n[1] >= 0 && n[1] < edge)
+        {
+          const auto& beside = paths[static_cast<size_t>(n[1]) * edge + n[0]];
+          const glm::dvec3 d = beside.Direction - path.Direction;
+          turn = beside.Share > 0.0 && glm::dot(d, d) < 0.5 ? std::max(turn, glm::dot(d, d)) : turn;
+        }
+      }
+      Row row = {};
+      const glm::dvec3 position = (path.Position - frame.SceneCenter) * s;
+      const double across = std::max(glm::dot(path.Normal, path.Direction), 0.2);
+      for (int c = 0; c < 3; ++c)
+      {
+        row.Position[c] = position[c];
+        row.Normal[c] = path.Normal[c];
+        row.LobeDirection[c] = path.Direction[c];
+        row.LobeDensityArea[c] = fluxes[at] * light.Color[c] * s * s;
+      }
+      row.Area = areas[at] / across * s * s;
+      row.LobeExponent = base / (1.0 + base * turn / 12.0);
+      rows.push_back(row);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectRefractionSampler::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Key.clear();
+}

@@ -1,0 +1,77 @@
+// Sum over the lobes of virtual lights. VTKI_VISIBILITY: those that the receiver sees.
+#include "vtkIndirectLibTable.glsl"
+#include "vtkIndirectLibSenderLobe.glsl"
+#ifdef VTKI_VISIBILITY
+#include "vtkIndirectVisibility.glsl"
+#endif
+
+uniform sampler2D vtkiLightPosition; // position, area
+uniform sampler2D vtkiLightNormal;   // normal, reach
+uniform sampler2D vtkiLobeDirection; // direction, exponent
+uniform sampler2D vtkiLobeDensity;   // flux density times area
+uniform ivec2 vtkiLightRows; // first row, one past the last row
+uniform int vtkiLightCount;
+
+struct vtkiLobeSum
+{
+  vec3 light;
+  float variation; // what interpolation over the receiver's patch may change of it, its brightest component
+};
+
+// What one light's lobe gives. radius: of the patch of surface that the receiver stands for, 0 where it stands for itself.
+void vtkiAddLobe(vec3 position, vec3 normal, vec3 open, float radius, int light, inout vtkiLobeSum sum)
+{
+  ivec2 at = vtkiTableTexel(light);
+  vec3 density = texelFetch(vtkiLobeDensity, at, 0).rgb;
+  float brightest = max(max(density.r, density.g), density.b);
+  if (!(brightest > 0.0f))
+  {
+    return;
+  }
+  vec4 sender = texelFetch(vtkiLightPosition, at, 0);
+  vec3 senderNormal = texelFetch(vtkiLightNormal, at, 0).xyz;
+  vec4 lobe = texelFetch(vtkiLobeDirection, at, 0);
+  vec3 toSender = sender.xyz - position;
+  // Beside the lobe, where less than 1e-6 of it is left: most receivers are, and need no more. Its exponent is 4 r^2 / A
+  // near the light (vtkiLobeExponent).
+  float r2 = dot(toSender, toSender);
+  float along = -dot(toSender, lobe.xyz);
+  if (radius == 0.0f &&
+    (along <= 0.0f || min(lobe.w, 4.0f * r2 / sender.w) * (r2 - along * along) > 28.0f * r2))
+  {
+    return;
+  }
+  float weight = vtkiLobeWeight(toSender, senderNormal, normal, lobe.xyz, lobe.w, sender.w);
+  float variation = radius > 0.0f
+    ? vtkiSenderLobeVariation(toSender, senderNormal, lobe.xyz, lobe.w, sender.w, radius)
+    : 0.0f;
+#ifdef VTKI_VISIBILITY
+  bool seen =
+    vtkiIsSenderVisible(light, open, position, normal, sender, senderNormal, weight > 0.0f);
+  weight = seen ? weight : 0.0f;
+#endif
+  sum.light += density * weight;
+  sum.variation += brightest * variation;
+}
+
+vtkiLobeSum vtkiSumLobes(vec3 position, vec3 normal, float radius)
+{
+  vtkiLobeSum total = vtkiLobeSum(vec3(0.0f), 0.0f);
+  vec3 open = position;
+#ifdef VTKI_VISIBILITY
+  open = vtkiOpenPlace(position, normal);
+#endif
+  for (int row = vtkiLightRows.x; row < vtkiLightRows.y; ++row)
+  {
+    // Sums by row keep rounding errors of long sums small.
+    vtkiLobeSum partial = vtkiLobeSum(vec3(0.0f), 0.0f);
+    int end = min((row + 1) * VTKI_ROW_LENGTH, vtkiLightCount);
+    for (int light = row * VTKI_ROW_LENGTH; light < end; ++light)
+    {
+      vtkiAddLobe(position, normal, open, radius, light, partial);
+    }
+    total.light += partial.light;
+    total.variation += partial.variation;
+  }
+  return total;
+}
