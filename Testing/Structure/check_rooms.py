@@ -24,6 +24,7 @@ ROOMS = [
     "Gather",
     "Multiresolution",
     "RadianceHints",
+    "Proxies",
     "Composite",
     "Pipeline",
 ]

@@ -67,7 +67,7 @@ VTK_INDIRECT_TEST(SimplificationError)
     const double apart = Hausdorff(mesh, filter->GetOutput());
     const double bound = error * mesh->GetLength();
     CheckAtMost(name + ": apart, over the bound", apart / bound, 1.0 + 1e-6, "asked for");
-    CheckNear(name + ": reported, over measured", filter->GetMaximumDistance() / apart, 1.0, 0.1,
+    CheckNear(name + ": reported, over measured", filter->GetMaximumDistance() / apart, 1.0, 0.2,
       "samples of both");
     Check(name + ": fewer triangles", filter->GetOutput()->GetNumberOfPolys() < before);
     before = filter->GetOutput()->GetNumberOfPolys();

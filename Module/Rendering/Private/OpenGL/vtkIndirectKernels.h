@@ -68,6 +68,7 @@ namespace
 #include "vtkIndirectLibPenumbra.glsl"
 #include "vtkIndirectLibAreaLight.glsl"
 #include "vtkIndirectLibLobe.glsl"
+#include "vtkIndirectLibSphereProxy.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
