@@ -32,12 +32,12 @@ import numpy as np
 ORDER = 4
 COUNT = ORDER * ORDER
 ENTRIES = 64
-"""Of the table of visibility, at sin = i / (ENTRIES - 1)."""
+"""Of the table of visibility, at even steps of solid angle: 1 - cos = i / (ENTRIES - 1)."""
 HALVING = 0.25
 """f is halved until it is no larger than this."""
 SMOOTH = 10
 """Halvings of each fit's exponential: as many for all, so that nothing jumps."""
-STIFFNESS = 1e-6
+STIFFNESS = 1e-5
 """Squared length of a logarithm over squared error: near a full hemisphere there is no shorter one."""
 WEIGHTS_OF_BANDS = np.array((1.0, 0.7, 0.25, 0.03))
 """What errors of bands weigh. From sin = 0.75 on no vector of order 4 has the visibility as its
@@ -152,6 +152,12 @@ def zonal(values: np.ndarray) -> np.ndarray:
     return found
 
 
+def sine_of(row: int) -> float:
+    """Return the sine of half the angle of a row of the table."""
+    share = row / (ENTRIES - 1)
+    return float(np.sqrt(share * (2 - share)))
+
+
 def visibility(sine: float) -> np.ndarray:
     """Return the zonal coefficients of what a sphere about +z leaves to be seen."""
     cosine = np.sqrt(max(1.0 - sine * sine, 0.0))
@@ -199,7 +205,7 @@ def visibility_table() -> np.ndarray:
     """Return the zonal logarithms, ENTRIES x 4."""
     table = np.zeros((ENTRIES, 4))
     for i in range(1, ENTRIES):
-        table[i] = logarithm(visibility(i / (ENTRIES - 1)), table[i - 1])
+        table[i] = logarithm(visibility(sine_of(i)), table[i - 1])
     return table
 
 
@@ -286,7 +292,7 @@ def table_text() -> str:
         "",
         "// clang-format off",
         f"constexpr int vtkIndirectProxyEntries = {ENTRIES};",
-        "// Zonal logarithm of visibility at sin = row / (entries - 1).",
+        "// Zonal logarithm of visibility where 1 - cos = row / (entries - 1).",
         f"constexpr float vtkIndirectProxyTable[{ENTRIES}][4] = {{",
     ]
     lines += ["  {" + ", ".join(f"{v:.7g}f" if "." in f"{v:.7g}" or "e" in f"{v:.7g}"
@@ -300,9 +306,9 @@ def errors() -> None:
     print("a, b:", LINEAR.tolist())
     table = visibility_table()
     for i in range(0, ENTRIES, 7):
-        target = visibility(i / (ENTRIES - 1))
+        target = visibility(sine_of(i))
         off = np.linalg.norm(exponential(zonal(table[i]))[ZONAL] - target)
-        print(f"sin {i / (ENTRIES - 1):.3f}: {off:.2e} of {np.linalg.norm(target):.3f}  {table[i]}")
+        print(f"sin {sine_of(i):.3f}: {off:.2e} of {np.linalg.norm(target):.3f}  {table[i]}")
     first, second, squared = fit_average()
     print("D1:", first, "D2:", second)
     print(f"relative squared errors: {squared[0]:.3g}, {squared[1]:.3g}")

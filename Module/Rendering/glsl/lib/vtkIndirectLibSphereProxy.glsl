@@ -10,8 +10,9 @@
 const float VTKI_HARMONICS_Y00 = 0.28209479f;
 /* f without its constant is halved until it is no longer than this ... */
 const float VTKI_HARMONICS_HALVING = 0.25f;
-/* ... and no longer than this to begin with: further spheres at the same place hide nothing more. */
-const float VTKI_HARMONICS_LONGEST = 24.0f;
+/* ... and no longer than this to begin with, a little less than that of a sphere that fills a hemisphere:
+ * further spheres at the same place hide nothing more. */
+const float VTKI_HARMONICS_LONGEST = 8.0f;
 
 /* All 16 functions at a unit direction. */
 vtkiHarmonics4 vtkiHarmonics4At(vec3 d)
@@ -107,7 +108,17 @@ vtkiHarmonics4 vtkiHarmonicsExp(vtkiHarmonics4 f)
       e = vtkiHarmonicProduct(e, e);
     }
   }
-  return vtkiHarmonicsAdd(zero, exp(min(constant, 0.0f)), e);
+  // Far beyond that, lobes that ring grow, too; more than all is never seen.
+  float whole = exp(min(constant, 0.0f));
+  float seen = whole * e.A.x * VTKI_HARMONICS_Y00;
+  return vtkiHarmonicsAdd(zero, seen > 1.0f ? whole / seen : whole, e);
+}
+
+/* Where the table has a sphere of that sine, from 0 to 1: rows go with its solid angle, which its
+ * logarithm begins with. */
+float vtkiProxyRow(float sine)
+{
+  return 1.0f - sqrt(max(1.0f - sine * sine, 0.0f));
 }
 
 /* Multiplication by a light, for its nine functions that a clamped cosine has (Eq 10). */
