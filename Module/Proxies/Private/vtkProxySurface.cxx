@@ -72,7 +72,7 @@ std::vector<vtkProxySurface::Triangle> vtkProxySurface::Triangulate(
     else if (size > 3)
     {
       polygon->Initialize(static_cast<int>(size), ids, mesh->GetPoints());
-      if (polygon->Triangulate(parts) && parts->GetNumberOfIds() >= 3)
+      if (polygon->EarCutTriangulation(parts) && parts->GetNumberOfIds() >= 3)
       {
         for (vtkIdType i = 0; i + 2 < parts->GetNumberOfIds(); i += 3)
         {

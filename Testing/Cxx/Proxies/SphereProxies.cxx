@@ -471,6 +471,31 @@ VTK_INDIRECT_TEST(SphereProxiesHardInput)
   };
   CheckNear("volume of a cube without shared points", volume(soup), 1.0, 0.01,
     "100000 places in a box around it");
+  // A polygon that is not convex: nothing stands in its notch.
+  vtkNew<vtkPolyData> notched;
+  vtkNew<vtkPoints> corners;
+  vtkNew<vtkCellArray> ell;
+  const double places[6][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } };
+  ell->InsertNextCell(6);
+  for (const auto& place : places)
+  {
+    ell->InsertCellPoint(corners->InsertNextPoint(place[0], place[1], 0.0));
+  }
+  notched->SetPoints(corners);
+  notched->SetPolys(ell);
+  vtkNew<vtkSphereProxyFilter> flat;
+  flat->SetInputData(notched);
+  flat->SetNumberOfSpheres(60);
+  flat->Update();
+  int inNotch = 0;
+  double farthest = 0.0;
+  for (const Sphere& sphere : SpheresOf(flat->GetOutput()))
+  {
+    inNotch += sphere.Center.x > 1.0 && sphere.Center.y > 1.0 ? 1 : 0;
+    farthest = std::max(farthest, std::min(sphere.Center.x, 2.0 - sphere.Center.y));
+  }
+  CheckNear("centers in the notch of an L", inNotch, 0, 0.0, "it is no surface");
+  CheckAtLeast("spheres are in its foot", farthest, 1.0, "it is");
   // Triangles that do not agree on a side, walls through the middle, one cube in another.
   vtkNew<vtkPolyData> turned;
   vtkNew<vtkCellArray> mixed;
