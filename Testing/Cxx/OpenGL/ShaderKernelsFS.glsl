@@ -12,6 +12,7 @@
 #include "vtkIndirectLibPlane.glsl"
 #include "vtkIndirectLibSampling.glsl"
 #include "vtkIndirectLibShadow.glsl"
+#include "vtkIndirectLibSphereProxy.glsl"
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"
 #include "ShaderKernels.glsl"

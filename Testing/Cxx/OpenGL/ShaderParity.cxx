@@ -81,6 +81,8 @@ const Kernel Kernels[] = {
   { "vtkiPackAlbedo, vtkiUnpackAlbedo", 2e-3, 1.0,
     "a rounding may fall on the next of 1023 roots" },
   { "vtkiRunForward, vtkiRunBackward, vtkiRunAreas, vtkiNeighborShares", 1e-5, 0.1, Rounding },
+  { "vtkiProxySine, vtkiHarmonicsExp, vtkiLitCosine, vtkiProxyRadiance, vtkiProxyOverlap", 2e-4,
+    0.1, "squares of squares: 32 times the rounding of exp and of 16 sums" },
   { "constants", 0.0, 1.0, "literals" },
 };
 
