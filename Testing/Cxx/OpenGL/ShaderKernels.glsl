@@ -3,7 +3,7 @@
 #ifndef ShaderKernels
 #define ShaderKernels
 
-const int VTKI_KERNEL_COUNT = 29;
+const int VTKI_KERNEL_COUNT = 30;
 
 mat3 vtkiTestMatrix(vec4 a, vec4 b, float c)
 {
