@@ -388,9 +388,9 @@ VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
   const vtkiLightMatrix sky = UniformSky();
   const vtkiHarmonics4 c = vtkiLitCosine(sky, n);
   double worst = 0.0;
-  for (double x : { 0.0, 0.1, 0.2, 0.3 })
+  for (const glm::dvec3& center : { glm::dvec3(0.0, 0.0, -0.95), glm::dvec3(0.3, 0.0, -0.95),
+         glm::dvec3(0.6, 0.0, -0.6), glm::dvec3(0.8, 0.0, -0.3) })
   {
-    const glm::dvec3 center(x, 0.0, -0.95);
     const double sine = vtkiProxySine(vec3(center), 1.0f, n);
     worst = std::max(worst,
       std::abs(
