@@ -33,3 +33,12 @@ else ()
 endif ()
 vtk_indirect_optional_module(VTK::IndirectOpenEXR VTK_INDIRECT_ENABLE_OPENEXR
   "OpenEXR (Debian: libopenexr-dev)" "${_exr_found}")
+
+find_package(OpenMesh CONFIG QUIET)
+if (OpenMesh_FOUND)
+  set(_openmesh_found TRUE)
+else ()
+  set(_openmesh_found FALSE)
+endif ()
+vtk_indirect_optional_module(VTK::IndirectProxies VTK_INDIRECT_ENABLE_PROXIES
+  "OpenMesh (Debian: libopenmesh-dev)" "${_openmesh_found}")

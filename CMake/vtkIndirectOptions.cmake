@@ -5,6 +5,7 @@ option(BUILD_TESTING "Build the tests" ON)
 option(VTK_INDIRECT_WRAP_PYTHON "Wrap the modules for Python" ON)
 option(VTK_INDIRECT_ENABLE_HEADLESS "Build VTK::IndirectHeadless (needs EGL)" ON)
 option(VTK_INDIRECT_ENABLE_OPENEXR "Build VTK::IndirectOpenEXR (needs OpenEXR)" ON)
+option(VTK_INDIRECT_ENABLE_PROXIES "Build VTK::IndirectProxies (needs OpenMesh)" ON)
 option(VTK_INDIRECT_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 set(VTK_INDIRECT_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
 

@@ -25,6 +25,7 @@ ROOMS = [
     "Splatting",
     "Multiresolution",
     "RadianceHints",
+    "Proxies",
     "Composite",
     "Pipeline",
 ]

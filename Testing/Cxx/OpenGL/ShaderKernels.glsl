@@ -3,7 +3,7 @@
 #ifndef ShaderKernels
 #define ShaderKernels
 
-const int VTKI_KERNEL_COUNT = 30;
+const int VTKI_KERNEL_COUNT = 31;
 
 mat3 vtkiTestMatrix(vec4 a, vec4 b, float c)
 {
@@ -188,6 +188,17 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
     return vec4(vtkiSenderLobeWeight(toSender, up, -b3, b3, power, 0.01f + a.w * a.w),
       vtkiPhongFlux(power, a.w), vtkiLobeIntegral(power, a.w),
       vtkiExponentOfRoughness(0.1f + 0.9f * b.w));
+  }
+  if (kernel == 29)
+  {
+    // A sphere, seen from a place with the normal b3 under a light from around c3.
+    float sine = vtkiProxySine((0.2f + a.w) * a3, 0.3f * b.w, b3);
+    vec4 zonal = -4.0f * vtkiProxyRow(sine) * vec4(1.0f, 1.4f, 1.3f, 1.0f);
+    vtkiHarmonics4 seen = vtkiHarmonicsExp(vtkiZonalTo(zonal, a3));
+    vtkiHarmonics4 light = vtkiZonalTo(vec4(1.0f, 0.8f, 0.5f, 0.2f), c3);
+    return vec4(vtkiHarmonicsDot(seen, vtkiLitCosine(vtkiMakeLightMatrix(light), b3)),
+      vtkiProxyRadiance(light, a3, sine) * vtkiProxyClamp(sine, 0.25f),
+      vtkiProxyRadianceAtMiddle(light, a3), vtkiProxyOverlap(seen, 0.5f + b.w));
   }
   return vec4(VTKI_PI, VTKI_GAMMA, float(VTKI_MAP_CAMERA), VTKI_SURFACE_UNLIT);
 }

@@ -13,6 +13,7 @@
 #include "vtkIndirectLibSampling.glsl"
 #include "vtkIndirectLibSenderLobe.glsl"
 #include "vtkIndirectLibShadow.glsl"
+#include "vtkIndirectLibSphereProxy.glsl"
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"
 #include "ShaderKernels.glsl"

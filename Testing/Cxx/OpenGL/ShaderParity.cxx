@@ -83,6 +83,8 @@ const Kernel Kernels[] = {
   { "vtkiRunForward, vtkiRunBackward, vtkiRunAreas, vtkiNeighborShares", 1e-5, 0.1, Rounding },
   { "vtkiSenderLobeWeight, vtkiPhongFlux, vtkiLobeIntegral, vtkiExponentOfRoughness", 2e-3, 0.1,
     "GPU exp and log of limited precision, exponents up to 1e6" },
+  { "vtkiProxySine, vtkiHarmonicsExp, vtkiLitCosine, vtkiProxyRadiance, vtkiProxyOverlap", 2e-4,
+    0.1, "squares of squares: 32 times the rounding of exp and of 16 sums" },
   { "constants", 0.0, 1.0, "literals" },
 };
 

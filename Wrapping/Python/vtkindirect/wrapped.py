@@ -38,6 +38,11 @@ MODULES = {
         "OpenEXR files (build option VTK_INDIRECT_ENABLE_OPENEXR, needs OpenEXR)",
         ("vtkOpenEXRReader", "vtkOpenEXRWriter"),
     ),
+    "vtkIndirectProxies": (
+        "spheres and simplified meshes in place of meshes "
+        "(build option VTK_INDIRECT_ENABLE_PROXIES, needs OpenMesh)",
+        ("vtkMeshSimplificationFilter", "vtkSphereProxyFilter"),
+    ),
 }
 
 

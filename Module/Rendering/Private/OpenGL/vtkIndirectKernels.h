@@ -72,6 +72,7 @@ namespace
 #include "vtkIndirectLibAreaLight.glsl"
 #include "vtkIndirectLibLobe.glsl"
 #include "vtkIndirectLibSenderLobe.glsl"
+#include "vtkIndirectLibSphereProxy.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

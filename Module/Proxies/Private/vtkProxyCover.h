@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Spheres that cover a surface: candidates, a greedy cover, steps towards the least squared
+// distance.
+#ifndef vtkProxyCover_h
+#define vtkProxyCover_h
+
+#include "vtkProxySolid.h" // for what is inside
+
+/**
+ * Each sphere sticks out of the solid by no more than an error, and each sample of the surface is
+ * no farther than that outside of a sphere. Lengths are those of vtkProxySurface.
+ */
+class vtkProxyCover
+{
+public:
+  vtkProxyCover(const vtkProxySurface& surface, const vtkProxySolid& solid, int samples);
+
+  /** As few spheres as the greedy choice finds for an error; empty if they were more than `most`.
+   */
+  std::vector<vtkProxySphere> CoverWithin(double error, int most) const;
+  /** The least error for which there are at most `count` spheres, within 1 % of it or 2 % of them.
+   */
+  double CoverWith(int count, std::vector<vtkProxySphere>& spheres) const;
+  /** Moves and resizes spheres towards the least mean squared distance of surface and union. */
+  void Refine(std::vector<vtkProxySphere>& spheres, double error, int steps) const;
+  /** Adds spheres until denser samples are covered, too. */
+  void Repair(std::vector<vtkProxySphere>& spheres, double error, int samples) const;
+
+private:
+  struct Sample
+  {
+    glm::dvec3 Point{ 0.0 };
+    double Weight = 0.0;
+    enum
+    {
+      Skin,    // of a solid
+      Sheet,   // encloses nothing
+      Interior // of the solid, away from its skin
+    } Kind = Skin;
+    double Depth = 0.0;       // of the interior
+    glm::dvec3 Inward{ 0.0 }; // of the skin
+  };
+  struct Candidate
+  {
+    glm::dvec3 Center{ 0.0 };
+    double Depth = 0.0;
+    bool Sheet = false;
+  };
+
+  std::vector<Sample> MakeSamples(int count) const;
+  Candidate MakeCandidate(const Sample& sample) const;
+  std::vector<Candidate> FindDepths(const std::vector<Candidate>& candidates) const;
+  /** One of those that are nearly the same, compared with an error: the deepest. */
+  static std::vector<Candidate> Thin(const std::vector<Candidate>& candidates, double error);
+  static vtkProxySphere MakeSphere(const Candidate& candidate, double error);
+  static bool Covers(const vtkProxySphere& sphere, const Sample& sample, double error);
+  bool Choose(const std::vector<Sample>& samples, const std::vector<Candidate>& all, double error,
+    int most, std::vector<vtkProxySphere>& spheres) const;
+
+  const vtkProxySurface& Surface;
+  const vtkProxySolid& Solid;
+  std::vector<Sample> Samples;
+  std::vector<Candidate> Candidates;
+};
+
+#endif

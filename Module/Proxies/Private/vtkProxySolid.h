@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a surface encloses: voxels with the distance to it, and whether a place is inside.
+#ifndef vtkProxySolid_h
+#define vtkProxySolid_h
+
+#include "vtkProxySurface.h" // for the surface
+
+#include <cstdint> // for labels
+
+class vtkProxySolid
+{
+public:
+  /**
+   * Finds what is solid with `resolution` voxels along the longest axis. Closed parts of the
+   * surface say it themselves, by their winding number. For open ones, voxels that the surface
+   * passes are walls: what walls enclose is solid; and so is a region that open parts wind around
+   * by more than one half, if no more than `opening` of its border has no wall.
+   */
+  void Build(const vtkProxySurface& surface, int resolution, double opening);
+
+  /** Whether a place is solid. */
+  bool IsSolid(const glm::dvec3& p) const;
+
+  /** Distance to the surface, negative outside of the solid. */
+  double GetDepth(const glm::dvec3& p) const;
+
+  /** Middles of the solid voxels without wall, and the depth of each. */
+  struct Voxel
+  {
+    glm::dvec3 Middle;
+    double Depth;
+  };
+  const std::vector<Voxel>& GetVoxels() const { return this->Voxels; }
+  /** Those of them that no neighbour's ball contains: near the medial axis. */
+  std::vector<Voxel> GetMedialVoxels() const;
+  double GetVoxelSize() const { return this->Size; }
+
+private:
+  bool IsInClosedPart(const glm::dvec3& p) const;
+  /** The index of the voxel that a place is in, or -1. */
+  int VoxelOf(const glm::dvec3& p) const;
+
+  enum Label : std::uint8_t
+  {
+    Unknown = 0,
+    Wall,
+    Outside,
+    Solid
+  };
+
+  int Index(int x, int y, int z) const { return (z * this->Counts.y + y) * this->Counts.x + x; }
+  glm::dvec3 Middle(int x, int y, int z) const
+  {
+    return this->Origin + this->Size * (glm::dvec3(x, y, z) + 0.5);
+  }
+  glm::ivec3 Place(int index) const
+  {
+    return { index % this->Counts.x, index / this->Counts.x % this->Counts.y,
+      index / this->Counts.x / this->Counts.y };
+  }
+  void MarkWalls();
+  /** Voxels that are connected with a seed over faces and have its value; they get a new one. */
+  std::vector<int> Flood(int seed, std::vector<std::uint8_t>& values, std::uint8_t made) const;
+  void FindRegions();
+  void FindWoundRegions(double opening);
+
+  const vtkProxySurface* Surface = nullptr;
+  double Size = 1.0;
+  glm::dvec3 Origin{ 0.0 };
+  glm::ivec3 Counts{ 0 };
+  std::vector<std::uint8_t> Labels;
+  std::vector<std::uint8_t> Wound; // 2: in or beside a region that open parts wind around
+  std::vector<Voxel> Voxels;
+  std::vector<int> VoxelIndices;
+};
+
+#endif

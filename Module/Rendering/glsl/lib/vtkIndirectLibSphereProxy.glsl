@@ -1,0 +1,221 @@
+// Sums over spheres in spherical harmonics of order 4: what they hide, and what they send.
+// "Image-Based Proxy Accumulation for Real-Time Soft Global Illumination", Sloan, Govindaraju,
+// Nowrouzezahrai, Snyder 2007; numbers by Testing/Reference/fit_sphere_proxies.py.
+#ifndef vtkIndirectLibSphereProxy
+#define vtkIndirectLibSphereProxy
+#include "vtkIndirectLibHarmonicProduct.glsl"
+#include "vtkIndirectLibPortable.glsl"
+
+/* Of the constant function: over the sphere it is 1. */
+const float VTKI_HARMONICS_Y00 = 0.28209479f;
+/* f without its constant is halved until it is no longer than this ... */
+const float VTKI_HARMONICS_HALVING = 0.25f;
+/* ... and no longer than this to begin with, a little less than that of a sphere that fills a hemisphere:
+ * further spheres at the same place hide nothing more. */
+const float VTKI_HARMONICS_LONGEST = 8.0f;
+
+/* All 16 functions at a unit direction. */
+vtkiHarmonics4 vtkiHarmonics4At(vec3 d)
+{
+  vtkiHarmonics4 y;
+  float z2 = d.z * d.z;
+  float xy = d.x * d.y;
+  float difference = d.x * d.x - d.y * d.y;
+  y.A = vec4(0.28209479f, 0.48860251f * d.y, 0.48860251f * d.z, 0.48860251f * d.x);
+  y.B = vec4(1.09254843f * xy, 1.09254843f * d.y * d.z, 0.31539157f * (3.0f * z2 - 1.0f), 1.09254843f * d.x * d.z);
+  y.C = vec4(0.54627422f * difference, 0.59004359f * d.y * (3.0f * d.x * d.x - d.y * d.y), 2.89061144f * xy * d.z,
+    0.45704580f * d.y * (5.0f * z2 - 1.0f));
+  y.D = vec4(0.37317633f * d.z * (5.0f * z2 - 3.0f), 0.45704580f * d.x * (5.0f * z2 - 1.0f),
+    1.44530572f * d.z * difference, 0.59004359f * d.x * (d.x * d.x - 3.0f * d.y * d.y));
+  return y;
+}
+
+float vtkiHarmonicsDot(vtkiHarmonics4 f, vtkiHarmonics4 g)
+{
+  return dot(f.A, g.A) + dot(f.B, g.B) + dot(f.C, g.C) + dot(f.D, g.D);
+}
+
+/* f + s g */
+vtkiHarmonics4 vtkiHarmonicsAdd(vtkiHarmonics4 f, float s, vtkiHarmonics4 g)
+{
+  vtkiHarmonics4 h;
+  h.A = f.A + s * g.A;
+  h.B = f.B + s * g.B;
+  h.C = f.C + s * g.C;
+  h.D = f.D + s * g.D;
+  return h;
+}
+
+/* A function around +z, by its four coefficients, turned to a unit direction (Eq 8): band l of the
+ * functions there times sqrt(4 pi / (2 l + 1)). */
+vtkiHarmonics4 vtkiZonalTo(vec4 zonal, vec3 d)
+{
+  vtkiHarmonics4 y = vtkiHarmonics4At(d);
+  vec4 s = zonal * vec4(3.54490770f, 2.04665341f, 1.58533092f, 1.33984918f);
+  y.A = vec4(y.A.x * s.x, y.A.y * s.y, y.A.z * s.y, y.A.w * s.y);
+  y.B = y.B * s.z;
+  y.C = vec4(y.C.x * s.z, y.C.y * s.w, y.C.z * s.w, y.C.w * s.w);
+  y.D = y.D * s.w;
+  return y;
+}
+
+/* The clamped cosine about a unit normal, over pi: with the light's coefficients it is irradiance in
+ * VTK's unit. Its band 3 is zero. */
+vtkiHarmonics4 vtkiClampedCosine(vec3 n)
+{
+  return vtkiZonalTo(vec4(0.28209479f, 0.32573501f, 0.15769578f, 0.0f), n);
+}
+
+/* e^f, cut to order 4: e^(f0 Y00) (a + b g + g^2 / 2) squared p times, g the rest of f halved p times.
+ * The sum of logarithms becomes what is seen. After Ren, Wang, Snyder, Zhou, Liu, Sun, Hua, Guo, Shum
+ * 2006, "Real-time soft shadows in dynamic scenes using spherical harmonic exponentiation". */
+vtkiHarmonics4 vtkiHarmonicsExp(vtkiHarmonics4 f)
+{
+  vtkiHarmonics4 g = f;
+  g.A.x = 0.0f;
+  float size = sqrt(max(vtkiHarmonicsDot(g, g), 0.0f));
+  float constant = f.A.x * VTKI_HARMONICS_Y00;
+  float scale = 1.0f;
+  if (size > VTKI_HARMONICS_LONGEST)
+  {
+    scale = VTKI_HARMONICS_LONGEST / size;
+    constant *= scale;
+    size = VTKI_HARMONICS_LONGEST;
+  }
+  int halvings = 0;
+  for (int i = 0; i < 8; ++i)
+  {
+    if (size > VTKI_HARMONICS_HALVING)
+    {
+      size *= 0.5f;
+      scale *= 0.5f;
+      ++halvings;
+    }
+  }
+  vtkiHarmonics4 zero;
+  zero.A = vec4(0.0f);
+  zero.B = vec4(0.0f);
+  zero.C = vec4(0.0f);
+  zero.D = vec4(0.0f);
+  g = vtkiHarmonicsAdd(zero, scale, g);
+  vtkiHarmonics4 e = vtkiHarmonicsAdd(zero, 1.0f + 0.03528f * size * size, g);
+  e = vtkiHarmonicsAdd(e, 0.5f, vtkiHarmonicProduct(g, g));
+  e.A.x += (1.0f + 7.05e-5f * size * size) / VTKI_HARMONICS_Y00;
+  for (int i = 0; i < 8; ++i)
+  {
+    if (i < halvings)
+    {
+      e = vtkiHarmonicProduct(e, e);
+    }
+  }
+  // Far beyond that, lobes that ring grow, too; more than all is never seen.
+  float whole = exp(min(constant, 0.0f));
+  float seen = whole * e.A.x * VTKI_HARMONICS_Y00;
+  return vtkiHarmonicsAdd(zero, seen > 1.0f ? whole / seen : whole, e);
+}
+
+/* Where the table has a sphere of that sine, from 0 to 1: rows go with its solid angle, which its
+ * logarithm begins with. */
+float vtkiProxyRow(float sine)
+{
+  return 1.0f - sqrt(max(1.0f - sine * sine, 0.0f));
+}
+
+/* Multiplication by a light, for its nine functions that a clamped cosine has (Eq 10). */
+struct vtkiLightMatrix
+{
+  vtkiHarmonics4 Columns[9];
+};
+
+vtkiLightMatrix vtkiMakeLightMatrix(vtkiHarmonics4 light)
+{
+  vtkiLightMatrix m;
+  for (int i = 0; i < 9; ++i)
+  {
+    vtkiHarmonics4 one;
+    one.A = vec4(i == 0 ? 1.0f : 0.0f, i == 1 ? 1.0f : 0.0f, i == 2 ? 1.0f : 0.0f, i == 3 ? 1.0f : 0.0f);
+    one.B = vec4(i == 4 ? 1.0f : 0.0f, i == 5 ? 1.0f : 0.0f, i == 6 ? 1.0f : 0.0f, i == 7 ? 1.0f : 0.0f);
+    one.C = vec4(i == 8 ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
+    one.D = vec4(0.0f);
+    m.Columns[i] = vtkiHarmonicProduct(light, one);
+  }
+  return m;
+}
+
+/* C(n): light times clamped cosine over pi. Its dot product with what is seen is irradiance (VTK units:
+ * with nothing hidden a constant radiance L gives L). */
+vtkiHarmonics4 vtkiLitCosine(vtkiLightMatrix m, vec3 n)
+{
+  vtkiHarmonics4 h = vtkiClampedCosine(n);
+  vtkiHarmonics4 c = vtkiHarmonicsAdd(m.Columns[0], h.A.x - 1.0f, m.Columns[0]);
+  c = vtkiHarmonicsAdd(c, h.A.y, m.Columns[1]);
+  c = vtkiHarmonicsAdd(c, h.A.z, m.Columns[2]);
+  c = vtkiHarmonicsAdd(c, h.A.w, m.Columns[3]);
+  c = vtkiHarmonicsAdd(c, h.B.x, m.Columns[4]);
+  c = vtkiHarmonicsAdd(c, h.B.y, m.Columns[5]);
+  c = vtkiHarmonicsAdd(c, h.B.z, m.Columns[6]);
+  c = vtkiHarmonicsAdd(c, h.B.w, m.Columns[7]);
+  return vtkiHarmonicsAdd(c, h.C.x, m.Columns[8]);
+}
+
+/* Sine of half the angle under which a sphere counts for a receiver of unit normal n; toCenter from
+ * the receiver. Seen from outside it is r / d, whatever crosses the receiver's plane: what is below it
+ * has no cosine. Spheres that contain the receiver are mostly those that stand for its own surface. One
+ * whose center is below the plane is shrunk until it ends at it, and hides nothing; one with its center
+ * above hides the more the higher that is, all of its side from a quarter of the radius on. From there
+ * to 1.25 radii away this goes over to r / d, so that nothing jumps. Too bright: beside a body that is
+ * half sunk into the ground, within that distance. */
+float vtkiProxySine(vec3 toCenter, float radius, vec3 n)
+{
+  float d = length(toCenter);
+  if (!(radius > 0.0f))
+  {
+    return 0.0f;
+  }
+  float seen = d > radius ? radius / d : 1.0f;
+  float outside = min(max(4.0f * (d / radius - 1.0f), 0.0f), 1.0f);
+  outside = outside * outside * (3.0f - 2.0f * outside);
+  float height = dot(toCenter, n);
+  float own = height < 0.0f ? min(-height / d, seen) : seen * min(4.0f * height / radius, 1.0f);
+  return own + (seen - own) * outside;
+}
+
+/* How much of a sphere counts: all of it within its region of influence, from `sine` of four thirds of
+ * the least on, and nothing from the least on (r / 15 for shadows, r / 4 for light). */
+float vtkiProxyClamp(float sine, float least)
+{
+  float t = min(max((sine - least) / max(least / 3.0f, 1e-6f), 0.0f), 1.0f);
+  return t * t * (3.0f - 2.0f * t);
+}
+
+/* Mean over the visible disk of band l at the sphere's normals, l = 0, 1, 2 (D0 to D2). */
+vec3 vtkiProxyAverage(float sine)
+{
+  return vec3(0.28209479f, (0.08434643f * sine - 0.25075079f) * sine - 0.32493353f,
+    ((-0.22261791f * sine + 0.22540738f) * sine + 0.47386883f) * sine + 0.15950106f);
+}
+
+/* Mean radiance of a sphere of albedo 1 in a unit direction d from the receiver, without anything that
+ * hides the light from it (Eq 15); `light` of one colour, its first nine coefficients. */
+float vtkiProxyRadiance(vtkiHarmonics4 light, vec3 d, float sine)
+{
+  vec3 mean = vtkiProxyAverage(sine);
+  // The clamped cosine over pi has 1, 2/3, 1/4 in these bands.
+  vtkiHarmonics4 y = vtkiZonalTo(vec4(mean.x, mean.y * (2.0f / 3.0f), mean.z * 0.25f, 0.0f), d);
+  return vtkiHarmonicsDot(y, light);
+}
+
+/* The same at its middle (Eq 13): 7 to 8 % off beside 0.3 % of the mean. */
+float vtkiProxyRadianceAtMiddle(vtkiHarmonics4 light, vec3 d)
+{
+  return vtkiHarmonicsDot(vtkiClampedCosine(-d), light);
+}
+
+/* What hides of all spheres together, over the sum of their solid angles (Eq 12): the factor of their
+ * summed light. `seen` is the exponential, `solidAngle` the sum. */
+float vtkiProxyOverlap(vtkiHarmonics4 seen, float solidAngle)
+{
+  float hidden = 4.0f * VTKI_PI * (1.0f - seen.A.x * VTKI_HARMONICS_Y00);
+  return solidAngle > 0.0f ? min(max(hidden / solidAngle, 0.0f), 1.0f) : 0.0f;
+}
+#endif
