@@ -29,6 +29,7 @@ class vtkOpenGLRenderWindow;
 class vtkReflectiveShadowMapPass;
 class vtkWindow;
 struct vtkIndirectFrame;
+struct vtkIndirectReport;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkVirtualLightSampler : public vtkObject
 {
@@ -50,6 +51,7 @@ public:
     const vtkReflectiveShadowMapPass& Maps;    // without maps where the frame has none
     const vtkIndirectGeometryBuffer& Geometry; // what the eye sees
     double ErrorTolerance = 0.0;               // of the irradiance, over its mean; 0: standard
+    int NumberOfBounces = 1;                   // asked for, for samplers that know several
   };
 
   /** Channels of the table, a texel a light; empty places have no density. */
@@ -70,6 +72,15 @@ public:
   {
     return false;
   }
+
+  /** Whether lights come from rays through the scene, of all bounces, and not from maps. */
+  virtual bool Walks() const
+  {
+    return false;
+  }
+
+  /** Says what the last frame's lights were made of. Default: nothing. */
+  virtual void AddToReport(vtkIndirectReport&) const {}
 
   /**
    * The pattern by which lights are taken from what the eye sees where a headlight is the only

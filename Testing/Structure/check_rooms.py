@@ -38,6 +38,7 @@ PUBLIC = {
     "vtkLightTreeSampler": "VirtualLights",
     "vtkMapLightSampler": "VirtualLights",
     "vtkUniformLightSampler": "VirtualLights",
+    "vtkRandomWalkLightSampler": "Visibility",
     "vtkRSMGatherPass": "Gather",
     "vtkRSMReferencePass": "Gather",
     "vtkMultiresolutionSplattingPass": "Multiresolution",

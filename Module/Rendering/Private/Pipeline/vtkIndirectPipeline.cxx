@@ -271,7 +271,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
 
   this->Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool sampled = this->Samplers.empty() ||
-    this->Lights.Update({ this->Frame, *this->Maps, this->Geometry, this->Plan.ErrorTolerance },
+    this->Lights.Update({ this->Frame, *this->Maps, this->Geometry, this->Plan.ErrorTolerance,
+                          request.Settings.NumberOfBounces },
       { this->Samplers.begin(), this->Samplers.end() });
   this->Timer.End(vtkIndirectStageTimer::Lights);
 
@@ -530,9 +531,9 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     report.EstimatedError = this->Estimate.Error;
     this->Estimator->AddToReport(report);
     this->Visibility.AddToReport(report);
-    if (this->Plan.SkyBounces || this->Plan.AreaLightsBounce)
+    for (const auto& sampler : this->Samplers)
     {
-      this->SenderSampler->AddToReport(report);
+      sampler->AddToReport(report);
     }
   }
   else if (this->Plan.Irradiance)

@@ -47,7 +47,7 @@ public:
   size_t GetSourceTime() const { return this->SourceTime; }
   long long GetNumberOfFacesDrawn() const;
   size_t GetBytes() const override;
-  void AddToReport(vtkIndirectReport& report) const;
+  void AddToReport(vtkIndirectReport& report) const override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

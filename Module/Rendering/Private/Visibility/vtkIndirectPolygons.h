@@ -46,10 +46,11 @@ public:
   bool HasColorsOfCells() const { return this->Colors && this->ColorsAreOfCells; }
   ///@}
 
-  using Taker = std::function<void(const vtkIndirectPolygons& piece)>;
+  using Taker = std::function<void(vtkIndirectPolygons& piece)>;
   /**
-   * Hands on all pieces of a prop. Returns whether the prop draws nothing but these polygons: not
-   * so with glyphs, impostors, lines, points, levels of detail, or shaders of the user's own.
+   * Hands on all pieces of a prop, which may be taken. Returns whether the prop draws nothing but
+   * these polygons: not so with glyphs, impostors, lines, points, levels of detail, or shaders of
+   * the user's own.
    */
   static bool Read(const vtkIndirectFrame& frame, vtkProp* prop, const Taker& take);
 

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRandomWalkLightSampler.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectReport.h"
+#include "Visibility/vtkIndirectRandomWalk.h"
+#include "Visibility/vtkIndirectRaySurfaces.h"
+#include "vtkObjectFactory.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkRandomWalkLightSampler);
+
+//------------------------------------------------------------------------------
+struct vtkRandomWalkLightSampler::Internals
+{
+  vtkIndirectRaySurfaces Surfaces;
+  vtkIndirectRandomWalk Walk;
+  std::vector<double> Key; // what the lights were made of; empty: there are none
+};
+
+namespace
+{
+void Append(std::vector<double>& key, const glm::dvec3& v)
+{
+  key.insert(key.end(), { v.x, v.y, v.z });
+}
+
+// All that paths depend on, but the surfaces.
+std::vector<double> MakeKey(const std::vector<vtkIndirectRandomWalk::Source>& sources,
+  const vtkIndirectRandomWalk::Settings& settings)
+{
+  std::vector<double> key = { static_cast<double>(settings.NumberOfVertices),
+    static_cast<double>(settings.FirstBounce), static_cast<double>(settings.LastBounce) };
+  for (const vtkIndirectRandomWalk::Source& source : sources)
+  {
+    const vtkIndirectLight& light = source.Light;
+    key.push_back(light.Positional ? 1.0 : 0.0);
+    Append(key, light.PositionWC);
+    Append(key, light.DirectionWC);
+    Append(key, light.Attenuation);
+    key.push_back(light.ConeAngle);
+    key.push_back(light.Exponent);
+    Append(key, source.Strength);
+  }
+  return key;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRandomWalkLightSampler::vtkRandomWalkLightSampler()
+  : Internal(new Internals)
+{
+}
+
+vtkRandomWalkLightSampler::~vtkRandomWalkLightSampler() = default;
+
+//------------------------------------------------------------------------------
+void vtkRandomWalkLightSampler::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
+  os << indent << "FirstBounce: " << this->FirstBounce << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkRandomWalkLightSampler::Update(const Input& input)
+{
+  Internals& in = *this->Internal;
+  std::vector<vtkIndirectRandomWalk::Source> sources;
+  for (const vtkIndirectLight& light : input.Frame.Lights)
+  {
+    if (!light.Fill && light.Color != glm::dvec3(0.0))
+    {
+      sources.push_back({ light, light.Color });
+    }
+  }
+  vtkIndirectRandomWalk::Settings settings;
+  settings.NumberOfVertices = this->NumberOfLights;
+  settings.FirstBounce = this->FirstBounce;
+  settings.LastBounce = input.NumberOfBounces;
+  const std::vector<double> key = MakeKey(sources, settings);
+  if (!in.Surfaces.Update(input.Frame) && key == in.Key)
+  {
+    return true;
+  }
+  in.Key.clear();
+  in.Walk.Walk(in.Surfaces, input.Frame, sources, settings);
+  std::vector<Row> rows;
+  for (const vtkIndirectRandomWalk::Vertex& vertex : in.Walk.GetVertices())
+  {
+    rows.push_back({ { vertex.Position.x, vertex.Position.y, vertex.Position.z }, vertex.Area,
+      { vertex.Normal.x, vertex.Normal.y, vertex.Normal.z },
+      { vertex.DensityArea.x, vertex.DensityArea.y, vertex.DensityArea.z } });
+  }
+  if (!this->Write(input.Frame, rows))
+  {
+    return false;
+  }
+  in.Key = key;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
+{
+  const Internals& in = *this->Internal;
+  report.MainMemoryBytes += in.Surfaces.GetBytes();
+  report.Modelled.emplace_back("random walk",
+    std::to_string(in.Walk.GetNumberOfPaths()) + " paths through " +
+      std::to_string(in.Surfaces.GetNumberOfTriangles()) + " triangles, " +
+      std::to_string(this->GetActualNumberOfLights()) + " virtual lights");
+  for (const auto& [what, why] : in.Surfaces.GetLeftOut())
+  {
+    report.LeftOut.emplace_back(what + " in the random walk", why);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRandomWalkLightSampler::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (!window)
+  {
+    return;
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Internal->Surfaces.Clear();
+  this->Internal->Key.clear();
+}
