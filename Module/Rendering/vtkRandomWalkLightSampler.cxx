@@ -3,6 +3,9 @@
 
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectReport.h"
+#include "VirtualLights/vtkIndirectEmitters.h"
+#include "VirtualLights/vtkIndirectSenderClusters.h"
+#include "VirtualLights/vtkIndirectSenderTexels.h"
 #include "Visibility/vtkIndirectRandomWalk.h"
 #include "Visibility/vtkIndirectRaySurfaces.h"
 #include "vtkObjectFactory.h"
@@ -16,6 +19,7 @@ struct vtkRandomWalkLightSampler::Internals
 {
   vtkIndirectRaySurfaces Surfaces;
   vtkIndirectRandomWalk Walk;
+  vtkIndirectSenderClusters Clusters;
   std::vector<double> Key; // what the lights were made of; empty: there are none
 };
 
@@ -42,6 +46,7 @@ std::vector<double> MakeKey(const std::vector<vtkIndirectRandomWalk::Source>& so
     key.push_back(light.ConeAngle);
     key.push_back(light.Exponent);
     Append(key, source.Strength);
+    key.push_back(source.FirstBounce);
   }
   return key;
 }
@@ -60,6 +65,7 @@ void vtkRandomWalkLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
+  os << indent << "NumberOfVertices: " << this->NumberOfVertices << "\n";
   os << indent << "FirstBounce: " << this->FirstBounce << "\n";
 }
 
@@ -72,20 +78,40 @@ bool vtkRandomWalkLightSampler::Update(const Input& input)
   {
     if (!light.Fill && light.Color != glm::dvec3(0.0))
     {
-      sources.push_back({ light, light.Color });
+      sources.push_back({ light, light.Color, 1 });
     }
   }
+  // The first bounce of these comes from maps of their own.
+  for (size_t i = 0; input.Emitters && i < input.Emitters->size(); ++i)
+  {
+    sources.push_back({ (*input.Emitters)[i].Light, (*input.Emitters)[i].Strength, 2 });
+  }
   vtkIndirectRandomWalk::Settings settings;
-  settings.NumberOfVertices = this->NumberOfLights;
+  settings.NumberOfVertices =
+    this->NumberOfVertices > 0 ? this->NumberOfVertices : this->NumberOfLights;
   settings.FirstBounce = this->FirstBounce;
   settings.LastBounce = input.NumberOfBounces;
-  const std::vector<double> key = MakeKey(sources, settings);
+  std::vector<double> key = MakeKey(sources, settings);
+  const double error =
+    this->NumberOfVertices > 0 ? vtkIndirectSenderClusters::FindError(input.ErrorTolerance) : 0.0;
+  key.insert(key.end(),
+    { static_cast<double>(this->NumberOfLights), static_cast<double>(this->NumberOfVertices),
+      error });
   if (!in.Surfaces.Update(input.Frame) && key == in.Key)
   {
     return true;
   }
   in.Key.clear();
   in.Walk.Walk(in.Surfaces, input.Frame, sources, settings);
+  if (this->NumberOfVertices > 0)
+  {
+    if (!this->WriteClusters(input, sources.size(), error))
+    {
+      return false;
+    }
+    in.Key = key;
+    return true;
+  }
   std::vector<Row> rows;
   for (const vtkIndirectRandomWalk::Vertex& vertex : in.Walk.GetVertices())
   {
@@ -102,10 +128,34 @@ bool vtkRandomWalkLightSampler::Update(const Input& input)
 }
 
 //------------------------------------------------------------------------------
+// Vertices of a light's first bounce cover surfaces once, as the texels of a map do, and so do
+// those of each later bounce.
+bool vtkRandomWalkLightSampler::WriteClusters(
+  const Input& input, size_t numberOfSources, double error)
+{
+  Internals& in = *this->Internal;
+  std::vector<vtkIndirectSenderClusters::Sender> senders;
+  for (const vtkIndirectRandomWalk::Vertex& vertex : in.Walk.GetVertices())
+  {
+    const int covering =
+      vertex.Bounce == 1 ? vertex.Source : static_cast<int>(numberOfSources) + vertex.Bounce - 2;
+    senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
+      static_cast<float>(vertex.Area), glm::vec3(vertex.DensityArea), covering });
+  }
+  in.Clusters.SetSenders(std::move(senders));
+  const vtkIndirectSenderClusters::Lights lights = in.Clusters.MakeLights(
+    std::vector<glm::dvec3>(
+      numberOfSources + static_cast<size_t>(input.NumberOfBounces), glm::dvec3(1.0)),
+    this->NumberOfLights, error);
+  return this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Tops),
+    vtkIndirectSenderTexels::MakeRows(lights.Branches));
+}
+
+//------------------------------------------------------------------------------
 void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
 {
   const Internals& in = *this->Internal;
-  report.MainMemoryBytes += in.Surfaces.GetBytes();
+  report.MainMemoryBytes += in.Surfaces.GetBytes() + in.Clusters.GetBytes();
   report.Modelled.emplace_back("random walk",
     std::to_string(in.Walk.GetNumberOfPaths()) + " paths through " +
       std::to_string(in.Surfaces.GetNumberOfTriangles()) + " triangles, " +
@@ -125,5 +175,6 @@ void vtkRandomWalkLightSampler::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Superclass::ReleaseGraphicsResources(window);
   this->Internal->Surfaces.Clear();
+  this->Internal->Clusters.SetSenders({});
   this->Internal->Key.clear();
 }

@@ -51,6 +51,16 @@ public:
   vtkGetMacro(FirstBounce, int);
   ///@}
 
+  ///@{
+  /**
+   * Vertices of paths, about, that the lights are made of, as vtkLightTreeSampler makes lights of
+   * maps' texels: NumberOfLights clusters at most, below which near receivers sum more. Default 0:
+   * each light is a vertex. Range 0 to 1048576.
+   */
+  vtkSetClampMacro(NumberOfVertices, int, 0, 1048576);
+  vtkGetMacro(NumberOfVertices, int);
+  ///@}
+
 #ifndef __VTK_WRAP__
   bool Update(const Input& input) override;
   bool Walks() const override
@@ -66,10 +76,15 @@ protected:
 
   int NumberOfLights = 1000;
   int FirstBounce = 1;
+  int NumberOfVertices = 0;
 
 private:
   vtkRandomWalkLightSampler(const vtkRandomWalkLightSampler&) = delete;
   void operator=(const vtkRandomWalkLightSampler&) = delete;
+
+#ifndef __VTK_WRAP__
+  bool WriteClusters(const Input& input, size_t numberOfSources, double error);
+#endif
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

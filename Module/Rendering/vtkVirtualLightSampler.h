@@ -28,6 +28,7 @@ class vtkMapLightSampler;
 class vtkOpenGLRenderWindow;
 class vtkReflectiveShadowMapPass;
 class vtkWindow;
+struct vtkIndirectEmitter;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
 
@@ -52,6 +53,8 @@ public:
     const vtkIndirectGeometryBuffer& Geometry; // what the eye sees
     double ErrorTolerance = 0.0;               // of the irradiance, over its mean; 0: standard
     int NumberOfBounces = 1;                   // asked for, for samplers that know several
+    /** What lights surfaces besides the frame's lights: the sky, and area lights. */
+    const std::vector<vtkIndirectEmitter>* Emitters = nullptr;
   };
 
   /** Channels of the table, a texel a light; empty places have no density. */

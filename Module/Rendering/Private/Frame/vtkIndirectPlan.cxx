@@ -48,10 +48,11 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
       std::to_string(plan.VisibleAreaLights) + " drawn as what they send");
   }
 
-  plan.FindSenders(frame, settings);
+  plan.FindSenders(frame, settings, circumstances);
   plan.FindVisibility(settings, estimator);
   plan.FindSky(frame, settings, estimator, circumstances);
   plan.FindOtherLights(frame, settings, estimator, circumstances);
+  plan.FindBounces(settings, estimator, circumstances);
   plan.FindUnit(frame, circumstances);
   plan.Shadows = settings.Shadows && plan.Senders == MAPS;
   const bool sent =
@@ -80,13 +81,13 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
       plan.Antialiasing          ? "by their shapes: what the pass draws has no samples to average"
         : !settings.Antialiasing ? "Antialiasing is off"
                                  : other + " antialiases the picture");
-  plan.LeaveOut(settings, estimator);
+  plan.LeaveOut(settings, estimator, circumstances);
   return plan;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPlan::FindSenders(
-  const vtkIndirectFrame& frame, const vtkIndirectSettings& settings)
+void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame,
+  const vtkIndirectSettings& settings, const vtkIndirectCircumstances& circumstances)
 {
   if (frame.Casters.empty())
   {
@@ -98,6 +99,13 @@ void vtkIndirectPlan::FindSenders(
     !frame.Lights.front().Positional && !frame.Lights.front().Fill && frame.AllSendLight &&
     !(frame.Lights.front().Size > 0.0 && settings.Shadows))
   {
+    if (circumstances.SamplerWalks)
+    {
+      this->Senders = RAYS;
+      this->Modelled.emplace_back(
+        "a headlight, by rays", "the eye sees what it lights; no shadow is visible");
+      return;
+    }
     this->Senders = EYE;
     this->Modelled.emplace_back(
       "a headlight, from the geometry buffer", "the eye sees what it lights; no shadow is visible");
@@ -126,6 +134,26 @@ void vtkIndirectPlan::FindSenders(
     }
   }
   this->Senders = this->MapLights.empty() ? NO_SENDERS : MAPS;
+  if (this->Senders == MAPS && circumstances.SamplerWalks && !settings.Shadows)
+  {
+    this->Senders = RAYS;
+    this->MapLights.clear();
+    this->Modelled.emplace_back("lights without maps", "Shadows are off, and rays find senders");
+  }
+}
+
+//------------------------------------------------------------------------------
+// What an estimator that sums virtual lights cannot compute itself a walk does, whose lights are
+// more of the same kind.
+void vtkIndirectPlan::FindBounces(const vtkIndirectSettings& settings,
+  const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances)
+{
+  const bool sent = this->Senders != NO_SENDERS || this->SkyBounces || this->AreaLightsBounce;
+  if (settings.NumberOfBounces > estimator.MaximumNumberOfBounces && !estimator.ReadsMaps &&
+    !circumstances.SamplerWalks && sent)
+  {
+    this->WalkedBounces = settings.NumberOfBounces;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -254,8 +282,8 @@ void vtkIndirectPlan::FindUnit(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPlan::LeaveOut(
-  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator)
+void vtkIndirectPlan::LeaveOut(const vtkIndirectSettings& settings,
+  const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances)
 {
   if (!this->Irradiance)
   {
@@ -271,7 +299,13 @@ void vtkIndirectPlan::LeaveOut(
             ? " aims at " + vtkIndirectReport::Number(estimator.ErrorTolerance)
             : std::string(" has no parameters that are chosen by it")));
   }
-  if (settings.NumberOfBounces > estimator.MaximumNumberOfBounces)
+  if (this->WalkedBounces > 0)
+  {
+    this->EstimateModelled.emplace_back(
+      "bounces 2 to " + std::to_string(this->WalkedBounces), "virtual lights of a random walk");
+  }
+  else if (settings.NumberOfBounces > estimator.MaximumNumberOfBounces &&
+    !circumstances.SamplerWalks)
   {
     this->EstimateLeftOut.emplace_back(
       "bounces beyond " + std::to_string(estimator.MaximumNumberOfBounces),
@@ -298,8 +332,8 @@ std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) cons
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
     static_cast<double>(frame.Size[1]), static_cast<double>(this->Senders),
     static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
-    this->ErrorTolerance, this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0,
-    this->AreaLightsBounce ? 1.0 : 0.0,
+    static_cast<double>(this->WalkedBounces), this->ErrorTolerance, this->Sky ? 1.0 : 0.0,
+    this->SkyBounces ? 1.0 : 0.0, this->AreaLightsBounce ? 1.0 : 0.0,
     // Moving frames look fewer maps up.
     this->Interactive && this->Visibility == vtkIndirectVisibilityMaps ? 1.0 : 0.0 };
   frame.AppendTo(key);

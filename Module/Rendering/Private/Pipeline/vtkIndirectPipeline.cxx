@@ -22,6 +22,10 @@
 
 namespace
 {
+// What later bounces are made of. See Documentation/methods/random-walk.md.
+constexpr int VerticesOfLaterBounces = 8192;
+constexpr int LightsOfLaterBounces = 64;
+
 // What falls on a surface that all of an environment's light reaches at a right angle.
 double SumIrradiance(vtkEnvironmentLight* environment)
 {
@@ -32,6 +36,14 @@ double SumIrradiance(vtkEnvironmentLight* environment)
   }
   return std::max({ sum.x, sum.y, sum.z }) / vtkMath::Pi();
 }
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectPipeline::vtkIndirectPipeline()
+{
+  this->LaterBounces->SetFirstBounce(2);
+  this->LaterBounces->SetNumberOfVertices(VerticesOfLaterBounces);
+  this->LaterBounces->SetNumberOfLights(LightsOfLaterBounces);
 }
 
 //------------------------------------------------------------------------------
@@ -60,6 +72,8 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.EnvironmentIrradiance = this->Environment ? SumIrradiance(this->Environment) : 0.0;
   circumstances.Environment = circumstances.EnvironmentIrradiance > 0.0;
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
+  circumstances.SamplerWalks = request.Sampler->Walks() &&
+    request.Estimator->ChooseSampler(request.Sampler, vtkIndirectPlan()) == request.Sampler;
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
     request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
   if (!circumstances.Environment || request.Settings.IndirectScale == 0.0)
@@ -217,6 +231,14 @@ void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
   {
     this->Samplers.emplace_back(this->SenderSampler.Get());
   }
+  if (this->Plan.WalkedBounces > 0)
+  {
+    this->Samplers.emplace_back(this->LaterBounces.Get());
+  }
+  else
+  {
+    this->LaterBounces->ReleaseGraphicsResources(this->Frame.Window);
+  }
   if (this->Plan.OtherSamplers)
   {
     this->Samplers.insert(
@@ -248,6 +270,14 @@ std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) 
   key.push_back(static_cast<double>(
     this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0));
   key.push_back(static_cast<double>(this->SenderSampler->GetSourceTime()));
+  for (size_t i = 0; this->Plan.Senders == vtkIndirectPlan::RAYS && i < this->Frame.Lights.size();
+       ++i)
+  {
+    const vtkIndirectLight& light = this->Frame.Lights[i];
+    key.insert(key.end(),
+      { light.PositionWC.x, light.PositionWC.y, light.PositionWC.z, light.Attenuation.x,
+        light.Attenuation.y, light.Attenuation.z, light.ConeAngle, light.Exponent });
+  }
   return key;
 }
 
@@ -271,8 +301,11 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
 
   this->Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool sampled = this->Samplers.empty() ||
-    this->Lights.Update({ this->Frame, *this->Maps, this->Geometry, this->Plan.ErrorTolerance,
-                          request.Settings.NumberOfBounces },
+    this->Lights.Update(
+      { this->Frame, *this->Maps, this->Geometry, this->Plan.ErrorTolerance,
+        request.Settings.NumberOfBounces,
+        this->Plan.SkyBounces || this->Plan.AreaLightsBounce ? &this->SenderSampler->GetEmitters()
+                                                             : nullptr },
       { this->Samplers.begin(), this->Samplers.end() });
   this->Timer.End(vtkIndirectStageTimer::Lights);
 
@@ -565,6 +598,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->DefaultSampler->ReleaseGraphicsResources(window);
   this->HeadlightSampler->ReleaseGraphicsResources(window);
   this->SenderSampler->ReleaseGraphicsResources(window);
+  this->LaterBounces->ReleaseGraphicsResources(window);
   this->ReleaseSky(window);
   this->Area.Release(window);
   this->VisibleLamps.Release(window);

@@ -31,6 +31,7 @@
 #include "vtkLightTreeSampler.h"                       // for members
 #include "vtkMultiresolutionSplattingPass.h"           // for members
 #include "vtkNew.h"                                    // for members
+#include "vtkRandomWalkLightSampler.h"                 // for members
 #include "vtkReflectiveShadowMapPass.h"                // for members
 #include "vtkSmartPointer.h"                           // for members
 #include "vtkWeakPointer.h"                            // for members
@@ -45,6 +46,8 @@ class vtkRenderPass;
 class vtkIndirectPipeline
 {
 public:
+  vtkIndirectPipeline();
+
   /** What the pass asks for. */
   struct Request
   {
@@ -121,6 +124,7 @@ private:
   vtkIndirectGeometryBuffer Geometry;
   vtkNew<vtkIndirectHeadlightSampler> HeadlightSampler;
   vtkNew<vtkIndirectSenderSampler> SenderSampler;
+  vtkNew<vtkRandomWalkLightSampler> LaterBounces;
   vtkIndirectVirtualLights Lights;
   vtkIndirectVisibility Visibility;
   vtkIndirectSkyProjection SkyProjection;

@@ -43,6 +43,7 @@ public:
     const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture);
   bool Update(const Input& input) override;
 
+  const vtkIndirectEmitters::List& GetEmitters() const { return this->Emitters; }
   /** Grows with what lights are made from, but their number. */
   size_t GetSourceTime() const { return this->SourceTime; }
   long long GetNumberOfFacesDrawn() const;

@@ -213,7 +213,7 @@ glm::dvec3 vtkIndirectRandomWalk::Emission::FindStrength(
 
 //------------------------------------------------------------------------------
 vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySurfaces& surfaces,
-  const Emission& emission, int source, size_t paths, const Settings& settings) const
+  const Emission& emission, int source, size_t paths, int firstBounce, int lastBounce) const
 {
   const size_t blocks = (paths + PathsAtATime - 1) / PathsAtATime;
   std::vector<List> found(blocks);
@@ -230,7 +230,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySur
     glm::dvec3 carried(0.0);
     uint32_t last = vtkIndirectTriangleTree::None;
     vtkIndirectRaySurfaces::Meeting meeting;
-    for (int bounce = 1; bounce <= settings.LastBounce; ++bounce)
+    for (int bounce = 1; bounce <= lastBounce; ++bounce)
     {
       if (!surfaces.Meet(start, direction, last, meeting) || !meeting.Sends)
       {
@@ -257,7 +257,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySur
       {
         return;
       }
-      if (bounce >= settings.FirstBounce)
+      if (bounce >= firstBounce)
       {
         vertex.Position = meeting.Position;
         vertex.Normal = meeting.Normal;
@@ -266,7 +266,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySur
         vertex.Bounce = bounce;
         list.push_back(vertex);
       }
-      if (bounce == settings.LastBounce)
+      if (bounce == lastBounce)
       {
         return;
       }
@@ -383,7 +383,8 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectRaySurfaces& surfaces,
     const Emission emission(frame, sources[i]);
     const List pilot = emission.IsDark()
       ? List()
-      : this->Trace(surfaces, emission, static_cast<int>(i), PilotPaths, settings);
+      : this->Trace(surfaces, emission, static_cast<int>(i), PilotPaths,
+          std::max(settings.FirstBounce, sources[i].FirstBounce), settings.LastBounce);
     double power = 0.0;
     for (const Vertex& vertex : pilot)
     {
@@ -408,8 +409,8 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectRaySurfaces& surfaces,
     // In steps, so that a light that moves a little has the same paths.
     const size_t step = share > 256.0 ? 16 : 1;
     const size_t paths = std::max<size_t>(static_cast<size_t>(share) / step * step, 1);
-    const List found =
-      this->Trace(surfaces, Emission(frame, sources[i]), static_cast<int>(i), paths, settings);
+    const List found = this->Trace(surfaces, Emission(frame, sources[i]), static_cast<int>(i),
+      paths, std::max(settings.FirstBounce, sources[i].FirstBounce), settings.LastBounce);
     this->Vertices.insert(this->Vertices.end(), found.begin(), found.end());
     this->NumberOfPaths += paths;
   }

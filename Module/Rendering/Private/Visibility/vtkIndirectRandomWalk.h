@@ -37,6 +37,7 @@ public:
   {
     vtkIndirectLight Light;
     glm::dvec3 Strength; // VTK's colour times intensity
+    int FirstBounce = 1; // whose vertices are kept
   };
   struct Vertex
   {
@@ -70,7 +71,7 @@ private:
   using List = std::vector<Vertex>;
 
   List Trace(const vtkIndirectRaySurfaces& surfaces, const Emission& emission, int source,
-    size_t paths, const Settings& settings) const;
+    size_t paths, int firstBounce, int lastBounce) const;
   void FindAreas(const Settings& settings);
 
   List Vertices;
