@@ -10,6 +10,7 @@
 #include "Visibility/vtkIndirectRaySurfaces.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <string>
 
 vtkStandardNewMacro(vtkRandomWalkLightSampler);
@@ -20,8 +21,30 @@ struct vtkRandomWalkLightSampler::Internals
   vtkIndirectRaySurfaces Surfaces;
   vtkIndirectRandomWalk Walk;
   vtkIndirectSenderClusters Clusters;
-  std::vector<double> Key; // what the lights were made of; empty: there are none
+  size_t NumberOfSources = 0;
+  std::vector<double> WalkKey;  // what paths were made of, besides surfaces; empty: there are none
+  std::vector<double> TableKey; // and lights of these
+  vtkIndirectFurtherSenders Further;
+
+  void FindSenders(vtkIndirectFurtherSenders& senders) const;
 };
+
+// Vertices of a light's first bounce cover surfaces once, as the texels of a map do, and so do
+// those of each later bounce.
+void vtkRandomWalkLightSampler::Internals::FindSenders(vtkIndirectFurtherSenders& senders) const
+{
+  senders.Senders.clear();
+  senders.NumberOfMaps = this->NumberOfSources;
+  for (const vtkIndirectRandomWalk::Vertex& vertex : this->Walk.GetVertices())
+  {
+    const int map = vertex.Bounce == 1
+      ? vertex.Source
+      : static_cast<int>(this->NumberOfSources) + vertex.Bounce - 2;
+    senders.NumberOfMaps = std::max(senders.NumberOfMaps, static_cast<size_t>(map) + 1);
+    senders.Senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
+      static_cast<float>(vertex.Area), glm::vec3(vertex.DensityArea), map });
+  }
+}
 
 namespace
 {
@@ -70,7 +93,8 @@ void vtkRandomWalkLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRandomWalkLightSampler::Update(const Input& input)
+// Follows the paths where they have changed, and returns whether they have.
+bool vtkRandomWalkLightSampler::Walk(const Input& input)
 {
   Internals& in = *this->Internal;
   std::vector<vtkIndirectRandomWalk::Source> sources;
@@ -91,64 +115,69 @@ bool vtkRandomWalkLightSampler::Update(const Input& input)
     this->NumberOfVertices > 0 ? this->NumberOfVertices : this->NumberOfLights;
   settings.FirstBounce = this->FirstBounce;
   settings.LastBounce = input.NumberOfBounces;
-  std::vector<double> key = MakeKey(sources, settings);
-  const double error =
-    this->NumberOfVertices > 0 ? vtkIndirectSenderClusters::FindError(input.ErrorTolerance) : 0.0;
-  key.insert(key.end(),
-    { static_cast<double>(this->NumberOfLights), static_cast<double>(this->NumberOfVertices),
-      error });
-  if (!in.Surfaces.Update(input.Frame) && key == in.Key)
-  {
-    return true;
-  }
-  in.Key.clear();
-  in.Walk.Walk(in.Surfaces, input.Frame, sources, settings);
-  if (this->NumberOfVertices > 0)
-  {
-    if (!this->WriteClusters(input, sources.size(), error))
-    {
-      return false;
-    }
-    in.Key = key;
-    return true;
-  }
-  std::vector<Row> rows;
-  for (const vtkIndirectRandomWalk::Vertex& vertex : in.Walk.GetVertices())
-  {
-    rows.push_back({ { vertex.Position.x, vertex.Position.y, vertex.Position.z }, vertex.Area,
-      { vertex.Normal.x, vertex.Normal.y, vertex.Normal.z },
-      { vertex.DensityArea.x, vertex.DensityArea.y, vertex.DensityArea.z } });
-  }
-  if (!this->Write(input.Frame, rows))
+  const std::vector<double> key = MakeKey(sources, settings);
+  if (!in.Surfaces.Update(input.Frame) && key == in.WalkKey)
   {
     return false;
   }
-  in.Key = key;
+  in.Walk.Walk(in.Surfaces, input.Frame, sources, settings);
+  in.NumberOfSources = sources.size();
+  in.WalkKey = key;
   return true;
 }
 
 //------------------------------------------------------------------------------
-// Vertices of a light's first bounce cover surfaces once, as the texels of a map do, and so do
-// those of each later bounce.
-bool vtkRandomWalkLightSampler::WriteClusters(
-  const Input& input, size_t numberOfSources, double error)
+bool vtkRandomWalkLightSampler::Update(const Input& input)
 {
   Internals& in = *this->Internal;
-  std::vector<vtkIndirectSenderClusters::Sender> senders;
-  for (const vtkIndirectRandomWalk::Vertex& vertex : in.Walk.GetVertices())
+  const double error =
+    this->NumberOfVertices > 0 ? vtkIndirectSenderClusters::FindError(input.ErrorTolerance) : 0.0;
+  const std::vector<double> key = { static_cast<double>(this->NumberOfLights),
+    static_cast<double>(this->NumberOfVertices), error };
+  if (!this->Walk(input) && key == in.TableKey)
   {
-    const int covering =
-      vertex.Bounce == 1 ? vertex.Source : static_cast<int>(numberOfSources) + vertex.Bounce - 2;
-    senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
-      static_cast<float>(vertex.Area), glm::vec3(vertex.DensityArea), covering });
+    return true;
   }
-  in.Clusters.SetSenders(std::move(senders));
-  const vtkIndirectSenderClusters::Lights lights = in.Clusters.MakeLights(
-    std::vector<glm::dvec3>(
-      numberOfSources + static_cast<size_t>(input.NumberOfBounces), glm::dvec3(1.0)),
-    this->NumberOfLights, error);
-  return this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Tops),
-    vtkIndirectSenderTexels::MakeRows(lights.Branches));
+  in.TableKey.clear();
+  std::vector<Row> lights;
+  std::vector<Row> branches;
+  if (this->NumberOfVertices > 0)
+  {
+    vtkIndirectFurtherSenders senders;
+    in.FindSenders(senders);
+    in.Clusters.SetSenders(std::move(senders.Senders));
+    const vtkIndirectSenderClusters::Lights found = in.Clusters.MakeLights(
+      std::vector<glm::dvec3>(senders.NumberOfMaps, glm::dvec3(1.0)), this->NumberOfLights, error);
+    lights = vtkIndirectSenderTexels::MakeRows(found.Tops);
+    branches = vtkIndirectSenderTexels::MakeRows(found.Branches);
+  }
+  else
+  {
+    for (const vtkIndirectRandomWalk::Vertex& vertex : in.Walk.GetVertices())
+    {
+      lights.push_back({ { vertex.Position.x, vertex.Position.y, vertex.Position.z }, vertex.Area,
+        { vertex.Normal.x, vertex.Normal.y, vertex.Normal.z },
+        { vertex.DensityArea.x, vertex.DensityArea.y, vertex.DensityArea.z } });
+    }
+  }
+  if (!this->Write(input.Frame, lights, branches))
+  {
+    return false;
+  }
+  in.TableKey = key;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+const vtkIndirectFurtherSenders& vtkRandomWalkLightSampler::UpdateSenders(const Input& input)
+{
+  Internals& in = *this->Internal;
+  if (this->Walk(input))
+  {
+    in.FindSenders(in.Further);
+    ++in.Further.Time;
+  }
+  return in.Further;
 }
 
 //------------------------------------------------------------------------------
@@ -159,7 +188,7 @@ void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
   report.Modelled.emplace_back("random walk",
     std::to_string(in.Walk.GetNumberOfPaths()) + " paths through " +
       std::to_string(in.Surfaces.GetNumberOfTriangles()) + " triangles, " +
-      std::to_string(this->GetActualNumberOfLights()) + " virtual lights");
+      std::to_string(in.Walk.GetVertices().size()) + " vertices");
   for (const auto& [what, why] : in.Surfaces.GetLeftOut())
   {
     report.LeftOut.emplace_back(what + " in the random walk", why);
@@ -176,5 +205,7 @@ void vtkRandomWalkLightSampler::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   this->Internal->Surfaces.Clear();
   this->Internal->Clusters.SetSenders({});
-  this->Internal->Key.clear();
+  this->Internal->WalkKey.clear();
+  this->Internal->TableKey.clear();
+  this->Internal->Further.Senders = {};
 }

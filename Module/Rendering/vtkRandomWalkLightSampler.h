@@ -63,6 +63,8 @@ public:
 
 #ifndef __VTK_WRAP__
   bool Update(const Input& input) override;
+  /** Follows the paths and makes no lights of them: its vertices, for other samplers. */
+  const vtkIndirectFurtherSenders& UpdateSenders(const Input& input);
   bool Walks() const override
   {
     return true;
@@ -83,7 +85,7 @@ private:
   void operator=(const vtkRandomWalkLightSampler&) = delete;
 
 #ifndef __VTK_WRAP__
-  bool WriteClusters(const Input& input, size_t numberOfSources, double error);
+  bool Walk(const Input& input);
 #endif
 
   struct Internals;

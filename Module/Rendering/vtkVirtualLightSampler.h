@@ -29,6 +29,7 @@ class vtkOpenGLRenderWindow;
 class vtkReflectiveShadowMapPass;
 class vtkWindow;
 struct vtkIndirectEmitter;
+struct vtkIndirectFurtherSenders;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
 
@@ -55,6 +56,8 @@ public:
     int NumberOfBounces = 1;                   // asked for, for samplers that know several
     /** What lights surfaces besides the frame's lights: the sky, and area lights. */
     const std::vector<vtkIndirectEmitter>* Emitters = nullptr;
+    /** Senders of later bounces, for samplers that TakeSenders; null: there are none. */
+    const vtkIndirectFurtherSenders* Further = nullptr;
   };
 
   /** Channels of the table, a texel a light; empty places have no density. */
@@ -78,6 +81,12 @@ public:
 
   /** Whether lights come from rays through the scene, of all bounces, and not from maps. */
   virtual bool Walks() const
+  {
+    return false;
+  }
+
+  /** Whether further senders that it is given are among those that its lights are made of. */
+  virtual bool TakesSenders() const
   {
     return false;
   }

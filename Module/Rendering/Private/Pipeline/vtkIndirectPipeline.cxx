@@ -231,7 +231,14 @@ void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
   {
     this->Samplers.emplace_back(this->SenderSampler.Get());
   }
-  if (this->Plan.WalkedBounces > 0)
+  this->SendersAreWalked = this->Plan.WalkedBounces > 0 &&
+    std::any_of(this->Samplers.begin(), this->Samplers.end(),
+      [](const auto& own) { return own->TakesSenders(); });
+  if (this->SendersAreWalked)
+  {
+    // They are among those that its lights are made of.
+  }
+  else if (this->Plan.WalkedBounces > 0)
   {
     this->Samplers.emplace_back(this->LaterBounces.Get());
   }
@@ -300,13 +307,13 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   this->FailedKey.clear();
 
   this->Timer.Begin(vtkIndirectStageTimer::Lights);
+  vtkVirtualLightSampler::Input senders = { this->Frame, *this->Maps, this->Geometry,
+    this->Plan.ErrorTolerance, request.Settings.NumberOfBounces,
+    this->Plan.SkyBounces || this->Plan.AreaLightsBounce ? &this->SenderSampler->GetEmitters()
+                                                         : nullptr };
+  senders.Further = this->SendersAreWalked ? &this->LaterBounces->UpdateSenders(senders) : nullptr;
   const bool sampled = this->Samplers.empty() ||
-    this->Lights.Update(
-      { this->Frame, *this->Maps, this->Geometry, this->Plan.ErrorTolerance,
-        request.Settings.NumberOfBounces,
-        this->Plan.SkyBounces || this->Plan.AreaLightsBounce ? &this->SenderSampler->GetEmitters()
-                                                             : nullptr },
-      { this->Samplers.begin(), this->Samplers.end() });
+    this->Lights.Update(senders, { this->Samplers.begin(), this->Samplers.end() });
   this->Timer.End(vtkIndirectStageTimer::Lights);
 
   const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(this->Plan);
@@ -567,6 +574,10 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     for (const auto& sampler : this->Samplers)
     {
       sampler->AddToReport(report);
+    }
+    if (this->SendersAreWalked)
+    {
+      this->LaterBounces->AddToReport(report);
     }
   }
   else if (this->Plan.Irradiance)

@@ -153,6 +153,7 @@ private:
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkIndirectEstimatorPass> HeldEstimator;
   std::vector<vtkSmartPointer<vtkVirtualLightSampler>> Samplers;
+  bool SendersAreWalked = false;    // later bounces are among what the sampler's lights are of
   bool TargetIsClear = false;       // of what the frame is drawn into
   vtkIndirectReport::Entries Paths; // in force
 

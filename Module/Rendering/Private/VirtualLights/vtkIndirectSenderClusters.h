@@ -48,6 +48,7 @@ public:
   static void RemoveOutermost(std::vector<Sender>& senders, const std::vector<glm::vec3>& places);
 
   void SetSenders(std::vector<Sender> senders);
+  const std::vector<Sender>& GetSenders() const { return this->Senders; }
   size_t GetNumberOfSenders() const { return this->Senders.size(); }
 
   struct Lights
@@ -115,6 +116,15 @@ private:
   bool Divides = false; // into branches
   std::vector<Entry> Entries;
   std::vector<Cluster> Clusters;
+};
+
+/** Senders of other surfaces than those that maps show. */
+struct vtkIndirectFurtherSenders
+{
+  /** Map: what covers each surface once, numbered from zero. */
+  std::vector<vtkIndirectSenderClusters::Sender> Senders;
+  size_t NumberOfMaps = 0;
+  size_t Time = 0; // grows whenever they have changed
 };
 
 #endif
