@@ -101,7 +101,9 @@ bool vtkLightTreeSampler::Update(const Input& input)
   }
   const vtkIndirectSenderClusters::Lights lights =
     in.Clusters.MakeLights(std::vector<glm::dvec3>(in.Sources + in.FurtherMaps, glm::dvec3(1.0)),
-      this->NumberOfLights, error);
+      this->NumberOfLights, error,
+      further ? vtkIndirectSenderClusters::NearnessOfBounces
+              : vtkIndirectSenderClusters::StandardNearness);
   if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Tops),
         vtkIndirectSenderTexels::MakeRows(lights.Branches)))
   {
