@@ -22,6 +22,7 @@ struct vtkRandomWalkLightSampler::Internals
   vtkIndirectRandomWalk Walk;
   vtkIndirectSenderClusters Clusters;
   size_t NumberOfSources = 0;
+  int NumberOfWalks = 0;
   std::vector<double> WalkKey;  // what paths were made of, besides surfaces; empty: there are none
   std::vector<double> TableKey; // and lights of these
   vtkIndirectFurtherSenders Further;
@@ -94,7 +95,20 @@ void vtkRandomWalkLightSampler::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "NumberOfVertices: " << this->NumberOfVertices << "\n";
+  os << indent << "NumberOfWalks: " << this->GetNumberOfWalks() << "\n";
+  os << indent << "NumberOfTreeBuilds: " << this->GetNumberOfTreeBuilds() << "\n";
   os << indent << "FirstBounce: " << this->FirstBounce << "\n";
+}
+
+//------------------------------------------------------------------------------
+int vtkRandomWalkLightSampler::GetNumberOfWalks() const
+{
+  return this->Internal->NumberOfWalks;
+}
+
+int vtkRandomWalkLightSampler::GetNumberOfTreeBuilds() const
+{
+  return static_cast<int>(this->Internal->Surfaces.GetNumberOfBuilds());
 }
 
 //------------------------------------------------------------------------------
@@ -128,6 +142,7 @@ bool vtkRandomWalkLightSampler::Walk(const Input& input)
   in.Walk.Walk(in.Surfaces, input.Frame, sources, settings);
   in.NumberOfSources = sources.size();
   in.WalkKey = key;
+  ++in.NumberOfWalks;
   return true;
 }
 

@@ -61,6 +61,12 @@ public:
   vtkGetMacro(NumberOfVertices, int);
   ///@}
 
+  ///@{
+  /** How often paths have been followed, and the tree of triangles made, so far. */
+  int GetNumberOfWalks() const;
+  int GetNumberOfTreeBuilds() const;
+  ///@}
+
 #ifndef __VTK_WRAP__
   bool Update(const Input& input) override;
   /** Follows the paths and makes no lights of them: its vertices, for other samplers. */

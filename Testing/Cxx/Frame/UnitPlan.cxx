@@ -314,9 +314,25 @@ VTK_INDIRECT_TEST(PlanLimits)
   estimator.Name = "it";
   settings.NumberOfBounces = 3;
   estimator.MaximumNumberOfBounces = 2;
+  estimator.ReadsMaps = true;
   vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
   CheckEqual("bounces", plan.NumberOfBounces, 2);
   Check("the third is left out", !Find(plan.EstimateLeftOut, "bounces beyond 2").empty());
+  CheckEqual("it takes no lights of a walk", plan.WalkedBounces, 0);
+  estimator.ReadsMaps = false;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
+  CheckEqual("one that does", plan.WalkedBounces, 3);
+  Check("says so", !Find(plan.EstimateModelled, "bounces 2 to 3").empty());
+  vtkIndirectCircumstances walking;
+  walking.SamplerWalks = true;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, walking);
+  Check("a sampler that walks has all of them", plan.WalkedBounces == 0 &&
+      plan.SampledBounces == 3 && Find(plan.EstimateLeftOut, "bounces beyond 2").empty());
+  settings.Shadows = false;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, walking);
+  Check("and needs no maps without shadows",
+    plan.Senders == vtkIndirectPlan::RAYS && plan.MapLights.empty());
+  settings.Shadows = true;
   estimator.MaximumNumberOfBounces = 16;
   plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
   CheckEqual("bounces of one that computes more", plan.NumberOfBounces, 3);

@@ -150,7 +150,7 @@ void vtkIndirectPlan::FindBounces(const vtkIndirectSettings& settings,
 {
   const bool sent = this->Senders != NO_SENDERS || this->SkyBounces || this->AreaLightsBounce;
   if (settings.NumberOfBounces > estimator.MaximumNumberOfBounces && !estimator.ReadsMaps &&
-    !circumstances.SamplerWalks && sent)
+    !circumstances.SamplerWalks && !circumstances.OtherSamplerWalks && sent)
   {
     this->WalkedBounces = settings.NumberOfBounces;
   }
@@ -305,7 +305,7 @@ void vtkIndirectPlan::LeaveOut(const vtkIndirectSettings& settings,
       "bounces 2 to " + std::to_string(this->WalkedBounces), "virtual lights of a random walk");
   }
   else if (settings.NumberOfBounces > estimator.MaximumNumberOfBounces &&
-    !circumstances.SamplerWalks)
+    !circumstances.SamplerWalks && !circumstances.OtherSamplerWalks)
   {
     this->EstimateLeftOut.emplace_back(
       "bounces beyond " + std::to_string(estimator.MaximumNumberOfBounces),

@@ -37,7 +37,8 @@ struct vtkIndirectCircumstances
   int NumberOfOtherEmitters = 0; // sources of light that are no vtkLight
   /** The estimator sums lights of a sampler that finds them by rays, of all bounces. */
   bool SamplerWalks = false;
-  bool AreaLights = false; // of rectangles
+  bool OtherSamplerWalks = false; // one that is added to that
+  bool AreaLights = false;        // of rectangles
   /** VTK irradiance of a surface in the middle of the scene that faces all of them. */
   double AreaLightIrradiance = 0.0;
   int VisibleAreaLights = 0; // that are seen themselves
@@ -103,6 +104,7 @@ struct vtkIndirectPlan
   ///@}
   int TilesPerFrame = 1 << 30; // depth maps of virtual lights and of the sky to draw at most
   int NumberOfBounces = 1;     // those that the estimator computes
+  int SampledBounces = 1;      // that samplers which know several make lights of
   /** Virtual lights of bounces after the estimator's, up to this one, come from a random walk; 0:
    * of none. */
   int WalkedBounces = 0;

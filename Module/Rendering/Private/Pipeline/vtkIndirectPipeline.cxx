@@ -74,6 +74,8 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
   circumstances.SamplerWalks = request.Sampler->Walks() &&
     request.Estimator->ChooseSampler(request.Sampler, vtkIndirectPlan()) == request.Sampler;
+  circumstances.OtherSamplerWalks = std::any_of(this->OtherSamplers.begin(),
+    this->OtherSamplers.end(), [](const auto& sampler) { return sampler->Walks(); });
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
     request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
   if (!circumstances.Environment || request.Settings.IndirectScale == 0.0)
