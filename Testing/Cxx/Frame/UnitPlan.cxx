@@ -326,8 +326,9 @@ VTK_INDIRECT_TEST(PlanLimits)
   vtkIndirectCircumstances walking;
   walking.SamplerWalks = true;
   plan = vtkIndirectPlan::Make(frame, settings, estimator, walking);
-  Check("a sampler that walks has all of them", plan.WalkedBounces == 0 &&
-      plan.SampledBounces == 3 && Find(plan.EstimateLeftOut, "bounces beyond 2").empty());
+  Check("a sampler that walks has all of them",
+    plan.WalkedBounces == 0 && plan.SampledBounces == 3 &&
+      Find(plan.EstimateLeftOut, "bounces beyond 2").empty());
   settings.Shadows = false;
   plan = vtkIndirectPlan::Make(frame, settings, estimator, walking);
   Check("and needs no maps without shadows",

@@ -123,8 +123,8 @@ VTK_INDIRECT_IMAGE(EstimatorAsPass)
   picture.Renderer->SetPass(picture.Gather);
 }
 
-// Lights of three bounces without maps. Brighter than EstimatorGather where light comes by more than
-// one way.
+// Lights of three bounces without maps. Brighter than EstimatorGather where light comes by more
+// than one way.
 VTK_INDIRECT_IMAGE(SamplerRandomWalk)
 {
   images::AddRoom(picture);

@@ -148,6 +148,7 @@ void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame,
 void vtkIndirectPlan::FindBounces(const vtkIndirectSettings& settings,
   const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances)
 {
+  this->SampledBounces = settings.NumberOfBounces;
   const bool sent = this->Senders != NO_SENDERS || this->SkyBounces || this->AreaLightsBounce;
   if (settings.NumberOfBounces > estimator.MaximumNumberOfBounces && !estimator.ReadsMaps &&
     !circumstances.SamplerWalks && !circumstances.OtherSamplerWalks && sent)
@@ -332,8 +333,9 @@ std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) cons
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
     static_cast<double>(frame.Size[1]), static_cast<double>(this->Senders),
     static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
-    static_cast<double>(this->WalkedBounces), this->ErrorTolerance, this->Sky ? 1.0 : 0.0,
-    this->SkyBounces ? 1.0 : 0.0, this->AreaLightsBounce ? 1.0 : 0.0,
+    static_cast<double>(this->SampledBounces), static_cast<double>(this->WalkedBounces),
+    this->ErrorTolerance, this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0,
+    this->AreaLightsBounce ? 1.0 : 0.0,
     // Moving frames look fewer maps up.
     this->Interactive && this->Visibility == vtkIndirectVisibilityMaps ? 1.0 : 0.0 };
   frame.AppendTo(key);

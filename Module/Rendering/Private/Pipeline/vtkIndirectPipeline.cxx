@@ -310,7 +310,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
 
   this->Timer.Begin(vtkIndirectStageTimer::Lights);
   vtkVirtualLightSampler::Input senders = { this->Frame, *this->Maps, this->Geometry,
-    this->Plan.ErrorTolerance, request.Settings.NumberOfBounces,
+    this->Plan.ErrorTolerance, this->Plan.SampledBounces,
     this->Plan.SkyBounces || this->Plan.AreaLightsBounce ? &this->SenderSampler->GetEmitters()
                                                          : nullptr };
   senders.Further = this->SendersAreWalked ? &this->LaterBounces->UpdateSenders(senders) : nullptr;
