@@ -10,7 +10,6 @@
 #include "Visibility/vtkIndirectRaySurfaces.h"
 #include "vtkObjectFactory.h"
 
-#include <algorithm>
 #include <string>
 
 vtkStandardNewMacro(vtkRandomWalkLightSampler);
@@ -30,25 +29,24 @@ struct vtkRandomWalkLightSampler::Internals
   void FindSenders(vtkIndirectFurtherSenders& senders) const;
 };
 
-// Vertices of a light's first bounce cover surfaces once, as the texels of a map do, and so do
-// those of each later bounce.
-// Around a vertex whose light has all of its area receivers are too dark; a quarter, as clusters
-// have, leaves a fourth of that bias. First bounces are as dense as the tree asks for.
+// Of the area of a later bounce's vertex, in a tree. With all of it rooms are 4 % too dark: a light
+// shines from the middle of what it stands for. Clusters have as much, see
+// vtkIndirectSenderClusters.
 constexpr double ShareOfArea = 0.25;
 
+// Vertices of a light's first bounce cover surfaces once, as the texels of a map do, and so do
+// those of all later bounces together.
 void vtkRandomWalkLightSampler::Internals::FindSenders(vtkIndirectFurtherSenders& senders) const
 {
   senders.Senders.clear();
-  senders.NumberOfMaps = this->NumberOfSources;
+  senders.NumberOfMaps = this->NumberOfSources + 1;
   for (const vtkIndirectRandomWalk::Vertex& vertex : this->Walk.GetVertices())
   {
-    const int map = vertex.Bounce == 1
-      ? vertex.Source
-      : static_cast<int>(this->NumberOfSources) + vertex.Bounce - 2;
-    senders.NumberOfMaps = std::max(senders.NumberOfMaps, static_cast<size_t>(map) + 1);
+    const bool first = vertex.Bounce == 1;
     senders.Senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
-      static_cast<float>(vertex.Bounce > 1 ? ShareOfArea * vertex.Area : vertex.Area),
-      glm::vec3(vertex.DensityArea), map });
+      static_cast<float>(first ? vertex.Area : ShareOfArea * vertex.Area),
+      glm::vec3(vertex.DensityArea),
+      first ? vertex.Source : static_cast<int>(this->NumberOfSources) });
   }
 }
 

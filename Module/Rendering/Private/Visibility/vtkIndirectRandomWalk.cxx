@@ -34,7 +34,7 @@ constexpr double Clearance = 1e-6;
 constexpr double LeastCosineToLight = 1e-4;
 constexpr double LeastFacetCosine = 1e-2;
 
-// Nearest vertices of the same bounce that tell how densely these lie.
+// Nearest vertices that tell how densely these lie.
 constexpr int Neighbors = 8;
 
 double Largest(const glm::dvec3& v)
@@ -308,63 +308,55 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySur
 }
 
 //------------------------------------------------------------------------------
-// One over the density of a bounce's vertices: of those on surfaces that run alike, the circle that
-// the nearest ones lie in. The outermost of them is on its border and counts half.
-void vtkIndirectRandomWalk::FindAreas(const Settings& settings)
+// One over the density of all vertices of later bounces: of those on surfaces that run alike, the
+// circle that the nearest ones lie in. The outermost of them is on its border and counts half.
+void vtkIndirectRandomWalk::FindAreas()
 {
-  for (int bounce = std::max(settings.FirstBounce, 2); bounce <= settings.LastBounce; ++bounce)
+  std::vector<size_t> members;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (size_t i = 0; i < this->Vertices.size(); ++i)
   {
-    std::vector<size_t> members;
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (size_t i = 0; i < this->Vertices.size(); ++i)
+    if (this->Vertices[i].Bounce > 1)
     {
-      if (this->Vertices[i].Bounce == bounce)
-      {
-        members.push_back(i);
-        points->InsertNextPoint(&this->Vertices[i].Position[0]);
-      }
-    }
-    if (members.empty())
-    {
-      continue;
-    }
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(points);
-    vtkNew<vtkStaticPointLocator> locator;
-    locator->SetDataSet(data);
-    locator->BuildLocator();
-    vtkSMPTools::For(0, static_cast<vtkIdType>(members.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        vtkNew<vtkIdList> nearest;
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          Vertex& vertex = this->Vertices[members[static_cast<size_t>(i)]];
-          // Twice as many, of which some lie around a corner.
-          locator->FindClosestNPoints(2 * Neighbors, &vertex.Position[0], nearest);
-          int alike = 0;
-          double farthest = 0.0;
-          for (vtkIdType k = 0; k < nearest->GetNumberOfIds() && alike < Neighbors; ++k)
-          {
-            const Vertex& other = this->Vertices[members[static_cast<size_t>(nearest->GetId(k))]];
-            if (glm::dot(other.Normal, vertex.Normal) > 0.5)
-            {
-              ++alike;
-              const glm::dvec3 apart = other.Position - vertex.Position;
-              farthest = std::max(farthest, glm::dot(apart, apart));
-            }
-          }
-          vertex.Area = Pi * farthest / (std::max(alike, 2) - 0.5);
-        }
-      });
-    // One that is alone stands for what is left: a disk as wide as half the scene.
-    for (const size_t member : members)
-    {
-      Vertex& vertex = this->Vertices[member];
-      vertex.Area = vertex.Area > 0.0 ? vertex.Area : 0.25 * Pi * 0.25;
+      members.push_back(i);
+      points->InsertNextPoint(&this->Vertices[i].Position[0]);
     }
   }
+  if (members.empty())
+  {
+    return;
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(data);
+  locator->BuildLocator();
+  vtkSMPTools::For(0, static_cast<vtkIdType>(members.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkNew<vtkIdList> nearest;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        Vertex& vertex = this->Vertices[members[static_cast<size_t>(i)]];
+        // Twice as many, of which some lie around a corner.
+        locator->FindClosestNPoints(2 * Neighbors, &vertex.Position[0], nearest);
+        int alike = 0;
+        double farthest = 0.0;
+        for (vtkIdType k = 0; k < nearest->GetNumberOfIds() && alike < Neighbors; ++k)
+        {
+          const Vertex& other = this->Vertices[members[static_cast<size_t>(nearest->GetId(k))]];
+          if (glm::dot(other.Normal, vertex.Normal) > 0.5)
+          {
+            ++alike;
+            const glm::dvec3 apart = other.Position - vertex.Position;
+            farthest = std::max(farthest, glm::dot(apart, apart));
+          }
+        }
+        // One that is alone stands for what is left: a disk half as wide as the scene.
+        vertex.Area = farthest > 0.0 ? Pi * farthest / (alike - 0.5) : Pi / 16.0;
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -414,5 +406,5 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectRaySurfaces& surfaces,
     this->Vertices.insert(this->Vertices.end(), found.begin(), found.end());
     this->NumberOfPaths += paths;
   }
-  this->FindAreas(settings);
+  this->FindAreas();
 }

@@ -14,8 +14,8 @@
 //                  B A = albedo I(d) A max(n.l, 0).
 //   later bounces  directions go by the cosine, so a ray carries all that is left: B A is the
 //                  albedo times B A of the vertex before, over the probability of having gone on.
-//                  The area is one over the vertices' own density, from the nearest ones of the
-//                  same bounce on the same surface.
+//                  They all carry about the same, of whatever bounce, so the area is one over the
+//                  density of all of them, from the nearest ones on the same surface.
 //
 // A path is made of its number and its light alone: it moves smoothly with the light, and with more
 // paths the first ones stay.
@@ -72,7 +72,7 @@ private:
 
   List Trace(const vtkIndirectRaySurfaces& surfaces, const Emission& emission, int source,
     size_t paths, int firstBounce, int lastBounce) const;
-  void FindAreas(const Settings& settings);
+  void FindAreas();
 
   List Vertices;
   size_t NumberOfPaths = 0;
