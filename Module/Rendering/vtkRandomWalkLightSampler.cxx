@@ -10,6 +10,7 @@
 #include "Visibility/vtkIndirectRaySurfaces.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <string>
 
 vtkStandardNewMacro(vtkRandomWalkLightSampler);
@@ -29,24 +30,27 @@ struct vtkRandomWalkLightSampler::Internals
   void FindSenders(vtkIndirectFurtherSenders& senders) const;
 };
 
-// Of the area of a later bounce's vertex, in a tree. With all of it rooms are 4 % too dark: a light
-// shines from the middle of what it stands for. Clusters have as much, see
-// vtkIndirectSenderClusters.
-constexpr double ShareOfArea = 0.25;
+// A later vertex's disk over its area, in a tree. There are few enough of them that those beside a
+// crease would show one by one; twice the area costs rooms 1 % of their light.
+constexpr double ShareOfArea = 2.0;
 
-// Vertices of a light's first bounce cover surfaces once, as the texels of a map do, and so do
-// those of all later bounces together.
+// Vertices of a light's first bounce cover surfaces once, as the texels of a map do. Each later
+// bounce is one more map: its vertices stand for the share of the surface that is theirs among all
+// of these, so clusters' disks are smaller than where all were one map, which leaves rooms 5 % too
+// dark.
 void vtkRandomWalkLightSampler::Internals::FindSenders(vtkIndirectFurtherSenders& senders) const
 {
   senders.Senders.clear();
-  senders.NumberOfMaps = this->NumberOfSources + 1;
+  senders.NumberOfMaps = this->NumberOfSources;
   for (const vtkIndirectRandomWalk::Vertex& vertex : this->Walk.GetVertices())
   {
-    const bool first = vertex.Bounce == 1;
+    const int map = vertex.Bounce == 1
+      ? vertex.Source
+      : static_cast<int>(this->NumberOfSources) + vertex.Bounce - 2;
+    senders.NumberOfMaps = std::max(senders.NumberOfMaps, static_cast<size_t>(map) + 1);
     senders.Senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
-      static_cast<float>(first ? vertex.Area : ShareOfArea * vertex.Area),
-      glm::vec3(vertex.DensityArea),
-      first ? vertex.Source : static_cast<int>(this->NumberOfSources) });
+      static_cast<float>(vertex.Bounce > 1 ? ShareOfArea * vertex.Area : vertex.Area),
+      glm::vec3(vertex.DensityArea), map });
   }
 }
 
