@@ -334,6 +334,23 @@ VTK_INDIRECT_TEST(PlanLimits)
   Check("and needs no maps without shadows",
     plan.Senders == vtkIndirectPlan::RAYS && plan.MapLights.empty());
   settings.Shadows = true;
+
+  // Nobody has asked for a number.
+  settings.NumberOfBounces = 0;
+  estimator.MaximumNumberOfBounces = 1;
+  vtkIndirectCircumstances taking;
+  taking.TakesSampler = true;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, taking);
+  CheckEqual("automatic", plan.WalkedBounces, 16);
+  CheckEqual("of which the estimator's", plan.NumberOfBounces, 1);
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
+  CheckEqual("of an estimator with lights of its own", plan.WalkedBounces, 0);
+  vtkIndirectLight following = MakeLight();
+  following.FollowsCamera = true;
+  plan = vtkIndirectPlan::Make(MakeFrame({ following }), settings, estimator, taking);
+  Check("of lights that follow the camera",
+    plan.WalkedBounces == 0 && !Find(plan.EstimateLeftOut, "bounces after the first").empty());
+  settings.NumberOfBounces = 3;
   estimator.MaximumNumberOfBounces = 16;
   plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
   CheckEqual("bounces of one that computes more", plan.NumberOfBounces, 3);

@@ -38,7 +38,8 @@ struct vtkIndirectCircumstances
   /** The estimator sums lights of a sampler that finds them by rays, of all bounces. */
   bool SamplerWalks = false;
   bool OtherSamplerWalks = false; // one that is added to that
-  bool AreaLights = false;        // of rectangles
+  bool TakesSampler = false; // the estimator sums lights of the frame's sampler, not of its own
+  bool AreaLights = false;   // of rectangles
   /** VTK irradiance of a surface in the middle of the scene that faces all of them. */
   double AreaLightIrradiance = 0.0;
   int VisibleAreaLights = 0; // that are seen themselves
@@ -153,8 +154,8 @@ struct vtkIndirectPlan
 private:
   void FindSenders(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectCircumstances& circumstances);
-  void FindBounces(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
-    const vtkIndirectCircumstances& circumstances);
+  void FindBounces(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
+    const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void FindVisibility(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
   void FindSky(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);

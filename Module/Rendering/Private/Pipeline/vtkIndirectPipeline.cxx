@@ -72,8 +72,9 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.EnvironmentIrradiance = this->Environment ? SumIrradiance(this->Environment) : 0.0;
   circumstances.Environment = circumstances.EnvironmentIrradiance > 0.0;
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
-  circumstances.SamplerWalks = request.Sampler->Walks() &&
+  circumstances.TakesSampler =
     request.Estimator->ChooseSampler(request.Sampler, vtkIndirectPlan()) == request.Sampler;
+  circumstances.SamplerWalks = circumstances.TakesSampler && request.Sampler->Walks();
   circumstances.OtherSamplerWalks = std::any_of(this->OtherSamplers.begin(),
     this->OtherSamplers.end(), [](const auto& sampler) { return sampler->Walks(); });
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
