@@ -236,10 +236,12 @@ public:
 
   ///@{
   /**
-   * Bounces of indirect light. Default 1, range 1 to 16. What the estimator cannot compute is
-   * listed in the report under left_out.
+   * Bounces of indirect light. Default 0: automatic, all that a random walk finds (16 at most; paths
+   * end by themselves where little light is left) for estimators of virtual lights, as long as no
+   * light follows the camera; else 1. Range 0 to 16. Bounces that neither the estimator nor a walk
+   * computes are listed in the report under left_out.
    */
-  vtkIndirectClampMacro(NumberOfBounces, int, 1, 16);
+  vtkIndirectClampMacro(NumberOfBounces, int, 0, 16);
   ///@}
 
   ///@{

@@ -76,7 +76,7 @@ struct vtkIndirectSettings
   bool Shadows = true;
   int Visibility = vtkIndirectVisibilityAutomatic;
   bool Antialiasing = true;
-  int NumberOfBounces = 1;
+  int NumberOfBounces = 0; // automatic
   double IndirectScale = 1.0;
   double ErrorTolerance = 0.0;
   bool Caching = true;

@@ -25,7 +25,10 @@ struct vtkLightTreeSampler::Internals
   vtkIndirectSenderTexels Texels;
   vtkIndirectSenderClusters Clusters;
   vtkNew<vtkUniformLightSampler> ViewPattern;
-  size_t Sources = 0; // of the texels' lights
+  std::vector<vtkIndirectSenderClusters::Sender> FromMaps; // where further ones may come and go
+  size_t Sources = 0;                                      // of the texels' lights
+  size_t FurtherTime = 0;
+  size_t FurtherMaps = 0;
   // What the tree was made of, and the lights.
   vtkMTimeType MapTime = 0;
   int Count = 0;
@@ -53,8 +56,14 @@ bool vtkLightTreeSampler::Update(const Input& input)
   Internals& in = *this->Internal;
   const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
   const vtkMTimeType time = input.Maps.GetContentTime();
-  const bool read = in.MapTime != time;
-  if (!read && in.Count == this->NumberOfLights && in.Error == error)
+  // Without further senders what maps show is not kept beside the tree.
+  const bool anew = input.Further && input.Further->Time != in.FurtherTime && in.FromMaps.empty();
+  const bool gone = !input.Further && in.FurtherTime != 0;
+  const bool read = in.MapTime != time || anew || gone;
+  const vtkIndirectFurtherSenders* further = input.Further;
+  const size_t furtherTime = further ? further->Time : 0;
+  const bool same = !read && in.FurtherTime == furtherTime;
+  if (same && in.Count == this->NumberOfLights && in.Error == error)
   {
     return true;
   }
@@ -73,11 +82,28 @@ bool vtkLightTreeSampler::Update(const Input& input)
     {
       in.Sources = std::max(in.Sources, static_cast<size_t>(sender.Map) + 1);
     }
-    in.Clusters.SetSenders(std::move(senders));
+    in.FromMaps = std::move(senders);
     in.MapTime = time;
   }
-  const vtkIndirectSenderClusters::Lights lights = in.Clusters.MakeLights(
-    std::vector<glm::dvec3>(in.Sources, glm::dvec3(1.0)), this->NumberOfLights, error);
+  if (!same)
+  {
+    // What the maps show is kept where only the rest of it changes.
+    std::vector<vtkIndirectSenderClusters::Sender> senders =
+      further ? in.FromMaps : std::move(in.FromMaps);
+    in.FurtherMaps = further ? further->NumberOfMaps : 0;
+    for (size_t i = 0; further && i < further->Senders.size(); ++i)
+    {
+      senders.push_back(further->Senders[i]);
+      senders.back().Map += static_cast<int>(in.Sources);
+    }
+    in.Clusters.SetSenders(std::move(senders));
+    in.FurtherTime = furtherTime;
+  }
+  const vtkIndirectSenderClusters::Lights lights =
+    in.Clusters.MakeLights(std::vector<glm::dvec3>(in.Sources + in.FurtherMaps, glm::dvec3(1.0)),
+      this->NumberOfLights, error,
+      further ? vtkIndirectSenderClusters::NearnessOfBounces
+              : vtkIndirectSenderClusters::StandardNearness);
   if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Tops),
         vtkIndirectSenderTexels::MakeRows(lights.Branches)))
   {
@@ -99,7 +125,8 @@ vtkMapLightSampler* vtkLightTreeSampler::GetViewPattern()
 //------------------------------------------------------------------------------
 size_t vtkLightTreeSampler::GetMainMemoryBytes() const
 {
-  return this->Internal->Clusters.GetBytes();
+  return this->Internal->Clusters.GetBytes() +
+    this->Internal->FromMaps.size() * sizeof(vtkIndirectSenderClusters::Sender);
 }
 
 //------------------------------------------------------------------------------
@@ -113,6 +140,7 @@ void vtkLightTreeSampler::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Texels.Release(window);
   this->Internal->ViewPattern->ReleaseGraphicsResources(window);
   this->Internal->Clusters.SetSenders({});
+  this->Internal->FromMaps = {};
   this->Internal->MapTime = 0;
   this->Internal->Count = 0;
 }

@@ -49,6 +49,10 @@ public:
 #ifndef __VTK_WRAP__
   bool Update(const Input& input) override;
   vtkMapLightSampler* GetViewPattern() override;
+  bool TakesSenders() const override
+  {
+    return true;
+  }
   /** In main memory. */
   size_t GetMainMemoryBytes() const;
 #endif

@@ -32,7 +32,10 @@ class vtkMapLightSampler;
 class vtkOpenGLRenderWindow;
 class vtkReflectiveShadowMapPass;
 class vtkWindow;
+struct vtkIndirectEmitter;
+struct vtkIndirectFurtherSenders;
 struct vtkIndirectFrame;
+struct vtkIndirectReport;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkVirtualLightSampler : public vtkObject
 {
@@ -54,6 +57,11 @@ public:
     const vtkReflectiveShadowMapPass& Maps;    // without maps where the frame has none
     const vtkIndirectGeometryBuffer& Geometry; // what the eye sees
     double ErrorTolerance = 0.0;               // of the irradiance, over its mean; 0: standard
+    int NumberOfBounces = 1;                   // asked for, for samplers that know several
+    /** What lights surfaces besides the frame's lights: the sky, and area lights. */
+    const std::vector<vtkIndirectEmitter>* Emitters = nullptr;
+    /** Senders of later bounces, for samplers that TakeSenders; null: there are none. */
+    const vtkIndirectFurtherSenders* Further = nullptr;
   };
 
   /** Channels of the table, a texel a light; empty places have no density. */
@@ -80,6 +88,21 @@ public:
   {
     return false;
   }
+
+  /** Whether lights come from rays through the scene, of all bounces, and not from maps. */
+  virtual bool Walks() const
+  {
+    return false;
+  }
+
+  /** Whether further senders that it is given are among those that its lights are made of. */
+  virtual bool TakesSenders() const
+  {
+    return false;
+  }
+
+  /** Says what the last frame's lights were made of. Default: nothing. */
+  virtual void AddToReport(vtkIndirectReport&) const {}
 
   /**
    * The pattern by which lights are taken from what the eye sees where a headlight is the only

@@ -41,6 +41,7 @@ PUBLIC = {
     "vtkLightTreeSampler": "VirtualLights",
     "vtkMapLightSampler": "VirtualLights",
     "vtkUniformLightSampler": "VirtualLights",
+    "vtkRandomWalkLightSampler": "Visibility",
     "vtkRSMGatherPass": "Gather",
     "vtkRSMReferencePass": "Gather",
     "vtkIndirectSplattingPass": "Splatting",

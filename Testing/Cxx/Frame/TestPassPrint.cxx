@@ -10,6 +10,7 @@
 #include "vtkRSMGatherPass.h"
 #include "vtkRSMReferencePass.h"
 #include "vtkRadianceHintsPass.h"
+#include "vtkRandomWalkLightSampler.h"
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkUniformLightSampler.h"
 
@@ -140,6 +141,10 @@ VTK_INDIRECT_TEST(PrintSettings)
   CheckLine(reference, "MethodName: reference", true);
   CHECK_PRINT(reference, Mode, 1, "VirtualLights");
   CHECK_PRINT(reference, Visibility, vtkRSMReferencePass::EXACT, "Exact");
+  vtkNew<vtkRandomWalkLightSampler> walk;
+  CHECK_PRINT(walk, NumberOfLights, 77, "77");
+  CHECK_PRINT(walk, NumberOfVertices, 78, "78");
+  CHECK_PRINT(walk, FirstBounce, 2, "2");
   vtkNew<vtkReflectiveShadowMapPass> maps;
   CHECK_PRINT(maps, Resolution, 77, "77");
   pass->SetDelegatePass(nullptr);

@@ -314,9 +314,43 @@ VTK_INDIRECT_TEST(PlanLimits)
   estimator.Name = "it";
   settings.NumberOfBounces = 3;
   estimator.MaximumNumberOfBounces = 2;
+  estimator.ReadsMaps = true;
   vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
   CheckEqual("bounces", plan.NumberOfBounces, 2);
   Check("the third is left out", !Find(plan.EstimateLeftOut, "bounces beyond 2").empty());
+  CheckEqual("it takes no lights of a walk", plan.WalkedBounces, 0);
+  estimator.ReadsMaps = false;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
+  CheckEqual("one that does", plan.WalkedBounces, 3);
+  Check("says so", !Find(plan.EstimateModelled, "bounces 2 to 3").empty());
+  vtkIndirectCircumstances walking;
+  walking.SamplerWalks = true;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, walking);
+  Check("a sampler that walks has all of them",
+    plan.WalkedBounces == 0 && plan.SampledBounces == 3 &&
+      Find(plan.EstimateLeftOut, "bounces beyond 2").empty());
+  settings.Shadows = false;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, walking);
+  Check("and needs no maps without shadows",
+    plan.Senders == vtkIndirectPlan::RAYS && plan.MapLights.empty());
+  settings.Shadows = true;
+
+  // Nobody has asked for a number.
+  settings.NumberOfBounces = 0;
+  estimator.MaximumNumberOfBounces = 1;
+  vtkIndirectCircumstances taking;
+  taking.TakesSampler = true;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, taking);
+  CheckEqual("automatic", plan.WalkedBounces, 16);
+  CheckEqual("of which the estimator's", plan.NumberOfBounces, 1);
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
+  CheckEqual("of an estimator with lights of its own", plan.WalkedBounces, 0);
+  vtkIndirectLight following = MakeLight();
+  following.FollowsCamera = true;
+  plan = vtkIndirectPlan::Make(MakeFrame({ following }), settings, estimator, taking);
+  Check("of lights that follow the camera",
+    plan.WalkedBounces == 0 && !Find(plan.EstimateLeftOut, "bounces after the first").empty());
+  settings.NumberOfBounces = 3;
   estimator.MaximumNumberOfBounces = 16;
   plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
   CheckEqual("bounces of one that computes more", plan.NumberOfBounces, 3);

@@ -257,6 +257,7 @@ Scene::Scene(int width, int height)
   this->Pass->SetSampler(this->Sampler);
   // Closed forms and sums in double precision know nothing of what stands between.
   this->Pass->SetVisibilityToNone();
+  this->Pass->SetNumberOfBounces(1);
 }
 
 Scene::~Scene()

@@ -9,6 +9,7 @@
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMReferencePass.h"
 #include "vtkRadianceHintsPass.h"
+#include "vtkRandomWalkLightSampler.h"
 
 namespace
 {
@@ -138,6 +139,25 @@ VTK_INDIRECT_IMAGE(EstimatorAsPass)
   picture.AddBuffers("", picture.Gather->GetIlluminationPass());
   picture.Gather->GetIlluminationPass()->AntialiasingOff();
   picture.Renderer->SetPass(picture.Gather);
+}
+
+// Lights of three bounces without maps. Brighter than EstimatorGather where light comes by more
+// than one way.
+VTK_INDIRECT_IMAGE(SamplerRandomWalk)
+{
+  images::AddRoom(picture);
+  vtkNew<vtkRandomWalkLightSampler> walk;
+  picture.Pass->SetSampler(walk);
+  picture.Pass->SetNumberOfBounces(3);
+}
+
+// Later bounces beside the lights of the maps.
+VTK_INDIRECT_IMAGE(EstimatorBounces)
+{
+  images::AddRoom(picture);
+  picture.Pass->SetEstimator(nullptr);
+  picture.Pass->SetSampler(nullptr);
+  picture.Pass->SetNumberOfBounces(16);
 }
 
 // So few lights that each shows.

@@ -119,6 +119,7 @@ def r1(scene: Scene) -> np.ndarray:
         "reference",
         lighting="scene",
         ReflectiveShadowMapResolution=MAP_TEXELS,
+        NumberOfBounces=1,
     )
     try:
         with messages.capture() as said:

@@ -7,6 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+namespace
+{
+// That a walk finds where nobody has asked for a number: of albedo 0.8 they leave 3 % of all light.
+constexpr int MostBounces = 16;
+}
+
 //------------------------------------------------------------------------------
 vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
@@ -26,7 +32,8 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   }
   plan.TilesPerFrame = FindTilesPerFrame(
     triangles, static_cast<double>(frame.Casters.size()), circumstances.FrameSeconds);
-  plan.NumberOfBounces = std::min(settings.NumberOfBounces, estimator.MaximumNumberOfBounces);
+  plan.NumberOfBounces =
+    std::min(std::max(settings.NumberOfBounces, 1), estimator.MaximumNumberOfBounces);
   const int emitters = static_cast<int>(frame.Lights.size()) + circumstances.NumberOfOtherEmitters +
     (circumstances.Environment ? 1 : 0) + (circumstances.AreaLights ? 1 : 0);
   plan.WhyDelegate = settings.IndirectScale == 0.0 && !settings.Shadows
@@ -48,10 +55,11 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
       std::to_string(plan.VisibleAreaLights) + " drawn as what they send");
   }
 
-  plan.FindSenders(frame, settings);
+  plan.FindSenders(frame, settings, circumstances);
   plan.FindVisibility(settings, estimator);
   plan.FindSky(frame, settings, estimator, circumstances);
   plan.FindOtherLights(frame, settings, estimator, circumstances);
+  plan.FindBounces(frame, settings, estimator, circumstances);
   plan.FindUnit(frame, circumstances);
   plan.Shadows = settings.Shadows && plan.Senders == MAPS;
   const bool sent =
@@ -85,13 +93,13 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
       plan.Antialiasing          ? "by their shapes: what the pass draws has no samples to average"
         : !settings.Antialiasing ? "Antialiasing is off"
                                  : other + " antialiases the picture");
-  plan.LeaveOut(settings, estimator);
+  plan.LeaveOut(settings, estimator, circumstances);
   return plan;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPlan::FindSenders(
-  const vtkIndirectFrame& frame, const vtkIndirectSettings& settings)
+void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame,
+  const vtkIndirectSettings& settings, const vtkIndirectCircumstances& circumstances)
 {
   if (frame.Casters.empty())
   {
@@ -103,6 +111,13 @@ void vtkIndirectPlan::FindSenders(
     !frame.Lights.front().Positional && !frame.Lights.front().Fill && frame.AllSendLight &&
     !(frame.Lights.front().Size > 0.0 && settings.Shadows))
   {
+    if (circumstances.SamplerWalks)
+    {
+      this->Senders = RAYS;
+      this->Modelled.emplace_back(
+        "a headlight, by rays", "the eye sees what it lights; no shadow is visible");
+      return;
+    }
     this->Senders = EYE;
     this->Modelled.emplace_back(
       "a headlight, from the geometry buffer", "the eye sees what it lights; no shadow is visible");
@@ -131,6 +146,45 @@ void vtkIndirectPlan::FindSenders(
     }
   }
   this->Senders = this->MapLights.empty() ? NO_SENDERS : MAPS;
+  if (this->Senders == MAPS && circumstances.SamplerWalks && !settings.Shadows)
+  {
+    this->Senders = RAYS;
+    this->MapLights.clear();
+    this->Modelled.emplace_back("lights without maps", "Shadows are off, and rays find senders");
+  }
+}
+
+//------------------------------------------------------------------------------
+// What an estimator that sums virtual lights cannot compute itself a walk does, whose lights are
+// more of the same kind.
+void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
+  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
+  const vtkIndirectCircumstances& circumstances)
+{
+  const bool sent = this->Senders != NO_SENDERS || this->SkyBounces || this->AreaLightsBounce;
+  const bool walks = !estimator.ReadsMaps && sent;
+  this->SampledBounces = settings.NumberOfBounces;
+  if (settings.NumberOfBounces == 0)
+  {
+    // Paths end by themselves, by the albedo, so the last bounces cost nothing where there is no
+    // light of them. A walk for every view would be most of a frame.
+    const bool follows = std::any_of(frame.Lights.begin(), frame.Lights.end(),
+      [](const vtkIndirectLight& light) { return light.FollowsCamera && !light.Fill; });
+    this->SampledBounces =
+      walks && circumstances.TakesSampler && estimator.MaximumNumberOfBounces == 1 && !follows
+      ? MostBounces
+      : 1;
+    if (walks && follows)
+    {
+      this->EstimateLeftOut.emplace_back("bounces after the first",
+        "lights follow the camera, and NumberOfBounces is automatic; the result is too dark");
+    }
+  }
+  if (this->SampledBounces > estimator.MaximumNumberOfBounces && walks &&
+    !circumstances.SamplerWalks && !circumstances.OtherSamplerWalks)
+  {
+    this->WalkedBounces = this->SampledBounces;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -259,8 +313,8 @@ void vtkIndirectPlan::FindUnit(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPlan::LeaveOut(
-  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator)
+void vtkIndirectPlan::LeaveOut(const vtkIndirectSettings& settings,
+  const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances)
 {
   if (!this->Irradiance)
   {
@@ -276,7 +330,13 @@ void vtkIndirectPlan::LeaveOut(
             ? " aims at " + vtkIndirectReport::Number(estimator.ErrorTolerance)
             : std::string(" has no parameters that are chosen by it")));
   }
-  if (settings.NumberOfBounces > estimator.MaximumNumberOfBounces)
+  if (this->WalkedBounces > 0)
+  {
+    this->EstimateModelled.emplace_back(
+      "bounces 2 to " + std::to_string(this->WalkedBounces), "virtual lights of a random walk");
+  }
+  else if (this->SampledBounces > estimator.MaximumNumberOfBounces && !circumstances.SamplerWalks &&
+    !circumstances.OtherSamplerWalks)
   {
     this->EstimateLeftOut.emplace_back(
       "bounces beyond " + std::to_string(estimator.MaximumNumberOfBounces),
@@ -326,6 +386,7 @@ std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) cons
   std::vector<double> key = { static_cast<double>(frame.Size[0]),
     static_cast<double>(frame.Size[1]), static_cast<double>(this->Senders),
     static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
+    static_cast<double>(this->SampledBounces), static_cast<double>(this->WalkedBounces),
     this->ErrorTolerance, this->SenderLobes ? 1.0 : 0.0, this->Refraction ? 1.0 : 0.0,
     this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0, this->AreaLightsBounce ? 1.0 : 0.0,
     // Moving frames look fewer maps up.

@@ -36,7 +36,11 @@ struct vtkIndirectCircumstances
   bool OwnDelegate = false;      // what the user's own delegate draws is not known
   std::string DelegateIsRefused; // why no surfaces can be had of it; empty: they can
   int NumberOfOtherEmitters = 0; // sources of light that are no vtkLight
-  bool AreaLights = false;       // of rectangles
+  /** The estimator sums lights of a sampler that finds them by rays, of all bounces. */
+  bool SamplerWalks = false;
+  bool OtherSamplerWalks = false; // one that is added to that
+  bool TakesSampler = false; // the estimator sums lights of the frame's sampler, not of its own
+  bool AreaLights = false;   // of rectangles
   /** VTK irradiance of a surface in the middle of the scene that faces all of them. */
   double AreaLightIrradiance = 0.0;
   int VisibleAreaLights = 0; // that are seen themselves
@@ -57,7 +61,8 @@ struct vtkIndirectPlan
   {
     NO_SENDERS, // no vtkLight sends anything
     MAPS,       // surfaces that lights see, in their maps
-    EYE         // surfaces that the eye sees, whose headlight is the only light
+    EYE,        // surfaces that the eye sees, whose headlight is the only light
+    RAYS        // surfaces that rays of the sampler's meet; there are no maps
   };
 
   /** Empty: indirect light is computed or could be; else why the delegate alone draws. */
@@ -104,6 +109,10 @@ struct vtkIndirectPlan
   ///@}
   int TilesPerFrame = 1 << 30; // depth maps of virtual lights and of the sky to draw at most
   int NumberOfBounces = 1;     // those that the estimator computes
+  int SampledBounces = 1;      // that samplers which know several make lights of
+  /** Virtual lights of bounces after the estimator's, up to this one, come from a random walk; 0:
+   * of none. */
+  int WalkedBounces = 0;
   double ErrorTolerance = 0.0; // as asked for
   bool Caching = true;
   double IndirectScale = 1.0;
@@ -147,14 +156,18 @@ struct vtkIndirectPlan
   static int FindSkyDirections(double tolerance);
 
 private:
-  void FindSenders(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings);
+  void FindSenders(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
+    const vtkIndirectCircumstances& circumstances);
+  void FindBounces(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
+    const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void FindVisibility(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
   void FindSky(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void FindOtherLights(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void FindUnit(const vtkIndirectFrame& frame, const vtkIndirectCircumstances& circumstances);
-  void LeaveOut(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
+  void LeaveOut(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
+    const vtkIndirectCircumstances& circumstances);
 };
 
 #endif

@@ -22,6 +22,10 @@
 
 namespace
 {
+// What later bounces are made of. See Documentation/methods/random-walk.md.
+constexpr int VerticesOfLaterBounces = 8192;
+constexpr int LightsOfLaterBounces = 64;
+
 // What falls on a surface that all of an environment's light reaches at a right angle.
 double SumIrradiance(vtkEnvironmentLight* environment)
 {
@@ -32,6 +36,14 @@ double SumIrradiance(vtkEnvironmentLight* environment)
   }
   return std::max({ sum.x, sum.y, sum.z }) / vtkMath::Pi();
 }
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectPipeline::vtkIndirectPipeline()
+{
+  this->LaterBounces->SetFirstBounce(2);
+  this->LaterBounces->SetNumberOfVertices(VerticesOfLaterBounces);
+  this->LaterBounces->SetNumberOfLights(LightsOfLaterBounces);
 }
 
 //------------------------------------------------------------------------------
@@ -60,6 +72,11 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.EnvironmentIrradiance = this->Environment ? SumIrradiance(this->Environment) : 0.0;
   circumstances.Environment = circumstances.EnvironmentIrradiance > 0.0;
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
+  circumstances.TakesSampler =
+    request.Estimator->ChooseSampler(request.Sampler, vtkIndirectPlan()) == request.Sampler;
+  circumstances.SamplerWalks = circumstances.TakesSampler && request.Sampler->Walks();
+  circumstances.OtherSamplerWalks = std::any_of(this->OtherSamplers.begin(),
+    this->OtherSamplers.end(), [](const auto& sampler) { return sampler->Walks(); });
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
     request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
   if (!circumstances.Environment || request.Settings.IndirectScale == 0.0)
@@ -227,6 +244,21 @@ void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
   {
     this->RefractionSampler->ReleaseGraphicsResources(this->Frame.Window);
   }
+  this->SendersAreWalked = this->Plan.WalkedBounces > 0 &&
+    std::any_of(this->Samplers.begin(), this->Samplers.end(),
+      [](const auto& own) { return own->TakesSenders(); });
+  if (this->SendersAreWalked)
+  {
+    // They are among those that its lights are made of.
+  }
+  else if (this->Plan.WalkedBounces > 0)
+  {
+    this->Samplers.emplace_back(this->LaterBounces.Get());
+  }
+  else
+  {
+    this->LaterBounces->ReleaseGraphicsResources(this->Frame.Window);
+  }
   if (this->Plan.OtherSamplers)
   {
     this->Samplers.insert(
@@ -258,6 +290,14 @@ std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) 
   key.push_back(static_cast<double>(
     this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0));
   key.push_back(static_cast<double>(this->SenderSampler->GetSourceTime()));
+  for (size_t i = 0; this->Plan.Senders == vtkIndirectPlan::RAYS && i < this->Frame.Lights.size();
+       ++i)
+  {
+    const vtkIndirectLight& light = this->Frame.Lights[i];
+    key.insert(key.end(),
+      { light.PositionWC.x, light.PositionWC.y, light.PositionWC.z, light.Attenuation.x,
+        light.Attenuation.y, light.Attenuation.z, light.ConeAngle, light.Exponent });
+  }
   return key;
 }
 
@@ -280,9 +320,13 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   this->FailedKey.clear();
 
   this->Timer.Begin(vtkIndirectStageTimer::Lights);
+  vtkVirtualLightSampler::Input senders = { this->Frame, *this->Maps, this->Geometry,
+    this->Plan.ErrorTolerance, this->Plan.SampledBounces,
+    this->Plan.SkyBounces || this->Plan.AreaLightsBounce ? &this->SenderSampler->GetEmitters()
+                                                         : nullptr };
+  senders.Further = this->SendersAreWalked ? &this->LaterBounces->UpdateSenders(senders) : nullptr;
   const bool sampled = this->Samplers.empty() ||
-    this->Lights.Update({ this->Frame, *this->Maps, this->Geometry, this->Plan.ErrorTolerance },
-      { this->Samplers.begin(), this->Samplers.end() });
+    this->Lights.Update(senders, { this->Samplers.begin(), this->Samplers.end() });
   this->Timer.End(vtkIndirectStageTimer::Lights);
 
   const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(this->Plan);
@@ -549,9 +593,13 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     report.EstimatedError = this->Estimate.Error;
     this->Estimator->AddToReport(report);
     this->Visibility.AddToReport(report);
-    if (this->Plan.SkyBounces || this->Plan.AreaLightsBounce)
+    for (const auto& sampler : this->Samplers)
     {
-      this->SenderSampler->AddToReport(report);
+      sampler->AddToReport(report);
+    }
+    if (this->SendersAreWalked)
+    {
+      this->LaterBounces->AddToReport(report);
     }
   }
   else if (this->Plan.Irradiance)
@@ -584,6 +632,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->HeadlightSampler->ReleaseGraphicsResources(window);
   this->SenderSampler->ReleaseGraphicsResources(window);
   this->RefractionSampler->ReleaseGraphicsResources(window);
+  this->LaterBounces->ReleaseGraphicsResources(window);
   this->ReleaseSky(window);
   this->Area.Release(window);
   this->VisibleLamps.Release(window);

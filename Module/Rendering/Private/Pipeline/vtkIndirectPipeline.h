@@ -32,6 +32,7 @@
 #include "vtkLightTreeSampler.h"                        // for members
 #include "vtkMultiresolutionSplattingPass.h"            // for members
 #include "vtkNew.h"                                     // for members
+#include "vtkRandomWalkLightSampler.h"                  // for members
 #include "vtkReflectiveShadowMapPass.h"                 // for members
 #include "vtkSmartPointer.h"                            // for members
 #include "vtkWeakPointer.h"                             // for members
@@ -46,6 +47,8 @@ class vtkRenderPass;
 class vtkIndirectPipeline
 {
 public:
+  vtkIndirectPipeline();
+
   /** What the pass asks for. */
   struct Request
   {
@@ -123,6 +126,7 @@ private:
   vtkNew<vtkIndirectHeadlightSampler> HeadlightSampler;
   vtkNew<vtkIndirectSenderSampler> SenderSampler;
   vtkNew<vtkIndirectRefractionSampler> RefractionSampler; // of bodies of glass
+  vtkNew<vtkRandomWalkLightSampler> LaterBounces;
   vtkIndirectVirtualLights Lights;
   vtkIndirectVisibility Visibility;
   vtkIndirectSkyProjection SkyProjection;
@@ -151,6 +155,7 @@ private:
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkIndirectEstimatorPass> HeldEstimator;
   std::vector<vtkSmartPointer<vtkVirtualLightSampler>> Samplers;
+  bool SendersAreWalked = false;    // later bounces are among what the sampler's lights are of
   bool TargetIsClear = false;       // of what the frame is drawn into
   vtkIndirectReport::Entries Paths; // in force
 

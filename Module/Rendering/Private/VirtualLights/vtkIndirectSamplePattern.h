@@ -55,6 +55,57 @@ inline glm::dvec3 DirectionInCone(int i, int n, double cosCone)
   return { sine * std::cos(angle), sine * std::sin(angle), -cosine };
 }
 
+///@{
+/**
+ * Point i of a sequence in the unit square, [0,1), one of independent ones by their seeds. All
+ * points before a power of two are spread as evenly as can be, so a longer sequence only adds to a
+ * shorter one. Sobol's first two coordinates, their digits and their order scrambled: Owen 1995,
+ * "Randomly permuted (t,m,s)-nets and (t,s)-sequences"; by hashes as in Burley 2020, "Practical
+ * hash-based Owen scrambling".
+ */
+inline std::uint32_t ReverseBits(std::uint32_t x)
+{
+  x = (x >> 16u) | (x << 16u);
+  x = ((x & 0xff00ff00u) >> 8u) | ((x & 0x00ff00ffu) << 8u);
+  x = ((x & 0xf0f0f0f0u) >> 4u) | ((x & 0x0f0f0f0fu) << 4u);
+  x = ((x & 0xccccccccu) >> 2u) | ((x & 0x33333333u) << 2u);
+  return ((x & 0xaaaaaaaau) >> 1u) | ((x & 0x55555555u) << 1u);
+}
+
+inline std::uint32_t Hash(std::uint32_t x)
+{
+  x ^= x >> 16u;
+  x *= 0x7feb352du;
+  x ^= x >> 15u;
+  x *= 0x846ca68bu;
+  return x ^ (x >> 16u);
+}
+
+/** Each digit is turned or not by those before it: the highest ones decide first. */
+inline std::uint32_t ScrambleDigits(std::uint32_t x, std::uint32_t seed)
+{
+  x = ReverseBits(x) + seed;
+  x ^= x * 0x6c50b47cu;
+  x ^= x * 0xb82f1e52u;
+  x ^= x * 0xc7afe638u;
+  x ^= x * 0x8d22f6e6u;
+  return ReverseBits(x);
+}
+
+inline glm::dvec2 ScrambledPoint(std::uint32_t i, std::uint32_t seed)
+{
+  const std::uint32_t at = ScrambleDigits(i, Hash(seed));
+  std::uint32_t second = 0;
+  for (std::uint32_t bits = at, column = 0x80000000u; bits; bits >>= 1u, column ^= column >> 1u)
+  {
+    second ^= bits & 1u ? column : 0u;
+  }
+  const std::uint32_t x = ScrambleDigits(ReverseBits(at), Hash(seed + 0x9e3779b9u));
+  const std::uint32_t y = ScrambleDigits(second, Hash(seed + 0x3c6ef372u));
+  return glm::dvec2(x, y) * (1.0 / 4294967296.0);
+}
+///@}
+
 /** PCG32, O'Neill 2014; [0,1). */
 class Random
 {

@@ -23,10 +23,6 @@ constexpr double NormalLength = 0.25;
 // summed over its branches. See Documentation/methods/light-tree.md.
 constexpr double ShareOfArea = 0.25;
 
-// Half as many clusters as there may be are enough where their light lies within this of their
-// means, root mean square over all of it: along surfaces in one piece. Many small objects take all.
-constexpr double Nearness = 0.04;
-
 // What is left of a mean normal at least, so that it has a direction.
 constexpr double LeastNormal = 0.01;
 
@@ -247,7 +243,7 @@ std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divid
   {
     total += this->Entries[i].Weight;
   }
-  const double enough = Nearness * Nearness * total;
+  const double enough = this->Nearness * this->Nearness * total;
   double width = clusters.front().Width;
   while (!queue.empty() && clusters.size() < most && (clusters.size() < least || width > enough))
   {
@@ -431,12 +427,14 @@ void vtkIndirectSenderClusters::MakeBranches(
 
 //------------------------------------------------------------------------------
 vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
-  const std::vector<glm::dvec3>& strengths, int count, double error)
+  const std::vector<glm::dvec3>& strengths, int count, double error, double nearness)
 {
   const std::vector<double> weights = FindWeights(strengths);
   const bool divides = error > 0.0;
-  if (weights != this->Weights || count != this->Count || divides != this->Divides)
+  if (weights != this->Weights || count != this->Count || divides != this->Divides ||
+    nearness != this->Nearness)
   {
+    this->Nearness = nearness;
     this->DivideAll(weights, count, divides);
   }
   Lights lights;

@@ -56,6 +56,7 @@ public:
   static void RemoveOutermost(std::vector<Sender>& senders, const std::vector<glm::vec3>& places);
 
   void SetSenders(std::vector<Sender> senders);
+  const std::vector<Sender>& GetSenders() const { return this->Senders; }
   size_t GetNumberOfSenders() const { return this->Senders.size(); }
 
   struct Lights
@@ -70,12 +71,18 @@ public:
 
   /**
    * At most so many lights of the senders under lights of these strengths, one for each map; half
-   * as many where they are near enough to what they stand for and `error` is not 0. No senders, no
+   * as many where their light lies within `nearness` of what they stand for, root mean square, and
+   * `error` is not 0. No senders, no
    * lights; as many as there are senders, each of them is one. A light is divided where the error
    * of having it whole is more than `error` of the mean irradiance that the lights give each other;
    * 0: never.
    */
-  Lights MakeLights(const std::vector<glm::dvec3>& strengths, int count, double error);
+  Lights MakeLights(const std::vector<glm::dvec3>& strengths, int count, double error,
+    double nearness = StandardNearness);
+  /** Enough along surfaces in one piece; many small objects take all lights. Scene units. */
+  static constexpr double StandardNearness = 0.04;
+  /** Enough where later bounces spread light over all surfaces, smoothly. */
+  static constexpr double NearnessOfBounces = 0.05;
 
   /**
    * The error that belongs to a tolerance of the irradiance's; 0: the standard one. Of the nodes
@@ -122,9 +129,19 @@ private:
   std::vector<Sender> Senders;
   std::vector<double> Weights; // of maps
   int Count = 0;
+  double Nearness = 0.0;
   bool Divides = false; // into branches
   std::vector<Entry> Entries;
   std::vector<Cluster> Clusters;
+};
+
+/** Senders of other surfaces than those that maps show. */
+struct vtkIndirectFurtherSenders
+{
+  /** Map: what covers each surface once, numbered from zero. */
+  std::vector<vtkIndirectSenderClusters::Sender> Senders;
+  size_t NumberOfMaps = 0;
+  size_t Time = 0; // grows whenever they have changed
 };
 
 #endif

@@ -43,11 +43,12 @@ public:
     const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture);
   bool Update(const Input& input) override;
 
+  const vtkIndirectEmitters::List& GetEmitters() const { return this->Emitters; }
   /** Grows with what lights are made from, but their number. */
   size_t GetSourceTime() const { return this->SourceTime; }
   long long GetNumberOfFacesDrawn() const;
   size_t GetBytes() const override;
-  void AddToReport(vtkIndirectReport& report) const;
+  void AddToReport(vtkIndirectReport& report) const override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

@@ -5,34 +5,16 @@
 
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Visibility/vtkIndirectDistanceField.h"
-#include "vtkActor.h"
-#include "vtkAssemblyPath.h"
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDataSetMapper.h"
+#include "Visibility/vtkIndirectPolygons.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPlane.h"
-#include "vtkPlaneCollection.h"
-#include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkPolygon.h"
-#include "vtkProperty.h"
-#include "vtkScalarsToColors.h"
+#include "vtkProp.h"
 #include "vtkShaderProgram.h"
-#include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <iterator>
 
 namespace
 {
@@ -59,34 +41,7 @@ bool EdgesOverlap(const glm::dvec3 v[3], double half)
   }
   return true;
 }
-
-// Whether what an actor draws is no more than its data's polygons and strips. Of derived classes
-// nothing is known; lines and vertices lie where no triangle does.
-bool DrawsPolygonsAlone(vtkActor* actor, vtkMapper* mapper)
-{
-  static const char* const mappers[] = { "vtkOpenGLPolyDataMapper", "vtkCompositePolyDataMapper",
-    "vtkCompositePolyDataMapper2" };
-  const std::string name = mapper->GetClassName();
-  vtkShaderProperty* shaders = actor->GetShaderProperty();
-  return std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
-    std::find(std::begin(mappers), std::end(mappers), name) != std::end(mappers) &&
-    shaders->GetNumberOfShaderReplacements() == 0 && !shaders->HasVertexShaderCode() &&
-    !shaders->HasGeometryShaderCode();
 }
-}
-
-//------------------------------------------------------------------------------
-struct vtkIndirectOccupancyVolume::Source
-{
-  vtkMapper* Mapper;
-  glm::dmat4 ToWorld;
-  glm::dvec3 SceneCenter;
-  double SceneScale;
-  glm::dvec3 Color; // what is reflected of light without scalars
-  double Diffuse;   // diffuse coefficient
-  double Reflected = 1.0;
-  bool Encoded = false; // scalars' colours are, times the coefficient, with gamma 2.2
-};
 
 vtkIndirectOccupancyVolume::vtkIndirectOccupancyVolume() = default;
 vtkIndirectOccupancyVolume::~vtkIndirectOccupancyVolume() = default;
@@ -293,161 +248,28 @@ const vtkIndirectDistanceField& vtkIndirectOccupancyVolume::GetDistanceField() c
 void vtkIndirectOccupancyVolume::AddProp(const vtkIndirectFrame& frame, vtkProp* prop)
 {
   const size_t before = this->NumberOfTriangles;
-  prop->InitPathTraversal();
-  while (vtkAssemblyPath* path = prop->GetNextPath())
-  {
-    vtkAssemblyNode* node = path->GetLastNode();
-    vtkActor* actor = vtkActor::SafeDownCast(node->GetViewProp());
-    if (actor && !actor->GetVisibility())
-    {
-      continue;
-    }
-    if (!actor || !actor->GetMapper())
-    {
-      this->AllIsHeld = false;
-      continue;
-    }
-    vtkMapper* mapper = actor->GetMapper();
-    if (auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper))
-    {
-      mapper = dataSetMapper->GetPolyDataMapper();
-    }
-    if (!mapper || mapper->GetNumberOfInputPorts() < 1 ||
-      mapper->GetNumberOfInputConnections(0) < 1)
-    {
-      this->AllIsHeld = false;
-      continue;
-    }
-    this->AllIsHeld = this->AllIsHeld && DrawsPolygonsAlone(actor, mapper);
-    vtkProperty* property = actor->GetProperty();
-    Source source;
-    source.Mapper = mapper;
-    source.ToWorld =
-      vtkIndirectFrame::ToGLM(node->GetMatrix() ? node->GetMatrix() : actor->GetMatrix());
-    source.SceneCenter = frame.SceneCenter;
-    source.SceneScale = frame.SceneScale;
-    source.Diffuse = property->GetDiffuse();
-    if (property->GetInterpolation() == VTK_PBR)
+  const bool held = vtkIndirectPolygons::Read(frame, prop,
+    [this](const vtkIndirectPolygons& piece)
     {
       // VTK's PBR divides its diffuse reflection by pi.
-      source.Reflected = (1.0 - property->GetMetallic()) / vtkMath::Pi();
-      source.Encoded = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0);
-    }
-    const double* color = property->GetDiffuseColor();
-    source.Color = source.Reflected * source.Diffuse * glm::dvec3(color[0], color[1], color[2]);
-    vtkDataObject* input = mapper->GetInputDataObject(0, 0);
-    if (auto* data = vtkPolyData::SafeDownCast(input))
-    {
-      // Glyph mappers have points here and the polygons elsewhere.
-      if (vtkPolyDataMapper::SafeDownCast(mapper))
+      const double reflected = piece.PhysicallyBased ? 1.0 / vtkMath::Pi() : 1.0;
+      for (const vtkIndirectPolygons::Triangle& triangle : piece.Triangles)
       {
-        this->AddPolyData(source, data);
-      }
-    }
-    else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-    {
-      auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-      for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-      {
-        if (auto* leaf = vtkPolyData::SafeDownCast(it->GetCurrentDataObject()))
+        glm::dvec3 corners[3];
+        glm::dvec3 albedo(0.0);
+        for (int i = 0; i < 3; ++i)
         {
-          this->AddPolyData(source, leaf);
+          corners[i] = piece.Positions[static_cast<size_t>(triangle.Points[i])];
+          albedo += piece.GetAlbedo(triangle.Cell, triangle.Points[i]) / 3.0;
         }
+        this->AddTriangle(corners, reflected * albedo);
       }
-    }
-  }
+    });
+  this->AllIsHeld = this->AllIsHeld && held;
   if (this->NumberOfTriangles == before)
   {
     this->LeftOut.emplace_back(prop->GetClassName(),
       "its mapper has no polygons that the processor can read; it blocks no indirect light");
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectOccupancyVolume::AddPolyData(const Source& source, vtkPolyData* data)
-{
-  vtkPoints* points = data->GetPoints();
-  if (!points || points->GetNumberOfPoints() == 0)
-  {
-    return;
-  }
-  this->AllIsHeld =
-    this->AllIsHeld && data->GetNumberOfVerts() == 0 && data->GetNumberOfLines() == 0;
-  std::vector<glm::dvec3> positions(points->GetNumberOfPoints());
-  std::vector<char> shown(positions.size(), 1);
-  vtkPlaneCollection* planes = source.Mapper->GetClippingPlanes();
-  for (size_t i = 0; i < positions.size(); ++i)
-  {
-    double p[3];
-    points->GetPoint(static_cast<vtkIdType>(i), p);
-    const glm::dvec4 local(p[0], p[1], p[2], 1.0);
-    glm::dvec4 world = source.ToWorld * local;
-    positions[i] = (glm::dvec3(world) - source.SceneCenter) * source.SceneScale;
-    for (int k = 0; planes && k < planes->GetNumberOfItems(); ++k)
-    {
-      shown[i] = shown[i] && planes->GetItem(k)->EvaluateFunction(&world[0]) >= 0.0;
-    }
-  }
-
-  vtkSmartPointer<vtkUnsignedCharArray> colors;
-  int cellFlag = 0;
-  if (source.Mapper->GetScalarVisibility())
-  {
-    vtkMapper* mapper = source.Mapper;
-    vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
-      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
-    if (scalars && mapper->GetLookupTable())
-    {
-      colors.TakeReference(mapper->GetLookupTable()->MapScalars(
-        scalars, mapper->GetColorMode(), mapper->GetArrayComponent()));
-    }
-  }
-  auto colorOf = [&](vtkIdType cell, vtkIdType point)
-  {
-    const vtkIdType at = cellFlag ? cell : point;
-    if (!colors || at >= colors->GetNumberOfTuples() || colors->GetNumberOfComponents() < 3)
-    {
-      return source.Color;
-    }
-    const unsigned char* c = colors->GetPointer(at * colors->GetNumberOfComponents());
-    const glm::dvec3 color = source.Diffuse / 255.0 * glm::dvec3(c[0], c[1], c[2]);
-    return source.Reflected * (source.Encoded ? glm::pow(color, glm::dvec3(2.2)) : color);
-  };
-  auto add = [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
-  {
-    // A triangle that a plane cuts counts whole: it blocks at most its own length too much.
-    if (!shown[a] && !shown[b] && !shown[c])
-    {
-      return;
-    }
-    const glm::dvec3 corners[3] = { positions[a], positions[b], positions[c] };
-    const glm::dvec3 albedo =
-      cellFlag ? colorOf(cell, a) : (colorOf(cell, a) + colorOf(cell, b) + colorOf(cell, c)) / 3.0;
-    this->AddTriangle(corners, albedo);
-  };
-
-  // Cell data count vertices and lines first.
-  vtkIdType cell = data->GetNumberOfVerts() + data->GetNumberOfLines();
-  vtkIdType count;
-  const vtkIdType* ids;
-  auto polygons = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
-  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal();
-       polygons->GoToNextCell(), ++cell)
-  {
-    polygons->GetCurrentCell(count, ids);
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      add(cell, ids[0], ids[i - 1], ids[i]);
-    }
-  }
-  auto strips = vtk::TakeSmartPointer(data->GetStrips()->NewIterator());
-  for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell(), ++cell)
-  {
-    strips->GetCurrentCell(count, ids);
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      add(cell, ids[i - 2], ids[i - 1], ids[i]);
-    }
   }
 }
 

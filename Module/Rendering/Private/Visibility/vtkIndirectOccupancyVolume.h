@@ -23,7 +23,6 @@
 
 class vtkIndirectDistanceField;
 class vtkOpenGLRenderWindow;
-class vtkPolyData;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
@@ -102,8 +101,6 @@ public:
 
 private:
   void AddProp(const vtkIndirectFrame& frame, vtkProp* prop);
-  struct Source;
-  void AddPolyData(const Source& source, vtkPolyData* data);
   void Mark(const glm::ivec3& voxel);
 
   glm::dvec3 Origin{ 0.0 };

@@ -229,24 +229,28 @@ struct vtkIndirectTriangleTree::Builder
 void vtkIndirectTriangleTree::Clear()
 {
   this->Triangles = {};
+  this->Numbers = {};
   this->Nodes = {};
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectTriangleTree::Add(const glm::dvec3 corners[3])
+bool vtkIndirectTriangleTree::Add(const glm::dvec3 corners[3])
 {
   const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   const double square = glm::dot(normal, normal);
-  if (square > 0.0 && std::isfinite(square))
+  if (!(square > 0.0) || !std::isfinite(square))
   {
-    this->Triangles.push_back({ { corners[0], corners[1], corners[2] } });
+    return false;
   }
+  this->Triangles.push_back({ { corners[0], corners[1], corners[2] } });
+  return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectTriangleTree::Finish()
+void vtkIndirectTriangleTree::Finish(bool numbered)
 {
   this->Nodes.clear();
+  this->Numbers.clear();
   if (this->Triangles.empty())
   {
     return;
@@ -318,6 +322,10 @@ void vtkIndirectTriangleTree::Finish()
     sorted[i] = this->Triangles[builder.Order[i]];
   }
   this->Triangles = std::move(sorted);
+  if (numbered)
+  {
+    this->Numbers = std::move(builder.Order);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -345,6 +353,17 @@ struct vtkIndirectTriangleTree::Ray
 
   bool Crosses(const Triangle& triangle) const
   {
+    double weights[3];
+    double determinant;
+    double t;
+    return this->Meets(triangle, weights, determinant, t) &&
+      (determinant > 0.0 ? t < determinant : t > determinant);
+  }
+
+  // Whether the line of the segment meets the triangle behind its start, at t / determinant of its
+  // length, with the corners' weights times the determinant.
+  bool Meets(const Triangle& triangle, double weights[3], double& determinant, double& t) const
+  {
     double x[3];
     double y[3];
     double z[3];
@@ -362,9 +381,12 @@ struct vtkIndirectTriangleTree::Ray
     {
       return false;
     }
-    const double determinant = u + v + w;
-    const double t = (u * z[0] + v * z[1] + w * z[2]) * this->Shear[2];
-    return determinant > 0.0 ? t > 0.0 && t < determinant : t < 0.0 && t > determinant;
+    weights[0] = u;
+    weights[1] = v;
+    weights[2] = w;
+    determinant = u + v + w;
+    t = (u * z[0] + v * z[1] + w * z[2]) * this->Shear[2];
+    return determinant > 0.0 ? t > 0.0 : t < 0.0;
   }
 };
 
@@ -434,17 +456,11 @@ struct vtkIndirectTriangleTree::Line
 };
 
 //------------------------------------------------------------------------------
-bool vtkIndirectTriangleTree::IsBlocked(const glm::dvec3& start, const glm::dvec3& end) const
+// The part of a segment that is in the box of all. A direction along faces gives infinities, and
+// NaNs, which no comparison takes.
+bool vtkIndirectTriangleTree::Clip(
+  const glm::dvec3& start, const glm::dvec3& way, double& enter, double& leave) const
 {
-  const glm::dvec3 way = end - start;
-  if (this->Nodes.empty() || way == glm::dvec3(0.0))
-  {
-    return false;
-  }
-  // The part of the segment that is in the box of all. A direction along faces gives infinities,
-  // and NaNs, which no comparison takes.
-  double enter = 0.0;
-  double leave = 1.0;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double inverse = 1.0 / way[axis];
@@ -455,7 +471,16 @@ bool vtkIndirectTriangleTree::IsBlocked(const glm::dvec3& start, const glm::dvec
     enter = near > enter ? near : enter;
     leave = far < leave ? far : leave;
   }
-  if (!(enter <= leave))
+  return enter <= leave;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectTriangleTree::IsBlocked(const glm::dvec3& start, const glm::dvec3& end) const
+{
+  const glm::dvec3 way = end - start;
+  double enter = 0.0;
+  double leave = 1.0;
+  if (this->Nodes.empty() || way == glm::dvec3(0.0) || !this->Clip(start, way, enter, leave))
   {
     return false;
   }
@@ -501,6 +526,84 @@ bool vtkIndirectTriangleTree::IsBlocked(const glm::dvec3& start, const glm::dvec
     }
   }
   return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectTriangleTree::FindNearest(
+  const glm::dvec3& start, const glm::dvec3& direction, uint32_t except, Hit& hit) const
+{
+  hit.Triangle = None;
+  double enter = 0.0;
+  double leave = std::numeric_limits<double>::infinity();
+  if (this->Numbers.empty() || !this->Clip(start, direction, enter, leave) || !std::isfinite(leave))
+  {
+    return false;
+  }
+  // Boxes are asked with a segment that ends where the ray leaves that of all.
+  const double length = leave - enter;
+  const Ray ray(start, direction);
+  const Line line(glm::vec3(start + enter * direction - 0.5 * (this->Lower + this->Upper)),
+    glm::vec3(length * direction));
+  double least = std::numeric_limits<double>::infinity();
+  float limit = 1.0f;
+  struct Visit
+  {
+    uint32_t Node;
+    float Near;
+  };
+  Visit waiting[(Width - 1) * DeepestOfAll] = { { 0, 0.0f } };
+  int count = 1;
+  while (count > 0)
+  {
+    const Visit visit = waiting[--count];
+    if (visit.Near > limit)
+    {
+      continue;
+    }
+    const Node& node = this->Nodes[visit.Node];
+    float near[Width];
+    const unsigned int met = line.Meet(node, near);
+    const int first = count;
+    for (int i = 0; i < Width; ++i)
+    {
+      if (!(met >> i & 1u) || near[i] > limit)
+      {
+        continue;
+      }
+      if (node.Count[i] == 0)
+      {
+        // The nearest is taken first.
+        int place = count++;
+        for (; place > first && waiting[place - 1].Near < near[i]; --place)
+        {
+          waiting[place] = waiting[place - 1];
+        }
+        waiting[place] = { node.First[i], near[i] };
+        continue;
+      }
+      for (uint32_t k = node.First[i]; k < node.First[i] + node.Count[i]; ++k)
+      {
+        double weights[3];
+        double determinant;
+        double t;
+        if (this->Numbers[k] == except || !ray.Meets(this->Triangles[k], weights, determinant, t) ||
+          !(t / determinant < least))
+        {
+          continue;
+        }
+        least = t / determinant;
+        hit.Triangle = this->Numbers[k];
+        hit.Distance = least;
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          hit.Weights[corner] = weights[corner] / determinant;
+        }
+        // Boxes are wider than what rounding to floats moves them by; so is what is beyond.
+        limit = static_cast<float>((least - enter) / length + 2.0 * Padding);
+      }
+    }
+  }
+  return hit.Triangle != None;
 }
 
 //------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a segment meets any of the scene's triangles, and which of them a point lies on: a tree
-// of boxes (bounding volume hierarchy), split by the surface-area heuristic in bins (Wald 2007, "On
-// fast construction of SAH-based bounding volume hierarchies").
+// Whether a segment meets any of the scene's triangles, which of them a ray meets first, and which
+// of them a point lies on: a tree of boxes (bounding volume hierarchy), split by the surface-area
+// heuristic in bins (Wald 2007, "On fast construction of SAH-based bounding volume hierarchies").
 //
 // Corners are kept in double precision, as they were given. The test of a triangle is watertight
 // (Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection"): edges that two triangles
@@ -28,17 +28,36 @@ public:
     glm::dvec3 Centre{ 0.0 };  // of the triangle
   };
 
+  /** Where a ray meets a triangle first. */
+  struct Hit
+  {
+    uint32_t Triangle = None; // its number among those that were added and not left out
+    double Distance = 0.0;    // in the tree's unit
+    double Weights[3];        // of the triangle's corners, in the order in which they were given
+  };
+  static constexpr uint32_t None = 0xffffffffu;
+
   void Clear();
-  /** Corners in any unit. A triangle without area blocks nothing and is left out. */
-  void Add(const glm::dvec3 corners[3]);
-  /** Makes the tree after the last triangle. */
-  void Finish();
+  /**
+   * Corners in any unit. A triangle without area, or with a corner that is no number, blocks
+   * nothing and is left out: false.
+   */
+  bool Add(const glm::dvec3 corners[3]);
+  /** Makes the tree after the last triangle; numbered: FindNearest is going to be asked. */
+  void Finish(bool numbered = false);
 
   /**
    * Whether a triangle crosses the segment between its ends; one that an end lies on does not
    * count. Both sides of a triangle block.
    */
   bool IsBlocked(const glm::dvec3& start, const glm::dvec3& end) const;
+
+  /**
+   * The first triangle that a ray of this unit direction meets, either side of it, but for one of
+   * that number. Returns false where there is none.
+   */
+  bool FindNearest(
+    const glm::dvec3& start, const glm::dvec3& direction, uint32_t except, Hit& hit) const;
 
   /**
    * The triangle that a point of this shading normal lies on: of those within reach the nearest,
@@ -51,7 +70,8 @@ public:
   size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
   size_t GetBytes() const
   {
-    return this->Triangles.size() * sizeof(Triangle) + this->Nodes.size() * sizeof(Node);
+    return this->Triangles.size() * sizeof(Triangle) + this->Nodes.size() * sizeof(Node) +
+      this->Numbers.size() * sizeof(uint32_t);
   }
 
 private:
@@ -71,7 +91,10 @@ private:
   struct Line;
   struct Ray;
 
+  bool Clip(const glm::dvec3& start, const glm::dvec3& way, double& enter, double& leave) const;
+
   std::vector<Triangle> Triangles; // by leaf after Finish
+  std::vector<uint32_t> Numbers;   // of these as they were added
   std::vector<Node> Nodes;
   glm::dvec3 Lower{ 0.0 }; // of all boxes
   glm::dvec3 Upper{ 0.0 };

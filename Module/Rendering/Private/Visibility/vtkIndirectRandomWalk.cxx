@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Visibility/vtkIndirectRandomWalk.h"
+
+#include "VirtualLights/vtkIndirectSamplePattern.h"
+#include "Visibility/vtkIndirectRaySurfaces.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkStaticPointLocator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using vtkIndirectSamplePattern::ScrambledPoint;
+
+constexpr double Pi = 3.14159265358979323846;
+constexpr double TwoPi = 2.0 * Pi;
+
+// Paths of each light that tell how many more there are to be.
+constexpr size_t PilotPaths = 64;
+constexpr size_t PathsAtATime = 64;
+
+// How far from its surface a ray begins, of the scene's diagonal: sheets that are modelled twice
+// lie nearer.
+constexpr double Clearance = 1e-6;
+
+// Interpolated normals may face a ray that the facet all but turns its edge to. The first vertex
+// has the area that belongs to it, later ones do not know of it.
+constexpr double LeastCosineToLight = 1e-4;
+constexpr double LeastFacetCosine = 1e-2;
+
+// Nearest vertices that tell how densely these lie.
+constexpr int Neighbors = 8;
+
+double Largest(const glm::dvec3& v)
+{
+  return std::max({ v.x, v.y, v.z });
+}
+
+// Any two axes across a unit vector, by Duff et al. 2017, "Building an orthonormal basis,
+// revisited".
+void FindAxes(const glm::dvec3& n, glm::dvec3& u, glm::dvec3& v)
+{
+  const double sign = std::copysign(1.0, n.z);
+  const double a = -1.0 / (sign + n.z);
+  const double b = n.x * n.y * a;
+  u = { 1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x };
+  v = { b, sign + n.y * n.y * a, -n.y };
+}
+
+glm::dvec3 Corner(const double bounds[6], int i)
+{
+  return { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)] };
+}
+
+// A direction by the cosine to a normal.
+glm::dvec3 CosineDirection(const glm::dvec3& normal, const glm::dvec2& at)
+{
+  double x = at.x;
+  double y = at.y;
+  vtkIndirectSamplePattern::SquareToDisk(x, y);
+  const glm::dvec2 p = 2.0 * glm::dvec2(x, y) - 1.0;
+  glm::dvec3 u;
+  glm::dvec3 v;
+  FindAxes(normal, u, v);
+  return glm::normalize(
+    p.x * u + p.y * v + std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p))) * normal);
+}
+}
+
+//------------------------------------------------------------------------------
+// How rays leave a light.
+class vtkIndirectRandomWalk::Emission
+{
+public:
+  Emission(const vtkIndirectFrame& frame, const Source& source);
+
+  bool IsDark() const { return this->Dark; }
+  // Ray at a place of the unit square, and its share of all: solid angle, or of a directional light
+  // area, times the number of rays.
+  void MakeRay(
+    const glm::dvec2& at, glm::dvec3& start, glm::dvec3& direction, double& footprint) const;
+  // What makes the footprint an area across the ray at that distance.
+  double FindSpread(double distance) const
+  {
+    return this->Light.Positional ? distance * distance : 1.0;
+  }
+  // I times that, for a ray of that direction.
+  glm::dvec3 FindStrength(const glm::dvec3& direction, double distance) const;
+
+private:
+  const vtkIndirectLight& Light;
+  glm::dvec3 Strength;
+  double SceneScale;
+  bool Dark = false;
+  glm::dvec3 Origin{ 0.0 }; // scene units; of a directional light the middle of where rays begin
+  glm::dvec3 Axis{ 0.0, 0.0, -1.0 };
+  glm::dvec3 U{ 1.0, 0.0, 0.0 };
+  glm::dvec3 V{ 0.0, 1.0, 0.0 };
+  glm::dvec2 HalfWidths{ 1.0 };
+  double CosCone = -1.0; // of the cone that rays fill
+  double Exponent = 0.0; // of the cosine that their density goes by
+};
+
+//------------------------------------------------------------------------------
+vtkIndirectRandomWalk::Emission::Emission(const vtkIndirectFrame& frame, const Source& source)
+  : Light(source.Light)
+  , Strength(source.Strength)
+  , SceneScale(frame.SceneScale)
+{
+  this->Dark = !(Largest(source.Strength) > 0.0) || frame.Casters.empty();
+  glm::dvec3 lower(VTK_DOUBLE_MAX);
+  glm::dvec3 upper(-VTK_DOUBLE_MAX);
+  for (const vtkIndirectCaster& caster : frame.Casters)
+  {
+    lower = glm::min(lower, Corner(caster.GetFit(), 0));
+    upper = glm::max(upper, Corner(caster.GetFit(), 7));
+  }
+  lower = (lower - frame.SceneCenter) * frame.SceneScale;
+  upper = (upper - frame.SceneCenter) * frame.SceneScale;
+  const glm::dvec3 middle = 0.5 * (lower + upper);
+  if (!this->Light.Positional)
+  {
+    this->Axis = this->Light.DirectionWC;
+    FindAxes(this->Axis, this->U, this->V);
+    const glm::dvec3 half = 0.5 * (upper - lower);
+    this->HalfWidths = { glm::dot(half, glm::abs(this->U)), glm::dot(half, glm::abs(this->V)) };
+    // A flat scene, seen from its edge, has no width of its own.
+    this->HalfWidths = glm::max(this->HalfWidths,
+      glm::dvec2(1e-3 * std::max({ this->HalfWidths.x, this->HalfWidths.y, 1e-3 })));
+    this->Origin = middle - 1.01 * (glm::dot(half, glm::abs(this->Axis)) + 1e-3) * this->Axis;
+    return;
+  }
+  this->Origin = (this->Light.PositionWC - frame.SceneCenter) * frame.SceneScale;
+  const glm::dvec3 toMiddle = middle - this->Origin;
+  const double distance = glm::length(toMiddle);
+  const double radius = 0.501 * glm::length(upper - lower);
+  const bool spot = this->Light.ConeAngle < 90.0;
+  const double cosCone = spot ? std::cos(vtkMath::RadiansFromDegrees(this->Light.ConeAngle)) : -1.0;
+  const double cosAim =
+    distance > radius ? std::sqrt((distance - radius) * (distance + radius)) / distance : -1.0;
+  if (cosAim > cosCone)
+  {
+    this->Axis = toMiddle / distance;
+    this->CosCone = cosAim;
+  }
+  else
+  {
+    this->Axis = this->Light.DirectionWC;
+    this->CosCone = cosCone;
+    this->Exponent = spot ? this->Light.Exponent : 0.0;
+  }
+  FindAxes(this->Axis, this->U, this->V);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectRandomWalk::Emission::MakeRay(
+  const glm::dvec2& at, glm::dvec3& start, glm::dvec3& direction, double& footprint) const
+{
+  if (!this->Light.Positional)
+  {
+    const glm::dvec2 p = (2.0 * at - 1.0) * this->HalfWidths;
+    start = this->Origin + p.x * this->U + p.y * this->V;
+    direction = this->Axis;
+    footprint = 4.0 * this->HalfWidths.x * this->HalfWidths.y;
+    return;
+  }
+  // By the power of the cosine: its integral from the cone's border on is even in the first number.
+  const double power = this->Exponent + 1.0;
+  const double border = this->Exponent > 0.0 ? std::pow(this->CosCone, power) : this->CosCone;
+  const double inverted = 1.0 - at.x * (1.0 - border);
+  const double cosine = this->Exponent > 0.0 ? std::pow(inverted, 1.0 / power) : inverted;
+  const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  const double angle = TwoPi * at.y;
+  start = this->Origin;
+  direction = glm::normalize(
+    cosine * this->Axis + sine * (std::cos(angle) * this->U + std::sin(angle) * this->V));
+  footprint = TwoPi * (1.0 - border) / power;
+  if (this->Exponent > 0.0)
+  {
+    footprint /= std::pow(std::max(cosine, 1e-6), this->Exponent);
+  }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkIndirectRandomWalk::Emission::FindStrength(
+  const glm::dvec3& direction, double distance) const
+{
+  const vtkIndirectLight& light = this->Light;
+  if (!light.Positional)
+  {
+    return this->Strength;
+  }
+  const double d = distance / this->SceneScale;
+  const glm::dvec3& a = light.Attenuation;
+  const double denominator = a.x + d * (a.y + d * a.z);
+  double factor = denominator > 0.0 ? distance * distance / denominator : 0.0;
+  if (light.ConeAngle < 90.0)
+  {
+    const double cosine = glm::dot(direction, light.DirectionWC);
+    // As VTK's shader has it: a hard rim, by the powers of the cosine within.
+    factor *= cosine < std::cos(vtkMath::RadiansFromDegrees(light.ConeAngle))
+      ? 0.0
+      : std::pow(std::max(cosine, 0.0), light.Exponent);
+  }
+  return factor * this->Strength;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySurfaces& surfaces,
+  const Emission& emission, int source, size_t paths, int firstBounce, int lastBounce) const
+{
+  const size_t blocks = (paths + PathsAtATime - 1) / PathsAtATime;
+  std::vector<List> found(blocks);
+  const auto walk = [&](size_t path, List& list)
+  {
+    const uint32_t number = static_cast<uint32_t>(path);
+    const uint32_t seed =
+      vtkIndirectSamplePattern::Hash(static_cast<uint32_t>(source) * 64u + 0x51ed270bu);
+    glm::dvec3 start;
+    glm::dvec3 direction;
+    double footprint;
+    emission.MakeRay(ScrambledPoint(number, seed), start, direction, footprint);
+    footprint /= static_cast<double>(paths);
+    glm::dvec3 carried(0.0);
+    uint32_t last = vtkIndirectTriangleTree::None;
+    vtkIndirectRaySurfaces::Meeting meeting;
+    for (int bounce = 1; bounce <= lastBounce; ++bounce)
+    {
+      if (!surfaces.Meet(start, direction, last, meeting) || !meeting.Sends)
+      {
+        return;
+      }
+      const double shading = std::max(-glm::dot(meeting.Normal, direction), 0.0);
+      const double facet = -glm::dot(meeting.FacetNormal, direction);
+      Vertex vertex;
+      vertex.Area = 0.0;
+      glm::dvec3 reflected = meeting.Albedo;
+      if (bounce == 1)
+      {
+        const double cosine = std::max(facet, LeastCosineToLight);
+        carried = footprint * emission.FindStrength(direction, meeting.Distance);
+        vertex.Area = footprint * emission.FindSpread(meeting.Distance) / cosine;
+        reflected *= shading / cosine * (meeting.PhysicallyBased ? 1.0 / Pi : 1.0);
+      }
+      else
+      {
+        reflected *= shading / std::max(facet, LeastFacetCosine);
+      }
+      carried *= reflected;
+      if (!(Largest(carried) > 0.0) || !std::isfinite(carried.x + carried.y + carried.z))
+      {
+        return;
+      }
+      if (bounce >= firstBounce)
+      {
+        vertex.Position = meeting.Position;
+        vertex.Normal = meeting.Normal;
+        vertex.DensityArea = carried;
+        vertex.Source = source;
+        vertex.Bounce = bounce;
+        list.push_back(vertex);
+      }
+      if (bounce == lastBounce)
+      {
+        return;
+      }
+      const uint32_t dimension = seed + 2u * static_cast<uint32_t>(bounce);
+      const double onward = std::min(Largest(meeting.Albedo), 1.0);
+      if (!(ScrambledPoint(number, dimension).x < onward))
+      {
+        return;
+      }
+      carried /= onward;
+      direction = CosineDirection(meeting.Normal, ScrambledPoint(number, dimension + 1u));
+      // What leaves below the facet is hidden by it.
+      if (!(glm::dot(direction, meeting.FacetNormal) > 0.0))
+      {
+        return;
+      }
+      start = meeting.Position + Clearance * meeting.FacetNormal;
+      last = meeting.Triangle;
+    }
+  };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType block = begin; block < end; ++block)
+      {
+        const size_t first = static_cast<size_t>(block) * PathsAtATime;
+        for (size_t path = first; path < std::min(first + PathsAtATime, paths); ++path)
+        {
+          walk(path, found[static_cast<size_t>(block)]);
+        }
+      }
+    });
+  List all;
+  for (const List& list : found)
+  {
+    all.insert(all.end(), list.begin(), list.end());
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+// One over the density of all vertices of later bounces: of those on surfaces that run alike, the
+// circle that the nearest ones lie in. The outermost of them is on its border and counts half.
+void vtkIndirectRandomWalk::FindAreas()
+{
+  std::vector<size_t> members;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (size_t i = 0; i < this->Vertices.size(); ++i)
+  {
+    if (this->Vertices[i].Bounce > 1)
+    {
+      members.push_back(i);
+      points->InsertNextPoint(&this->Vertices[i].Position[0]);
+    }
+  }
+  if (members.empty())
+  {
+    return;
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(data);
+  locator->BuildLocator();
+  vtkSMPTools::For(0, static_cast<vtkIdType>(members.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkNew<vtkIdList> nearest;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        Vertex& vertex = this->Vertices[members[static_cast<size_t>(i)]];
+        // Twice as many, of which some lie around a corner.
+        locator->FindClosestNPoints(2 * Neighbors, &vertex.Position[0], nearest);
+        int alike = 0;
+        double farthest = 0.0;
+        for (vtkIdType k = 0; k < nearest->GetNumberOfIds() && alike < Neighbors; ++k)
+        {
+          const Vertex& other = this->Vertices[members[static_cast<size_t>(nearest->GetId(k))]];
+          if (glm::dot(other.Normal, vertex.Normal) > 0.5)
+          {
+            ++alike;
+            const glm::dvec3 apart = other.Position - vertex.Position;
+            farthest = std::max(farthest, glm::dot(apart, apart));
+          }
+        }
+        // One that is alone stands for what is left: a disk half as wide as the scene.
+        vertex.Area = farthest > 0.0 ? Pi * farthest / (alike - 0.5) : Pi / 16.0;
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectRandomWalk::Walk(const vtkIndirectRaySurfaces& surfaces,
+  const vtkIndirectFrame& frame, const std::vector<Source>& sources, const Settings& settings)
+{
+  this->Vertices.clear();
+  this->NumberOfPaths = 0;
+  // A few paths of each light tell how much of its light is reflected, and how many vertices a path
+  // has.
+  std::vector<double> powers;
+  std::vector<double> lengths;
+  double total = 0.0;
+  for (size_t i = 0; i < sources.size(); ++i)
+  {
+    const Emission emission(frame, sources[i]);
+    const List pilot = emission.IsDark()
+      ? List()
+      : this->Trace(surfaces, emission, static_cast<int>(i), PilotPaths,
+          std::max(settings.FirstBounce, sources[i].FirstBounce), settings.LastBounce);
+    double power = 0.0;
+    for (const Vertex& vertex : pilot)
+    {
+      power += vertex.DensityArea.x + vertex.DensityArea.y + vertex.DensityArea.z;
+    }
+    powers.push_back(power);
+    lengths.push_back(static_cast<double>(pilot.size()) / PilotPaths);
+    total += power;
+  }
+  double perPath = 0.0;
+  for (size_t i = 0; i < sources.size() && total > 0.0; ++i)
+  {
+    perPath += powers[i] / total * lengths[i];
+  }
+  for (size_t i = 0; i < sources.size() && perPath > 0.0; ++i)
+  {
+    const double share = powers[i] / total * settings.NumberOfVertices / perPath;
+    if (!(share > 0.0))
+    {
+      continue;
+    }
+    // In steps, so that a light that moves a little has the same paths.
+    const size_t step = share > 256.0 ? 16 : 1;
+    const size_t paths = std::max<size_t>(static_cast<size_t>(share) / step * step, 1);
+    const List found = this->Trace(surfaces, Emission(frame, sources[i]), static_cast<int>(i),
+      paths, std::max(settings.FirstBounce, sources[i].FirstBounce), settings.LastBounce);
+    this->Vertices.insert(this->Vertices.end(), found.begin(), found.end());
+    this->NumberOfPaths += paths;
+  }
+  this->FindAreas();
+}

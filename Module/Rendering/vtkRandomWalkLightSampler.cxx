@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRandomWalkLightSampler.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectReport.h"
+#include "VirtualLights/vtkIndirectEmitters.h"
+#include "VirtualLights/vtkIndirectSenderClusters.h"
+#include "VirtualLights/vtkIndirectSenderTexels.h"
+#include "Visibility/vtkIndirectRandomWalk.h"
+#include "Visibility/vtkIndirectRaySurfaces.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <string>
+
+vtkStandardNewMacro(vtkRandomWalkLightSampler);
+
+//------------------------------------------------------------------------------
+struct vtkRandomWalkLightSampler::Internals
+{
+  vtkIndirectRaySurfaces Surfaces;
+  vtkIndirectRandomWalk Walk;
+  vtkIndirectSenderClusters Clusters;
+  size_t NumberOfSources = 0;
+  int NumberOfWalks = 0;
+  std::vector<double> WalkKey;  // what paths were made of, besides surfaces; empty: there are none
+  std::vector<double> TableKey; // and lights of these
+  vtkIndirectFurtherSenders Further;
+
+  void FindSenders(vtkIndirectFurtherSenders& senders) const;
+};
+
+// A later vertex's disk over its area, in a tree. There are few enough of them that those beside a
+// crease would show one by one; twice the area costs rooms 1 % of their light.
+constexpr double ShareOfArea = 2.0;
+
+// Vertices of a light's first bounce cover surfaces once, as the texels of a map do. Each later
+// bounce is one more map: its vertices stand for the share of the surface that is theirs among all
+// of these, so clusters' disks are smaller than where all were one map, which leaves rooms 5 % too
+// dark.
+void vtkRandomWalkLightSampler::Internals::FindSenders(vtkIndirectFurtherSenders& senders) const
+{
+  senders.Senders.clear();
+  senders.NumberOfMaps = this->NumberOfSources;
+  for (const vtkIndirectRandomWalk::Vertex& vertex : this->Walk.GetVertices())
+  {
+    const int map = vertex.Bounce == 1
+      ? vertex.Source
+      : static_cast<int>(this->NumberOfSources) + vertex.Bounce - 2;
+    senders.NumberOfMaps = std::max(senders.NumberOfMaps, static_cast<size_t>(map) + 1);
+    senders.Senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
+      static_cast<float>(vertex.Bounce > 1 ? ShareOfArea * vertex.Area : vertex.Area),
+      glm::vec3(vertex.DensityArea), map });
+  }
+}
+
+namespace
+{
+void Append(std::vector<double>& key, const glm::dvec3& v)
+{
+  key.insert(key.end(), { v.x, v.y, v.z });
+}
+
+// All that paths depend on, but the surfaces.
+std::vector<double> MakeKey(const std::vector<vtkIndirectRandomWalk::Source>& sources,
+  const vtkIndirectRandomWalk::Settings& settings)
+{
+  std::vector<double> key = { static_cast<double>(settings.NumberOfVertices),
+    static_cast<double>(settings.FirstBounce), static_cast<double>(settings.LastBounce) };
+  for (const vtkIndirectRandomWalk::Source& source : sources)
+  {
+    const vtkIndirectLight& light = source.Light;
+    key.push_back(light.Positional ? 1.0 : 0.0);
+    Append(key, light.PositionWC);
+    Append(key, light.DirectionWC);
+    Append(key, light.Attenuation);
+    key.push_back(light.ConeAngle);
+    key.push_back(light.Exponent);
+    Append(key, source.Strength);
+    key.push_back(source.FirstBounce);
+  }
+  return key;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRandomWalkLightSampler::vtkRandomWalkLightSampler()
+  : Internal(new Internals)
+{
+}
+
+vtkRandomWalkLightSampler::~vtkRandomWalkLightSampler() = default;
+
+//------------------------------------------------------------------------------
+void vtkRandomWalkLightSampler::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
+  os << indent << "NumberOfVertices: " << this->NumberOfVertices << "\n";
+  os << indent << "NumberOfWalks: " << this->GetNumberOfWalks() << "\n";
+  os << indent << "NumberOfTreeBuilds: " << this->GetNumberOfTreeBuilds() << "\n";
+  os << indent << "FirstBounce: " << this->FirstBounce << "\n";
+}
+
+//------------------------------------------------------------------------------
+int vtkRandomWalkLightSampler::GetNumberOfWalks() const
+{
+  return this->Internal->NumberOfWalks;
+}
+
+int vtkRandomWalkLightSampler::GetNumberOfTreeBuilds() const
+{
+  return static_cast<int>(this->Internal->Surfaces.GetNumberOfBuilds());
+}
+
+//------------------------------------------------------------------------------
+// Follows the paths where they have changed, and returns whether they have.
+bool vtkRandomWalkLightSampler::Walk(const Input& input)
+{
+  Internals& in = *this->Internal;
+  std::vector<vtkIndirectRandomWalk::Source> sources;
+  for (const vtkIndirectLight& light : input.Frame.Lights)
+  {
+    if (!light.Fill && light.Color != glm::dvec3(0.0))
+    {
+      sources.push_back({ light, light.Color, 1 });
+    }
+  }
+  // The first bounce of these comes from maps of their own.
+  for (size_t i = 0; input.Emitters && i < input.Emitters->size(); ++i)
+  {
+    sources.push_back({ (*input.Emitters)[i].Light, (*input.Emitters)[i].Strength, 2 });
+  }
+  vtkIndirectRandomWalk::Settings settings;
+  settings.NumberOfVertices =
+    this->NumberOfVertices > 0 ? this->NumberOfVertices : this->NumberOfLights;
+  settings.FirstBounce = this->FirstBounce;
+  settings.LastBounce = input.NumberOfBounces;
+  const std::vector<double> key = MakeKey(sources, settings);
+  if (!in.Surfaces.Update(input.Frame) && key == in.WalkKey)
+  {
+    return false;
+  }
+  in.Walk.Walk(in.Surfaces, input.Frame, sources, settings);
+  in.NumberOfSources = sources.size();
+  in.WalkKey = key;
+  ++in.NumberOfWalks;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRandomWalkLightSampler::Update(const Input& input)
+{
+  Internals& in = *this->Internal;
+  const double error =
+    this->NumberOfVertices > 0 ? vtkIndirectSenderClusters::FindError(input.ErrorTolerance) : 0.0;
+  const std::vector<double> key = { static_cast<double>(this->NumberOfLights),
+    static_cast<double>(this->NumberOfVertices), error };
+  if (!this->Walk(input) && key == in.TableKey)
+  {
+    return true;
+  }
+  in.TableKey.clear();
+  std::vector<Row> lights;
+  std::vector<Row> branches;
+  if (this->NumberOfVertices > 0)
+  {
+    vtkIndirectFurtherSenders senders;
+    in.FindSenders(senders);
+    in.Clusters.SetSenders(std::move(senders.Senders));
+    const vtkIndirectSenderClusters::Lights found = in.Clusters.MakeLights(
+      std::vector<glm::dvec3>(senders.NumberOfMaps, glm::dvec3(1.0)), this->NumberOfLights, error,
+      input.NumberOfBounces > 1 ? vtkIndirectSenderClusters::NearnessOfBounces
+                                : vtkIndirectSenderClusters::StandardNearness);
+    lights = vtkIndirectSenderTexels::MakeRows(found.Tops);
+    branches = vtkIndirectSenderTexels::MakeRows(found.Branches);
+  }
+  else
+  {
+    for (const vtkIndirectRandomWalk::Vertex& vertex : in.Walk.GetVertices())
+    {
+      lights.push_back({ { vertex.Position.x, vertex.Position.y, vertex.Position.z }, vertex.Area,
+        { vertex.Normal.x, vertex.Normal.y, vertex.Normal.z },
+        { vertex.DensityArea.x, vertex.DensityArea.y, vertex.DensityArea.z } });
+    }
+  }
+  if (!this->Write(input.Frame, lights, branches))
+  {
+    return false;
+  }
+  in.TableKey = key;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+const vtkIndirectFurtherSenders& vtkRandomWalkLightSampler::UpdateSenders(const Input& input)
+{
+  Internals& in = *this->Internal;
+  if (this->Walk(input))
+  {
+    in.FindSenders(in.Further);
+    ++in.Further.Time;
+  }
+  return in.Further;
+}
+
+//------------------------------------------------------------------------------
+void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
+{
+  const Internals& in = *this->Internal;
+  report.MainMemoryBytes += in.Surfaces.GetBytes() + in.Clusters.GetBytes();
+  report.Modelled.emplace_back("random walk",
+    std::to_string(in.Walk.GetNumberOfPaths()) + " paths through " +
+      std::to_string(in.Surfaces.GetNumberOfTriangles()) + " triangles, " +
+      std::to_string(in.Walk.GetVertices().size()) + " vertices");
+  for (const auto& [what, why] : in.Surfaces.GetLeftOut())
+  {
+    report.LeftOut.emplace_back(what + " in the random walk", why);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRandomWalkLightSampler::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (!window)
+  {
+    return;
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Internal->Surfaces.Clear();
+  this->Internal->Clusters.SetSenders({});
+  this->Internal->WalkKey.clear();
+  this->Internal->TableKey.clear();
+  this->Internal->Further.Senders = {};
+}

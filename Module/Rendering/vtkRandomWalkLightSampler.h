@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRandomWalkLightSampler
+ * @brief Virtual lights without light maps: where paths from the lights meet surfaces
+ *
+ * Rays leave the lights by a low-discrepancy sequence and go on, by diffuse reflection, through the
+ * scene's triangles; each place that a path meets is a virtual light of one bounce more than the
+ * one before it (Keller 1997, "Instant radiosity"; Dachsbacher and Stamminger 2006, "Splatting
+ * indirect illumination", section 3.7). So there are lights of all bounces up to
+ * vtkIndirectIlluminationPass::NumberOfBounces, for every estimator that sums virtual lights, and
+ * no map is drawn but those that shadows of direct light need.
+ *
+ * Rays meet the polygons that VTK's mappers draw, lit as VTK lights them: properties, scalars'
+ * colours, the actor's texture, interpolated normals, culling. What has no polygons that the
+ * processor can read, such as glyphs and impostors, neither stops rays nor sends light of them; the
+ * report says so. The tree of triangles is made again only when geometry changes, paths only when
+ * lights or surfaces do. A light that moves a little moves the virtual lights a little.
+ */
+
+#ifndef vtkRandomWalkLightSampler_h
+#define vtkRandomWalkLightSampler_h
+
+#include "vtkRenderingIndirectModule.h" // For export macro
+#include "vtkVirtualLightSampler.h"
+
+#include <memory> // for the walk
+
+class VTKRENDERINGINDIRECT_EXPORT vtkRandomWalkLightSampler : public vtkVirtualLightSampler
+{
+public:
+  static vtkRandomWalkLightSampler* New();
+  vtkTypeMacro(vtkRandomWalkLightSampler, vtkVirtualLightSampler);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * Virtual lights that there are about, over all lights of the scene and all bounces together: as
+   * many paths are followed as are expected to have so many. Default 1000, range 1 to 1048576.
+   */
+  vtkSetClampMacro(NumberOfLights, int, 1, 1048576);
+  vtkGetMacro(NumberOfLights, int);
+  ///@}
+
+  ///@{
+  /**
+   * First bounce whose lights are made: 2 gives what a sampler of the first bounce leaves out, for
+   * vtkIndirectIlluminationPass::AddSampler. Default 1, range 1 to 16.
+   */
+  vtkSetClampMacro(FirstBounce, int, 1, 16);
+  vtkGetMacro(FirstBounce, int);
+  ///@}
+
+  ///@{
+  /**
+   * Vertices of paths, about, that the lights are made of, as vtkLightTreeSampler makes lights of
+   * maps' texels: NumberOfLights clusters at most, below which near receivers sum more. Default 0:
+   * each light is a vertex. Range 0 to 1048576.
+   */
+  vtkSetClampMacro(NumberOfVertices, int, 0, 1048576);
+  vtkGetMacro(NumberOfVertices, int);
+  ///@}
+
+  ///@{
+  /** How often paths have been followed, and the tree of triangles made, so far. */
+  int GetNumberOfWalks() const;
+  int GetNumberOfTreeBuilds() const;
+  ///@}
+
+#ifndef __VTK_WRAP__
+  bool Update(const Input& input) override;
+  /** Follows the paths and makes no lights of them: its vertices, for other samplers. */
+  const vtkIndirectFurtherSenders& UpdateSenders(const Input& input);
+  bool Walks() const override
+  {
+    return true;
+  }
+  void AddToReport(vtkIndirectReport& report) const override;
+#endif
+
+protected:
+  vtkRandomWalkLightSampler();
+  ~vtkRandomWalkLightSampler() override;
+
+  int NumberOfLights = 1000;
+  int FirstBounce = 1;
+  int NumberOfVertices = 0;
+
+private:
+  vtkRandomWalkLightSampler(const vtkRandomWalkLightSampler&) = delete;
+  void operator=(const vtkRandomWalkLightSampler&) = delete;
+
+#ifndef __VTK_WRAP__
+  bool Walk(const Input& input);
+#endif
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif
