@@ -184,7 +184,7 @@ vtkIndirectEstimatorPass* vtkIndirectIlluminationPass::GetActiveEstimator()
 //------------------------------------------------------------------------------
 vtkVirtualLightSampler* vtkIndirectIlluminationPass::GetActiveSampler()
 {
-  return this->Sampler ? this->Sampler : this->Internal->Pipeline.DefaultSampler;
+  return this->Sampler ? this->Sampler : this->Internal->Pipeline.Samplers.Default;
 }
 
 //------------------------------------------------------------------------------
@@ -198,7 +198,7 @@ void vtkIndirectIlluminationPass::AddSampler(vtkVirtualLightSampler* sampler)
 {
   if (sampler)
   {
-    this->Internal->Pipeline.OtherSamplers.emplace_back(sampler);
+    this->Internal->Pipeline.Samplers.Others.emplace_back(sampler);
     this->Modified();
   }
 }
@@ -206,7 +206,7 @@ void vtkIndirectIlluminationPass::AddSampler(vtkVirtualLightSampler* sampler)
 //------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::RemoveSampler(vtkVirtualLightSampler* sampler)
 {
-  auto& samplers = this->Internal->Pipeline.OtherSamplers;
+  auto& samplers = this->Internal->Pipeline.Samplers.Others;
   samplers.erase(std::remove(samplers.begin(), samplers.end(), sampler), samplers.end());
   this->Modified();
 }

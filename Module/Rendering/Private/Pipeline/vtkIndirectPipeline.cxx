@@ -10,7 +10,6 @@
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkImageData.h"
-#include "vtkMapLightSampler.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
@@ -22,10 +21,6 @@
 
 namespace
 {
-// What later bounces are made of. See Documentation/methods/random-walk.md.
-constexpr int VerticesOfLaterBounces = 8192;
-constexpr int LightsOfLaterBounces = 64;
-
 // What falls on a surface that all of an environment's light reaches at a right angle.
 double SumIrradiance(vtkEnvironmentLight* environment)
 {
@@ -36,14 +31,6 @@ double SumIrradiance(vtkEnvironmentLight* environment)
   }
   return std::max({ sum.x, sum.y, sum.z }) / vtkMath::Pi();
 }
-}
-
-//------------------------------------------------------------------------------
-vtkIndirectPipeline::vtkIndirectPipeline()
-{
-  this->LaterBounces->SetFirstBounce(2);
-  this->LaterBounces->SetNumberOfVertices(VerticesOfLaterBounces);
-  this->LaterBounces->SetNumberOfLights(LightsOfLaterBounces);
 }
 
 //------------------------------------------------------------------------------
@@ -62,7 +49,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   this->Frame.Build(s, &this->Room);
   this->Frame.ReplacedLights = request.ReplacedLights;
   vtkIndirectCircumstances circumstances = request.Circumstances;
-  circumstances.NumberOfOtherEmitters = static_cast<int>(this->OtherSamplers.size());
+  circumstances.NumberOfOtherEmitters = static_cast<int>(this->Samplers.Others.size());
   circumstances.AreaLightIrradiance =
     vtkIndirectEmitters::FindIrradiance(this->AreaLights, glm::value_ptr(this->Frame.SceneCenter));
   circumstances.AreaLights = circumstances.AreaLightIrradiance > 0.0;
@@ -75,8 +62,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.TakesSampler =
     request.Estimator->ChooseSampler(request.Sampler, vtkIndirectPlan()) == request.Sampler;
   circumstances.SamplerWalks = circumstances.TakesSampler && request.Sampler->Walks();
-  circumstances.OtherSamplerWalks = std::any_of(this->OtherSamplers.begin(),
-    this->OtherSamplers.end(), [](const auto& sampler) { return sampler->Walks(); });
+  circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
     request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
   if (!circumstances.Environment || request.Settings.IndirectScale == 0.0)
@@ -91,7 +77,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   if ((!circumstances.Environment && !circumstances.AreaLights) ||
     request.Settings.IndirectScale == 0.0)
   {
-    this->SenderSampler->ReleaseGraphicsResources(this->Frame.Window);
+    this->Samplers.ReleaseSenderMaps(this->Frame.Window);
   }
 }
 
@@ -169,7 +155,7 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
 {
   if (!this->Plan.SkyBounces && !this->Plan.AreaLightsBounce)
   {
-    this->SenderSampler->ReleaseGraphicsResources(this->Frame.Window);
+    this->Samplers.ReleaseSenderMaps(this->Frame.Window);
     return true;
   }
   this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
@@ -177,7 +163,7 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
   const std::vector<double> source = { static_cast<double>(reinterpret_cast<uintptr_t>(sky)),
     sky ? static_cast<double>(sky->GetMTime()) : 0.0,
     this->Plan.AreaLightsBounce ? static_cast<double>(this->GetAreaTime()) : -1.0 };
-  if (!this->SenderSampler->Knows(source))
+  const auto makeEmitters = [&]
   {
     vtkIndirectEmitters::List emitters;
     if (sky)
@@ -188,9 +174,10 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
     {
       vtkIndirectEmitters::AddAreaLights(emitters, this->AreaLights);
     }
-    this->SenderSampler->SetEmitters(emitters, source);
-  }
-  const bool drawn = this->SenderSampler->DrawMaps(this->Frame, this->Plan, this->Capture);
+    return emitters;
+  };
+  const bool drawn =
+    this->Samplers.UpdateSenderMaps(this->Frame, this->Plan, this->Capture, source, makeEmitters);
   this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
   return drawn;
 }
@@ -200,7 +187,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
 {
   this->BuffersAreThere = true;
   this->TargetIsClear = clear;
-  this->ChooseSamplers(request.Sampler);
+  this->Samplers.Choose(this->Frame, this->Plan, this->Estimator, request.Sampler);
   this->TilesLeft = this->Plan.TilesPerFrame;
   this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
   this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
@@ -212,58 +199,6 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
     this->Antialiasing.Apply(this->Frame, this->Geometry);
   }
   this->Timer.End(vtkIndirectStageTimer::Composite);
-}
-
-//------------------------------------------------------------------------------
-// The estimator chooses the sampler of the senders.
-void vtkIndirectPipeline::ChooseSamplers(vtkVirtualLightSampler* users)
-{
-  this->Samplers.clear();
-  vtkVirtualLightSampler* sampler = this->Estimator->ChooseSampler(users, this->Plan);
-  this->SenderSampler->SetNumberOfLightsOf(sampler);
-  if (sampler && this->Plan.Senders == vtkIndirectPlan::EYE)
-  {
-    vtkMapLightSampler* pattern = sampler->GetViewPattern();
-    this->HeadlightSampler->SetPattern(pattern ? pattern : this->DefaultSampler->GetViewPattern());
-    sampler = this->HeadlightSampler;
-  }
-  if (sampler && this->Plan.Senders != vtkIndirectPlan::NO_SENDERS)
-  {
-    this->Samplers.emplace_back(sampler);
-  }
-  if (this->Plan.SkyBounces || this->Plan.AreaLightsBounce)
-  {
-    this->Samplers.emplace_back(this->SenderSampler.Get());
-  }
-  if (this->Plan.Refraction)
-  {
-    this->RefractionSampler->SetNumberOfLightsOf(sampler);
-    this->Samplers.emplace_back(this->RefractionSampler.Get());
-  }
-  else
-  {
-    this->RefractionSampler->ReleaseGraphicsResources(this->Frame.Window);
-  }
-  this->SendersAreWalked = this->Plan.WalkedBounces > 0 &&
-    std::any_of(this->Samplers.begin(), this->Samplers.end(),
-      [](const auto& own) { return own->TakesSenders(); });
-  if (this->SendersAreWalked)
-  {
-    // They are among those that its lights are made of.
-  }
-  else if (this->Plan.WalkedBounces > 0)
-  {
-    this->Samplers.emplace_back(this->LaterBounces.Get());
-  }
-  else
-  {
-    this->LaterBounces->ReleaseGraphicsResources(this->Frame.Window);
-  }
-  if (this->Plan.OtherSamplers)
-  {
-    this->Samplers.insert(
-      this->Samplers.end(), this->OtherSamplers.begin(), this->OtherSamplers.end());
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -283,13 +218,9 @@ std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) 
   std::vector<double> key = this->MakeFrameKey();
   key.push_back(static_cast<double>(this->Estimator->GetMTime()));
   key.push_back(static_cast<double>(users->GetMTime()));
-  for (const auto& sampler : this->OtherSamplers)
-  {
-    key.push_back(static_cast<double>(sampler->GetMTime()));
-  }
+  this->Samplers.AppendTo(key);
   key.push_back(static_cast<double>(
     this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0));
-  key.push_back(static_cast<double>(this->SenderSampler->GetSourceTime()));
   for (size_t i = 0; this->Plan.Senders == vtkIndirectPlan::RAYS && i < this->Frame.Lights.size();
        ++i)
   {
@@ -320,13 +251,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   this->FailedKey.clear();
 
   this->Timer.Begin(vtkIndirectStageTimer::Lights);
-  vtkVirtualLightSampler::Input senders = { this->Frame, *this->Maps, this->Geometry,
-    this->Plan.ErrorTolerance, this->Plan.SampledBounces,
-    this->Plan.SkyBounces || this->Plan.AreaLightsBounce ? &this->SenderSampler->GetEmitters()
-                                                         : nullptr };
-  senders.Further = this->SendersAreWalked ? &this->LaterBounces->UpdateSenders(senders) : nullptr;
-  const bool sampled = this->Samplers.empty() ||
-    this->Lights.Update(senders, { this->Samplers.begin(), this->Samplers.end() });
+  const bool sampled = this->Samplers.Update(this->Frame, this->Plan, *this->Maps, this->Geometry);
+  const vtkIndirectVirtualLights* const lights = this->Samplers.GetLights();
   this->Timer.End(vtkIndirectStageTimer::Lights);
 
   const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(this->Plan);
@@ -340,10 +266,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const int most = this->Plan.TilesPerFrame;
   const bool shared = (this->Plan.Sky && this->Plan.SkyIsShadowed && !this->Sky.IsComplete()) ||
     (this->Plan.AreaLights && this->Plan.AreaIsShadowed && !this->Area.IsComplete());
-  const bool visible =
-    this->Visibility.Update({ this->Frame, this->Samplers.empty() ? nullptr : &this->Lights,
-                              this->Capture, caching, shared ? most - most / 2 : most },
-      needs);
+  const bool visible = this->Visibility.Update(
+    { this->Frame, lights, this->Capture, caching, shared ? most - most / 2 : most }, needs);
   this->TilesLeft = most - static_cast<int>(this->Visibility.GetNumberOfTilesDrawn() - tiles);
   if (timed)
   {
@@ -351,8 +275,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   }
 
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
-    this->Samplers.empty() ? nullptr : &this->Lights, this->Visibility,
-    still && this->Visibility.GetNumberOfTilesDrawn() == tiles, this->Timer };
+    lights, this->Visibility, still && this->Visibility.GetNumberOfTilesDrawn() == tiles,
+    this->Timer };
   this->Estimator->HoldContext(this->Frame.Window);
   this->Estimate = sampled && visible ? this->Estimator->Estimate(input) : vtkIndirectEstimate();
   if (this->Estimate.State == vtkIndirectEstimate::FAILED)
@@ -495,32 +419,10 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
     return "only the delegate drew the last frame, because " + this->WhyNoBuffers;
   }
   this->Frame.Window->MakeCurrent();
-  if (name == "lights")
+  if (vtkIndirectFrameSamplers::IsTable(name))
   {
-    if (!this->GetEstimate() || this->Samplers.empty())
-    {
-      return "the last frame used no virtual lights";
-    }
-    this->Lights.CopyLights(this->Frame, image);
-    return {};
-  }
-  if (name == "branches")
-  {
-    if (!this->GetEstimate() || this->Samplers.empty() || !this->Lights.HasBranches())
-    {
-      return "no virtual light of the last frame has any";
-    }
-    this->Lights.CopyBranches(this->Frame, image);
-    return {};
-  }
-  if (name == "lobes")
-  {
-    if (!this->GetEstimate() || this->Samplers.empty() || !this->Lights.HasLobes())
-    {
-      return "no virtual light of the last frame has any";
-    }
-    this->Lights.CopyLobes(this->Frame, image);
-    return {};
+    return this->GetEstimate() ? this->Samplers.Copy(this->Frame, name, image)
+                               : "the last frame used no virtual lights";
   }
   if (this->RenderChannel(name))
   {
@@ -543,8 +445,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
 {
   std::copy(this->Frame.Size, this->Frame.Size + 2, report.Size);
   report.Counters = { { "shader_builds", this->Capture->GetNumberOfShaderBuilds() },
-    { "faces_drawn",
-      this->Maps->GetNumberOfFacesDrawn() + this->SenderSampler->GetNumberOfFacesDrawn() },
+    { "faces_drawn", this->Maps->GetNumberOfFacesDrawn() + this->Samplers.GetNumberOfFacesDrawn() },
     { "voxel_updates", static_cast<long long>(this->Visibility.GetNumberOfUpdates()) },
     { "tiles_drawn",
       static_cast<long long>(this->Visibility.GetNumberOfTilesDrawn() +
@@ -583,24 +484,12 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     add(report.Modelled, this->Plan.EstimateModelled);
     add(report.LeftOut, this->Plan.EstimateLeftOut);
     report.Method = this->Estimator->GetMethodName();
-    report.VirtualLights = this->Samplers.empty() ? 0 : this->Lights.GetNumberOfLights();
-    report.Bytes += this->Estimator->GetBytes() + this->Lights.GetBytes();
-    for (const auto& sampler : this->Samplers)
-    {
-      report.Bytes += sampler->GetBytes();
-    }
+    report.Bytes += this->Estimator->GetBytes();
     report.MainMemoryBytes = this->Estimator->GetMainMemoryBytes();
     report.EstimatedError = this->Estimate.Error;
     this->Estimator->AddToReport(report);
     this->Visibility.AddToReport(report);
-    for (const auto& sampler : this->Samplers)
-    {
-      sampler->AddToReport(report);
-    }
-    if (this->SendersAreWalked)
-    {
-      this->LaterBounces->AddToReport(report);
-    }
+    this->Samplers.AddToReport(report);
   }
   else if (this->Plan.Irradiance)
   {
@@ -628,24 +517,10 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Maps->ReleaseGraphicsResources(window);
   this->Penumbra.Release(window);
   this->Geometry.Release(window);
-  this->DefaultSampler->ReleaseGraphicsResources(window);
-  this->HeadlightSampler->ReleaseGraphicsResources(window);
-  this->SenderSampler->ReleaseGraphicsResources(window);
-  this->RefractionSampler->ReleaseGraphicsResources(window);
-  this->LaterBounces->ReleaseGraphicsResources(window);
+  this->Samplers.Release(window);
   this->ReleaseSky(window);
   this->Area.Release(window);
   this->VisibleLamps.Release(window);
-  for (const auto& sampler : this->OtherSamplers)
-  {
-    sampler->ReleaseGraphicsResources(window);
-  }
-  for (const auto& sampler : this->Samplers)
-  {
-    sampler->ReleaseGraphicsResources(window);
-  }
-  this->Samplers.clear();
-  this->Lights.Release(window);
   this->Visibility.Release(window);
   this->DefaultEstimator->ReleaseGraphicsResources(window);
   if (this->Estimator)

@@ -5,37 +5,32 @@
 #ifndef vtkIndirectPipeline_h
 #define vtkIndirectPipeline_h
 
-#include "Capture/vtkIndirectGeometryBuffer.h"          // for members
-#include "Capture/vtkSurfaceCapturePass.h"              // for members
-#include "Composite/vtkIndirectAntialiasing.h"          // for members
-#include "Composite/vtkIndirectComposite.h"             // for members
-#include "Frame/vtkIndirectEstimate.h"                  // for members
-#include "Frame/vtkIndirectFrame.h"                     // for members
-#include "Frame/vtkIndirectPlan.h"                      // for members
-#include "Frame/vtkIndirectReport.h"                    // for members
-#include "Frame/vtkIndirectRoom.h"                      // for a member
-#include "Frame/vtkIndirectStageTimer.h"                // for members
-#include "Gather/vtkIndirectAreaGather.h"               // for members
-#include "Gather/vtkIndirectSkyGather.h"                // for members
-#include "Gather/vtkIndirectVisibleLamps.h"             // for members
-#include "Pipeline/vtkIndirectImageLight.h"             // for members
-#include "VirtualLights/vtkIndirectHeadlightSampler.h"  // for members
-#include "VirtualLights/vtkIndirectRefractionSampler.h" // for members
-#include "VirtualLights/vtkIndirectSenderSampler.h"     // for members
-#include "VirtualLights/vtkIndirectSkyProjection.h"     // for members
-#include "VirtualLights/vtkIndirectVirtualLights.h"     // for members
-#include "Visibility/vtkIndirectPenumbra.h"             // for members
-#include "Visibility/vtkIndirectVisibility.h"           // for members
-#include "vtkAreaLight.h"                               // for members
-#include "vtkEnvironmentLight.h"                        // for members
-#include "vtkIndirectEstimatorPass.h"                   // for members
-#include "vtkLightTreeSampler.h"                        // for members
-#include "vtkMultiresolutionSplattingPass.h"            // for members
-#include "vtkNew.h"                                     // for members
-#include "vtkRandomWalkLightSampler.h"                  // for members
-#include "vtkReflectiveShadowMapPass.h"                 // for members
-#include "vtkSmartPointer.h"                            // for members
-#include "vtkWeakPointer.h"                             // for members
+#include "Capture/vtkIndirectGeometryBuffer.h"      // for members
+#include "Capture/vtkSurfaceCapturePass.h"          // for members
+#include "Composite/vtkIndirectAntialiasing.h"      // for members
+#include "Composite/vtkIndirectComposite.h"         // for members
+#include "Frame/vtkIndirectEstimate.h"              // for members
+#include "Frame/vtkIndirectFrame.h"                 // for members
+#include "Frame/vtkIndirectPlan.h"                  // for members
+#include "Frame/vtkIndirectReport.h"                // for members
+#include "Frame/vtkIndirectRoom.h"                  // for a member
+#include "Frame/vtkIndirectStageTimer.h"            // for members
+#include "Gather/vtkIndirectAreaGather.h"           // for members
+#include "Gather/vtkIndirectSkyGather.h"            // for members
+#include "Gather/vtkIndirectVisibleLamps.h"         // for members
+#include "Pipeline/vtkIndirectFrameSamplers.h"      // for members
+#include "Pipeline/vtkIndirectImageLight.h"         // for members
+#include "VirtualLights/vtkIndirectSkyProjection.h" // for members
+#include "Visibility/vtkIndirectPenumbra.h"         // for members
+#include "Visibility/vtkIndirectVisibility.h"       // for members
+#include "vtkAreaLight.h"                           // for members
+#include "vtkEnvironmentLight.h"                    // for members
+#include "vtkIndirectEstimatorPass.h"               // for members
+#include "vtkMultiresolutionSplattingPass.h"        // for members
+#include "vtkNew.h"                                 // for members
+#include "vtkReflectiveShadowMapPass.h"             // for members
+#include "vtkSmartPointer.h"                        // for members
+#include "vtkWeakPointer.h"                         // for members
 
 #include <string> // for names
 #include <vector> // for samplers
@@ -47,8 +42,6 @@ class vtkRenderPass;
 class vtkIndirectPipeline
 {
 public:
-  vtkIndirectPipeline();
-
   /** What the pass asks for. */
   struct Request
   {
@@ -100,14 +93,11 @@ public:
 
   vtkIndirectStageTimer Timer;
   vtkNew<vtkReflectiveShadowMapPass> Maps;
-  vtkNew<vtkLightTreeSampler> DefaultSampler;
   vtkNew<vtkMultiresolutionSplattingPass> DefaultEstimator;
   std::vector<vtkSmartPointer<vtkAreaLight>> AreaLights;
-  /** Whose lights are summed besides those of the frame's sampler. */
-  std::vector<vtkSmartPointer<vtkVirtualLightSampler>> OtherSamplers;
+  vtkIndirectFrameSamplers Samplers;
 
 private:
-  void ChooseSamplers(vtkVirtualLightSampler* users);
   std::vector<double> MakeFrameKey() const;
   std::vector<double> MakeKey(vtkVirtualLightSampler* users) const;
   bool UpdateIrradiance(const Request& request);
@@ -123,11 +113,6 @@ private:
   vtkNew<vtkSurfaceCapturePass> Capture;
   vtkIndirectPenumbra Penumbra; // of the maps' lights
   vtkIndirectGeometryBuffer Geometry;
-  vtkNew<vtkIndirectHeadlightSampler> HeadlightSampler;
-  vtkNew<vtkIndirectSenderSampler> SenderSampler;
-  vtkNew<vtkIndirectRefractionSampler> RefractionSampler; // of bodies of glass
-  vtkNew<vtkRandomWalkLightSampler> LaterBounces;
-  vtkIndirectVirtualLights Lights;
   vtkIndirectVisibility Visibility;
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather Sky;
@@ -154,8 +139,6 @@ private:
   // What made its irradiance: its buffers stay readable when the pass is given others.
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkIndirectEstimatorPass> HeldEstimator;
-  std::vector<vtkSmartPointer<vtkVirtualLightSampler>> Samplers;
-  bool SendersAreWalked = false;    // later bounces are among what the sampler's lights are of
   bool TargetIsClear = false;       // of what the frame is drawn into
   vtkIndirectReport::Entries Paths; // in force
 
