@@ -9,6 +9,7 @@
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "Gather/vtkIndirectGlossyGather.h"
+#include "Gather/vtkIndirectLobeGather.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectTarget.h"
@@ -30,6 +31,10 @@ namespace
 const char* const Overdraw = "splat.overdraw";
 // Pixels between those at which it is measured what is cut off, where it is not given back.
 constexpr int StepOfMeasure = 16;
+// Lobes of senders: at every so many pixels, and what interpolation between them may change of
+// them, over their light.
+constexpr int LobeStep = 4;
+constexpr double LobeTolerance = 0.02;
 }
 
 //------------------------------------------------------------------------------
@@ -39,6 +44,7 @@ struct vtkIndirectSplattingPass::Internals
   vtkIndirectSplats Splats;
   vtkIndirectFarField FarField;
   vtkIndirectGlossyGather Glossy;
+  vtkIndirectLobeGather Lobes;
   vtkIndirectFullScreenProgram OverdrawView{ "vtkIndirectOverdrawFS.glsl" };
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
 };
@@ -99,17 +105,27 @@ bool vtkIndirectSplattingPass::Sum(const Input& input)
       input, in.Table, *this->Irradiance, this->Settings.SplatShape == SCREEN_QUADS, fades) &&
     (!this->HasGlossy || in.Glossy.Sum(input, *this->Glossy, 1.0, {}));
   timer.End(vtkIndirectStageTimer::Estimate);
+  auto addLobes = [&]()
+  {
+    vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+    timer.Begin(vtkIndirectStageTimer::Upsample);
+    const bool added = in.Lobes.Add(input,
+      { *this->Irradiance, this->HasGlossy ? this->Glossy.get() : nullptr, 1.0 },
+      cuts ? LobeStep : 1, LobeTolerance);
+    timer.End(vtkIndirectStageTimer::Upsample);
+    return added;
+  };
   if (!cuts)
   {
     in.FarField.ReleaseSum(frame.Window);
-    return done;
+    return done && addLobes();
   }
   timer.Begin(vtkIndirectStageTimer::Upsample);
   done = done && in.FarField.Sum(input, in.Table, step, fades) &&
     (!this->Settings.FarField ||
       in.FarField.AddTo(input, in.Table, step, fades, *this->Irradiance));
   timer.End(vtkIndirectStageTimer::Upsample);
-  return done;
+  return done && addLobes();
 }
 
 //------------------------------------------------------------------------------
@@ -129,7 +145,7 @@ size_t vtkIndirectSplattingPass::GetBytes() const
 {
   const Internals& in = *this->Internal;
   return this->Superclass::GetBytes() + in.Table.GetBytes() + in.Splats.GetBytes() +
-    in.FarField.GetBytes();
+    in.FarField.GetBytes() + in.Lobes.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -199,5 +215,6 @@ void vtkIndirectSplattingPass::ReleaseGraphicsResources(vtkWindow* window)
   in.Splats.Release();
   in.FarField.Release(window);
   in.Glossy.Release();
+  in.Lobes.Release(window);
   in.OverdrawView.Release();
 }

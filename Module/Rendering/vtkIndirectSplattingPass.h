@@ -30,6 +30,9 @@
  * Receivers with Phong's model and a specular coefficient also reflect the lights in their lobes:
  * all of them, summed at each of their pixels; see SpecularTransport.
  *
+ * Lobes of specular senders have no splats: they are summed as in vtkRSMGatherPass, interpolated
+ * where they vary little.
+ *
  * Memory: 16 bytes a pixel, 32 for each of those that the far field is summed at, and 32 a light.
  */
 
@@ -49,6 +52,7 @@ public:
 
   const char* GetMethodName() const override { return "splatting"; }
   bool ComputesGlossy() const override { return true; }
+  bool SumsLobes() const override { return true; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{

@@ -251,6 +251,36 @@ VTK_INDIRECT_TEST(SpecularReceivers)
   CheckEqual("light in lobes without SpecularTransport", Sum(scene.Copy("glossy")), 0.0);
 }
 
+VTK_INDIRECT_TEST(SpecularSenders)
+{
+  for (int way = 0; way < NumberOfSplatWays; ++way)
+  {
+    SplattingFrame scene(3, { 75, 59 }, FrameLight::SPOT);
+    vtkActorCollection* actors = scene.Renderer->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor())
+    {
+      actor->GetProperty()->SetSpecular(0.6);
+      actor->GetProperty()->SetSpecularPower(20.0);
+    }
+    scene.Sampler->SetNumberOfLights(100);
+    const Image expected = scene.GatherAll();
+    scene.Splats->SetIntensityThreshold(0.0);
+    const std::string name = GetName(static_cast<SplatWay>(way));
+    const Image image = scene.SplatLights(static_cast<SplatWay>(way));
+    CheckAtMost(name + ": worst difference to the gather, all counting",
+      Compare(image, expected, Least).Worst, 1e-5, "the order of sums");
+    scene.Splats->SpecularTransportOff();
+    const Image diffuse = scene.SplatLights(static_cast<SplatWay>(way));
+    CheckAtLeast(name + ": share of the light that lobes bring", 1.0 - Sum(diffuse) / Sum(expected),
+      0.05, "the test's own power");
+    scene.Splats->SpecularTransportOn();
+    scene.Splats->SetIntensityThreshold(0.02);
+    CheckRelative(name + ": mean by default", Sum(scene.SplatLights(static_cast<SplatWay>(way))),
+      Sum(expected), 0.02, "interpolation of the far field and of lobes, in a small image");
+  }
+}
+
 VTK_INDIRECT_TEST(Overdraw)
 {
   // Fewer for a higher threshold, never more than there are lights, and in tiles no fewer than
