@@ -31,8 +31,8 @@ struct vtkRandomWalkLightSampler::Internals
 };
 
 // A later vertex's disk over its area, in a tree. There are few enough of them that those beside a
-// crease would show one by one; twice the area costs rooms 1 % of their light.
-constexpr double ShareOfArea = 2.0;
+// crease would show one by one; four times the area costs rooms about 1 % of their light.
+constexpr double ShareOfArea = 4.0;
 
 // Vertices of a light's first bounce cover surfaces once, as the texels of a map do. Each later
 // bounce is one more map: its vertices stand for the share of the surface that is theirs among all
