@@ -144,7 +144,7 @@ bool vtkMapLightSampler::Update(const Input& input)
     warped ? in.Warp.Deactivate() : in.Pattern.Deactivate();
   }
   table.End();
-  if (!this->DrawLobes(input))
+  if (!this->DrawLobes(input, warped))
   {
     return false;
   }
@@ -154,7 +154,7 @@ bool vtkMapLightSampler::Update(const Input& input)
 
 //------------------------------------------------------------------------------
 // Where the maps have what senders reflect specularly.
-bool vtkMapLightSampler::DrawLobes(const Input& input)
+bool vtkMapLightSampler::DrawLobes(const Input& input, bool warped)
 {
   Internals& in = *this->Internal;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
@@ -172,11 +172,11 @@ bool vtkMapLightSampler::DrawLobes(const Input& input)
   lobes->Begin();
   {
     vtkIndirectFullScreenState fullScreen(window);
-    in.Pattern.Activate(program);
+    warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
     input.Maps.Activate(program);
     in.LobeProgram.Draw();
     input.Maps.Deactivate();
-    in.Pattern.Deactivate();
+    warped ? in.Warp.Deactivate() : in.Pattern.Deactivate();
   }
   lobes->End();
   return true;

@@ -91,7 +91,7 @@ protected:
   ~vtkMapLightSampler() override;
 
 private:
-  bool DrawLobes(const Input& input);
+  bool DrawLobes(const Input& input, bool warped);
 
   vtkMapLightSampler(const vtkMapLightSampler&) = delete;
   void operator=(const vtkMapLightSampler&) = delete;

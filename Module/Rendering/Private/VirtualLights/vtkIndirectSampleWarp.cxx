@@ -130,7 +130,8 @@ bool vtkIndirectSampleWarp::SumNodes(
   vtkOpenGLState* state = window->GetState();
   const int height = this->Rows * (this->Cells / 2);
   int begin[2] = { this->FindLevelWidth(0), 0 };
-  vtkShaderProgram* program = this->ImportanceProgram.Use(window, definitions);
+  vtkShaderProgram* program = this->ImportanceProgram.Use(
+    window, definitions + (maps.HasSpecular() ? "#define VTKI_SPECULAR\n" : ""));
   if (!program)
   {
     return false;

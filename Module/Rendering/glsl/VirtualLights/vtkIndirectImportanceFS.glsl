@@ -3,6 +3,9 @@
 // What the cells of charts are drawn by: the lowest nodes, four cells each.
 #include "vtkIndirectChart.glsl"
 #include "vtkIndirectAccessibility.glsl"
+#ifdef VTKI_SPECULAR
+#include "vtkIndirectMapLobe.glsl"
+#endif
 
 uniform int vtkiNumberOfCharts;
 uniform float vtkiOcclusion;
@@ -21,6 +24,14 @@ vec2 vtkiCellImportance(int chart, ivec2 cell)
     return vec2(0.0f);
   }
   vec3 flux = light.reflected * (texelFetch(vtkiMapTable, ivec2(VTKI_MAP_LIGHT, layer), 0).rgb * vtkiScale);
+#ifdef VTKI_SPECULAR
+  // What is sent in a lobe is light as well.
+  vtkiTexelLobe lobe;
+  if (vtkiLobeFromTexel(layer, texel, texels, lobe))
+  {
+    flux += lobe.densityArea * vtkiScale;
+  }
+#endif
   float sum = flux.r + flux.g + flux.b;
   // Cells of directions are all of the same size; texels that stand for others count as these.
   float even = texelFetch(vtkiCharts, ivec2(chart, 0), 0).y <= 1.0f ? 1.0f : texels;
