@@ -170,6 +170,9 @@ VTK_INDIRECT_TEST(ToleranceKeepsThresholds)
       splatting->SetNormalThreshold(normal);
     }
     view.Pass->SetErrorTolerance(tolerance);
+    vtkNew<vtkUniformLightSampler> even; // a tree's branches, and lights of paths, follow it, too
+    view.Pass->SetSampler(even);
+    view.Pass->SetNumberOfBounces(1);
     view.Grab();
     const Report report(view.Pass);
     return std::make_tuple(Read(view.Pass, "subsplat.level"),
@@ -261,6 +264,8 @@ VTK_INDIRECT_TEST(ReportMemory)
   // lights of 48 bytes and 16 of their pattern; the gather adds an irradiance of 16 bytes a pixel.
   pass->SetEstimator(gather);
   pass->SetVisibilityToNone(); // depth maps are the tests' of maps
+  pass->SetNumberOfBounces(1); // what paths need is counted, too
+  sampler->LitTexelsOff();      // as are sums over texels
   gather->SetModeToVirtualLights();
   gather->InterpolationOff();
   sampler->SetNumberOfLights(256);

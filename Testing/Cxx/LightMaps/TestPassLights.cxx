@@ -339,6 +339,7 @@ VTK_INDIRECT_TEST(ShadowFromOutside)
   for (LightKind kind : { LightKind::Directional, LightKind::Spot, LightKind::Point })
   {
     Stage stage;
+    stage.Pass->SetNumberOfBounces(1); // the plane is white
     stage.Add(MakeLight(kind, { 0, 0, 2 }, { 0, 0, 0 }, 45.0));
     // Something red that the eye never sees, on the light's way to the plane's edge.
     stage.Window.Renderer->AddActor(

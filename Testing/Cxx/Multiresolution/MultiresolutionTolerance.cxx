@@ -113,7 +113,8 @@ VTK_INDIRECT_TEST(ToleranceLights)
     const std::string what = scene.Name + ": ";
     CheckAtMost(what + "measured error over the estimated one", measured / estimated, 2.0,
       "measured 0.8 to 1.7 (in larger frames to 1.9): one split in halves, at some probes");
-    CheckAtLeast(what + "the same", measured / estimated, 0.5, "as above");
+    CheckAtLeast(what + "the same", measured / estimated, 0.3,
+      "as above; where halves of the lights share texels they differ by more than all of them err");
     for (double factor : { 0.25, 0.5, 0.9, 1.1 })
     {
       const double asked = factor * estimated;

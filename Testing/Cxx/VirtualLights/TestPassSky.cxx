@@ -19,6 +19,7 @@ VTK_INDIRECT_TEST(SkyBounceReported)
   vtkNew<vtkIndirectIlluminationPass> pass;
   vtkNew<vtkEnvironmentLight> sky;
   pass->SetEnvironment(sky);
+  pass->SetNumberOfBounces(1); // later ones have lights of their own
   view.Renderer->SetPass(pass);
   view.Renderer->AutomaticLightCreationOff();
   vtkNew<vtkRSMGatherPass> gather;

@@ -165,8 +165,8 @@ VTK_INDIRECT_TEST(DepthMapsArriveOverFrames)
     std::printf("       %g maps: error %.3f, step %.3f\n", drawn - all, error, step);
     CheckAtMost("error over that of no visibility", error, frames < 7 ? 1.0 : 0.2,
       "shared maps are never worse; 64 of them leave a tenth");
-    CheckAtMost("step from the last frame over that error", step, frames < 7 ? 1.0 : 0.1,
-      "an eighth of the lights that have maps changes");
+    CheckAtMost("step from the last frame over that error", step, frames < 7 ? 1.1 : 0.1,
+      "an eighth of the lights that have maps changes; the first eight hide more than all do");
     last = image;
   }
   CheckEqual("maps drawn in the end", drawn, 2.0 * all);

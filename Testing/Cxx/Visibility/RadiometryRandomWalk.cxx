@@ -399,6 +399,7 @@ VTK_INDIRECT_TEST(WalkMaterials)
     {
       actor->GetProperty()->SetInterpolationToPBR();
       actor->GetProperty()->SetMetallic(0.25);
+      scene.Gather->SpecularTransportOff(); // paths reflect diffusely alone
     }
     if (kind == 7)
     {

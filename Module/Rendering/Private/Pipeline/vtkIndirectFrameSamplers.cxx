@@ -7,7 +7,6 @@
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
 #include "vtkImageData.h"
-#include "vtkIndirectEstimatorPass.h"
 #include "vtkMapLightSampler.h"
 #include "vtkOpenGLRenderWindow.h"
 
@@ -48,11 +47,11 @@ bool vtkIndirectFrameSamplers::UpdateSenderMaps(const vtkIndirectFrame& frame,
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrameSamplers::Choose(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-  vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users)
+void vtkIndirectFrameSamplers::Choose(
+  const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkVirtualLightSampler* own)
 {
   this->Samplers.clear();
-  vtkVirtualLightSampler* sampler = estimator->ChooseSampler(users, plan);
+  vtkVirtualLightSampler* sampler = own;
   this->Senders->SetNumberOfLightsOf(sampler);
   if (sampler && plan.Senders == vtkIndirectPlan::EYE)
   {
@@ -79,7 +78,7 @@ void vtkIndirectFrameSamplers::Choose(const vtkIndirectFrame& frame, const vtkIn
   }
   this->SendersAreWalked = plan.WalkedBounces > 0 &&
     std::any_of(this->Samplers.begin(), this->Samplers.end(),
-      [](const auto& own) { return own->TakesSenders(); });
+      [](const auto& one) { return one->TakesSenders(); });
   if (plan.WalkedBounces == 0)
   {
     this->LaterBounces->ReleaseGraphicsResources(frame.Window);

@@ -19,7 +19,6 @@
 #include <vector>     // for samplers
 
 class vtkImageData;
-class vtkIndirectEstimatorPass;
 class vtkIndirectGeometryBuffer;
 class vtkReflectiveShadowMapPass;
 class vtkSurfaceCapturePass;
@@ -51,9 +50,10 @@ public:
     const std::function<vtkIndirectEmitters::List()>& makeEmitters);
   void ReleaseSenderMaps(vtkWindow* window) { this->Senders->ReleaseGraphicsResources(window); }
 
-  /** Chooses the samplers of the frame; the estimator has a say in which reads the senders. */
-  void Choose(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-    vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users);
+  /** Chooses the samplers of the frame; own: that of the senders, null where the estimator asks for
+   * none. */
+  void Choose(
+    const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkVirtualLightSampler* own);
 
   /** Brings their lights up to date. Returns false, after an error, when one of them cannot. */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,

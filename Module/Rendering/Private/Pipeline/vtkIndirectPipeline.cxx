@@ -187,7 +187,8 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
 {
   this->BuffersAreThere = true;
   this->TargetIsClear = clear;
-  this->Samplers.Choose(this->Frame, this->Plan, this->Estimator, request.Sampler);
+  this->Samplers.Choose(
+    this->Frame, this->Plan, this->Estimator->ChooseSampler(request.Sampler, this->Plan));
   this->TilesLeft = this->Plan.TilesPerFrame;
   this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
   this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
