@@ -32,7 +32,8 @@ class Documents(unittest.TestCase):
                 self.assertLessEqual(set(shot.ground), names)
         # The ring is no shot; what it is made of is there all the same.
         self.assertLessEqual({*gallery.NAMES}, {*shots.SHOTS, gallery.RING})
-        self.assertTrue(scene.check(json.loads(caustics.SCENE.read_text(encoding="utf-8")))["actors"])
+        document = json.loads(caustics.SCENE.read_text(encoding="utf-8"))
+        self.assertTrue(scene.check(document)["actors"])
         self.assertTrue(caustics.REFERENCE.is_file())
         for name in readability.NAMES:
             self.assertTrue(readability.find(name).document()["actors"])
