@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -10,6 +11,7 @@ from unittest import mock
 import numpy as np
 from vtkindirect import images, scene
 
+import caustics
 import gallery
 import readability
 import shots
@@ -28,7 +30,11 @@ class Documents(unittest.TestCase):
                 names = {actor.get("name") for actor in document["actors"]}
                 self.assertTrue(names.isdisjoint(shot.without))
                 self.assertLessEqual(set(shot.ground), names)
-        self.assertLessEqual({*gallery.NAMES}, set(shots.SHOTS))
+        # The ring is no shot; what it is made of is there all the same.
+        self.assertLessEqual({*gallery.NAMES}, {*shots.SHOTS, gallery.RING})
+        document = json.loads(caustics.SCENE.read_text(encoding="utf-8"))
+        self.assertTrue(scene.check(document)["actors"])
+        self.assertTrue(caustics.REFERENCE.is_file())
         for name in readability.NAMES:
             self.assertTrue(readability.find(name).document()["actors"])
 

@@ -173,7 +173,10 @@ class Enable(unittest.TestCase):
         self.assertTrue(indirect.GetShadows())
 
     def test_an_error_changes_nothing(self) -> None:
-        indirect = vtkindirect.enable(self.renderer, "gather", NumberOfLights=100)
+        # A bounce that was asked for: a wrong number that were clamped would be the default, 0.
+        indirect = vtkindirect.enable(
+            self.renderer, "gather", NumberOfLights=100, NumberOfBounces=1
+        )
         before = indirect.GetEstimator(), indirect.GetSampler()
         for method, wrong in (
             ("gather", {"NumberOfLights": 50, "Mode": "texels"}),

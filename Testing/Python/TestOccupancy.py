@@ -101,6 +101,7 @@ class ExactVisibility(unittest.TestCase):
                         "reference",
                         mode="virtual_lights",
                         number_of_lights=1024,
+                        number_of_bounces=1,  # R2 has no more
                         visibility=visibility,
                     )
                     loaded.render_window.Render()

@@ -150,7 +150,8 @@ class Render(unittest.TestCase):
                 try:
                     values = vtkindirect.copy_buffer(scene.renderer, name)
                 except RenderError as error:
-                    self.assertEqual(name, "glossy", error)
+                    # Nothing in the scene reflects specularly, so these two are not made.
+                    self.assertIn(name, ("glossy", "lobes"), error)
                     continue
                 self.assertTrue(np.isfinite(values).all())
         with self.assertRaisesRegex(RenderError, "there is no buffer 'rsm7.depth'"):

@@ -28,6 +28,8 @@ class Samplers(unittest.TestCase):
             visibility="none",
             interpolation=False,
             reflective_shadow_map_resolution=128,
+            # What samplers draw; lights of later bounces would be beside it.
+            number_of_bounces=1,
             **values,
         )
         self.scene.render_window.Render()

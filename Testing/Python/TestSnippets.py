@@ -68,6 +68,8 @@ NOT_RUN = {
     ("Documentation/headless.md", "EGL device 0: hardware"): "what a machine with two cards prints",
     ("Documentation/methods/area-lights.md", "Phong: ks"): FORMULA,
     ("Documentation/methods/gather.md", "E(x) ="): FORMULA,
+    ("Documentation/methods/random-walk.md", "first bounce    B A ="): FORMULA,
+    ("Documentation/methods/random-walk.md", "later bounces   B A ="): FORMULA,
     ("Documentation/methods/splatting.md", "E(x) ="): FORMULA,
     ("Documentation/methods/splatting.md", "I_low ="): FORMULA,
     ("Documentation/methods/multiresolution-splatting.md", "    E(x) ="): FORMULA,
