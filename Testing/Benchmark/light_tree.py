@@ -105,7 +105,12 @@ def measure(path: str, size: tuple[int, int], count: int) -> list[Row]:
     """Return the rows of a scene."""
     scene = vtkindirect.load_scene(path)
     frames.open_window(scene, size)
-    common = {"Visibility": "none", "Interpolation": False, "Caching": False}
+    common = {
+        "Visibility": "none",
+        "Interpolation": False,
+        "Caching": False,
+        "NumberOfBounces": 1,
+    }
 
     def show(sampler: str, **settings: Any) -> tuple[np.ndarray, float]:
         methods.enable(scene.renderer, "gather", sampler, **common, **settings)

@@ -86,6 +86,7 @@ def measure(path: str, size: tuple[int, int], count: int) -> dict[str, list[Row]
         "Interpolation": False,
         "Caching": False,
         "ReflectiveShadowMapResolution": 256,
+        "NumberOfBounces": 1,
     }
 
     def show(sampler: str, turns: int = count, **settings: Any) -> tuple[np.ndarray, float]:

@@ -120,7 +120,7 @@ class Bench:
         frames.open_window(self.scene, (size, size))
         self.renderer = self.scene.renderer
         self.indirect = methods.enable(self.renderer, "gather", "uniform", Caching=False,
-                                       Visibility="none")  # fmt: skip
+                                       Visibility="none", NumberOfBounces=1)  # fmt: skip
         self.truth = np.zeros(0)
         self.parts: dict[str, tuple[Any, Any]] = {}
 
