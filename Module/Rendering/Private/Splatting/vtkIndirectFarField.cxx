@@ -3,12 +3,14 @@
 
 #include "Splatting/vtkIndirectFarField.h"
 
-#include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Splatting/vtkIndirectSplatTable.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <string>
@@ -25,25 +27,6 @@ const vtkIndirectChannel CoarseChannels[] = {
     GL_RGBA32F, "scene", "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-
-void Activate(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-  vtkShaderProgram* program)
-{
-  vtkIndirectSetEyeUniforms(program, input.Frame);
-  program->SetUniform2i("vtkiSize", input.Frame.Size);
-  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-  input.Visibility.Activate(input.Frame.Window, program);
-  input.Lights->Activate(program);
-  table.Activate(program);
-}
-
-void Deactivate(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table)
-{
-  input.Geometry.GetTarget().Deactivate();
-  input.Visibility.Deactivate();
-  input.Lights->Deactivate();
-  table.Deactivate();
-}
 
 std::string GetDefinitions(const vtkIndirectEstimateInput& input, int step, bool fades)
 {
@@ -93,14 +76,14 @@ bool vtkIndirectFarField::Sum(
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFunc(GL_ONE, GL_ONE);
   }
-  Activate(input, table, program);
+  table.Activate(input, program);
   for (int row = 0; row < rows; row += rowsPerDraw)
   {
     const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
     program->SetUniform2i("vtkiLightRows", block);
     this->SumCoarse.Draw();
   }
-  Deactivate(input, table);
+  table.Deactivate(input);
   state->vtkglDisable(GL_BLEND);
   this->Coarse.End();
   return true;
@@ -122,14 +105,14 @@ bool vtkIndirectFarField::AddTo(const vtkIndirectEstimateInput& input,
   irradiance.Begin();
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  Activate(input, table, program);
+  table.Activate(input, program);
   this->Coarse.Activate(0, program);
   this->Coarse.Activate(1, program);
   const int size[2] = { this->Coarse.GetWidth(), this->Coarse.GetHeight() };
   program->SetUniform2i("vtkiCoarseSize", size);
   this->Interpolate.Draw();
   this->Coarse.Deactivate();
-  Deactivate(input, table);
+  table.Deactivate(input);
   state->vtkglDisable(GL_BLEND);
   irradiance.End();
   return true;

@@ -3,10 +3,13 @@
 
 #include "Splatting/vtkIndirectSplatTable.h"
 
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Visibility/vtkIndirectVisibility.h"
 
 #include <string>
 
@@ -130,6 +133,27 @@ void vtkIndirectSplatTable::Deactivate() const
 {
   this->Mean.Deactivate();
   this->Bounds.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSplatTable::Activate(
+  const vtkIndirectEstimateInput& input, vtkShaderProgram* program) const
+{
+  vtkIndirectSetEyeUniforms(program, input.Frame);
+  program->SetUniform2i("vtkiSize", input.Frame.Size);
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  input.Visibility.Activate(input.Frame.Window, program);
+  input.Lights->Activate(program);
+  this->Activate(program);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSplatTable::Deactivate(const vtkIndirectEstimateInput& input) const
+{
+  input.Geometry.GetTarget().Deactivate();
+  input.Visibility.Deactivate();
+  input.Lights->Deactivate();
+  this->Deactivate();
 }
 
 //------------------------------------------------------------------------------

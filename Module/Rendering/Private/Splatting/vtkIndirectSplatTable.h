@@ -26,6 +26,13 @@ public:
   void Deactivate() const;
   ///@}
 
+  ///@{
+  /** Bind these and what a sum over them at receivers reads besides: eye, surfaces, lights,
+   * visibility; pair. */
+  void Activate(const vtkIndirectEstimateInput& input, vtkShaderProgram* program) const;
+  void Deactivate(const vtkIndirectEstimateInput& input) const;
+  ///@}
+
   /** Centre and half length, axis and half width, as shaders read them. */
   const vtkIndirectTarget& GetBounds() const { return this->Bounds; }
 

@@ -4,15 +4,18 @@
 #include "Splatting/vtkIndirectSplats.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectFlatUniforms.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectTarget.h"
+#include "OpenGL/vtkIndirectUniforms.h"
 #include "Splatting/vtkIndirectSplatTable.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -74,24 +77,6 @@ private:
   vtkOpenGLState::ScopedglBlendFuncSeparate Blend;
 };
 
-void Activate(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-  vtkShaderProgram* program)
-{
-  vtkIndirectSetEyeUniforms(program, input.Frame);
-  program->SetUniform2i("vtkiSize", input.Frame.Size);
-  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-  input.Visibility.Activate(input.Frame.Window, program);
-  input.Lights->Activate(program);
-  table.Activate(program);
-}
-
-void Deactivate(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table)
-{
-  input.Geometry.GetTarget().Deactivate();
-  input.Visibility.Deactivate();
-  input.Lights->Deactivate();
-  table.Deactivate();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -149,7 +134,7 @@ bool vtkIndirectSplats::SumBlended(const vtkIndirectEstimateInput& input,
   sum.Clear();
   {
     const SplatState splats(state, !rectangles);
-    Activate(input, table, program);
+    table.Activate(input, program);
     vtkIndirectSetUniform(program, "vtkiSceneToClip", FindSceneToClip(frame));
     // Normalized device coordinates are twice depths; the surface's and the splat's are rounded.
     program->SetUniformf(
@@ -165,7 +150,7 @@ bool vtkIndirectSplats::SumBlended(const vtkIndirectEstimateInput& input,
         glFlush();
       }
     }
-    Deactivate(input, table);
+    table.Deactivate(input);
   }
   sum.End();
   return true;
@@ -183,7 +168,7 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   {
     return false;
   }
-  Activate(input, table, program);
+  table.Activate(input, program);
   glBindImageTexture(
     0, sum.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
   // What the kernel reads must have arrived: llvmpipe does not wait for it by itself.
@@ -203,7 +188,7 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
   glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
-  Deactivate(input, table);
+  table.Deactivate(input);
   return true;
 #else
   return input.Lights && table.GetBytes() > 0 && sum.GetWidth() > 0 && definitions.empty();
