@@ -31,10 +31,6 @@ namespace
 const char* const Overdraw = "splat.overdraw";
 // Pixels between those at which it is measured what is cut off, where it is not given back.
 constexpr int StepOfMeasure = 16;
-// Lobes of senders: at every so many pixels, and what interpolation between them may change of
-// them, over their light.
-constexpr int LobeStep = 4;
-constexpr double LobeTolerance = 0.02;
 }
 
 //------------------------------------------------------------------------------
@@ -101,31 +97,24 @@ bool vtkIndirectSplattingPass::Sum(const Input& input)
   const int step = this->Settings.FarField ? this->Settings.FarFieldStep : StepOfMeasure;
   timer.Begin(vtkIndirectStageTimer::Estimate);
   bool done = in.Table.Update(input, this->Settings.IntensityThreshold, fades) &&
-    in.Splats.Sum(
-      input, in.Table, *this->Irradiance, this->Settings.SplatShape == SCREEN_QUADS, fades) &&
+    in.Splats.Sum(input, in.Table, *this->Irradiance, this->Settings.SplatShape == SCREEN_QUADS) &&
     (!this->HasGlossy || in.Glossy.Sum(input, *this->Glossy, 1.0, {}));
-  timer.End(vtkIndirectStageTimer::Estimate);
-  auto addLobes = [&]()
+  if (done && this->HasGlossy)
   {
     vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-    timer.Begin(vtkIndirectStageTimer::Upsample);
-    const bool added = in.Lobes.Add(input,
-      { *this->Irradiance, this->HasGlossy ? this->Glossy.get() : nullptr, 1.0 },
-      cuts ? LobeStep : 1, LobeTolerance);
-    timer.End(vtkIndirectStageTimer::Upsample);
-    return added;
-  };
+    done = in.Lobes.AddToGlossy(input, *this->Glossy);
+  }
+  timer.End(vtkIndirectStageTimer::Estimate);
   if (!cuts)
   {
     in.FarField.ReleaseSum(frame.Window);
-    return done && addLobes();
+    return done;
   }
   timer.Begin(vtkIndirectStageTimer::Upsample);
-  done = done && in.FarField.Sum(input, in.Table, step, fades) &&
-    (!this->Settings.FarField ||
-      in.FarField.AddTo(input, in.Table, step, fades, *this->Irradiance));
+  done = done && in.FarField.Sum(input, in.Table, step) &&
+    (!this->Settings.FarField || in.FarField.AddTo(input, in.Table, step, *this->Irradiance));
   timer.End(vtkIndirectStageTimer::Upsample);
-  return done && addLobes();
+  return done;
 }
 
 //------------------------------------------------------------------------------

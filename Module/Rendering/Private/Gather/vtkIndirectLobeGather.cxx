@@ -45,9 +45,7 @@ bool vtkIndirectLobeGather::Add(
   }
   const vtkIndirectVisibility& visibility = input.Visibility;
   const int rows = input.Lights->GetNumberOfRows();
-  const int rowsPerDraw = visibility.WalksSegments()
-    ? vtkIndirectVisibility::MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength
-    : RowsPerDraw;
+  const int rowsPerDraw = FindRowsPerDraw(input);
   // Pixels that interpolation leaves are summed in one go.
   const bool interpolate =
     step > 1 && rows * vtkVirtualLightSampler::RowLength <= visibility.GetMaximumNumberOfSenders();
@@ -82,6 +80,24 @@ bool vtkIndirectLobeGather::Add(
   return !output.Glossy ||
     this->Draw(input, this->InGlossy, "#define VTKI_GLOSSY\n", *output.Glossy, output.Unit, 1,
       tolerance, rowsPerDraw);
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectLobeGather::FindRowsPerDraw(const vtkIndirectEstimateInput& input)
+{
+  return input.Visibility.WalksSegments()
+    ? vtkIndirectVisibility::MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength
+    : RowsPerDraw;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectLobeGather::AddToGlossy(
+  const vtkIndirectEstimateInput& input, vtkIndirectTarget& glossy)
+{
+  this->Coarse.Release(input.Frame.Window);
+  return !input.Lights || !input.Lights->HasLobes() ||
+    this->Draw(input, this->InGlossy, "#define VTKI_GLOSSY\n", glossy, 1.0, 1, 0.0,
+      FindRowsPerDraw(input));
 }
 
 //------------------------------------------------------------------------------

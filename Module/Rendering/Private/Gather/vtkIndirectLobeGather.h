@@ -32,10 +32,17 @@ public:
    */
   bool Add(const vtkIndirectEstimateInput& input, const Output& output, int step, double tolerance);
 
+  /**
+   * Adds them to what specular receivers reflect alone, whose unit is one: for estimators that sum
+   * the irradiance of lobes themselves. Otherwise as Add.
+   */
+  bool AddToGlossy(const vtkIndirectEstimateInput& input, vtkIndirectTarget& glossy);
+
   size_t GetBytes() const { return this->Coarse.GetBytes(); }
   void Release(vtkWindow* window);
 
 private:
+  static int FindRowsPerDraw(const vtkIndirectEstimateInput& input);
   bool Draw(const vtkIndirectEstimateInput& input, vtkIndirectFullScreenProgram& kernel,
     const std::string& definitions, vtkIndirectTarget& target, double unit, int step,
     double tolerance, int rowsPerDraw);

@@ -72,6 +72,7 @@ namespace
 #include "vtkIndirectLibAreaLight.glsl"
 #include "vtkIndirectLibLobe.glsl"
 #include "vtkIndirectLibSenderLobe.glsl"
+#include "vtkIndirectLibLobeSplat.glsl"
 #include "vtkIndirectLibSphereProxy.glsl"
 }
 #if defined(__GNUC__)

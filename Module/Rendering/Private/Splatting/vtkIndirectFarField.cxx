@@ -28,14 +28,15 @@ const vtkIndirectChannel CoarseChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-std::string GetDefinitions(const vtkIndirectEstimateInput& input, int step, bool fades)
+std::string GetDefinitions(
+  const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, int step)
 {
   const vtkIndirectVisibility& visibility = input.Visibility;
   const bool many = input.Lights->GetNumberOfLights() > visibility.GetMaximumNumberOfSenders();
   // Pixels that no sample around faces the way of are summed anew, or, with too many lights for one
   // draw, get nothing.
   return visibility.GetDefinitions() + input.Lights->GetDefinitions() +
-    (fades ? "#define VTKI_SPLAT_FADES\n" : "") + "#define VTKI_STEP " + std::to_string(step) +
+    table.GetDefinitions(input.Lights->HasLobes()) + "#define VTKI_STEP " + std::to_string(step) +
     "\n" + (many ? "#define VTKI_SPLAT_MANY\n" : "");
 }
 }
@@ -48,7 +49,7 @@ vtkIndirectFarField::vtkIndirectFarField()
 
 //------------------------------------------------------------------------------
 bool vtkIndirectFarField::Sum(
-  const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, int step, bool fades)
+  const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, int step)
 {
   const vtkIndirectFrame& frame = input.Frame;
   this->ShareIsKnown = false;
@@ -60,7 +61,7 @@ bool vtkIndirectFarField::Sum(
   const int rows = input.Lights->GetNumberOfRows();
   const int rowsPerDraw = input.Visibility.GetMaximumNumberOfSenders() / RowLength;
   const bool adds = rows > rowsPerDraw;
-  this->SumCoarse.SetDefinitions(GetDefinitions(input, step, fades));
+  this->SumCoarse.SetDefinitions(GetDefinitions(input, table, step));
   vtkShaderProgram* program = this->SumCoarse.Use(frame.Window, this->Coarse, adds);
   if (!program)
   {
@@ -91,10 +92,10 @@ bool vtkIndirectFarField::Sum(
 
 //------------------------------------------------------------------------------
 bool vtkIndirectFarField::AddTo(const vtkIndirectEstimateInput& input,
-  const vtkIndirectSplatTable& table, int step, bool fades, vtkIndirectTarget& irradiance)
+  const vtkIndirectSplatTable& table, int step, vtkIndirectTarget& irradiance)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  this->Interpolate.SetDefinitions(GetDefinitions(input, step, fades));
+  this->Interpolate.SetDefinitions(GetDefinitions(input, table, step));
   vtkShaderProgram* program = this->Interpolate.Use(frame.Window, irradiance, true);
   if (!program)
   {

@@ -18,11 +18,10 @@ public:
    * Sums it at every step-th pixel. Within a vtkIndirectFullScreenState. Returns false, after an
    * error, when OpenGL refuses.
    */
-  bool Sum(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, int step,
-    bool fades);
+  bool Sum(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, int step);
   /** Adds it to `irradiance`, of the frame's size; after Sum with the same. */
   bool AddTo(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, int step,
-    bool fades, vtkIndirectTarget& irradiance);
+    vtkIndirectTarget& irradiance);
 
   /**
    * Share of the last frame's irradiance that splats cut off, by luminance, over the pixels of the

@@ -27,9 +27,14 @@ const vtkIndirectChannel MeanChannels[] = {
     "VTK radiance times scene units squared over pi, 1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+constexpr int ChannelsOfLobes = 2; // the last ones
 const vtkIndirectChannel BoundsChannels[] = {
   { "splats.center", "vtkiSplatCenter", "centre, half length", GL_RGBA32F, "scene", "scene units" },
   { "splats.axis", "vtkiSplatAxis", "axis, half width", GL_RGBA32F, "scene", "1, scene units" },
+  { "splats.lobecenter", "vtkiLobeSplatCenter", "centre, half length of the lobe's", GL_RGBA32F,
+    "scene", "scene units" },
+  { "splats.lobeaxis", "vtkiLobeSplatAxis", "axis, half width of the lobe's", GL_RGBA32F, "scene",
+    "1, scene units" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
@@ -47,9 +52,10 @@ bool vtkIndirectSplatTable::Update(
   const vtkIndirectEstimateInput& input, double threshold, bool fades)
 {
   const vtkIndirectVirtualLights& lights = *input.Lights;
+  const bool lobes = lights.HasLobes();
   if (this->Bounds.GetWidth() > 0 && this->ContentTime == lights.GetContentTime() &&
     this->NumberOfLights == lights.GetNumberOfLights() && this->Threshold == threshold &&
-    this->Fades == fades)
+    this->Fades == fades && this->Lobes == lobes)
   {
     return true;
   }
@@ -57,6 +63,12 @@ bool vtkIndirectSplatTable::Update(
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   this->Threshold = threshold;
   this->Fades = fades;
+  if (this->Lobes != lobes)
+  {
+    this->Bounds.Release(window);
+    this->Lobes = lobes;
+  }
+  this->Bounds.SetNumberOfChannels(lobes ? 2 + ChannelsOfLobes : 2);
   if (!this->Columns.Resize(window, RowLength, 1) || !this->Mean.Resize(window, 1, 1) ||
     !this->Bounds.Resize(window, RowLength, lights.GetNumberOfRows()) || !this->Draw(input))
   {
@@ -72,10 +84,10 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   const vtkIndirectVirtualLights& lights = *input.Lights;
-  const std::string definitions = lights.GetDefinitions();
+  const std::string definitions = lights.GetDefinitions() + this->GetDefinitions(this->Lobes);
   this->SumColumns.SetDefinitions(definitions);
   this->SumAll.SetDefinitions(definitions + "#define VTKI_SPLAT_COLUMNS\n");
-  this->MakeBounds.SetDefinitions(definitions + (this->Fades ? "#define VTKI_SPLAT_FADES\n" : ""));
+  this->MakeBounds.SetDefinitions(definitions);
 
   vtkShaderProgram* program = this->SumColumns.Use(window, this->Columns);
   if (!program)
@@ -84,7 +96,9 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   }
   this->Columns.Begin();
   lights.Activate(program);
+  lights.ActivateLobes(program);
   this->SumColumns.Draw();
+  lights.DeactivateLobes();
   lights.Deactivate();
   this->Columns.End();
 
@@ -106,12 +120,21 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   }
   this->Bounds.Begin();
   lights.Activate(program);
+  lights.ActivateLobes(program);
   this->Activate(program);
   this->MakeBounds.Draw();
   this->Deactivate();
+  lights.DeactivateLobes();
   lights.Deactivate();
   this->Bounds.End();
   return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectSplatTable::GetDefinitions(bool lobes) const
+{
+  return std::string(this->Fades ? "#define VTKI_SPLAT_FADES\n" : "") +
+    (lobes ? "#define VTKI_SPLAT_LOBES\n" : "");
 }
 
 //------------------------------------------------------------------------------
@@ -121,10 +144,12 @@ void vtkIndirectSplatTable::Activate(vtkShaderProgram* program) const
   program->SetUniformf(
     "vtkiSplatThreshold", static_cast<float>(this->Threshold / (length * length)));
   this->Mean.Activate(0, program);
-  if (program->IsUniformUsed("vtkiSplatCenter"))
+  for (int channel = 0; channel < this->Bounds.GetNumberOfChannels(); ++channel)
   {
-    this->Bounds.Activate(0, program);
-    this->Bounds.Activate(1, program);
+    if (program->IsUniformUsed(BoundsChannels[channel].Uniform))
+    {
+      this->Bounds.Activate(channel, program);
+    }
   }
 }
 
@@ -144,6 +169,7 @@ void vtkIndirectSplatTable::Activate(
   input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
   input.Visibility.Activate(input.Frame.Window, program);
   input.Lights->Activate(program);
+  input.Lights->ActivateLobes(program);
   this->Activate(program);
 }
 
@@ -152,6 +178,7 @@ void vtkIndirectSplatTable::Deactivate(const vtkIndirectEstimateInput& input) co
 {
   input.Geometry.GetTarget().Deactivate();
   input.Visibility.Deactivate();
+  input.Lights->DeactivateLobes();
   input.Lights->Deactivate();
   this->Deactivate();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ellipsoids outside of which virtual lights do not count, beside the table of the lights.
+// The ellipsoids outside of which virtual lights and their lobes do not count, beside the table of
+// the lights.
 #ifndef vtkIndirectSplatTable_h
 #define vtkIndirectSplatTable_h
 
@@ -7,6 +8,8 @@
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 #include "vtkType.h"                             // for the time
+
+#include <string> // for definitions
 
 class vtkIndirectSplatTable
 {
@@ -27,13 +30,17 @@ public:
   ///@}
 
   ///@{
-  /** Bind these and what a sum over them at receivers reads besides: eye, surfaces, lights,
-   * visibility; pair. */
+  /** Bind these and what a sum over them at receivers reads besides: eye, surfaces, lights and
+   * their lobes, visibility; pair. */
   void Activate(const vtkIndirectEstimateInput& input, vtkShaderProgram* program) const;
   void Deactivate(const vtkIndirectEstimateInput& input) const;
   ///@}
 
-  /** Centre and half length, axis and half width, as shaders read them. */
+  /** Lines that what reads it begins with: whether lights have lobes, and splats fade. */
+  std::string GetDefinitions(bool lobes) const;
+
+  /** Centre and half length, axis and half width, as shaders read them; where lights have lobes
+   * theirs, too. */
   const vtkIndirectTarget& GetBounds() const { return this->Bounds; }
 
   size_t GetBytes() const;
@@ -53,6 +60,7 @@ private:
   int NumberOfLights = -1;
   double Threshold = 0.0;
   bool Fades = false;
+  bool Lobes = false;
 };
 
 #endif

@@ -87,82 +87,97 @@ bool vtkIndirectSplats::UsesTiles()
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSplats::Sum(const vtkIndirectEstimateInput& input,
-  const vtkIndirectSplatTable& table, vtkIndirectTarget& sum, bool rectangles, bool fades)
+  const vtkIndirectSplatTable& table, vtkIndirectTarget& sum, bool rectangles)
 {
-  const std::string definitions = std::string(input.Visibility.GetDefinitions()) +
-    input.Lights->GetDefinitions() + (fades ? "#define VTKI_SPLAT_FADES\n" : "");
-  return UsesTiles() ? this->SumInTiles(input, table, sum, definitions)
-                     : this->SumBlended(input, table, sum, rectangles,
-                         definitions + (rectangles ? "#define VTKI_SPLAT_RECTANGLES\n" : ""));
+  return UsesTiles() ? this->SumInTiles(input, table, sum)
+                     : this->SumBlended(input, table, sum, rectangles);
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectSplats::UseSplats(
-  vtkOpenGLRenderWindow* window, const std::string& definitions)
+vtkShaderProgram* vtkIndirectSplats::Use(
+  Shaders& shaders, vtkOpenGLRenderWindow* window, const std::string& definitions)
 {
-  if (this->VertexText.empty() || definitions != this->Definitions)
+  if (shaders.VertexText.empty() || definitions != shaders.Definitions)
   {
-    this->Definitions = definitions;
-    this->VertexText = vtkIndirectShaderLibrary::GetShader("vtkIndirectSplatVS.glsl", definitions);
-    this->FragmentText =
+    shaders.Definitions = definitions;
+    shaders.VertexText =
+      vtkIndirectShaderLibrary::GetShader("vtkIndirectSplatVS.glsl", definitions);
+    shaders.FragmentText =
       vtkIndirectShaderLibrary::GetShader("vtkIndirectSplatFS.glsl", definitions);
     if (vtkIndirectPaths::Get(vtkIndirectPaths::Uniforms) == vtkIndirectPaths::UniformsFlat)
     {
       // Beside the light's own.
-      vtkIndirectFlatUniforms::Move(this->VertexText, this->FragmentText, 48);
+      vtkIndirectFlatUniforms::Move(shaders.VertexText, shaders.FragmentText, 44);
     }
   }
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    this->VertexText.c_str(), this->FragmentText.c_str(), "");
+    shaders.VertexText.c_str(), shaders.FragmentText.c_str(), "");
   return program && program->GetCompiled() ? program : nullptr;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSplats::SumBlended(const vtkIndirectEstimateInput& input,
-  const vtkIndirectSplatTable& table, vtkIndirectTarget& sum, bool rectangles,
-  const std::string& definitions)
+  const vtkIndirectSplatTable& table, vtkIndirectTarget& sum, bool rectangles)
 {
-  const vtkIndirectFrame& frame = input.Frame;
-  vtkShaderProgram* program = this->UseSplats(frame.Window, definitions);
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  const std::string definitions = std::string(input.Visibility.GetDefinitions()) +
+    input.Lights->GetDefinitions() + (rectangles ? "#define VTKI_SPLAT_RECTANGLES\n" : "");
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  sum.Begin();
+  sum.Clear();
+  bool done = false;
+  {
+    const SplatState splats(state, !rectangles);
+    done = this->Draw(input, table,
+      Use(this->OfLights, window, definitions + table.GetDefinitions(false)), rectangles);
+    if (done && input.Lights->HasLobes())
+    {
+      done = this->Draw(input, table,
+        Use(this->OfLobes, window, definitions + table.GetDefinitions(true)), rectangles);
+    }
+  }
+  sum.End();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
+  const vtkIndirectSplatTable& table, vtkShaderProgram* program, bool rectangles)
+{
   if (!program)
   {
     return false;
   }
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  sum.Begin();
-  sum.Clear();
+  const vtkIndirectFrame& frame = input.Frame;
+  table.Activate(input, program);
+  vtkIndirectSetUniform(program, "vtkiSceneToClip", FindSceneToClip(frame));
+  // Normalized device coordinates are twice depths; the surface's and the splat's are rounded.
+  program->SetUniformf(
+    "vtkiDepthMargin", static_cast<float>(8.0 * input.Geometry.GetTarget().GetDepthStep()));
+  const int attribute = program->FindAttributeArray("vtkiCorner");
+  const int lights = input.Lights->GetNumberOfLights();
+  for (int first = 0; first < lights; first += SplatsPerDraw)
   {
-    const SplatState splats(state, !rectangles);
-    table.Activate(input, program);
-    vtkIndirectSetUniform(program, "vtkiSceneToClip", FindSceneToClip(frame));
-    // Normalized device coordinates are twice depths; the surface's and the splat's are rounded.
-    program->SetUniformf(
-      "vtkiDepthMargin", static_cast<float>(8.0 * input.Geometry.GetTarget().GetDepthStep()));
-    const int attribute = program->FindAttributeArray("vtkiCorner");
-    const int lights = input.Lights->GetNumberOfLights();
-    for (int first = 0; first < lights; first += SplatsPerDraw)
+    program->SetUniformi("vtkiFirstLight", first);
+    this->Mesh.Draw(frame.Window, attribute, rectangles, std::min(SplatsPerDraw, lights - first));
+    if (lights > SplatsPerDraw)
     {
-      program->SetUniformi("vtkiFirstLight", first);
-      this->Mesh.Draw(frame.Window, attribute, rectangles, std::min(SplatsPerDraw, lights - first));
-      if (lights > SplatsPerDraw)
-      {
-        glFlush();
-      }
+      glFlush();
     }
-    table.Deactivate(input);
   }
-  sum.End();
+  table.Deactivate(input);
   return true;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
-  const vtkIndirectSplatTable& table, vtkIndirectTarget& sum, const std::string& definitions)
+  const vtkIndirectSplatTable& table, vtkIndirectTarget& sum)
 {
 #ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
-  this->Tiles.SetDefinitions(definitions);
+  this->Tiles.SetDefinitions(std::string(input.Visibility.GetDefinitions()) +
+    input.Lights->GetDefinitions() + table.GetDefinitions(input.Lights->HasLobes()));
   vtkShaderProgram* program = this->Tiles.Use(frame.Window);
   if (!program)
   {
@@ -191,7 +206,7 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   table.Deactivate(input);
   return true;
 #else
-  return input.Lights && table.GetBytes() > 0 && sum.GetWidth() > 0 && definitions.empty();
+  return input.Lights && table.GetBytes() > 0 && sum.GetWidth() > 0;
 #endif
 }
 
@@ -200,6 +215,6 @@ void vtkIndirectSplats::Release()
 {
   this->Mesh.Release();
   this->Tiles.Release(nullptr);
-  this->VertexText.clear();
-  this->FragmentText.clear();
+  this->OfLights = {};
+  this->OfLobes = {};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums virtual lights, each where it counts: by splats that are drawn and blended, or by compute
+// Sums virtual lights and their lobes, each where it counts: by splats that are drawn and blended, or by compute
 // shaders in tiles of 16 x 16 pixels. Both give the same within rounding.
 #ifndef vtkIndirectSplats_h
 #define vtkIndirectSplats_h
@@ -22,27 +22,35 @@ public:
 
   /**
    * Fills `sum`, of the frame's size and RGBA32F; its fourth component is the number of splats at a
-   * pixel. Where it does not use tiles the target shares the geometry buffer's depth. fades: splats
-   * end smoothly (vtkiSplatShare). Within a vtkIndirectFullScreenState. Returns false when a
-   * program does not compile.
+   * pixel. Where it does not use tiles the target shares the geometry buffer's depth. Within a
+   * vtkIndirectFullScreenState. Returns false when a program does not compile.
    */
   bool Sum(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-    vtkIndirectTarget& sum, bool rectangles, bool fades);
+    vtkIndirectTarget& sum, bool rectangles);
 
   size_t GetBytes() const { return this->Mesh.GetBytes(); }
   void Release();
 
 private:
-  vtkShaderProgram* UseSplats(vtkOpenGLRenderWindow* window, const std::string& definitions);
+  /** What is drawn for lights, or for their lobes. */
+  struct Shaders
+  {
+    std::string Definitions;
+    std::string VertexText;
+    std::string FragmentText;
+  };
+  static vtkShaderProgram* Use(
+    Shaders& shaders, vtkOpenGLRenderWindow* window, const std::string& definitions);
   bool SumBlended(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-    vtkIndirectTarget& sum, bool rectangles, const std::string& definitions);
+    vtkIndirectTarget& sum, bool rectangles);
+  bool Draw(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
+    vtkShaderProgram* program, bool rectangles);
   bool SumInTiles(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-    vtkIndirectTarget& sum, const std::string& definitions);
+    vtkIndirectTarget& sum);
 
   vtkIndirectSplatMesh Mesh;
-  std::string Definitions;
-  std::string VertexText;
-  std::string FragmentText;
+  Shaders OfLights;
+  Shaders OfLobes;
   vtkIndirectComputeProgram Tiles{ "vtkIndirectSplatTilesCS.glsl" };
 };
 

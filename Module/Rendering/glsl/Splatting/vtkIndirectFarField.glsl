@@ -1,6 +1,5 @@
 // What splats leave of virtual lights.
-#include "vtkIndirectSplatLight.glsl"
-#include "vtkIndirectLibSubsplat.glsl"
+#include "vtkIndirectSplatLobe.glsl"
 
 struct vtkiFarField
 {
@@ -24,8 +23,17 @@ vtkiFarField vtkiSumFarField(vec3 position, vec3 normal, int first, int end)
     float share = vtkiShareOfSplat(toSender, sender, senderNormal, density, low);
     vec3 whole = vtkiWholeSender(position, normal, open, light, sender, senderNormal, density);
     vec3 left = (1.0f - share) * whole;
-    sum.irradiance += left;
     sum.all += vtkiLuminance(whole);
+#ifdef VTKI_SPLAT_LOBES
+    ivec2 at = vtkiTableTexel(light);
+    vec3 flux = texelFetch(vtkiLobeDensity, at, 0).rgb;
+    if (max(max(flux.r, flux.g), flux.b) > 0.0f)
+    {
+      left += vtkiAddSplatLobe(position, normal, open, light, sender, senderNormal.xyz,
+        texelFetch(vtkiLobeDirection, at, 0), flux, low, true, sum.all);
+    }
+#endif
+    sum.irradiance += left;
     // Over the cosine. What is below a light comes from elsewhere than its middle, which may lie at the horizon.
     float across = max(dot(normal, toSender), 0.05f * length(toSender));
     sum.vector += across > 0.0f ? (vtkiLuminance(left) / across) * toSender : vec3(0.0f);

@@ -4,12 +4,13 @@
 
 uniform sampler2D vtkiSplatCenter; // centre, half length
 uniform sampler2D vtkiSplatAxis;   // axis, half width; below zero: no splat
+#ifdef VTKI_SPLAT_LOBES
+uniform sampler2D vtkiLobeSplatCenter; // the same of lobes
+uniform sampler2D vtkiLobeSplatAxis;
+#endif
 
-vtkiSplat vtkiFetchSplat(int light)
+vtkiSplat vtkiSplatOf(vec4 center, vec4 axis)
 {
-  ivec2 at = vtkiTableTexel(light);
-  vec4 center = texelFetch(vtkiSplatCenter, at, 0);
-  vec4 axis = texelFetch(vtkiSplatAxis, at, 0);
   vtkiSplat splat;
   splat.center = center.xyz;
   splat.along = center.w;
@@ -17,3 +18,17 @@ vtkiSplat vtkiFetchSplat(int light)
   splat.across = axis.w;
   return splat;
 }
+
+vtkiSplat vtkiFetchSplat(int light)
+{
+  ivec2 at = vtkiTableTexel(light);
+  return vtkiSplatOf(texelFetch(vtkiSplatCenter, at, 0), texelFetch(vtkiSplatAxis, at, 0));
+}
+
+#ifdef VTKI_SPLAT_LOBES
+vtkiSplat vtkiFetchLobeSplat(int light)
+{
+  ivec2 at = vtkiTableTexel(light);
+  return vtkiSplatOf(texelFetch(vtkiLobeSplatCenter, at, 0), texelFetch(vtkiLobeSplatAxis, at, 0));
+}
+#endif

@@ -1,13 +1,17 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What one virtual light gives a pixel under its splat, to be added; the fourth component counts splats.
+// What one virtual light, or with VTKI_SPLAT_LOBES its lobe, gives a pixel under its splat, to be added; the fourth
+// component counts splats.
 #include "vtkIndirectReceiver.glsl"
-#include "vtkIndirectSplatLight.glsl"
+#include "vtkIndirectSplatLobe.glsl"
 
 flat in int vtkiSplatNumber;
 flat in vec4 vtkiSplatPosition;
 flat in vec4 vtkiSplatNormal;
 flat in vec4 vtkiSplatDensity;
+#ifdef VTKI_SPLAT_LOBES
+flat in vec4 vtkiSplatDirection;
+#endif
 
 void main()
 {
@@ -16,8 +20,13 @@ void main()
   if (vtkiFetchReceiver(ivec2(gl_FragCoord.xy), receiver))
   {
     vec3 open = vtkiSplatOpenPlace(receiver.position, receiver.normal);
+#ifdef VTKI_SPLAT_LOBES
+    irradiance = vtkiSplatLobe(receiver.position, receiver.normal, open, vtkiSplatNumber, vtkiSplatPosition,
+      vtkiSplatNormal.xyz, vtkiSplatDirection, vtkiSplatDensity.rgb, vtkiSplatDensity.a);
+#else
     irradiance = vtkiSplatSender(receiver.position, receiver.normal, open, vtkiSplatNumber, vtkiSplatPosition,
       vtkiSplatNormal, vtkiSplatDensity.rgb, vtkiSplatDensity.a);
+#endif
   }
   gl_FragData[0] = vec4(irradiance, 1.0f);
 }

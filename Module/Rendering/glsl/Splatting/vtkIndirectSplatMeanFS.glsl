@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Mean intensity of the lights that send: by columns of their table, then over the columns.
-#include "vtkIndirectSplatLight.glsl"
+// Mean intensity of the lights that send, a lobe's flux taken as that of diffuse light, over pi: by columns of their table, then over the columns.
+#include "vtkIndirectSplatLobe.glsl"
 
 #ifdef VTKI_SPLAT_COLUMNS
 uniform sampler2D vtkiSplatColumns; // sum, number
@@ -28,6 +28,10 @@ void main()
     vtkiFetchLight(light, sender, senderNormal, density);
     // Light from a direction is radiance times a solid angle, and has no reach.
     float intensity = sender.w < 0.0f ? 0.0f : vtkiGreatestIntensity(senderNormal.xyz, density);
+#ifdef VTKI_SPLAT_LOBES
+    vec3 flux = texelFetch(vtkiLobeDensity, vtkiTableTexel(light), 0).rgb;
+    intensity += max(max(flux.r, flux.g), flux.b) / VTKI_PI;
+#endif
     sum += intensity > 0.0f ? vec2(intensity, 1.0f) : vec2(0.0f);
   }
   gl_FragData[0] = vec4(sum, 0.0f, 1.0f);

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// One fragment a virtual light: the ellipsoid outside of which it does not count.
-#include "vtkIndirectSplatLight.glsl"
+// One fragment a virtual light: the ellipsoid outside of which it does not count, and its lobe's.
+#include "vtkIndirectSplatLobe.glsl"
 
 void main()
 {
@@ -29,4 +29,19 @@ void main()
   bool sends = light < vtkiLightCount && max(max(density.r, density.g), density.b) > 0.0f;
   gl_FragData[0] = vec4(splat.center, splat.along);
   gl_FragData[1] = vec4(splat.axis, sends ? splat.across : -1.0f);
+#ifdef VTKI_SPLAT_LOBES
+  ivec2 at = vtkiTableTexel(min(light, max(vtkiLightCount - 1, 0)));
+  vec4 direction = texelFetch(vtkiLobeDirection, at, 0);
+  vec3 flux = texelFetch(vtkiLobeDensity, at, 0).rgb;
+  bool reflects = light < vtkiLightCount && max(max(flux.r, flux.g), flux.b) > 0.0f;
+  vtkiSplat lobe = vtkiWholeScene();
+  if (reflects && low > 0.0f)
+  {
+    float upright = dot(senderNormal.xyz, direction.xyz) / max(length(senderNormal.xyz), 1.0e-20f);
+    lobe = vtkiWithinScene(
+      vtkiMakeLobeSplat(sender.xyz, direction.xyz, upright, direction.w, sender.w, vtkiLobeFlux(flux, low)));
+  }
+  gl_FragData[2] = vec4(lobe.center, lobe.along);
+  gl_FragData[3] = vec4(lobe.axis, reflects ? lobe.across : -1.0f);
+#endif
 }

@@ -2,7 +2,7 @@
 // A group of invocations for each tile of 16 x 16 pixels: lists the splats that meet the box about the tile's
 // surfaces, a set of bits for 256 of them at a time, and sums those in the order of their numbers.
 #include "vtkIndirectReceiver.glsl"
-#include "vtkIndirectSplatLight.glsl"
+#include "vtkIndirectSplatLobe.glsl"
 #include "vtkIndirectSplatBounds.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -13,6 +13,9 @@ uniform bool vtkiAdds; // to what further lights have given
 shared uint vtkiLowest[3];
 shared uint vtkiHighest[3];
 shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
+#ifdef VTKI_SPLAT_LOBES
+shared uint vtkiListedLobes[VTKI_ROW_LENGTH / 32];
+#endif
 
 uint vtkiOrdered(float value)
 {
@@ -72,6 +75,9 @@ void main()
     if (number < VTKI_ROW_LENGTH / 32)
     {
       vtkiListed[number] = 0u;
+#ifdef VTKI_SPLAT_LOBES
+      vtkiListedLobes[number] = 0u;
+#endif
     }
     barrier();
     int light = row * VTKI_ROW_LENGTH + number;
@@ -79,6 +85,12 @@ void main()
     {
       atomicOr(vtkiListed[number >> 5], 1u << uint(number & 31));
     }
+#ifdef VTKI_SPLAT_LOBES
+    if (light < vtkiLightCount && vtkiSplatMeetsBox(vtkiFetchLobeSplat(light), middle, halfSize))
+    {
+      atomicOr(vtkiListedLobes[number >> 5], 1u << uint(number & 31));
+    }
+#endif
     barrier();
     // Sums by row keep rounding errors of long sums small.
     vec4 partial = vec4(0.0f);
@@ -97,6 +109,21 @@ void main()
           density, low), 1.0f);
       }
     }
+#ifdef VTKI_SPLAT_LOBES
+    for (int word = 0; word < VTKI_ROW_LENGTH / 32; ++word)
+    {
+      uint bits = vtkiListedLobes[word];
+      while (bits != 0u)
+      {
+        int next = row * VTKI_ROW_LENGTH + 32 * word + findLSB(bits);
+        bits &= bits - 1u;
+        ivec2 at = vtkiTableTexel(next);
+        partial += vec4(vtkiSplatLobe(receiver.position, receiver.normal, open, next,
+          texelFetch(vtkiLightPosition, at, 0), texelFetch(vtkiLightNormal, at, 0).xyz,
+          texelFetch(vtkiLobeDirection, at, 0), texelFetch(vtkiLobeDensity, at, 0).rgb, low), 1.0f);
+      }
+    }
+#endif
     total += partial;
     barrier();
   }

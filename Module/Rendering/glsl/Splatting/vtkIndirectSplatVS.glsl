@@ -1,12 +1,18 @@
 //VTK::System::Dec
-// A splat, an instance a virtual light: the far side of its ellipsoid, or a rectangle about it as far away as
+// A splat, an instance a virtual light, or with VTKI_SPLAT_LOBES its lobe: the far side of its ellipsoid, or a rectangle about it as far away as
 // that reaches. What is drawn passes the depth test only in front of that.
 #include "vtkIndirectSplatLow.glsl"
 #include "vtkIndirectSplatBounds.glsl"
 
 uniform sampler2D vtkiLightPosition; // as in vtkIndirectGatherVirtualLights.glsl
 uniform sampler2D vtkiLightNormal;
+#ifdef VTKI_SPLAT_LOBES
+uniform sampler2D vtkiLobeDirection;
+uniform sampler2D vtkiLobeDensity;
+flat out vec4 vtkiSplatDirection; // and the exponent
+#else
 uniform sampler2D vtkiLightDensity;
+#endif
 in vec3 vtkiCorner; // of the polyhedron about the unit ball, or of the rectangle from -1 to 1
 uniform int vtkiFirstLight;
 uniform mat4 vtkiSceneToClip;
@@ -47,8 +53,14 @@ void main()
   vtkiSplatNumber = light;
   vtkiSplatPosition = texelFetch(vtkiLightPosition, at, 0);
   vtkiSplatNormal = texelFetch(vtkiLightNormal, at, 0);
+#ifdef VTKI_SPLAT_LOBES
+  vtkiSplatDirection = texelFetch(vtkiLobeDirection, at, 0);
+  vtkiSplatDensity = vec4(texelFetch(vtkiLobeDensity, at, 0).rgb, vtkiSplatLow());
+  vtkiSplat splat = vtkiFetchLobeSplat(light);
+#else
   vtkiSplatDensity = vec4(texelFetch(vtkiLightDensity, at, 0).rgb, vtkiSplatLow());
   vtkiSplat splat = vtkiFetchSplat(light);
+#endif
 #ifdef VTKI_SPLAT_RECTANGLES
   vec4 corner = vtkiRectangleCorner(splat);
 #else
