@@ -33,12 +33,11 @@ inline const char* GetName(SplatWay way)
   return way == SplatWay::TILES ? "tiles" : way == SplatWay::QUADS ? "quads" : "ellipsoids";
 }
 
-struct SplattingFrame : RandomFrame
+/** A scene with splatting beside what it has. */
+template <typename Base>
+struct SplattingFrameOf : Base
 {
-  SplattingFrame(int number, const FrameSize& size, FrameLight light)
-    : RandomFrame(number, size, light)
-  {
-  }
+  using Base::Base;
 
   vtkNew<vtkIndirectSplattingPass> Splats;
 
@@ -53,6 +52,7 @@ struct SplattingFrame : RandomFrame
     return this->Copy("irradiance");
   }
 };
+using SplattingFrame = SplattingFrameOf<RandomFrame>;
 }
 
 #endif
