@@ -3,7 +3,7 @@
 """Splatting beside its paper: time and error by threshold, by lights, and against the gather.
 
     Testing/Benchmark/splatting.py [PART...] [--scene NAME] [--size N] [--rounds N]
-    Testing/Benchmark/splatting.py --figure 3|8|9 FILE.png [--scene NAME] [--size N]
+    Testing/Benchmark/splatting.py --figure 3|5|7|8|9|10 FILE.png [--scene NAME] [--size N]
 
 Parts, all by default:
 
@@ -13,14 +13,21 @@ Parts, all by default:
 - gather: 768 lights at 5 and 10 % and 108 at 5 % (48, 83 and 254 frames a second) against the gather
   in a map's neighbourhood with 1020, 308 and 156 samples, summed at 64 x 64 pixels and interpolated
   (14, 44 and 82).
+- equal: figure 12 at equal time and at equal error: from 27 to 3072 lights at 5 %, by interpolation.
 - ways: rectangles, ellipsoids and tiles.
 - overdraw: splats a pixel, and pixels a light in an image of 512 x 512 (768 lights at 5 %: 125 and
   42,600), and what a light takes of memory traffic.
+- ring: table 1, 4096 lights of three levels of method B on the ring (10.4, 10.8, 9.3 and 6.9 ms where
+  light and camera move, the light, the camera, or nothing).
+- occlusion: table 3, 256 even lights as they are and times their ambient occlusion, with the same
+  I_low, in the image's size and in half of it (27, 37, 63 and 85 frames a second).
+- lobes: the ring's lobes with bounds and without, and without lobes.
+- bits: what lights in the paper's formats, and in two texels of four floats, change of the sums.
 
 Times are processor time of a frame beyond that of one without virtual lights, medians of frames that
-take turns. Only their ratios mean something; those of the paper stand beside them. Each has its error
-to R1, the sum over all texels of the maps, as RMSE over the mean, and its bias. Figures: 3, the cut-off
-values of the paper's colour plate; 8, the overdraw; 9, iso-surfaces and their ellipses, which is 10, too.
+take turns; those of the ring and of ambient occlusion are whole frames'. Only their ratios mean
+something; those of the paper stand beside them. Each has its error to R1, the sum over all texels of the
+maps, as RMSE over the mean, and its bias. Figures: splatting_figures.py.
 """
 
 from __future__ import annotations
@@ -37,7 +44,7 @@ from typing import Any
 
 import numpy as np
 
-import plot
+import splatting_figures
 import vtkindirect
 from vtkindirect import frames, images, methods, settings
 from vtkindirect.scene import Scene
@@ -67,6 +74,7 @@ class Way:
     settings: dict[str, Any]
     published: float | None = None
     paths: str = ""
+    sampler: str = "vtkUniformLightSampler"
 
 
 def splats(lights: int, threshold: float, far: bool, **more: Any) -> dict[str, Any]:
@@ -115,11 +123,12 @@ def ways_of(part: str, size: int) -> list[Way]:
 class Bench:
     """A scene in a window, and R1 of it where it is asked for."""
 
-    def __init__(self, name: str, size: int) -> None:
+    def __init__(self, name: str, size: int, caching: bool = False) -> None:
+        self.name = name
         self.scene: Scene = vtkindirect.load_scene(SCENES / f"{name}.json")
         frames.open_window(self.scene, (size, size))
         self.renderer = self.scene.renderer
-        self.indirect = methods.enable(self.renderer, "gather", "uniform", Caching=False,
+        self.indirect = methods.enable(self.renderer, "gather", "uniform", Caching=caching,
                                        Visibility="none", NumberOfBounces=1)  # fmt: skip
         self.truth = np.zeros(0)
         self.parts: dict[str, tuple[Any, Any]] = {}
@@ -139,7 +148,7 @@ class Bench:
         os.environ["VTK_INDIRECT_PATHS"] = way.paths
         key = repr(way)
         if key not in self.parts:
-            made = (ESTIMATORS[way.method](), vtkindirect.vtkUniformLightSampler())
+            made = (ESTIMATORS[way.method](), getattr(vtkindirect, way.sampler)())
             settings.apply([*made], way.settings)
             self.parts[key] = made
         estimator, sampler = self.parts[key]
@@ -206,6 +215,213 @@ def print_part(bench: Bench, part: str, size: int, rounds: int) -> None:
               f"| {100 * row['rmse']:.1f} % | {100 * row['bias']:+.1f} % | {overdraw} |")  # fmt: skip
 
 
+LADDER = (27, 54, 108, 256, 768, 1536, 3072)
+
+
+def at(value: float, xs: Sequence[float], ys: Sequence[float]) -> str:
+    """Return the y at which x has a value, by lines through logarithms, or which side of them it is."""
+    order = np.argsort(xs)
+    x, y = np.log(np.asarray(xs))[order], np.log(np.asarray(ys))[order]
+    wanted = np.log(value)
+    end = -1 if wanted > x[-1] else 0
+    side = "" if x[0] <= wanted <= x[-1] else ("above " if (y[end] > y[-1 - end]) else "below ")
+    found = float(np.exp(np.interp(wanted, x, y)))
+    return f"{side}{found:.0f}" if found >= 10.0 else f"{side}{found:.2f}"
+
+
+def print_equal(bench: Bench, size: int, rounds: int) -> None:
+    """Print figure 12 at equal time and at equal error."""
+    gathers = [way for way in ways_of("gather", size) if way.method == "gather"]
+    kinds = {
+        "cut off": [Way(f"c{n}", "splatting", splats(n, 0.05, False)) for n in LADDER],
+        "far field": [Way(f"f{n}", "splatting", splats(n, 0.05, True)) for n in LADDER],
+    }
+    rows = bench.measure([*gathers, *kinds["cut off"], *kinds["far field"]], rounds)
+    print("\n### equal\n")
+    print("| | ms | RMSE to R1 | splats | lights at equal time | their RMSE | "
+          "lights at equal error | their time over the gather's |")  # fmt: skip
+    print("|---|---|---|---|---|---|---|---|")
+    for i, gather in enumerate(gathers):
+        row = rows[i]
+        for place, kind in enumerate(kinds):
+            begin = len(gathers) + place * len(LADDER)
+            own = rows[begin : begin + len(LADDER)]
+            times, errors = [r["ms"] for r in own], [r["rmse"] for r in own]
+            share = at(row["rmse"], errors, [t / row["ms"] for t in times])
+            print(f"| {gather.name} | {row['ms']:.1f} | {100 * row['rmse']:.1f} % | {kind} "
+                  f"| {at(row['ms'], times, LADDER)} "
+                  f"| {at(row['ms'], times, [100 * e for e in errors])} % "
+                  f"| {at(row['rmse'], errors, LADDER)} | {share} |")  # fmt: skip
+
+
+def print_ring(_bench: Bench, size: int, rounds: int) -> None:
+    """Print table 1: the ring with what moves from frame to frame."""
+    bench = Bench("ring_caustic", size, caching=True)
+    way = Way("ring", "splatting", splats(4096, 0.05, True), sampler="vtkImportanceLightSampler")
+    bench.use(way)
+    sampler = bench.parts[repr(way)][1]
+    sampler.SetWarpingToTogether()
+    sampler.SetLevels(3)
+    camera = bench.renderer.GetActiveCamera()
+    light = bench.renderer.GetLights().GetItemAsObject(0)
+    place = light.GetPosition()
+    cases = (
+        ("dynamic light and camera", True, True, 10.4),
+        ("dynamic light, static camera", True, False, 10.8),
+        ("static light, dynamic camera", False, True, 9.3),
+        ("static scene", False, False, 6.9),
+    )
+    times: list[list[float]] = [[] for _ in cases]
+    bench.frame()
+    for turn in range(rounds):
+        for case, (_name, lit, moved, _published) in enumerate(cases):
+            for step in range(2):
+                if lit:
+                    light.SetPosition(place[0], place[1], place[2] + 0.01 * (turn + 0.5 * step))
+                if moved:
+                    camera.Azimuth(1.0)
+                spent = bench.frame()
+            times[case].append(spent)
+    medians = [statistics.median(t) for t in times]
+    print(f"\n### ring, {size} x {size}\n")
+    print("| 4096 lights | ms | of the first | the paper's |")
+    print("|---|---|---|---|")
+    for case, (name, _lit, _moved, published) in enumerate(cases):
+        print(f"| {name} | {medians[case]:.0f} | {medians[case] / medians[0]:.2f} "
+              f"| {published / cases[0][3]:.2f} |")  # fmt: skip
+    bench.scene.render_window.Finalize()
+
+
+def mean_intensity(bench: Bench) -> float:
+    """Return the mean of what the last frame's lights send, of their brightest colours."""
+    sent = images.copy_buffer(bench.renderer, "lights")[:, 2, :3].max(axis=1)
+    return float(sent[sent > 0.0].mean())
+
+
+def print_occlusion(bench: Bench, size: int, rounds: int) -> None:
+    """Print table 3: lights as they are and times ambient occlusion, reaching by the same I_low."""
+    print("\n### occlusion\n")
+    print("| indirect light at | lights | ms | speed over the first | the paper's | splats a pixel |")
+    print("|---|---|---|---|---|---|")
+    published = {size: (27.0, 37.0), size // 2: (63.0, 85.0)}
+    first = 0.0
+    for edge in (size, size // 2):
+        own = Bench(bench.name, edge)
+        plain = Way("plain", "splatting", splats(256, 0.05, False))
+        own.show(plain)
+        mean = mean_intensity(own)
+        own.show(Way("", "splatting", splats(256, 0.05, False, AmbientOcclusion=True)))
+        threshold = min(0.05 * mean / max(mean_intensity(own), 1e-30), 1.0)
+        occluded = splats(256, threshold, False, AmbientOcclusion=True)
+        ways = [plain, Way("times ambient occlusion", "splatting", occluded)]
+        times: list[list[float]] = [[], []]
+        counts = [0.0, 0.0]
+        for _ in range(rounds):
+            for i, way in enumerate(ways):
+                times[i].append(own.show(way))
+                counts[i] = 256.0 * float(
+                    images.copy_buffer(own.renderer, "splat.overdraw")[..., 0].mean()
+                )
+        for i, way in enumerate(ways):
+            spent = statistics.median(times[i])
+            first = first or spent
+            print(f"| {edge} x {edge} | {way.name} | {spent:.1f} | {first / spent:.2f} "
+                  f"| {published[edge][i] / 27.0:.2f} | {counts[i]:.1f} |")  # fmt: skip
+        own.scene.render_window.Finalize()
+
+
+def print_lobes(_bench: Bench, size: int, rounds: int) -> None:
+    """Print what bounds of lobes are worth on the ring, against all of them counting everywhere."""
+    bench = Bench("ring_caustic", size)
+    ways = [
+        Way("all count everywhere", "splatting", splats(4096, 0.0, False)),
+        Way("2 %, far field", "splatting", splats(4096, 0.02, True)),
+        Way("2 %, cut off", "splatting", splats(4096, 0.02, False)),
+        Way("5 %, far field", "splatting", splats(4096, 0.05, True)),
+        Way("2 %, far field, no lobes", "splatting",
+            splats(4096, 0.02, True, SpecularTransport=False)),
+    ]  # fmt: skip
+    for way in ways:
+        way.sampler = "vtkLightTreeSampler"
+    times: list[list[float]] = [[] for _ in ways]
+    found = []
+    for turn in range(rounds):
+        for i, way in enumerate(ways):
+            times[i].append(bench.show(way))
+            if turn == 0:
+                counts = 256.0 * images.copy_buffer(bench.renderer, "splat.overdraw")[..., 0]
+                found.append((images.copy_buffer(bench.renderer, "irradiance"), counts.mean()))
+    truth = found[0][0]
+    print(f"\n### lobes, ring_caustic, {size} x {size}, 4096 lights of the tree\n")
+    print("| | ms | RMSE to the first | bias | splats a pixel |")
+    print("|---|---|---|---|---|")
+    for i, way in enumerate(ways):
+        image, counts = found[i]
+        rmse = np.sqrt(((image - truth) ** 2).mean()) / truth.mean()
+        print(f"| {way.name} | {statistics.median(times[i]):.0f} | {100 * rmse:.1f} % "
+              f"| {100 * (image.mean() / truth.mean() - 1.0):+.1f} % | {counts:.0f} |")  # fmt: skip
+    bench.scene.render_window.Finalize()
+
+
+def packed(lights: np.ndarray, paper: bool) -> np.ndarray:
+    """Return rows of lights as formats hold them: the paper's 48 + 24 + 24 bits, or 256 bits."""
+    result = lights.astype(np.float64)
+    normal, density = result[:, 1, :3], result[:, 2, :3]
+    if paper:
+        result[:, 0, :3] = result[:, 0, :3].astype(np.float16)
+        normal = np.round(normal * 127.0) / 127.0
+        unit = max(float(density.max()), 1e-30)
+        density = np.round(density / unit * 255.0) / 255.0 * unit
+    else:
+        # An octahedron's two coordinates of 16 bits; three mantissas of 9 bits with one exponent.
+        flat = normal / np.abs(normal).sum(axis=1, keepdims=True)
+        over = np.where(flat[:, 2:] < 0.0,
+                        (1.0 - np.abs(flat[:, 1::-1])) * np.where(flat[:, :2] < 0.0, -1.0, 1.0),
+                        flat[:, :2])  # fmt: skip
+        over = np.round(over * 32767.0) / 32767.0
+        height = 1.0 - np.abs(over).sum(axis=1, keepdims=True)
+        fold = np.maximum(-height, 0.0)
+        normal = np.concatenate([over - np.where(over < 0.0, -fold, fold), height], axis=1)
+        step = 2.0 ** (np.ceil(np.log2(np.maximum(density.max(axis=1, keepdims=True), 1e-30))) - 9)
+        density = np.round(density / step) * step
+    length = np.linalg.norm(normal, axis=1, keepdims=True)
+    result[:, 1, :3] = normal / np.maximum(length, 1e-30)
+    result[:, 2, :3] = density
+    return result
+
+
+def gathered(lights: np.ndarray, receivers: np.ndarray) -> np.ndarray:
+    """Return the irradiance at receivers, rows as of lights, in double precision."""
+    lights, receivers = lights.astype(np.float64), receivers.astype(np.float64)
+    to_sender = lights[None, :, 0, :3] - receivers[:, None, 0, :3]
+    squared = (to_sender**2).sum(axis=2)
+    sender = np.maximum(-(to_sender * lights[None, :, 1, :3]).sum(axis=2), 0.0)
+    receiver = np.maximum((to_sender * receivers[:, None, 1, :3]).sum(axis=2), 0.0)
+    weight = sender * receiver / np.maximum(squared * (np.pi * squared + lights[None, :, 0, 3]), 1e-30)
+    return weight @ lights[:, 2, :3]
+
+
+def print_bits(bench: Bench, _size: int, _rounds: int) -> None:
+    """Print what formats of fewer bits change of the irradiance at places on the surfaces."""
+    tables = []
+    for count in (768, 1500):
+        way = Way("", "gather", {"NumberOfLights": count, "InterpolationStep": 32})
+        bench.show(way)
+        tables.append(images.copy_buffer(bench.renderer, "lights"))
+    lights, receivers = tables
+    exact = gathered(lights, receivers)
+    print("\n### bits\n")
+    print("| a light | bits | RMSE to 32-bit floats, of the mean |")
+    print("|---|---|---|")
+    print(f"| three texels of four floats, as it is | {BITS_OF_LIGHT} | 0 |")
+    for name, bits, paper in (
+        ("two texels: octahedral normal of 32, colour of 9 + 9 + 9 and an exponent of 5", 256, False),
+        ("the paper's: place 48, direction 24, flux 24 (its gather reads 16 more)", 96, True),
+    ):
+        error = np.sqrt(((gathered(packed(lights, paper), receivers) - exact) ** 2).mean())
+        print(f"| {name} | {bits} | {100 * error / exact.mean():.3f} % |")
+
+
 def print_overdraw(bench: Bench, _size: int, rounds: int) -> None:
     """Print the table of overdraw and what a light takes to read."""
     lights = 768
@@ -229,58 +445,17 @@ def print_overdraw(bench: Bench, _size: int, rounds: int) -> None:
     print(f"\nThe gather at every pixel reads {BITS_OF_LIGHT} bits a light.")
 
 
-def draw_thresholds(bench: Bench, path: Path) -> None:
-    """Colour plate 3: the picture with three thresholds, cut off as in the paper, and whole."""
-    pictures = []
-    for f, far in ((0.01, False), (0.05, False), (0.07, False), (0.05, True)):
-        bench.show(Way("", "splatting", splats(768, f, far)))
-        pictures.append(images.copy_buffer(bench.renderer, "final")[..., :3])
-    joined = np.concatenate(pictures, axis=1)[::-1]
-    write_png(path, joined)
-
-
-def draw_overdraw(bench: Bench, path: Path) -> None:
-    """Figure 8: the number of splats at each pixel, white for 256: ellipsoids and tiles."""
-    pictures = []
-    for paths in ("splats=blend", "splats=tiles"):
-        bench.show(Way("", "splatting", splats(768, 0.05, False), paths=paths))
-        pictures.append(images.copy_buffer(bench.renderer, "splat.overdraw")[..., :3])
-    write_png(path, np.concatenate(pictures, axis=1)[::-1])
-
-
-def draw_bounds(path: Path) -> None:
-    """Figures 9 and 10: iso-surfaces, and the ellipses about them, for exponents 1, 10 and 100."""
-    pyplot = plot.require_plots()
-    figure, axes = pyplot.subplots(1, 3, figsize=(9.0, 3.2), sharex=True, sharey=True)
-    angle = np.linspace(-0.5 * np.pi, 0.5 * np.pi, 2001)
-    turn = np.linspace(0.0, 2.0 * np.pi, 400)
-    for axis, n in zip(axes, (1, 10, 100)):
-        radius = np.cos(angle) ** (0.5 * n)
-        axis.plot(radius * np.cos(angle), radius * np.sin(angle), "k", label="iso-surface")
-        center = (n / (n + 2)) ** (0.25 * (n + 2))
-        height = center ** (n / (n + 2)) * np.sqrt(1.0 - center ** (4 / (n + 2)))
-        axis.plot(center + max(center, 1.0 - center) * np.cos(turn), height * np.sin(turn),
-                  "0.6", label="ellipse")  # fmt: skip
-        axis.set_title(f"n = {n}")
-        axis.set_aspect("equal")
-        axis.grid(True, alpha=0.3)
-    axes[0].legend(fontsize=8, loc="lower right")
-    figure.tight_layout()
-    figure.savefig(path, dpi=72)
-
-
-def write_png(path: Path, image: np.ndarray) -> None:
-    """Write an image, top row first, of values from 0 to 1."""
-    pyplot = plot.require_plots()
-    pyplot.imsave(path, np.clip(image, 0.0, 1.0))
-
-
 PARTS: dict[str, Callable[[Bench, int, int], None]] = {
     "threshold": lambda bench, size, rounds: print_part(bench, "threshold", size, rounds),
     "lights": lambda bench, size, rounds: print_part(bench, "lights", size, rounds),
     "gather": lambda bench, size, rounds: print_part(bench, "gather", size, rounds),
+    "equal": print_equal,
     "ways": lambda bench, size, rounds: print_part(bench, "ways", size, rounds),
     "overdraw": print_overdraw,
+    "ring": print_ring,
+    "occlusion": print_occlusion,
+    "lobes": print_lobes,
+    "bits": print_bits,
 }
 
 
@@ -299,13 +474,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if given.figure:
         number, file = given.figure
         images.check_output(Path(file), (".png",))
-        if number == "9":
-            draw_bounds(Path(file))
-            return 0
-        draw = {"3": draw_thresholds, "8": draw_overdraw}.get(number)
-        if draw is None:
-            parser.error(f"unknown figure '{number}'; known: 3, 8, 9")
-        draw(Bench(given.scene, given.size), Path(file))
+        if number not in splatting_figures.FIGURES:
+            parser.error(
+                f"unknown figure '{number}'; known: {', '.join(splatting_figures.FIGURES)}"
+            )
+        scene = SCENES / f"{given.scene}.json"
+        splatting_figures.FIGURES[number](scene, given.size, Path(file))
         return 0
     bench = Bench(given.scene, given.size)
     print(f"{given.scene}, {given.size} x {given.size}")
