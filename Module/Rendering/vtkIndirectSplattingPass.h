@@ -30,10 +30,12 @@
  * Receivers with Phong's model and a specular coefficient also reflect the lights in their lobes:
  * all of them, summed at each of their pixels; see SpecularTransport.
  *
- * Lobes of specular senders have no splats: they are summed as in vtkRSMGatherPass, interpolated
- * where they vary little.
+ * Lobes of specular senders have splats of their own beside the light's (section 3.3): an ellipsoid
+ * about where the lobe as it is evaluated, normalised and widened near its light, reaches I_low.
+ * What these cut off is measured and given back with the rest.
  *
- * Memory: 16 bytes a pixel, 32 for each of those that the far field is summed at, and 32 a light.
+ * Memory: 16 bytes a pixel, 32 for each of those that the far field is summed at, and 32 a light, 64
+ * where lights have lobes.
  */
 
 #ifndef vtkIndirectSplattingPass_h
@@ -59,10 +61,11 @@ public:
   /**
    * The lowest intensity over a squared distance at which a virtual light counts is I_low =
    * IntensityThreshold * I0 / l^2: I0 is the mean intensity of the frame's virtual lights along
-   * their normals, and l a twentieth of the diagonal of the scene's bounds. The mean light reaches
-   * l / sqrt(IntensityThreshold): half a diagonal for 0.01, 0.22 for 0.05, 0.16 for 0.1, whatever
-   * the number of lights; one of four times that intensity twice as far. 0: all lights count
-   * everywhere. Default 0.05, range 0 to 1.
+   * their normals, what their lobes send taken as diffuse, and l a twentieth of the diagonal of the
+   * scene's bounds. The mean light reaches l / sqrt(IntensityThreshold): half a diagonal for 0.01,
+   * 0.22 for 0.05, 0.16 for 0.1, whatever the number of lights; one of four times that intensity
+   * twice as far, and a lobe of exponent P and the same flux sqrt((P + 1) / 2) times as far. 0: all
+   * lights count everywhere. Default 0.02, range 0 to 1.
    */
   vtkIndirectClampMacro(IntensityThreshold, double, 0.0, 1.0);
   ///@}

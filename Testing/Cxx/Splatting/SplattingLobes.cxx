@@ -268,6 +268,49 @@ VTK_INDIRECT_TEST(LobesAllIsGather)
   }
 }
 
+VTK_INDIRECT_TEST(LobesAroundTheEye)
+{
+  // Eyes within lobes' splats, and splats behind eyes and around them; parallel eyes that see
+  // backwards.
+  double worst[NumberOfSplatWays] = {};
+  int lit = 0;
+  const double powers[] = { 2.0, 40.0, -0.3, -0.05 };
+  for (int number = 0; number < 6; ++number)
+  {
+    SplattingFrame scene(300 + number, { 90, 70 }, static_cast<FrameLight>(number % 4));
+    MakeAllSpecular(scene, powers[number % 4]);
+    Random random(400 + static_cast<std::uint64_t>(number));
+    scene.SetEye({ random.Next(0.2, 0.7), random.Next(0.1, 0.6), random.Next(0.2, 0.7) },
+      { random.Next(0.0, 0.3), 0.0, random.Next(0.0, 0.3) }, { 0.1, 1.0, 0.1 },
+      random.Next(40.0, 110.0), 0.01, 6.0);
+    if (number % 4 == 3)
+    {
+      scene.SetParallelEye(0.4);
+    }
+    scene.Sampler->SetNumberOfLights(80);
+    scene.Pass->SetReflectiveShadowMapResolution(64);
+    for (double threshold : { 2e-3, 2e-2, 0.5 })
+    {
+      scene.Splats->SetIntensityThreshold(threshold);
+      scene.Splats->SetFarField(number % 2 == 0);
+      const Image tiles = scene.SplatLights(SplatWay::TILES);
+      lit += Sum(tiles) > 0.0;
+      for (int way = 1; way < NumberOfSplatWays; ++way)
+      {
+        const double error =
+          Compare(scene.SplatLights(static_cast<SplatWay>(way)), tiles, Least).Worst;
+        worst[way] = std::max(worst[way], error);
+      }
+    }
+  }
+  CheckAtLeast("frames with light, of 18", lit, 14, "the test's own power");
+  for (int way = 1; way < NumberOfSplatWays; ++way)
+  {
+    CheckAtMost(std::string(GetName(static_cast<SplatWay>(way))) + " against tiles, worst",
+      worst[way], 1e-5, "the order of sums");
+  }
+}
+
 VTK_INDIRECT_TEST(LobesKeepMean)
 {
   // The ring, whose lights have narrow lobes, and nothing but these.
