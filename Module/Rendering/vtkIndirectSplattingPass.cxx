@@ -43,6 +43,16 @@ struct vtkIndirectSplattingPass::Internals
   vtkIndirectLobeGather Lobes;
   vtkIndirectFullScreenProgram OverdrawView{ "vtkIndirectOverdrawFS.glsl" };
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
+
+  bool SumGlossy(const vtkIndirectEstimateInput& input, vtkIndirectTarget& glossy)
+  {
+    if (vtkIndirectSplats::UsesTiles())
+    {
+      return this->Splats.SumGlossy(input, this->Table, glossy);
+    }
+    vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(input.Frame.Window->GetState());
+    return this->Glossy.Sum(input, glossy, 1.0, {}) && this->Lobes.AddToGlossy(input, glossy);
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -98,12 +108,7 @@ bool vtkIndirectSplattingPass::Sum(const Input& input)
   timer.Begin(vtkIndirectStageTimer::Estimate);
   bool done = in.Table.Update(input, this->Settings.IntensityThreshold, fades) &&
     in.Splats.Sum(input, in.Table, *this->Irradiance, this->Settings.SplatShape == SCREEN_QUADS) &&
-    (!this->HasGlossy || in.Glossy.Sum(input, *this->Glossy, 1.0, {}));
-  if (done && this->HasGlossy)
-  {
-    vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-    done = in.Lobes.AddToGlossy(input, *this->Glossy);
-  }
+    (!this->HasGlossy || in.SumGlossy(input, *this->Glossy));
   timer.End(vtkIndirectStageTimer::Estimate);
   if (!cuts)
   {

@@ -107,3 +107,39 @@ VTK_INDIRECT_TEST(GlossyVariation)
     "smallest bound over a weight", tightest, 2.0, "the test's own power: it is no wide bound");
   CheckEqual("weights where all of the patch was thought below the horizon", hidden, 0);
 }
+
+VTK_INDIRECT_TEST(GlossyBesideMirrors)
+{
+  // What is left out of a tile's list is not seen by any receiver in it.
+  Random random(61);
+  double most = 0.0;
+  int left = 0;
+  int kept = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const auto radius = static_cast<float>(random.NextMagnitude(1e-4, 0.3));
+    const vec3 axis(random.NextDirection());
+    const double spread = random.Next(0.0, 0.6);
+    const auto power = static_cast<float>(i % 10 == 0 ? 0.0 : random.NextMagnitude(1.0, 1e6));
+    const vec3 toSender(random.NextDirection() * random.NextMagnitude(1e-3, 1.0));
+    const bool beside =
+      vtkiIsBesideMirrors(toSender, radius, axis, static_cast<float>(std::cos(spread)), power);
+    left += beside;
+    kept += !beside;
+    for (int k = 0; beside && k < 10; ++k)
+    {
+      // A mirror direction at the cone's edge and a receiver at the ball's, towards the sender.
+      const glm::dvec3 towards = glm::normalize(
+        glm::dvec3(toSender) - glm::dot(glm::dvec3(toSender), glm::dvec3(axis)) * glm::dvec3(axis));
+      const double turn = k == 0 ? spread : spread * random.Next();
+      const glm::dvec3 mirror = std::cos(turn) * glm::dvec3(axis) + std::sin(turn) * towards;
+      const glm::dvec3 way = glm::dvec3(toSender) +
+        double(radius) * (k < 5 ? glm::normalize(mirror) : random.NextDirection());
+      const double cosine = glm::dot(glm::normalize(way), mirror);
+      most = std::max(most, cosine > 0.0 ? std::pow(cosine, double(power)) : 0.0);
+    }
+  }
+  CheckAtLeast("senders that are left out", left, 3000, "the test's own power");
+  CheckAtLeast("senders that are kept", kept, 3000, "the test's own power");
+  CheckAtMost("largest lobe towards one that is left out", most, 1.2e-7, "exp(-16)");
+}

@@ -311,6 +311,56 @@ VTK_INDIRECT_TEST(LobesAroundTheEye)
   }
 }
 
+VTK_INDIRECT_TEST(LobesInReceiversLobes)
+{
+  // What specular receivers reflect, of lights and of lobes, by lists of tiles: nothing is lost.
+  double all = 0.0;
+  double lists = 0.0;
+  double moved = 0.0;
+  double drawn = 0.0;
+  double least = 1e9;
+  const double powers[] = { 0.0, 3.0, 40.0, 128.0, 20.0 };
+  for (int number = 0; number < 5; ++number)
+  {
+    SplattingFrame scene(500 + number, { 61, 47 }, static_cast<FrameLight>(number % 4));
+    MakeAllSpecular(scene, powers[number]);
+    vtkNew<vtkLightTreeSampler> tree;
+    tree->SetNumberOfLights(40);
+    scene.Sampler->SetNumberOfLights(280);
+    if (number % 3 == 2)
+    {
+      scene.Pass->SetSampler(tree);
+    }
+    scene.Pass->SetReflectiveShadowMapResolution(64);
+    scene.Pass->SetVisibility(
+      number == 1 ? vtkIndirectIlluminationPass::MAPS : vtkIndirectIlluminationPass::NONE);
+    if (number == 3)
+    {
+      scene.SetParallelEye(0.4);
+    }
+    scene.GatherAll();
+    const Image expected = scene.Copy("glossy");
+    least = std::min(least, Sum(expected));
+    for (double threshold : { 0.0, 0.02, 0.5 })
+    {
+      scene.Splats->SetIntensityThreshold(threshold);
+      scene.SplatLights(SplatWay::TILES);
+      const Image image = scene.Copy("glossy");
+      const double worst = Compare(image, expected, 1e-2).Worst;
+      all = std::max(all, threshold > 0.0 ? 0.0 : worst);
+      lists = std::max(lists, worst);
+      moved = std::max(moved, std::abs(Sum(image) / Sum(expected) - 1.0));
+    }
+    scene.SplatLights(SplatWay::ELLIPSOIDS);
+    drawn = std::max(drawn, Compare(scene.Copy("glossy"), expected, 1e-2).Worst);
+  }
+  CheckAtLeast("glossy light in the darkest frame", least, 0.01, "the test's own power");
+  CheckAtMost("worst difference to the gather's, all counting", all, 1e-5, "the order of sums");
+  CheckAtMost("the same for any threshold", lists, 0.02, "lobes' tails; measured 0.005");
+  CheckAtMost("largest change of the mean", moved, 1e-4, "the same; measured 2e-5");
+  CheckAtMost("worst difference where splats are drawn", drawn, 1e-5, "the gather's own sums");
+}
+
 VTK_INDIRECT_TEST(LobesKeepMean)
 {
   // The ring, whose lights have narrow lobes, and nothing but these.

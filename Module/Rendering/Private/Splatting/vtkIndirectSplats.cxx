@@ -89,8 +89,15 @@ bool vtkIndirectSplats::UsesTiles()
 bool vtkIndirectSplats::Sum(const vtkIndirectEstimateInput& input,
   const vtkIndirectSplatTable& table, vtkIndirectTarget& sum, bool rectangles)
 {
-  return UsesTiles() ? this->SumInTiles(input, table, sum)
+  return UsesTiles() ? SumInTiles(input, table, this->Tiles, sum)
                      : this->SumBlended(input, table, sum, rectangles);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSplats::SumGlossy(const vtkIndirectEstimateInput& input,
+  const vtkIndirectSplatTable& table, vtkIndirectTarget& glossy)
+{
+  return SumInTiles(input, table, this->GlossyTiles, glossy);
 }
 
 //------------------------------------------------------------------------------
@@ -172,18 +179,22 @@ bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
-  const vtkIndirectSplatTable& table, vtkIndirectTarget& sum)
+  const vtkIndirectSplatTable& table, vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum)
 {
 #ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
-  this->Tiles.SetDefinitions(std::string(input.Visibility.GetDefinitions()) +
+  tiles.SetDefinitions(std::string(input.Visibility.GetDefinitions()) +
     input.Lights->GetDefinitions() + table.GetDefinitions(input.Lights->HasLobes()));
-  vtkShaderProgram* program = this->Tiles.Use(frame.Window);
+  vtkShaderProgram* program = tiles.Use(frame.Window);
   if (!program)
   {
     return false;
   }
   table.Activate(input, program);
+  if (program->IsUniformUsed("vtkiSpecular"))
+  {
+    input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Specular, program);
+  }
   glBindImageTexture(
     0, sum.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
   // What the kernel reads must have arrived: llvmpipe does not wait for it by itself.
@@ -215,6 +226,7 @@ void vtkIndirectSplats::Release()
 {
   this->Mesh.Release();
   this->Tiles.Release(nullptr);
+  this->GlossyTiles.Release(nullptr);
   this->OfLights = {};
   this->OfLobes = {};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums virtual lights and their lobes, each where it counts: by splats that are drawn and blended, or by compute
-// shaders in tiles of 16 x 16 pixels. Both give the same within rounding.
+// Sums virtual lights and their lobes, each where it counts: by splats that are drawn and blended,
+// or by compute shaders in tiles of 16 x 16 pixels. Both give the same within rounding.
 #ifndef vtkIndirectSplats_h
 #define vtkIndirectSplats_h
 
@@ -28,6 +28,14 @@ public:
   bool Sum(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectTarget& sum, bool rectangles);
 
+  /**
+   * Fills `glossy`, of the frame's size and RGBA32F, with what specular receivers reflect of the
+   * lights and their lobes. Where it uses tiles; else vtkIndirectGlossyGather and
+   * vtkIndirectLobeGather sum the same. Otherwise as Sum.
+   */
+  bool SumGlossy(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
+    vtkIndirectTarget& glossy);
+
   size_t GetBytes() const { return this->Mesh.GetBytes(); }
   void Release();
 
@@ -45,13 +53,15 @@ private:
     vtkIndirectTarget& sum, bool rectangles);
   bool Draw(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkShaderProgram* program, bool rectangles);
-  bool SumInTiles(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-    vtkIndirectTarget& sum);
+  /** Runs it for blocks of lights. */
+  static bool SumInTiles(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
+    vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum);
 
   vtkIndirectSplatMesh Mesh;
   Shaders OfLights;
   Shaders OfLobes;
   vtkIndirectComputeProgram Tiles{ "vtkIndirectSplatTilesCS.glsl" };
+  vtkIndirectComputeProgram GlossyTiles{ "vtkIndirectGlossyTilesCS.glsl" };
 };
 
 #endif

@@ -4,34 +4,16 @@
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectSplatLobe.glsl"
 #include "vtkIndirectSplatBounds.glsl"
+#include "vtkIndirectSplatTile.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(rgba32f, binding = 0) uniform image2D vtkiSum;
 uniform bool vtkiAdds; // to what further lights have given
 
-// Coordinates as unsigned integers in the same order, so that they can be compared atomically.
-shared uint vtkiLowest[3];
-shared uint vtkiHighest[3];
 shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
 #ifdef VTKI_SPLAT_LOBES
 shared uint vtkiListedLobes[VTKI_ROW_LENGTH / 32];
 #endif
-
-uint vtkiOrdered(float value)
-{
-  uint bits = floatBitsToUint(value);
-  return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
-}
-
-float vtkiFromOrdered(uint bits)
-{
-  return uintBitsToFloat((bits & 0x80000000u) != 0u ? bits & 0x7fffffffu : ~bits);
-}
-
-vec3 vtkiFromOrdered(uint bits[3])
-{
-  return vec3(vtkiFromOrdered(bits[0]), vtkiFromOrdered(bits[1]), vtkiFromOrdered(bits[2]));
-}
 
 void main()
 {

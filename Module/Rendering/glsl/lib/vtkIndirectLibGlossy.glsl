@@ -14,6 +14,19 @@ vec3 vtkiMirror(vec3 positionVC, vec3 normalVC)
   return 2.0f * dot(normalVC, toEye) * normalVC - toEye;
 }
 
+/* Whether all lobes cos^power, or narrower ones, about mirror directions within a cone leave less than 1e-7 of a sender,
+ * seen from anywhere within `radius` of a place. toSender: from that place; axis: of the cone, unit, of whose directions
+ * `cosine` is the least cosine to it. cos(a)^power <= exp(-power a^2 / 2). Angles have room for rounding. */
+bool vtkiIsBesideMirrors(vec3 toSender, float radius, vec3 axis, float cosine, float power)
+{
+  float r = length(toSender);
+  float shift = r > radius ? asin(radius / r) : VTKI_PI;
+  float along = r > 0.0f ? dot(axis, toSender) / r : 1.0f;
+  float angle = acos(min(max(along, -1.0f), 1.0f));
+  float lobe = sqrt(32.0f / max(power, 1.0e-6f));
+  return angle > acos(min(max(cosine, -1.0f), 1.0f)) + shift + lobe + 1.0e-3f;
+}
+
 /* Weight w such that a virtual light of reflected density times area BA adds specular colour times
  * BA w to what a receiver shows (VTK units). The light's strength there is what VTK's lightColor is
  * to a lamp: irradiance without the receiver's cosine. The lobe is VTK's, cos^power about the mirror

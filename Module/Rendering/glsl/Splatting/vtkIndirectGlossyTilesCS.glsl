@@ -1,0 +1,216 @@
+//VTK::System::Dec
+// What specular receivers reflect of virtual lights: a group of invocations for each tile of 16 x 16 pixels lists the
+// lights that any of its receivers' lobes can see, and the lobes of lights that reach it, and sums these.
+#include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectLibGlossy.glsl"
+
+uniform sampler2D vtkiSpecular;
+
+// Set by main; compilers warn of values that functions before it use.
+vec3 vtkiReceiverMirror = vec3(0.0f);
+float vtkiReceiverPower = 0.0f;
+float vtkiWeightInLobe(vec3 toSender, vec3 normalS, vec3 normalR, float area)
+{
+  return vtkiGlossyWeight(toSender, normalS, normalR, vtkiReceiverMirror, vtkiReceiverPower, area);
+}
+float vtkiDirectionInLobe(vec3 toLight, vec3 normalR)
+{
+  float mirrored = dot(normalR, toLight) > 0.0f ? dot(vtkiReceiverMirror, toLight) : 0.0f;
+  return mirrored > 0.0f ? pow(min(mirrored, 1.0f), vtkiReceiverPower) / VTKI_PI : 0.0f;
+}
+#define vtkiVirtualLightWeight vtkiWeightInLobe
+#define vtkiMeanLightWeight vtkiWeightInLobe
+#define vtkiDirectionWeight vtkiDirectionInLobe
+#include "vtkIndirectSplatLobe.glsl"
+#include "vtkIndirectSplatTile.glsl"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+layout(rgba32f, binding = 0) uniform image2D vtkiSum;
+uniform bool vtkiAdds; // to what further lights have given
+
+shared uint vtkiLowestMirror[3];
+shared uint vtkiHighestMirror[3];
+shared uint vtkiLeastPower;
+shared uint vtkiLeastCosine; // of a mirror direction to their middle
+shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
+#ifdef VTKI_SPLAT_LOBES
+shared uint vtkiListedLobes[VTKI_ROW_LENGTH / 32];
+#endif
+
+// Whether any of the tile's receivers may see a light: of what is below it, too, where they are near to it.
+bool vtkiTileSeesLight(vec4 sender, vec4 senderNormal, vec3 middle, float radius, vec3 mirror, float cosine, float power)
+{
+  bool direction = sender.w < 0.0f;
+  vec3 toSender = vtkiToSender(sender, middle);
+  bool near = false;
+#ifdef VTKI_DIVIDED
+  near = length(toSender) < senderNormal.w + radius;
+#endif
+  return near || !vtkiIsBesideMirrors(toSender, direction ? 0.0f : radius, mirror, cosine, power);
+}
+
+#ifdef VTKI_SPLAT_LOBES
+bool vtkiTileSeesLobe(ivec2 at, vec4 sender, vec3 senderNormal, vec3 middle, vec3 halfSize, float low)
+{
+  vec3 flux = texelFetch(vtkiLobeDensity, at, 0).rgb;
+  vec4 direction = texelFetch(vtkiLobeDirection, at, 0);
+  vtkiSplat lobe = vtkiWholeScene();
+  if (low > 0.0f)
+  {
+    float upright = dot(senderNormal, direction.xyz) / max(length(senderNormal), 1.0e-20f);
+    lobe = vtkiWithinScene(vtkiMakeLobeSplat(sender.xyz, direction.xyz, upright, direction.w, sender.w,
+      vtkiLobeFlux(flux, low)));
+  }
+  return max(max(flux.r, flux.g), flux.b) > 0.0f && vtkiSplatMeetsBox(lobe, middle, halfSize);
+}
+
+vec3 vtkiLobeInLobe(vtkiReceiver receiver, vec3 open, int light)
+{
+  ivec2 at = vtkiTableTexel(light);
+  vec4 sender = texelFetch(vtkiLightPosition, at, 0);
+  vec3 senderNormal = texelFetch(vtkiLightNormal, at, 0).xyz;
+  vec4 direction = texelFetch(vtkiLobeDirection, at, 0);
+  vec3 toSender = sender.xyz - receiver.position;
+  float r = length(toSender);
+  float mirrored = r > 0.0f ? min(dot(vtkiReceiverMirror, toSender) / r, 1.0f) : 0.0f;
+  if (!(mirrored > 0.0f) || !(dot(receiver.normal, toSender) > 0.0f) || vtkiIsBesideLobe(toSender, sender, direction))
+  {
+    return vec3(0.0f);
+  }
+  float weight = pow(mirrored, vtkiReceiverPower) * r *
+    vtkiSenderLobeStrength(toSender, senderNormal, direction.xyz, direction.w, sender.w);
+#ifdef VTKI_VISIBILITY
+  bool seen = vtkiIsSenderVisible(
+    light, open, receiver.position, receiver.normal, sender, senderNormal, weight > 0.0f);
+  weight = seen ? weight : 0.0f;
+#endif
+  return weight * texelFetch(vtkiLobeDensity, at, 0).rgb;
+}
+#endif
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  int number = int(gl_LocalInvocationIndex);
+  vtkiReceiver receiver;
+  bool inside = pixel.x < vtkiSize.x && pixel.y < vtkiSize.y;
+  bool lit = vtkiFetchReceiver(min(pixel, vtkiSize - 1), receiver) && inside;
+  vec4 specular = texelFetch(vtkiSpecular, min(pixel, vtkiSize - 1), 0);
+  // Powers below zero are roughnesses of VTK's PBR, which area lights alone know.
+  bool wanted = lit && specular.a >= 0.0f && max(max(specular.r, specular.g), specular.b) > 0.0f;
+  vtkiReceiverMirror = mat3(vtkiViewToScene) * vtkiMirror(receiver.positionVC, receiver.normalVC);
+  vtkiReceiverPower = specular.a;
+  if (number < 3)
+  {
+    vtkiLowest[number] = 0xffffffffu;
+    vtkiHighest[number] = 0u;
+    vtkiLowestMirror[number] = 0xffffffffu;
+    vtkiHighestMirror[number] = 0u;
+    vtkiLeastPower = 0xffffffffu;
+    vtkiLeastCosine = 0xffffffffu;
+  }
+  barrier();
+  if (wanted)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      uint at = vtkiOrdered(receiver.position[i]);
+      atomicMin(vtkiLowest[i], at);
+      atomicMax(vtkiHighest[i], at);
+      uint mirror = vtkiOrdered(vtkiReceiverMirror[i]);
+      atomicMin(vtkiLowestMirror[i], mirror);
+      atomicMax(vtkiHighestMirror[i], mirror);
+    }
+    atomicMin(vtkiLeastPower, vtkiOrdered(specular.a));
+  }
+  barrier();
+  bool any = vtkiLowest[0] <= vtkiHighest[0];
+  vec3 lower = any ? vtkiFromOrdered(vtkiLowest) : vec3(0.0f);
+  vec3 upper = any ? vtkiFromOrdered(vtkiHighest) : vec3(0.0f);
+  vec3 middle = 0.5f * (lower + upper);
+  // Room for what the middle is rounded by.
+  vec3 halfSize = 0.5f * (upper - lower) + 1.0e-6f;
+  vec3 between = any ? vtkiFromOrdered(vtkiLowestMirror) + vtkiFromOrdered(vtkiHighestMirror) : vec3(0.0f);
+  vec3 mirror = between / max(length(between), 1.0e-20f);
+  if (wanted)
+  {
+    atomicMin(vtkiLeastCosine, vtkiOrdered(dot(mirror, vtkiReceiverMirror)));
+  }
+  barrier();
+  float cosine = any ? vtkiFromOrdered(vtkiLeastCosine) : 1.0f;
+  float power = any ? vtkiFromOrdered(vtkiLeastPower) : 0.0f;
+
+  const float highest = VTKI_LOBE_SPLAT_GLOSSY / (VTKI_SPLAT_LENGTH * VTKI_SPLAT_LENGTH);
+  float low = min(vtkiSplatThreshold, highest) * texelFetch(vtkiSplatMean, ivec2(0), 0).r;
+  vec3 open = receiver.position;
+  if (wanted)
+  {
+    open = vtkiSplatOpenPlace(receiver.position, receiver.normal);
+  }
+  vec3 total = vec3(0.0f);
+  for (int row = vtkiLightRows.x; row < vtkiLightRows.y && any; ++row)
+  {
+    if (number < VTKI_ROW_LENGTH / 32)
+    {
+      vtkiListed[number] = 0u;
+#ifdef VTKI_SPLAT_LOBES
+      vtkiListedLobes[number] = 0u;
+#endif
+    }
+    barrier();
+    int light = row * VTKI_ROW_LENGTH + number;
+    vec4 sender;
+    vec4 senderNormal;
+    vec3 density;
+    vtkiFetchLight(min(light, max(vtkiLightCount - 1, 0)), sender, senderNormal, density);
+    if (light < vtkiLightCount &&
+      vtkiTileSeesLight(sender, senderNormal, middle, length(halfSize), mirror, cosine, power))
+    {
+      uint bit = 1u << uint(number & 31);
+      if (max(max(density.r, density.g), density.b) > 0.0f)
+      {
+        atomicOr(vtkiListed[number >> 5], bit);
+      }
+#ifdef VTKI_SPLAT_LOBES
+      if (vtkiTileSeesLobe(vtkiTableTexel(light), sender, senderNormal.xyz, middle, halfSize, low))
+      {
+        atomicOr(vtkiListedLobes[number >> 5], bit);
+      }
+#endif
+    }
+    barrier();
+    // Sums by row keep rounding errors of long sums small.
+    vec3 partial = vec3(0.0f);
+    for (int word = 0; word < VTKI_ROW_LENGTH / 32; ++word)
+    {
+      uint bits = wanted ? vtkiListed[word] : 0u;
+      while (bits != 0u)
+      {
+        int next = row * VTKI_ROW_LENGTH + 32 * word + findLSB(bits);
+        bits &= bits - 1u;
+        vtkiFetchLight(next, sender, senderNormal, density);
+        partial += vtkiWholeSender(receiver.position, receiver.normal, open, next, sender, senderNormal, density);
+      }
+#ifdef VTKI_SPLAT_LOBES
+      bits = wanted ? vtkiListedLobes[word] : 0u;
+      while (bits != 0u)
+      {
+        int next = row * VTKI_ROW_LENGTH + 32 * word + findLSB(bits);
+        bits &= bits - 1u;
+        partial += vtkiLobeInLobe(receiver, open, next);
+      }
+#endif
+    }
+    total += partial;
+    barrier();
+  }
+  if (inside)
+  {
+    vec4 before = vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    if (vtkiAdds)
+    {
+      before = imageLoad(vtkiSum, pixel);
+    }
+    imageStore(vtkiSum, pixel, before + vec4(wanted ? total : vec3(0.0f), 0.0f));
+  }
+}
