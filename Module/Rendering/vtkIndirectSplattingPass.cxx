@@ -170,7 +170,7 @@ void vtkIndirectSplattingPass::AddToReport(vtkIndirectReport& report) const
   if (this->HasGlossy)
   {
     report.Modelled.emplace_back(
-      "light in specular lobes", "all virtual lights at every specular pixel, without bounds");
+      "light in specular lobes", "all virtual lights at every specular pixel");
   }
 }
 
