@@ -3,7 +3,7 @@
 #ifndef ShaderKernels
 #define ShaderKernels
 
-const int VTKI_KERNEL_COUNT = 31;
+const int VTKI_KERNEL_COUNT = 32;
 
 mat3 vtkiTestMatrix(vec4 a, vec4 b, float c)
 {
@@ -199,6 +199,15 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
     return vec4(vtkiHarmonicsDot(seen, vtkiLitCosine(vtkiMakeLightMatrix(light), b3)),
       vtkiProxyRadiance(light, a3, sine) * vtkiProxyClamp(sine, 0.25f),
       vtkiProxyRadianceAtMiddle(light, a3), vtkiProxyOverlap(seen, 0.5f + b.w));
+  }
+  if (kernel == 30)
+  {
+    // A lobe along b3, or narrower than a ball of its reach, of any exponent.
+    float power = pow(10.0f, 6.0f * b.w) - 1.0f;
+    float flux = 0.01f * pow(10.0f, 4.0f * a.w);
+    vtkiSplat lobe = vtkiMakeLobeSplat(0.3f * a3, b3, abs(c.w), power, 1.0e-3f, flux);
+    vtkiSplat light = vtkiMakeSplat(0.3f * a3, b3, power, a.w, 0.1f * b.w);
+    return vec4(dot(lobe.center - 0.3f * a3, b3), lobe.along, lobe.across, light.across);
   }
   return vec4(VTKI_PI, VTKI_GAMMA, float(VTKI_MAP_CAMERA), VTKI_SURFACE_UNLIT);
 }

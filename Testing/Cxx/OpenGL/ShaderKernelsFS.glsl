@@ -14,6 +14,7 @@
 #include "vtkIndirectLibSenderLobe.glsl"
 #include "vtkIndirectLibShadow.glsl"
 #include "vtkIndirectLibSphereProxy.glsl"
+#include "vtkIndirectLibLobeSplat.glsl"
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"
 #include "ShaderKernels.glsl"

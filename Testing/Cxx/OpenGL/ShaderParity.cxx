@@ -85,6 +85,8 @@ const Kernel Kernels[] = {
     "GPU exp and log of limited precision, exponents up to 1e6" },
   { "vtkiProxySine, vtkiHarmonicsExp, vtkiLitCosine, vtkiProxyRadiance, vtkiProxyOverlap", 2e-4,
     0.1, "squares of squares: 32 times the rounding of exp and of 16 sums" },
+  { "vtkiMakeLobeSplat, vtkiMakeSplat", 2e-3, 1e-2,
+    "GPU exp and log of limited precision, exponents up to 1e6" },
   { "constants", 0.0, 1.0, "literals" },
 };
 
