@@ -2,11 +2,19 @@
 // What each estimator and each sampler makes of the same room.
 #include "ImagePicture.h"
 
+#include "vtkActor.h"
 #include "vtkActorCollection.h"
+#include "vtkCamera.h"
+#include "vtkCylinderSource.h"
 #include "vtkImportanceLightSampler.h"
 
 #include "vtkIndirectSplattingPass.h"
+#include "vtkLight.h"
+#include "vtkLightTreeSampler.h"
 #include "vtkMultiresolutionSplattingPass.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
 #include "vtkRSMReferencePass.h"
 #include "vtkRadianceHintsPass.h"
 #include "vtkRandomWalkLightSampler.h"
@@ -77,6 +85,41 @@ VTK_INDIRECT_IMAGE(EstimatorSplattingCutOff)
   vtkNew<vtkIndirectSplattingPass> splatting;
   splatting->FarFieldOff();
   picture.Pass->SetEstimator(splatting);
+}
+
+// A metal ring under a slanting sun: splats of lobes make its caustic.
+VTK_INDIRECT_IMAGE(EstimatorSplattingLobes)
+{
+  using namespace contract;
+  picture.Renderer->AddActor(MakeQuad({ -1.5, 0, -1.5 }, { -1.5, 0, 1.5 }, { 1.5, 0, -1.5 }));
+  vtkNew<vtkCylinderSource> source;
+  source->SetRadius(0.6);
+  source->SetHeight(0.4);
+  source->SetCenter(0, 0.1913, 0); // a little into the ground
+  source->SetResolution(96);
+  source->CappingOff();
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(normals->GetOutputPort());
+  vtkNew<vtkActor> ring;
+  ring->SetMapper(mapper);
+  ring->GetProperty()->SetColor(0.95, 0.75, 0.4);
+  ring->GetProperty()->SetInterpolationToPBR();
+  ring->GetProperty()->SetMetallic(1.0);
+  ring->GetProperty()->SetRoughness(0.25);
+  picture.Renderer->AddActor(ring);
+  picture.Renderer->AddLight(MakeLight(LightKind::Directional, { 1.0, 0.7, 0.05 }, { 0, 0, 0 }));
+  vtkCamera* camera = picture.Renderer->GetActiveCamera();
+  camera->SetPosition(0.11, 3.0, 1.9);
+  camera->SetFocalPoint(0.0, 0.05, 0.1);
+  camera->SetViewAngle(28);
+  picture.Renderer->ResetCameraClippingRange();
+  vtkNew<vtkLightTreeSampler> tree;
+  tree->SetNumberOfLights(1024);
+  picture.Pass->SetSampler(tree);
+  picture.Pass->SetVisibilityToNone();
+  picture.Pass->SetEstimator(vtkNew<vtkIndirectSplattingPass>());
 }
 
 VTK_INDIRECT_IMAGE(EstimatorMultiresolution)
