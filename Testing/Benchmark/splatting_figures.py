@@ -78,9 +78,9 @@ def warp(places: np.ndarray, share: np.ndarray, axis: int) -> np.ndarray:
     """Move a coordinate so that its lower half has a share of the places (equation 5)."""
     result = places.copy()
     value = places[:, axis]
-    below = value < share
-    result[:, axis] = np.where(below, value / np.maximum(2.0 * share, 1e-12),
-                               (1.0 + value - 2.0 * share) / np.maximum(2.0 * (1.0 - share), 1e-12))  # fmt: skip
+    lower = value / np.maximum(2.0 * share, 1e-12)
+    upper = (1.0 + value - 2.0 * share) / np.maximum(2.0 * (1.0 - share), 1e-12)
+    result[:, axis] = np.where(value < share, lower, upper)
     return result
 
 

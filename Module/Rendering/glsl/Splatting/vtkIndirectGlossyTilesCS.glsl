@@ -2,25 +2,10 @@
 // What specular receivers reflect of virtual lights: a group of invocations for each tile of 16 x 16 pixels lists the
 // lights that any of its receivers' lobes can see, and the lobes of lights that reach it, and sums these.
 #include "vtkIndirectReceiver.glsl"
-#include "vtkIndirectLibGlossy.glsl"
 
 uniform sampler2D vtkiSpecular;
 
-// Set by main; compilers warn of values that functions before it use.
-vec3 vtkiReceiverMirror = vec3(0.0f);
-float vtkiReceiverPower = 0.0f;
-float vtkiWeightInLobe(vec3 toSender, vec3 normalS, vec3 normalR, float area)
-{
-  return vtkiGlossyWeight(toSender, normalS, normalR, vtkiReceiverMirror, vtkiReceiverPower, area);
-}
-float vtkiDirectionInLobe(vec3 toLight, vec3 normalR)
-{
-  float mirrored = dot(normalR, toLight) > 0.0f ? dot(vtkiReceiverMirror, toLight) : 0.0f;
-  return mirrored > 0.0f ? pow(min(mirrored, 1.0f), vtkiReceiverPower) / VTKI_PI : 0.0f;
-}
-#define vtkiVirtualLightWeight vtkiWeightInLobe
-#define vtkiMeanLightWeight vtkiWeightInLobe
-#define vtkiDirectionWeight vtkiDirectionInLobe
+#include "vtkIndirectGlossyWeight.glsl"
 #include "vtkIndirectSplatLobe.glsl"
 #include "vtkIndirectSplatTile.glsl"
 
@@ -38,7 +23,8 @@ shared uint vtkiListedLobes[VTKI_ROW_LENGTH / 32];
 #endif
 
 // Whether any of the tile's receivers may see a light: of what is below it, too, where they are near to it.
-bool vtkiTileSeesLight(vec4 sender, vec4 senderNormal, vec3 middle, float radius, vec3 mirror, float cosine, float power)
+bool vtkiTileSeesLight(
+  vec4 sender, vec4 senderNormal, vec3 middle, float radius, vec3 mirror, float cosine, float power)
 {
   bool direction = sender.w < 0.0f;
   vec3 toSender = vtkiToSender(sender, middle);

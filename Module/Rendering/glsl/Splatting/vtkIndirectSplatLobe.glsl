@@ -13,8 +13,8 @@ float vtkiLobeFlux(vec3 density, float low)
   return vtkiSquaredReach(max(max(density.r, density.g), density.b), low);
 }
 
-// Where less than 1e-6 of a lobe is left: most receivers, and they need no more. Its exponent is 4 r^2 / A near the light
-// (vtkiLobeExponent).
+// Where less than 1e-6 of a lobe is left: most receivers, and they need no more. Its exponent is 4 r^2 / A near the
+// light (vtkiLobeExponent).
 bool vtkiIsBesideLobe(vec3 toSender, vec4 sender, vec4 direction)
 {
   float r2 = dot(toSender, toSender);

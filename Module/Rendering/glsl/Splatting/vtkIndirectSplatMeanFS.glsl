@@ -1,6 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Mean intensity of the lights that send, a lobe's flux taken as that of diffuse light, over pi: by columns of their table, then over the columns.
+// Mean intensity of the lights that send, a lobe's flux taken as that of diffuse light, over pi: by columns of their
+// table, then over the columns.
 #include "vtkIndirectSplatLobe.glsl"
 
 #ifdef VTKI_SPLAT_COLUMNS

@@ -1,4 +1,5 @@
-// The box about a tile's surfaces: coordinates as unsigned integers in the same order, which can be compared atomically.
+// The box about a tile's surfaces: coordinates as unsigned integers in the same order, which can be compared
+// atomically.
 shared uint vtkiLowest[3];
 shared uint vtkiHighest[3];
 

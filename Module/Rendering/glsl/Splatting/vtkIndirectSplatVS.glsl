@@ -1,6 +1,6 @@
 //VTK::System::Dec
-// A splat, an instance a virtual light, or with VTKI_SPLAT_LOBES its lobe: the far side of its ellipsoid, or a rectangle about it as far away as
-// that reaches. What is drawn passes the depth test only in front of that.
+// A splat, an instance a virtual light, or with VTKI_SPLAT_LOBES its lobe: the far side of its ellipsoid, or a
+// rectangle about it as far away as that reaches. What is drawn passes the depth test only in front of that.
 #include "vtkIndirectSplatLow.glsl"
 #include "vtkIndirectSplatBounds.glsl"
 

@@ -14,9 +14,10 @@ vec3 vtkiMirror(vec3 positionVC, vec3 normalVC)
   return 2.0f * dot(normalVC, toEye) * normalVC - toEye;
 }
 
-/* Whether all lobes cos^power, or narrower ones, about mirror directions within a cone leave less than 1e-7 of a sender,
- * seen from anywhere within `radius` of a place. toSender: from that place; axis: of the cone, unit, of whose directions
- * `cosine` is the least cosine to it. cos(a)^power <= exp(-power a^2 / 2). Angles have room for rounding. */
+/* Whether all lobes cos^power, or narrower ones, about mirror directions within a cone leave less than 2e-7 of a
+ * sender, seen from anywhere within `radius` of a place. toSender: from that place; axis: of the cone, unit, of whose
+ * directions `cosine` is the least cosine to it. cos(a)^power <= exp(-power a^2 / 2), here 1.2e-7. Angles have room for
+ * rounding. */
 bool vtkiIsBesideMirrors(vec3 toSender, float radius, vec3 axis, float cosine, float power)
 {
   float r = length(toSender);

@@ -8,8 +8,8 @@
 /* No receiver is farther from a light than this, in scene units: the scene is one across. */
 const float VTKI_LOBE_SPLAT_FARTHEST = 1.01f;
 
-/* What is cut off of lobes in receivers' own lobes is not given back: there they count from a threshold on that cuts off
- * next to nothing, this one at most. */
+/* What is cut off of lobes in receivers' own lobes is not given back: there they count from a threshold on that cuts
+ * off next to nothing, this one at most. */
 const float VTKI_LOBE_SPLAT_GLOSSY = 3.0e-4f;
 
 /* How much brighter than 2 F / (pi A), over twice the share of the lobe above the surface, a
