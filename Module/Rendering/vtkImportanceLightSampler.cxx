@@ -13,6 +13,15 @@ static_assert(vtkImportanceLightSampler::APART == vtkIndirectKernels::VTKI_WARP_
     vtkImportanceLightSampler::TOGETHER == vtkIndirectKernels::VTKI_WARP_TOGETHER,
   "what shaders know the methods by");
 
+namespace
+{
+// A disk of all of the area that a light stands for is the darker the nearer a receiver is. With half
+// of it a third less of the mean is lost, and errors are 6 % smaller; with a third of it scattered
+// small objects have more error than with even lights. See
+// Documentation/methods/importance-sampling.md.
+constexpr double ShareOfArea = 0.5;
+}
+
 //------------------------------------------------------------------------------
 void vtkImportanceLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -33,6 +42,7 @@ vtkMapLightSampler::Drawing vtkImportanceLightSampler::GetDrawing() const
   drawing.Method = this->Warping;
   drawing.Levels = this->Levels > 0 ? this->Levels : VTK_INT_MAX;
   drawing.Occlusion = this->Occlusion;
+  drawing.ShareOfArea = ShareOfArea;
   return drawing;
 }
 

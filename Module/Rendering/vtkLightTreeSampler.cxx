@@ -17,6 +17,9 @@ namespace
 // What is more leaves less than a thousandth of the mean squared relative error, and takes longer
 // to divide than maps take to draw.
 constexpr size_t MostTexels = 65536;
+
+// At most, where there is little time for each. See Documentation/methods/light-tree.md.
+constexpr int QuickLights = 256;
 }
 
 //------------------------------------------------------------------------------
@@ -51,6 +54,12 @@ void vtkLightTreeSampler::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+int vtkLightTreeSampler::GetNumberOfQuickLights() const
+{
+  return std::min(this->NumberOfLights, QuickLights);
+}
+
+//------------------------------------------------------------------------------
 bool vtkLightTreeSampler::Update(const Input& input)
 {
   Internals& in = *this->Internal;
@@ -63,7 +72,10 @@ bool vtkLightTreeSampler::Update(const Input& input)
   const vtkIndirectFurtherSenders* further = input.Further;
   const size_t furtherTime = further ? further->Time : 0;
   const bool same = !read && in.FurtherTime == furtherTime;
-  if (same && in.Count == this->NumberOfLights && in.Error == error)
+  const int most = input.Interactive ? this->GetNumberOfQuickLights() : this->NumberOfLights;
+  // While nothing but the camera moves, what a still picture had is kept.
+  const bool enough = in.Count == this->NumberOfLights || (input.Interactive && in.Count == most);
+  if (same && enough && in.Error == error)
   {
     return true;
   }
@@ -99,17 +111,16 @@ bool vtkLightTreeSampler::Update(const Input& input)
     in.Clusters.SetSenders(std::move(senders));
     in.FurtherTime = furtherTime;
   }
-  const vtkIndirectSenderClusters::Lights lights =
-    in.Clusters.MakeLights(std::vector<glm::dvec3>(in.Sources + in.FurtherMaps, glm::dvec3(1.0)),
-      this->NumberOfLights, error,
-      further ? vtkIndirectSenderClusters::NearnessOfBounces
-              : vtkIndirectSenderClusters::StandardNearness);
+  const vtkIndirectSenderClusters::Lights lights = in.Clusters.MakeLights(
+    std::vector<glm::dvec3>(in.Sources + in.FurtherMaps, glm::dvec3(1.0)), most, error,
+    further ? vtkIndirectSenderClusters::NearnessOfBounces
+            : vtkIndirectSenderClusters::StandardNearness);
   if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Tops),
         vtkIndirectSenderTexels::MakeRows(lights.Branches)))
   {
     return false;
   }
-  in.Count = this->NumberOfLights;
+  in.Count = most;
   in.Error = error;
   return true;
 }
@@ -118,7 +129,7 @@ bool vtkLightTreeSampler::Update(const Input& input)
 // What the eye sees changes with every move of the camera, too often to make a tree of it.
 vtkMapLightSampler* vtkLightTreeSampler::GetViewPattern()
 {
-  this->Internal->ViewPattern->SetNumberOfLights(this->NumberOfLights);
+  this->Internal->ViewPattern->SetNumberOfLights(this->GetNumberOfQuickLights());
   return this->Internal->ViewPattern;
 }
 

@@ -139,6 +139,7 @@ bool vtkMapLightSampler::Update(const Input& input)
     vtkIndirectFullScreenState fullScreen(window);
     warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
     maps.Activate(program);
+    program->SetUniformf("vtkiShareOfArea", static_cast<float>(drawing.ShareOfArea));
     in.Program.Draw();
     maps.Deactivate();
     warped ? in.Warp.Deactivate() : in.Pattern.Deactivate();

@@ -72,6 +72,7 @@ public:
     int Levels = VTK_INT_MAX; // of the warp, from the coarsest on
     bool Modulated = false;   // lights lose the part of their light that open surfaces would send
     double Occlusion = 0.0;   // how much more surfaces are drawn from that others are near to
+    double ShareOfArea = 1.0; // what lights' disks have of the area that they stand for
   };
   virtual Drawing GetDrawing() const
   {

@@ -11,6 +11,7 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkRandomWalkLightSampler);
@@ -23,6 +24,7 @@ struct vtkRandomWalkLightSampler::Internals
   vtkIndirectSenderClusters Clusters;
   size_t NumberOfSources = 0;
   int NumberOfWalks = 0;
+  double ShareOfArea = 1.0;
   std::vector<double> WalkKey;  // what paths were made of, besides surfaces; empty: there are none
   std::vector<double> TableKey; // and lights of these
   vtkIndirectFurtherSenders Further;
@@ -30,9 +32,21 @@ struct vtkRandomWalkLightSampler::Internals
   void FindSenders(vtkIndirectFurtherSenders& senders) const;
 };
 
-// A later vertex's disk over its area, in a tree. There are few enough of them that those beside a
-// crease would show one by one; four times the area costs rooms about 1 % of their light.
-constexpr double ShareOfArea = 4.0;
+namespace
+{
+// How many times fewer vertices a tree is made of while things move.
+constexpr int FewerWhileMoving = 4;
+
+// A later vertex's disk over its area, in a tree of so many vertices. There are few enough of them
+// that those beside a crease would show one by one: 4 for 8192 of them, 2 for 32768. It costs rooms
+// about 1 % of their light.
+double FindShareOfArea(int vertices)
+{
+  return std::max(4.0 * std::sqrt(8192.0 / vertices), 1.0);
+}
+}
+
+//------------------------------------------------------------------------------
 
 // Vertices of a light's first bounce cover surfaces once, as the texels of a map do. Each later
 // bounce is one more map: its vertices stand for the share of the surface that is theirs among all
@@ -49,7 +63,7 @@ void vtkRandomWalkLightSampler::Internals::FindSenders(vtkIndirectFurtherSenders
       : static_cast<int>(this->NumberOfSources) + vertex.Bounce - 2;
     senders.NumberOfMaps = std::max(senders.NumberOfMaps, static_cast<size_t>(map) + 1);
     senders.Senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
-      static_cast<float>(vertex.Bounce > 1 ? ShareOfArea * vertex.Area : vertex.Area),
+      static_cast<float>(vertex.Bounce > 1 ? this->ShareOfArea * vertex.Area : vertex.Area),
       glm::vec3(vertex.DensityArea), map });
   }
 }
@@ -132,17 +146,28 @@ bool vtkRandomWalkLightSampler::Walk(const Input& input)
     sources.push_back({ (*input.Emitters)[i].Light, (*input.Emitters)[i].Strength, 2 });
   }
   vtkIndirectRandomWalk::Settings settings;
-  settings.NumberOfVertices =
-    this->NumberOfVertices > 0 ? this->NumberOfVertices : this->NumberOfLights;
+  const int vertices = this->NumberOfVertices > 0 ? this->NumberOfVertices : this->NumberOfLights;
+  settings.NumberOfVertices = vertices;
   settings.FirstBounce = this->FirstBounce;
   settings.LastBounce = input.NumberOfBounces;
-  const std::vector<double> key = MakeKey(sources, settings);
-  if (!in.Surfaces.Update(input.Frame) && key == in.WalkKey)
+  const bool moved = in.Surfaces.Update(input.Frame);
+  std::vector<double> key = MakeKey(sources, settings);
+  if (!moved && key == in.WalkKey)
   {
     return false;
   }
+  if (input.Interactive && this->NumberOfVertices > 0)
+  {
+    settings.NumberOfVertices = std::max(vertices / FewerWhileMoving, 1);
+    key = MakeKey(sources, settings);
+    if (!moved && key == in.WalkKey)
+    {
+      return false;
+    }
+  }
   in.Walk.Walk(in.Surfaces, input.Frame, sources, settings);
   in.NumberOfSources = sources.size();
+  in.ShareOfArea = FindShareOfArea(settings.NumberOfVertices);
   in.WalkKey = key;
   ++in.NumberOfWalks;
   return true;

@@ -54,8 +54,10 @@ public:
   ///@{
   /**
    * Vertices of paths, about, that the lights are made of, as vtkLightTreeSampler makes lights of
-   * maps' texels: NumberOfLights clusters at most, below which near receivers sum more. Default 0:
-   * each light is a vertex. Range 0 to 1048576.
+   * maps' texels: NumberOfLights clusters at most, below which near receivers sum more. Of what
+   * changes while the window gives a frame a second or less
+   * (vtkRenderWindow::SetDesiredUpdateRate), a quarter as many. Default 0: each light is a vertex.
+   * Range 0 to 1048576.
    */
   vtkSetClampMacro(NumberOfVertices, int, 0, 1048576);
   vtkGetMacro(NumberOfVertices, int);

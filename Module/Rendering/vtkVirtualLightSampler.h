@@ -58,6 +58,7 @@ public:
     const vtkIndirectGeometryBuffer& Geometry; // what the eye sees
     double ErrorTolerance = 0.0;               // of the irradiance, over its mean; 0: standard
     int NumberOfBounces = 1;                   // asked for, for samplers that know several
+    bool Interactive = false;                  // whether the window gives a frame a second or less
     /** What lights surfaces besides the frame's lights: the sky, and area lights. */
     const std::vector<vtkIndirectEmitter>* Emitters = nullptr;
     /** Senders of later bounces, for samplers that TakeSenders; null: there are none. */

@@ -15,7 +15,7 @@
 namespace
 {
 // What later bounces are made of. See Documentation/methods/random-walk.md.
-constexpr int VerticesOfLaterBounces = 8192;
+constexpr int VerticesOfLaterBounces = 32768;
 constexpr int LightsOfLaterBounces = 64;
 }
 
@@ -98,7 +98,7 @@ bool vtkIndirectFrameSamplers::Update(const vtkIndirectFrame& frame, const vtkIn
   const vtkReflectiveShadowMapPass& maps, const vtkIndirectGeometryBuffer& geometry)
 {
   vtkVirtualLightSampler::Input input = { frame, maps, geometry, plan.ErrorTolerance,
-    plan.SampledBounces,
+    plan.SampledBounces, plan.Interactive,
     plan.SkyBounces || plan.AreaLightsBounce ? &this->Senders->GetEmitters() : nullptr };
   input.Further = this->SendersAreWalked ? &this->LaterBounces->UpdateSenders(input) : nullptr;
   return this->Samplers.empty() ||

@@ -23,6 +23,9 @@ constexpr double NormalLength = 0.25;
 // summed over its branches. See Documentation/methods/light-tree.md.
 constexpr double ShareOfArea = 0.25;
 
+// Lights that are enough of walls and bodies, whatever the scene.
+constexpr size_t Enough = 128;
+
 // What is left of a mean normal at least, so that it has a direction.
 constexpr double LeastNormal = 0.01;
 
@@ -297,7 +300,8 @@ void vtkIndirectSenderClusters::DivideAll(
     }
   }
   const size_t most = static_cast<size_t>(std::max(count, 1));
-  this->Clusters = this->Divide(0, this->Entries.size(), divides ? (most + 1) / 2 : most, most);
+  this->Clusters =
+    this->Divide(0, this->Entries.size(), divides ? std::min((most + 1) / 2, Enough) : most, most);
 }
 
 //------------------------------------------------------------------------------

@@ -70,12 +70,11 @@ public:
   };
 
   /**
-   * At most so many lights of the senders under lights of these strengths, one for each map; half
-   * as many where their light lies within `nearness` of what they stand for, root mean square, and
-   * `error` is not 0. No senders, no
-   * lights; as many as there are senders, each of them is one. A light is divided where the error
-   * of having it whole is more than `error` of the mean irradiance that the lights give each other;
-   * 0: never.
+   * At most so many lights of the senders under lights of these strengths, one for each map; where
+   * `error` is not 0 as few as 128, or half of them, once their light lies within `nearness` of
+   * what they stand for, root mean square. No senders, no lights; as many as there are senders,
+   * each of them is one. A light is divided where the error of having it whole is more than `error`
+   * of the mean irradiance that the lights give each other; 0: never.
    */
   Lights MakeLights(const std::vector<glm::dvec3>& strengths, int count, double error,
     double nearness = StandardNearness);

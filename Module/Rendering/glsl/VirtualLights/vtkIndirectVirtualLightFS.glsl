@@ -8,6 +8,7 @@
 #endif
 
 uniform sampler2D vtkiPattern; // map coordinates in [0,1)^2, layer, texels that the sample stands for
+uniform float vtkiShareOfArea; // of what a light stands for, that its disk has
 
 void main()
 {
@@ -34,7 +35,7 @@ void main()
   }
 #endif
   // Several lights on one texel share its light; each of them is a disk as large as it.
-  gl_FragData[0] = vec4(light.position, light.area * max(weight, 1.0f));
+  gl_FragData[0] = vec4(light.position, light.area * max(vtkiShareOfArea * weight, 1.0f));
   gl_FragData[1] = vec4(light.normal, 0.0f);
   gl_FragData[2] = vec4(light.densityArea * weight, light.source);
 }
