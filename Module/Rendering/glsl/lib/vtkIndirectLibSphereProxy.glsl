@@ -10,9 +10,9 @@
 const float VTKI_HARMONICS_Y00 = 0.28209479f;
 /* f without its constant is halved until it is no longer than this ... */
 const float VTKI_HARMONICS_HALVING = 0.25f;
-/* ... and no longer than this to begin with, a little less than that of a sphere that fills a hemisphere:
+/* ... and no longer than this to begin with, a little more than that of a sphere that fills a hemisphere:
  * further spheres at the same place hide nothing more. */
-const float VTKI_HARMONICS_LONGEST = 8.0f;
+const float VTKI_HARMONICS_LONGEST = 10.0f;
 
 /* All 16 functions at a unit direction. */
 vtkiHarmonics4 vtkiHarmonics4At(vec3 d)

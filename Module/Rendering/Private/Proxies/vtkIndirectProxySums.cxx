@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Proxies/vtkIndirectProxySums.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectPaths.h"
+#include "OpenGL/vtkIndirectShaderLibrary.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "Proxies/vtkIndirectProxyTable.h"
+#include "vtkOpenGLShaderCache.h"
+
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace
+{
+constexpr int RowLength = vtkIndirectKernels::VTKI_ROW_LENGTH;
+constexpr int TileSize = 16;
+// Entries in one draw: long draws stall a desktop.
+constexpr int EntriesPerDraw = 16 * RowLength;
+enum ModeType
+{
+  COARSE,
+  PIXELS,
+  REST
+};
+
+const vtkIndirectChannel TableChannels[] = {
+  { "proxies.table", "vtkiProxyTable", "zonal logarithms of what spheres leave", GL_RGBA32F, "-",
+    "-" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel RowsChannels[] = {
+  { "proxies.center", "vtkiProxyCenter", "centre, radius", GL_RGBA32F, "scene", "scene units" },
+  { "proxies.outer", "vtkiProxyOuter", "where it counts: centre, radius", GL_RGBA32F, "scene",
+    "scene units" },
+  { "proxies.albedo", "vtkiProxyAlbedo", "albedo, share of the disk that is hidden", GL_RGBA32F,
+    "-", "1" },
+  { "proxies.inner", "vtkiProxyInner", "radius within which others count", GL_R32F, "-",
+    "scene units" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel BlocksChannels[] = {
+  { "proxies.blocks", "vtkiProxyBlocks", "corners of a box", GL_RGBA32F, "scene", "scene units" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel PlanesChannels[] = {
+  { "proxies.planes", "vtkiPlanes", "light that comes, in spherical harmonics", GL_RGBA32F,
+    "world", "VTK radiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+#define VTKI_SUM_CHANNEL(name, uniform)                                                            \
+  {                                                                                                \
+    name, uniform, "sums over spheres", GL_RGBA32F, "world", "-"                                   \
+  }
+const vtkIndirectChannel HiddenChannels[] = { VTKI_SUM_CHANNEL("proxies.hidden0", "vtkiHidden0"),
+  VTKI_SUM_CHANNEL("proxies.hidden1", "vtkiHidden1"),
+  VTKI_SUM_CHANNEL("proxies.hidden2", "vtkiHidden2"),
+  VTKI_SUM_CHANNEL("proxies.hidden3", "vtkiHidden3"),
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
+const vtkIndirectChannel SentChannels[] = { VTKI_SUM_CHANNEL("proxies.sent0", "vtkiSent0"),
+  VTKI_SUM_CHANNEL("proxies.sent1", "vtkiSent1"), VTKI_SUM_CHANNEL("proxies.sent2", "vtkiSent2"),
+  VTKI_SUM_CHANNEL("proxies.sent3", "vtkiSent3"), VTKI_SUM_CHANNEL("proxies.sent4", "vtkiSent4"),
+  VTKI_SUM_CHANNEL("proxies.sent5", "vtkiSent5"), VTKI_SUM_CHANNEL("proxies.sent6", "vtkiSent6"),
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
+#undef VTKI_SUM_CHANNEL
+
+glm::mat4 FindSceneToClip(const vtkIndirectFrame& frame)
+{
+  const double scale = frame.SceneScale;
+  const glm::dmat4 toView =
+    glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / scale)) * glm::inverse(frame.ViewToScene);
+  return glm::mat4((frame.Parallel ? 1.0 : scale) * (frame.Projection * toView));
+}
+
+void Append(std::vector<float>& values, const glm::vec3& xyz, float w)
+{
+  values.insert(values.end(), { xyz.x, xyz.y, xyz.z, w });
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectProxySums::vtkIndirectProxySums()
+  : Table(TableChannels, false)
+  , Rows(RowsChannels, false)
+  , Blocks(BlocksChannels, false)
+  , Planes(PlanesChannels, false)
+  , Hidden(HiddenChannels, false)
+  , Sent(SentChannels, false)
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::UsesTiles()
+{
+  return vtkIndirectPaths::Get(vtkIndirectPaths::Splats) == vtkIndirectPaths::SplatsInTiles;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree)
+{
+  const bool begins = this->Table.GetWidth() == 0;
+  const std::vector<vtkIndirectProxyTree::Entry>& entries = tree.GetEntries();
+  const std::vector<vtkIndirectProxyTree::Block>& blocks = tree.GetBlocks();
+  this->NumberOfEntries = static_cast<int>(entries.size());
+  this->NumberOfBlocks = static_cast<int>(blocks.size());
+  // Powers of two: numbers that change a little keep the textures.
+  int rows = 1;
+  while (rows < this->NumberOfBlocks)
+  {
+    rows *= 2;
+  }
+  if (!this->Table.Resize(window, vtkIndirectProxyEntries, 1) ||
+    !this->Rows.Resize(window, RowLength, rows) || !this->Blocks.Resize(window, 2, rows))
+  {
+    this->NumberOfEntries = 0;
+    return false;
+  }
+  if (begins)
+  {
+    const float* const first = &vtkIndirectProxyTable[0][0];
+    this->Table.Write(0, std::vector<float>(first, first + 4 * vtkIndirectProxyEntries));
+  }
+  std::vector<float> values[5];
+  for (const vtkIndirectProxyTree::Entry& entry : entries)
+  {
+    Append(values[0], entry.Center, entry.Radius);
+    Append(values[1], entry.OuterCenter, entry.Outer);
+    Append(values[2], entry.Albedo, entry.Share);
+    Append(values[3], glm::vec3(entry.Inner), 0.0f);
+  }
+  for (const vtkIndirectProxyTree::Block& block : blocks)
+  {
+    Append(values[4], block.Lower, 0.0f);
+    Append(values[4], block.Upper, 0.0f);
+  }
+  for (int i = 0; i < 4 && !entries.empty(); ++i)
+  {
+    values[i].resize(blocks.size() * static_cast<size_t>(RowLength) * 4, 0.0f);
+    this->Rows.Write(i, values[i]);
+  }
+  if (!blocks.empty())
+  {
+    this->Blocks.Write(0, values[4]);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* program) const
+{
+  vtkIndirectSetEyeUniforms(program, input.Frame);
+  program->SetUniform2i("vtkiSize", input.Frame.Size);
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  program->SetUniform2i("vtkiCoarseSize", this->CoarseSize);
+  program->SetUniformi("vtkiStep", input.Step);
+  if (program->IsUniformUsed("vtkiProxyCenter"))
+  {
+    this->Light.Activate(program);
+    this->Table.Activate(0, program);
+    for (int i = 0; i < this->Rows.GetNumberOfChannels(); ++i)
+    {
+      this->Rows.Activate(i, program);
+    }
+    program->SetUniformi("vtkiProxyCount", this->NumberOfEntries);
+    program->SetUniformi("vtkiProxyHides", input.Hides ? 1 : 0);
+    program->SetUniformf("vtkiProxyLightReach", static_cast<float>(input.LightReach));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxySums::Deactivate(const Input& input) const
+{
+  input.Geometry.GetTarget().Deactivate();
+  this->Table.Deactivate();
+  this->Rows.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::Sum(
+  const Input& input, vtkIndirectTarget& sky, vtkIndirectTarget* bounce)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkIndirectTarget* images[2] = { &sky, bounce };
+  for (vtkIndirectTarget* image : images)
+  {
+    if (image && !image->Resize(frame.Window, frame.Size[0], frame.Size[1]))
+    {
+      return false;
+    }
+  }
+  const std::string definitions = std::string(bounce ? "#define VTKI_PROXY_LIGHT\n" : "") +
+    (input.Middle ? "#define VTKI_PROXY_MIDDLE\n" : "");
+  // From border to border.
+  for (int i = 0; i < 2; ++i)
+  {
+    this->CoarseSize[i] = (frame.Size[i] - 1 + input.Step - 1) / input.Step + 1;
+  }
+  if (input.Step > 1)
+  {
+    const int width = bounce ? 2 : 1;
+    if (!this->Planes.Resize(frame.Window, width * this->CoarseSize[0], 9 * this->CoarseSize[1]))
+    {
+      return false;
+    }
+  }
+  else
+  {
+    this->Planes.Release(frame.Window);
+  }
+  if (!UsesTiles())
+  {
+    return this->SumBlended(input, definitions, sky, bounce);
+  }
+  this->Hidden.Release(frame.Window);
+  this->Sent.Release(frame.Window);
+  if (input.Step == 1)
+  {
+    return this->SumInTiles(input, definitions, images, PIXELS);
+  }
+  return this->SumInTiles(input, definitions, images, COARSE) &&
+    this->Upsample(input, "", sky, 0) && (!bounce || this->Upsample(input, "", *bounce, 1)) &&
+    this->SumInTiles(input, definitions, images, REST);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::SumInTiles(
+  const Input& input, const std::string& definitions, vtkIndirectTarget* images[2], int mode)
+{
+#ifdef GL_COMPUTE_SHADER
+  const vtkIndirectFrame& frame = input.Frame;
+  this->Tiles[mode].SetDefinitions(definitions +
+    (mode == COARSE ? "" : "#define VTKI_PROXY_PIXELS\n") +
+    (mode == REST ? "#define VTKI_PROXY_REST\n" : ""));
+  vtkShaderProgram* program = this->Tiles[mode].Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  this->Activate(input, program);
+  this->Blocks.Activate(0, program);
+  program->SetUniformi("vtkiBlockCount", this->NumberOfBlocks);
+  const int* const size = mode == COARSE ? this->CoarseSize : frame.Size;
+  const vtkIndirectTarget* const targets[2] = { mode == COARSE ? &this->Planes : images[0],
+    mode == COARSE ? nullptr : images[1] };
+  auto bind = [&](bool binds)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      if (targets[i])
+      {
+        glBindImageTexture(static_cast<GLuint>(i),
+          binds ? targets[i]->GetTexture(0)->GetHandle() : 0, 0, GL_FALSE, 0, GL_READ_WRITE,
+          GL_RGBA32F);
+      }
+    }
+  };
+  bind(true);
+  // What the kernel reads must have arrived: llvmpipe does not wait for it by itself.
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  glDispatchCompute(static_cast<GLuint>((size[0] + TileSize - 1) / TileSize),
+    static_cast<GLuint>((size[1] + TileSize - 1) / TileSize), 1);
+  // Whoever comes next samples it, draws over it, adds to it, reads it back or replaces it.
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  bind(false);
+  this->Blocks.Deactivate();
+  this->Deactivate(input);
+  return true;
+#else
+  return images[0] && mode >= 0 && definitions.empty() && input.Step > 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::Splat(
+  const Input& input, const std::string& definitions, vtkIndirectTarget& target)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  if (!target.Resize(frame.Window, this->CoarseSize[0], this->CoarseSize[1]))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
+    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatVS.glsl", definitions).c_str(),
+    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatFS.glsl", definitions).c_str(), "");
+  if (!program || !program->GetCompiled())
+  {
+    return false;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_CULL_FACE);
+  target.Begin();
+  target.Clear();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  this->Activate(input, program);
+  vtkIndirectSetUniform(program, "vtkiSceneToClip", FindSceneToClip(frame));
+  vtkIndirectSetUniform(program, "vtkiProxyMargin",
+    glm::vec2(4.0f / static_cast<float>(this->CoarseSize[0]),
+      4.0f / static_cast<float>(this->CoarseSize[1])));
+  const int attribute = program->FindAttributeArray("vtkiCorner");
+  for (int first = 0; first < this->NumberOfEntries; first += EntriesPerDraw)
+  {
+    program->SetUniformi("vtkiFirstProxy", first);
+    this->Mesh.Draw(
+      frame.Window, attribute, true, std::min(EntriesPerDraw, this->NumberOfEntries - first));
+    glFlush();
+  }
+  this->Deactivate(input);
+  state->vtkglDisable(GL_BLEND);
+  target.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::SumBlended(const Input& input, const std::string& definitions,
+  vtkIndirectTarget& sky, vtkIndirectTarget* bounce)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  if (!this->Splat(input, "", this->Hidden) ||
+    (bounce && !this->Splat(input, definitions, this->Sent)))
+  {
+    return false;
+  }
+  if (!bounce)
+  {
+    this->Sent.Release(frame.Window);
+  }
+  const bool coarse = input.Step > 1;
+  for (int column = 0; column < (coarse || !bounce ? 1 : 2); ++column)
+  {
+    vtkIndirectTarget& target = coarse ? this->Planes : column == 0 ? sky : *bounce;
+    vtkIndirectFullScreenProgram& kernel = this->Resolving[column];
+    kernel.SetDefinitions(definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n") +
+      "#define VTKI_PROXY_COLUMN " + std::to_string(column) + "\n");
+    vtkShaderProgram* program = kernel.Use(frame.Window, target);
+    if (!program)
+    {
+      return false;
+    }
+    target.Begin();
+    this->Activate(input, program);
+    for (const vtkIndirectTarget* sums : { &this->Hidden, &this->Sent })
+    {
+      for (int i = 0; i < sums->GetNumberOfChannels(); ++i)
+      {
+        sums->Activate(i, program);
+      }
+    }
+    kernel.Draw();
+    this->Hidden.Deactivate();
+    this->Sent.Deactivate();
+    this->Deactivate(input);
+    target.End();
+  }
+  const std::string gathers = definitions + "#define VTKI_PROXY_GATHER\n";
+  return !coarse ||
+    (this->Upsample(input, gathers, sky, 0) &&
+      (!bounce || this->Upsample(input, gathers, *bounce, 1)));
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::Upsample(
+  const Input& input, const std::string& definitions, vtkIndirectTarget& image, int column)
+{
+  vtkIndirectFullScreenProgram& kernel = this->Upsampling[column];
+  kernel.SetDefinitions(definitions + "#define VTKI_STEP " + std::to_string(input.Step) +
+    "\n#define VTKI_PROXY_COLUMN " + std::to_string(column) + "\n");
+  vtkShaderProgram* program = kernel.Use(input.Frame.Window, image);
+  if (!program)
+  {
+    return false;
+  }
+  image.Begin();
+  this->Activate(input, program);
+  this->Planes.Activate(0, program);
+  kernel.Draw();
+  this->Planes.Deactivate();
+  this->Deactivate(input);
+  image.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectProxySums::GetBytes() const
+{
+  size_t bytes = this->Mesh.GetBytes() + this->Light.GetBytes();
+  for (const vtkIndirectTarget* target :
+    { &this->Table, &this->Rows, &this->Blocks, &this->Planes, &this->Hidden, &this->Sent })
+  {
+    bytes += target->GetBytes();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxySums::Release(vtkWindow* window)
+{
+  for (vtkIndirectTarget* target :
+    { &this->Table, &this->Rows, &this->Blocks, &this->Planes, &this->Hidden, &this->Sent })
+  {
+    target->Release(window);
+  }
+  this->Light.Release();
+  this->Mesh.Release();
+  for (vtkIndirectComputeProgram& program : this->Tiles)
+  {
+    program.Release(window);
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Upsampling[i].Release();
+    this->Resolving[i].Release();
+  }
+  this->NumberOfEntries = this->NumberOfBlocks = 0;
+}

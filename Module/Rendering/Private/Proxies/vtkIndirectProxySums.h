@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sums a tree of spheres for what the eye sees: irradiance of the sky that they leave, and of what
+// they send. In compute shaders by tiles of 16 x 16 receivers, or by rectangles that are drawn and
+// blended; both give the same within rounding.
+#ifndef vtkIndirectProxySums_h
+#define vtkIndirectProxySums_h
+
+#include "OpenGL/vtkIndirectComputeProgram.h"    // for members
+#include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectTarget.h"            // for members
+#include "Proxies/vtkIndirectProxyLight.h"       // for a member
+#include "Proxies/vtkIndirectProxyTree.h"        // for entries
+#include "Splatting/vtkIndirectSplatMesh.h"      // for a member
+
+#include <string> // for texts
+
+class vtkIndirectGeometryBuffer;
+struct vtkIndirectFrame;
+
+class vtkIndirectProxySums
+{
+public:
+  vtkIndirectProxySums();
+
+  /** Whether this OpenGL sums in tiles now; see vtkIndirectPaths. */
+  static bool UsesTiles();
+
+  struct Input
+  {
+    const vtkIndirectFrame& Frame;
+    const vtkIndirectGeometryBuffer& Geometry;
+    int Step = 1;            // every so many pixels is a receiver
+    bool Hides = true;       // else nothing hides the sky
+    bool Middle = false;     // radiance of spheres at their middles
+    double LightReach = 0.0; // radii within which a sphere sends; 0: everywhere
+  };
+
+  /** Uploads entries. Returns false, after an error, when OpenGL refuses. */
+  bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree);
+  /** The light that all is summed under. */
+  vtkIndirectProxyLight Light;
+
+  /**
+   * Fills both images, RGBA32F of the frame's size; bounce may be null. Within a
+   * vtkIndirectFullScreenState. Returns false when a program does not compile.
+   */
+  bool Sum(const Input& input, vtkIndirectTarget& sky, vtkIndirectTarget* bounce);
+
+  size_t GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  void Activate(const Input& input, vtkShaderProgram* program) const;
+  void Deactivate(const Input& input) const;
+  bool SumInTiles(
+    const Input& input, const std::string& definitions, vtkIndirectTarget* images[2], int mode);
+  bool SumBlended(const Input& input, const std::string& definitions, vtkIndirectTarget& sky,
+    vtkIndirectTarget* bounce);
+  bool Splat(const Input& input, const std::string& definitions, vtkIndirectTarget& target);
+  bool Upsample(const Input& input, const std::string& definitions, vtkIndirectTarget& image,
+    int column);
+
+  int NumberOfEntries = 0;
+  int NumberOfBlocks = 0;
+  int CoarseSize[2] = { 0, 0 };
+  vtkIndirectTarget Table;  // zonal logarithms
+  vtkIndirectTarget Rows;   // entries
+  vtkIndirectTarget Blocks; // boxes
+  vtkIndirectTarget Planes;
+  vtkIndirectTarget Hidden; // sums that are blended
+  vtkIndirectTarget Sent;
+  vtkIndirectSplatMesh Mesh;
+  // Of coarse receivers, of all pixels, of pixels that are left.
+  vtkIndirectComputeProgram Tiles[3]{ vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
+    vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
+    vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl") };
+  vtkIndirectFullScreenProgram Upsampling[2]{ { "vtkIndirectProxyUpsampleFS.glsl" },
+    { "vtkIndirectProxyUpsampleFS.glsl" } };
+  vtkIndirectFullScreenProgram Resolving[2]{ { "vtkIndirectProxyResolveFS.glsl" },
+    { "vtkIndirectProxyResolveFS.glsl" } };
+};
+#endif

@@ -1,0 +1,227 @@
+// What spheres, groups of spheres and flat polygons hide from a receiver and send to it.
+#include "vtkIndirectProxyBlock.glsl"
+#include "vtkIndirectLibTable.glsl"
+
+uniform sampler2D vtkiProxyCenter; // centre, radius
+uniform sampler2D vtkiProxyOuter;  // centre and radius of the region
+uniform sampler2D vtkiProxyAlbedo; // albedo, share of the disk that is hidden
+uniform sampler2D vtkiProxyInner;  // radius within which others stand for it
+uniform sampler2D vtkiProxyTable;  // zonal logarithms, a row of them
+uniform int vtkiProxyCount;
+uniform bool vtkiProxyHides;
+uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: everywhere
+
+const int VTKI_PROXY_TABLE = 64;
+
+struct vtkiProxySums
+{
+  vtkiHarmonics4 hidden; // sum of logarithms
+#ifdef VTKI_PROXY_LIGHT
+  // Light in the first nine coefficients: of the bands 0 and 1, of band 2, and the last of that.
+  vec3 light0;
+  vec3 light1[3];
+  vec3 light2[5];
+  float solidAngle;
+#endif
+};
+
+vtkiProxySums vtkiNoProxies()
+{
+  vtkiProxySums sums;
+  sums.hidden = vtkiHarmonics4(vec4(0.0f), vec4(0.0f), vec4(0.0f), vec4(0.0f));
+#ifdef VTKI_PROXY_LIGHT
+  sums.light0 = vec3(0.0f);
+  for (int i = 0; i < 3; ++i)
+  {
+    sums.light1[i] = vec3(0.0f);
+  }
+  for (int i = 0; i < 5; ++i)
+  {
+    sums.light2[i] = vec3(0.0f);
+  }
+  sums.solidAngle = 0.0f;
+#endif
+  return sums;
+}
+
+// The logarithm of what a disk around +z leaves to be seen, by half its sine.
+vec4 vtkiZonalLog(float sine)
+{
+  float place = vtkiProxyRow(sine) * float(VTKI_PROXY_TABLE - 1);
+  int row = min(int(place), VTKI_PROXY_TABLE - 2);
+  return mix(texelFetch(vtkiProxyTable, ivec2(row, 0), 0), texelFetch(vtkiProxyTable, ivec2(row + 1, 0), 0),
+    place - float(row));
+}
+
+#ifdef VTKI_PROXY_LIGHT
+// Adds the light of a disk, the same all over it. y: the functions at its middle.
+void vtkiAddDiskLight(inout vtkiProxySums sums, vtkiHarmonics4 y, float sine, vec3 radiance, float weight)
+{
+  float cosine = sqrt(max(1.0f - sine * sine, 0.0f));
+  // Bands of the disk, over those of the functions at its middle.
+  float solidAngle = 2.0f * VTKI_PI * vtkiProxyRow(sine);
+  float band1 = VTKI_PI * sine * sine;
+  float band2 = VTKI_PI * cosine * sine * sine;
+  sums.solidAngle += weight * solidAngle;
+  vec3 sent = weight * radiance;
+  sums.light0 += (solidAngle * y.A.x) * sent;
+  sums.light1[0] += (band1 * y.A.y) * sent;
+  sums.light1[1] += (band1 * y.A.z) * sent;
+  sums.light1[2] += (band1 * y.A.w) * sent;
+  sums.light2[0] += (band2 * y.B.x) * sent;
+  sums.light2[1] += (band2 * y.B.y) * sent;
+  sums.light2[2] += (band2 * y.B.z) * sent;
+  sums.light2[3] += (band2 * y.B.w) * sent;
+  sums.light2[4] += (band2 * y.C.x) * sent;
+}
+
+// Radiance of a sphere of albedo 1 towards the receiver, without anything that hides the light from it (Eq 15;
+// with VTKI_PROXY_MIDDLE Eq 13).
+vec3 vtkiSphereRadiance(vtkiHarmonics4 y, float sine)
+{
+#ifdef VTKI_PROXY_MIDDLE
+  // The sphere's normal there is -d.
+  vec3 bands = vec3(0.28209479f, -0.48860251f, 0.63078313f);
+#else
+  vec3 bands = vtkiProxyAverage(sine);
+#endif
+  bands *= vec3(3.54490770f, 2.04665341f * (2.0f / 3.0f), 1.58533092f * 0.25f);
+  vec4 b1 = bands.y * vec4(0.0f, y.A.y, y.A.z, y.A.w);
+  vec4 b2 = bands.z * y.B;
+  float b3 = bands.z * y.C.x;
+  vec3 radiance;
+  for (int color = 0; color < 3; ++color)
+  {
+    int row = VTKI_PROXY_COLOR_ROWS * color + 36;
+    vec4 l0 = vtkiProxyRows[row];
+    radiance[color] = bands.x * y.A.x * l0.x + dot(b1, l0) + dot(b2, vtkiProxyRows[row + 1]) + b3 * vtkiProxyRows[row + 2].x;
+  }
+  return max(radiance, vec3(0.0f));
+}
+#endif
+
+// Adds an entry of the tree of spheres.
+void vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sums)
+{
+  ivec2 at = vtkiTableTexel(number);
+  vec4 sphere = texelFetch(vtkiProxyCenter, at, 0);
+  vec4 outer = texelFetch(vtkiProxyOuter, at, 0);
+  float inner = texelFetch(vtkiProxyInner, at, 0).x;
+  vec3 toCenter = sphere.xyz - position;
+  float d = length(toCenter);
+  float weight = vtkiProxyWeight(length(outer.xyz - position), outer.w, d, inner);
+  if (!(weight > 0.0f))
+  {
+    return;
+  }
+  float sine = vtkiProxySine(toCenter, sphere.w, normal);
+  if (!(sine > 0.0f))
+  {
+    return;
+  }
+  vec4 albedo = texelFetch(vtkiProxyAlbedo, at, 0);
+  weight *= albedo.w;
+  vec3 direction = toCenter / max(d, 1.0e-30f);
+  vec4 zonal = weight * vtkiZonalLog(sine) * vec4(3.54490770f, 2.04665341f, 1.58533092f, 1.33984918f);
+  vtkiHarmonics4 y = vtkiHarmonics4At(direction);
+  sums.hidden.A += y.A * vec4(zonal.x, zonal.y, zonal.y, zonal.y);
+  sums.hidden.B += y.B * zonal.z;
+  sums.hidden.C += y.C * vec4(zonal.z, zonal.w, zonal.w, zonal.w);
+  sums.hidden.D += y.D * zonal.w;
+#ifdef VTKI_PROXY_LIGHT
+  float reach = vtkiProxyLightReach > 0.0f ? vtkiProxyWithin(d, vtkiProxyLightReach * sphere.w) : 1.0f;
+  if (reach > 0.0f)
+  {
+    vtkiAddDiskLight(sums, y, sine, albedo.rgb * vtkiSphereRadiance(y, sine), weight * reach);
+  }
+#endif
+}
+
+// Adds the flat polygons, each as the disk that gives all receivers above it the same irradiance. One that the
+// receiver lies on hides nothing.
+void vtkiAddPolygons(vec3 position, vec3 normal, inout vtkiProxySums sums)
+{
+  for (int i = 0; i < vtkiPolygonCount; ++i)
+  {
+    int row = VTKI_PROXY_LIGHT_ROWS + VTKI_POLYGON_ROWS * i;
+    vec4 plane = vtkiProxyRows[row];
+    vec4 albedo = vtkiProxyRows[row + 1];
+    int corners = int(plane.w);
+    float height = dot(plane.xyz, position - vtkiProxyRows[row + 2].xyz);
+    vec3 sum = vec3(0.0f);
+    vec3 before = normalize(vtkiProxyRows[row + 1 + corners].xyz - position);
+    for (int k = 0; k < corners; ++k)
+    {
+      vec3 next = normalize(vtkiProxyRows[row + 2 + k].xyz - position);
+      sum += vtkiPolygonEdge(before, next);
+      before = next;
+    }
+    // Seen from either side.
+    vec3 side = height >= 0.0f ? plane.xyz : -plane.xyz;
+    sum = dot(sum, side) > 0.0f ? -sum : sum;
+    vec4 disk = vtkiPolygonDisk(sum);
+    // Of what is below the receiver only what order 4 lets ring into the upper half would count.
+    bool own = abs(height) < 1.0e-4f * albedo.w + 1.0e-6f;
+    bool below = dot(disk.xyz, normal) < -0.9999f * max(disk.w, 1.0e-6f);
+    if (!own && !below && disk.w > 0.0f)
+    {
+      vtkiHarmonics4 hidden = vtkiZonalTo(vtkiZonalLog(disk.w), disk.xyz);
+      sums.hidden = vtkiHarmonicsAdd(sums.hidden, 1.0f, hidden);
+#ifdef VTKI_PROXY_LIGHT
+      vtkiHarmonics4 cosine = vtkiClampedCosine(side);
+      vec3 radiance = vec3(vtkiHarmonicsDot(cosine, vtkiProxyLightOf(0)),
+        vtkiHarmonicsDot(cosine, vtkiProxyLightOf(1)), vtkiHarmonicsDot(cosine, vtkiProxyLightOf(2)));
+      vtkiAddDiskLight(sums, vtkiHarmonics4At(disk.xyz), disk.w, albedo.rgb * max(radiance, vec3(0.0f)), 1.0f);
+#endif
+    }
+  }
+}
+
+// Light that comes to a place, in the first nine coefficients: what the sky gives where nothing hides it, and what
+// proxies send. Irradiance of any normal is its product with the clamped cosine.
+struct vtkiProxyLit
+{
+  vec3 sky[9];
+#ifdef VTKI_PROXY_LIGHT
+  vec3 bounce[9];
+#endif
+};
+
+vtkiProxyLit vtkiResolveProxies(vtkiProxySums sums)
+{
+  vtkiProxyLit lit;
+  vtkiHarmonics4 seen = vtkiHarmonicsExp(sums.hidden);
+  if (!vtkiProxyHides)
+  {
+    seen = vtkiHarmonics4(vec4(1.0f / VTKI_HARMONICS_Y00, 0.0f, 0.0f, 0.0f), vec4(0.0f), vec4(0.0f), vec4(0.0f));
+  }
+  for (int i = 0; i < 9; ++i)
+  {
+    for (int color = 0; color < 3; ++color)
+    {
+      lit.sky[i][color] = vtkiHarmonicsDot(vtkiProxyHarmonics(VTKI_PROXY_COLOR_ROWS * color + 4 * i), seen);
+    }
+  }
+#ifdef VTKI_PROXY_LIGHT
+  float overlap = vtkiProxyOverlap(seen, sums.solidAngle);
+  lit.bounce[0] = overlap * sums.light0;
+  for (int i = 0; i < 3; ++i)
+  {
+    lit.bounce[1 + i] = overlap * sums.light1[i];
+  }
+  for (int i = 0; i < 5; ++i)
+  {
+    lit.bounce[4 + i] = overlap * sums.light2[i];
+  }
+#endif
+  return lit;
+}
+
+// Irradiance of a normal.
+vec3 vtkiProxyIrradiance(vec3 light[9], vec3 normal)
+{
+  vtkiHarmonics4 h = vtkiClampedCosine(normal);
+  vec3 sum = h.A.x * light[0] + h.A.y * light[1] + h.A.z * light[2] + h.A.w * light[3];
+  sum += h.B.x * light[4] + h.B.y * light[5] + h.B.z * light[6] + h.B.w * light[7] + h.C.x * light[8];
+  return max(sum, vec3(0.0f));
+}

@@ -1,0 +1,146 @@
+//VTK::System::Dec
+// A group of invocations for each tile of 16 x 16 receivers: lists the entries of the tree of spheres that may count
+// in the box about them, a set of bits for a block of 256 at a time, and sums those in their order.
+//
+// Receivers are every vtkiStep-th pixel, whose light goes to a stack of planes, or with VTKI_PROXY_PIXELS all of
+// them, or with VTKI_PROXY_REST those that no coarse receiver stands for, whose irradiance goes to an image.
+#include "vtkIndirectStep.glsl"
+#include "vtkIndirectProxySum.glsl"
+#include "vtkIndirectProxyPlanes.glsl"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+#ifdef VTKI_PROXY_PIXELS
+layout(rgba32f, binding = 0) uniform image2D vtkiSkyImage;
+layout(rgba32f, binding = 1) uniform image2D vtkiBounceImage;
+#else
+layout(rgba32f, binding = 0) uniform image2D vtkiPlanes;
+#endif
+uniform sampler2D vtkiProxyBlocks; // lower, upper corner of the box of each
+uniform int vtkiBlockCount;
+
+// Coordinates as unsigned integers in the same order, so that they can be compared atomically.
+shared uint vtkiLowest[3];
+shared uint vtkiHighest[3];
+shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
+
+uint vtkiOrdered(float value)
+{
+  uint bits = floatBitsToUint(value);
+  return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
+}
+
+float vtkiFromOrdered(uint bits)
+{
+  return uintBitsToFloat((bits & 0x80000000u) != 0u ? bits & 0x7fffffffu : ~bits);
+}
+
+void main()
+{
+  ivec2 place = ivec2(gl_GlobalInvocationID.xy);
+  int number = int(gl_LocalInvocationIndex);
+#ifdef VTKI_PROXY_PIXELS
+  ivec2 pixel = min(place, vtkiSize - 1);
+  bool inside = place.x < vtkiSize.x && place.y < vtkiSize.y;
+#else
+  ivec2 pixel = min(place * vtkiStep, vtkiSize - 1);
+  bool inside = place.x < vtkiCoarseSize.x && place.y < vtkiCoarseSize.y;
+#endif
+  vtkiReceiver receiver;
+  bool lit = vtkiFetchReceiver(pixel, receiver) && inside;
+#ifdef VTKI_PROXY_REST
+  lit = lit && imageLoad(vtkiSkyImage, pixel).a < 0.0f;
+#endif
+  if (number < 3)
+  {
+    vtkiLowest[number] = 0xffffffffu;
+    vtkiHighest[number] = 0u;
+  }
+  barrier();
+  if (lit)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      uint at = vtkiOrdered(receiver.position[i]);
+      atomicMin(vtkiLowest[i], at);
+      atomicMax(vtkiHighest[i], at);
+    }
+  }
+  barrier();
+  bool some = vtkiLowest[0] <= vtkiHighest[0];
+  vec3 lower = vec3(vtkiFromOrdered(vtkiLowest[0]), vtkiFromOrdered(vtkiLowest[1]), vtkiFromOrdered(vtkiLowest[2]));
+  vec3 upper = vec3(vtkiFromOrdered(vtkiHighest[0]), vtkiFromOrdered(vtkiHighest[1]), vtkiFromOrdered(vtkiHighest[2]));
+  // Room for what the middle is rounded by.
+  vec3 middle = some ? 0.5f * (lower + upper) : vec3(0.0f);
+  vec3 halfSize = some ? 0.5f * (upper - lower) + 1.0e-6f : vec3(0.0f);
+
+  vtkiProxySums sums = vtkiNoProxies();
+  for (int block = 0; block < vtkiBlockCount && some; ++block)
+  {
+    vec3 blockLower = texelFetch(vtkiProxyBlocks, ivec2(0, block), 0).xyz;
+    vec3 blockUpper = texelFetch(vtkiProxyBlocks, ivec2(1, block), 0).xyz;
+    if (any(greaterThan(blockLower, middle + halfSize)) || any(lessThan(blockUpper, middle - halfSize)))
+    {
+      continue; // the same for all invocations
+    }
+    if (number < VTKI_ROW_LENGTH / 32)
+    {
+      vtkiListed[number] = 0u;
+    }
+    barrier();
+    int entry = block * VTKI_ROW_LENGTH + number;
+    if (entry < vtkiProxyCount)
+    {
+      ivec2 at = vtkiTableTexel(entry);
+      vec4 outer = texelFetch(vtkiProxyOuter, at, 0);
+      if (vtkiProxyMeetsBox(middle, halfSize, outer.xyz, outer.w, texelFetch(vtkiProxyCenter, at, 0).xyz,
+            texelFetch(vtkiProxyInner, at, 0).x))
+      {
+        atomicOr(vtkiListed[number >> 5], 1u << uint(number & 31));
+      }
+    }
+    barrier();
+    for (int word = 0; word < VTKI_ROW_LENGTH / 32; ++word)
+    {
+      uint bits = lit ? vtkiListed[word] : 0u;
+      while (bits != 0u)
+      {
+        int next = block * VTKI_ROW_LENGTH + 32 * word + findLSB(bits);
+        bits &= bits - 1u;
+        vtkiAddProxy(receiver.position, receiver.normal, next, sums);
+      }
+    }
+    barrier();
+  }
+  if (lit)
+  {
+    vtkiAddPolygons(receiver.position, receiver.normal, sums);
+  }
+  vtkiProxyLit result = vtkiResolveProxies(sums);
+#ifdef VTKI_PROXY_PIXELS
+#ifdef VTKI_PROXY_REST
+  bool writes = lit;
+#else
+  bool writes = inside;
+#endif
+  if (writes)
+  {
+    vec3 sky = lit ? vtkiProxyIrradiance(result.sky, receiver.normal) : vec3(0.0f);
+    imageStore(vtkiSkyImage, pixel, vec4(sky, 1.0f));
+#ifdef VTKI_PROXY_LIGHT
+    vec3 bounce = lit ? vtkiProxyIrradiance(result.bounce, receiver.normal) : vec3(0.0f);
+    imageStore(vtkiBounceImage, pixel, vec4(bounce, 1.0f));
+#endif
+  }
+#else
+  if (inside)
+  {
+    for (int i = 0; i < 9; ++i)
+    {
+      imageStore(vtkiPlanes, vtkiPlaneTexel(place, 0, i), vec4(result.sky[i], 1.0f));
+#ifdef VTKI_PROXY_LIGHT
+      imageStore(vtkiPlanes, vtkiPlaneTexel(place, 1, i), vec4(result.bounce[i], 1.0f));
+#endif
+    }
+  }
+#endif
+}
