@@ -57,7 +57,7 @@ vtkProxyAccumulationPass::~vtkProxyAccumulationPass() = default;
 void vtkProxyAccumulationPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  static const char* const levels[] = { "Off", "Middle", "Averaged" };
+  static const char* const levels[] = { "Off", "Middle", "Averaged", "Shadowed" };
   os << indent << "ReceiverStep: " << this->Settings.ReceiverStep << "\n";
   os << indent << "Groups: " << (this->Settings.Groups ? "On" : "Off") << "\n";
   os << indent << "GroupAngle: " << this->Settings.GroupAngle << "\n";
@@ -176,11 +176,11 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
   {
     in.Tree.Build(in.Scene.GetSpheres(), this->Settings.Groups ? this->Settings.GroupAngle : 0.0,
       this->Settings.InfluenceScale);
-    done = in.Sums.Update(frame.Window, in.Tree);
+    done = in.Sums.Update(frame.Window, in.Tree, in.Scene.GetPolygons());
     in.TreeIsThere = done;
     in.TreeTime = this->GetMTime();
   }
-  in.Sums.Light.Update(frame.Window, input.Environment, in.Scene.GetPolygons(), rebuilds);
+  in.Sums.SetEnvironment(frame.Window, input.Environment);
   input.Timer.End(vtkIndirectStageTimer::Lights);
 
   const bool sends = this->Settings.IndirectLight != OFF;
@@ -192,6 +192,7 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
   sums.Step = this->Settings.ReceiverStep;
   sums.Hides = input.Plan.SkyIsShadowed;
   sums.Middle = this->Settings.IndirectLight == MIDDLE;
+  sums.Shadowed = this->Settings.IndirectLight == SHADOWED;
   sums.LightReach = this->Settings.Groups ? 0.0 : this->Settings.IndirectInfluenceScale;
   input.Timer.Begin(vtkIndirectStageTimer::Estimate);
   done = done && in.Sums.Sum(sums, in.Sky, sends ? this->Irradiance.get() : nullptr);
@@ -219,10 +220,12 @@ void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
 {
   const Internals& in = *this->Internal;
   in.Scene.AddToReport(report);
-  if (in.Sums.Light.GetNumberLeftOut() > 0)
+  const size_t most = vtkIndirectProxyLight::MostPolygons;
+  if (in.Scene.GetPolygons().size() > most)
   {
-    report.LeftOut.emplace_back(std::to_string(in.Sums.Light.GetNumberLeftOut()) + " flat polygons",
-      "the " + std::to_string(vtkIndirectProxyLight::MostPolygons) +
+    report.LeftOut.emplace_back(
+      std::to_string(in.Scene.GetPolygons().size() - most) + " flat polygons",
+      "the " + std::to_string(most) +
         " largest count; the result is too bright");
   }
   const int step = this->Settings.ReceiverStep;
@@ -240,8 +243,10 @@ void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
   else
   {
     report.Modelled.emplace_back("one bounce of light from the sky",
-      "spheres send it as if nothing hid it from them; the result is too bright where they are "
-      "close to each other");
+      this->Settings.IndirectLight == SHADOWED
+        ? "spheres send what of it falls on them"
+        : "spheres send it as if nothing hid it from them; the result is too bright where they are "
+          "close to each other");
   }
 }
 

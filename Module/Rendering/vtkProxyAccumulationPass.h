@@ -25,13 +25,13 @@
  * - Groups of spheres that are far away are summed as one (Groups), so that sums of logarithms do not
  *   hide twice what lies behind each other, and thousands of spheres cost hundreds. Without them each
  *   sphere counts within InfluenceScale radii, as in the paper.
+ * - Spheres send what others leave of the sky, not all of it (IndirectLight).
  * - What is interpolated between receivers is light by direction, not irradiance: pixels use their
  *   own normal.
  *
  * Approximations: order 4 blurs shadows (either sign); what lies behind each other within reach
  * of GroupAngle hides twice (too dark); ten or more spheres around a receiver hide too little (too
- * bright); light that spheres send is the sky's, whether anything hides it from them or not (too
- * bright), and none of it is reflected again (too dark); glyphs that are no spheres, bonds, lines and
+ * bright); none of the light that spheres send is reflected again (too dark); glyphs that are no spheres, bonds, lines and
  * points hide nothing. A sun is as broad as order 4 makes it. Documentation/methods/sphere-proxies.md
  * has figures.
  *
@@ -100,19 +100,22 @@ public:
   {
     OFF = 0,
     MIDDLE = 1,
-    AVERAGED = 2
+    AVERAGED = 2,
+    SHADOWED = 3
   };
 
   ///@{
   /**
    * Light that spheres reflect of the sky: none, as if all of a sphere sent what its middle sends
-   * (Eq 13), or its mean over the visible disk (Eq 15). Overlap is accounted for (Eq 12).
-   * Default AVERAGED.
+   * (Eq 13), or its mean over the visible disk (Eq 15), both as if nothing hid the sky from them; or
+   * the mean of what other spheres leave of it, which is found for groups of up to four spheres.
+   * Overlap is accounted for (Eq 12). Default SHADOWED.
    */
-  vtkIndirectClampMacro(IndirectLight, int, OFF, AVERAGED);
+  vtkIndirectClampMacro(IndirectLight, int, OFF, SHADOWED);
   void SetIndirectLightToOff() { this->SetIndirectLight(OFF); }
   void SetIndirectLightToMiddle() { this->SetIndirectLight(MIDDLE); }
   void SetIndirectLightToAveraged() { this->SetIndirectLight(AVERAGED); }
+  void SetIndirectLightToShadowed() { this->SetIndirectLight(SHADOWED); }
   ///@}
 
   /**
@@ -157,7 +160,7 @@ protected:
     double GroupAngle = 0.3;
     double InfluenceScale = 15.0;
     double IndirectInfluenceScale = 4.0;
-    int IndirectLight = AVERAGED;
+    int IndirectLight = SHADOWED;
   };
   SettingsType Settings;
 

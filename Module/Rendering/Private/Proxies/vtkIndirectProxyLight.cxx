@@ -23,8 +23,8 @@ void Append(std::vector<glm::vec4>& rows, const vtkiHarmonics4& f)
   rows.insert(rows.end(), { f.A, f.B, f.C, f.D });
 }
 
-// Of no particular length: compares sizes.
-glm::dvec3 FindNormal(const vtkIndirectProxyPolygon& polygon)
+// Twice the area, along the normal.
+glm::dvec3 FindArea(const vtkIndirectProxyPolygon& polygon)
 {
   glm::dvec3 sum(0.0);
   for (size_t i = 2; i < polygon.Corners.size(); ++i)
@@ -55,45 +55,60 @@ vtkIndirectProxyLight::Coefficients vtkIndirectProxyLight::Project(vtkEnvironmen
 }
 
 //------------------------------------------------------------------------------
-// Rows as vtkIndirectProxyBlock.glsl has them.
-void vtkIndirectProxyLight::AddPolygons(
-  std::vector<glm::vec4>& rows, std::vector<vtkIndirectProxyPolygon> polygons)
+std::vector<vtkIndirectProxyPolygon> vtkIndirectProxyLight::ChoosePolygons(
+  std::vector<vtkIndirectProxyPolygon> polygons)
 {
+  polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
+                   [](const vtkIndirectProxyPolygon& polygon)
+                   { return !(glm::length(FindArea(polygon)) > 0.0); }),
+    polygons.end());
   std::stable_sort(polygons.begin(), polygons.end(),
     [](const vtkIndirectProxyPolygon& a, const vtkIndirectProxyPolygon& b)
-    { return glm::length(FindNormal(a)) > glm::length(FindNormal(b)); });
-  this->NumberLeftOut = polygons.size() > MostPolygons ? polygons.size() - MostPolygons : 0;
-  this->NumberOfPolygons = 0;
-  for (const vtkIndirectProxyPolygon& polygon : polygons)
+    { return glm::length(FindArea(a)) > glm::length(FindArea(b)); });
+  if (polygons.size() > MostPolygons)
   {
-    const glm::dvec3 normal = FindNormal(polygon);
-    const double length = glm::length(normal);
-    if (!(length > 0.0) || static_cast<size_t>(this->NumberOfPolygons) == MostPolygons)
-    {
-      continue;
-    }
-    ++this->NumberOfPolygons;
-    const size_t corners = std::min(polygon.Corners.size(), MostCorners);
-    rows.emplace_back(glm::vec3(normal / length), static_cast<float>(corners));
-    rows.emplace_back(polygon.Albedo, static_cast<float>(std::sqrt(0.5 * length)));
-    for (size_t i = 0; i < MostCorners; ++i)
-    {
-      rows.emplace_back(glm::vec3(polygon.Corners[std::min(i, corners - 1)]), 0.0f);
-    }
+    polygons.resize(MostPolygons);
   }
-  rows.resize(rows.size() +
-    (MostPolygons - static_cast<size_t>(this->NumberOfPolygons)) * (2 + MostCorners));
+  return polygons;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxyLight::Update(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment,
-  const std::vector<vtkIndirectProxyPolygon>& polygons, bool changed)
+glm::dvec3 vtkIndirectProxyLight::FindNormal(const vtkIndirectProxyPolygon& polygon)
+{
+  return glm::normalize(FindArea(polygon));
+}
+
+//------------------------------------------------------------------------------
+// Rows as vtkIndirectProxyBlock.glsl has them.
+void vtkIndirectProxyLight::AddPolygons(std::vector<glm::vec4>& rows,
+  const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean)
+{
+  this->NumberOfPolygons = static_cast<int>(polygons.size());
+  for (size_t k = 0; k < polygons.size(); ++k)
+  {
+    const vtkIndirectProxyPolygon& polygon = polygons[k];
+    const glm::dvec3 area = FindArea(polygon);
+    const size_t corners = std::min(polygon.Corners.size(), MostCorners);
+    rows.emplace_back(glm::vec3(glm::normalize(area)), static_cast<float>(corners));
+    rows.emplace_back(polygon.Albedo, static_cast<float>(std::sqrt(0.5 * glm::length(area))));
+    for (size_t i = 0; i < MostCorners; ++i)
+    {
+      rows.emplace_back(glm::vec3(polygon.Corners[std::min(i, corners - 1)]),
+        static_cast<float>(firstMean + 2 * static_cast<int>(k)));
+    }
+  }
+  rows.resize(rows.size() + (MostPolygons - polygons.size()) * (2 + MostCorners));
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxyLight::Update(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment,
+  const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean, bool changed)
 {
   const vtkMTimeType time = environment ? environment->GetMTime() : 0;
   const bool same = environment == this->Environment && time == this->Time;
   if (same && !changed && this->Block.GetBytes() > 0)
   {
-    return;
+    return false;
   }
   if (!same || this->Block.GetBytes() == 0)
   {
@@ -124,8 +139,9 @@ void vtkIndirectProxyLight::Update(vtkOpenGLRenderWindow* window, vtkEnvironment
     }
     Append(rows, light);
   }
-  this->AddPolygons(rows, polygons);
+  this->AddPolygons(rows, polygons, firstMean);
   this->Block.Update(window, rows.data(), rows.size() * sizeof(glm::vec4));
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -25,23 +25,30 @@ public:
   /** Of order 4, by l (l + 1) + m, in world coordinates. */
   static Coefficients Project(vtkEnvironmentLight* environment);
 
-  /** Fills the block; null: no light. Of too many polygons the largest. */
-  void Update(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment,
-    const std::vector<vtkIndirectProxyPolygon>& polygons, bool changed);
+  /**
+   * Fills the block; null: no light. Polygons are those of ChoosePolygons, whose light is the means
+   * from that number on, one for each side. Returns whether anything has changed.
+   */
+  bool Update(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment,
+    const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean, bool changed);
+  /** Those that count: of too many the largest. */
+  static std::vector<vtkIndirectProxyPolygon> ChoosePolygons(
+    std::vector<vtkIndirectProxyPolygon> polygons);
+  /** Unit. */
+  static glm::dvec3 FindNormal(const vtkIndirectProxyPolygon& polygon);
 
   void Activate(vtkShaderProgram* program) const;
   size_t GetBytes() const { return this->Block.GetBytes(); }
-  size_t GetNumberLeftOut() const { return this->NumberLeftOut; }
   void Release();
 
 private:
-  void AddPolygons(std::vector<glm::vec4>& rows, std::vector<vtkIndirectProxyPolygon> polygons);
+  void AddPolygons(std::vector<glm::vec4>& rows,
+    const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean);
 
   vtkIndirectUniformBlock Block{ "vtkiProxyBlock" };
   Coefficients Light;
   vtkEnvironmentLight* Environment = nullptr; // compared only
   vtkMTimeType Time = 0;
   int NumberOfPolygons = 0;
-  size_t NumberLeftOut = 0;
 };
 #endif

@@ -26,8 +26,12 @@ enum ModeType
 {
   COARSE,
   PIXELS,
-  REST
+  REST,
+  SENDERS
 };
+
+// Places of a polygon at each side that its light is the mean of.
+constexpr int PlacesOfPolygon = 4;
 
 const vtkIndirectChannel TableChannels[] = {
   { "proxies.table", "vtkiProxyTable", "zonal logarithms of what spheres leave", GL_RGBA32F, "-",
@@ -40,7 +44,7 @@ const vtkIndirectChannel RowsChannels[] = {
     "scene units" },
   { "proxies.albedo", "vtkiProxyAlbedo", "albedo, share of the disk that is hidden", GL_RGBA32F,
     "-", "1" },
-  { "proxies.inner", "vtkiProxyInner", "radius within which others count", GL_R32F, "-",
+  { "proxies.inner", "vtkiProxyInner", "radius within which others count, sender", GL_RG32F, "-",
     "scene units" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
@@ -48,6 +52,34 @@ const vtkIndirectChannel BlocksChannels[] = {
   { "proxies.blocks", "vtkiProxyBlocks", "corners of a box", GL_RGBA32F, "scene", "scene units" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+const vtkIndirectChannel SendersChannels[] = {
+  { "proxies.sender", "vtkiSenderPlace", "place, radius", GL_RGBA32F, "scene", "scene units" },
+  { "proxies.facing", "vtkiSenderNormal", "normal, whether there is one", GL_RGBA32F, "scene", "1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel RangesChannels[] = {
+  { "proxies.ranges", "vtkiMeanRange", "first sender, number", GL_RG32F, "-", "-" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+#define VTKI_LIGHT_CHANNEL(name, uniform)                                                          \
+  {                                                                                                \
+    name, uniform, "irradiance by normals", GL_RGBA32F, "world", "VTK irradiance"                  \
+  }
+const vtkIndirectChannel SenderLightChannels[] = {
+  VTKI_LIGHT_CHANNEL("proxies.light0", "vtkiSenderLight0"),
+  VTKI_LIGHT_CHANNEL("proxies.light1", "vtkiSenderLight1"),
+  VTKI_LIGHT_CHANNEL("proxies.light2", "vtkiSenderLight2"),
+  VTKI_LIGHT_CHANNEL("proxies.light3", "vtkiSenderLight3"),
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel MeanLightChannels[] = {
+  VTKI_LIGHT_CHANNEL("proxies.mean0", "vtkiMeanLight0"),
+  VTKI_LIGHT_CHANNEL("proxies.mean1", "vtkiMeanLight1"),
+  VTKI_LIGHT_CHANNEL("proxies.mean2", "vtkiMeanLight2"),
+  VTKI_LIGHT_CHANNEL("proxies.mean3", "vtkiMeanLight3"),
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+#undef VTKI_LIGHT_CHANNEL
 const vtkIndirectChannel PlanesChannels[] = {
   { "proxies.planes", "vtkiPlanes", "light that comes, in spherical harmonics", GL_RGBA32F,
     "world", "VTK radiance" },
@@ -77,6 +109,28 @@ glm::mat4 FindSceneToClip(const vtkIndirectFrame& frame)
   return glm::mat4((frame.Parallel ? 1.0 : scale) * (frame.Projection * toView));
 }
 
+// Of a table. Powers of two: numbers that change a little keep the textures.
+int FindRows(size_t entries)
+{
+  int rows = 1;
+  while (static_cast<size_t>(rows) * RowLength < entries)
+  {
+    rows *= 2;
+  }
+  return rows;
+}
+
+// Fills whole rows of a table.
+void WriteRows(vtkIndirectTarget& target, int channel, std::vector<float>& values)
+{
+  const size_t row = static_cast<size_t>(RowLength) * 4;
+  values.resize((values.size() + row - 1) / row * row, 0.0f);
+  if (!values.empty())
+  {
+    target.Write(channel, values);
+  }
+}
+
 void Append(std::vector<float>& values, const glm::vec3& xyz, float w)
 {
   values.insert(values.end(), { xyz.x, xyz.y, xyz.z, w });
@@ -88,6 +142,10 @@ vtkIndirectProxySums::vtkIndirectProxySums()
   : Table(TableChannels, false)
   , Rows(RowsChannels, false)
   , Blocks(BlocksChannels, false)
+  , Senders(SendersChannels, false)
+  , Ranges(RangesChannels, false)
+  , SenderLight(SenderLightChannels, false)
+  , MeanLight(MeanLightChannels, false)
   , Planes(PlanesChannels, false)
   , Hidden(HiddenChannels, false)
   , Sent(SentChannels, false)
@@ -101,19 +159,17 @@ bool vtkIndirectProxySums::UsesTiles()
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree)
+bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree,
+  const std::vector<vtkIndirectProxyPolygon>& polygons)
 {
+  this->Polygons = vtkIndirectProxyLight::ChoosePolygons(polygons);
+  this->Changed = true;
   const bool begins = this->Table.GetWidth() == 0;
   const std::vector<vtkIndirectProxyTree::Entry>& entries = tree.GetEntries();
   const std::vector<vtkIndirectProxyTree::Block>& blocks = tree.GetBlocks();
   this->NumberOfEntries = static_cast<int>(entries.size());
   this->NumberOfBlocks = static_cast<int>(blocks.size());
-  // Powers of two: numbers that change a little keep the textures.
-  int rows = 1;
-  while (rows < this->NumberOfBlocks)
-  {
-    rows *= 2;
-  }
+  const int rows = FindRows(entries.size());
   if (!this->Table.Resize(window, vtkIndirectProxyEntries, 1) ||
     !this->Rows.Resize(window, RowLength, rows) || !this->Blocks.Resize(window, 2, rows))
   {
@@ -125,28 +181,149 @@ bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndire
     const float* const first = &vtkIndirectProxyTable[0][0];
     this->Table.Write(0, std::vector<float>(first, first + 4 * vtkIndirectProxyEntries));
   }
+  // Senders of the tree are followed by those of polygons, then by the means of both.
+  const int trees = static_cast<int>(tree.GetSenders().size());
+  const int added = 2 * PlacesOfPolygon * static_cast<int>(this->Polygons.size());
   std::vector<float> values[5];
   for (const vtkIndirectProxyTree::Entry& entry : entries)
   {
     Append(values[0], entry.Center, entry.Radius);
     Append(values[1], entry.OuterCenter, entry.Outer);
     Append(values[2], entry.Albedo, entry.Share);
-    Append(values[3], glm::vec3(entry.Inner), 0.0f);
+    const int sender = entry.Sender + (entry.Sender < trees ? 0 : added);
+    Append(values[3], glm::vec3(entry.Inner, static_cast<float>(sender), 0.0f), 0.0f);
   }
   for (const vtkIndirectProxyTree::Block& block : blocks)
   {
     Append(values[4], block.Lower, 0.0f);
     Append(values[4], block.Upper, 0.0f);
   }
-  for (int i = 0; i < 4 && !entries.empty(); ++i)
+  for (int i = 0; i < 4; ++i)
   {
-    values[i].resize(blocks.size() * static_cast<size_t>(RowLength) * 4, 0.0f);
-    this->Rows.Write(i, values[i]);
+    WriteRows(this->Rows, i, values[i]);
   }
   if (!blocks.empty())
   {
     this->Blocks.Write(0, values[4]);
   }
+  return this->UpdateSenders(window, tree);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::UpdateSenders(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree)
+{
+  std::vector<float> places;
+  std::vector<float> normals;
+  std::vector<float> ranges;
+  for (const vtkIndirectProxyTree::Sender& sender : tree.GetSenders())
+  {
+    Append(places, sender.Center, sender.Radius);
+    Append(normals, glm::vec3(0.0f), 0.0f);
+  }
+  this->NumberOfSenders = static_cast<int>(
+    tree.GetSenders().size() + 2 * PlacesOfPolygon * this->Polygons.size());
+  for (const vtkIndirectProxyTree::Mean& mean : tree.GetMeans())
+  {
+    Append(
+      ranges, glm::vec3(static_cast<float>(mean.First), static_cast<float>(mean.Count), 0.0f), 0.0f);
+  }
+  this->FirstPolygonMean = this->NumberOfSenders + static_cast<int>(tree.GetMeans().size());
+  int next = static_cast<int>(tree.GetSenders().size());
+  for (const vtkIndirectProxyPolygon& polygon : this->Polygons)
+  {
+    const glm::dvec3 normal = vtkIndirectProxyLight::FindNormal(polygon);
+    glm::dvec3 middle(0.0);
+    for (const glm::dvec3& corner : polygon.Corners)
+    {
+      middle += corner / static_cast<double>(polygon.Corners.size());
+    }
+    for (const double side : { 1.0, -1.0 })
+    {
+      for (int i = 0; i < PlacesOfPolygon; ++i)
+      {
+        const size_t corner = static_cast<size_t>(i) * polygon.Corners.size() / PlacesOfPolygon;
+        Append(places, glm::vec3(0.5 * (middle + polygon.Corners[corner])), 0.0f);
+        Append(normals, glm::vec3(side * normal), 1.0f);
+      }
+      Append(ranges,
+        glm::vec3(static_cast<float>(next), static_cast<float>(PlacesOfPolygon), 0.0f), 0.0f);
+      next += PlacesOfPolygon;
+    }
+  }
+  const int rows = FindRows(places.size() / 4);
+  const int meanRows = FindRows(ranges.size() / 4);
+  if (!this->Senders.Resize(window, RowLength, rows) ||
+    !this->Ranges.Resize(window, RowLength, meanRows))
+  {
+    this->NumberOfEntries = 0;
+    return false;
+  }
+  WriteRows(this->Senders, 0, places);
+  WriteRows(this->Senders, 1, normals);
+  WriteRows(this->Ranges, 0, ranges);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxySums::SetEnvironment(
+  vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment)
+{
+  const bool changed = this->Light.Update(
+    window, environment, this->Polygons, this->FirstPolygonMean, this->Changed);
+  this->SendersAreLit = this->SendersAreLit && !changed;
+  this->Changed = false;
+}
+
+//------------------------------------------------------------------------------
+// What falls on senders, and means of it.
+bool vtkIndirectProxySums::LightSenders(const Input& input)
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  if (this->SendersAreLit)
+  {
+    return true;
+  }
+  if (!this->SenderLight.Resize(window, RowLength, this->Senders.GetHeight()) ||
+    !this->MeanLight.Resize(window, RowLength, this->Ranges.GetHeight()))
+  {
+    return false;
+  }
+  const std::string definitions = "#define VTKI_PROXY_SENDERS\n";
+  if (UsesTiles())
+  {
+    if (!this->SumInTiles(input, definitions, nullptr, SENDERS))
+    {
+      return false;
+    }
+  }
+  for (int i = UsesTiles() ? 1 : 0; i < 2; ++i)
+  {
+    vtkIndirectFullScreenProgram& kernel = i == 0 ? this->Sending : this->Averaging;
+    vtkIndirectTarget& target = i == 0 ? this->SenderLight : this->MeanLight;
+    kernel.SetDefinitions(i == 0 ? definitions : "#define VTKI_PROXY_LIGHT\n#define VTKI_PROXY_MEANS\n");
+    vtkShaderProgram* program = kernel.Use(window);
+    if (!program)
+    {
+      return false;
+    }
+    target.Begin();
+    this->Activate(input, program);
+    this->Ranges.Activate(0, program);
+    if (i == 1)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        this->SenderLight.Activate(k, program);
+      }
+    }
+    kernel.Draw();
+    this->SenderLight.Deactivate();
+    this->Ranges.Deactivate();
+    this->Deactivate(input);
+    target.End();
+  }
+  this->SendersAreLit = true;
   return true;
 }
 
@@ -158,6 +335,25 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
   input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
   program->SetUniform2i("vtkiCoarseSize", this->CoarseSize);
   program->SetUniformi("vtkiStep", input.Step);
+  program->SetUniformi("vtkiSenderCount", this->NumberOfSenders);
+  if (program->IsUniformUsed("vtkiSenderPlace"))
+  {
+    this->Senders.Activate(0, program);
+    this->Senders.Activate(1, program);
+  }
+  if (program->IsUniformUsed("vtkiProxyBlocks"))
+  {
+    this->Blocks.Activate(0, program);
+    program->SetUniformi("vtkiBlockCount", this->NumberOfBlocks);
+  }
+  if (program->IsUniformUsed("vtkiMeanLight0"))
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      this->SenderLight.Activate(i, program);
+      this->MeanLight.Activate(i, program);
+    }
+  }
   if (program->IsUniformUsed("vtkiProxyCenter"))
   {
     this->Light.Activate(program);
@@ -176,8 +372,11 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
 void vtkIndirectProxySums::Deactivate(const Input& input) const
 {
   input.Geometry.GetTarget().Deactivate();
-  this->Table.Deactivate();
-  this->Rows.Deactivate();
+  for (const vtkIndirectTarget* target : { &this->Table, &this->Rows, &this->Blocks, &this->Senders,
+         &this->SenderLight, &this->MeanLight })
+  {
+    target->Deactivate();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -193,8 +392,14 @@ bool vtkIndirectProxySums::Sum(
       return false;
     }
   }
+  const bool shadowed = bounce && input.Shadowed && input.Hides;
   const std::string definitions = std::string(bounce ? "#define VTKI_PROXY_LIGHT\n" : "") +
-    (input.Middle ? "#define VTKI_PROXY_MIDDLE\n" : "");
+    (input.Middle ? "#define VTKI_PROXY_MIDDLE\n" : "") +
+    (shadowed ? "#define VTKI_PROXY_SHADOWED\n" : "");
+  if (shadowed && !this->LightSenders(input))
+  {
+    return false;
+  }
   // From border to border.
   for (int i = 0; i < 2; ++i)
   {
@@ -234,7 +439,7 @@ bool vtkIndirectProxySums::SumInTiles(
 #ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
   this->Tiles[mode].SetDefinitions(definitions +
-    (mode == COARSE ? "" : "#define VTKI_PROXY_PIXELS\n") +
+    (mode == PIXELS || mode == REST ? "#define VTKI_PROXY_PIXELS\n" : "") +
     (mode == REST ? "#define VTKI_PROXY_REST\n" : ""));
   vtkShaderProgram* program = this->Tiles[mode].Use(frame.Window);
   if (!program)
@@ -242,21 +447,26 @@ bool vtkIndirectProxySums::SumInTiles(
     return false;
   }
   this->Activate(input, program);
-  this->Blocks.Activate(0, program);
-  program->SetUniformi("vtkiBlockCount", this->NumberOfBlocks);
-  const int* const size = mode == COARSE ? this->CoarseSize : frame.Size;
-  const vtkIndirectTarget* const targets[2] = { mode == COARSE ? &this->Planes : images[0],
-    mode == COARSE ? nullptr : images[1] };
+  const int senders[2] = { (this->NumberOfSenders + RowLength - 1) / RowLength * TileSize, TileSize };
+  const int* const size = mode == COARSE ? this->CoarseSize : mode == SENDERS ? senders : frame.Size;
+  std::vector<vtkTextureObject*> textures;
+  for (int i = 0; i < (mode == SENDERS ? 4 : 2); ++i)
+  {
+    if (mode == SENDERS)
+    {
+      textures.push_back(this->SenderLight.GetTexture(i));
+    }
+    else if (mode == COARSE ? i == 0 : images[i] != nullptr)
+    {
+      textures.push_back(mode == COARSE ? this->Planes.GetTexture(0) : images[i]->GetTexture(0));
+    }
+  }
   auto bind = [&](bool binds)
   {
-    for (int i = 0; i < 2; ++i)
+    for (size_t i = 0; i < textures.size(); ++i)
     {
-      if (targets[i])
-      {
-        glBindImageTexture(static_cast<GLuint>(i),
-          binds ? targets[i]->GetTexture(0)->GetHandle() : 0, 0, GL_FALSE, 0, GL_READ_WRITE,
-          GL_RGBA32F);
-      }
+      glBindImageTexture(static_cast<GLuint>(i), binds ? textures[i]->GetHandle() : 0, 0, GL_FALSE,
+        0, GL_READ_WRITE, GL_RGBA32F);
     }
   };
   bind(true);
@@ -268,11 +478,10 @@ bool vtkIndirectProxySums::SumInTiles(
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
   bind(false);
-  this->Blocks.Deactivate();
   this->Deactivate(input);
   return true;
 #else
-  return images[0] && mode >= 0 && definitions.empty() && input.Step > 0;
+  return images && mode >= 0 && definitions.empty() && input.Step > 0;
 #endif
 }
 
@@ -394,7 +603,8 @@ size_t vtkIndirectProxySums::GetBytes() const
 {
   size_t bytes = this->Mesh.GetBytes() + this->Light.GetBytes();
   for (const vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Blocks, &this->Planes, &this->Hidden, &this->Sent })
+    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
+      &this->MeanLight, &this->Planes, &this->Hidden, &this->Sent })
   {
     bytes += target->GetBytes();
   }
@@ -405,7 +615,8 @@ size_t vtkIndirectProxySums::GetBytes() const
 void vtkIndirectProxySums::Release(vtkWindow* window)
 {
   for (vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Blocks, &this->Planes, &this->Hidden, &this->Sent })
+    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
+      &this->MeanLight, &this->Planes, &this->Hidden, &this->Sent })
   {
     target->Release(window);
   }
@@ -420,5 +631,9 @@ void vtkIndirectProxySums::Release(vtkWindow* window)
     this->Upsampling[i].Release();
     this->Resolving[i].Release();
   }
-  this->NumberOfEntries = this->NumberOfBlocks = 0;
+  this->Sending.Release();
+  this->Averaging.Release();
+  this->NumberOfEntries = this->NumberOfBlocks = this->NumberOfSenders = 0;
+  this->Changed = true;
+  this->SendersAreLit = false;
 }

@@ -32,13 +32,15 @@ public:
     int Step = 1;            // every so many pixels is a receiver
     bool Hides = true;       // else nothing hides the sky
     bool Middle = false;     // radiance of spheres at their middles
+    bool Shadowed = true;    // spheres hide the light from each other that they send
     double LightReach = 0.0; // radii within which a sphere sends; 0: everywhere
   };
 
   /** Uploads entries. Returns false, after an error, when OpenGL refuses. */
-  bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree);
-  /** The light that all is summed under. */
-  vtkIndirectProxyLight Light;
+  bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree,
+    const std::vector<vtkIndirectProxyPolygon>& polygons);
+  /** The light that all is summed under; null: none. After Update. */
+  void SetEnvironment(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment);
 
   /**
    * Fills both images, RGBA32F of the frame's size; bounce may be null. Within a
@@ -52,6 +54,8 @@ public:
 private:
   void Activate(const Input& input, vtkShaderProgram* program) const;
   void Deactivate(const Input& input) const;
+  bool UpdateSenders(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree);
+  bool LightSenders(const Input& input);
   bool SumInTiles(
     const Input& input, const std::string& definitions, vtkIndirectTarget* images[2], int mode);
   bool SumBlended(const Input& input, const std::string& definitions, vtkIndirectTarget& sky,
@@ -60,20 +64,33 @@ private:
   bool Upsample(const Input& input, const std::string& definitions, vtkIndirectTarget& image,
     int column);
 
+  vtkIndirectProxyLight Light;
+  std::vector<vtkIndirectProxyPolygon> Polygons;
+  bool Changed = true; // since the light was set
+  bool SendersAreLit = false;
   int NumberOfEntries = 0;
   int NumberOfBlocks = 0;
+  int NumberOfSenders = 0;
+  int FirstPolygonMean = 0; // by number of senders and means
   int CoarseSize[2] = { 0, 0 };
   vtkIndirectTarget Table;  // zonal logarithms
   vtkIndirectTarget Rows;   // entries
   vtkIndirectTarget Blocks; // boxes
+  vtkIndirectTarget Senders;
+  vtkIndirectTarget Ranges;      // of means
+  vtkIndirectTarget SenderLight; // what falls on them
+  vtkIndirectTarget MeanLight;
   vtkIndirectTarget Planes;
   vtkIndirectTarget Hidden; // sums that are blended
   vtkIndirectTarget Sent;
   vtkIndirectSplatMesh Mesh;
-  // Of coarse receivers, of all pixels, of pixels that are left.
-  vtkIndirectComputeProgram Tiles[3]{ vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
+  // Of coarse receivers, of all pixels, of pixels that are left, of senders.
+  vtkIndirectComputeProgram Tiles[4]{ vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
+    vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
     vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
     vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl") };
+  vtkIndirectFullScreenProgram Sending{ "vtkIndirectProxySendersFS.glsl" };
+  vtkIndirectFullScreenProgram Averaging{ "vtkIndirectProxySendersFS.glsl" };
   vtkIndirectFullScreenProgram Upsampling[2]{ { "vtkIndirectProxyUpsampleFS.glsl" },
     { "vtkIndirectProxyUpsampleFS.glsl" } };
   vtkIndirectFullScreenProgram Resolving[2]{ { "vtkIndirectProxyResolveFS.glsl" },

@@ -10,8 +10,10 @@ namespace
 {
 // Groups of more than that come first, so that blocks of the others are near to each other.
 constexpr size_t LargeGroup = 64;
+// Spheres whose light is found together.
+constexpr size_t SpheresOfSender = 4;
 // Everywhere, in scene units, whose square and cube are floats still.
-constexpr double Everywhere = 1e9;
+constexpr double Everywhere = 1e8;
 // Sums of r^2, r^2 center, r^2 (center^2 + 3/5 r^2), r^2 albedo.
 constexpr int NumberOfMoments = 8;
 }
@@ -22,6 +24,8 @@ void vtkIndirectProxyTree::Build(
 {
   this->Entries.clear();
   this->Blocks.clear();
+  this->Senders.clear();
+  this->Means.clear();
   this->Nodes.clear();
   this->Small.clear();
   if (spheres.empty())
@@ -35,7 +39,9 @@ void vtkIndirectProxyTree::Build(
       const glm::vec3 center(sphere.Center);
       const double outer = reach > 0.0 ? std::min(reach * sphere.Radius, Everywhere) : Everywhere;
       this->Entries.push_back({ center, static_cast<float>(sphere.Radius), center,
-        static_cast<float>(outer), sphere.Albedo, 1.0f, 0.0f });
+        static_cast<float>(outer), sphere.Albedo, 1.0f, 0.0f,
+        static_cast<int>(this->Senders.size()) });
+      this->Senders.push_back({ center, static_cast<float>(sphere.Radius) });
     }
     this->MakeBlocks();
     return;
@@ -49,6 +55,12 @@ void vtkIndirectProxyTree::Build(
   double moments[NumberOfMoments];
   const size_t root = this->MakeNode(spheres, 0, spheres.size(), angle, moments);
   this->Entries.reserve(this->Nodes.size());
+  this->AddSenders(root, -1);
+  for (Node& node : this->Nodes)
+  {
+    // Means come after all senders.
+    node.Sender = node.Sender < 0 ? static_cast<int>(this->Senders.size()) - 1 - node.Sender : node.Sender;
+  }
   this->AddLarge(root, nullptr);
   for (const auto& small : this->Small)
   {
@@ -169,6 +181,34 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
 }
 
 //------------------------------------------------------------------------------
+// own: the sender that it belongs to; below zero: none. Means are numbered from -1 down.
+void vtkIndirectProxyTree::AddSenders(size_t number, int own)
+{
+  Node& node = this->Nodes[number];
+  if (own < 0 && node.NumberOfSpheres <= SpheresOfSender)
+  {
+    own = static_cast<int>(this->Senders.size());
+    this->Senders.push_back({ glm::vec3(node.Center), static_cast<float>(node.Radius) });
+  }
+  node.Sender = own;
+  const int first = static_cast<int>(this->Senders.size());
+  const size_t mean = this->Means.size();
+  if (own < 0)
+  {
+    node.Sender = -1 - static_cast<int>(mean);
+    this->Means.push_back({ first, 0 });
+  }
+  for (int i = 0; i < node.NumberOfChildren; ++i)
+  {
+    this->AddSenders(node.Children[i], own);
+  }
+  if (own < 0)
+  {
+    this->Means[mean].Count = static_cast<int>(this->Senders.size()) - first;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectProxyTree::AddEntry(size_t number, const Node* parent)
 {
   const Node& node = this->Nodes[number];
@@ -177,7 +217,7 @@ void vtkIndirectProxyTree::AddEntry(size_t number, const Node* parent)
     parent ? glm::vec3(parent->Center) : center,
     static_cast<float>(parent ? std::min(parent->Inner, Everywhere) : Everywhere),
     glm::vec3(node.Albedo), static_cast<float>(node.Share),
-    static_cast<float>(std::min(node.Inner, Everywhere)) });
+    static_cast<float>(std::min(node.Inner, Everywhere)), node.Sender });
 }
 
 //------------------------------------------------------------------------------

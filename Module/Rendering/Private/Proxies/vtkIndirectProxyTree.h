@@ -16,7 +16,8 @@
 
 #include "Proxies/vtkIndirectProxySphere.h" // for spheres
 
-#include <vector> // for lists
+#include <utility> // for pairs
+#include <vector>  // for lists
 
 class vtkIndirectProxyTree
 {
@@ -30,6 +31,19 @@ public:
     glm::vec3 Albedo;
     float Share; // of the light that its disk hides
     float Inner; // the same the other way round: nothing of it counts well within; 0: it does
+    int Sender;  // whose light it sends: a place among the senders, or from there on among the means
+  };
+  /** Spheres that are close to each other, whose light is found once. */
+  struct Sender
+  {
+    glm::vec3 Center;
+    float Radius;
+  };
+  /** Senders that are sent as one: so many from one on. */
+  struct Mean
+  {
+    int First;
+    int Count;
   };
   /** A box about the places where any of VTKI_ROW_LENGTH entries counts. */
   struct Block
@@ -47,6 +61,8 @@ public:
 
   const std::vector<Entry>& GetEntries() const { return this->Entries; }
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
+  const std::vector<Sender>& GetSenders() const { return this->Senders; }
+  const std::vector<Mean>& GetMeans() const { return this->Means; }
 
 private:
   struct Node
@@ -59,11 +75,13 @@ private:
     size_t Children[4];
     int NumberOfChildren;
     size_t NumberOfSpheres;
+    int Sender;
   };
 
   size_t MakeNode(const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end,
     double angle, double* moments);
   void Split(const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end);
+  void AddSenders(size_t node, int own);
   void AddEntry(size_t node, const Node* parent);
   void AddLarge(size_t node, const Node* parent);
   void MakeBlocks();
@@ -73,5 +91,7 @@ private:
   std::vector<std::pair<size_t, const Node*>> Small; // and their parents
   std::vector<Entry> Entries;
   std::vector<Block> Blocks;
+  std::vector<Sender> Senders;
+  std::vector<Mean> Means;
 };
 #endif

@@ -55,11 +55,7 @@ void main()
   sums.light2[3] = vec3(s5.ba, s6.r);
   sums.light2[4] = s6.gba;
 #endif
-  if (lit)
-  {
-    vtkiAddPolygons(receiver.position, receiver.normal, sums);
-  }
-  vtkiProxyLit result = vtkiResolveProxies(sums);
+  vtkiProxyLit result = vtkiResolveProxies(receiver.position, receiver.normal, sums);
 #ifdef VTKI_PROXY_PIXELS
 #if VTKI_PROXY_COLUMN == 1
   vec3 value = vtkiProxyIrradiance(result.bounce, receiver.normal);

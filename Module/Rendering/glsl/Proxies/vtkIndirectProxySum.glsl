@@ -5,10 +5,19 @@
 uniform sampler2D vtkiProxyCenter; // centre, radius
 uniform sampler2D vtkiProxyOuter;  // centre and radius of the region
 uniform sampler2D vtkiProxyAlbedo; // albedo, share of the disk that is hidden
-uniform sampler2D vtkiProxyInner;  // radius within which others stand for it
+uniform sampler2D vtkiProxyInner;  // radius within which others stand for it, sender
 uniform sampler2D vtkiProxyTable;  // zonal logarithms, a row of them
 uniform int vtkiProxyCount;
 uniform bool vtkiProxyHides;
+uniform sampler2D vtkiSenderLight0; // of a sphere's irradiance a + b n: a, b.x; b.y, b.z of each colour
+uniform sampler2D vtkiSenderLight1;
+uniform sampler2D vtkiSenderLight2;
+uniform sampler2D vtkiSenderLight3; // of the share of its half space that is open among spheres, the same
+uniform sampler2D vtkiMeanLight0; // the same, of several senders
+uniform sampler2D vtkiMeanLight1;
+uniform sampler2D vtkiMeanLight2;
+uniform sampler2D vtkiMeanLight3;
+uniform int vtkiSenderCount;
 uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: everywhere
 
 const int VTKI_PROXY_TABLE = 64;
@@ -75,8 +84,8 @@ void vtkiAddDiskLight(inout vtkiProxySums sums, vtkiHarmonics4 y, float sine, ve
   sums.light2[4] += (band2 * y.C.x) * sent;
 }
 
-// Radiance of a sphere of albedo 1 towards the receiver, without anything that hides the light from it (Eq 15;
-// with VTKI_PROXY_MIDDLE Eq 13).
+// Radiance of a sphere of albedo 1 towards the receiver, in the light that nothing hides from it (Eq 15; with
+// VTKI_PROXY_MIDDLE Eq 13).
 vec3 vtkiSphereRadiance(vtkiHarmonics4 y, float sine)
 {
 #ifdef VTKI_PROXY_MIDDLE
@@ -94,9 +103,37 @@ vec3 vtkiSphereRadiance(vtkiHarmonics4 y, float sine)
   {
     int row = VTKI_PROXY_COLOR_ROWS * color + 36;
     vec4 l0 = vtkiProxyRows[row];
-    radiance[color] = bands.x * y.A.x * l0.x + dot(b1, l0) + dot(b2, vtkiProxyRows[row + 1]) + b3 * vtkiProxyRows[row + 2].x;
+    radiance[color] =
+      bands.x * y.A.x * l0.x + dot(b1, l0) + dot(b2, vtkiProxyRows[row + 1]) + b3 * vtkiProxyRows[row + 2].x;
   }
   return max(radiance, vec3(0.0f));
+}
+
+// Irradiance a + b n of a sender, for a vector n; in the fourth component how open it is there.
+vec4 vtkiSenderIrradiance(int sender, vec3 n)
+{
+  vec4 l0;
+  vec4 l1;
+  vec4 l2;
+  vec4 l3;
+  if (sender < vtkiSenderCount)
+  {
+    ivec2 at = vtkiTableTexel(sender);
+    l0 = texelFetch(vtkiSenderLight0, at, 0);
+    l1 = texelFetch(vtkiSenderLight1, at, 0);
+    l2 = texelFetch(vtkiSenderLight2, at, 0);
+    l3 = texelFetch(vtkiSenderLight3, at, 0);
+  }
+  else
+  {
+    ivec2 at = vtkiTableTexel(sender - vtkiSenderCount);
+    l0 = texelFetch(vtkiMeanLight0, at, 0);
+    l1 = texelFetch(vtkiMeanLight1, at, 0);
+    l2 = texelFetch(vtkiMeanLight2, at, 0);
+    l3 = texelFetch(vtkiMeanLight3, at, 0);
+  }
+  vec3 e = l0.rgb + n.x * vec3(l0.a, l1.rg) + n.y * vec3(l1.ba, l2.r) + n.z * l2.gba;
+  return max(vec4(e, l3.x + dot(l3.yzw, n)), vec4(0.0f, 0.0f, 0.0f, 0.02f));
 }
 #endif
 
@@ -106,15 +143,22 @@ void vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums su
   ivec2 at = vtkiTableTexel(number);
   vec4 sphere = texelFetch(vtkiProxyCenter, at, 0);
   vec4 outer = texelFetch(vtkiProxyOuter, at, 0);
-  float inner = texelFetch(vtkiProxyInner, at, 0).x;
+  vec2 inner = texelFetch(vtkiProxyInner, at, 0).xy;
   vec3 toCenter = sphere.xyz - position;
   float d = length(toCenter);
-  float weight = vtkiProxyWeight(length(outer.xyz - position), outer.w, d, inner);
+  float weight = vtkiProxyWeight(length(outer.xyz - position), outer.w, d, inner.x);
   if (!(weight > 0.0f))
   {
     return;
   }
+#ifdef VTKI_PROXY_SENDERS
+  // Without a normal: of a place among spheres, where those around it say nothing.
+  float sine = dot(normal, normal) > 0.0f ? vtkiProxySine(toCenter, sphere.w, normal)
+    : d > sphere.w                        ? sphere.w / d
+                                          : 0.0f;
+#else
   float sine = vtkiProxySine(toCenter, sphere.w, normal);
+#endif
   if (!(sine > 0.0f))
   {
     return;
@@ -132,14 +176,39 @@ void vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums su
   float reach = vtkiProxyLightReach > 0.0f ? vtkiProxyWithin(d, vtkiProxyLightReach * sphere.w) : 1.0f;
   if (reach > 0.0f)
   {
-    vtkiAddDiskLight(sums, y, sine, albedo.rgb * vtkiSphereRadiance(y, sine), weight * reach);
+#ifdef VTKI_PROXY_SHADOWED
+    // Averaged over the disk, whose mean normal is -d times a length. What is closed towards the receiver is not what
+    // it sees: it does not count in the mean of all that hides the sky.
+    vec4 sent = vtkiSenderIrradiance(int(inner.y), (vtkiProxyAverage(sine).y / 0.48860251f) * direction);
+    vec3 radiance = sent.rgb;
+    reach *= sent.a;
+#else
+    vec3 radiance = vtkiSphereRadiance(y, sine);
+#endif
+    vtkiAddDiskLight(sums, y, sine, albedo.rgb * radiance, weight * reach);
   }
 #endif
 }
 
+// Light that comes to a place, in the first nine coefficients: what the sky gives where nothing hides it, and what
+// proxies send. Irradiance of any normal is its product with the clamped cosine.
+struct vtkiProxyLit
+{
+  vec3 sky[9];
+#ifdef VTKI_PROXY_LIGHT
+  vec3 bounce[9];
+#endif
+};
+
+float vtkiCoefficient(vtkiHarmonics4 f, int i)
+{
+  return i < 4 ? f.A[i] : i < 8 ? f.B[i - 4] : f.C[i - 8];
+}
+
 // Adds the flat polygons, each as the disk that gives all receivers above it the same irradiance. One that the
-// receiver lies on hides nothing.
-void vtkiAddPolygons(vec3 position, vec3 normal, inout vtkiProxySums sums)
+// receiver lies on hides nothing. open: what spheres leave to be seen, of the polygons too.
+void vtkiAddPolygons(
+  vec3 position, vec3 normal, vtkiHarmonics4 open, inout vtkiHarmonics4 hidden, inout vtkiProxyLit lit)
 {
   for (int i = 0; i < vtkiPolygonCount; ++i)
   {
@@ -165,32 +234,52 @@ void vtkiAddPolygons(vec3 position, vec3 normal, inout vtkiProxySums sums)
     bool below = dot(disk.xyz, normal) < -0.9999f * max(disk.w, 1.0e-6f);
     if (!own && !below && disk.w > 0.0f)
     {
-      vtkiHarmonics4 hidden = vtkiZonalTo(vtkiZonalLog(disk.w), disk.xyz);
-      sums.hidden = vtkiHarmonicsAdd(sums.hidden, 1.0f, hidden);
+      hidden = vtkiHarmonicsAdd(hidden, 1.0f, vtkiZonalTo(vtkiZonalLog(disk.w), disk.xyz));
 #ifdef VTKI_PROXY_LIGHT
+#ifdef VTKI_PROXY_SHADOWED
+      int mean = int(vtkiProxyRows[row + 2].w) + (height >= 0.0f ? 0 : 1);
+      vec3 radiance = vtkiSenderIrradiance(mean, vec3(0.0f)).rgb;
+#else
       vtkiHarmonics4 cosine = vtkiClampedCosine(side);
-      vec3 radiance = vec3(vtkiHarmonicsDot(cosine, vtkiProxyLightOf(0)),
-        vtkiHarmonicsDot(cosine, vtkiProxyLightOf(1)), vtkiHarmonicsDot(cosine, vtkiProxyLightOf(2)));
-      vtkiAddDiskLight(sums, vtkiHarmonics4At(disk.xyz), disk.w, albedo.rgb * max(radiance, vec3(0.0f)), 1.0f);
+      vec3 radiance = max(vec3(vtkiHarmonicsDot(cosine, vtkiProxyLightOf(0)),
+        vtkiHarmonicsDot(cosine, vtkiProxyLightOf(1)), vtkiHarmonicsDot(cosine, vtkiProxyLightOf(2))), vec3(0.0f));
+#endif
+      vtkiHarmonics4 seen = vtkiHarmonicProduct(open, vtkiZonalTo(vtkiZonalDisk(disk.w), disk.xyz));
+      for (int k = 0; k < 9; ++k)
+      {
+        lit.bounce[k] += vtkiCoefficient(seen, k) * albedo.rgb * radiance;
+      }
 #endif
     }
   }
 }
 
-// Light that comes to a place, in the first nine coefficients: what the sky gives where nothing hides it, and what
-// proxies send. Irradiance of any normal is its product with the clamped cosine.
-struct vtkiProxyLit
-{
-  vec3 sky[9];
-#ifdef VTKI_PROXY_LIGHT
-  vec3 bounce[9];
-#endif
-};
-
-vtkiProxyLit vtkiResolveProxies(vtkiProxySums sums)
+vtkiProxyLit vtkiResolveProxies(vec3 position, vec3 normal, vtkiProxySums sums)
 {
   vtkiProxyLit lit;
-  vtkiHarmonics4 seen = vtkiHarmonicsExp(sums.hidden);
+  vtkiHarmonics4 hidden = sums.hidden;
+  vtkiHarmonics4 seen = vtkiHarmonicsExp(hidden);
+#ifdef VTKI_PROXY_LIGHT
+#ifdef VTKI_PROXY_SHADOWED
+  float overlap = vtkiProxyMean(seen, sums.solidAngle);
+#else
+  float overlap = vtkiProxyOverlap(seen, sums.solidAngle);
+#endif
+  lit.bounce[0] = overlap * sums.light0;
+  for (int i = 0; i < 3; ++i)
+  {
+    lit.bounce[1 + i] = overlap * sums.light1[i];
+  }
+  for (int i = 0; i < 5; ++i)
+  {
+    lit.bounce[4 + i] = overlap * sums.light2[i];
+  }
+#endif
+  if (vtkiPolygonCount > 0)
+  {
+    vtkiAddPolygons(position, normal, seen, hidden, lit);
+    seen = vtkiHarmonicsExp(hidden);
+  }
   if (!vtkiProxyHides)
   {
     seen = vtkiHarmonics4(vec4(1.0f / VTKI_HARMONICS_Y00, 0.0f, 0.0f, 0.0f), vec4(0.0f), vec4(0.0f), vec4(0.0f));
@@ -202,18 +291,6 @@ vtkiProxyLit vtkiResolveProxies(vtkiProxySums sums)
       lit.sky[i][color] = vtkiHarmonicsDot(vtkiProxyHarmonics(VTKI_PROXY_COLOR_ROWS * color + 4 * i), seen);
     }
   }
-#ifdef VTKI_PROXY_LIGHT
-  float overlap = vtkiProxyOverlap(seen, sums.solidAngle);
-  lit.bounce[0] = overlap * sums.light0;
-  for (int i = 0; i < 3; ++i)
-  {
-    lit.bounce[1 + i] = overlap * sums.light1[i];
-  }
-  for (int i = 0; i < 5; ++i)
-  {
-    lit.bounce[4 + i] = overlap * sums.light2[i];
-  }
-#endif
   return lit;
 }
 

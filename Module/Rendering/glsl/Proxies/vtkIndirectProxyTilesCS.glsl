@@ -2,21 +2,26 @@
 // A group of invocations for each tile of 16 x 16 receivers: lists the entries of the tree of spheres that may count
 // in the box about them, a set of bits for a block of 256 at a time, and sums those in their order.
 //
-// Receivers are every vtkiStep-th pixel, whose light goes to a stack of planes, or with VTKI_PROXY_PIXELS all of
-// them, or with VTKI_PROXY_REST those that no coarse receiver stands for, whose irradiance goes to an image.
+// Receivers are every vtkiStep-th pixel, whose light goes to a stack of planes; with VTKI_PROXY_PIXELS all of them, or
+// with VTKI_PROXY_REST those that no coarse receiver stands for, whose irradiance goes to an image; or with
+// VTKI_PROXY_SENDERS the spheres themselves, 256 in a row, whose irradiance goes to their table.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
 #include "vtkIndirectProxyPlanes.glsl"
+#include "vtkIndirectProxySenders.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
-#ifdef VTKI_PROXY_PIXELS
+#ifdef VTKI_PROXY_SENDERS
+layout(rgba32f, binding = 0) uniform image2D vtkiLight0;
+layout(rgba32f, binding = 1) uniform image2D vtkiLight1;
+layout(rgba32f, binding = 2) uniform image2D vtkiLight2;
+layout(rgba32f, binding = 3) uniform image2D vtkiLight3;
+#elif defined(VTKI_PROXY_PIXELS)
 layout(rgba32f, binding = 0) uniform image2D vtkiSkyImage;
 layout(rgba32f, binding = 1) uniform image2D vtkiBounceImage;
 #else
 layout(rgba32f, binding = 0) uniform image2D vtkiPlanes;
 #endif
-uniform sampler2D vtkiProxyBlocks; // lower, upper corner of the box of each
-uniform int vtkiBlockCount;
 
 // Coordinates as unsigned integers in the same order, so that they can be compared atomically.
 shared uint vtkiLowest[3];
@@ -34,22 +39,11 @@ float vtkiFromOrdered(uint bits)
   return uintBitsToFloat((bits & 0x80000000u) != 0u ? bits & 0x7fffffffu : ~bits);
 }
 
-void main()
+// Sums for a receiver of each invocation, if `lit`.
+vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
 {
-  ivec2 place = ivec2(gl_GlobalInvocationID.xy);
   int number = int(gl_LocalInvocationIndex);
-#ifdef VTKI_PROXY_PIXELS
-  ivec2 pixel = min(place, vtkiSize - 1);
-  bool inside = place.x < vtkiSize.x && place.y < vtkiSize.y;
-#else
-  ivec2 pixel = min(place * vtkiStep, vtkiSize - 1);
-  bool inside = place.x < vtkiCoarseSize.x && place.y < vtkiCoarseSize.y;
-#endif
-  vtkiReceiver receiver;
-  bool lit = vtkiFetchReceiver(pixel, receiver) && inside;
-#ifdef VTKI_PROXY_REST
-  lit = lit && imageLoad(vtkiSkyImage, pixel).a < 0.0f;
-#endif
+  barrier();
   if (number < 3)
   {
     vtkiLowest[number] = 0xffffffffu;
@@ -60,7 +54,7 @@ void main()
   {
     for (int i = 0; i < 3; ++i)
     {
-      uint at = vtkiOrdered(receiver.position[i]);
+      uint at = vtkiOrdered(position[i]);
       atomicMin(vtkiLowest[i], at);
       atomicMax(vtkiHighest[i], at);
     }
@@ -76,9 +70,7 @@ void main()
   vtkiProxySums sums = vtkiNoProxies();
   for (int block = 0; block < vtkiBlockCount && some; ++block)
   {
-    vec3 blockLower = texelFetch(vtkiProxyBlocks, ivec2(0, block), 0).xyz;
-    vec3 blockUpper = texelFetch(vtkiProxyBlocks, ivec2(1, block), 0).xyz;
-    if (any(greaterThan(blockLower, middle + halfSize)) || any(lessThan(blockUpper, middle - halfSize)))
+    if (!vtkiMeetsBlock(block, middle, halfSize))
     {
       continue; // the same for all invocations
     }
@@ -106,23 +98,61 @@ void main()
       {
         int next = block * VTKI_ROW_LENGTH + 32 * word + findLSB(bits);
         bits &= bits - 1u;
-        vtkiAddProxy(receiver.position, receiver.normal, next, sums);
+        vtkiAddProxy(position, normal, next, sums);
       }
     }
     barrier();
   }
-  if (lit)
+  return sums;
+}
+
+#ifdef VTKI_PROXY_SENDERS
+void main()
+{
+  int number = int(gl_WorkGroupID.x) * VTKI_ROW_LENGTH + int(gl_LocalInvocationIndex);
+  bool inside = number < vtkiSenderCount;
+  vec4 place;
+  vec4 normal;
+  vtkiFetchSender(inside ? number : 0, place, normal);
+  vtkiProxySums around = vtkiSumTile(place.xyz, vec3(0.0f), inside && !(normal.w > 0.0f));
+  vtkiOpenSender(around, place, normal);
+  vtkiProxySums sums = vtkiSumTile(place.xyz, normal.xyz, inside);
+  vec4 light[4];
+  vtkiLightOfSender(sums, place, normal, light);
+  if (inside)
   {
-    vtkiAddPolygons(receiver.position, receiver.normal, sums);
+    imageStore(vtkiLight0, vtkiTableTexel(number), light[0]);
+    imageStore(vtkiLight1, vtkiTableTexel(number), light[1]);
+    imageStore(vtkiLight2, vtkiTableTexel(number), light[2]);
+    imageStore(vtkiLight3, vtkiTableTexel(number), light[3]);
   }
-  vtkiProxyLit result = vtkiResolveProxies(sums);
-#ifdef VTKI_PROXY_PIXELS
-#ifdef VTKI_PROXY_REST
-  bool writes = lit;
+}
 #else
-  bool writes = inside;
+void main()
+{
+  ivec2 place = ivec2(gl_GlobalInvocationID.xy);
+#ifdef VTKI_PROXY_PIXELS
+  ivec2 pixel = min(place, vtkiSize - 1);
+  bool inside = place.x < vtkiSize.x && place.y < vtkiSize.y;
+#else
+  ivec2 pixel = min(place * vtkiStep, vtkiSize - 1);
+  bool inside = place.x < vtkiCoarseSize.x && place.y < vtkiCoarseSize.y;
 #endif
-  if (writes)
+  vtkiReceiver receiver;
+  bool lit = vtkiFetchReceiver(pixel, receiver) && inside;
+#ifdef VTKI_PROXY_REST
+  lit = lit && imageLoad(vtkiSkyImage, pixel).a < 0.0f;
+#endif
+  vtkiProxySums sums = vtkiSumTile(receiver.position, receiver.normal, lit);
+#ifdef VTKI_PROXY_REST
+  if (!lit)
+  {
+    return;
+  }
+#endif
+  vtkiProxyLit result = vtkiResolveProxies(receiver.position, receiver.normal, sums);
+#ifdef VTKI_PROXY_PIXELS
+  if (inside)
   {
     vec3 sky = lit ? vtkiProxyIrradiance(result.sky, receiver.normal) : vec3(0.0f);
     imageStore(vtkiSkyImage, pixel, vec4(sky, 1.0f));
@@ -144,3 +174,4 @@ void main()
   }
 #endif
 }
+#endif

@@ -75,8 +75,7 @@ void main()
       {
         vtkiAddProxy(receiver.position, receiver.normal, i, sums);
       }
-      vtkiAddPolygons(receiver.position, receiver.normal, sums);
-      vtkiProxyLit lit = vtkiResolveProxies(sums);
+      vtkiProxyLit lit = vtkiResolveProxies(receiver.position, receiver.normal, sums);
 #if VTKI_PROXY_COLUMN == 1
       result.rgb = vtkiProxyIrradiance(lit.bounce, receiver.normal);
 #else

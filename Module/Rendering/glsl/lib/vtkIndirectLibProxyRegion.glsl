@@ -49,6 +49,15 @@ vec3 vtkiPolygonEdge(vec3 a, vec3 b)
   return s > 1.0e-12f ? (atan(s, dot(a, b)) / s) * across : vec3(0.0f);
 }
 
+/* A disk around +z of the sine of half its angle, in spherical harmonics of order 4. */
+vec4 vtkiZonalDisk(float sine)
+{
+  float s2 = sine * sine;
+  float c = sqrt(max(1.0f - s2, 0.0f));
+  return VTKI_PI *
+    vec4(0.56418958f * s2 / (1.0f + c), 0.48860251f * s2, 0.63078313f * c * s2, 0.18658817f * s2 * (4.0f - 5.0f * s2));
+}
+
 /* The disk of equal vector irradiance: direction, and the sine of half its angle. sum: over all edges. */
 vec4 vtkiPolygonDisk(vec3 sum)
 {

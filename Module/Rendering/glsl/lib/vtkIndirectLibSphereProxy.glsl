@@ -218,4 +218,11 @@ float vtkiProxyOverlap(vtkiHarmonics4 seen, float solidAngle)
   float hidden = 4.0f * VTKI_PI * (1.0f - seen.A.x * VTKI_HARMONICS_Y00);
   return solidAngle > 0.0f ? min(max(hidden / solidAngle, 0.0f), 1.0f) : 0.0f;
 }
+
+/* The same where solid angles are weighted: all that hides sends the weighted mean. */
+float vtkiProxyMean(vtkiHarmonics4 seen, float solidAngle)
+{
+  float hidden = 4.0f * VTKI_PI * (1.0f - seen.A.x * VTKI_HARMONICS_Y00);
+  return max(hidden, 0.0f) / max(solidAngle, 1.0e-6f);
+}
 #endif
