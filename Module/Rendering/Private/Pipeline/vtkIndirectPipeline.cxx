@@ -498,7 +498,10 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     report.MainMemoryBytes = this->Estimator->GetMainMemoryBytes();
     report.EstimatedError = this->Estimate.Error;
     this->Estimator->AddToReport(report);
-    this->Visibility.AddToReport(report);
+    if (!this->Plan.SkyByEstimator)
+    {
+      this->Visibility.AddToReport(report);
+    }
     this->Samplers.AddToReport(report);
   }
   else if (this->Plan.Irradiance)

@@ -44,7 +44,7 @@ const vtkIndirectChannel RowsChannels[] = {
     "scene units" },
   { "proxies.albedo", "vtkiProxyAlbedo", "albedo, share of the disk that is hidden", GL_RGBA32F,
     "-", "1" },
-  { "proxies.inner", "vtkiProxyInner", "radius within which others count, sender", GL_RG32F, "-",
+  { "proxies.inner", "vtkiProxyInner", "radius within which others count, sender", GL_RGBA32F, "-",
     "scene units" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
@@ -169,6 +169,7 @@ bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndire
   const std::vector<vtkIndirectProxyTree::Block>& blocks = tree.GetBlocks();
   this->NumberOfEntries = static_cast<int>(entries.size());
   this->NumberOfBlocks = static_cast<int>(blocks.size());
+  this->HasGroups = tree.HasGroups();
   const int rows = FindRows(entries.size());
   if (!this->Table.Resize(window, vtkIndirectProxyEntries, 1) ||
     !this->Rows.Resize(window, RowLength, rows) || !this->Blocks.Resize(window, 2, rows))
@@ -191,7 +192,9 @@ bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndire
     Append(values[1], entry.OuterCenter, entry.Outer);
     Append(values[2], entry.Albedo, entry.Share);
     const int sender = entry.Sender + (entry.Sender < trees ? 0 : added);
-    Append(values[3], glm::vec3(entry.Inner, static_cast<float>(sender), 0.0f), 0.0f);
+    Append(values[3],
+      glm::vec3(entry.Inner, static_cast<float>(sender), static_cast<float>(entry.Next)),
+      static_cast<float>(entry.First));
   }
   for (const vtkIndirectProxyTree::Block& block : blocks)
   {
@@ -416,6 +419,7 @@ bool vtkIndirectProxySums::Sum(
   else
   {
     this->Planes.Release(frame.Window);
+    this->Rest.Release();
   }
   if (!UsesTiles())
   {
@@ -429,7 +433,35 @@ bool vtkIndirectProxySums::Sum(
   }
   return this->SumInTiles(input, definitions, images, COARSE) &&
     this->Upsample(input, "", sky, 0) && (!bounce || this->Upsample(input, "", *bounce, 1)) &&
-    this->SumInTiles(input, definitions, images, REST);
+    this->ListRest(input, sky) && this->SumInTiles(input, definitions, images, REST);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::ListRest(const Input& input, vtkIndirectTarget& sky)
+{
+#ifdef GL_COMPUTE_SHADER
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkShaderProgram* program = this->Listing.Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  const size_t pixels = static_cast<size_t>(frame.Size[0]) * static_cast<size_t>(frame.Size[1]);
+  this->Rest.Begin(frame.Window, pixels);
+  this->Rest.Activate(program, "vtkiProxyPixels");
+  program->SetUniform2i("vtkiSize", frame.Size);
+  glBindImageTexture(
+    0, sky.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  glDispatchCompute(static_cast<GLuint>((frame.Size[0] + TileSize - 1) / TileSize),
+    static_cast<GLuint>((frame.Size[1] + TileSize - 1) / TileSize), 1);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  this->Rest.Deactivate();
+  return true;
+#else
+  return sky.GetWidth() > 0 && input.Step > 0;
+#endif
 }
 
 //------------------------------------------------------------------------------
@@ -438,7 +470,7 @@ bool vtkIndirectProxySums::SumInTiles(
 {
 #ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
-  this->Tiles[mode].SetDefinitions(definitions +
+  this->Tiles[mode].SetDefinitions(definitions + (this->HasGroups ? "#define VTKI_PROXY_TREE\n" : "") +
     (mode == PIXELS || mode == REST ? "#define VTKI_PROXY_PIXELS\n" : "") +
     (mode == REST ? "#define VTKI_PROXY_REST\n" : ""));
   vtkShaderProgram* program = this->Tiles[mode].Use(frame.Window);
@@ -472,8 +504,17 @@ bool vtkIndirectProxySums::SumInTiles(
   bind(true);
   // What the kernel reads must have arrived: llvmpipe does not wait for it by itself.
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  glDispatchCompute(static_cast<GLuint>((size[0] + TileSize - 1) / TileSize),
-    static_cast<GLuint>((size[1] + TileSize - 1) / TileSize), 1);
+  if (mode == REST)
+  {
+    this->Rest.Activate(program, "vtkiProxyPixels");
+    this->Rest.Dispatch(0);
+    this->Rest.Deactivate();
+  }
+  else
+  {
+    glDispatchCompute(static_cast<GLuint>((size[0] + TileSize - 1) / TileSize),
+      static_cast<GLuint>((size[1] + TileSize - 1) / TileSize), 1);
+  }
   // Whoever comes next samples it, draws over it, adds to it, reads it back or replaces it.
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
@@ -601,7 +642,7 @@ bool vtkIndirectProxySums::Upsample(
 //------------------------------------------------------------------------------
 size_t vtkIndirectProxySums::GetBytes() const
 {
-  size_t bytes = this->Mesh.GetBytes() + this->Light.GetBytes();
+  size_t bytes = this->Mesh.GetBytes() + this->Light.GetBytes() + this->Rest.GetBytes();
   for (const vtkIndirectTarget* target :
     { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
       &this->MeanLight, &this->Planes, &this->Hidden, &this->Sent })
@@ -622,6 +663,8 @@ void vtkIndirectProxySums::Release(vtkWindow* window)
   }
   this->Light.Release();
   this->Mesh.Release();
+  this->Rest.Release();
+  this->Listing.Release(window);
   for (vtkIndirectComputeProgram& program : this->Tiles)
   {
     program.Release(window);

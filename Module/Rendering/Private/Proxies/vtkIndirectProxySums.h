@@ -5,6 +5,7 @@
 #ifndef vtkIndirectProxySums_h
 #define vtkIndirectProxySums_h
 
+#include "OpenGL/vtkIndirectCommandBuffer.h"     // for a member
 #include "OpenGL/vtkIndirectComputeProgram.h"    // for members
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectTarget.h"            // for members
@@ -58,6 +59,7 @@ private:
   bool LightSenders(const Input& input);
   bool SumInTiles(
     const Input& input, const std::string& definitions, vtkIndirectTarget* images[2], int mode);
+  bool ListRest(const Input& input, vtkIndirectTarget& sky);
   bool SumBlended(const Input& input, const std::string& definitions, vtkIndirectTarget& sky,
     vtkIndirectTarget* bounce);
   bool Splat(const Input& input, const std::string& definitions, vtkIndirectTarget& target);
@@ -68,6 +70,7 @@ private:
   std::vector<vtkIndirectProxyPolygon> Polygons;
   bool Changed = true; // since the light was set
   bool SendersAreLit = false;
+  bool HasGroups = false;
   int NumberOfEntries = 0;
   int NumberOfBlocks = 0;
   int NumberOfSenders = 0;
@@ -84,6 +87,8 @@ private:
   vtkIndirectTarget Hidden; // sums that are blended
   vtkIndirectTarget Sent;
   vtkIndirectSplatMesh Mesh;
+  vtkIndirectCommandBuffer Rest{ 1 }; // pixels that are left
+  vtkIndirectComputeProgram Listing{ "vtkIndirectProxyListCS.glsl" };
   // Of coarse receivers, of all pixels, of pixels that are left, of senders.
   vtkIndirectComputeProgram Tiles[4]{ vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
     vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),

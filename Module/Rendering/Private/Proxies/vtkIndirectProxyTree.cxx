@@ -40,8 +40,13 @@ void vtkIndirectProxyTree::Build(
       const double outer = reach > 0.0 ? std::min(reach * sphere.Radius, Everywhere) : Everywhere;
       this->Entries.push_back({ center, static_cast<float>(sphere.Radius), center,
         static_cast<float>(outer), sphere.Albedo, 1.0f, 0.0f,
-        static_cast<int>(this->Senders.size()) });
+        static_cast<int>(this->Senders.size()), 0, 0 });
       this->Senders.push_back({ center, static_cast<float>(sphere.Radius) });
+    }
+    for (size_t i = 0; i < this->Entries.size(); ++i)
+    {
+      this->Entries[i].Next = this->Entries[i].First =
+        i + 1 < this->Entries.size() ? static_cast<int>(i) + 1 : -1;
     }
     this->MakeBlocks();
     return;
@@ -66,6 +71,7 @@ void vtkIndirectProxyTree::Build(
   {
     this->AddEntry(small.first, small.second);
   }
+  this->Link(root, -1);
   this->MakeBlocks();
 }
 
@@ -211,13 +217,27 @@ void vtkIndirectProxyTree::AddSenders(size_t number, int own)
 //------------------------------------------------------------------------------
 void vtkIndirectProxyTree::AddEntry(size_t number, const Node* parent)
 {
-  const Node& node = this->Nodes[number];
+  Node& node = this->Nodes[number];
   const glm::vec3 center(node.Center);
+  node.Entry = static_cast<int>(this->Entries.size());
   this->Entries.push_back({ center, static_cast<float>(node.Radius),
     parent ? glm::vec3(parent->Center) : center,
     static_cast<float>(parent ? std::min(parent->Inner, Everywhere) : Everywhere),
     glm::vec3(node.Albedo), static_cast<float>(node.Share),
-    static_cast<float>(std::min(node.Inner, Everywhere)), node.Sender });
+    static_cast<float>(std::min(node.Inner, Everywhere)), node.Sender, -1, -1 });
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyTree::Link(size_t number, int next)
+{
+  const Node& node = this->Nodes[number];
+  Entry& entry = this->Entries[static_cast<size_t>(node.Entry)];
+  entry.Next = entry.First = next;
+  for (int i = node.NumberOfChildren - 1; i >= 0; --i)
+  {
+    this->Link(node.Children[i], entry.First);
+    entry.First = this->Nodes[node.Children[i]].Entry;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,8 @@ public:
     float Share; // of the light that its disk hides
     float Inner; // the same the other way round: nothing of it counts well within; 0: it does
     int Sender;  // whose light it sends: a place among the senders, or from there on among the means
+    int Next;    // the entry after it and all below it; -1: none
+    int First;   // the first below it, or Next
   };
   /** Spheres that are close to each other, whose light is found once. */
   struct Sender
@@ -59,6 +61,8 @@ public:
    */
   void Build(const std::vector<vtkIndirectProxySphere>& spheres, double angle, double reach);
 
+  /** Whether there are groups: entries with others below them. */
+  bool HasGroups() const { return !this->Nodes.empty(); }
   const std::vector<Entry>& GetEntries() const { return this->Entries; }
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
   const std::vector<Sender>& GetSenders() const { return this->Senders; }
@@ -76,6 +80,7 @@ private:
     int NumberOfChildren;
     size_t NumberOfSpheres;
     int Sender;
+    int Entry;
   };
 
   size_t MakeNode(const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end,
@@ -83,6 +88,7 @@ private:
   void Split(const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end);
   void AddSenders(size_t node, int own);
   void AddEntry(size_t node, const Node* parent);
+  void Link(size_t node, int next);
   void AddLarge(size_t node, const Node* parent);
   void MakeBlocks();
 

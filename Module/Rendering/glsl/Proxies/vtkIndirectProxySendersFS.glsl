@@ -10,23 +10,6 @@ uniform sampler2D vtkiMeanRange; // first, number
 // Of more senders so many stand for all.
 const int VTKI_MEAN_SAMPLES = 16;
 
-vtkiProxySums vtkiSumOfSender(vec3 position, vec3 normal)
-{
-  vtkiProxySums sums = vtkiNoProxies();
-  for (int block = 0; block < vtkiBlockCount; ++block)
-  {
-    if (vtkiMeetsBlock(block, position, vec3(1.0e-6f)))
-    {
-      int end = min((block + 1) * VTKI_ROW_LENGTH, vtkiProxyCount);
-      for (int i = block * VTKI_ROW_LENGTH; i < end; ++i)
-      {
-        vtkiAddProxy(position, normal, i, sums);
-      }
-    }
-  }
-  return sums;
-}
-
 void main()
 {
   int number = vtkiTableEntry(ivec2(gl_FragCoord.xy));
@@ -68,10 +51,10 @@ void main()
     vtkiProxySums around = vtkiNoProxies();
     if (!(normal.w > 0.0f))
     {
-      around = vtkiSumOfSender(place.xyz, vec3(0.0f));
+      around = vtkiSumProxies(place.xyz, vec3(0.0f), true);
     }
     vtkiOpenSender(around, place, normal);
-    vtkiProxySums sums = vtkiSumOfSender(place.xyz, normal.xyz);
+    vtkiProxySums sums = vtkiSumProxies(place.xyz, normal.xyz, true);
     vtkiLightOfSender(sums, place, normal, light);
   }
 #endif

@@ -5,7 +5,7 @@
 uniform sampler2D vtkiProxyCenter; // centre, radius
 uniform sampler2D vtkiProxyOuter;  // centre and radius of the region
 uniform sampler2D vtkiProxyAlbedo; // albedo, share of the disk that is hidden
-uniform sampler2D vtkiProxyInner;  // radius within which others stand for it, sender
+uniform sampler2D vtkiProxyInner;  // radius within which others stand for it, sender, next entry, first below it
 uniform sampler2D vtkiProxyTable;  // zonal logarithms, a row of them
 uniform int vtkiProxyCount;
 uniform bool vtkiProxyHides;
@@ -137,20 +137,17 @@ vec4 vtkiSenderIrradiance(int sender, vec3 n)
 }
 #endif
 
-// Adds an entry of the tree of spheres.
-void vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sums)
+// Adds an entry of the tree of spheres. Returns the entry that comes next: of those below it, where they count.
+int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sums)
 {
   ivec2 at = vtkiTableTexel(number);
   vec4 sphere = texelFetch(vtkiProxyCenter, at, 0);
   vec4 outer = texelFetch(vtkiProxyOuter, at, 0);
-  vec2 inner = texelFetch(vtkiProxyInner, at, 0).xy;
+  vec4 inner = texelFetch(vtkiProxyInner, at, 0);
   vec3 toCenter = sphere.xyz - position;
   float d = length(toCenter);
-  float weight = vtkiProxyWeight(length(outer.xyz - position), outer.w, d, inner.x);
-  if (!(weight > 0.0f))
-  {
-    return;
-  }
+  float toOuter = length(outer.xyz - position);
+  float weight = vtkiProxyWeight(toOuter, outer.w, d, inner.x);
 #ifdef VTKI_PROXY_SENDERS
   // Without a normal: of a place among spheres, where those around it say nothing.
   float sine = dot(normal, normal) > 0.0f ? vtkiProxySine(toCenter, sphere.w, normal)
@@ -159,23 +156,19 @@ void vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums su
 #else
   float sine = vtkiProxySine(toCenter, sphere.w, normal);
 #endif
-  if (!(sine > 0.0f))
+  if (weight > 0.0f && sine > 0.0f)
   {
-    return;
-  }
-  vec4 albedo = texelFetch(vtkiProxyAlbedo, at, 0);
-  weight *= albedo.w;
-  vec3 direction = toCenter / max(d, 1.0e-30f);
-  vec4 zonal = weight * vtkiZonalLog(sine) * vec4(3.54490770f, 2.04665341f, 1.58533092f, 1.33984918f);
-  vtkiHarmonics4 y = vtkiHarmonics4At(direction);
-  sums.hidden.A += y.A * vec4(zonal.x, zonal.y, zonal.y, zonal.y);
-  sums.hidden.B += y.B * zonal.z;
-  sums.hidden.C += y.C * vec4(zonal.z, zonal.w, zonal.w, zonal.w);
-  sums.hidden.D += y.D * zonal.w;
+    vec4 albedo = texelFetch(vtkiProxyAlbedo, at, 0);
+    weight *= albedo.w;
+    vec3 direction = toCenter / max(d, 1.0e-30f);
+    vec4 zonal = weight * vtkiZonalLog(sine) * vec4(3.54490770f, 2.04665341f, 1.58533092f, 1.33984918f);
+    vtkiHarmonics4 y = vtkiHarmonics4At(direction);
+    sums.hidden.A += y.A * vec4(zonal.x, zonal.y, zonal.y, zonal.y);
+    sums.hidden.B += y.B * zonal.z;
+    sums.hidden.C += y.C * vec4(zonal.z, zonal.w, zonal.w, zonal.w);
+    sums.hidden.D += y.D * zonal.w;
 #ifdef VTKI_PROXY_LIGHT
-  float reach = vtkiProxyLightReach > 0.0f ? vtkiProxyWithin(d, vtkiProxyLightReach * sphere.w) : 1.0f;
-  if (reach > 0.0f)
-  {
+    float reach = vtkiProxyLightReach > 0.0f ? vtkiProxyWithin(d, vtkiProxyLightReach * sphere.w) : 1.0f;
 #ifdef VTKI_PROXY_SHADOWED
     // Averaged over the disk, whose mean normal is -d times a length. What is closed towards the receiver is not what
     // it sees: it does not count in the mean of all that hides the sky.
@@ -186,8 +179,21 @@ void vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums su
     vec3 radiance = vtkiSphereRadiance(y, sine);
 #endif
     vtkiAddDiskLight(sums, y, sine, albedo.rgb * radiance, weight * reach);
-  }
 #endif
+  }
+  return toOuter < outer.w && d < inner.x ? int(inner.w) : int(inner.z);
+}
+
+// All entries that count for a receiver, if `lit`.
+vtkiProxySums vtkiSumProxies(vec3 position, vec3 normal, bool lit)
+{
+  vtkiProxySums sums = vtkiNoProxies();
+  int next = lit && vtkiProxyCount > 0 ? 0 : -1;
+  while (next >= 0)
+  {
+    next = vtkiAddProxy(position, normal, next, sums);
+  }
+  return sums;
 }
 
 // Light that comes to a place, in the first nine coefficients: what the sky gives where nothing hides it, and what

@@ -1,6 +1,7 @@
 //VTK::System::Dec
-// A group of invocations for each tile of 16 x 16 receivers: lists the entries of the tree of spheres that may count
-// in the box about them, a set of bits for a block of 256 at a time, and sums those in their order.
+// A group of invocations for each tile of 16 x 16 receivers. Where spheres are in groups (VTKI_PROXY_TREE) each goes
+// down their tree by itself; else the group lists the spheres whose regions meet the box about its receivers, a set
+// of bits for a block of 256 at a time, and sums those in their order.
 //
 // Receivers are every vtkiStep-th pixel, whose light goes to a stack of planes; with VTKI_PROXY_PIXELS all of them, or
 // with VTKI_PROXY_REST those that no coarse receiver stands for, whose irradiance goes to an image; or with
@@ -9,6 +10,9 @@
 #include "vtkIndirectProxySum.glsl"
 #include "vtkIndirectProxyPlanes.glsl"
 #include "vtkIndirectProxySenders.glsl"
+#ifdef VTKI_PROXY_REST
+#include "vtkIndirectProxyList.glsl"
+#endif
 
 layout(local_size_x = 16, local_size_y = 16) in;
 #ifdef VTKI_PROXY_SENDERS
@@ -23,6 +27,12 @@ layout(rgba32f, binding = 1) uniform image2D vtkiBounceImage;
 layout(rgba32f, binding = 0) uniform image2D vtkiPlanes;
 #endif
 
+#ifdef VTKI_PROXY_TREE
+vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
+{
+  return vtkiSumProxies(position, normal, lit);
+}
+#else
 // Coordinates as unsigned integers in the same order, so that they can be compared atomically.
 shared uint vtkiLowest[3];
 shared uint vtkiHighest[3];
@@ -105,6 +115,7 @@ vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
   }
   return sums;
 }
+#endif
 
 #ifdef VTKI_PROXY_SENDERS
 void main()
@@ -131,7 +142,12 @@ void main()
 void main()
 {
   ivec2 place = ivec2(gl_GlobalInvocationID.xy);
-#ifdef VTKI_PROXY_PIXELS
+#if defined(VTKI_PROXY_REST)
+  uint number = gl_WorkGroupID.x * 256u + gl_LocalInvocationIndex;
+  bool inside = number < vtkiCommand.w;
+  uint entry = vtkiEntry[inside ? number : 0u];
+  ivec2 pixel = ivec2(int(entry & 65535u), int(entry >> 16));
+#elif defined(VTKI_PROXY_PIXELS)
   ivec2 pixel = min(place, vtkiSize - 1);
   bool inside = place.x < vtkiSize.x && place.y < vtkiSize.y;
 #else
@@ -140,16 +156,7 @@ void main()
 #endif
   vtkiReceiver receiver;
   bool lit = vtkiFetchReceiver(pixel, receiver) && inside;
-#ifdef VTKI_PROXY_REST
-  lit = lit && imageLoad(vtkiSkyImage, pixel).a < 0.0f;
-#endif
   vtkiProxySums sums = vtkiSumTile(receiver.position, receiver.normal, lit);
-#ifdef VTKI_PROXY_REST
-  if (!lit)
-  {
-    return;
-  }
-#endif
   vtkiProxyLit result = vtkiResolveProxies(receiver.position, receiver.normal, sums);
 #ifdef VTKI_PROXY_PIXELS
   if (inside)

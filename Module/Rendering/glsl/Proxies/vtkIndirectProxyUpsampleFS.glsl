@@ -70,11 +70,7 @@ void main()
     else
     {
 #ifdef VTKI_PROXY_GATHER
-      vtkiProxySums sums = vtkiNoProxies();
-      for (int i = 0; i < vtkiProxyCount; ++i)
-      {
-        vtkiAddProxy(receiver.position, receiver.normal, i, sums);
-      }
+      vtkiProxySums sums = vtkiSumProxies(receiver.position, receiver.normal, true);
       vtkiProxyLit lit = vtkiResolveProxies(receiver.position, receiver.normal, sums);
 #if VTKI_PROXY_COLUMN == 1
       result.rgb = vtkiProxyIrradiance(lit.bounce, receiver.normal);

@@ -12,7 +12,7 @@ const float VTKI_HARMONICS_Y00 = 0.28209479f;
 const float VTKI_HARMONICS_HALVING = 0.25f;
 /* ... and no longer than this to begin with, a little more than that of a sphere that fills a hemisphere:
  * further spheres at the same place hide nothing more. */
-const float VTKI_HARMONICS_LONGEST = 10.0f;
+const float VTKI_HARMONICS_LONGEST = 12.0f;
 
 /* All 16 functions at a unit direction. */
 vtkiHarmonics4 vtkiHarmonics4At(vec3 d)
@@ -101,12 +101,9 @@ vtkiHarmonics4 vtkiHarmonicsExp(vtkiHarmonics4 f)
   vtkiHarmonics4 e = vtkiHarmonicsAdd(zero, 1.0f + 0.03528f * size * size, g);
   e = vtkiHarmonicsAdd(e, 0.5f, vtkiHarmonicProduct(g, g));
   e.A.x += (1.0f + 7.05e-5f * size * size) / VTKI_HARMONICS_Y00;
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i < halvings; ++i)
   {
-    if (i < halvings)
-    {
-      e = vtkiHarmonicProduct(e, e);
-    }
+    e = vtkiHarmonicProduct(e, e);
   }
   // Far beyond that, lobes that ring grow, too; more than all is never seen.
   float whole = exp(min(constant, 0.0f));
