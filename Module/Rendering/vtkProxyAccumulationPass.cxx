@@ -29,6 +29,7 @@ namespace
 const vtkIndirectChannel SkyChannels[] = {
   { "sky", "vtkiSky", "irradiance that comes directly from the environment", GL_RGBA32F, "-",
     "VTK irradiance" },
+  { "bounce", "vtkiIrradiance", "irradiance that proxies send", GL_RGBA32F, "-", "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
@@ -151,10 +152,8 @@ vtkIndirectEstimate vtkProxyAccumulationPass::Estimate(const Input& input)
   }
   vtkIndirectEstimate result = this->MakeResult();
   result.Sky = &this->Internal->Sky;
-  if (this->Settings.IndirectLight == OFF)
-  {
-    result.Irradiance = nullptr;
-  }
+  result.Irradiance = this->Settings.IndirectLight == OFF ? nullptr : &this->Internal->Sky;
+  result.IrradianceChannel = 1;
   return result;
 }
 
@@ -183,11 +182,7 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
   in.Sums.SetEnvironment(frame.Window, input.Environment);
   input.Timer.End(vtkIndirectStageTimer::Lights);
 
-  const bool sends = this->Settings.IndirectLight != OFF;
-  if (!sends)
-  {
-    this->Irradiance->Release(frame.Window);
-  }
+  in.Sky.SetNumberOfChannels(this->Settings.IndirectLight == OFF ? 1 : 2);
   vtkIndirectProxySums::Input sums = { frame, input.Geometry };
   sums.Step = this->Settings.ReceiverStep;
   sums.Hides = input.Plan.SkyIsShadowed;
@@ -195,7 +190,7 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
   sums.Shadowed = this->Settings.IndirectLight == SHADOWED;
   sums.LightReach = this->Settings.Groups ? 0.0 : this->Settings.IndirectInfluenceScale;
   input.Timer.Begin(vtkIndirectStageTimer::Estimate);
-  done = done && in.Sums.Sum(sums, in.Sky, sends ? this->Irradiance.get() : nullptr);
+  done = done && in.Sums.Sum(sums, in.Sky);
   input.Timer.End(vtkIndirectStageTimer::Estimate);
   return done;
 }

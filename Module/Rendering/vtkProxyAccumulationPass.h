@@ -35,8 +35,8 @@
  * points hide nothing. A sun is as broad as order 4 makes it. Documentation/methods/sphere-proxies.md
  * has figures.
  *
- * Memory: 16 bytes a pixel, twice that with IndirectLight, 144 (288) bytes a receiver where these are
- * fewer than pixels, and 70 bytes a sphere.
+ * Memory: 16 bytes a pixel, twice that with IndirectLight, 64 bytes a receiver and 4 a pixel where
+ * receivers are fewer than pixels, and 120 bytes a sphere.
  */
 
 #ifndef vtkProxyAccumulationPass_h

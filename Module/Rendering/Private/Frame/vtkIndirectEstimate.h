@@ -56,6 +56,7 @@ struct vtkIndirectEstimate
   /** Irradiance over Unit, a value for every pixel, or where there is Coarse of mixed cells. Null of
    * an estimator that sums the sky and nothing else. */
   const vtkIndirectTarget* Irradiance = nullptr;
+  int IrradianceChannel = 0; // of that
   /**
    * Irradiance at every Step-th pixel from border to border, null where all pixels have a value of
    * their own: the composite interpolates it (vtkIndirectIrradianceCoarse.glsl). The fourth

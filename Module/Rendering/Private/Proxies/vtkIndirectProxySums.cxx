@@ -12,6 +12,7 @@
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Proxies/vtkIndirectProxyTable.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
@@ -80,24 +81,26 @@ const vtkIndirectChannel MeanLightChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 #undef VTKI_LIGHT_CHANNEL
-const vtkIndirectChannel PlanesChannels[] = {
-  { "proxies.planes", "vtkiPlanes", "light that comes, in spherical harmonics", GL_RGBA32F,
-    "world", "VTK radiance" },
+#define VTKI_COARSE_CHANNEL(name, uniform)                                                         \
+  {                                                                                                \
+    name, uniform, "what coarse receivers get", GL_RGBA32F, "world", "VTK irradiance"              \
+  }
+const vtkIndirectChannel CoarseChannels[] = {
+  VTKI_COARSE_CHANNEL("proxies.coarse0", "vtkiCoarse0"),
+  VTKI_COARSE_CHANNEL("proxies.coarse1", "vtkiCoarse1"),
+  VTKI_COARSE_CHANNEL("proxies.coarse2", "vtkiCoarse2"),
+  VTKI_COARSE_CHANNEL("proxies.coarse3", "vtkiCoarse3"),
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+#undef VTKI_COARSE_CHANNEL
 #define VTKI_SUM_CHANNEL(name, uniform)                                                            \
   {                                                                                                \
     name, uniform, "sums over spheres", GL_RGBA32F, "world", "-"                                   \
   }
-const vtkIndirectChannel HiddenChannels[] = { VTKI_SUM_CHANNEL("proxies.hidden0", "vtkiHidden0"),
+const vtkIndirectChannel BlendedChannels[] = { VTKI_SUM_CHANNEL("proxies.hidden0", "vtkiHidden0"),
   VTKI_SUM_CHANNEL("proxies.hidden1", "vtkiHidden1"),
   VTKI_SUM_CHANNEL("proxies.hidden2", "vtkiHidden2"),
-  VTKI_SUM_CHANNEL("proxies.hidden3", "vtkiHidden3"),
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
-const vtkIndirectChannel SentChannels[] = { VTKI_SUM_CHANNEL("proxies.sent0", "vtkiSent0"),
-  VTKI_SUM_CHANNEL("proxies.sent1", "vtkiSent1"), VTKI_SUM_CHANNEL("proxies.sent2", "vtkiSent2"),
-  VTKI_SUM_CHANNEL("proxies.sent3", "vtkiSent3"), VTKI_SUM_CHANNEL("proxies.sent4", "vtkiSent4"),
-  VTKI_SUM_CHANNEL("proxies.sent5", "vtkiSent5"), VTKI_SUM_CHANNEL("proxies.sent6", "vtkiSent6"),
+  VTKI_SUM_CHANNEL("proxies.hidden3", "vtkiHidden3"), VTKI_SUM_CHANNEL("proxies.sent", "vtkiSent"),
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
 #undef VTKI_SUM_CHANNEL
 
@@ -146,9 +149,8 @@ vtkIndirectProxySums::vtkIndirectProxySums()
   , Ranges(RangesChannels, false)
   , SenderLight(SenderLightChannels, false)
   , MeanLight(MeanLightChannels, false)
-  , Planes(PlanesChannels, false)
-  , Hidden(HiddenChannels, false)
-  , Sent(SentChannels, false)
+  , Coarse(CoarseChannels, false)
+  , Blended(BlendedChannels, false)
 {
 }
 
@@ -295,7 +297,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
   const std::string definitions = "#define VTKI_PROXY_SENDERS\n";
   if (UsesTiles())
   {
-    if (!this->SumInTiles(input, definitions, nullptr, SENDERS))
+    if (!this->SumInTiles(input, definitions, this->SenderLight, SENDERS))
     {
       return false;
     }
@@ -304,7 +306,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
   {
     vtkIndirectFullScreenProgram& kernel = i == 0 ? this->Sending : this->Averaging;
     vtkIndirectTarget& target = i == 0 ? this->SenderLight : this->MeanLight;
-    kernel.SetDefinitions(i == 0 ? definitions : "#define VTKI_PROXY_LIGHT\n#define VTKI_PROXY_MEANS\n");
+    kernel.SetDefinitions(i == 0 ? definitions : "#define VTKI_PROXY_MEANS\n");
     vtkShaderProgram* program = kernel.Use(window);
     if (!program)
     {
@@ -383,20 +385,16 @@ void vtkIndirectProxySums::Deactivate(const Input& input) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectProxySums::Sum(
-  const Input& input, vtkIndirectTarget& sky, vtkIndirectTarget* bounce)
+bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  vtkIndirectTarget* images[2] = { &sky, bounce };
-  for (vtkIndirectTarget* image : images)
+  if (!image.Resize(frame.Window, frame.Size[0], frame.Size[1]))
   {
-    if (image && !image->Resize(frame.Window, frame.Size[0], frame.Size[1]))
-    {
-      return false;
-    }
+    return false;
   }
-  const bool shadowed = bounce && input.Shadowed && input.Hides;
-  const std::string definitions = std::string(bounce ? "#define VTKI_PROXY_LIGHT\n" : "") +
+  const bool sends = image.GetNumberOfChannels() > 1;
+  const bool shadowed = sends && input.Shadowed && input.Hides;
+  const std::string definitions = std::string(sends ? "#define VTKI_PROXY_LIGHT\n" : "") +
     (input.Middle ? "#define VTKI_PROXY_MIDDLE\n" : "") +
     (shadowed ? "#define VTKI_PROXY_SHADOWED\n" : "");
   if (shadowed && !this->LightSenders(input))
@@ -408,36 +406,36 @@ bool vtkIndirectProxySums::Sum(
   {
     this->CoarseSize[i] = (frame.Size[i] - 1 + input.Step - 1) / input.Step + 1;
   }
-  if (input.Step > 1)
+  const bool coarse = input.Step > 1;
+  if (!coarse)
   {
-    const int width = bounce ? 2 : 1;
-    if (!this->Planes.Resize(frame.Window, width * this->CoarseSize[0], 9 * this->CoarseSize[1]))
+    this->Coarse.Release(frame.Window);
+    this->Rest.Release();
+  }
+  else
+  {
+    this->Coarse.SetNumberOfChannels(sends ? 4 : 3);
+    if (!this->Coarse.Resize(frame.Window, this->CoarseSize[0], this->CoarseSize[1]))
     {
       return false;
     }
   }
-  else
-  {
-    this->Planes.Release(frame.Window);
-    this->Rest.Release();
-  }
   if (!UsesTiles())
   {
-    return this->SumBlended(input, definitions, sky, bounce);
+    return this->SumBlended(input, definitions, image);
   }
-  this->Hidden.Release(frame.Window);
-  this->Sent.Release(frame.Window);
-  if (input.Step == 1)
+  this->Blended.Release(frame.Window);
+  if (!coarse)
   {
-    return this->SumInTiles(input, definitions, images, PIXELS);
+    return this->SumInTiles(input, definitions, image, PIXELS);
   }
-  return this->SumInTiles(input, definitions, images, COARSE) &&
-    this->Upsample(input, "", sky, 0) && (!bounce || this->Upsample(input, "", *bounce, 1)) &&
-    this->ListRest(input, sky) && this->SumInTiles(input, definitions, images, REST);
+  return this->SumInTiles(input, definitions, this->Coarse, COARSE) &&
+    this->Upsample(input, definitions, image) && this->ListRest(input, image) &&
+    this->SumInTiles(input, definitions, image, REST);
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectProxySums::ListRest(const Input& input, vtkIndirectTarget& sky)
+bool vtkIndirectProxySums::ListRest(const Input& input, vtkIndirectTarget& image)
 {
 #ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
@@ -451,7 +449,7 @@ bool vtkIndirectProxySums::ListRest(const Input& input, vtkIndirectTarget& sky)
   this->Rest.Activate(program, "vtkiProxyPixels");
   program->SetUniform2i("vtkiSize", frame.Size);
   glBindImageTexture(
-    0, sky.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+    0, image.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   glDispatchCompute(static_cast<GLuint>((frame.Size[0] + TileSize - 1) / TileSize),
     static_cast<GLuint>((frame.Size[1] + TileSize - 1) / TileSize), 1);
@@ -460,13 +458,13 @@ bool vtkIndirectProxySums::ListRest(const Input& input, vtkIndirectTarget& sky)
   this->Rest.Deactivate();
   return true;
 #else
-  return sky.GetWidth() > 0 && input.Step > 0;
+  return image.GetWidth() > 0 && input.Step > 0;
 #endif
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::SumInTiles(
-  const Input& input, const std::string& definitions, vtkIndirectTarget* images[2], int mode)
+  const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode)
 {
 #ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
@@ -481,24 +479,12 @@ bool vtkIndirectProxySums::SumInTiles(
   this->Activate(input, program);
   const int senders[2] = { (this->NumberOfSenders + RowLength - 1) / RowLength * TileSize, TileSize };
   const int* const size = mode == COARSE ? this->CoarseSize : mode == SENDERS ? senders : frame.Size;
-  std::vector<vtkTextureObject*> textures;
-  for (int i = 0; i < (mode == SENDERS ? 4 : 2); ++i)
-  {
-    if (mode == SENDERS)
-    {
-      textures.push_back(this->SenderLight.GetTexture(i));
-    }
-    else if (mode == COARSE ? i == 0 : images[i] != nullptr)
-    {
-      textures.push_back(mode == COARSE ? this->Planes.GetTexture(0) : images[i]->GetTexture(0));
-    }
-  }
   auto bind = [&](bool binds)
   {
-    for (size_t i = 0; i < textures.size(); ++i)
+    for (int i = 0; i < image.GetNumberOfChannels(); ++i)
     {
-      glBindImageTexture(static_cast<GLuint>(i), binds ? textures[i]->GetHandle() : 0, 0, GL_FALSE,
-        0, GL_READ_WRITE, GL_RGBA32F);
+      glBindImageTexture(static_cast<GLuint>(i), binds ? image.GetTexture(i)->GetHandle() : 0, 0,
+        GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
     }
   };
   bind(true);
@@ -522,15 +508,15 @@ bool vtkIndirectProxySums::SumInTiles(
   this->Deactivate(input);
   return true;
 #else
-  return images && mode >= 0 && definitions.empty() && input.Step > 0;
+  return image.GetWidth() > 0 && mode >= 0 && definitions.empty() && input.Step > 0;
 #endif
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectProxySums::Splat(
-  const Input& input, const std::string& definitions, vtkIndirectTarget& target)
+bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definitions)
 {
   const vtkIndirectFrame& frame = input.Frame;
+  vtkIndirectTarget& target = this->Blended;
   if (!target.Resize(frame.Window, this->CoarseSize[0], this->CoarseSize[1]))
   {
     return false;
@@ -571,69 +557,53 @@ bool vtkIndirectProxySums::Splat(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectProxySums::SumBlended(const Input& input, const std::string& definitions,
-  vtkIndirectTarget& sky, vtkIndirectTarget* bounce)
+bool vtkIndirectProxySums::SumBlended(
+  const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  if (!this->Splat(input, "", this->Hidden) ||
-    (bounce && !this->Splat(input, definitions, this->Sent)))
+  if (!this->Splat(input, definitions))
   {
     return false;
   }
-  if (!bounce)
-  {
-    this->Sent.Release(frame.Window);
-  }
   const bool coarse = input.Step > 1;
-  for (int column = 0; column < (coarse || !bounce ? 1 : 2); ++column)
+  vtkIndirectTarget& target = coarse ? this->Coarse : image;
+  vtkShaderProgram* program = this->Resolving.Use(
+    frame.Window, definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n"));
+  if (!program)
   {
-    vtkIndirectTarget& target = coarse ? this->Planes : column == 0 ? sky : *bounce;
-    vtkIndirectFullScreenProgram& kernel = this->Resolving[column];
-    kernel.SetDefinitions(definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n") +
-      "#define VTKI_PROXY_COLUMN " + std::to_string(column) + "\n");
-    vtkShaderProgram* program = kernel.Use(frame.Window, target);
-    if (!program)
-    {
-      return false;
-    }
-    target.Begin();
-    this->Activate(input, program);
-    for (const vtkIndirectTarget* sums : { &this->Hidden, &this->Sent })
-    {
-      for (int i = 0; i < sums->GetNumberOfChannels(); ++i)
-      {
-        sums->Activate(i, program);
-      }
-    }
-    kernel.Draw();
-    this->Hidden.Deactivate();
-    this->Sent.Deactivate();
-    this->Deactivate(input);
-    target.End();
+    return false;
   }
-  const std::string gathers = definitions + "#define VTKI_PROXY_GATHER\n";
-  return !coarse ||
-    (this->Upsample(input, gathers, sky, 0) &&
-      (!bounce || this->Upsample(input, gathers, *bounce, 1)));
+  target.Begin();
+  this->Activate(input, program);
+  for (int i = 0; i < this->Blended.GetNumberOfChannels(); ++i)
+  {
+    this->Blended.Activate(i, program);
+  }
+  this->Resolving.Draw();
+  this->Blended.Deactivate();
+  this->Deactivate(input);
+  target.End();
+  return !coarse || this->Upsample(input, definitions + "#define VTKI_PROXY_GATHER\n", image);
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::Upsample(
-  const Input& input, const std::string& definitions, vtkIndirectTarget& image, int column)
+  const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
-  vtkIndirectFullScreenProgram& kernel = this->Upsampling[column];
-  kernel.SetDefinitions(definitions + "#define VTKI_STEP " + std::to_string(input.Step) +
-    "\n#define VTKI_PROXY_COLUMN " + std::to_string(column) + "\n");
-  vtkShaderProgram* program = kernel.Use(input.Frame.Window, image);
+  vtkShaderProgram* program = this->Upsampling.Use(input.Frame.Window,
+    definitions + "#define VTKI_STEP " + std::to_string(input.Step) + "\n");
   if (!program)
   {
     return false;
   }
   image.Begin();
   this->Activate(input, program);
-  this->Planes.Activate(0, program);
-  kernel.Draw();
-  this->Planes.Deactivate();
+  for (int i = 0; i < this->Coarse.GetNumberOfChannels(); ++i)
+  {
+    this->Coarse.Activate(i, program);
+  }
+  this->Upsampling.Draw();
+  this->Coarse.Deactivate();
   this->Deactivate(input);
   image.End();
   return true;
@@ -645,7 +615,7 @@ size_t vtkIndirectProxySums::GetBytes() const
   size_t bytes = this->Mesh.GetBytes() + this->Light.GetBytes() + this->Rest.GetBytes();
   for (const vtkIndirectTarget* target :
     { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
-      &this->MeanLight, &this->Planes, &this->Hidden, &this->Sent })
+      &this->MeanLight, &this->Coarse, &this->Blended })
   {
     bytes += target->GetBytes();
   }
@@ -657,7 +627,7 @@ void vtkIndirectProxySums::Release(vtkWindow* window)
 {
   for (vtkIndirectTarget* target :
     { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
-      &this->MeanLight, &this->Planes, &this->Hidden, &this->Sent })
+      &this->MeanLight, &this->Coarse, &this->Blended })
   {
     target->Release(window);
   }
@@ -669,11 +639,8 @@ void vtkIndirectProxySums::Release(vtkWindow* window)
   {
     program.Release(window);
   }
-  for (int i = 0; i < 2; ++i)
-  {
-    this->Upsampling[i].Release();
-    this->Resolving[i].Release();
-  }
+  this->Upsampling.Release();
+  this->Resolving.Release();
   this->Sending.Release();
   this->Averaging.Release();
   this->NumberOfEntries = this->NumberOfBlocks = this->NumberOfSenders = 0;

@@ -44,10 +44,11 @@ public:
   void SetEnvironment(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment);
 
   /**
-   * Fills both images, RGBA32F of the frame's size; bounce may be null. Within a
-   * vtkIndirectFullScreenState. Returns false when a program does not compile.
+   * Fills an image of the frame's size, of RGBA32F: irradiance of the sky and, in a second channel if it has
+   * that, of what proxies send. Within a vtkIndirectFullScreenState. Returns false when a program
+   * does not compile.
    */
-  bool Sum(const Input& input, vtkIndirectTarget& sky, vtkIndirectTarget* bounce);
+  bool Sum(const Input& input, vtkIndirectTarget& image);
 
   size_t GetBytes() const;
   void Release(vtkWindow* window);
@@ -58,13 +59,12 @@ private:
   bool UpdateSenders(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree);
   bool LightSenders(const Input& input);
   bool SumInTiles(
-    const Input& input, const std::string& definitions, vtkIndirectTarget* images[2], int mode);
-  bool ListRest(const Input& input, vtkIndirectTarget& sky);
-  bool SumBlended(const Input& input, const std::string& definitions, vtkIndirectTarget& sky,
-    vtkIndirectTarget* bounce);
-  bool Splat(const Input& input, const std::string& definitions, vtkIndirectTarget& target);
-  bool Upsample(const Input& input, const std::string& definitions, vtkIndirectTarget& image,
-    int column);
+    const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode);
+  bool ListRest(const Input& input, vtkIndirectTarget& image);
+  bool SumBlended(
+    const Input& input, const std::string& definitions, vtkIndirectTarget& image);
+  bool Splat(const Input& input, const std::string& definitions);
+  bool Upsample(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
 
   vtkIndirectProxyLight Light;
   std::vector<vtkIndirectProxyPolygon> Polygons;
@@ -83,9 +83,8 @@ private:
   vtkIndirectTarget Ranges;      // of means
   vtkIndirectTarget SenderLight; // what falls on them
   vtkIndirectTarget MeanLight;
-  vtkIndirectTarget Planes;
-  vtkIndirectTarget Hidden; // sums that are blended
-  vtkIndirectTarget Sent;
+  vtkIndirectTarget Coarse;
+  vtkIndirectTarget Blended; // sums
   vtkIndirectSplatMesh Mesh;
   vtkIndirectCommandBuffer Rest{ 1 }; // pixels that are left
   vtkIndirectComputeProgram Listing{ "vtkIndirectProxyListCS.glsl" };
@@ -96,9 +95,7 @@ private:
     vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl") };
   vtkIndirectFullScreenProgram Sending{ "vtkIndirectProxySendersFS.glsl" };
   vtkIndirectFullScreenProgram Averaging{ "vtkIndirectProxySendersFS.glsl" };
-  vtkIndirectFullScreenProgram Upsampling[2]{ { "vtkIndirectProxyUpsampleFS.glsl" },
-    { "vtkIndirectProxyUpsampleFS.glsl" } };
-  vtkIndirectFullScreenProgram Resolving[2]{ { "vtkIndirectProxyResolveFS.glsl" },
-    { "vtkIndirectProxyResolveFS.glsl" } };
+  vtkIndirectFullScreenProgram Upsampling{ "vtkIndirectProxyUpsampleFS.glsl" };
+  vtkIndirectFullScreenProgram Resolving{ "vtkIndirectProxyResolveFS.glsl" };
 };
 #endif

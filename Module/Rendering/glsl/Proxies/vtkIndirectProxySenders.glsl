@@ -37,19 +37,28 @@ void vtkiLightOfSender(vtkiProxySums spheres, vec4 place, vec4 normal, out vec4 
 {
   vtkiHarmonics4 seen = vtkiHarmonicsExp(spheres.hidden);
   light[3] = vec4(0.28209479f * seen.A.x, 0.32573501f * seen.A.w, 0.32573501f * seen.A.y, 0.32573501f * seen.A.z);
-  vtkiProxyLit lit = vtkiResolveProxies(place.xyz, normal.xyz, spheres);
-  vec3 a = 0.28209479f * lit.sky[0];
-  vec3 bx = 0.32573501f * lit.sky[3];
-  vec3 by = 0.32573501f * lit.sky[1];
-  vec3 bz = 0.32573501f * lit.sky[2];
-  if (normal.w > 0.0f)
+  vec3 bounce;
+  vtkiHarmonics4 all = vtkiSeenSky(place.xyz, normal.xyz, spheres, bounce);
+  vec3 a;
+  vec3 bx;
+  vec3 by;
+  vec3 bz;
+  for (int color = 0; color < 3; ++color)
   {
-    a = vtkiProxyIrradiance(lit.sky, normal.xyz);
-    bx = vec3(0.0f);
-    by = vec3(0.0f);
-    bz = vec3(0.0f);
-    light[3] = vec4(1.0f, 0.0f, 0.0f, 0.0f);
+    vtkiHarmonics4 sky = vtkiSeenLight(all, color);
+    a[color] = 0.28209479f * sky.A.x;
+    bx[color] = 0.32573501f * sky.A.w;
+    by[color] = 0.32573501f * sky.A.y;
+    bz[color] = 0.32573501f * sky.A.z;
+    if (normal.w > 0.0f)
+    {
+      a[color] = max(vtkiHarmonicsDot(sky, vtkiClampedCosine(normal.xyz)), 0.0f);
+      bx[color] = 0.0f;
+      by[color] = 0.0f;
+      bz[color] = 0.0f;
+    }
   }
+  light[3] = normal.w > 0.0f ? vec4(1.0f, 0.0f, 0.0f, 0.0f) : light[3];
   light[0] = vec4(a, bx.r);
   light[1] = vec4(bx.gb, by.rg);
   light[2] = vec4(by.b, bz);

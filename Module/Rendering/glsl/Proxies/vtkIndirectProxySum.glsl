@@ -25,31 +25,14 @@ const int VTKI_PROXY_TABLE = 64;
 struct vtkiProxySums
 {
   vtkiHarmonics4 hidden; // sum of logarithms
-#ifdef VTKI_PROXY_LIGHT
-  // Light in the first nine coefficients: of the bands 0 and 1, of band 2, and the last of that.
-  vec3 light0;
-  vec3 light1[3];
-  vec3 light2[5];
-  float solidAngle;
-#endif
+  vec4 sent;             // irradiance, and solid angle
 };
 
 vtkiProxySums vtkiNoProxies()
 {
   vtkiProxySums sums;
   sums.hidden = vtkiHarmonics4(vec4(0.0f), vec4(0.0f), vec4(0.0f), vec4(0.0f));
-#ifdef VTKI_PROXY_LIGHT
-  sums.light0 = vec3(0.0f);
-  for (int i = 0; i < 3; ++i)
-  {
-    sums.light1[i] = vec3(0.0f);
-  }
-  for (int i = 0; i < 5; ++i)
-  {
-    sums.light2[i] = vec3(0.0f);
-  }
-  sums.solidAngle = 0.0f;
-#endif
+  sums.sent = vec4(0.0f);
   return sums;
 }
 
@@ -60,28 +43,6 @@ vec4 vtkiZonalLog(float sine)
   int row = min(int(place), VTKI_PROXY_TABLE - 2);
   return mix(texelFetch(vtkiProxyTable, ivec2(row, 0), 0), texelFetch(vtkiProxyTable, ivec2(row + 1, 0), 0),
     place - float(row));
-}
-
-#ifdef VTKI_PROXY_LIGHT
-// Adds the light of a disk, the same all over it. y: the functions at its middle.
-void vtkiAddDiskLight(inout vtkiProxySums sums, vtkiHarmonics4 y, float sine, vec3 radiance, float weight)
-{
-  float cosine = sqrt(max(1.0f - sine * sine, 0.0f));
-  // Bands of the disk, over those of the functions at its middle.
-  float solidAngle = 2.0f * VTKI_PI * vtkiProxyRow(sine);
-  float band1 = VTKI_PI * sine * sine;
-  float band2 = VTKI_PI * cosine * sine * sine;
-  sums.solidAngle += weight * solidAngle;
-  vec3 sent = weight * radiance;
-  sums.light0 += (solidAngle * y.A.x) * sent;
-  sums.light1[0] += (band1 * y.A.y) * sent;
-  sums.light1[1] += (band1 * y.A.z) * sent;
-  sums.light1[2] += (band1 * y.A.w) * sent;
-  sums.light2[0] += (band2 * y.B.x) * sent;
-  sums.light2[1] += (band2 * y.B.y) * sent;
-  sums.light2[2] += (band2 * y.B.z) * sent;
-  sums.light2[3] += (band2 * y.B.w) * sent;
-  sums.light2[4] += (band2 * y.C.x) * sent;
 }
 
 // Radiance of a sphere of albedo 1 towards the receiver, in the light that nothing hides from it (Eq 15; with
@@ -135,7 +96,6 @@ vec4 vtkiSenderIrradiance(int sender, vec3 n)
   vec3 e = l0.rgb + n.x * vec3(l0.a, l1.rg) + n.y * vec3(l1.ba, l2.r) + n.z * l2.gba;
   return max(vec4(e, l3.x + dot(l3.yzw, n)), vec4(0.0f, 0.0f, 0.0f, 0.02f));
 }
-#endif
 
 // Adds an entry of the tree of spheres. Returns the entry that comes next: of those below it, where they count.
 int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sums)
@@ -178,7 +138,9 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
 #else
     vec3 radiance = vtkiSphereRadiance(y, sine);
 #endif
-    vtkiAddDiskLight(sums, y, sine, albedo.rgb * radiance, weight * reach);
+    weight *= reach;
+    float given = weight * vtkiDiskIrradiance(sine, dot(direction, normal));
+    sums.sent += vec4(given * albedo.rgb * radiance, weight * 2.0f * VTKI_PI * vtkiProxyRow(sine));
 #endif
   }
   return toOuter < outer.w && d < inner.x ? int(inner.w) : int(inner.z);
@@ -196,25 +158,33 @@ vtkiProxySums vtkiSumProxies(vec3 position, vec3 normal, bool lit)
   return sums;
 }
 
-// Light that comes to a place, in the first nine coefficients: what the sky gives where nothing hides it, and what
-// proxies send. Irradiance of any normal is its product with the clamped cosine.
+// What a receiver gets: of the sky as far as nothing hides it, a + b n of each colour for normals about its own; and
+// what proxies send to its own normal.
 struct vtkiProxyLit
 {
-  vec3 sky[9];
-#ifdef VTKI_PROXY_LIGHT
-  vec3 bounce[9];
-#endif
+  vec4 sky[3]; // b, a
+  vec3 bounce;
 };
 
-float vtkiCoefficient(vtkiHarmonics4 f, int i)
+// Light of one colour that is seen, in the first nine coefficients.
+vtkiHarmonics4 vtkiSeenLight(vtkiHarmonics4 seen, int color)
 {
-  return i < 4 ? f.A[i] : i < 8 ? f.B[i - 4] : f.C[i - 8];
+  int row = VTKI_PROXY_COLOR_ROWS * color;
+  vtkiHarmonics4 light;
+  for (int i = 0; i < 4; ++i)
+  {
+    light.A[i] = vtkiHarmonicsDot(vtkiProxyHarmonics(row + 4 * i), seen);
+    light.B[i] = vtkiHarmonicsDot(vtkiProxyHarmonics(row + 16 + 4 * i), seen);
+  }
+  light.C = vec4(vtkiHarmonicsDot(vtkiProxyHarmonics(row + 32), seen), 0.0f, 0.0f, 0.0f);
+  light.D = vec4(0.0f);
+  return light;
 }
 
 // Adds the flat polygons, each as the disk that gives all receivers above it the same irradiance. One that the
 // receiver lies on hides nothing. open: what spheres leave to be seen, of the polygons too.
 void vtkiAddPolygons(
-  vec3 position, vec3 normal, vtkiHarmonics4 open, inout vtkiHarmonics4 hidden, inout vtkiProxyLit lit)
+  vec3 position, vec3 normal, vtkiHarmonics4 open, inout vtkiHarmonics4 hidden, inout vec3 bounce)
 {
   for (int i = 0; i < vtkiPolygonCount; ++i)
   {
@@ -251,60 +221,54 @@ void vtkiAddPolygons(
         vtkiHarmonicsDot(cosine, vtkiProxyLightOf(1)), vtkiHarmonicsDot(cosine, vtkiProxyLightOf(2))), vec3(0.0f));
 #endif
       vtkiHarmonics4 seen = vtkiHarmonicProduct(open, vtkiZonalTo(vtkiZonalDisk(disk.w), disk.xyz));
-      for (int k = 0; k < 9; ++k)
-      {
-        lit.bounce[k] += vtkiCoefficient(seen, k) * albedo.rgb * radiance;
-      }
+      bounce += max(vtkiHarmonicsDot(seen, vtkiClampedCosine(normal)), 0.0f) * albedo.rgb * radiance;
 #endif
     }
   }
 }
 
-vtkiProxyLit vtkiResolveProxies(vec3 position, vec3 normal, vtkiProxySums sums)
+// What is left to be seen of the sky. bounce: what proxies send.
+vtkiHarmonics4 vtkiSeenSky(vec3 position, vec3 normal, vtkiProxySums sums, out vec3 bounce)
 {
-  vtkiProxyLit lit;
   vtkiHarmonics4 hidden = sums.hidden;
   vtkiHarmonics4 seen = vtkiHarmonicsExp(hidden);
+  bounce = vec3(0.0f);
 #ifdef VTKI_PROXY_LIGHT
 #ifdef VTKI_PROXY_SHADOWED
-  float overlap = vtkiProxyMean(seen, sums.solidAngle);
+  bounce = vtkiProxyMean(seen, sums.sent.a) * sums.sent.rgb;
 #else
-  float overlap = vtkiProxyOverlap(seen, sums.solidAngle);
+  bounce = vtkiProxyOverlap(seen, sums.sent.a) * sums.sent.rgb;
 #endif
-  lit.bounce[0] = overlap * sums.light0;
-  for (int i = 0; i < 3; ++i)
-  {
-    lit.bounce[1 + i] = overlap * sums.light1[i];
-  }
-  for (int i = 0; i < 5; ++i)
-  {
-    lit.bounce[4 + i] = overlap * sums.light2[i];
-  }
 #endif
   if (vtkiPolygonCount > 0)
   {
-    vtkiAddPolygons(position, normal, seen, hidden, lit);
+    vtkiAddPolygons(position, normal, seen, hidden, bounce);
     seen = vtkiHarmonicsExp(hidden);
   }
   if (!vtkiProxyHides)
   {
     seen = vtkiHarmonics4(vec4(1.0f / VTKI_HARMONICS_Y00, 0.0f, 0.0f, 0.0f), vec4(0.0f), vec4(0.0f), vec4(0.0f));
   }
-  for (int i = 0; i < 9; ++i)
+  return seen;
+}
+
+vtkiProxyLit vtkiResolveProxies(vec3 position, vec3 normal, vtkiProxySums sums)
+{
+  vtkiProxyLit lit;
+  vtkiHarmonics4 seen = vtkiSeenSky(position, normal, sums, lit.bounce);
+  for (int color = 0; color < 3; ++color)
   {
-    for (int color = 0; color < 3; ++color)
-    {
-      lit.sky[i][color] = vtkiHarmonicsDot(vtkiProxyHarmonics(VTKI_PROXY_COLOR_ROWS * color + 4 * i), seen);
-    }
+    vtkiHarmonics4 light = vtkiSeenLight(seen, color);
+    vec3 gradient = vtkiIrradianceGradient(light, normal);
+    float own = vtkiHarmonicsDot(light, vtkiClampedCosine(normal));
+    lit.sky[color] = vec4(gradient, own - dot(gradient, normal));
   }
   return lit;
 }
 
-// Irradiance of a normal.
-vec3 vtkiProxyIrradiance(vec3 light[9], vec3 normal)
+// Irradiance of the sky at a normal.
+vec3 vtkiProxyIrradiance(vec4 sky[3], vec3 normal)
 {
-  vtkiHarmonics4 h = vtkiClampedCosine(normal);
-  vec3 sum = h.A.x * light[0] + h.A.y * light[1] + h.A.z * light[2] + h.A.w * light[3];
-  sum += h.B.x * light[4] + h.B.y * light[5] + h.B.z * light[6] + h.B.w * light[7] + h.C.x * light[8];
-  return max(sum, vec3(0.0f));
+  vec4 n = vec4(normal, 1.0f);
+  return max(vec3(dot(sky[0], n), dot(sky[1], n), dot(sky[2], n)), vec3(0.0f));
 }

@@ -3,12 +3,12 @@
 // down their tree by itself; else the group lists the spheres whose regions meet the box about its receivers, a set
 // of bits for a block of 256 at a time, and sums those in their order.
 //
-// Receivers are every vtkiStep-th pixel, whose light goes to a stack of planes; with VTKI_PROXY_PIXELS all of them, or
+// Receivers are every vtkiStep-th pixel, whose light goes to coarse images; with VTKI_PROXY_PIXELS all of them, or
 // with VTKI_PROXY_REST those that no coarse receiver stands for, whose irradiance goes to an image; or with
 // VTKI_PROXY_SENDERS the spheres themselves, 256 in a row, whose irradiance goes to their table.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
-#include "vtkIndirectProxyPlanes.glsl"
+uniform ivec2 vtkiCoarseSize;
 #include "vtkIndirectProxySenders.glsl"
 #ifdef VTKI_PROXY_REST
 #include "vtkIndirectProxyList.glsl"
@@ -24,7 +24,10 @@ layout(rgba32f, binding = 3) uniform image2D vtkiLight3;
 layout(rgba32f, binding = 0) uniform image2D vtkiSkyImage;
 layout(rgba32f, binding = 1) uniform image2D vtkiBounceImage;
 #else
-layout(rgba32f, binding = 0) uniform image2D vtkiPlanes;
+layout(rgba32f, binding = 0) uniform image2D vtkiCoarseImage0;
+layout(rgba32f, binding = 1) uniform image2D vtkiCoarseImage1;
+layout(rgba32f, binding = 2) uniform image2D vtkiCoarseImage2;
+layout(rgba32f, binding = 3) uniform image2D vtkiCoarseImage3;
 #endif
 
 #ifdef VTKI_PROXY_TREE
@@ -164,20 +167,18 @@ void main()
     vec3 sky = lit ? vtkiProxyIrradiance(result.sky, receiver.normal) : vec3(0.0f);
     imageStore(vtkiSkyImage, pixel, vec4(sky, 1.0f));
 #ifdef VTKI_PROXY_LIGHT
-    vec3 bounce = lit ? vtkiProxyIrradiance(result.bounce, receiver.normal) : vec3(0.0f);
-    imageStore(vtkiBounceImage, pixel, vec4(bounce, 1.0f));
+    imageStore(vtkiBounceImage, pixel, vec4(lit ? result.bounce : vec3(0.0f), 1.0f));
 #endif
   }
 #else
   if (inside)
   {
-    for (int i = 0; i < 9; ++i)
-    {
-      imageStore(vtkiPlanes, vtkiPlaneTexel(place, 0, i), vec4(result.sky[i], 1.0f));
+    imageStore(vtkiCoarseImage0, place, result.sky[0]);
+    imageStore(vtkiCoarseImage1, place, result.sky[1]);
+    imageStore(vtkiCoarseImage2, place, result.sky[2]);
 #ifdef VTKI_PROXY_LIGHT
-      imageStore(vtkiPlanes, vtkiPlaneTexel(place, 1, i), vec4(result.bounce[i], 1.0f));
+    imageStore(vtkiCoarseImage3, place, vec4(result.bounce, 1.0f));
 #endif
-    }
   }
 #endif
 }

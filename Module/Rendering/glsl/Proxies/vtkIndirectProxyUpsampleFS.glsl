@@ -1,21 +1,23 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Irradiance of the pixel's own normal in the light of the four coarse receivers around (Eq 11): bilinear, by how far
-// each is from the pixel's plane and the pixel from its, and by normals. Light depends on the place; receivers that
-// face elsewhere serve too, but where spheres stand for the surface itself. Where none of them does, alpha is -1 and
-// the pixel is summed from scratch: here with VTKI_PROXY_GATHER, else in tiles.
+// Irradiance of the pixel's own normal by the four coarse receivers around (Eq 11): bilinear, by how far each is from
+// the pixel's plane and the pixel from its, and by normals. Where none of them serves, alpha is -1 and the pixel is
+// summed from scratch: here with VTKI_PROXY_GATHER, else by a list.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
-#include "vtkIndirectProxyPlanes.glsl"
 
-uniform sampler2D vtkiPlanes;
+uniform ivec2 vtkiCoarseSize;
+uniform sampler2D vtkiCoarse0; // of a colour's irradiance a + b n: b, a
+uniform sampler2D vtkiCoarse1;
+uniform sampler2D vtkiCoarse2;
+uniform sampler2D vtkiCoarse3; // what proxies send
 
 // Weights together that say nothing.
 const float VTKI_LEAST_WEIGHT = 1.0e-3f;
 // The plane's distance, over that of samples, at which a sample counts half.
 const float VTKI_PROXY_DEPTH = 0.5f;
 
-// What a receiver counts that faces elsewhere: power 8 of the cosine, as light is interpolated, not irradiance.
+// What a receiver counts that faces elsewhere: power 8 of the cosine, as irradiance is turned to the pixel's normal.
 float vtkiProxyFacing(float cosine)
 {
   float c = max(cosine, 0.0f);
@@ -29,6 +31,7 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vtkiReceiver receiver;
   vec4 result = vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  vec3 bounce = vec3(0.0f);
   if (vtkiFetchReceiver(pixel, receiver))
   {
     float distance = vtkiSampleDistance(receiver.depth);
@@ -36,7 +39,10 @@ void main()
     ivec2 corner = pixel / vtkiStep;
     ivec2 first = corner * vtkiStep;
     vec2 blend = vec2(pixel - first) / vec2(max(min(first + vtkiStep, vtkiSize - 1) - first, 1));
-    float weights[4];
+    vec4 sky[3];
+    sky[0] = vec4(0.0f);
+    sky[1] = vec4(0.0f);
+    sky[2] = vec4(0.0f);
     float sum = 0.0f;
     for (int i = 0; i < 4; ++i)
     {
@@ -50,37 +56,32 @@ void main()
         max(VTKI_PROXY_DEPTH * distance, 1.0e-30f);
       float same = vtkiProxyFacing(dot(receiver.normalVC, other.normalVC)) / (1.0f + away * away * away * away);
       // A sample next to the pixel may be the only one.
-      weights[i] = lit ? (w.x * w.y + 1.0e-3f) * same : 0.0f;
-      sum += weights[i];
+      float weight = lit ? (w.x * w.y + 1.0e-3f) * same : 0.0f;
+      sum += weight;
+      sky[0] += weight * texelFetch(vtkiCoarse0, at, 0);
+      sky[1] += weight * texelFetch(vtkiCoarse1, at, 0);
+      sky[2] += weight * texelFetch(vtkiCoarse2, at, 0);
+#ifdef VTKI_PROXY_LIGHT
+      bounce += weight * texelFetch(vtkiCoarse3, at, 0).rgb;
+#endif
     }
-    if (sum > VTKI_LEAST_WEIGHT)
-    {
-      vec3 light[9];
-      for (int k = 0; k < 9; ++k)
-      {
-        light[k] = vec3(0.0f);
-        for (int i = 0; i < 4; ++i)
-        {
-          ivec2 at = min(corner + ivec2(i & 1, i >> 1), vtkiCoarseSize - 1);
-          light[k] += (weights[i] / sum) * texelFetch(vtkiPlanes, vtkiPlaneTexel(at, VTKI_PROXY_COLUMN, k), 0).rgb;
-        }
-      }
-      result = vec4(vtkiProxyIrradiance(light, receiver.normal), 1.0f);
-    }
-    else
+    float scale = 1.0f / max(sum, 1.0e-30f);
+    bounce *= scale;
+    result = vec4(scale * vtkiProxyIrradiance(sky, receiver.normal), 1.0f);
+    if (!(sum > VTKI_LEAST_WEIGHT))
     {
 #ifdef VTKI_PROXY_GATHER
       vtkiProxySums sums = vtkiSumProxies(receiver.position, receiver.normal, true);
       vtkiProxyLit lit = vtkiResolveProxies(receiver.position, receiver.normal, sums);
-#if VTKI_PROXY_COLUMN == 1
-      result.rgb = vtkiProxyIrradiance(lit.bounce, receiver.normal);
-#else
       result.rgb = vtkiProxyIrradiance(lit.sky, receiver.normal);
-#endif
+      bounce = lit.bounce;
 #else
       result.a = -1.0f;
 #endif
     }
   }
   gl_FragData[0] = result;
+#ifdef VTKI_PROXY_LIGHT
+  gl_FragData[1] = vec4(bounce, 1.0f);
+#endif
 }

@@ -155,6 +155,24 @@ vtkiHarmonics4 vtkiLitCosine(vtkiLightMatrix m, vec3 n)
   return vtkiHarmonicsAdd(c, h.C.x, m.Columns[8]);
 }
 
+/* How irradiance, of light in its first nine coefficients, changes with the normal: its gradient, the normal taken as
+ * any vector. Irradiance of a normal nearby is that here plus its product with their difference. */
+vec3 vtkiIrradianceGradient(vtkiHarmonics4 light, vec3 n)
+{
+  float k = 0.27313711f;
+  return vec3(0.32573501f * light.A.w + k * (light.B.x * n.y + light.B.w * n.z + light.C.x * n.x),
+    0.32573501f * light.A.y + k * (light.B.x * n.x + light.B.y * n.z - light.C.x * n.y),
+    0.32573501f * light.A.z + k * (light.B.y * n.y + light.B.w * n.x) + 0.47308736f * light.B.z * n.z);
+}
+
+/* What a disk of radiance 1 gives a receiver, of the cosine between its middle and the normal: of order 3. */
+float vtkiDiskIrradiance(float sine, float cosine)
+{
+  float s2 = sine * sine;
+  float c = sqrt(max(1.0f - s2, 0.0f));
+  return max(0.5f * s2 / (1.0f + c) + 0.5f * s2 * cosine + 0.15625f * c * s2 * (3.0f * cosine * cosine - 1.0f), 0.0f);
+}
+
 /* Sine of half the angle under which a sphere counts for a receiver of unit normal n; toCenter from
  * the receiver. Seen from outside it is r / d, whatever crosses the receiver's plane: what is below it
  * has no cosine. Spheres that contain the receiver are mostly those that stand for its own surface. One
