@@ -20,6 +20,8 @@
 #include "vtkPolyData.h"
 #include "vtkProp.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkProxyAccumulationPass);
@@ -32,6 +34,16 @@ const vtkIndirectChannel SkyChannels[] = {
   { "bounce", "vtkiIrradiance", "irradiance that proxies send", GL_RGBA32F, "-", "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+
+// What is seen of a scene in so many receivers is about as fine as spheres of thousands; more of them cost
+// as much more.
+int FindStep(const int size[2])
+{
+  constexpr double receivers = 16384.0;
+  constexpr int most = 8;
+  const double pixels = static_cast<double>(size[0]) * size[1];
+  return std::min(std::max(static_cast<int>(std::lround(std::sqrt(pixels / receivers))), 1), most);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -44,6 +56,7 @@ struct vtkProxyAccumulationPass::Internals
   vtkIndirectTarget Sky{ SkyChannels, false };
   vtkMTimeType TreeTime = 0; // of this pass when the tree was built
   bool TreeIsThere = false;
+  int Step = 0; // of the last frame
 };
 
 //------------------------------------------------------------------------------
@@ -130,6 +143,12 @@ int vtkProxyAccumulationPass::GetNumberOfPolygons() const
 }
 
 //------------------------------------------------------------------------------
+int vtkProxyAccumulationPass::GetActiveReceiverStep() const
+{
+  return this->Internal->Step;
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectVisibilityNeeds vtkProxyAccumulationPass::GetVisibilityNeeds(
   const vtkIndirectPlan&) const
 {
@@ -184,7 +203,8 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
 
   in.Sky.SetNumberOfChannels(this->Settings.IndirectLight == OFF ? 1 : 2);
   vtkIndirectProxySums::Input sums = { frame, input.Geometry };
-  sums.Step = this->Settings.ReceiverStep;
+  in.Step = this->Settings.ReceiverStep > 0 ? this->Settings.ReceiverStep : FindStep(frame.Size);
+  sums.Step = in.Step;
   sums.Hides = input.Plan.SkyIsShadowed;
   sums.Middle = this->Settings.IndirectLight == MIDDLE;
   sums.Shadowed = this->Settings.IndirectLight == SHADOWED;
@@ -223,7 +243,7 @@ void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
       "the " + std::to_string(most) +
         " largest count; the result is too bright");
   }
-  const int step = this->Settings.ReceiverStep;
+  const int step = in.Step;
   report.Modelled.emplace_back("light from the sky",
     "spherical harmonics of order 4, " +
       (this->Settings.Groups ? "groups of spheres that are seen under a sine of " +

@@ -63,9 +63,10 @@ public:
   /**
    * Pixels from one receiver to the next: 1, or 2, 4, 8 for a quarter, a sixteenth, a sixty-fourth of
    * them, with bilateral interpolation between (Eq 11); pixels that no receiver stands for are
-   * summed from scratch. Default 4, range 1 to 16.
+   * summed from scratch. 0: as many as leave about 16,000 receivers, at most 8. Default 0, range 0
+   * to 16.
    */
-  vtkIndirectClampMacro(ReceiverStep, int, 1, 16);
+  vtkIndirectClampMacro(ReceiverStep, int, 0, 16);
   ///@}
 
   ///@{
@@ -75,9 +76,9 @@ public:
 
   ///@{
   /**
-   * The largest radius of a group over its distance under which it is one. Smaller is slower; it
-   * is no more exact from 0.2 on, where logarithms of spheres behind each other add up. Default 0.3,
-   * range 0.05 to 1.
+   * The largest radius of a group over its distance under which it is one. Smaller is slower, and
+   * no more exact: then logarithms of spheres behind each other add up. Default 0.4, range 0.05 to
+   * 1.
    */
   vtkIndirectClampMacro(GroupAngle, double, 0.05, 1.0);
   ///@}
@@ -133,6 +134,8 @@ public:
   /** Of the last frame: spheres, and flat polygons. */
   int GetNumberOfSpheres() const;
   int GetNumberOfPolygons() const;
+  /** Pixels from one of its receivers to the next; 0 before a frame. */
+  int GetActiveReceiverStep() const;
   ///@}
 
 #ifndef __VTK_WRAP__
@@ -155,9 +158,9 @@ protected:
 
   struct SettingsType
   {
-    int ReceiverStep = 4;
+    int ReceiverStep = 0;
     bool Groups = true;
-    double GroupAngle = 0.3;
+    double GroupAngle = 0.4;
     double InfluenceScale = 15.0;
     double IndirectInfluenceScale = 4.0;
     int IndirectLight = SHADOWED;

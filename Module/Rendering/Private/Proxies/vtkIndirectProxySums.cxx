@@ -73,13 +73,6 @@ const vtkIndirectChannel SenderLightChannels[] = {
   VTKI_LIGHT_CHANNEL("proxies.light3", "vtkiSenderLight3"),
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel MeanLightChannels[] = {
-  VTKI_LIGHT_CHANNEL("proxies.mean0", "vtkiMeanLight0"),
-  VTKI_LIGHT_CHANNEL("proxies.mean1", "vtkiMeanLight1"),
-  VTKI_LIGHT_CHANNEL("proxies.mean2", "vtkiMeanLight2"),
-  VTKI_LIGHT_CHANNEL("proxies.mean3", "vtkiMeanLight3"),
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
-};
 #undef VTKI_LIGHT_CHANNEL
 #define VTKI_COARSE_CHANNEL(name, uniform)                                                         \
   {                                                                                                \
@@ -148,7 +141,7 @@ vtkIndirectProxySums::vtkIndirectProxySums()
   , Senders(SendersChannels, false)
   , Ranges(RangesChannels, false)
   , SenderLight(SenderLightChannels, false)
-  , MeanLight(MeanLightChannels, false)
+  , AllLight(SenderLightChannels, false)
   , Coarse(CoarseChannels, false)
   , Blended(BlendedChannels, false)
 {
@@ -184,9 +177,10 @@ bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndire
     const float* const first = &vtkIndirectProxyTable[0][0];
     this->Table.Write(0, std::vector<float>(first, first + 4 * vtkIndirectProxyEntries));
   }
-  // Senders of the tree are followed by those of polygons, then by the means of both.
+  // Senders of the tree are followed by those of polygons, then, from another row on, by the means of both.
   const int trees = static_cast<int>(tree.GetSenders().size());
-  const int added = 2 * PlacesOfPolygon * static_cast<int>(this->Polygons.size());
+  this->NumberOfSenders = trees + 2 * PlacesOfPolygon * static_cast<int>(this->Polygons.size());
+  const int added = RowLength * FindRows(static_cast<size_t>(this->NumberOfSenders)) - trees;
   std::vector<float> values[5];
   for (const vtkIndirectProxyTree::Entry& entry : entries)
   {
@@ -226,14 +220,13 @@ bool vtkIndirectProxySums::UpdateSenders(
     Append(places, sender.Center, sender.Radius);
     Append(normals, glm::vec3(0.0f), 0.0f);
   }
-  this->NumberOfSenders = static_cast<int>(
-    tree.GetSenders().size() + 2 * PlacesOfPolygon * this->Polygons.size());
   for (const vtkIndirectProxyTree::Mean& mean : tree.GetMeans())
   {
     Append(
       ranges, glm::vec3(static_cast<float>(mean.First), static_cast<float>(mean.Count), 0.0f), 0.0f);
   }
-  this->FirstPolygonMean = this->NumberOfSenders + static_cast<int>(tree.GetMeans().size());
+  this->FirstPolygonMean = RowLength * FindRows(static_cast<size_t>(this->NumberOfSenders)) +
+    static_cast<int>(tree.GetMeans().size());
   int next = static_cast<int>(tree.GetSenders().size());
   for (const vtkIndirectProxyPolygon& polygon : this->Polygons)
   {
@@ -290,7 +283,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
     return true;
   }
   if (!this->SenderLight.Resize(window, RowLength, this->Senders.GetHeight()) ||
-    !this->MeanLight.Resize(window, RowLength, this->Ranges.GetHeight()))
+    !this->AllLight.Resize(window, RowLength, this->Senders.GetHeight() + this->Ranges.GetHeight()))
   {
     return false;
   }
@@ -305,7 +298,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
   for (int i = UsesTiles() ? 1 : 0; i < 2; ++i)
   {
     vtkIndirectFullScreenProgram& kernel = i == 0 ? this->Sending : this->Averaging;
-    vtkIndirectTarget& target = i == 0 ? this->SenderLight : this->MeanLight;
+    vtkIndirectTarget& target = i == 0 ? this->SenderLight : this->AllLight;
     kernel.SetDefinitions(i == 0 ? definitions : "#define VTKI_PROXY_MEANS\n");
     vtkShaderProgram* program = kernel.Use(window);
     if (!program)
@@ -313,10 +306,14 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
       return false;
     }
     target.Begin();
-    this->Activate(input, program);
+    if (i == 0)
+    {
+      this->Activate(input, program);
+    }
     this->Ranges.Activate(0, program);
     if (i == 1)
     {
+      program->SetUniformi("vtkiMeanRow", this->Senders.GetHeight());
       for (int k = 0; k < 4; ++k)
       {
         this->SenderLight.Activate(k, program);
@@ -325,7 +322,10 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
     kernel.Draw();
     this->SenderLight.Deactivate();
     this->Ranges.Deactivate();
-    this->Deactivate(input);
+    if (i == 0)
+    {
+      this->Deactivate(input);
+    }
     target.End();
   }
   this->SendersAreLit = true;
@@ -340,9 +340,9 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
   input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
   program->SetUniform2i("vtkiCoarseSize", this->CoarseSize);
   program->SetUniformi("vtkiStep", input.Step);
-  program->SetUniformi("vtkiSenderCount", this->NumberOfSenders);
   if (program->IsUniformUsed("vtkiSenderPlace"))
   {
+    program->SetUniformi("vtkiSenderCount", this->NumberOfSenders);
     this->Senders.Activate(0, program);
     this->Senders.Activate(1, program);
   }
@@ -351,12 +351,11 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
     this->Blocks.Activate(0, program);
     program->SetUniformi("vtkiBlockCount", this->NumberOfBlocks);
   }
-  if (program->IsUniformUsed("vtkiMeanLight0"))
+  if (program->IsUniformUsed("vtkiSenderLight0"))
   {
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < this->AllLight.GetNumberOfChannels(); ++i)
     {
-      this->SenderLight.Activate(i, program);
-      this->MeanLight.Activate(i, program);
+      this->AllLight.Activate(i, program);
     }
   }
   if (program->IsUniformUsed("vtkiProxyCenter"))
@@ -378,7 +377,7 @@ void vtkIndirectProxySums::Deactivate(const Input& input) const
 {
   input.Geometry.GetTarget().Deactivate();
   for (const vtkIndirectTarget* target : { &this->Table, &this->Rows, &this->Blocks, &this->Senders,
-         &this->SenderLight, &this->MeanLight })
+         &this->SenderLight, &this->AllLight })
   {
     target->Deactivate();
   }
@@ -615,7 +614,7 @@ size_t vtkIndirectProxySums::GetBytes() const
   size_t bytes = this->Mesh.GetBytes() + this->Light.GetBytes() + this->Rest.GetBytes();
   for (const vtkIndirectTarget* target :
     { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
-      &this->MeanLight, &this->Coarse, &this->Blended })
+      &this->AllLight, &this->Coarse, &this->Blended })
   {
     bytes += target->GetBytes();
   }
@@ -627,7 +626,7 @@ void vtkIndirectProxySums::Release(vtkWindow* window)
 {
   for (vtkIndirectTarget* target :
     { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
-      &this->MeanLight, &this->Coarse, &this->Blended })
+      &this->AllLight, &this->Coarse, &this->Blended })
   {
     target->Release(window);
   }

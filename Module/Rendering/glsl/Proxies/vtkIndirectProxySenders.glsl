@@ -3,6 +3,7 @@ uniform sampler2D vtkiSenderPlace;  // place, radius
 uniform sampler2D vtkiSenderNormal; // normal; a fourth component of 1 where there is one
 uniform sampler2D vtkiProxyBlocks;  // lower, upper corner of the box of each block of entries
 uniform int vtkiBlockCount;
+uniform int vtkiSenderCount;
 
 bool vtkiMeetsBlock(int block, vec3 middle, vec3 halfSize)
 {

@@ -1,11 +1,13 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// The light that falls on senders, one fragment each; or with VTKI_PROXY_MEANS means of several.
+// The light that falls on senders, one fragment each; or with VTKI_PROXY_MEANS all of it, followed from row
+// vtkiMeanRow on by means of several.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectProxySum.glsl"
 #include "vtkIndirectProxySenders.glsl"
 
 uniform sampler2D vtkiMeanRange; // first, number
+uniform int vtkiMeanRow;
 
 // Of more senders so many stand for all.
 const int VTKI_MEAN_SAMPLES = 16;
@@ -19,7 +21,16 @@ void main()
   light[2] = vec4(0.0f);
   light[3] = vec4(0.0f);
 #ifdef VTKI_PROXY_MEANS
-  vec2 range = texelFetch(vtkiMeanRange, ivec2(gl_FragCoord.xy), 0).xy;
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  if (texel.y < vtkiMeanRow)
+  {
+    gl_FragData[0] = texelFetch(vtkiSenderLight0, texel, 0);
+    gl_FragData[1] = texelFetch(vtkiSenderLight1, texel, 0);
+    gl_FragData[2] = texelFetch(vtkiSenderLight2, texel, 0);
+    gl_FragData[3] = texelFetch(vtkiSenderLight3, texel, 0);
+    return;
+  }
+  vec2 range = texelFetch(vtkiMeanRange, texel - ivec2(0, vtkiMeanRow), 0).xy;
   int first = int(range.x);
   int count = int(range.y);
   float weights = 0.0f;

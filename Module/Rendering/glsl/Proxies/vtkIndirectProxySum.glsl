@@ -13,11 +13,6 @@ uniform sampler2D vtkiSenderLight0; // of a sphere's irradiance a + b n: a, b.x;
 uniform sampler2D vtkiSenderLight1;
 uniform sampler2D vtkiSenderLight2;
 uniform sampler2D vtkiSenderLight3; // of the share of its half space that is open among spheres, the same
-uniform sampler2D vtkiMeanLight0; // the same, of several senders
-uniform sampler2D vtkiMeanLight1;
-uniform sampler2D vtkiMeanLight2;
-uniform sampler2D vtkiMeanLight3;
-uniform int vtkiSenderCount;
 uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: everywhere
 
 const int VTKI_PROXY_TABLE = 64;
@@ -70,29 +65,14 @@ vec3 vtkiSphereRadiance(vtkiHarmonics4 y, float sine)
   return max(radiance, vec3(0.0f));
 }
 
-// Irradiance a + b n of a sender, for a vector n; in the fourth component how open it is there.
+// Irradiance a + b n of a sender or of a mean, for a vector n; in the fourth component how open it is there.
 vec4 vtkiSenderIrradiance(int sender, vec3 n)
 {
-  vec4 l0;
-  vec4 l1;
-  vec4 l2;
-  vec4 l3;
-  if (sender < vtkiSenderCount)
-  {
-    ivec2 at = vtkiTableTexel(sender);
-    l0 = texelFetch(vtkiSenderLight0, at, 0);
-    l1 = texelFetch(vtkiSenderLight1, at, 0);
-    l2 = texelFetch(vtkiSenderLight2, at, 0);
-    l3 = texelFetch(vtkiSenderLight3, at, 0);
-  }
-  else
-  {
-    ivec2 at = vtkiTableTexel(sender - vtkiSenderCount);
-    l0 = texelFetch(vtkiMeanLight0, at, 0);
-    l1 = texelFetch(vtkiMeanLight1, at, 0);
-    l2 = texelFetch(vtkiMeanLight2, at, 0);
-    l3 = texelFetch(vtkiMeanLight3, at, 0);
-  }
+  ivec2 at = vtkiTableTexel(sender);
+  vec4 l0 = texelFetch(vtkiSenderLight0, at, 0);
+  vec4 l1 = texelFetch(vtkiSenderLight1, at, 0);
+  vec4 l2 = texelFetch(vtkiSenderLight2, at, 0);
+  vec4 l3 = texelFetch(vtkiSenderLight3, at, 0);
   vec3 e = l0.rgb + n.x * vec3(l0.a, l1.rg) + n.y * vec3(l1.ba, l2.r) + n.z * l2.gba;
   return max(vec4(e, l3.x + dot(l3.yzw, n)), vec4(0.0f, 0.0f, 0.0f, 0.02f));
 }
