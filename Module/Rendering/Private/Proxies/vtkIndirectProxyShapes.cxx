@@ -122,7 +122,7 @@ std::vector<glm::dvec2> FindHull(std::vector<glm::dvec2> points)
       {
         const glm::dvec2 a = hull[hull.size() - 1] - hull[hull.size() - 2];
         const glm::dvec2 b = p - hull[hull.size() - 2];
-        if (a.x * b.y - a.y * b.x > 1e-12 * glm::length(a) * glm::length(b))
+        if (a.x * b.y - a.y * b.x > 1e-5 * glm::length(a) * glm::length(b)) // points are floats
         {
           break;
         }

@@ -358,18 +358,15 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
       this->AllLight.Activate(i, program);
     }
   }
-  if (program->IsUniformUsed("vtkiProxyCenter"))
+  this->Light.Activate(program);
+  this->Table.Activate(0, program);
+  for (int i = 0; i < this->Rows.GetNumberOfChannels(); ++i)
   {
-    this->Light.Activate(program);
-    this->Table.Activate(0, program);
-    for (int i = 0; i < this->Rows.GetNumberOfChannels(); ++i)
-    {
-      this->Rows.Activate(i, program);
-    }
-    program->SetUniformi("vtkiProxyCount", this->NumberOfEntries);
-    program->SetUniformi("vtkiProxyHides", input.Hides ? 1 : 0);
-    program->SetUniformf("vtkiProxyLightReach", static_cast<float>(input.LightReach));
+    this->Rows.Activate(i, program);
   }
+  program->SetUniformi("vtkiProxyCount", this->NumberOfEntries);
+  program->SetUniformi("vtkiProxyHides", input.Hides ? 1 : 0);
+  program->SetUniformf("vtkiProxyLightReach", static_cast<float>(input.LightReach));
 }
 
 //------------------------------------------------------------------------------

@@ -102,6 +102,28 @@ void vtkIndirectProxyTree::Split(
 }
 
 //------------------------------------------------------------------------------
+// The sphere that all others of a group are inside of; `end` where there is none.
+size_t vtkIndirectProxyTree::FindHolding(
+  const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end) const
+{
+  size_t largest = first;
+  for (size_t i = first; i < end; ++i)
+  {
+    largest = spheres[this->Order[i]].Radius > spheres[this->Order[largest]].Radius ? i : largest;
+  }
+  const vtkIndirectProxySphere& whole = spheres[this->Order[largest]];
+  for (size_t i = first; i < end; ++i)
+  {
+    const vtkIndirectProxySphere& other = spheres[this->Order[i]];
+    if (glm::length(other.Center - whole.Center) + other.Radius > (1.0 + 1e-3) * whole.Radius)
+    {
+      return end;
+    }
+  }
+  return largest;
+}
+
+//------------------------------------------------------------------------------
 size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>& spheres,
   size_t first, size_t end, double angle, double* moments)
 {
@@ -128,6 +150,14 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
     node.Inner = 0.0;
     this->Nodes[number] = node;
     return number;
+  }
+  const size_t holds = this->FindHolding(spheres, first, end);
+  if (holds < end)
+  {
+    // The others are inside of it, and are not seen.
+    std::swap(this->Order[first], this->Order[holds]);
+    this->Nodes.pop_back();
+    return this->MakeNode(spheres, first, first + 1, angle, moments);
   }
   size_t bounds[5] = { first, first, first, first, end };
   const size_t middle = first + (end - first) / 2;

@@ -85,6 +85,8 @@ private:
 
   size_t MakeNode(const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end,
     double angle, double* moments);
+  size_t FindHolding(const std::vector<vtkIndirectProxySphere>& spheres, size_t first,
+    size_t end) const;
   void Split(const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end);
   void AddSenders(size_t node, int own);
   void AddEntry(size_t node, const Node* parent);
