@@ -116,8 +116,8 @@ public:
   {
     return false;
   }
-  /** Whether it sums the sky and what surfaces send of its light itself, and no lights: its estimate
-   * has a Sky. Default: no. */
+  /** Whether it sums the sky and what surfaces send of its light itself, and no lights: its
+   * estimate has a Sky. Default: no. */
   virtual bool SumsSky() const
   {
     return false;

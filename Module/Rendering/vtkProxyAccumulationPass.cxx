@@ -35,8 +35,8 @@ const vtkIndirectChannel SkyChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-// What is seen of a scene in so many receivers is about as fine as spheres of thousands; more of them cost
-// as much more.
+// What is seen of a scene in so many receivers is about as fine as spheres of thousands; more of
+// them cost as much more.
 int FindStep(const int size[2])
 {
   constexpr double receivers = 16384.0;
@@ -102,8 +102,9 @@ void vtkProxyAccumulationPass::SetProxies(vtkProp* prop, vtkPolyData* spheres)
   vtkDataArray* radii = spheres->GetPointData()->GetArray("Radius");
   if (!radii || radii->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro("Spheres need point data 'Radius' of one component, as vtkSphereProxyFilter makes "
-                  "it; nothing is changed.");
+    vtkErrorMacro(
+      "Spheres need point data 'Radius' of one component, as vtkSphereProxyFilter makes "
+      "it; nothing is changed.");
     return;
   }
   if (given[prop] != spheres)
@@ -240,8 +241,7 @@ void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
   {
     report.LeftOut.emplace_back(
       std::to_string(in.Scene.GetPolygons().size() - most) + " flat polygons",
-      "the " + std::to_string(most) +
-        " largest count; the result is too bright");
+      "the " + std::to_string(most) + " largest count; the result is too bright");
   }
   const int step = in.Step;
   report.Modelled.emplace_back("light from the sky",

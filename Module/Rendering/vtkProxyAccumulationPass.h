@@ -14,26 +14,26 @@
  * vtkIndirectIlluminationPass. Lights of the renderer shade and cast shadows as ever, but none of
  * their light is reflected.
  *
- * *Spheres* are taken from the data in every frame: atoms (vtkMoleculeMapper), vtkOpenGLSphereMapper,
- * glyphs that are spheres (vtkGlyph3DMapper), points of vtkPointGaussianMapper whose shader code cuts
- * them off by `discard`. A mesh that consists of spheres is these; one that is flat and convex is a
- * polygon. For any other a vtkSphereProxyFilter makes spheres, where the module IndirectProxies is
- * loaded, or they are given (SetProxies); they are kept while the mesh is the same, and move with its
- * actor and with its points.
+ * *Spheres* are taken from the data in every frame: atoms (vtkMoleculeMapper),
+ * vtkOpenGLSphereMapper, glyphs that are spheres (vtkGlyph3DMapper), points of
+ * vtkPointGaussianMapper whose shader code cuts them off by `discard`. A mesh that consists of
+ * spheres is these; one that is flat and convex is a polygon. For any other a vtkSphereProxyFilter
+ * makes spheres, where the module IndirectProxies is loaded, or they are given (SetProxies); they
+ * are kept while the mesh is the same, and move with its actor and with its points.
  *
  * Where this differs from the paper, by default:
- * - Groups of spheres that are far away are summed as one (Groups), so that sums of logarithms do not
- *   hide twice what lies behind each other, and thousands of spheres cost hundreds. Without them each
- *   sphere counts within InfluenceScale radii, as in the paper.
+ * - Groups of spheres that are far away are summed as one (Groups): thousands of spheres cost
+ *   hundreds, and logarithms of what lies behind each other stay short enough for their
+ * exponential. Without them each sphere counts within InfluenceScale radii, as in the paper.
  * - Spheres send what others leave of the sky, not all of it (IndirectLight).
  * - What is interpolated between receivers is light by direction, not irradiance: pixels use their
  *   own normal.
  *
  * Approximations: order 4 blurs shadows (either sign); what lies behind each other within reach
  * of GroupAngle hides twice (too dark); ten or more spheres around a receiver hide too little (too
- * bright); none of the light that spheres send is reflected again (too dark); glyphs that are no spheres, bonds, lines and
- * points hide nothing. A sun is as broad as order 4 makes it. Documentation/methods/sphere-proxies.md
- * has figures.
+ * bright); none of the light that spheres send is reflected again (too dark); glyphs that are no
+ * spheres, bonds, lines and points hide nothing. A sun is as broad as order 4 makes it.
+ * Documentation/methods/sphere-proxies.md has figures.
  *
  * Memory: 16 bytes a pixel, twice that with IndirectLight, 64 bytes a receiver and 4 a pixel where
  * receivers are fewer than pixels, and 120 bytes a sphere.
@@ -61,8 +61,8 @@ public:
 
   ///@{
   /**
-   * Pixels from one receiver to the next: 1, or 2, 4, 8 for a quarter, a sixteenth, a sixty-fourth of
-   * them, with bilateral interpolation between (Eq 11); pixels that no receiver stands for are
+   * Pixels from one receiver to the next: 1, or 2, 4, 8 for a quarter, a sixteenth, a sixty-fourth
+   * of them, with bilateral interpolation between (Eq 11); pixels that no receiver stands for are
    * summed from scratch. 0: as many as leave about 16,000 receivers, at most 8. Default 0, range 0
    * to 16.
    */
@@ -77,8 +77,8 @@ public:
   ///@{
   /**
    * The largest radius of a group over its distance under which it is one. Smaller is slower, and
-   * no more exact: then logarithms of spheres behind each other add up. Default 0.4, range 0.05 to
-   * 1.
+   * hardly more exact, as logarithms of spheres behind each other add up. Default 0.4, range 0.05
+   * to 1.
    */
   vtkIndirectClampMacro(GroupAngle, double, 0.05, 1.0);
   ///@}
@@ -108,8 +108,8 @@ public:
   ///@{
   /**
    * Light that spheres reflect of the sky: none, as if all of a sphere sent what its middle sends
-   * (Eq 13), or its mean over the visible disk (Eq 15), both as if nothing hid the sky from them; or
-   * the mean of what other spheres leave of it, which is found for groups of up to four spheres.
+   * (Eq 13), or its mean over the visible disk (Eq 15), both as if nothing hid the sky from them;
+   * or the mean of what other spheres leave of it, which is found for groups of up to four spheres.
    * Overlap is accounted for (Eq 12). Default SHADOWED.
    */
   vtkIndirectClampMacro(IndirectLight, int, OFF, SHADOWED);
@@ -120,10 +120,10 @@ public:
   ///@}
 
   /**
-   * Spheres for a prop in place of what would be found for it: points in its own coordinates with the
-   * point data "Radius", such as the output of vtkSphereProxyFilter. They move with the prop, and are
-   * read again when they are modified. Null: what is found for it. Data without that array is an
-   * error, and nothing changes.
+   * Spheres for a prop in place of what would be found for it: points in its own coordinates with
+   * the point data "Radius", such as the output of vtkSphereProxyFilter. They move with the prop,
+   * and are read again when they are modified. Null: what is found for it. Data without that array
+   * is an error, and nothing changes.
    */
   void SetProxies(vtkProp* prop, vtkPolyData* spheres);
   /** Those, or null. */

@@ -9,8 +9,8 @@
 #include "vtk_glew.h"
 #endif
 
-#include "vtkImageData.h"
 #include "vtkEnvironmentLight.h"
+#include "vtkImageData.h"
 #include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkProxyAccumulationPass.h"
@@ -94,8 +94,7 @@ double GetResidentMegabytes()
 //------------------------------------------------------------------------------
 namespace
 {
-void CheckToggle(
-  vtkIndirectEstimatorPass* estimator, vtkEnvironmentLight* environment = nullptr)
+void CheckToggle(vtkIndirectEstimatorPass* estimator, vtkEnvironmentLight* environment = nullptr)
 {
   View view(160, 120);
   AddRoom(view.Renderer);

@@ -123,7 +123,8 @@ std::vector<Ball> MakeCluster(int count, double scale)
   for (int i = 0; i < count; ++i)
   {
     const glm::dvec3 d = std::cbrt(random.Next()) * random.NextDirection();
-    balls.push_back({ scale * (glm::dvec3(0.2, 1.2, 0.0) + 0.7 * d), scale * random.Next(0.05, 0.1) });
+    balls.push_back(
+      { scale * (glm::dvec3(0.2, 1.2, 0.0) + 0.7 * d), scale * random.Next(0.05, 0.1) });
   }
   return balls;
 }
@@ -154,7 +155,8 @@ VTK_INDIRECT_TEST(ProxiesSphereOverAPlane)
     {
       const Ball ball = { scale * glm::dvec3(0.3, height, 0.0), scale };
       scene.SetBalls({ ball });
-      CompareLight(scene, "sky", OnGround,
+      CompareLight(
+        scene, "sky", OnGround,
         [&](const Scene::Receiver& r) { return OverPlane(ball, r.Position); },
         { 0.01, 0.015, "order 4 cuts what is seen: 0.3 % in the mean of all distances" },
         "scale " + std::to_string(scale));
@@ -202,8 +204,8 @@ VTK_INDIRECT_TEST(ProxiesTwoSpheres)
     scene.SetBalls(balls);
     // Side by side they are two; one behind the other hides twice what order 4 blurs.
     const double bias = apart > 2.0 ? 0.01 : 0.04;
-    CompareLight(scene, "sky", OnGround,
-      [&](const Scene::Receiver& r) { return Open(balls, r.Position); },
+    CompareLight(
+      scene, "sky", OnGround, [&](const Scene::Receiver& r) { return Open(balls, r.Position); },
       { bias, 2.0 * bias, "stated bias: logarithms add up what is hidden twice" },
       std::to_string(apart) + " apart");
   }
@@ -225,8 +227,8 @@ VTK_INDIRECT_TEST(ProxiesCluster)
   Check("single spheres hide too much", scene.Copy("sky").Mean() < groups.Mean());
   scene.Proxies->SetInfluenceScale(15.0);
   scene.Render();
-  CheckAtLeast("cut off at 15 radii, by so much", LargestDifference(scene.Copy("sky"), groups), 0.02,
-    "what lies beyond adds up");
+  CheckAtLeast("cut off at 15 radii, by so much", LargestDifference(scene.Copy("sky"), groups),
+    0.02, "what lies beyond adds up");
 }
 
 VTK_INDIRECT_TEST(ProxiesPathsAreTheSame)
@@ -253,8 +255,7 @@ VTK_INDIRECT_TEST(ProxiesPathsAreTheSame)
       const std::string name =
         std::string(groups ? "groups" : "spheres") + ", step " + std::to_string(step);
       Check(name + ": there is light", sky[0].Mean() > 0.2 && bounce[0].Mean() > 0.002);
-      CheckAtMost(
-        name + ": sky", LargestDifference(sky[0], sky[1]), 2e-3, "sums in another order");
+      CheckAtMost(name + ": sky", LargestDifference(sky[0], sky[1]), 2e-3, "sums in another order");
       CheckAtMost(name + ": bounce", LargestDifference(bounce[0], bounce[1]), 2e-3,
         "the same; the side on which a sender is open may turn");
     }
@@ -289,7 +290,8 @@ VTK_INDIRECT_TEST(ProxiesSendLight)
   const Ball ball = { { 0.3, 1.5, 0.0 }, 1.0 };
   scene.SetBalls({ ball });
   scene.Proxies->SetIndirectLightToAveraged();
-  CompareLight(scene, "bounce", OnGround,
+  CompareLight(
+    scene, "bounce", OnGround,
     [&](const Scene::Receiver& r) { return 1.0 - OverPlane(ball, r.Position); },
     { 0.05, 0.1, "in all of a uniform sky a white sphere is as bright as that; disks of order 3" },
     "unshadowed");
@@ -363,7 +365,8 @@ VTK_INDIRECT_TEST(ProxiesHardCases)
       scene.Render();
       // VTK draws spheres around the eye behind it.
       const Image bounce = scene.Copy("bounce");
-      Check(entry.first + ": finite", std::isfinite(bounce.Mean()) && std::isfinite(scene.Copy("sky").Mean()));
+      Check(entry.first + ": finite",
+        std::isfinite(bounce.Mean()) && std::isfinite(scene.Copy("sky").Mean()));
       if (entry.second.size() != 1 || entry.second.front().Radius < 10.0)
       {
         scene.CheckBuffers(0);
@@ -375,8 +378,8 @@ VTK_INDIRECT_TEST(ProxiesHardCases)
   ProxyScene scene(1.0, 40);
   scene.SetBalls(std::vector<Ball>(100000, { { 0, 1.2, 0 }, 1.0 }));
   const Ball one = { { 0, 1.2, 0 }, 1.0 };
-  CompareLight(scene, "sky", OnGround,
-    [&](const Scene::Receiver& r) { return OverPlane(one, r.Position); },
+  CompareLight(
+    scene, "sky", OnGround, [&](const Scene::Receiver& r) { return OverPlane(one, r.Position); },
     { 0.01, 0.015, "they are one" }, "100,000 at one place");
   // Nearly at one place, so that none holds another: sums of many logarithms stay finite.
   Random random(2);

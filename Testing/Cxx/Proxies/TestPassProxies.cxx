@@ -93,8 +93,8 @@ VTK_INDIRECT_TEST(ProxiesAlone)
   view.Renderer->AddLight(light);
   view.Grab();
   const Report none(view.GetPass());
-  CONTRACT_CHECK(none.FindReason("left_out", "indirect light").find("no environment") !=
-      std::string::npos,
+  CONTRACT_CHECK(
+    none.FindReason("left_out", "indirect light").find("no environment") != std::string::npos,
     none.GetText());
 }
 
@@ -153,8 +153,8 @@ VTK_INDIRECT_TEST(ProxiesOfMappers)
 //------------------------------------------------------------------------------
 VTK_INDIRECT_TEST(ProxiesWrongInput)
 {
-  for (const float wrong : { -0.1f, std::numeric_limits<float>::quiet_NaN(),
-         std::numeric_limits<float>::infinity() })
+  for (const float wrong :
+    { -0.1f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity() })
   {
     ProxyView view;
     vtkNew<vtkOpenGLSphereMapper> mapper;
@@ -172,8 +172,7 @@ VTK_INDIRECT_TEST(ProxiesWrongInput)
       view.Grab();
       view.Grab();
       CONTRACT_CHECK(errors.GetCount() == 1, errors.GetText());
-      CONTRACT_CHECK(
-        errors.GetText().find("1 spheres of") != std::string::npos, errors.GetText());
+      CONTRACT_CHECK(errors.GetText().find("1 spheres of") != std::string::npos, errors.GetText());
     }
     CONTRACT_CHECK(view.Proxies->GetNumberOfSpheres() == 3, view.Proxies->GetNumberOfSpheres());
     const Floats left = Read(view.GetPass(), "sky");

@@ -34,8 +34,8 @@ Spheres MakeSpheres(int count, std::uint64_t seed)
   for (int i = 0; i < count; ++i)
   {
     vtkIndirectProxySphere sphere;
-    sphere.Center = glm::dvec3(
-      random.Next(-0.3, 0.3), random.Next(-0.2, 0.2), random.Next(-0.1, 0.1));
+    sphere.Center =
+      glm::dvec3(random.Next(-0.3, 0.3), random.Next(-0.2, 0.2), random.Next(-0.1, 0.1));
     sphere.Radius = random.NextMagnitude(1e-4, 1e-3);
     sphere.Albedo = glm::vec3(random.Next(), 0.5f, 1.0f);
     spheres.push_back(sphere);
@@ -78,8 +78,8 @@ VTK_INDIRECT_TEST(ProxyTreeWeights)
     tree.Build(MakeSpheres(count, static_cast<std::uint64_t>(count)), 0.4, 0.0);
     for (int trial = 0; trial < 40; ++trial)
     {
-      const glm::vec3 place(static_cast<float>(random.NextMagnitude(1e-3, 3.0)) *
-        glm::vec3(random.NextDirection()));
+      const glm::vec3 place(
+        static_cast<float>(random.NextMagnitude(1e-3, 3.0)) * glm::vec3(random.NextDirection()));
       std::vector<double> sums;
       AddWeights(tree.GetEntries(), 0, 0.0, place, sums);
       CheckEqual("spheres below the root", static_cast<double>(sums.size()), count);
@@ -107,8 +107,8 @@ VTK_INDIRECT_TEST(ProxyTreeSkipsNothing)
   double visited = 0.0;
   for (int trial = 0; trial < 60; ++trial)
   {
-    const glm::vec3 place(static_cast<float>(random.NextMagnitude(1e-2, 1.0)) *
-      glm::vec3(random.NextDirection()));
+    const glm::vec3 place(
+      static_cast<float>(random.NextMagnitude(1e-2, 1.0)) * glm::vec3(random.NextDirection()));
     double all = 0.0;
     for (size_t i = 0; i < entries.size(); ++i)
     {
@@ -227,14 +227,14 @@ VTK_INDIRECT_TEST(ProxyShapesOfMeshes)
   vec3 sum(0.0f);
   for (size_t i = 0; i < 4; ++i)
   {
-    sum += vtkiPolygonEdge(vec3(glm::normalize(corners[i] - eye)),
-      vec3(glm::normalize(corners[(i + 1) % 4] - eye)));
+    sum += vtkiPolygonEdge(
+      vec3(glm::normalize(corners[i] - eye)), vec3(glm::normalize(corners[(i + 1) % 4] - eye)));
   }
   const vec4 disk = vtkiPolygonDisk(sum);
   CheckRelative("squared sine of its disk", disk.w * disk.w,
     std::abs(PolygonFormFactor(eye, -normal, corners)), 1e-4, "Lambert's formula");
-  CheckRelative("its direction", std::abs(glm::dot(glm::dvec3(disk.x, disk.y, disk.z), normal)), 1.0,
-    1e-5, "rounding");
+  CheckRelative("its direction", std::abs(glm::dot(glm::dvec3(disk.x, disk.y, disk.z), normal)),
+    1.0, 1e-5, "rounding");
 
   vtkNew<vtkDiskSource> ring;
   ring->SetCircumferentialResolution(40);
@@ -250,8 +250,7 @@ VTK_INDIRECT_TEST(ProxyShapesOfMeshes)
   const std::vector<glm::dvec3>& outline = shape.Polygons.front().Corners;
   for (size_t i = 2; i < outline.size(); ++i)
   {
-    area +=
-      0.5 * glm::length(glm::cross(outline[i - 1] - outline[0], outline[i] - outline[0]));
+    area += 0.5 * glm::length(glm::cross(outline[i - 1] - outline[0], outline[i] - outline[0]));
   }
   CheckRelative("area of eight corners for a hundred", area, 4.0 * vtkMath::Pi(), 2e-3,
     "a polygon of a hundred sides: 1 - 2 pi^2 / 3 / 100^2");
@@ -262,7 +261,8 @@ VTK_INDIRECT_TEST(ProxyLightOfAnEnvironment)
   vtkNew<vtkEnvironmentLight> sky;
   sky->SetRadiance(2.0, 1.0, 0.5);
   const vtkIndirectProxyLight::Coefficients light = vtkIndirectProxyLight::Project(sky);
-  CheckRelative("a uniform sky", light[0].x * VTKI_HARMONICS_Y00, 2.0, 1e-5, "cells tile the sphere");
+  CheckRelative(
+    "a uniform sky", light[0].x * VTKI_HARMONICS_Y00, 2.0, 1e-5, "cells tile the sphere");
   double rest = 0.0;
   for (size_t i = 1; i < light.size(); ++i)
   {
@@ -285,8 +285,7 @@ VTK_INDIRECT_TEST(ProxyLightOfAnEnvironment)
     const double at = vtkiHarmonicsDot(any, vtkiClampedCosine(vec3(n)));
     const double there = vtkiHarmonicsDot(any, vtkiClampedCosine(vec3(near)));
     const vec3 gradient = vtkiIrradianceGradient(any, vec3(n));
-    worst = std::max(
-      worst, std::abs(at + glm::dot(glm::dvec3(gradient), near - n) - there));
+    worst = std::max(worst, std::abs(at + glm::dot(glm::dvec3(gradient), near - n) - there));
     exact = std::max(exact, std::abs(there - at));
   }
   CheckAtMost("irradiance 6 degrees away, by its gradient", worst, 0.003,

@@ -53,8 +53,8 @@ struct vtkIndirectEstimate
   };
   StateType State = FAILED;
 
-  /** Irradiance over Unit, a value for every pixel, or where there is Coarse of mixed cells. Null of
-   * an estimator that sums the sky and nothing else. */
+  /** Irradiance over Unit, a value for every pixel, or where there is Coarse of mixed cells. Null
+   * of an estimator that sums the sky and nothing else. */
   const vtkIndirectTarget* Irradiance = nullptr;
   int IrradianceChannel = 0; // of that
   /**

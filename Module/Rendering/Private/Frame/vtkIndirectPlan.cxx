@@ -67,8 +67,9 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.FindBounces(frame, settings, estimator, circumstances);
   plan.FindUnit(frame, circumstances);
   plan.Shadows = settings.Shadows && plan.Senders == MAPS;
-  const bool sent = estimator.SumsSky ? plan.Sky
-                                      : plan.Senders != NO_SENDERS || plan.SkyBounces || plan.AreaLightsBounce || plan.OtherSamplers;
+  const bool sent = estimator.SumsSky
+    ? plan.Sky
+    : plan.Senders != NO_SENDERS || plan.SkyBounces || plan.AreaLightsBounce || plan.OtherSamplers;
   plan.WhyNoIrradiance = settings.IndirectScale == 0.0 ? "IndirectScale is 0"
     : estimator.SumsSky && !sent                       ? "there is no environment"
     : !sent                                            ? "no light emits anything"
@@ -236,8 +237,8 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
     return;
   }
   this->SkyByEstimator = estimator.SumsSky;
-  this->SkyBounces = !estimator.SumsSky &&
-    (!estimator.ReadsMaps || this->Senders == NO_SENDERS) && !frame.Casters.empty();
+  this->SkyBounces = !estimator.SumsSky && (!estimator.ReadsMaps || this->Senders == NO_SENDERS) &&
+    !frame.Casters.empty();
   if (!this->SkyBounces && !estimator.SumsSky && !frame.Casters.empty())
   {
     this->LeftOut.emplace_back("bounces of light from the sky",
@@ -265,11 +266,11 @@ void vtkIndirectPlan::FindOtherLights(const vtkIndirectFrame& frame,
   const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
   const vtkIndirectCircumstances& circumstances)
 {
-  const bool takes =
-    !estimator.SumsSky && (!estimator.ReadsMaps || this->Senders == NO_SENDERS);
+  const bool takes = !estimator.SumsSky && (!estimator.ReadsMaps || this->Senders == NO_SENDERS);
   const std::string why = estimator.Name +
-    (estimator.SumsSky ? " sums the light of the sky alone; the result is too dark"
-                       : " reads the lights' maps, and nothing beside them; the result is too dark");
+    (estimator.SumsSky
+        ? " sums the light of the sky alone; the result is too dark"
+        : " reads the lights' maps, and nothing beside them; the result is too dark");
   if (estimator.SumsSky && this->Senders != NO_SENDERS)
   {
     this->LeftOut.emplace_back("bounces of lights", why);
@@ -401,7 +402,8 @@ std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) cons
     static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
     static_cast<double>(this->SampledBounces), static_cast<double>(this->WalkedBounces),
     this->ErrorTolerance, this->SenderLobes ? 1.0 : 0.0, this->Refraction ? 1.0 : 0.0,
-    this->SkyByEstimator ? 1.0 : 0.0, this->SkyIsShadowed ? 1.0 : 0.0, this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0, this->AreaLightsBounce ? 1.0 : 0.0,
+    this->SkyByEstimator ? 1.0 : 0.0, this->SkyIsShadowed ? 1.0 : 0.0, this->Sky ? 1.0 : 0.0,
+    this->SkyBounces ? 1.0 : 0.0, this->AreaLightsBounce ? 1.0 : 0.0,
     // Moving frames look fewer maps up.
     this->Interactive && this->Visibility == vtkIndirectVisibilityMaps ? 1.0 : 0.0 };
   frame.AppendTo(key);

@@ -270,8 +270,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const size_t tiles = this->Visibility.GetNumberOfTilesDrawn();
   // The sky's maps share the frame's time.
   const int most = this->Plan.TilesPerFrame;
-  const bool shared =
-    (this->Plan.Sky && !this->Plan.SkyByEstimator && this->Plan.SkyIsShadowed && !this->Sky.IsComplete()) ||
+  const bool shared = (this->Plan.Sky && !this->Plan.SkyByEstimator && this->Plan.SkyIsShadowed &&
+                        !this->Sky.IsComplete()) ||
     (this->Plan.AreaLights && this->Plan.AreaIsShadowed && !this->Area.IsComplete());
   const bool visible = this->Visibility.Update(
     { this->Frame, lights, this->Capture, caching, shared ? most - most / 2 : most }, needs);

@@ -80,8 +80,8 @@ glm::dvec3 vtkIndirectProxyLight::FindNormal(const vtkIndirectProxyPolygon& poly
 
 //------------------------------------------------------------------------------
 // Rows as vtkIndirectProxyBlock.glsl has them.
-void vtkIndirectProxyLight::AddPolygons(std::vector<glm::vec4>& rows,
-  const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean)
+void vtkIndirectProxyLight::AddPolygons(
+  std::vector<glm::vec4>& rows, const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean)
 {
   this->NumberOfPolygons = static_cast<int>(polygons.size());
   for (size_t k = 0; k < polygons.size(); ++k)

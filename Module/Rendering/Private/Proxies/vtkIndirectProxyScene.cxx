@@ -137,8 +137,7 @@ public:
     {
       return this->Plain;
     }
-    const unsigned char* c =
-      this->Colors->GetPointer(i * this->Colors->GetNumberOfComponents());
+    const unsigned char* c = this->Colors->GetPointer(i * this->Colors->GetNumberOfComponents());
     return FindAlbedo(this->Property, glm::dvec3(c[0], c[1], c[2]) / 255.0);
   }
   glm::vec3 GetMean() const
@@ -286,7 +285,8 @@ void vtkIndirectProxyScene::Add(
   }
   if (scaled > 1e-12) // of the scene's diagonal; a smaller one hides nothing
   {
-    this->Spheres.push_back({ place, std::min(scaled, 1e6), part.Sends ? albedo : glm::vec3(0.0f) });
+    this->Spheres.push_back(
+      { place, std::min(scaled, 1e6), part.Sends ? albedo : glm::vec3(0.0f) });
   }
 }
 
@@ -336,7 +336,8 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
 #endif
   if (auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(part.Mapper))
   {
-    ForDataSets(spheres->GetInputDataObject(0, 0), [&](vtkDataSet* data)
+    ForDataSets(spheres->GetInputDataObject(0, 0),
+      [&](vtkDataSet* data)
       { this->AddPoints(part, data, SphereAccess::GetArray(spheres), spheres->GetRadius()); });
     this->Exact += this->Spheres.size() - before;
   }
@@ -397,9 +398,9 @@ void vtkIndirectProxyScene::AddGaussians(const Part& part)
     {
       vtkDataArray* sizes =
         mapper->GetScaleArray() ? data->GetPointData()->GetArray(mapper->GetScaleArray()) : nullptr;
-      const int component = sizes
-        ? std::min(std::max(mapper->GetScaleArrayComponent(), 0), sizes->GetNumberOfComponents() - 1)
-        : 0;
+      const int component = sizes ? std::min(std::max(mapper->GetScaleArrayComponent(), 0),
+                                      sizes->GetNumberOfComponents() - 1)
+                                  : 0;
       const Albedos albedos(mapper, part.Actor->GetProperty(), data);
       for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
       {
@@ -430,8 +431,9 @@ bool vtkIndirectProxyScene::AddGlyphs(const Part& part, vtkDataSet* data)
   for (int i = 0; i < count; ++i)
   {
     vtkPolyData* source = mapper->GetUseSourceTableTree() ? nullptr : mapper->GetSource(i);
-    sources.push_back(
-      source && source->GetNumberOfPoints() > 0 ? &this->Shapes.FindBody(part.Prop, source) : nullptr);
+    sources.push_back(source && source->GetNumberOfPoints() > 0
+        ? &this->Shapes.FindBody(part.Prop, source)
+        : nullptr);
   }
   if (sources.empty())
   {
@@ -439,9 +441,8 @@ bool vtkIndirectProxyScene::AddGlyphs(const Part& part, vtkDataSet* data)
   }
   vtkDataArray* index = mapper->GetSourceIndexing() ? GlyphAccess::GetIndex(mapper, data) : nullptr;
   vtkDataArray* scale = GlyphAccess::GetScale(mapper, data);
-  auto* mask = mapper->GetMasking()
-    ? vtkBitArray::SafeDownCast(GlyphAccess::GetMask(mapper, data))
-    : nullptr;
+  auto* mask =
+    mapper->GetMasking() ? vtkBitArray::SafeDownCast(GlyphAccess::GetMask(mapper, data)) : nullptr;
   const Albedos albedos(mapper, part.Actor->GetProperty(), data);
   const double* range = mapper->GetRange();
   const double width = range[1] != range[0] ? range[1] - range[0] : 1.0;
@@ -456,7 +457,8 @@ bool vtkIndirectProxyScene::AddGlyphs(const Part& part, vtkDataSet* data)
     if (index)
     {
       const double value = vtkMath::Norm(index->GetTuple(i), index->GetNumberOfComponents());
-      number = std::min(std::max(static_cast<int>((value - range[0]) * count / width), 0), count - 1);
+      number =
+        std::min(std::max(static_cast<int>((value - range[0]) * count / width), 0), count - 1);
     }
     const vtkIndirectProxyShapes::Shape* source = sources[static_cast<size_t>(number)];
     if (!source || source->Spheres.size() != 1)

@@ -18,8 +18,8 @@
 
 namespace
 {
-// Points of a sphere lie at its distance within this share of it, and are so many: 8 of a cube would
-// do, too.
+// Points of a sphere lie at its distance within this share of it, and are so many: 8 of a cube
+// would do, too.
 constexpr double Roundness = 1e-3;
 constexpr vtkIdType LeastPoints = 14;
 // Points of a flat mesh lie within this share of its size of their plane.
@@ -28,7 +28,8 @@ constexpr double Flatness = 1e-4;
 // outline so many are chosen and moved outwards until the area is that of all.
 constexpr double MissingArea = 1e-3;
 constexpr size_t MostCorners = 8;
-// Who makes spheres of meshes, in a module that need not be there: it registers itself by that name.
+// Who makes spheres of meshes, in a module that need not be there: it registers itself by that
+// name.
 const char* const FilterName = "vtkSphereProxyFilter";
 
 void ForCells(vtkPolyData* mesh, const std::function<void(vtkIdType, const vtkIdType*)>& call)
@@ -57,7 +58,8 @@ glm::dvec3 GetPoint(vtkPolyData* mesh, vtkIdType i)
 }
 
 // The sphere through points in the sense of least squares: |p|^2 = 2 p c + k about their mean.
-bool FitSphere(vtkPolyData* mesh, const vtkIdType* points, size_t count, vtkIndirectProxySphere& sphere)
+bool FitSphere(
+  vtkPolyData* mesh, const vtkIdType* points, size_t count, vtkIndirectProxySphere& sphere)
 {
   glm::dvec3 mean(0.0);
   for (size_t i = 0; i < count; ++i)
@@ -111,7 +113,8 @@ double FindArea(const std::vector<glm::dvec2>& outline)
 std::vector<glm::dvec2> FindHull(std::vector<glm::dvec2> points)
 {
   std::sort(points.begin(), points.end(),
-    [](const glm::dvec2& a, const glm::dvec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    [](const glm::dvec2& a, const glm::dvec2& b)
+    { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   std::vector<glm::dvec2> hull;
   for (int half = 0; half < 2; ++half)
   {
@@ -216,7 +219,8 @@ bool vtkIndirectProxyShapes::FindPolygon(vtkPolyData* mesh, Shape& shape)
 {
   glm::dvec3 normal(0.0);
   double area = 0.0;
-  auto forTriangles = [mesh](const std::function<void(const glm::dvec3&, const glm::dvec3&, const glm::dvec3&)>& call)
+  auto forTriangles =
+    [mesh](const std::function<void(const glm::dvec3&, const glm::dvec3&, const glm::dvec3&)>& call)
   {
     ForCells(mesh,
       [&](vtkIdType size, const vtkIdType* points)
@@ -244,8 +248,8 @@ bool vtkIndirectProxyShapes::FindPolygon(vtkPolyData* mesh, Shape& shape)
     return false;
   }
   normal /= length;
-  const glm::dvec3 right =
-    glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  const glm::dvec3 right = glm::normalize(
+    glm::cross(normal, std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
   const glm::dvec3 up = glm::cross(normal, right);
   const glm::dvec3 origin = GetPoint(mesh, 0);
   const double size = std::sqrt(area);
@@ -267,7 +271,8 @@ bool vtkIndirectProxyShapes::FindPolygon(vtkPolyData* mesh, Shape& shape)
   }
   std::vector<glm::dvec2> hull = FindHull(std::move(flat));
   const double whole = FindArea(hull);
-  if (hull.size() < 3 || !(area >= (1.0 - MissingArea) * whole) || !(area <= (1.0 + MissingArea) * whole))
+  if (hull.size() < 3 || !(area >= (1.0 - MissingArea) * whole) ||
+    !(area <= (1.0 + MissingArea) * whole))
   {
     return false;
   }
@@ -321,8 +326,7 @@ void vtkIndirectProxyShapes::Fit(Known& known, vtkPolyData* mesh)
     known.Made.Kind = POLYGON;
     return;
   }
-  auto made = vtkSmartPointer<vtkObject>::Take(
-    vtkObjectFactory::CreateInstance(FilterName));
+  auto made = vtkSmartPointer<vtkObject>::Take(vtkObjectFactory::CreateInstance(FilterName));
   known.Filter = vtkPolyDataAlgorithm::SafeDownCast(made);
   if (!known.Filter)
   {
@@ -369,8 +373,7 @@ bool vtkIndirectProxyShapes::Move(Known& known, vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-const vtkIndirectProxyShapes::Shape& vtkIndirectProxyShapes::Find(
-  vtkProp* prop, vtkPolyData* mesh)
+const vtkIndirectProxyShapes::Shape& vtkIndirectProxyShapes::Find(vtkProp* prop, vtkPolyData* mesh)
 {
   Known& known = this->All[{ prop, mesh }];
   known.Used = true;
@@ -380,8 +383,7 @@ const vtkIndirectProxyShapes::Shape& vtkIndirectProxyShapes::Find(
   {
     return known.Made;
   }
-  if (known.Filter && known.CellsTime == cells &&
-    known.NumberOfPoints == mesh->GetNumberOfPoints())
+  if (known.Filter && known.CellsTime == cells && known.NumberOfPoints == mesh->GetNumberOfPoints())
   {
     this->Move(known, mesh);
   }

@@ -55,7 +55,8 @@ const vtkIndirectChannel BlocksChannels[] = {
 };
 const vtkIndirectChannel SendersChannels[] = {
   { "proxies.sender", "vtkiSenderPlace", "place, radius", GL_RGBA32F, "scene", "scene units" },
-  { "proxies.facing", "vtkiSenderNormal", "normal, whether there is one", GL_RGBA32F, "scene", "1" },
+  { "proxies.facing", "vtkiSenderNormal", "normal, whether there is one", GL_RGBA32F, "scene",
+    "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 const vtkIndirectChannel RangesChannels[] = {
@@ -177,7 +178,8 @@ bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndire
     const float* const first = &vtkIndirectProxyTable[0][0];
     this->Table.Write(0, std::vector<float>(first, first + 4 * vtkIndirectProxyEntries));
   }
-  // Senders of the tree are followed by those of polygons, then, from another row on, by the means of both.
+  // Senders of the tree are followed by those of polygons, then, from another row on, by the means
+  // of both.
   const int trees = static_cast<int>(tree.GetSenders().size());
   this->NumberOfSenders = trees + 2 * PlacesOfPolygon * static_cast<int>(this->Polygons.size());
   const int added = RowLength * FindRows(static_cast<size_t>(this->NumberOfSenders)) - trees;
@@ -222,8 +224,8 @@ bool vtkIndirectProxySums::UpdateSenders(
   }
   for (const vtkIndirectProxyTree::Mean& mean : tree.GetMeans())
   {
-    Append(
-      ranges, glm::vec3(static_cast<float>(mean.First), static_cast<float>(mean.Count), 0.0f), 0.0f);
+    Append(ranges, glm::vec3(static_cast<float>(mean.First), static_cast<float>(mean.Count), 0.0f),
+      0.0f);
   }
   this->FirstPolygonMean = RowLength * FindRows(static_cast<size_t>(this->NumberOfSenders)) +
     static_cast<int>(tree.GetMeans().size());
@@ -244,8 +246,8 @@ bool vtkIndirectProxySums::UpdateSenders(
         Append(places, glm::vec3(0.5 * (middle + polygon.Corners[corner])), 0.0f);
         Append(normals, glm::vec3(side * normal), 1.0f);
       }
-      Append(ranges,
-        glm::vec3(static_cast<float>(next), static_cast<float>(PlacesOfPolygon), 0.0f), 0.0f);
+      Append(ranges, glm::vec3(static_cast<float>(next), static_cast<float>(PlacesOfPolygon), 0.0f),
+        0.0f);
       next += PlacesOfPolygon;
     }
   }
@@ -267,8 +269,8 @@ bool vtkIndirectProxySums::UpdateSenders(
 void vtkIndirectProxySums::SetEnvironment(
   vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment)
 {
-  const bool changed = this->Light.Update(
-    window, environment, this->Polygons, this->FirstPolygonMean, this->Changed);
+  const bool changed =
+    this->Light.Update(window, environment, this->Polygons, this->FirstPolygonMean, this->Changed);
   this->SendersAreLit = this->SendersAreLit && !changed;
   this->Changed = false;
 }
@@ -464,7 +466,8 @@ bool vtkIndirectProxySums::SumInTiles(
 {
 #ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
-  this->Tiles[mode].SetDefinitions(definitions + (this->HasGroups ? "#define VTKI_PROXY_TREE\n" : "") +
+  this->Tiles[mode].SetDefinitions(definitions +
+    (this->HasGroups ? "#define VTKI_PROXY_TREE\n" : "") +
     (mode == PIXELS || mode == REST ? "#define VTKI_PROXY_PIXELS\n" : "") +
     (mode == REST ? "#define VTKI_PROXY_REST\n" : ""));
   vtkShaderProgram* program = this->Tiles[mode].Use(frame.Window);
@@ -473,8 +476,11 @@ bool vtkIndirectProxySums::SumInTiles(
     return false;
   }
   this->Activate(input, program);
-  const int senders[2] = { (this->NumberOfSenders + RowLength - 1) / RowLength * TileSize, TileSize };
-  const int* const size = mode == COARSE ? this->CoarseSize : mode == SENDERS ? senders : frame.Size;
+  const int senders[2] = { (this->NumberOfSenders + RowLength - 1) / RowLength * TileSize,
+    TileSize };
+  const int* const size = mode == COARSE ? this->CoarseSize
+    : mode == SENDERS                    ? senders
+                                         : frame.Size;
   auto bind = [&](bool binds)
   {
     for (int i = 0; i < image.GetNumberOfChannels(); ++i)
@@ -563,8 +569,8 @@ bool vtkIndirectProxySums::SumBlended(
   }
   const bool coarse = input.Step > 1;
   vtkIndirectTarget& target = coarse ? this->Coarse : image;
-  vtkShaderProgram* program = this->Resolving.Use(
-    frame.Window, definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n"));
+  vtkShaderProgram* program =
+    this->Resolving.Use(frame.Window, definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n"));
   if (!program)
   {
     return false;
@@ -586,8 +592,8 @@ bool vtkIndirectProxySums::SumBlended(
 bool vtkIndirectProxySums::Upsample(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
-  vtkShaderProgram* program = this->Upsampling.Use(input.Frame.Window,
-    definitions + "#define VTKI_STEP " + std::to_string(input.Step) + "\n");
+  vtkShaderProgram* program = this->Upsampling.Use(
+    input.Frame.Window, definitions + "#define VTKI_STEP " + std::to_string(input.Step) + "\n");
   if (!program)
   {
     return false;
@@ -609,9 +615,8 @@ bool vtkIndirectProxySums::Upsample(
 size_t vtkIndirectProxySums::GetBytes() const
 {
   size_t bytes = this->Mesh.GetBytes() + this->Light.GetBytes() + this->Rest.GetBytes();
-  for (const vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
-      &this->AllLight, &this->Coarse, &this->Blended })
+  for (const vtkIndirectTarget* target : { &this->Table, &this->Rows, &this->Blocks, &this->Senders,
+         &this->Ranges, &this->SenderLight, &this->AllLight, &this->Coarse, &this->Blended })
   {
     bytes += target->GetBytes();
   }
@@ -621,9 +626,8 @@ size_t vtkIndirectProxySums::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkIndirectProxySums::Release(vtkWindow* window)
 {
-  for (vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
-      &this->AllLight, &this->Coarse, &this->Blended })
+  for (vtkIndirectTarget* target : { &this->Table, &this->Rows, &this->Blocks, &this->Senders,
+         &this->Ranges, &this->SenderLight, &this->AllLight, &this->Coarse, &this->Blended })
   {
     target->Release(window);
   }

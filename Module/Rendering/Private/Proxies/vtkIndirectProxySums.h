@@ -44,9 +44,9 @@ public:
   void SetEnvironment(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment);
 
   /**
-   * Fills an image of the frame's size, of RGBA32F: irradiance of the sky and, in a second channel if it has
-   * that, of what proxies send. Within a vtkIndirectFullScreenState. Returns false when a program
-   * does not compile.
+   * Fills an image of the frame's size, of RGBA32F: irradiance of the sky and, in a second channel
+   * if it has that, of what proxies send. Within a vtkIndirectFullScreenState. Returns false when a
+   * program does not compile.
    */
   bool Sum(const Input& input, vtkIndirectTarget& image);
 
@@ -61,8 +61,7 @@ private:
   bool SumInTiles(
     const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode);
   bool ListRest(const Input& input, vtkIndirectTarget& image);
-  bool SumBlended(
-    const Input& input, const std::string& definitions, vtkIndirectTarget& image);
+  bool SumBlended(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
   bool Splat(const Input& input, const std::string& definitions);
   bool Upsample(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
 
@@ -82,7 +81,7 @@ private:
   vtkIndirectTarget Senders;
   vtkIndirectTarget Ranges;      // of means
   vtkIndirectTarget SenderLight; // what falls on them
-  vtkIndirectTarget AllLight; // the same, and means of it
+  vtkIndirectTarget AllLight;    // the same, and means of it
   vtkIndirectTarget Coarse;
   vtkIndirectTarget Blended; // sums
   vtkIndirectSplatMesh Mesh;

@@ -10,8 +10,9 @@ namespace
 {
 // Groups of more than that come first, so that blocks of the others are near to each other.
 constexpr size_t LargeGroup = 64;
-// Spheres whose light is found together.
-constexpr size_t SpheresOfSender = 4;
+// Spheres whose light is found together: so many, or more where else there would be more senders.
+constexpr size_t LeastOfSender = 4;
+constexpr size_t MostSenders = 4096;
 // Everywhere, in scene units, whose square and cube are floats still.
 constexpr double Everywhere = 1e8;
 // Sums of r^2, r^2 center, r^2 (center^2 + 3/5 r^2), r^2 albedo.
@@ -38,9 +39,9 @@ void vtkIndirectProxyTree::Build(
     {
       const glm::vec3 center(sphere.Center);
       const double outer = reach > 0.0 ? std::min(reach * sphere.Radius, Everywhere) : Everywhere;
-      this->Entries.push_back({ center, static_cast<float>(sphere.Radius), center,
-        static_cast<float>(outer), sphere.Albedo, 1.0f, 0.0f,
-        static_cast<int>(this->Senders.size()), 0, 0 });
+      this->Entries.push_back(
+        { center, static_cast<float>(sphere.Radius), center, static_cast<float>(outer),
+          sphere.Albedo, 1.0f, 0.0f, static_cast<int>(this->Senders.size()), 0, 0 });
       this->Senders.push_back({ center, static_cast<float>(sphere.Radius) });
     }
     for (size_t i = 0; i < this->Entries.size(); ++i)
@@ -60,11 +61,13 @@ void vtkIndirectProxyTree::Build(
   double moments[NumberOfMoments];
   const size_t root = this->MakeNode(spheres, 0, spheres.size(), angle, moments);
   this->Entries.reserve(this->Nodes.size());
+  this->SpheresOfSender = std::max(LeastOfSender, spheres.size() / MostSenders);
   this->AddSenders(root, -1);
   for (Node& node : this->Nodes)
   {
     // Means come after all senders.
-    node.Sender = node.Sender < 0 ? static_cast<int>(this->Senders.size()) - 1 - node.Sender : node.Sender;
+    node.Sender =
+      node.Sender < 0 ? static_cast<int>(this->Senders.size()) - 1 - node.Sender : node.Sender;
   }
   this->AddLarge(root, nullptr);
   for (const auto& small : this->Small)
@@ -198,8 +201,7 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
     const Node& child = this->Nodes[node.Children[i]];
     largest = std::max(largest, glm::length(child.Center - node.Center) + child.Radius);
   }
-  const double spread =
-    s > 0.0 ? (moments[4] / s - glm::dot(node.Center, node.Center)) / 0.6 : 0.0;
+  const double spread = s > 0.0 ? (moments[4] / s - glm::dot(node.Center, node.Center)) / 0.6 : 0.0;
   // What cancels in it is small beside the squared distance from the origin, which is of order one.
   node.Radius = std::min(std::sqrt(std::max(spread, 1e-4 * largest * largest)), largest);
   const double depth = node.Radius > 0.0 ? s / (node.Radius * node.Radius) : 0.0;
@@ -210,7 +212,8 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
   {
     const Node& child = this->Nodes[node.Children[i]];
     node.Inner = std::max(node.Inner,
-      (child.Inner + glm::length(child.Center - node.Center)) / vtkIndirectKernels::VTKI_PROXY_BAND);
+      (child.Inner + glm::length(child.Center - node.Center)) /
+        vtkIndirectKernels::VTKI_PROXY_BAND);
   }
   this->Nodes[number] = node;
   return number;
@@ -221,7 +224,7 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
 void vtkIndirectProxyTree::AddSenders(size_t number, int own)
 {
   Node& node = this->Nodes[number];
-  if (own < 0 && node.NumberOfSpheres <= SpheresOfSender)
+  if (own < 0 && node.NumberOfSpheres <= this->SpheresOfSender)
   {
     own = static_cast<int>(this->Senders.size());
     this->Senders.push_back({ glm::vec3(node.Center), static_cast<float>(node.Radius) });
@@ -250,11 +253,11 @@ void vtkIndirectProxyTree::AddEntry(size_t number, const Node* parent)
   Node& node = this->Nodes[number];
   const glm::vec3 center(node.Center);
   node.Entry = static_cast<int>(this->Entries.size());
-  this->Entries.push_back({ center, static_cast<float>(node.Radius),
-    parent ? glm::vec3(parent->Center) : center,
-    static_cast<float>(parent ? std::min(parent->Inner, Everywhere) : Everywhere),
-    glm::vec3(node.Albedo), static_cast<float>(node.Share),
-    static_cast<float>(std::min(node.Inner, Everywhere)), node.Sender, -1, -1 });
+  this->Entries.push_back(
+    { center, static_cast<float>(node.Radius), parent ? glm::vec3(parent->Center) : center,
+      static_cast<float>(parent ? std::min(parent->Inner, Everywhere) : Everywhere),
+      glm::vec3(node.Albedo), static_cast<float>(node.Share),
+      static_cast<float>(std::min(node.Inner, Everywhere)), node.Sender, -1, -1 });
 }
 
 //------------------------------------------------------------------------------

@@ -4,8 +4,9 @@
 // "Real-time soft shadows in dynamic scenes using spherical harmonic exponentiation".
 //
 // A group's sphere has the second moment of its spheres' cross sections, those of a ball; it hides
-// the share 1 - e^(-t) of its disk, t the sum of the cross sections over its own, as of spheres that
-// lie at random in it. Sums of logarithms hide twice what lies behind each other; a group does not.
+// the share 1 - e^(-t) of its disk, t the sum of the cross sections over its own, as of spheres
+// that lie at random in it. Sums of logarithms hide twice what lies behind each other; a group does
+// not.
 //
 // Every entry says itself where it counts: within `Outer` of its parent's centre, where the parent
 // is too near to stand for it, and beyond `Inner` of its own. Both change over smoothly, and over
@@ -31,9 +32,9 @@ public:
     glm::vec3 Albedo;
     float Share; // of the light that its disk hides
     float Inner; // the same the other way round: nothing of it counts well within; 0: it does
-    int Sender;  // whose light it sends: a place among the senders, or from there on among the means
-    int Next;    // the entry after it and all below it; -1: none
-    int First;   // the first below it, or Next
+    int Sender; // whose light it sends: a place among the senders, or from there on among the means
+    int Next;   // the entry after it and all below it; -1: none
+    int First;  // the first below it, or Next
   };
   /** Spheres that are close to each other, whose light is found once. */
   struct Sender
@@ -85,8 +86,8 @@ private:
 
   size_t MakeNode(const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end,
     double angle, double* moments);
-  size_t FindHolding(const std::vector<vtkIndirectProxySphere>& spheres, size_t first,
-    size_t end) const;
+  size_t FindHolding(
+    const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end) const;
   void Split(const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end);
   void AddSenders(size_t node, int own);
   void AddEntry(size_t node, const Node* parent);
@@ -95,6 +96,7 @@ private:
   void MakeBlocks();
 
   std::vector<size_t> Order; // of the spheres
+  size_t SpheresOfSender = 4;
   std::vector<Node> Nodes;
   std::vector<std::pair<size_t, const Node*>> Small; // and their parents
   std::vector<Entry> Entries;
