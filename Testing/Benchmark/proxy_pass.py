@@ -391,7 +391,10 @@ def times() -> None:
         "maps, with a bounce": with_maps(Moving(spheres, size)),
     }
     found = in_turn(kinds)
-    print("| frame | processor ms | frame over UseSSAO's | added over UseSSAO's |\n|---|---:|---:|---:|")
+    print(
+        "| frame | processor ms | frame over UseSSAO's | added over UseSSAO's |\n"
+        "|---|---:|---:|---:|"
+    )
     for name, spent in found.items():
         added = (spent - found["vtk"]) / (found["UseSSAO"] - found["vtk"])
         print(f"| {name} | {spent:.0f} | {spent / found['UseSSAO']:.2f} | {added:.2f} |")

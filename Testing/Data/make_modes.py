@@ -52,8 +52,8 @@ def find_modes(places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     squared = (apart**2).sum(axis=-1)
     near = (squared < REACH**2) & (squared > 0.0)
     hessian = np.zeros((count, 3, count, 3))
-    blocks = -apart[..., :, None] * apart[..., None, :] / np.where(near, squared, 1.0)[..., None, None]
-    blocks *= near[..., None, None]
+    strength = near / np.where(near, squared, 1.0)
+    blocks = -apart[..., :, None] * apart[..., None, :] * strength[..., None, None]
     for i in range(count):
         hessian[i, :, :, :] = blocks[i].transpose(1, 0, 2)
         hessian[i, :, i, :] = -blocks[i].sum(axis=0)

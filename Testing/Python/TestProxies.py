@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Spheres and simplified meshes from Python: what they say of themselves, motion, errors, the page."""
+"""Spheres, simplified meshes and sums over spheres: what they say of themselves, motion, the page."""
 
 import unittest
 
