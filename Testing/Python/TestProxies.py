@@ -211,7 +211,7 @@ class ProxyPass(unittest.TestCase):
         own = vars(vtkindirect.vtkProxyAccumulationPass)
         names = {what[3:] for what in own if what[:3] == "Get" and f"Set{what[3:]}" in own}
         self.assertGreater(len(names), 5)
-        for what in names:
+        for what in names - {"Proxies"}:  # of a prop
             self.assertIn(f"`{what}`", text)
 
     def test_sweep_has_rows(self) -> None:
