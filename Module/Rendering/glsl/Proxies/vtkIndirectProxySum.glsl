@@ -172,12 +172,14 @@ void vtkiAddPolygons(
     vec4 plane = vtkiProxyRows[row];
     vec4 albedo = vtkiProxyRows[row + 1];
     int corners = int(plane.w);
-    float height = dot(plane.xyz, position - vtkiProxyRows[row + 2].xyz);
+    // Off its surface, so that in a crease with the polygon it is on that side of it that it faces.
+    vec3 place = position + (2.0e-4f * albedo.w + 1.0e-6f) * normal;
+    float height = dot(plane.xyz, place - vtkiProxyRows[row + 2].xyz);
     vec3 sum = vec3(0.0f);
-    vec3 before = normalize(vtkiProxyRows[row + 1 + corners].xyz - position);
+    vec3 before = normalize(vtkiProxyRows[row + 1 + corners].xyz - place);
     for (int k = 0; k < corners; ++k)
     {
-      vec3 next = normalize(vtkiProxyRows[row + 2 + k].xyz - position);
+      vec3 next = normalize(vtkiProxyRows[row + 2 + k].xyz - place);
       sum += vtkiPolygonEdge(before, next);
       before = next;
     }
@@ -186,7 +188,7 @@ void vtkiAddPolygons(
     sum = dot(sum, side) > 0.0f ? -sum : sum;
     vec4 disk = vtkiPolygonDisk(sum);
     // Of what is below the receiver only what order 4 lets ring into the upper half would count.
-    bool own = abs(height) < 1.0e-4f * albedo.w + 1.0e-6f;
+    bool own = abs(height) < 4.0e-4f * albedo.w + 2.0e-6f && abs(dot(plane.xyz, normal)) > 0.9f;
     bool below = dot(disk.xyz, normal) < -0.9999f * max(disk.w, 1.0e-6f);
     if (!own && !below && disk.w > 0.0f)
     {
