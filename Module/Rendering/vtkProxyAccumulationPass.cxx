@@ -250,7 +250,8 @@ void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
             vtkIndirectReport::Number(this->Settings.GroupAngle) + " or less as one"
                              : "each sphere within " +
             vtkIndirectReport::Number(this->Settings.InfluenceScale) + " radii") +
-      (step > 1 ? ", at every " + std::to_string(step) + "th pixel" : ", at every pixel"));
+      (step > 1 ? ", a receiver in " + std::to_string(step * step) + " pixels"
+                : ", at every pixel"));
   if (this->Settings.IndirectLight == OFF)
   {
     report.LeftOut.emplace_back("bounces of light from the sky", "IndirectLight is off");
