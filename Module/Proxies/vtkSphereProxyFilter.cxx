@@ -16,11 +16,17 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkVersion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
+
+// Newer VTK has const methods where 9.1 has none.
+#ifndef VTK_FUTURE_CONST
+#define VTK_FUTURE_CONST
+#endif
 
 vtkStandardNewMacro(vtkSphereProxyFilter);
 
@@ -41,6 +47,32 @@ vtkDoubleArray* AddArray(vtkPointData* data, const char* name, int components, v
   data->AddArray(array);
   return array;
 }
+
+// Makes the filter by its name, for those who use it where it is loaded and need not be linked to
+// it, such as vtkProxyAccumulationPass.
+class Factory : public vtkObjectFactory
+{
+public:
+  static Factory* New();
+  vtkTypeMacro(Factory, vtkObjectFactory);
+  const char* GetVTKSourceVersion() VTK_FUTURE_CONST override { return VTK_SOURCE_VERSION; }
+  const char* GetDescription() VTK_FUTURE_CONST override { return "Spheres that stand for meshes"; }
+
+protected:
+  Factory()
+  {
+    this->RegisterOverride("vtkSphereProxyFilter", "vtkSphereProxyFilter", "spheres of a mesh", 1,
+      []() -> vtkObject* { return vtkSphereProxyFilter::New(); });
+  }
+};
+vtkStandardNewMacro(Factory);
+
+const bool IsRegistered = []()
+{
+  vtkNew<Factory> factory;
+  vtkObjectFactory::RegisterFactory(factory);
+  return true;
+}();
 }
 
 struct vtkSphereProxyFilter::Fitted

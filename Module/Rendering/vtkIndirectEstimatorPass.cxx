@@ -104,6 +104,7 @@ vtkIndirectAbilities vtkIndirectEstimatorPass::GetAbilities(double tolerance) co
   abilities.TakesLightMaps = this->TakesLightMaps();
   abilities.IgnoresVisibility = this->IgnoresVisibility();
   abilities.ReadsMaps = this->ReadsMaps();
+  abilities.SumsSky = this->SumsSky();
   abilities.ErrorTolerance = this->FindErrorTolerance(tolerance);
   return abilities;
 }

@@ -116,6 +116,12 @@ public:
   {
     return false;
   }
+  /** Whether it sums the sky and what surfaces send of its light itself, and no lights: its
+   * estimate has a Sky. Default: no. */
+  virtual bool SumsSky() const
+  {
+    return false;
+  }
   /** What it needs of the visibility stage. Default: what the plan has chosen. */
   virtual vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const;
   /**

@@ -61,6 +61,8 @@ CASES = [
     Case("DemoProtein", "protein"),
     Case("DemoBrain", "brain"),
     # Scenes that tests and benchmarks use, by each method.
+    Case("SceneStatueProxies", "sky_statue", method="proxies", sampler=None, buffers=("final", "sky", "bounce")),
+    Case("SceneProteinProxies", "protein", (160, 120), "proxies", None, {"environment": (1.0, 1.0, 1.0), "lighting": "scene"}),
     Case("SceneCornellBox", "cornell_box", (128, 128), turn=(4, 3)),
     Case("SceneCornellBoxAuto", "cornell_box", (128, 128), "auto", None, turn=(4, 3)),
     Case("SceneCornellBoxOff", "cornell_box", (128, 128), "off", None, buffers=(), turn=(4, 3)),

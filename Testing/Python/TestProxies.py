@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Spheres and simplified meshes from Python: what they say of themselves, motion, errors, the page."""
+"""Spheres, simplified meshes and sums over spheres: what they say of themselves, motion, the page."""
 
 import unittest
 
@@ -7,11 +7,12 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 import support
 import vtkindirect
-from vtkindirect import wrapped
+from vtkindirect import settings, sweep, wrapped
 
 PAGE = support.SOURCE / "Documentation" / "methods" / "sphere-proxies.md"
 MEASURES = (
@@ -107,6 +108,116 @@ class Proxies(unittest.TestCase):
                 self.assertIn(f"`{what}`", text)
         for name in MEASURES:
             self.assertIn(f"`{name}`", text)
+
+
+@unittest.skipUnless(wrapped.has("vtkProxyAccumulationPass"), "vtkProxyAccumulationPass not built")
+class ProxyPass(unittest.TestCase):
+    def open(self, mesh: vtkPolyData) -> tuple[vtkRenderer, vtkActor]:
+        renderer = vtkRenderer()
+        renderer.AutomaticLightCreationOff()
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-6.0, -6.0, -2.5)
+        plane.SetPoint1(6.0, -6.0, -2.5)
+        plane.SetPoint2(-6.0, 6.0, -2.5)
+        plane.Update()
+        actors = []
+        for data in (plane.GetOutput(), mesh):
+            mapper = vtkPolyDataMapper()
+            mapper.SetInputData(data)
+            actors.append(vtkActor())
+            actors[-1].SetMapper(mapper)
+            renderer.AddActor(actors[-1])
+        renderer.GetActiveCamera().SetPosition(0.0, -12.0, 14.0)
+        renderer.ResetCamera()
+        renderer.GetActiveCamera().Zoom(2.0)
+        self.window = vtkindirect.render_window((96, 72))
+        self.window.AddRenderer(renderer)
+        self.addCleanup(self.window.Finalize)
+        return renderer, actors[1]
+
+    def test_properties(self) -> None:
+        proxies = vtkindirect.vtkProxyAccumulationPass()
+        self.assertEqual(proxies.GetMethodName(), "proxies")
+        self.assertEqual(proxies.GetReceiverStep(), 0)
+        self.assertTrue(proxies.GetGroups())
+        self.assertAlmostEqual(proxies.GetGroupAngle(), 0.4)
+        self.assertEqual(proxies.GetIndirectLight(), proxies.SHADOWED)
+        for asked, given in ((0.0, 0.05), (3.0, 1.0)):
+            proxies.SetGroupAngle(asked)
+            self.assertEqual(proxies.GetGroupAngle(), given)
+        proxies.SetReceiverStep(99)
+        self.assertEqual(proxies.GetReceiverStep(), 16)
+        settings.apply([proxies], {"IndirectLight": "averaged"})
+        self.assertEqual(proxies.GetIndirectLight(), proxies.AVERAGED)
+
+    @unittest.skipUnless(wrapped.has("vtkSphereProxyFilter"), "vtkIndirectProxies was not built")
+    def test_a_mesh_gets_spheres_by_itself(self) -> None:
+        renderer, actor = self.open(ellipsoid())
+        indirect = vtkindirect.enable(renderer, "proxies", environment=(1.0, 1.0, 1.0))
+        self.window.Render()
+        proxies = indirect.GetEstimator()
+        spheres = proxies.GetNumberOfSpheres()
+        self.assertGreater(spheres, 100)
+        self.assertLessEqual(spheres, 256)
+        self.assertEqual(proxies.GetNumberOfPolygons(), 1)
+        sky = vtkindirect.copy_buffer(renderer, "sky")
+        normal = vtkindirect.copy_buffer(renderer, "normal")
+        # Spheres that stand for the surface itself hide little of what it sees: of its upper half
+        # nothing else hides much.
+        top = (normal[..., 2] > 0.5) & (normal[..., 2] < 0.9999)
+        self.assertGreater(top.sum(), 40)
+        self.assertGreater(sky[top].mean(), 0.85)
+        # They move with the actor; nothing is fitted again, or this would take seconds.
+        ground = normal[..., 2] > 0.9999
+        actor.SetPosition(2.0, 0.0, 0.0)
+        self.window.Render()
+        moved_sky = vtkindirect.copy_buffer(renderer, "sky")
+        self.assertGreater(np.abs(moved_sky - sky)[ground].max(), 0.04)
+        self.assertEqual(proxies.GetNumberOfSpheres(), spheres)
+        # And with its points.
+        actor.SetPosition(0.0, 0.0, 0.0)
+        data = actor.GetMapper().GetInput()
+        data.SetPoints(moved(data, np.eye(3), np.array((2.0, 0.0, 0.0))).GetPoints())
+        self.window.Render()
+        np.testing.assert_allclose(
+            vtkindirect.copy_buffer(renderer, "sky"), moved_sky, atol=0.02
+        )
+        self.assertEqual(proxies.GetNumberOfSpheres(), spheres)
+
+    def test_given_spheres_and_the_report(self) -> None:
+        renderer, actor = self.open(ellipsoid())
+        indirect = vtkindirect.enable(renderer, "proxies", environment=(1.0, 1.0, 1.0))
+        proxies = indirect.GetEstimator()
+        given = vtkPolyData()
+        points = vtkPoints()
+        points.InsertNextPoint(0.0, 0.0, 0.0)
+        given.SetPoints(points)
+        radii = numpy_to_vtk(np.array((0.5,)), deep=True)
+        radii.SetName("Radius")
+        given.GetPointData().AddArray(radii)
+        proxies.SetProxies(actor, given)
+        self.window.Render()
+        self.assertEqual(proxies.GetNumberOfSpheres(), 1)
+        report = vtkindirect.report(renderer)
+        self.assertEqual(report["method"], "proxies")
+        said = {entry["what"]: entry["why"] for entry in report["modelled"]}
+        self.assertIn("1 spheres of meshes, 1 flat polygons", said["what hides the sky"])
+        self.assertIn("order 4", said["light from the sky"])
+        proxies.RemoveAllProxies()
+        self.assertIsNone(proxies.GetProxies(actor))
+
+    def test_every_property_is_on_the_page(self) -> None:
+        text = PAGE.read_text(encoding="utf-8")
+        own = vars(vtkindirect.vtkProxyAccumulationPass)
+        names = {what[3:] for what in own if what[:3] == "Get" and f"Set{what[3:]}" in own}
+        self.assertGreater(len(names), 5)
+        for what in names - {"Proxies"}:  # of a prop
+            self.assertIn(f"`{what}`", text)
+
+    def test_sweep_has_rows(self) -> None:
+        path = support.SOURCE / "Testing" / "Benchmark" / "sky.json"
+        rows = [row for row in sweep.load(path).rows if row.method == "proxies"]
+        self.assertGreaterEqual(len(rows), 1)
 
 
 if __name__ == "__main__":

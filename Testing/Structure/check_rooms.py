@@ -47,6 +47,7 @@ PUBLIC = {
     "vtkIndirectSplattingPass": "Splatting",
     "vtkMultiresolutionSplattingPass": "Multiresolution",
     "vtkRadianceHintsPass": "RadianceHints",
+    "vtkProxyAccumulationPass": "Proxies",
     # What a user puts on a renderer: above all rooms.
     "vtkIndirectEstimatorPass": "",
     "vtkIndirectIlluminationPass": "",
@@ -58,6 +59,7 @@ MAY_NAME_ESTIMATORS = {
     "vtkIndirectSplattingPass",
     "vtkMultiresolutionSplattingPass",
     "vtkRadianceHintsPass",
+    "vtkProxyAccumulationPass",
     "vtkIndirectPipeline",
 }
 

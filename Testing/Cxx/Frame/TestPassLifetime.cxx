@@ -9,9 +9,11 @@
 #include "vtk_glew.h"
 #endif
 
+#include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
+#include "vtkProxyAccumulationPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
 #include "vtkRenderWindow.h"
@@ -92,12 +94,13 @@ double GetResidentMegabytes()
 //------------------------------------------------------------------------------
 namespace
 {
-void CheckToggle(vtkIndirectEstimatorPass* estimator)
+void CheckToggle(vtkIndirectEstimatorPass* estimator, vtkEnvironmentLight* environment = nullptr)
 {
   View view(160, 120);
   AddRoom(view.Renderer);
   vtkNew<vtkIndirectIlluminationPass> pass;
   pass->SetEstimator(estimator);
+  pass->SetEnvironment(environment);
   Names first[2];
   Pixels pictures[2];
   double memory = 0.0;
@@ -153,6 +156,19 @@ VTK_INDIRECT_TEST(ToggleSplatting)
   {
     setenv("VTK_INDIRECT_PATHS", paths, 1);
     CheckToggle(splatting);
+  }
+  unsetenv("VTK_INDIRECT_PATHS");
+}
+
+//------------------------------------------------------------------------------
+VTK_INDIRECT_TEST(ToggleProxies)
+{
+  vtkNew<vtkEnvironmentLight> sky;
+  for (const char* paths : { "splats=blend", "splats=tiles" })
+  {
+    setenv("VTK_INDIRECT_PATHS", paths, 1);
+    vtkNew<vtkProxyAccumulationPass> proxies;
+    CheckToggle(proxies, sky);
   }
   unsetenv("VTK_INDIRECT_PATHS");
 }

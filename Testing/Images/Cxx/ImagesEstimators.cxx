@@ -5,19 +5,31 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkCylinderSource.h"
+#include "vtkEnvironmentLight.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkImportanceLightSampler.h"
+#include "vtkOpenGLSphereMapper.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProxyAccumulationPass.h"
 
 #include "vtkIndirectSplattingPass.h"
 #include "vtkLight.h"
 #include "vtkLightTreeSampler.h"
 #include "vtkMultiresolutionSplattingPass.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRSMReferencePass.h"
 #include "vtkRadianceHintsPass.h"
 #include "vtkRandomWalkLightSampler.h"
+
+#include <cmath>
 
 namespace
 {
@@ -37,6 +49,64 @@ VTK_INDIRECT_IMAGE(EstimatorAllTexels)
   images::AddRoom(picture);
   picture.Pass->SetReflectiveShadowMapResolution(64);
   picture.Gather->SetModeToAllTexels();
+}
+
+// Particles over a ground under a sky that is bright on one side: soft shadows away from it, and
+// colour on the ground.
+VTK_INDIRECT_IMAGE(EstimatorProxies)
+{
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> sizes;
+  sizes->SetName("size");
+  vtkNew<vtkCellArray> cells;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double turn = 2.399963 * i;
+    const vtkIdType id = points->InsertNextPoint(0.11 * std::sqrt(i) * std::cos(turn),
+      0.1 + 0.07 * (i % 7), 0.11 * std::sqrt(i) * std::sin(turn));
+    sizes->InsertNextValue(0.05f + 0.012f * static_cast<float>(i % 5));
+    cells->InsertNextCell(1, &id);
+  }
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  data->GetPointData()->AddArray(sizes);
+  vtkNew<vtkOpenGLSphereMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetScaleArray("size");
+  vtkNew<vtkActor> spheres;
+  spheres->SetMapper(mapper);
+  spheres->GetProperty()->SetColor(0.95, 0.45, 0.2);
+  picture.Renderer->AddActor(spheres);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-2.5, 0.0, 2.5);
+  plane->SetPoint1(2.5, 0.0, 2.5);
+  plane->SetPoint2(-2.5, 0.0, -2.5);
+  vtkNew<vtkPolyDataMapper> flat;
+  flat->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkActor> ground;
+  ground->SetMapper(flat);
+  ground->GetProperty()->SetColor(0.8, 0.8, 0.8);
+  picture.Renderer->AddActor(ground);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(16, 8, 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  auto* radiance = static_cast<float*>(image->GetScalarPointer());
+  for (int i = 0; i < 3 * 16 * 8; ++i)
+  {
+    radiance[i] = i / 3 % 16 < 8 ? 1.4f : 0.4f;
+  }
+  vtkNew<vtkEnvironmentLight> sky;
+  sky->SetImage(image);
+  picture.Pass->SetEnvironment(sky);
+  vtkNew<vtkProxyAccumulationPass> proxies;
+  picture.Pass->SetEstimator(proxies);
+  picture.Renderer->AutomaticLightCreationOff();
+  vtkCamera* camera = picture.Renderer->GetActiveCamera();
+  camera->SetPosition(0.3, 2.2, 3.2);
+  camera->SetFocalPoint(0.0, 0.1, 0.0);
+  camera->SetViewAngle(36.0);
+  picture.Renderer->ResetCameraClippingRange();
 }
 
 VTK_INDIRECT_IMAGE(EstimatorVirtualLights)

@@ -107,7 +107,7 @@ struct vtkIndirectComposite::Internals
     geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
     if (estimate)
     {
-      estimate->Irradiance->Activate(0, program, "vtkiIrradiance");
+      estimate->Irradiance->Activate(estimate->IrradianceChannel, program, "vtkiIrradiance");
     }
     if (estimate && estimate->Coarse)
     {

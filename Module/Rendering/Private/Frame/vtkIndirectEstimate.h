@@ -3,6 +3,7 @@
 #ifndef vtkIndirectEstimate_h
 #define vtkIndirectEstimate_h
 
+class vtkEnvironmentLight;
 class vtkIndirectGeometryBuffer;
 class vtkIndirectStageTimer;
 class vtkIndirectTarget;
@@ -39,6 +40,7 @@ struct vtkIndirectEstimateInput
   const vtkIndirectVisibility& Visibility; // as the estimator asked for it
   bool Still = false;                      // nothing has changed since its last frame
   vtkIndirectStageTimer& Timer;
+  vtkEnvironmentLight* Environment = nullptr; // of an estimator that sums the sky itself
 };
 
 struct vtkIndirectEstimate
@@ -51,8 +53,10 @@ struct vtkIndirectEstimate
   };
   StateType State = FAILED;
 
-  /** Irradiance over Unit, a value for every pixel, or where there is Coarse of mixed cells. */
+  /** Irradiance over Unit, a value for every pixel, or where there is Coarse of mixed cells. Null
+   * of an estimator that sums the sky and nothing else. */
   const vtkIndirectTarget* Irradiance = nullptr;
+  int IrradianceChannel = 0; // of that
   /**
    * Irradiance at every Step-th pixel from border to border, null where all pixels have a value of
    * their own: the composite interpolates it (vtkIndirectIrradianceCoarse.glsl). The fourth
@@ -63,6 +67,8 @@ struct vtkIndirectEstimate
   int Step = 1;
   /** What lobes of a specular coefficient of one reflect, over Unit; null where there is none. */
   const vtkIndirectTarget* Glossy = nullptr;
+  /** VTK irradiance that comes directly from the sky, of an estimator that sums it itself. */
+  const vtkIndirectTarget* Sky = nullptr;
   /** VTK irradiance that a stored value of one stands for. */
   double Unit = 1.0;
   /** RMS error of the irradiance over its mean, as the estimator itself finds; negative: unknown.

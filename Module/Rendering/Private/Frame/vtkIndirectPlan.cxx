@@ -56,15 +56,22 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   }
 
   plan.FindSenders(frame, settings, circumstances);
+  if (estimator.SumsSky && !settings.Shadows && plan.Senders != NO_SENDERS)
+  {
+    plan.Senders = NO_SENDERS; // nobody would read their maps
+    plan.MapLights.clear();
+  }
   plan.FindVisibility(settings, estimator);
   plan.FindSky(frame, settings, estimator, circumstances);
   plan.FindOtherLights(frame, settings, estimator, circumstances);
   plan.FindBounces(frame, settings, estimator, circumstances);
   plan.FindUnit(frame, circumstances);
   plan.Shadows = settings.Shadows && plan.Senders == MAPS;
-  const bool sent =
-    plan.Senders != NO_SENDERS || plan.SkyBounces || plan.AreaLightsBounce || plan.OtherSamplers;
+  const bool sent = estimator.SumsSky
+    ? plan.Sky
+    : plan.Senders != NO_SENDERS || plan.SkyBounces || plan.AreaLightsBounce || plan.OtherSamplers;
   plan.WhyNoIrradiance = settings.IndirectScale == 0.0 ? "IndirectScale is 0"
+    : estimator.SumsSky && !sent                       ? "there is no environment"
     : !sent                                            ? "no light emits anything"
                                                        : "";
   plan.Irradiance = plan.WhyNoIrradiance.empty();
@@ -162,7 +169,7 @@ void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
   const vtkIndirectCircumstances& circumstances)
 {
   const bool sent = this->Senders != NO_SENDERS || this->SkyBounces || this->AreaLightsBounce;
-  const bool walks = !estimator.ReadsMaps && sent;
+  const bool walks = !estimator.ReadsMaps && !estimator.SumsSky && sent;
   this->SampledBounces = settings.NumberOfBounces;
   if (settings.NumberOfBounces == 0)
   {
@@ -229,9 +236,10 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
   {
     return;
   }
-  this->SkyBounces =
-    (!estimator.ReadsMaps || this->Senders == NO_SENDERS) && !frame.Casters.empty();
-  if (!this->SkyBounces && !frame.Casters.empty())
+  this->SkyByEstimator = estimator.SumsSky;
+  this->SkyBounces = !estimator.SumsSky && (!estimator.ReadsMaps || this->Senders == NO_SENDERS) &&
+    !frame.Casters.empty();
+  if (!this->SkyBounces && !estimator.SumsSky && !frame.Casters.empty())
   {
     this->LeftOut.emplace_back("bounces of light from the sky",
       estimator.Name + " reads the lights' maps, and nothing beside them; the result is too dark");
@@ -258,9 +266,15 @@ void vtkIndirectPlan::FindOtherLights(const vtkIndirectFrame& frame,
   const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
   const vtkIndirectCircumstances& circumstances)
 {
-  const bool takes = !estimator.ReadsMaps || this->Senders == NO_SENDERS;
-  const std::string why =
-    estimator.Name + " reads the lights' maps, and nothing beside them; the result is too dark";
+  const bool takes = !estimator.SumsSky && (!estimator.ReadsMaps || this->Senders == NO_SENDERS);
+  const std::string why = estimator.Name +
+    (estimator.SumsSky
+        ? " sums the light of the sky alone; the result is too dark"
+        : " reads the lights' maps, and nothing beside them; the result is too dark");
+  if (estimator.SumsSky && this->Senders != NO_SENDERS)
+  {
+    this->LeftOut.emplace_back("bounces of lights", why);
+  }
   this->OtherSamplers = takes && circumstances.NumberOfOtherEmitters > 0;
   if (!takes && circumstances.NumberOfOtherEmitters > 0)
   {
@@ -388,7 +402,8 @@ std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) cons
     static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
     static_cast<double>(this->SampledBounces), static_cast<double>(this->WalkedBounces),
     this->ErrorTolerance, this->SenderLobes ? 1.0 : 0.0, this->Refraction ? 1.0 : 0.0,
-    this->Sky ? 1.0 : 0.0, this->SkyBounces ? 1.0 : 0.0, this->AreaLightsBounce ? 1.0 : 0.0,
+    this->SkyByEstimator ? 1.0 : 0.0, this->SkyIsShadowed ? 1.0 : 0.0, this->Sky ? 1.0 : 0.0,
+    this->SkyBounces ? 1.0 : 0.0, this->AreaLightsBounce ? 1.0 : 0.0,
     // Moving frames look fewer maps up.
     this->Interactive && this->Visibility == vtkIndirectVisibilityMaps ? 1.0 : 0.0 };
   frame.AppendTo(key);

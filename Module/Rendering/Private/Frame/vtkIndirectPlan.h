@@ -26,6 +26,8 @@ struct vtkIndirectAbilities
   bool IgnoresVisibility = false; // where the user has chosen nothing
   /** Sums the texels of lights' maps, where there are such, and no virtual lights beside them. */
   bool ReadsMaps = false;
+  /** Sums the sky, and what surfaces send of its light, itself, and no lights. */
+  bool SumsSky = false;
   /** The tolerance that its parameters follow when so much is asked for; 0: none does. */
   double ErrorTolerance = 0.0;
 };
@@ -89,6 +91,7 @@ struct vtkIndirectPlan
    */
   bool Sky = false;
   bool SkyIsShadowed = true;
+  bool SkyByEstimator = false;     // no maps are looked up for it
   bool ReplacesImageLight = false; // the diffuse light that VTK adds of the renderer's texture
   int NumberOfSkyDirections = 256;
   int NumberOfStillSkyDirections = 256;

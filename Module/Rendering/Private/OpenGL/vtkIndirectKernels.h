@@ -74,6 +74,7 @@ namespace
 #include "vtkIndirectLibSenderLobe.glsl"
 #include "vtkIndirectLibLobeSplat.glsl"
 #include "vtkIndirectLibSphereProxy.glsl"
+#include "vtkIndirectLibProxyRegion.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

@@ -39,7 +39,11 @@ void vtkIndirectUniformBlock::Update(vtkOpenGLRenderWindow* window, const void* 
 void vtkIndirectUniformBlock::Activate(vtkShaderProgram* program) const
 {
   const auto handle = static_cast<GLuint>(program->GetHandle());
-  glUniformBlockBinding(handle, glGetUniformBlockIndex(handle, this->Name), Binding);
+  const GLuint index = glGetUniformBlockIndex(handle, this->Name);
+  if (index != GL_INVALID_INDEX) // compilers drop what a program does not read
+  {
+    glUniformBlockBinding(handle, index, Binding);
+  }
   glBindBufferBase(GL_UNIFORM_BUFFER, Binding, this->Buffer);
 }
 

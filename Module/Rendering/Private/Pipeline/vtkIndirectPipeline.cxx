@@ -65,7 +65,8 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
     request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
-  if (!circumstances.Environment || request.Settings.IndirectScale == 0.0)
+  if (!circumstances.Environment || request.Settings.IndirectScale == 0.0 ||
+    this->Plan.SkyByEstimator)
   {
     this->ReleaseSky(this->Frame.Window);
   }
@@ -191,7 +192,8 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
     this->Frame, this->Plan, this->Estimator->ChooseSampler(request.Sampler, this->Plan));
   this->TilesLeft = this->Plan.TilesPerFrame;
   this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
-  this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
+  this->SkyIsThere = this->Plan.SkyByEstimator ? this->IrradianceIsThere && this->Estimate.Sky
+                                               : this->Plan.Sky && this->UpdateSky(request);
   this->AreaIsThere = this->Plan.AreaLights && this->UpdateArea(request);
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
   const bool composed = this->Composite.Composite(this->MakeCompositeInput());
@@ -222,6 +224,9 @@ std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) 
   this->Samplers.AppendTo(key);
   key.push_back(static_cast<double>(
     this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0));
+  key.push_back(this->Plan.SkyByEstimator && this->Environment
+      ? static_cast<double>(this->Environment->GetMTime())
+      : -1.0);
   for (size_t i = 0; this->Plan.Senders == vtkIndirectPlan::RAYS && i < this->Frame.Lights.size();
        ++i)
   {
@@ -265,7 +270,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const size_t tiles = this->Visibility.GetNumberOfTilesDrawn();
   // The sky's maps share the frame's time.
   const int most = this->Plan.TilesPerFrame;
-  const bool shared = (this->Plan.Sky && this->Plan.SkyIsShadowed && !this->Sky.IsComplete()) ||
+  const bool shared = (this->Plan.Sky && !this->Plan.SkyByEstimator && this->Plan.SkyIsShadowed &&
+                        !this->Sky.IsComplete()) ||
     (this->Plan.AreaLights && this->Plan.AreaIsShadowed && !this->Area.IsComplete());
   const bool visible = this->Visibility.Update(
     { this->Frame, lights, this->Capture, caching, shared ? most - most / 2 : most }, needs);
@@ -277,7 +283,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
 
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
     lights, this->Visibility, still && this->Visibility.GetNumberOfTilesDrawn() == tiles,
-    this->Timer };
+    this->Timer, this->Plan.SkyByEstimator ? this->Environment : nullptr };
   this->Estimator->HoldContext(this->Frame.Window);
   this->Estimate = sampled && visible ? this->Estimator->Estimate(input) : vtkIndirectEstimate();
   if (this->Estimate.State == vtkIndirectEstimate::FAILED)
@@ -369,8 +375,11 @@ const vtkIndirectEstimate* vtkIndirectPipeline::GetEstimate() const
 vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
 {
   const bool maps = this->Plan.Senders == vtkIndirectPlan::MAPS;
-  return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr, this->GetEstimate(),
-    this->SkyIsThere ? &this->Sky.GetIrradiance() : nullptr,
+  const vtkIndirectEstimate* const estimate = this->GetEstimate();
+  const vtkIndirectTarget* const sky =
+    estimate && estimate->Sky ? estimate->Sky : &this->Sky.GetIrradiance();
+  return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr,
+    estimate && estimate->Irradiance ? estimate : nullptr, this->SkyIsThere ? sky : nullptr,
     this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr,
     this->AreaIsThere ? this->Area.GetReflected() : nullptr, this->Plan.IndirectScale,
     this->TargetIsClear };
@@ -381,7 +390,7 @@ bool vtkIndirectPipeline::RenderChannel(const std::string& name)
 {
   const vtkIndirectComposite::Input input = this->MakeCompositeInput();
   return this->Composite.RenderChannel(input, name) ||
-    (input.Estimate &&
+    (this->GetEstimate() &&
       this->Composite.RenderChannel(
         input, [&]() { return this->Estimator->DrawChannel(name, this->Frame, this->Geometry); }));
 }
@@ -455,7 +464,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     { "sky_tiles_drawn", static_cast<long long>(this->Sky.GetNumberOfTilesDrawn()) },
     { "tiles_left",
       (this->IrradianceIsThere ? this->Visibility.GetNumberOfTilesLeft() : 0) +
-        (this->SkyIsThere ? this->Sky.GetNumberOfTilesLeft() : 0) +
+        (this->SkyIsThere && !this->Plan.SkyByEstimator ? this->Sky.GetNumberOfTilesLeft() : 0) +
         (this->AreaIsThere ? this->Area.GetNumberOfTilesLeft() : 0) },
     { "estimates", this->NumberOfEstimates } };
   this->Frame.AddToReport(report);
@@ -489,14 +498,17 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     report.MainMemoryBytes = this->Estimator->GetMainMemoryBytes();
     report.EstimatedError = this->Estimate.Error;
     this->Estimator->AddToReport(report);
-    this->Visibility.AddToReport(report);
+    if (!this->Plan.SkyByEstimator)
+    {
+      this->Visibility.AddToReport(report);
+    }
     this->Samplers.AddToReport(report);
   }
   else if (this->Plan.Irradiance)
   {
     report.LeftOut.emplace_back("indirect light", "its estimator had an error");
   }
-  if (this->SkyIsThere)
+  if (this->SkyIsThere && !this->Plan.SkyByEstimator)
   {
     this->Sky.AddToReport(report);
   }

@@ -10,9 +10,9 @@
 const float VTKI_HARMONICS_Y00 = 0.28209479f;
 /* f without its constant is halved until it is no longer than this ... */
 const float VTKI_HARMONICS_HALVING = 0.25f;
-/* ... and no longer than this to begin with, a little less than that of a sphere that fills a hemisphere:
+/* ... and no longer than this to begin with, a little more than that of a sphere that fills a hemisphere:
  * further spheres at the same place hide nothing more. */
-const float VTKI_HARMONICS_LONGEST = 8.0f;
+const float VTKI_HARMONICS_LONGEST = 12.0f;
 
 /* All 16 functions at a unit direction. */
 vtkiHarmonics4 vtkiHarmonics4At(vec3 d)
@@ -101,12 +101,9 @@ vtkiHarmonics4 vtkiHarmonicsExp(vtkiHarmonics4 f)
   vtkiHarmonics4 e = vtkiHarmonicsAdd(zero, 1.0f + 0.03528f * size * size, g);
   e = vtkiHarmonicsAdd(e, 0.5f, vtkiHarmonicProduct(g, g));
   e.A.x += (1.0f + 7.05e-5f * size * size) / VTKI_HARMONICS_Y00;
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i < halvings; ++i)
   {
-    if (i < halvings)
-    {
-      e = vtkiHarmonicProduct(e, e);
-    }
+    e = vtkiHarmonicProduct(e, e);
   }
   // Far beyond that, lobes that ring grow, too; more than all is never seen.
   float whole = exp(min(constant, 0.0f));
@@ -156,6 +153,24 @@ vtkiHarmonics4 vtkiLitCosine(vtkiLightMatrix m, vec3 n)
   c = vtkiHarmonicsAdd(c, h.B.z, m.Columns[6]);
   c = vtkiHarmonicsAdd(c, h.B.w, m.Columns[7]);
   return vtkiHarmonicsAdd(c, h.C.x, m.Columns[8]);
+}
+
+/* How irradiance, of light in its first nine coefficients, changes with the normal: its gradient, the normal taken as
+ * any vector. Irradiance of a normal nearby is that here plus its product with their difference. */
+vec3 vtkiIrradianceGradient(vtkiHarmonics4 light, vec3 n)
+{
+  float k = 0.27313711f;
+  return vec3(0.32573501f * light.A.w + k * (light.B.x * n.y + light.B.w * n.z + light.C.x * n.x),
+    0.32573501f * light.A.y + k * (light.B.x * n.x + light.B.y * n.z - light.C.x * n.y),
+    0.32573501f * light.A.z + k * (light.B.y * n.y + light.B.w * n.x) + 0.47308736f * light.B.z * n.z);
+}
+
+/* What a disk of radiance 1 gives a receiver, of the cosine between its middle and the normal: of order 3. */
+float vtkiDiskIrradiance(float sine, float cosine)
+{
+  float s2 = sine * sine;
+  float c = sqrt(max(1.0f - s2, 0.0f));
+  return max(0.5f * s2 / (1.0f + c) + 0.5f * s2 * cosine + 0.15625f * c * s2 * (3.0f * cosine * cosine - 1.0f), 0.0f);
 }
 
 /* Sine of half the angle under which a sphere counts for a receiver of unit normal n; toCenter from
@@ -217,5 +232,12 @@ float vtkiProxyOverlap(vtkiHarmonics4 seen, float solidAngle)
 {
   float hidden = 4.0f * VTKI_PI * (1.0f - seen.A.x * VTKI_HARMONICS_Y00);
   return solidAngle > 0.0f ? min(max(hidden / solidAngle, 0.0f), 1.0f) : 0.0f;
+}
+
+/* The same where solid angles are weighted: all that hides sends the weighted mean. */
+float vtkiProxyMean(vtkiHarmonics4 seen, float solidAngle)
+{
+  float hidden = 4.0f * VTKI_PI * (1.0f - seen.A.x * VTKI_HARMONICS_Y00);
+  return max(hidden, 0.0f) / max(solidAngle, 1.0e-6f);
 }
 #endif

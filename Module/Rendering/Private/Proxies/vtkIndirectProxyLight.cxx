@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Proxies/vtkIndirectProxyLight.h"
+
+#include "OpenGL/vtkIndirectKernels.h"
+#include "vtkEnvironmentLight.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+using namespace vtkIndirectKernels;
+
+namespace
+{
+float Get(const vtkiHarmonics4& f, int i)
+{
+  const vec4& part = i < 4 ? f.A : i < 8 ? f.B : i < 12 ? f.C : f.D;
+  return part[i % 4];
+}
+
+void Append(std::vector<glm::vec4>& rows, const vtkiHarmonics4& f)
+{
+  rows.insert(rows.end(), { f.A, f.B, f.C, f.D });
+}
+
+// Twice the area, along the normal.
+glm::dvec3 FindArea(const vtkIndirectProxyPolygon& polygon)
+{
+  glm::dvec3 sum(0.0);
+  for (size_t i = 2; i < polygon.Corners.size(); ++i)
+  {
+    sum += glm::cross(
+      polygon.Corners[i - 1] - polygon.Corners[0], polygon.Corners[i] - polygon.Corners[0]);
+  }
+  return sum;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectProxyLight::Coefficients vtkIndirectProxyLight::Project(vtkEnvironmentLight* environment)
+{
+  Coefficients light;
+  light.fill(glm::dvec3(0.0));
+  for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+  {
+    const vtkiHarmonics4 y =
+      vtkiHarmonics4At(glm::vec3(cell.Direction[0], cell.Direction[1], cell.Direction[2]));
+    const glm::dvec3 sent(cell.Light[0], cell.Light[1], cell.Light[2]);
+    for (int i = 0; i < NumberOfCoefficients; ++i)
+    {
+      light[static_cast<size_t>(i)] += static_cast<double>(Get(y, i)) * sent;
+    }
+  }
+  return light;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIndirectProxyPolygon> vtkIndirectProxyLight::ChoosePolygons(
+  std::vector<vtkIndirectProxyPolygon> polygons)
+{
+  polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
+                   [](const vtkIndirectProxyPolygon& polygon)
+                   { return !(glm::length(FindArea(polygon)) > 0.0); }),
+    polygons.end());
+  std::stable_sort(polygons.begin(), polygons.end(),
+    [](const vtkIndirectProxyPolygon& a, const vtkIndirectProxyPolygon& b)
+    { return glm::length(FindArea(a)) > glm::length(FindArea(b)); });
+  if (polygons.size() > MostPolygons)
+  {
+    polygons.resize(MostPolygons);
+  }
+  return polygons;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkIndirectProxyLight::FindNormal(const vtkIndirectProxyPolygon& polygon)
+{
+  return glm::normalize(FindArea(polygon));
+}
+
+//------------------------------------------------------------------------------
+// Rows as vtkIndirectProxyBlock.glsl has them.
+void vtkIndirectProxyLight::AddPolygons(
+  std::vector<glm::vec4>& rows, const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean)
+{
+  this->NumberOfPolygons = static_cast<int>(polygons.size());
+  for (size_t k = 0; k < polygons.size(); ++k)
+  {
+    const vtkIndirectProxyPolygon& polygon = polygons[k];
+    const glm::dvec3 area = FindArea(polygon);
+    const size_t corners = std::min(polygon.Corners.size(), MostCorners);
+    rows.emplace_back(glm::vec3(glm::normalize(area)), static_cast<float>(corners));
+    rows.emplace_back(polygon.Albedo, static_cast<float>(std::sqrt(0.5 * glm::length(area))));
+    for (size_t i = 0; i < MostCorners; ++i)
+    {
+      rows.emplace_back(glm::vec3(polygon.Corners[std::min(i, corners - 1)]),
+        static_cast<float>(firstMean + 2 * static_cast<int>(k)));
+    }
+  }
+  rows.resize(rows.size() + (MostPolygons - polygons.size()) * (2 + MostCorners));
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxyLight::Update(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment,
+  const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean, bool changed)
+{
+  const vtkMTimeType time = environment ? environment->GetMTime() : 0;
+  const bool same = environment == this->Environment && time == this->Time;
+  if (same && !changed && this->Block.GetBytes() > 0)
+  {
+    return false;
+  }
+  if (!same || this->Block.GetBytes() == 0)
+  {
+    this->Light.fill(glm::dvec3(0.0));
+    if (environment)
+    {
+      this->Light = Project(environment);
+    }
+    this->Environment = environment;
+    this->Time = time;
+  }
+  std::vector<glm::vec4> rows;
+  for (int color = 0; color < 3; ++color)
+  {
+    vtkiHarmonics4 light;
+    for (int i = 0; i < 4; ++i)
+    {
+      const size_t k = static_cast<size_t>(i);
+      light.A[i] = static_cast<float>(this->Light[k][color]);
+      light.B[i] = static_cast<float>(this->Light[4 + k][color]);
+      light.C[i] = static_cast<float>(this->Light[8 + k][color]);
+      light.D[i] = static_cast<float>(this->Light[12 + k][color]);
+    }
+    const vtkiLightMatrix matrix = vtkiMakeLightMatrix(light);
+    for (const vtkiHarmonics4& column : matrix.Columns)
+    {
+      Append(rows, column);
+    }
+    Append(rows, light);
+  }
+  this->AddPolygons(rows, polygons, firstMean);
+  this->Block.Update(window, rows.data(), rows.size() * sizeof(glm::vec4));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyLight::Activate(vtkShaderProgram* program) const
+{
+  this->Block.Activate(program);
+  program->SetUniformi("vtkiPolygonCount", this->NumberOfPolygons);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyLight::Release()
+{
+  this->Block.Release();
+  this->Environment = nullptr;
+}

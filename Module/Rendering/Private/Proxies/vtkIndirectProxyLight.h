@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An environment in spherical harmonics, and what sums over spheres read of it beside the spheres:
+// a uniform block with the light and the flat polygons.
+#ifndef vtkIndirectProxyLight_h
+#define vtkIndirectProxyLight_h
+
+#include "OpenGL/vtkIndirectUniformBlock.h" // for a member
+#include "Proxies/vtkIndirectProxySphere.h" // for polygons
+
+#include "vtkType.h" // for times
+
+#include <array> // for coefficients
+
+class vtkEnvironmentLight;
+class vtkShaderProgram;
+
+class vtkIndirectProxyLight
+{
+public:
+  static constexpr int NumberOfCoefficients = 16;
+  static constexpr size_t MostPolygons = 32;
+  static constexpr size_t MostCorners = 8;
+  using Coefficients = std::array<glm::dvec3, NumberOfCoefficients>;
+
+  /** Of order 4, by l (l + 1) + m, in world coordinates. */
+  static Coefficients Project(vtkEnvironmentLight* environment);
+
+  /**
+   * Fills the block; null: no light. Polygons are those of ChoosePolygons, whose light is the means
+   * from that number on, one for each side. Returns whether anything has changed.
+   */
+  bool Update(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment,
+    const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean, bool changed);
+  /** Those that count: of too many the largest. */
+  static std::vector<vtkIndirectProxyPolygon> ChoosePolygons(
+    std::vector<vtkIndirectProxyPolygon> polygons);
+  /** Unit. */
+  static glm::dvec3 FindNormal(const vtkIndirectProxyPolygon& polygon);
+
+  void Activate(vtkShaderProgram* program) const;
+  size_t GetBytes() const { return this->Block.GetBytes(); }
+  void Release();
+
+private:
+  void AddPolygons(std::vector<glm::vec4>& rows,
+    const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean);
+
+  vtkIndirectUniformBlock Block{ "vtkiProxyBlock" };
+  Coefficients Light;
+  vtkEnvironmentLight* Environment = nullptr; // compared only
+  vtkMTimeType Time = 0;
+  int NumberOfPolygons = 0;
+};
+#endif

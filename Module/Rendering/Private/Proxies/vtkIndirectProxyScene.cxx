@@ -1,0 +1,556 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Proxies/vtkIndirectProxyScene.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectReport.h"
+#include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkBitArray.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetMapper.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObject.h"
+#include "vtkOpenGLSphereMapper.h"
+#include "vtkPointData.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnsignedCharArray.h"
+
+// Atoms: headers alone, so that no library of chemistry is needed where there are none.
+#if __has_include("vtkOpenGLMoleculeMapper.h")
+#include "vtkOpenGLMoleculeMapper.h"
+#define VTKI_MOLECULES
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+
+namespace
+{
+// Members that VTK keeps to its derived classes.
+struct SphereAccess : public vtkOpenGLSphereMapper
+{
+  static const char* GetArray(vtkOpenGLSphereMapper* mapper)
+  {
+    return mapper->*(&SphereAccess::ScaleArray);
+  }
+};
+struct GlyphAccess : public vtkGlyph3DMapper
+{
+  static vtkDataArray* GetScale(vtkGlyph3DMapper* mapper, vtkDataSet* data)
+  {
+    return (mapper->*(&GlyphAccess::GetScaleArray))(data);
+  }
+  static vtkDataArray* GetMask(vtkGlyph3DMapper* mapper, vtkDataSet* data)
+  {
+    return (mapper->*(&GlyphAccess::GetMaskArray))(data);
+  }
+  static vtkDataArray* GetIndex(vtkGlyph3DMapper* mapper, vtkDataSet* data)
+  {
+    return (mapper->*(&GlyphAccess::GetSourceIndexArray))(data);
+  }
+};
+
+// All data sets of an input.
+void ForDataSets(vtkDataObject* input, const std::function<void(vtkDataSet*)>& call)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    auto* data = vtkDataSet::SafeDownCast(input);
+    if (data)
+    {
+      call(data);
+    }
+    return;
+  }
+  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    auto* data = vtkDataSet::SafeDownCast(it->GetCurrentDataObject());
+    if (data)
+    {
+      call(data);
+    }
+  }
+}
+
+// What a surface of a colour reflects diffusely, linear.
+glm::vec3 FindAlbedo(vtkProperty* property, const glm::dvec3& color)
+{
+  if (!property->GetLighting())
+  {
+    return glm::vec3(0.0f);
+  }
+  if (property->GetInterpolation() == VTK_PBR)
+  {
+    return glm::vec3((1.0 - property->GetMetallic()) * glm::pow(color, glm::dvec3(2.2)));
+  }
+  return glm::vec3(property->GetDiffuse() * color);
+}
+
+// Albedos of data as its mapper colours it, one for each point, or each cell.
+class Albedos
+{
+public:
+  Albedos(vtkMapper* mapper, vtkProperty* property, vtkDataSet* data)
+    : Property(property)
+  {
+    const double* color = property->GetDiffuseColor();
+    this->Plain = FindAlbedo(property, glm::dvec3(color[0], color[1], color[2]));
+    if (!mapper->GetScalarVisibility())
+    {
+      return;
+    }
+    int cells = 0;
+    vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cells);
+    vtkScalarsToColors* table = mapper->GetLookupTable();
+    if (!scalars || !table || cells > 1)
+    {
+      return;
+    }
+    if (!mapper->GetUseLookupTableScalarRange())
+    {
+      table->SetRange(mapper->GetScalarRange());
+    }
+    table->Build();
+    this->Colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(vtkUnsignedCharArray::SafeDownCast(
+      table->MapScalars(scalars, mapper->GetColorMode(), mapper->GetArrayComponent(), VTK_RGB)));
+    this->ByCell = cells == 1;
+  }
+
+  bool AreByCell() const { return this->Colors && this->ByCell; }
+  glm::vec3 Get(vtkIdType i) const
+  {
+    if (!this->Colors || i < 0 || i >= this->Colors->GetNumberOfTuples())
+    {
+      return this->Plain;
+    }
+    const unsigned char* c = this->Colors->GetPointer(i * this->Colors->GetNumberOfComponents());
+    return FindAlbedo(this->Property, glm::dvec3(c[0], c[1], c[2]) / 255.0);
+  }
+  glm::vec3 GetMean() const
+  {
+    const vtkIdType count = this->Colors ? this->Colors->GetNumberOfTuples() : 0;
+    const vtkIdType step = std::max<vtkIdType>(1, count / 1000);
+    glm::dvec3 sum(0.0);
+    double number = 0.0;
+    for (vtkIdType i = 0; i < count; i += step)
+    {
+      sum += glm::dvec3(this->Get(i));
+      number += 1.0;
+    }
+    return number > 0.0 ? glm::vec3(sum / number) : this->Plain;
+  }
+
+private:
+  vtkProperty* Property;
+  glm::vec3 Plain;
+  vtkSmartPointer<vtkUnsignedCharArray> Colors;
+  bool ByCell = false;
+};
+
+// The polygons of a mapper that draws them as they are, or of data sets.
+vtkDataObject* FindMeshes(vtkMapper* mapper)
+{
+  auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  if (dataSetMapper && !vtkPolyData::SafeDownCast(input))
+  {
+    vtkPolyDataMapper* inner = dataSetMapper->GetPolyDataMapper();
+    return inner ? inner->GetInput() : nullptr;
+  }
+  return input;
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkIndirectProxyScene::Part
+{
+  vtkActor* Actor;
+  vtkMapper* Mapper;
+  vtkProp* Prop; // of the renderer
+  bool Sends;
+  glm::dmat4 ToScene;
+  double Scale; // of lengths
+};
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxyScene::Update(
+  const vtkIndirectFrame& frame, const Given& given, vtkObject* caller)
+{
+  struct Drawn
+  {
+    vtkProp* Prop;
+    bool Sends;
+  };
+  std::vector<Drawn> drawn;
+  for (const vtkIndirectCaster& caster : frame.Casters)
+  {
+    drawn.push_back({ caster.Prop, caster.SendsLight });
+  }
+  // Splats have no surface, and are no casters, but some of them look like spheres.
+  for (vtkProp* prop : frame.Props)
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (actor && vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()))
+    {
+      drawn.push_back({ prop, true });
+    }
+  }
+  std::vector<double> key = { frame.SceneCenter.x, frame.SceneCenter.y, frame.SceneCenter.z,
+    frame.SceneScale };
+  for (const Drawn& item : drawn)
+  {
+    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(item.Prop)));
+    key.push_back(static_cast<double>(item.Prop->GetRedrawMTime()));
+    key.push_back(item.Sends ? 1.0 : 0.0);
+    const auto known = given.find(item.Prop);
+    key.push_back(known == given.end() ? -1.0 : static_cast<double>(known->second->GetMTime()));
+  }
+  if (key == this->Key)
+  {
+    return false;
+  }
+  this->Key = std::move(key);
+  this->Spheres.clear();
+  this->Polygons.clear();
+  this->LeftOut.clear();
+  this->Exact = this->Fitted = this->Wrong = 0;
+  this->SceneCenter = frame.SceneCenter;
+  this->SceneScale = frame.SceneScale;
+  for (const Drawn& item : drawn)
+  {
+    item.Prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = item.Prop->GetNextPath())
+    {
+      vtkAssemblyNode* last = path->GetLastNode();
+      auto* actor = vtkActor::SafeDownCast(last->GetViewProp());
+      if (!actor || !actor->GetMapper() || !actor->GetVisibility())
+      {
+        continue;
+      }
+      vtkMatrix4x4* matrix = last->GetMatrix() ? last->GetMatrix() : actor->GetMatrix();
+      const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(matrix);
+      Part part = { actor, actor->GetMapper(), item.Prop, item.Sends, frame.ToScene(toWorld),
+        frame.SceneScale * std::cbrt(std::abs(glm::determinant(glm::dmat3(toWorld)))) };
+      for (int i = 0; i < 3; ++i)
+      {
+        part.ToScene[i] *= frame.SceneScale;
+      }
+      this->AddPart(part, given);
+    }
+  }
+  this->Shapes.Forget();
+  if (this->Wrong > 0)
+  {
+    vtkErrorWithObjectMacro(caller, << this->Wrong << " spheres of " << this->WrongProp
+                                    << " have radii that are negative or not finite, or no place; "
+                                       "they are left out.");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyScene::LeaveOut(const std::string& what, const std::string& why)
+{
+  const std::pair<std::string, std::string> entry(what, why);
+  if (std::find(this->LeftOut.begin(), this->LeftOut.end(), entry) == this->LeftOut.end())
+  {
+    this->LeftOut.push_back(entry);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyScene::Add(
+  const Part& part, const double center[3], double radius, const glm::vec3& albedo)
+{
+  const glm::dvec3 place(part.ToScene * glm::dvec4(center[0], center[1], center[2], 1.0));
+  const double scaled = radius * part.Scale;
+  if (!(scaled >= 0.0) || !std::isfinite(scaled) || !std::isfinite(place.x + place.y + place.z))
+  {
+    this->WrongProp = this->Wrong++ ? this->WrongProp : part.Prop->GetClassName();
+    return;
+  }
+  if (scaled > 1e-12) // of the scene's diagonal; a smaller one hides nothing
+  {
+    this->Spheres.push_back(
+      { place, std::min(scaled, 1e6), part.Sends ? albedo : glm::vec3(0.0f) });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyScene::AddPart(const Part& part, const Given& given)
+{
+  auto known = given.find(part.Actor);
+  known = known == given.end() ? given.find(part.Prop) : known;
+  if (known == given.end())
+  {
+    this->AddActor(part);
+    return;
+  }
+  vtkPolyData* spheres = known->second;
+  vtkDataArray* radii = spheres->GetPointData()->GetArray("Radius");
+  const double* color = part.Actor->GetProperty()->GetDiffuseColor();
+  const glm::vec3 albedo =
+    FindAlbedo(part.Actor->GetProperty(), glm::dvec3(color[0], color[1], color[2]));
+  const size_t before = this->Spheres.size();
+  for (vtkIdType i = 0; i < spheres->GetNumberOfPoints(); ++i)
+  {
+    this->Add(part, spheres->GetPoint(i), radii->GetTuple1(i), albedo);
+  }
+  this->Fitted += this->Spheres.size() - before;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyScene::AddActor(const Part& part)
+{
+  const size_t before = this->Spheres.size();
+#ifdef VTKI_MOLECULES
+  if (auto* molecule = vtkOpenGLMoleculeMapper::SafeDownCast(part.Mapper))
+  {
+    if (molecule->GetRenderBonds())
+    {
+      this->LeaveOut("bonds", "cylinders hide no light of spheres; the result is a little bright");
+    }
+    vtkOpenGLSphereMapper* atoms = molecule->GetFastAtomMapper();
+    if (molecule->GetRenderAtoms())
+    {
+      Part inner = part;
+      inner.Mapper = atoms;
+      this->AddActor(inner);
+    }
+    return;
+  }
+#endif
+  if (auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(part.Mapper))
+  {
+    ForDataSets(spheres->GetInputDataObject(0, 0),
+      [&](vtkDataSet* data)
+      { this->AddPoints(part, data, SphereAccess::GetArray(spheres), spheres->GetRadius()); });
+    this->Exact += this->Spheres.size() - before;
+  }
+  else if (vtkPointGaussianMapper::SafeDownCast(part.Mapper))
+  {
+    this->AddGaussians(part);
+    this->Exact += this->Spheres.size() - before;
+  }
+  else if (vtkGlyph3DMapper::SafeDownCast(part.Mapper))
+  {
+    if (!this->AddGlyphs(part))
+    {
+      this->LeaveOut("glyphs that are no spheres", "they hide no light; the result is too bright");
+    }
+    this->Exact += this->Spheres.size() - before;
+  }
+  else
+  {
+    this->AddMeshes(part);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyScene::AddPoints(
+  const Part& part, vtkDataSet* data, const char* array, double radius)
+{
+  vtkDataArray* sizes = array ? data->GetPointData()->GetArray(array) : nullptr;
+  const Albedos albedos(part.Mapper, part.Actor->GetProperty(), data);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    data->GetPoint(i, place);
+    this->Add(part, place, sizes ? sizes->GetComponent(i, 0) : radius, albedos.Get(i));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Those whose shader cuts a disk out of each splat, of radius one in its coordinates; others are
+// blobs that fade out, through which light comes.
+void vtkIndirectProxyScene::AddGaussians(const Part& part)
+{
+  auto* mapper = vtkPointGaussianMapper::SafeDownCast(part.Mapper);
+  const char* code = mapper->GetSplatShaderCode();
+  if (!code || !std::strstr(code, "discard") || mapper->GetScaleFactor() <= 0.0 ||
+    mapper->GetEmissive() || part.Actor->GetProperty()->GetOpacity() < 1.0)
+  {
+    this->LeaveOut("splats without an edge",
+      "they hide no light: a sphere's shader code cuts them off by `discard`, with Emissive off");
+    return;
+  }
+  vtkPiecewiseFunction* function = mapper->GetScaleFunction();
+  if (function)
+  {
+    this->LeaveOut("ScaleFunction of vtkPointGaussianMapper", "radii are those of the array");
+  }
+  ForDataSets(mapper->GetInputDataObject(0, 0),
+    [&](vtkDataSet* data)
+    {
+      vtkDataArray* sizes =
+        mapper->GetScaleArray() ? data->GetPointData()->GetArray(mapper->GetScaleArray()) : nullptr;
+      const int component = sizes ? std::min(std::max(mapper->GetScaleArrayComponent(), 0),
+                                      sizes->GetNumberOfComponents() - 1)
+                                  : 0;
+      const Albedos albedos(mapper, part.Actor->GetProperty(), data);
+      for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+      {
+        double place[3];
+        data->GetPoint(i, place);
+        const double size = sizes ? sizes->GetComponent(i, component) : 1.0;
+        this->Add(part, place, size * mapper->GetScaleFactor(), albedos.Get(i));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxyScene::AddGlyphs(const Part& part)
+{
+  bool all = true;
+  ForDataSets(part.Mapper->GetInputDataObject(0, 0),
+    [&](vtkDataSet* data) { all = this->AddGlyphs(part, data) && all; });
+  return all;
+}
+
+//------------------------------------------------------------------------------
+// As vtkOpenGLGlyph3DMapper scales and places them.
+bool vtkIndirectProxyScene::AddGlyphs(const Part& part, vtkDataSet* data)
+{
+  auto* mapper = vtkGlyph3DMapper::SafeDownCast(part.Mapper);
+  const int count = mapper->GetNumberOfInputConnections(1);
+  std::vector<const vtkIndirectProxyShapes::Shape*> sources;
+  for (int i = 0; i < count; ++i)
+  {
+    vtkPolyData* source = mapper->GetUseSourceTableTree() ? nullptr : mapper->GetSource(i);
+    sources.push_back(source && source->GetNumberOfPoints() > 0
+        ? &this->Shapes.FindBody(part.Prop, source)
+        : nullptr);
+  }
+  if (sources.empty())
+  {
+    return false;
+  }
+  vtkDataArray* index = mapper->GetSourceIndexing() ? GlyphAccess::GetIndex(mapper, data) : nullptr;
+  vtkDataArray* scale = GlyphAccess::GetScale(mapper, data);
+  auto* mask =
+    mapper->GetMasking() ? vtkBitArray::SafeDownCast(GlyphAccess::GetMask(mapper, data)) : nullptr;
+  const Albedos albedos(mapper, part.Actor->GetProperty(), data);
+  const double* range = mapper->GetRange();
+  const double width = range[1] != range[0] ? range[1] - range[0] : 1.0;
+  bool all = true;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    if (mask && mask->GetValue(i) == 0)
+    {
+      continue;
+    }
+    int number = 0;
+    if (index)
+    {
+      const double value = vtkMath::Norm(index->GetTuple(i), index->GetNumberOfComponents());
+      number =
+        std::min(std::max(static_cast<int>((value - range[0]) * count / width), 0), count - 1);
+    }
+    const vtkIndirectProxyShapes::Shape* source = sources[static_cast<size_t>(number)];
+    if (!source || source->Spheres.size() != 1)
+    {
+      all = all && !source;
+      continue;
+    }
+    glm::dvec3 factors(1.0);
+    if (scale && mapper->GetScaleMode() == vtkGlyph3DMapper::SCALE_BY_MAGNITUDE)
+    {
+      factors = glm::dvec3(vtkMath::Norm(scale->GetTuple(i), scale->GetNumberOfComponents()));
+    }
+    else if (scale && scale->GetNumberOfComponents() == 3 &&
+      mapper->GetScaleMode() == vtkGlyph3DMapper::SCALE_BY_COMPONENTS)
+    {
+      const double* tuple = scale->GetTuple(i);
+      factors = glm::dvec3(tuple[0], tuple[1], tuple[2]);
+    }
+    if (scale && mapper->GetClamping() &&
+      mapper->GetScaleMode() != vtkGlyph3DMapper::NO_DATA_SCALING)
+    {
+      factors = (glm::clamp(factors, range[0], range[1]) - range[0]) / width;
+    }
+    factors = mapper->GetScaling() ? factors * mapper->GetScaleFactor() : glm::dvec3(1.0);
+    double place[3];
+    data->GetPoint(i, place);
+    const vtkIndirectProxySphere& sphere = source->Spheres.front();
+    // A source about another place than its origin is not turned here.
+    for (int k = 0; k < 3; ++k)
+    {
+      place[k] += factors[k] * sphere.Center[k];
+    }
+    // Of an ellipsoid the ball of equal volume. Negative magnitudes there are none.
+    const double volume = factors.x * factors.y * factors.z;
+    this->Add(part, place, std::cbrt(std::abs(volume)) * sphere.Radius, albedos.Get(i));
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyScene::AddMeshes(const Part& part)
+{
+  if (part.Actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+  {
+    return;
+  }
+  ForDataSets(FindMeshes(part.Mapper),
+    [&](vtkDataSet* data)
+    {
+      auto* mesh = vtkPolyData::SafeDownCast(data);
+      if (mesh && mesh->GetNumberOfPoints() > 0)
+      {
+        this->AddMesh(part, mesh);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
+{
+  const vtkIndirectProxyShapes::Shape& shape = this->Shapes.Find(part.Prop, mesh);
+  if (!shape.LeftOut.empty())
+  {
+    this->LeaveOut("a mesh of " + std::string(part.Prop->GetClassName()), shape.LeftOut);
+  }
+  const Albedos albedos(part.Mapper, part.Actor->GetProperty(), mesh);
+  const glm::vec3 mean = albedos.GetMean();
+  const size_t before = this->Spheres.size();
+  const bool own = shape.Kind == vtkIndirectProxyShapes::SPHERES;
+  for (size_t i = 0; i < shape.Spheres.size(); ++i)
+  {
+    this->Add(part, &shape.Spheres[i].Center[0], shape.Spheres[i].Radius,
+      own ? albedos.Get(albedos.AreByCell() ? shape.Cells[i] : shape.Points[i]) : mean);
+  }
+  (own ? this->Exact : this->Fitted) += this->Spheres.size() - before;
+  for (const vtkIndirectProxyPolygon& polygon : shape.Polygons)
+  {
+    vtkIndirectProxyPolygon moved = polygon;
+    for (glm::dvec3& corner : moved.Corners)
+    {
+      corner = glm::dvec3(part.ToScene * glm::dvec4(corner, 1.0));
+    }
+    moved.Albedo = part.Sends ? mean : glm::vec3(0.0f);
+    this->Polygons.push_back(moved);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyScene::AddToReport(vtkIndirectReport& report) const
+{
+  report.Modelled.emplace_back("what hides the sky",
+    std::to_string(this->Exact) + " spheres of the data, " + std::to_string(this->Fitted) +
+      " spheres of meshes, " + std::to_string(this->Polygons.size()) + " flat polygons");
+  report.LeftOut.insert(report.LeftOut.end(), this->LeftOut.begin(), this->LeftOut.end());
+}

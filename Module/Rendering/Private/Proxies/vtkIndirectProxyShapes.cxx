@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Proxies/vtkIndirectProxyShapes.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+
+namespace
+{
+// Points of a sphere lie at its distance within this share of it, and are so many: 8 of a cube
+// would do, too.
+constexpr double Roundness = 1e-3;
+constexpr vtkIdType LeastPoints = 14;
+// Points of a flat mesh lie within this share of its size of their plane.
+constexpr double Flatness = 1e-4;
+// The area inside of a flat mesh's outline that may be missing, and its corners: of a rounder
+// outline so many are chosen and moved outwards until the area is that of all.
+constexpr double MissingArea = 1e-3;
+constexpr size_t MostCorners = 8;
+// Who makes spheres of meshes, in a module that need not be there: it registers itself by that
+// name.
+const char* const FilterName = "vtkSphereProxyFilter";
+
+void ForCells(vtkPolyData* mesh, const std::function<void(vtkIdType, const vtkIdType*)>& call)
+{
+  for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+  {
+    auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
+    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+    {
+      vtkIdType size = 0;
+      const vtkIdType* points = nullptr;
+      it->GetCurrentCell(size, points);
+      if (size > 2)
+      {
+        call(size, points);
+      }
+    }
+  }
+}
+
+glm::dvec3 GetPoint(vtkPolyData* mesh, vtkIdType i)
+{
+  double p[3];
+  mesh->GetPoint(i, p);
+  return { p[0], p[1], p[2] };
+}
+
+// The sphere through points in the sense of least squares: |p|^2 = 2 p c + k about their mean.
+bool FitSphere(
+  vtkPolyData* mesh, const vtkIdType* points, size_t count, vtkIndirectProxySphere& sphere)
+{
+  glm::dvec3 mean(0.0);
+  for (size_t i = 0; i < count; ++i)
+  {
+    mean += GetPoint(mesh, points[i]);
+  }
+  mean /= static_cast<double>(count);
+  glm::dmat3 left(0.0);
+  glm::dvec3 right(0.0);
+  double squares = 0.0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const glm::dvec3 p = GetPoint(mesh, points[i]) - mean;
+    left += glm::outerProduct(p, p);
+    right += glm::dot(p, p) * p;
+    squares += glm::dot(p, p);
+  }
+  const double size = squares / static_cast<double>(count);
+  if (!(size > 0.0) || !(glm::determinant(left / squares) > 1e-4)) // of a sphere 1/27
+  {
+    return false;
+  }
+  const glm::dvec3 offset = 0.5 * (glm::inverse(left) * right);
+  const double radius = std::sqrt(size + glm::dot(offset, offset));
+  for (size_t i = 0; i < count; ++i)
+  {
+    const double distance = glm::length(GetPoint(mesh, points[i]) - mean - offset);
+    if (!(std::abs(distance - radius) <= Roundness * radius))
+    {
+      return false;
+    }
+  }
+  sphere.Center = mean + offset;
+  sphere.Radius = radius;
+  return true;
+}
+
+double FindArea(const std::vector<glm::dvec2>& outline)
+{
+  double twice = 0.0;
+  for (size_t i = 0; i < outline.size(); ++i)
+  {
+    const glm::dvec2& a = outline[i];
+    const glm::dvec2& b = outline[(i + 1) % outline.size()];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return 0.5 * twice;
+}
+
+// The convex hull, counterclockwise (Andrew's monotone chain).
+std::vector<glm::dvec2> FindHull(std::vector<glm::dvec2> points)
+{
+  std::sort(points.begin(), points.end(),
+    [](const glm::dvec2& a, const glm::dvec2& b)
+    { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::vector<glm::dvec2> hull;
+  for (int half = 0; half < 2; ++half)
+  {
+    const size_t start = hull.size();
+    for (const glm::dvec2& p : points)
+    {
+      while (hull.size() >= start + 2)
+      {
+        const glm::dvec2 a = hull[hull.size() - 1] - hull[hull.size() - 2];
+        const glm::dvec2 b = p - hull[hull.size() - 2];
+        if (a.x * b.y - a.y * b.x > 1e-5 * glm::length(a) * glm::length(b)) // points are floats
+        {
+          break;
+        }
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxyShapes::CanFit()
+{
+  const auto filter =
+    vtkSmartPointer<vtkObject>::Take(vtkObjectFactory::CreateInstance(FilterName));
+  return vtkPolyDataAlgorithm::SafeDownCast(filter) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Pieces that hang together by their points, each a sphere.
+bool vtkIndirectProxyShapes::FindSpheres(vtkPolyData* mesh, Shape& shape)
+{
+  const size_t count = static_cast<size_t>(mesh->GetNumberOfPoints());
+  std::vector<vtkIdType> piece(count);
+  for (size_t i = 0; i < count; ++i)
+  {
+    piece[i] = static_cast<vtkIdType>(i);
+  }
+  auto find = [&piece](vtkIdType i)
+  {
+    while (piece[static_cast<size_t>(i)] != i)
+    {
+      vtkIdType& parent = piece[static_cast<size_t>(i)];
+      parent = piece[static_cast<size_t>(parent)];
+      i = parent;
+    }
+    return i;
+  };
+  std::vector<vtkIdType> cellOf(count, -1); // by point: any of its cells
+  vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  ForCells(mesh,
+    [&](vtkIdType size, const vtkIdType* points)
+    {
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        cellOf[static_cast<size_t>(points[i])] = cell;
+        piece[static_cast<size_t>(find(points[i]))] = find(points[0]);
+      }
+      ++cell;
+    });
+  std::vector<std::pair<vtkIdType, vtkIdType>> members; // piece and point
+  for (size_t i = 0; i < count; ++i)
+  {
+    if (cellOf[i] >= 0)
+    {
+      members.emplace_back(find(static_cast<vtkIdType>(i)), static_cast<vtkIdType>(i));
+    }
+  }
+  std::sort(members.begin(), members.end());
+  std::vector<vtkIdType> points;
+  for (size_t first = 0; first < members.size();)
+  {
+    size_t end = first;
+    points.clear();
+    while (end < members.size() && members[end].first == members[first].first)
+    {
+      points.push_back(members[end++].second);
+    }
+    vtkIndirectProxySphere sphere;
+    if (points.size() < LeastPoints || !FitSphere(mesh, points.data(), points.size(), sphere))
+    {
+      shape.Spheres.clear();
+      shape.Points.clear();
+      shape.Cells.clear();
+      return false;
+    }
+    shape.Spheres.push_back(sphere);
+    shape.Points.push_back(points.front());
+    shape.Cells.push_back(cellOf[static_cast<size_t>(points.front())]);
+    first = end;
+  }
+  return !shape.Spheres.empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxyShapes::FindPolygon(vtkPolyData* mesh, Shape& shape)
+{
+  glm::dvec3 normal(0.0);
+  double area = 0.0;
+  auto forTriangles =
+    [mesh](const std::function<void(const glm::dvec3&, const glm::dvec3&, const glm::dvec3&)>& call)
+  {
+    ForCells(mesh,
+      [&](vtkIdType size, const vtkIdType* points)
+      {
+        for (vtkIdType i = 2; i < size; ++i)
+        {
+          call(GetPoint(mesh, points[0]), GetPoint(mesh, points[i - 1]), GetPoint(mesh, points[i]));
+        }
+      });
+  };
+  if (mesh->GetNumberOfStrips() > 0 || mesh->GetNumberOfPolys() == 0)
+  {
+    return false;
+  }
+  forTriangles(
+    [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+    {
+      const glm::dvec3 cross = glm::cross(b - a, c - a);
+      normal += glm::dot(cross, normal) < 0.0 ? -cross : cross;
+      area += 0.5 * glm::length(cross);
+    });
+  const double length = glm::length(normal);
+  if (!(area > 0.0) || !std::isfinite(length) || !(length > (2.0 - 1e-3) * area))
+  {
+    return false;
+  }
+  normal /= length;
+  const glm::dvec3 right = glm::normalize(
+    glm::cross(normal, std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  const glm::dvec3 up = glm::cross(normal, right);
+  const glm::dvec3 origin = GetPoint(mesh, 0);
+  const double size = std::sqrt(area);
+  std::vector<glm::dvec2> flat;
+  bool isFlat = true;
+  forTriangles(
+    [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+    {
+      for (const glm::dvec3& p : { a, b, c })
+      {
+        const glm::dvec3 d = p - origin;
+        isFlat = isFlat && std::abs(glm::dot(d, normal)) <= Flatness * size;
+        flat.emplace_back(glm::dot(d, right), glm::dot(d, up));
+      }
+    });
+  if (!isFlat)
+  {
+    return false;
+  }
+  std::vector<glm::dvec2> hull = FindHull(std::move(flat));
+  const double whole = FindArea(hull);
+  if (hull.size() < 3 || !(area >= (1.0 - MissingArea) * whole) ||
+    !(area <= (1.0 + MissingArea) * whole))
+  {
+    return false;
+  }
+  if (hull.size() > MostCorners)
+  {
+    // Evenly along the outline's corners, about its middle.
+    std::vector<glm::dvec2> chosen;
+    for (size_t i = 0; i < MostCorners; ++i)
+    {
+      chosen.push_back(hull[i * hull.size() / MostCorners]);
+    }
+    glm::dvec2 middle(0.0);
+    for (const glm::dvec2& p : chosen)
+    {
+      middle += p / static_cast<double>(MostCorners);
+    }
+    const double scale = std::sqrt(whole / std::max(FindArea(chosen), 1e-6 * whole));
+    for (glm::dvec2& p : chosen)
+    {
+      p = middle + scale * (p - middle);
+    }
+    hull = chosen;
+  }
+  vtkIndirectProxyPolygon polygon;
+  for (const glm::dvec2& p : hull)
+  {
+    polygon.Corners.push_back(origin + p.x * right + p.y * up);
+  }
+  shape.Polygons = { polygon };
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyShapes::Fit(Known& known, vtkPolyData* mesh)
+{
+  ++this->NumberOfFits;
+  known.Made = Shape();
+  known.Filter = nullptr;
+  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+  {
+    known.Made.LeftOut = "it has no surface";
+    return;
+  }
+  if (FindSpheres(mesh, known.Made))
+  {
+    known.Made.Kind = SPHERES;
+    return;
+  }
+  if (FindPolygon(mesh, known.Made))
+  {
+    known.Made.Kind = POLYGON;
+    return;
+  }
+  auto made = vtkSmartPointer<vtkObject>::Take(vtkObjectFactory::CreateInstance(FilterName));
+  known.Filter = vtkPolyDataAlgorithm::SafeDownCast(made);
+  if (!known.Filter)
+  {
+    known.Made.LeftOut = "the module IndirectProxies, which makes spheres of meshes, is not loaded";
+    return;
+  }
+  // The filter's own copy: what it was fitted to stays when the mesh moves.
+  vtkNew<vtkPolyData> copy;
+  copy->SetPoints(vtkSmartPointer<vtkPoints>::New());
+  copy->GetPoints()->DeepCopy(mesh->GetPoints());
+  copy->SetPolys(mesh->GetPolys());
+  copy->SetStrips(mesh->GetStrips());
+  known.Filter->SetInputDataObject(0, copy);
+  known.Made.Kind = FITTED;
+  this->Move(known, nullptr);
+}
+
+//------------------------------------------------------------------------------
+// Takes the filter's spheres, moved with the mesh's points where there is one.
+bool vtkIndirectProxyShapes::Move(Known& known, vtkPolyData* mesh)
+{
+  if (mesh)
+  {
+    vtkNew<vtkPolyData> points;
+    points->SetPoints(mesh->GetPoints());
+    known.Filter->SetInputDataObject(1, points);
+  }
+  known.Filter->Update();
+  vtkPolyData* output = known.Filter->GetOutput();
+  vtkDataArray* radii = output->GetPointData()->GetArray("Radius");
+  known.Made.Spheres.clear();
+  for (vtkIdType i = 0; radii && i < output->GetNumberOfPoints(); ++i)
+  {
+    vtkIndirectProxySphere sphere;
+    sphere.Center = GetPoint(output, i);
+    sphere.Radius = radii->GetTuple1(i);
+    known.Made.Spheres.push_back(sphere);
+  }
+  if (known.Made.Spheres.empty())
+  {
+    known.Made.LeftOut = "no spheres could be made of it";
+  }
+  return !known.Made.Spheres.empty();
+}
+
+//------------------------------------------------------------------------------
+const vtkIndirectProxyShapes::Shape& vtkIndirectProxyShapes::Find(vtkProp* prop, vtkPolyData* mesh)
+{
+  Known& known = this->All[{ prop, mesh }];
+  known.Used = true;
+  const vtkMTimeType time = mesh->GetMTime();
+  const vtkMTimeType cells = std::max(mesh->GetPolys()->GetMTime(), mesh->GetStrips()->GetMTime());
+  if (known.Time == time)
+  {
+    return known.Made;
+  }
+  if (known.Filter && known.CellsTime == cells && known.NumberOfPoints == mesh->GetNumberOfPoints())
+  {
+    this->Move(known, mesh);
+  }
+  else
+  {
+    this->Fit(known, mesh);
+  }
+  known.Time = time;
+  known.CellsTime = cells;
+  known.NumberOfPoints = mesh->GetNumberOfPoints();
+  return known.Made;
+}
+
+//------------------------------------------------------------------------------
+const vtkIndirectProxyShapes::Shape& vtkIndirectProxyShapes::FindBody(
+  vtkProp* prop, vtkPolyData* mesh)
+{
+  Known& known = this->All[{ prop, mesh }];
+  known.Used = true;
+  if (known.Time != mesh->GetMTime())
+  {
+    known.Made = Shape();
+    known.Time = mesh->GetMTime();
+    ++this->NumberOfFits;
+    if (!FindSpheres(mesh, known.Made) || known.Made.Spheres.size() != 1)
+    {
+      known.Made = Shape();
+    }
+  }
+  return known.Made;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyShapes::Forget()
+{
+  for (auto it = this->All.begin(); it != this->All.end();)
+  {
+    it = it->second.Used ? std::next(it) : this->All.erase(it);
+  }
+  for (auto& known : this->All)
+  {
+    known.second.Used = false;
+  }
+}

@@ -1,0 +1,588 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Proxies/vtkIndirectProxySums.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectPaths.h"
+#include "OpenGL/vtkIndirectShaderLibrary.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "Proxies/vtkIndirectProxyChannels.h"
+#include "Proxies/vtkIndirectProxyTable.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+
+using namespace vtkIndirectProxyChannels;
+
+namespace
+{
+constexpr int RowLength = vtkIndirectKernels::VTKI_ROW_LENGTH;
+constexpr int TileSize = 16;
+// Entries in one draw: long draws stall a desktop.
+constexpr int EntriesPerDraw = 16 * RowLength;
+enum ModeType
+{
+  COARSE,
+  PIXELS,
+  REST,
+  SENDERS
+};
+
+// Places of a polygon at each side that its light is the mean of.
+constexpr int PlacesOfPolygon = 4;
+
+glm::mat4 FindSceneToClip(const vtkIndirectFrame& frame)
+{
+  const double scale = frame.SceneScale;
+  const glm::dmat4 toView =
+    glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / scale)) * glm::inverse(frame.ViewToScene);
+  return glm::mat4((frame.Parallel ? 1.0 : scale) * (frame.Projection * toView));
+}
+
+// Of a table. Powers of two: numbers that change a little keep the textures.
+int FindRows(size_t entries)
+{
+  int rows = 1;
+  while (static_cast<size_t>(rows) * RowLength < entries)
+  {
+    rows *= 2;
+  }
+  return rows;
+}
+
+// Fills whole rows of a table.
+void WriteRows(vtkIndirectTarget& target, int channel, std::vector<float>& values)
+{
+  const size_t row = static_cast<size_t>(RowLength) * 4;
+  values.resize((values.size() + row - 1) / row * row, 0.0f);
+  if (!values.empty())
+  {
+    target.Write(channel, values);
+  }
+}
+
+void Append(std::vector<float>& values, const glm::vec3& xyz, float w)
+{
+  values.insert(values.end(), { xyz.x, xyz.y, xyz.z, w });
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectProxySums::vtkIndirectProxySums()
+  : Table(TableChannels, false)
+  , Rows(RowsChannels, false)
+  , Blocks(BlocksChannels, false)
+  , Senders(SendersChannels, false)
+  , Ranges(RangesChannels, false)
+  , SenderLight(SenderLightChannels, false)
+  , AllLight(SenderLightChannels, false)
+  , Coarse(CoarseChannels, false)
+  , Blended(BlendedChannels, false)
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::UsesTiles()
+{
+  return vtkIndirectPaths::Get(vtkIndirectPaths::Splats) == vtkIndirectPaths::SplatsInTiles;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree,
+  const std::vector<vtkIndirectProxyPolygon>& polygons)
+{
+  this->Polygons = vtkIndirectProxyLight::ChoosePolygons(polygons);
+  this->Changed = true;
+  const bool begins = this->Table.GetWidth() == 0;
+  const std::vector<vtkIndirectProxyTree::Entry>& entries = tree.GetEntries();
+  const std::vector<vtkIndirectProxyTree::Block>& blocks = tree.GetBlocks();
+  this->NumberOfEntries = static_cast<int>(entries.size());
+  this->NumberOfBlocks = static_cast<int>(blocks.size());
+  this->HasGroups = tree.HasGroups();
+  const int rows = FindRows(entries.size());
+  if (!this->Table.Resize(window, vtkIndirectProxyEntries, 1) ||
+    !this->Rows.Resize(window, RowLength, rows) || !this->Blocks.Resize(window, 2, rows))
+  {
+    this->NumberOfEntries = 0;
+    return false;
+  }
+  if (begins)
+  {
+    const float* const first = &vtkIndirectProxyTable[0][0];
+    this->Table.Write(0, std::vector<float>(first, first + 4 * vtkIndirectProxyEntries));
+  }
+  // Senders of the tree are followed by those of polygons, then, from another row on, by the means
+  // of both.
+  const int trees = static_cast<int>(tree.GetSenders().size());
+  this->NumberOfSenders = trees + 2 * PlacesOfPolygon * static_cast<int>(this->Polygons.size());
+  const int added = RowLength * FindRows(static_cast<size_t>(this->NumberOfSenders)) - trees;
+  std::vector<float> values[5];
+  for (const vtkIndirectProxyTree::Entry& entry : entries)
+  {
+    Append(values[0], entry.Center, entry.Radius);
+    Append(values[1], entry.OuterCenter, entry.Outer);
+    Append(values[2], entry.Albedo, entry.Share);
+    const int sender = entry.Sender + (entry.Sender < trees ? 0 : added);
+    Append(values[3],
+      glm::vec3(entry.Inner, static_cast<float>(sender), static_cast<float>(entry.Next)),
+      static_cast<float>(entry.First));
+  }
+  for (const vtkIndirectProxyTree::Block& block : blocks)
+  {
+    Append(values[4], block.Lower, 0.0f);
+    Append(values[4], block.Upper, 0.0f);
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    WriteRows(this->Rows, i, values[i]);
+  }
+  if (!blocks.empty())
+  {
+    this->Blocks.Write(0, values[4]);
+  }
+  return this->UpdateSenders(window, tree);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::UpdateSenders(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree)
+{
+  std::vector<float> places;
+  std::vector<float> normals;
+  std::vector<float> ranges;
+  for (const vtkIndirectProxyTree::Sender& sender : tree.GetSenders())
+  {
+    Append(places, sender.Center, sender.Radius);
+    Append(normals, glm::vec3(0.0f), 0.0f);
+  }
+  for (const vtkIndirectProxyTree::Mean& mean : tree.GetMeans())
+  {
+    Append(ranges, glm::vec3(static_cast<float>(mean.First), static_cast<float>(mean.Count), 0.0f),
+      0.0f);
+  }
+  this->FirstPolygonMean = RowLength * FindRows(static_cast<size_t>(this->NumberOfSenders)) +
+    static_cast<int>(tree.GetMeans().size());
+  int next = static_cast<int>(tree.GetSenders().size());
+  for (const vtkIndirectProxyPolygon& polygon : this->Polygons)
+  {
+    const glm::dvec3 normal = vtkIndirectProxyLight::FindNormal(polygon);
+    glm::dvec3 middle(0.0);
+    for (const glm::dvec3& corner : polygon.Corners)
+    {
+      middle += corner / static_cast<double>(polygon.Corners.size());
+    }
+    for (const double side : { 1.0, -1.0 })
+    {
+      for (int i = 0; i < PlacesOfPolygon; ++i)
+      {
+        const size_t corner = static_cast<size_t>(i) * polygon.Corners.size() / PlacesOfPolygon;
+        Append(places, glm::vec3(0.5 * (middle + polygon.Corners[corner])), 0.0f);
+        Append(normals, glm::vec3(side * normal), 1.0f);
+      }
+      Append(ranges, glm::vec3(static_cast<float>(next), static_cast<float>(PlacesOfPolygon), 0.0f),
+        0.0f);
+      next += PlacesOfPolygon;
+    }
+  }
+  const int rows = FindRows(places.size() / 4);
+  const int meanRows = FindRows(ranges.size() / 4);
+  if (!this->Senders.Resize(window, RowLength, rows) ||
+    !this->Ranges.Resize(window, RowLength, meanRows))
+  {
+    this->NumberOfEntries = 0;
+    return false;
+  }
+  WriteRows(this->Senders, 0, places);
+  WriteRows(this->Senders, 1, normals);
+  WriteRows(this->Ranges, 0, ranges);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxySums::SetEnvironment(
+  vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment)
+{
+  const bool changed =
+    this->Light.Update(window, environment, this->Polygons, this->FirstPolygonMean, this->Changed);
+  this->SendersAreLit = this->SendersAreLit && !changed;
+  this->Changed = false;
+}
+
+//------------------------------------------------------------------------------
+// What falls on senders, and means of it.
+bool vtkIndirectProxySums::LightSenders(const Input& input)
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  if (this->SendersAreLit)
+  {
+    return true;
+  }
+  if (!this->SenderLight.Resize(window, RowLength, this->Senders.GetHeight()) ||
+    !this->AllLight.Resize(window, RowLength, this->Senders.GetHeight() + this->Ranges.GetHeight()))
+  {
+    return false;
+  }
+  const std::string definitions = "#define VTKI_PROXY_SENDERS\n";
+  if (UsesTiles())
+  {
+    if (!this->SumInTiles(input, definitions, this->SenderLight, SENDERS))
+    {
+      return false;
+    }
+  }
+  for (int i = UsesTiles() ? 1 : 0; i < 2; ++i)
+  {
+    vtkIndirectFullScreenProgram& kernel = i == 0 ? this->Sending : this->Averaging;
+    vtkIndirectTarget& target = i == 0 ? this->SenderLight : this->AllLight;
+    kernel.SetDefinitions(i == 0 ? definitions : "#define VTKI_PROXY_MEANS\n");
+    vtkShaderProgram* program = kernel.Use(window);
+    if (!program)
+    {
+      return false;
+    }
+    target.Begin();
+    if (i == 0)
+    {
+      this->Activate(input, program);
+    }
+    this->Ranges.Activate(0, program);
+    if (i == 1)
+    {
+      program->SetUniformi("vtkiMeanRow", this->Senders.GetHeight());
+      for (int k = 0; k < 4; ++k)
+      {
+        this->SenderLight.Activate(k, program);
+      }
+    }
+    kernel.Draw();
+    this->SenderLight.Deactivate();
+    this->Ranges.Deactivate();
+    if (i == 0)
+    {
+      this->Deactivate(input);
+    }
+    target.End();
+  }
+  this->SendersAreLit = true;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* program) const
+{
+  vtkIndirectSetEyeUniforms(program, input.Frame);
+  program->SetUniform2i("vtkiSize", input.Frame.Size);
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  program->SetUniform2i("vtkiCoarseSize", this->CoarseSize);
+  program->SetUniformi("vtkiStep", input.Step);
+  if (program->IsUniformUsed("vtkiSenderPlace"))
+  {
+    program->SetUniformi("vtkiSenderCount", this->NumberOfSenders);
+    this->Senders.Activate(0, program);
+    this->Senders.Activate(1, program);
+  }
+  if (program->IsUniformUsed("vtkiProxyBlocks"))
+  {
+    this->Blocks.Activate(0, program);
+    program->SetUniformi("vtkiBlockCount", this->NumberOfBlocks);
+  }
+  if (program->IsUniformUsed("vtkiSenderLight0"))
+  {
+    for (int i = 0; i < this->AllLight.GetNumberOfChannels(); ++i)
+    {
+      this->AllLight.Activate(i, program);
+    }
+  }
+  this->Light.Activate(program);
+  this->Table.Activate(0, program);
+  for (int i = 0; i < this->Rows.GetNumberOfChannels(); ++i)
+  {
+    this->Rows.Activate(i, program);
+  }
+  program->SetUniformi("vtkiProxyCount", this->NumberOfEntries);
+  program->SetUniformi("vtkiProxyHides", input.Hides ? 1 : 0);
+  program->SetUniformf("vtkiProxyLightReach", static_cast<float>(input.LightReach));
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxySums::Deactivate(const Input& input) const
+{
+  input.Geometry.GetTarget().Deactivate();
+  for (const vtkIndirectTarget* target : { &this->Table, &this->Rows, &this->Blocks, &this->Senders,
+         &this->SenderLight, &this->AllLight })
+  {
+    target->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  if (!image.Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  {
+    return false;
+  }
+  const bool sends = image.GetNumberOfChannels() > 1;
+  const bool shadowed = sends && input.Shadowed && input.Hides;
+  const std::string definitions = std::string(sends ? "#define VTKI_PROXY_LIGHT\n" : "") +
+    (input.Middle ? "#define VTKI_PROXY_MIDDLE\n" : "") +
+    (shadowed ? "#define VTKI_PROXY_SHADOWED\n" : "");
+  if (shadowed && !this->LightSenders(input))
+  {
+    return false;
+  }
+  // From border to border.
+  for (int i = 0; i < 2; ++i)
+  {
+    this->CoarseSize[i] = (frame.Size[i] - 1 + input.Step - 1) / input.Step + 1;
+  }
+  const bool coarse = input.Step > 1;
+  if (!coarse)
+  {
+    this->Coarse.Release(frame.Window);
+    this->Rest.Release();
+  }
+  else
+  {
+    this->Coarse.SetNumberOfChannels(sends ? 4 : 3);
+    if (!this->Coarse.Resize(frame.Window, this->CoarseSize[0], this->CoarseSize[1]))
+    {
+      return false;
+    }
+  }
+  if (!UsesTiles())
+  {
+    return this->SumBlended(input, definitions, image);
+  }
+  this->Blended.Release(frame.Window);
+  if (!coarse)
+  {
+    return this->SumInTiles(input, definitions, image, PIXELS);
+  }
+  return this->SumInTiles(input, definitions, this->Coarse, COARSE) &&
+    this->Upsample(input, definitions, image) && this->ListRest(input, image) &&
+    this->SumInTiles(input, definitions, image, REST);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::ListRest(const Input& input, vtkIndirectTarget& image)
+{
+#ifdef GL_COMPUTE_SHADER
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkShaderProgram* program = this->Listing.Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  const size_t pixels = static_cast<size_t>(frame.Size[0]) * static_cast<size_t>(frame.Size[1]);
+  this->Rest.Begin(frame.Window, pixels);
+  this->Rest.Activate(program, "vtkiProxyPixels");
+  program->SetUniform2i("vtkiSize", frame.Size);
+  glBindImageTexture(
+    0, image.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  glDispatchCompute(static_cast<GLuint>((frame.Size[0] + TileSize - 1) / TileSize),
+    static_cast<GLuint>((frame.Size[1] + TileSize - 1) / TileSize), 1);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  this->Rest.Deactivate();
+  return true;
+#else
+  return image.GetWidth() > 0 && input.Step > 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::SumInTiles(
+  const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode)
+{
+#ifdef GL_COMPUTE_SHADER
+  const vtkIndirectFrame& frame = input.Frame;
+  this->Tiles[mode].SetDefinitions(definitions +
+    (this->HasGroups ? "#define VTKI_PROXY_TREE\n" : "") +
+    (mode == PIXELS || mode == REST ? "#define VTKI_PROXY_PIXELS\n" : "") +
+    (mode == REST ? "#define VTKI_PROXY_REST\n" : ""));
+  vtkShaderProgram* program = this->Tiles[mode].Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  this->Activate(input, program);
+  const int senders[2] = { (this->NumberOfSenders + RowLength - 1) / RowLength * TileSize,
+    TileSize };
+  const int* const size = mode == COARSE ? this->CoarseSize
+    : mode == SENDERS                    ? senders
+                                         : frame.Size;
+  auto bind = [&](bool binds)
+  {
+    for (int i = 0; i < image.GetNumberOfChannels(); ++i)
+    {
+      glBindImageTexture(static_cast<GLuint>(i), binds ? image.GetTexture(i)->GetHandle() : 0, 0,
+        GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+    }
+  };
+  bind(true);
+  // What the kernel reads must have arrived: llvmpipe does not wait for it by itself.
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  if (mode == REST)
+  {
+    this->Rest.Activate(program, "vtkiProxyPixels");
+    this->Rest.Dispatch(0);
+    this->Rest.Deactivate();
+  }
+  else
+  {
+    glDispatchCompute(static_cast<GLuint>((size[0] + TileSize - 1) / TileSize),
+      static_cast<GLuint>((size[1] + TileSize - 1) / TileSize), 1);
+  }
+  // Whoever comes next samples it, draws over it, adds to it, reads it back or replaces it.
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  bind(false);
+  this->Deactivate(input);
+  return true;
+#else
+  return image.GetWidth() > 0 && mode >= 0 && definitions.empty() && input.Step > 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definitions)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkIndirectTarget& target = this->Blended;
+  if (!target.Resize(frame.Window, this->CoarseSize[0], this->CoarseSize[1]))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
+    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatVS.glsl", definitions).c_str(),
+    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatFS.glsl", definitions).c_str(), "");
+  if (!program || !program->GetCompiled())
+  {
+    return false;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_CULL_FACE);
+  target.Begin();
+  target.Clear();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  this->Activate(input, program);
+  vtkIndirectSetUniform(program, "vtkiSceneToClip", FindSceneToClip(frame));
+  vtkIndirectSetUniform(program, "vtkiProxyMargin",
+    glm::vec2(4.0f / static_cast<float>(this->CoarseSize[0]),
+      4.0f / static_cast<float>(this->CoarseSize[1])));
+  const int attribute = program->FindAttributeArray("vtkiCorner");
+  for (int first = 0; first < this->NumberOfEntries; first += EntriesPerDraw)
+  {
+    program->SetUniformi("vtkiFirstProxy", first);
+    this->Mesh.Draw(
+      frame.Window, attribute, true, std::min(EntriesPerDraw, this->NumberOfEntries - first));
+    glFlush();
+  }
+  this->Deactivate(input);
+  state->vtkglDisable(GL_BLEND);
+  target.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::SumBlended(
+  const Input& input, const std::string& definitions, vtkIndirectTarget& image)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  if (!this->Splat(input, definitions))
+  {
+    return false;
+  }
+  const bool coarse = input.Step > 1;
+  vtkIndirectTarget& target = coarse ? this->Coarse : image;
+  vtkShaderProgram* program =
+    this->Resolving.Use(frame.Window, definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n"));
+  if (!program)
+  {
+    return false;
+  }
+  target.Begin();
+  this->Activate(input, program);
+  for (int i = 0; i < this->Blended.GetNumberOfChannels(); ++i)
+  {
+    this->Blended.Activate(i, program);
+  }
+  this->Resolving.Draw();
+  this->Blended.Deactivate();
+  this->Deactivate(input);
+  target.End();
+  return !coarse || this->Upsample(input, definitions + "#define VTKI_PROXY_GATHER\n", image);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::Upsample(
+  const Input& input, const std::string& definitions, vtkIndirectTarget& image)
+{
+  vtkShaderProgram* program = this->Upsampling.Use(
+    input.Frame.Window, definitions + "#define VTKI_STEP " + std::to_string(input.Step) + "\n");
+  if (!program)
+  {
+    return false;
+  }
+  image.Begin();
+  this->Activate(input, program);
+  for (int i = 0; i < this->Coarse.GetNumberOfChannels(); ++i)
+  {
+    this->Coarse.Activate(i, program);
+  }
+  this->Upsampling.Draw();
+  this->Coarse.Deactivate();
+  this->Deactivate(input);
+  image.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectProxySums::GetBytes() const
+{
+  size_t bytes = this->Mesh.GetBytes() + this->Light.GetBytes() + this->Rest.GetBytes();
+  for (const vtkIndirectTarget* target : { &this->Table, &this->Rows, &this->Blocks, &this->Senders,
+         &this->Ranges, &this->SenderLight, &this->AllLight, &this->Coarse, &this->Blended })
+  {
+    bytes += target->GetBytes();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxySums::Release(vtkWindow* window)
+{
+  for (vtkIndirectTarget* target : { &this->Table, &this->Rows, &this->Blocks, &this->Senders,
+         &this->Ranges, &this->SenderLight, &this->AllLight, &this->Coarse, &this->Blended })
+  {
+    target->Release(window);
+  }
+  this->Light.Release();
+  this->Mesh.Release();
+  this->Rest.Release();
+  this->Listing.Release(window);
+  for (vtkIndirectComputeProgram& program : this->Tiles)
+  {
+    program.Release(window);
+  }
+  this->Upsampling.Release();
+  this->Resolving.Release();
+  this->Sending.Release();
+  this->Averaging.Release();
+  this->NumberOfEntries = this->NumberOfBlocks = this->NumberOfSenders = 0;
+  this->Changed = true;
+  this->SendersAreLit = false;
+}

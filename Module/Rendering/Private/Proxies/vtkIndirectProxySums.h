@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sums a tree of spheres for what the eye sees: irradiance of the sky that they leave, and of what
+// they send. In compute shaders by tiles of 16 x 16 receivers, or by rectangles that are drawn and
+// blended; both give the same within rounding.
+#ifndef vtkIndirectProxySums_h
+#define vtkIndirectProxySums_h
+
+#include "OpenGL/vtkIndirectCommandBuffer.h"     // for a member
+#include "OpenGL/vtkIndirectComputeProgram.h"    // for members
+#include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectTarget.h"            // for members
+#include "Proxies/vtkIndirectProxyLight.h"       // for a member
+#include "Proxies/vtkIndirectProxyTree.h"        // for entries
+#include "Splatting/vtkIndirectSplatMesh.h"      // for a member
+
+#include <string> // for texts
+
+class vtkIndirectGeometryBuffer;
+struct vtkIndirectFrame;
+
+class vtkIndirectProxySums
+{
+public:
+  vtkIndirectProxySums();
+
+  /** Whether this OpenGL sums in tiles now; see vtkIndirectPaths. */
+  static bool UsesTiles();
+
+  struct Input
+  {
+    const vtkIndirectFrame& Frame;
+    const vtkIndirectGeometryBuffer& Geometry;
+    int Step = 1;            // every so many pixels is a receiver
+    bool Hides = true;       // else nothing hides the sky
+    bool Middle = false;     // radiance of spheres at their middles
+    bool Shadowed = true;    // spheres hide the light from each other that they send
+    double LightReach = 0.0; // radii within which a sphere sends; 0: everywhere
+  };
+
+  /** Uploads entries. Returns false, after an error, when OpenGL refuses. */
+  bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree,
+    const std::vector<vtkIndirectProxyPolygon>& polygons);
+  /** The light that all is summed under; null: none. After Update. */
+  void SetEnvironment(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment);
+
+  /**
+   * Fills an image of the frame's size, of RGBA32F: irradiance of the sky and, in a second channel
+   * if it has that, of what proxies send. Within a vtkIndirectFullScreenState. Returns false when a
+   * program does not compile.
+   */
+  bool Sum(const Input& input, vtkIndirectTarget& image);
+
+  size_t GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  void Activate(const Input& input, vtkShaderProgram* program) const;
+  void Deactivate(const Input& input) const;
+  bool UpdateSenders(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree);
+  bool LightSenders(const Input& input);
+  bool SumInTiles(
+    const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode);
+  bool ListRest(const Input& input, vtkIndirectTarget& image);
+  bool SumBlended(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
+  bool Splat(const Input& input, const std::string& definitions);
+  bool Upsample(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
+
+  vtkIndirectProxyLight Light;
+  std::vector<vtkIndirectProxyPolygon> Polygons;
+  bool Changed = true; // since the light was set
+  bool SendersAreLit = false;
+  bool HasGroups = false;
+  int NumberOfEntries = 0;
+  int NumberOfBlocks = 0;
+  int NumberOfSenders = 0;
+  int FirstPolygonMean = 0; // by number of senders and means
+  int CoarseSize[2] = { 0, 0 };
+  vtkIndirectTarget Table;  // zonal logarithms
+  vtkIndirectTarget Rows;   // entries
+  vtkIndirectTarget Blocks; // boxes
+  vtkIndirectTarget Senders;
+  vtkIndirectTarget Ranges;      // of means
+  vtkIndirectTarget SenderLight; // what falls on them
+  vtkIndirectTarget AllLight;    // the same, and means of it
+  vtkIndirectTarget Coarse;
+  vtkIndirectTarget Blended; // sums
+  vtkIndirectSplatMesh Mesh;
+  vtkIndirectCommandBuffer Rest{ 1 }; // pixels that are left
+  vtkIndirectComputeProgram Listing{ "vtkIndirectProxyListCS.glsl" };
+  // Of coarse receivers, of all pixels, of pixels that are left, of senders.
+  vtkIndirectComputeProgram Tiles[4]{ vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
+    vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
+    vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
+    vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl") };
+  vtkIndirectFullScreenProgram Sending{ "vtkIndirectProxySendersFS.glsl" };
+  vtkIndirectFullScreenProgram Averaging{ "vtkIndirectProxySendersFS.glsl" };
+  vtkIndirectFullScreenProgram Upsampling{ "vtkIndirectProxyUpsampleFS.glsl" };
+  vtkIndirectFullScreenProgram Resolving{ "vtkIndirectProxyResolveFS.glsl" };
+};
+#endif

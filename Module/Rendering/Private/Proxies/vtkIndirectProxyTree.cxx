@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Proxies/vtkIndirectProxyTree.h"
+
+#include "OpenGL/vtkIndirectKernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Groups of more than that come first, so that blocks of the others are near to each other.
+constexpr size_t LargeGroup = 64;
+// Spheres whose light is found together: so many, or more where else there would be more senders.
+constexpr size_t LeastOfSender = 4;
+constexpr size_t MostSenders = 4096;
+// Everywhere, in scene units, whose square and cube are floats still.
+constexpr double Everywhere = 1e8;
+// Sums of r^2, r^2 center, r^2 (center^2 + 3/5 r^2), r^2 albedo.
+constexpr int NumberOfMoments = 8;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyTree::Build(
+  const std::vector<vtkIndirectProxySphere>& spheres, double angle, double reach)
+{
+  this->Entries.clear();
+  this->Blocks.clear();
+  this->Senders.clear();
+  this->Means.clear();
+  this->Nodes.clear();
+  this->Small.clear();
+  if (spheres.empty())
+  {
+    return;
+  }
+  if (angle <= 0.0)
+  {
+    for (const vtkIndirectProxySphere& sphere : spheres)
+    {
+      const glm::vec3 center(sphere.Center);
+      const double outer = reach > 0.0 ? std::min(reach * sphere.Radius, Everywhere) : Everywhere;
+      this->Entries.push_back(
+        { center, static_cast<float>(sphere.Radius), center, static_cast<float>(outer),
+          sphere.Albedo, 1.0f, 0.0f, static_cast<int>(this->Senders.size()), 0, 0 });
+      this->Senders.push_back({ center, static_cast<float>(sphere.Radius) });
+    }
+    for (size_t i = 0; i < this->Entries.size(); ++i)
+    {
+      this->Entries[i].Next = this->Entries[i].First =
+        i + 1 < this->Entries.size() ? static_cast<int>(i) + 1 : -1;
+    }
+    this->MakeBlocks();
+    return;
+  }
+  this->Order.resize(spheres.size());
+  for (size_t i = 0; i < spheres.size(); ++i)
+  {
+    this->Order[i] = i;
+  }
+  this->Nodes.reserve(spheres.size() * 3 / 2 + 4);
+  double moments[NumberOfMoments];
+  const size_t root = this->MakeNode(spheres, 0, spheres.size(), angle, moments);
+  this->Entries.reserve(this->Nodes.size());
+  this->SpheresOfSender = std::max(LeastOfSender, spheres.size() / MostSenders);
+  this->AddSenders(root, -1);
+  for (Node& node : this->Nodes)
+  {
+    // Means come after all senders.
+    node.Sender =
+      node.Sender < 0 ? static_cast<int>(this->Senders.size()) - 1 - node.Sender : node.Sender;
+  }
+  this->AddLarge(root, nullptr);
+  for (const auto& small : this->Small)
+  {
+    this->AddEntry(small.first, small.second);
+  }
+  this->Link(root, -1);
+  this->MakeBlocks();
+}
+
+//------------------------------------------------------------------------------
+// Into two halves along the longest axis of the centres' box.
+void vtkIndirectProxyTree::Split(
+  const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end)
+{
+  glm::dvec3 lower(1e300);
+  glm::dvec3 upper(-1e300);
+  for (size_t i = first; i < end; ++i)
+  {
+    lower = glm::min(lower, spheres[this->Order[i]].Center);
+    upper = glm::max(upper, spheres[this->Order[i]].Center);
+  }
+  const glm::dvec3 size = upper - lower;
+  const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+  const auto begin = this->Order.begin();
+  std::nth_element(begin + static_cast<std::ptrdiff_t>(first),
+    begin + static_cast<std::ptrdiff_t>(first + (end - first) / 2),
+    begin + static_cast<std::ptrdiff_t>(end),
+    [&spheres, axis](size_t a, size_t b)
+    {
+      const double x = spheres[a].Center[axis];
+      const double y = spheres[b].Center[axis];
+      return x < y || (x == y && a < b);
+    });
+}
+
+//------------------------------------------------------------------------------
+// The sphere that all others of a group are inside of; `end` where there is none.
+size_t vtkIndirectProxyTree::FindHolding(
+  const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end) const
+{
+  size_t largest = first;
+  for (size_t i = first; i < end; ++i)
+  {
+    largest = spheres[this->Order[i]].Radius > spheres[this->Order[largest]].Radius ? i : largest;
+  }
+  const vtkIndirectProxySphere& whole = spheres[this->Order[largest]];
+  for (size_t i = first; i < end; ++i)
+  {
+    const vtkIndirectProxySphere& other = spheres[this->Order[i]];
+    if (glm::length(other.Center - whole.Center) + other.Radius > (1.0 + 1e-3) * whole.Radius)
+    {
+      return end;
+    }
+  }
+  return largest;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>& spheres,
+  size_t first, size_t end, double angle, double* moments)
+{
+  const size_t number = this->Nodes.size();
+  this->Nodes.emplace_back();
+  Node node;
+  node.NumberOfChildren = 0;
+  node.NumberOfSpheres = end - first;
+  if (end - first == 1)
+  {
+    const vtkIndirectProxySphere& sphere = spheres[this->Order[first]];
+    const double r2 = sphere.Radius * sphere.Radius;
+    moments[0] = r2;
+    for (int i = 0; i < 3; ++i)
+    {
+      moments[1 + i] = r2 * sphere.Center[i];
+      moments[5 + i] = r2 * sphere.Albedo[i];
+    }
+    moments[4] = r2 * (glm::dot(sphere.Center, sphere.Center) + 0.6 * r2);
+    node.Center = sphere.Center;
+    node.Radius = sphere.Radius;
+    node.Albedo = sphere.Albedo;
+    node.Share = 1.0;
+    node.Inner = 0.0;
+    this->Nodes[number] = node;
+    return number;
+  }
+  const size_t holds = this->FindHolding(spheres, first, end);
+  if (holds < end)
+  {
+    // The others are inside of it, and are not seen.
+    std::swap(this->Order[first], this->Order[holds]);
+    this->Nodes.pop_back();
+    return this->MakeNode(spheres, first, first + 1, angle, moments);
+  }
+  size_t bounds[5] = { first, first, first, first, end };
+  const size_t middle = first + (end - first) / 2;
+  this->Split(spheres, first, end);
+  bounds[2] = middle;
+  bounds[1] = first + (middle - first) / 2;
+  bounds[3] = middle + (end - middle) / 2;
+  if (middle - first > 1)
+  {
+    this->Split(spheres, first, middle);
+  }
+  if (end - middle > 1)
+  {
+    this->Split(spheres, middle, end);
+  }
+  std::fill(moments, moments + NumberOfMoments, 0.0);
+  for (int i = 0; i < 4; ++i)
+  {
+    if (bounds[i] == bounds[i + 1])
+    {
+      continue;
+    }
+    double own[NumberOfMoments];
+    node.Children[node.NumberOfChildren++] =
+      this->MakeNode(spheres, bounds[i], bounds[i + 1], angle, own);
+    for (int k = 0; k < NumberOfMoments; ++k)
+    {
+      moments[k] += own[k];
+    }
+  }
+  const double s = moments[0]; // may underflow, as of radii of 1e-200
+  node.Center = s > 0.0 ? glm::dvec3(moments[1], moments[2], moments[3]) / s
+                        : this->Nodes[node.Children[0]].Center;
+  node.Albedo = s > 0.0 ? glm::dvec3(moments[5], moments[6], moments[7]) / s : glm::dvec3(0.0);
+  double largest = 0.0;
+  for (int i = 0; i < node.NumberOfChildren; ++i)
+  {
+    const Node& child = this->Nodes[node.Children[i]];
+    largest = std::max(largest, glm::length(child.Center - node.Center) + child.Radius);
+  }
+  const double spread = s > 0.0 ? (moments[4] / s - glm::dot(node.Center, node.Center)) / 0.6 : 0.0;
+  // What cancels in it is small beside the squared distance from the origin, which is of order one.
+  node.Radius = std::min(std::sqrt(std::max(spread, 1e-4 * largest * largest)), largest);
+  const double depth = node.Radius > 0.0 ? s / (node.Radius * node.Radius) : 0.0;
+  node.Share = -std::expm1(-depth);
+  // Where it begins to count its children count in full.
+  node.Inner = node.Radius / angle;
+  for (int i = 0; i < node.NumberOfChildren; ++i)
+  {
+    const Node& child = this->Nodes[node.Children[i]];
+    node.Inner = std::max(node.Inner,
+      (child.Inner + glm::length(child.Center - node.Center)) /
+        vtkIndirectKernels::VTKI_PROXY_BAND);
+  }
+  this->Nodes[number] = node;
+  return number;
+}
+
+//------------------------------------------------------------------------------
+// own: the sender that it belongs to; below zero: none. Means are numbered from -1 down.
+void vtkIndirectProxyTree::AddSenders(size_t number, int own)
+{
+  Node& node = this->Nodes[number];
+  if (own < 0 && node.NumberOfSpheres <= this->SpheresOfSender)
+  {
+    own = static_cast<int>(this->Senders.size());
+    this->Senders.push_back({ glm::vec3(node.Center), static_cast<float>(node.Radius) });
+  }
+  node.Sender = own;
+  const int first = static_cast<int>(this->Senders.size());
+  const size_t mean = this->Means.size();
+  if (own < 0)
+  {
+    node.Sender = -1 - static_cast<int>(mean);
+    this->Means.push_back({ first, 0 });
+  }
+  for (int i = 0; i < node.NumberOfChildren; ++i)
+  {
+    this->AddSenders(node.Children[i], own);
+  }
+  if (own < 0)
+  {
+    this->Means[mean].Count = static_cast<int>(this->Senders.size()) - first;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyTree::AddEntry(size_t number, const Node* parent)
+{
+  Node& node = this->Nodes[number];
+  const glm::vec3 center(node.Center);
+  node.Entry = static_cast<int>(this->Entries.size());
+  this->Entries.push_back(
+    { center, static_cast<float>(node.Radius), parent ? glm::vec3(parent->Center) : center,
+      static_cast<float>(parent ? std::min(parent->Inner, Everywhere) : Everywhere),
+      glm::vec3(node.Albedo), static_cast<float>(node.Share),
+      static_cast<float>(std::min(node.Inner, Everywhere)), node.Sender, -1, -1 });
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyTree::Link(size_t number, int next)
+{
+  const Node& node = this->Nodes[number];
+  Entry& entry = this->Entries[static_cast<size_t>(node.Entry)];
+  entry.Next = entry.First = next;
+  for (int i = node.NumberOfChildren - 1; i >= 0; --i)
+  {
+    this->Link(node.Children[i], entry.First);
+    entry.First = this->Nodes[node.Children[i]].Entry;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyTree::AddLarge(size_t number, const Node* parent)
+{
+  const Node& node = this->Nodes[number];
+  if (node.NumberOfSpheres > LargeGroup)
+  {
+    this->AddEntry(number, parent);
+  }
+  else
+  {
+    this->Small.emplace_back(number, parent);
+  }
+  for (int i = 0; i < node.NumberOfChildren; ++i)
+  {
+    this->AddLarge(node.Children[i], &node);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyTree::MakeBlocks()
+{
+  const size_t length = static_cast<size_t>(vtkIndirectKernels::VTKI_ROW_LENGTH);
+  for (size_t first = 0; first < this->Entries.size(); first += length)
+  {
+    Block block = { glm::vec3(1e30f), glm::vec3(-1e30f) };
+    for (size_t i = first; i < std::min(first + length, this->Entries.size()); ++i)
+    {
+      const Entry& entry = this->Entries[i];
+      block.Lower = glm::min(block.Lower, entry.OuterCenter - entry.Outer);
+      block.Upper = glm::max(block.Upper, entry.OuterCenter + entry.Outer);
+    }
+    this->Blocks.push_back(block);
+  }
+}

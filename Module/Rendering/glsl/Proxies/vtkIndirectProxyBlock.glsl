@@ -1,0 +1,25 @@
+// The environment's light and the flat polygons; see vtkIndirectProxyLight.
+#include "vtkIndirectLibSphereProxy.glsl"
+#include "vtkIndirectLibProxyRegion.glsl"
+
+const int VTKI_PROXY_COLOR_ROWS = 40;  // nine columns and the light itself, of four rows each
+const int VTKI_PROXY_LIGHT_ROWS = 120; // of three colours
+const int VTKI_POLYGON_ROWS = 10;      // normal, corners; albedo, size; the corners
+const int VTKI_POLYGON_CORNERS = 8;
+layout(std140) uniform vtkiProxyBlock
+{
+  vec4 vtkiProxyRows[440];
+};
+uniform int vtkiPolygonCount;
+
+vtkiHarmonics4 vtkiProxyHarmonics(int row)
+{
+  return vtkiHarmonics4(
+    vtkiProxyRows[row], vtkiProxyRows[row + 1], vtkiProxyRows[row + 2], vtkiProxyRows[row + 3]);
+}
+
+// The first nine coefficients of the light of one colour, the others of the last two vectors apart.
+vtkiHarmonics4 vtkiProxyLightOf(int color)
+{
+  return vtkiProxyHarmonics(VTKI_PROXY_COLOR_ROWS * color + 36);
+}

@@ -1,0 +1,41 @@
+//VTK::System::Dec
+// A rectangle about the region in which an entry of the tree of spheres counts, an instance each.
+#include "vtkIndirectLibSplat.glsl"
+#include "vtkIndirectLibTable.glsl"
+
+in vec3 vtkiCorner; // of the square from -1 to 1
+uniform sampler2D vtkiProxyOuter; // as in vtkIndirectProxySum.glsl
+uniform int vtkiFirstProxy;
+uniform mat4 vtkiSceneToClip;
+uniform vec2 vtkiProxyMargin; // of two coarse pixels
+flat out int vtkiProxyNumber;
+
+vec4 vtkiClipRow(int i)
+{
+  return vec4(vtkiSceneToClip[0][i], vtkiSceneToClip[1][i], vtkiSceneToClip[2][i], vtkiSceneToClip[3][i]);
+}
+
+void main()
+{
+  vtkiProxyNumber = vtkiFirstProxy + gl_InstanceID;
+  vec4 outer = texelFetch(vtkiProxyOuter, vtkiTableTexel(vtkiProxyNumber), 0);
+  vec2 corner = vtkiCorner.xy;
+  // What counts all over the scene and beyond covers the view.
+  if (outer.w < 1.0e3f)
+  {
+    vtkiSplat region;
+    region.center = outer.xyz;
+    region.along = outer.w;
+    region.axis = vec3(0.0f, 0.0f, 1.0f);
+    region.across = outer.w;
+    vec2 x;
+    vec2 y;
+    int where = vtkiSplatRange(region, vtkiClipRow(0), vtkiClipRow(3), x);
+    vtkiSplatRange(region, vtkiClipRow(1), vtkiClipRow(3), y);
+    // Receivers are anywhere in the pixels that they stand for.
+    vec2 low = where == 0 ? vec2(-1.0f) : vec2(x.x, y.x) - vtkiProxyMargin;
+    vec2 high = where == 0 ? vec2(1.0f) : vec2(x.y, y.y) + vtkiProxyMargin;
+    corner = where < 0 ? vec2(2.0f) : mix(low, high, 0.5f * vtkiCorner.xy + 0.5f);
+  }
+  gl_Position = vec4(corner, 0.0f, 1.0f);
+}

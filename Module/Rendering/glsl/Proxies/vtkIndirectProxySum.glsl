@@ -1,0 +1,256 @@
+// What spheres, groups of spheres and flat polygons hide from a receiver and send to it.
+#include "vtkIndirectProxyBlock.glsl"
+#include "vtkIndirectLibTable.glsl"
+
+uniform sampler2D vtkiProxyCenter; // centre, radius
+uniform sampler2D vtkiProxyOuter;  // centre and radius of the region
+uniform sampler2D vtkiProxyAlbedo; // albedo, share of the disk that is hidden
+uniform sampler2D vtkiProxyInner;  // radius within which others stand for it, sender, next entry, first below it
+uniform sampler2D vtkiProxyTable;  // zonal logarithms, a row of them
+uniform int vtkiProxyCount;
+uniform bool vtkiProxyHides;
+uniform sampler2D vtkiSenderLight0; // of a sphere's irradiance a + b n: a, b.x; b.y, b.z of each colour
+uniform sampler2D vtkiSenderLight1;
+uniform sampler2D vtkiSenderLight2;
+uniform sampler2D vtkiSenderLight3; // of the share of its half space that is open among spheres, the same
+uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: everywhere
+
+const int VTKI_PROXY_TABLE = 64;
+
+struct vtkiProxySums
+{
+  vtkiHarmonics4 hidden; // sum of logarithms
+  vec4 sent;             // irradiance, and solid angle
+};
+
+vtkiProxySums vtkiNoProxies()
+{
+  vtkiProxySums sums;
+  sums.hidden = vtkiHarmonics4(vec4(0.0f), vec4(0.0f), vec4(0.0f), vec4(0.0f));
+  sums.sent = vec4(0.0f);
+  return sums;
+}
+
+// The logarithm of what a disk around +z leaves to be seen, by half its sine.
+vec4 vtkiZonalLog(float sine)
+{
+  float place = vtkiProxyRow(sine) * float(VTKI_PROXY_TABLE - 1);
+  int row = min(int(place), VTKI_PROXY_TABLE - 2);
+  return mix(texelFetch(vtkiProxyTable, ivec2(row, 0), 0), texelFetch(vtkiProxyTable, ivec2(row + 1, 0), 0),
+    place - float(row));
+}
+
+// Radiance of a sphere of albedo 1 towards the receiver, in the light that nothing hides from it (Eq 15; with
+// VTKI_PROXY_MIDDLE Eq 13).
+vec3 vtkiSphereRadiance(vtkiHarmonics4 y, float sine)
+{
+#ifdef VTKI_PROXY_MIDDLE
+  // The sphere's normal there is -d.
+  vec3 bands = vec3(0.28209479f, -0.48860251f, 0.63078313f);
+#else
+  vec3 bands = vtkiProxyAverage(sine);
+#endif
+  bands *= vec3(3.54490770f, 2.04665341f * (2.0f / 3.0f), 1.58533092f * 0.25f);
+  vec4 b1 = bands.y * vec4(0.0f, y.A.y, y.A.z, y.A.w);
+  vec4 b2 = bands.z * y.B;
+  float b3 = bands.z * y.C.x;
+  vec3 radiance;
+  for (int color = 0; color < 3; ++color)
+  {
+    int row = VTKI_PROXY_COLOR_ROWS * color + 36;
+    vec4 l0 = vtkiProxyRows[row];
+    radiance[color] =
+      bands.x * y.A.x * l0.x + dot(b1, l0) + dot(b2, vtkiProxyRows[row + 1]) + b3 * vtkiProxyRows[row + 2].x;
+  }
+  return max(radiance, vec3(0.0f));
+}
+
+// Irradiance a + b n of a sender or of a mean, for a vector n; in the fourth component how open it is there.
+vec4 vtkiSenderIrradiance(int sender, vec3 n)
+{
+  ivec2 at = vtkiTableTexel(sender);
+  vec4 l0 = texelFetch(vtkiSenderLight0, at, 0);
+  vec4 l1 = texelFetch(vtkiSenderLight1, at, 0);
+  vec4 l2 = texelFetch(vtkiSenderLight2, at, 0);
+  vec4 l3 = texelFetch(vtkiSenderLight3, at, 0);
+  vec3 e = l0.rgb + n.x * vec3(l0.a, l1.rg) + n.y * vec3(l1.ba, l2.r) + n.z * l2.gba;
+  return max(vec4(e, l3.x + dot(l3.yzw, n)), vec4(0.0f, 0.0f, 0.0f, 0.02f));
+}
+
+// Adds an entry of the tree of spheres. Returns the entry that comes next: of those below it, where they count.
+int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sums)
+{
+  ivec2 at = vtkiTableTexel(number);
+  vec4 sphere = texelFetch(vtkiProxyCenter, at, 0);
+  vec4 outer = texelFetch(vtkiProxyOuter, at, 0);
+  vec4 inner = texelFetch(vtkiProxyInner, at, 0);
+  vec3 toCenter = sphere.xyz - position;
+  float d = length(toCenter);
+  float toOuter = length(outer.xyz - position);
+  float weight = vtkiProxyWeight(toOuter, outer.w, d, inner.x);
+#ifdef VTKI_PROXY_SENDERS
+  // Without a normal: of a place among spheres, where those around it say nothing.
+  float sine = dot(normal, normal) > 0.0f ? vtkiProxySine(toCenter, sphere.w, normal)
+    : d > sphere.w                        ? sphere.w / d
+                                          : 0.0f;
+#else
+  float sine = vtkiProxySine(toCenter, sphere.w, normal);
+#endif
+  if (weight > 0.0f && sine > 0.0f)
+  {
+    vec4 albedo = texelFetch(vtkiProxyAlbedo, at, 0);
+    weight *= albedo.w;
+    vec3 direction = toCenter / max(d, 1.0e-30f);
+    vec4 zonal = weight * vtkiZonalLog(sine) * vec4(3.54490770f, 2.04665341f, 1.58533092f, 1.33984918f);
+    vtkiHarmonics4 y = vtkiHarmonics4At(direction);
+    sums.hidden.A += y.A * vec4(zonal.x, zonal.y, zonal.y, zonal.y);
+    sums.hidden.B += y.B * zonal.z;
+    sums.hidden.C += y.C * vec4(zonal.z, zonal.w, zonal.w, zonal.w);
+    sums.hidden.D += y.D * zonal.w;
+#ifdef VTKI_PROXY_LIGHT
+    float reach = vtkiProxyLightReach > 0.0f ? vtkiProxyWithin(d, vtkiProxyLightReach * sphere.w) : 1.0f;
+#ifdef VTKI_PROXY_SHADOWED
+    // Averaged over the disk, whose mean normal is -d times a length. What is closed towards the receiver is not what
+    // it sees: it does not count in the mean of all that hides the sky.
+    vec4 sent = vtkiSenderIrradiance(int(inner.y), (vtkiProxyAverage(sine).y / 0.48860251f) * direction);
+    vec3 radiance = sent.rgb;
+    reach *= sent.a;
+#else
+    vec3 radiance = vtkiSphereRadiance(y, sine);
+#endif
+    weight *= reach;
+    float given = weight * vtkiDiskIrradiance(sine, dot(direction, normal));
+    sums.sent += vec4(given * albedo.rgb * radiance, weight * 2.0f * VTKI_PI * vtkiProxyRow(sine));
+#endif
+  }
+  return toOuter < outer.w && d < inner.x ? int(inner.w) : int(inner.z);
+}
+
+// All entries that count for a receiver, if `lit`.
+vtkiProxySums vtkiSumProxies(vec3 position, vec3 normal, bool lit)
+{
+  vtkiProxySums sums = vtkiNoProxies();
+  int next = lit && vtkiProxyCount > 0 ? 0 : -1;
+  while (next >= 0)
+  {
+    next = vtkiAddProxy(position, normal, next, sums);
+  }
+  return sums;
+}
+
+// What a receiver gets: of the sky as far as nothing hides it, a + b n of each colour for normals about its own; and
+// what proxies send to its own normal.
+struct vtkiProxyLit
+{
+  vec4 sky[3]; // b, a
+  vec3 bounce;
+};
+
+// Light of one colour that is seen, in the first nine coefficients.
+vtkiHarmonics4 vtkiSeenLight(vtkiHarmonics4 seen, int color)
+{
+  int row = VTKI_PROXY_COLOR_ROWS * color;
+  vtkiHarmonics4 light;
+  for (int i = 0; i < 4; ++i)
+  {
+    light.A[i] = vtkiHarmonicsDot(vtkiProxyHarmonics(row + 4 * i), seen);
+    light.B[i] = vtkiHarmonicsDot(vtkiProxyHarmonics(row + 16 + 4 * i), seen);
+  }
+  light.C = vec4(vtkiHarmonicsDot(vtkiProxyHarmonics(row + 32), seen), 0.0f, 0.0f, 0.0f);
+  light.D = vec4(0.0f);
+  return light;
+}
+
+// Adds the flat polygons, each as the disk that gives all receivers above it the same irradiance. One that the
+// receiver lies on hides nothing. open: what spheres leave to be seen, of the polygons too.
+void vtkiAddPolygons(
+  vec3 position, vec3 normal, vtkiHarmonics4 open, inout vtkiHarmonics4 hidden, inout vec3 bounce)
+{
+  for (int i = 0; i < vtkiPolygonCount; ++i)
+  {
+    int row = VTKI_PROXY_LIGHT_ROWS + VTKI_POLYGON_ROWS * i;
+    vec4 plane = vtkiProxyRows[row];
+    vec4 albedo = vtkiProxyRows[row + 1];
+    int corners = int(plane.w);
+    // Off its surface, so that in a crease with the polygon it is on that side of it that it faces.
+    vec3 place = position + (2.0e-4f * albedo.w + 1.0e-6f) * normal;
+    float height = dot(plane.xyz, place - vtkiProxyRows[row + 2].xyz);
+    vec3 sum = vec3(0.0f);
+    vec3 before = normalize(vtkiProxyRows[row + 1 + corners].xyz - place);
+    for (int k = 0; k < corners; ++k)
+    {
+      vec3 next = normalize(vtkiProxyRows[row + 2 + k].xyz - place);
+      sum += vtkiPolygonEdge(before, next);
+      before = next;
+    }
+    // Seen from either side.
+    vec3 side = height >= 0.0f ? plane.xyz : -plane.xyz;
+    sum = dot(sum, side) > 0.0f ? -sum : sum;
+    vec4 disk = vtkiPolygonDisk(sum);
+    // Of what is below the receiver only what order 4 lets ring into the upper half would count.
+    bool own = abs(height) < 4.0e-4f * albedo.w + 2.0e-6f && abs(dot(plane.xyz, normal)) > 0.9f;
+    bool below = dot(disk.xyz, normal) < -0.9999f * max(disk.w, 1.0e-6f);
+    if (!own && !below && disk.w > 0.0f)
+    {
+      hidden = vtkiHarmonicsAdd(hidden, 1.0f, vtkiZonalTo(vtkiZonalLog(disk.w), disk.xyz));
+#ifdef VTKI_PROXY_LIGHT
+#ifdef VTKI_PROXY_SHADOWED
+      int mean = int(vtkiProxyRows[row + 2].w) + (height >= 0.0f ? 0 : 1);
+      vec3 radiance = vtkiSenderIrradiance(mean, vec3(0.0f)).rgb;
+#else
+      vtkiHarmonics4 cosine = vtkiClampedCosine(side);
+      vec3 radiance = max(vec3(vtkiHarmonicsDot(cosine, vtkiProxyLightOf(0)),
+        vtkiHarmonicsDot(cosine, vtkiProxyLightOf(1)), vtkiHarmonicsDot(cosine, vtkiProxyLightOf(2))), vec3(0.0f));
+#endif
+      vtkiHarmonics4 seen = vtkiHarmonicProduct(open, vtkiZonalTo(vtkiZonalDisk(disk.w), disk.xyz));
+      bounce += max(vtkiHarmonicsDot(seen, vtkiClampedCosine(normal)), 0.0f) * albedo.rgb * radiance;
+#endif
+    }
+  }
+}
+
+// What is left to be seen of the sky. bounce: what proxies send.
+vtkiHarmonics4 vtkiSeenSky(vec3 position, vec3 normal, vtkiProxySums sums, out vec3 bounce)
+{
+  vtkiHarmonics4 hidden = sums.hidden;
+  vtkiHarmonics4 seen = vtkiHarmonicsExp(hidden);
+  bounce = vec3(0.0f);
+#ifdef VTKI_PROXY_LIGHT
+#ifdef VTKI_PROXY_SHADOWED
+  bounce = vtkiProxyMean(seen, sums.sent.a) * sums.sent.rgb;
+#else
+  bounce = vtkiProxyOverlap(seen, sums.sent.a) * sums.sent.rgb;
+#endif
+#endif
+  if (vtkiPolygonCount > 0)
+  {
+    vtkiAddPolygons(position, normal, seen, hidden, bounce);
+    seen = vtkiHarmonicsExp(hidden);
+  }
+  if (!vtkiProxyHides)
+  {
+    seen = vtkiHarmonics4(vec4(1.0f / VTKI_HARMONICS_Y00, 0.0f, 0.0f, 0.0f), vec4(0.0f), vec4(0.0f), vec4(0.0f));
+  }
+  return seen;
+}
+
+vtkiProxyLit vtkiResolveProxies(vec3 position, vec3 normal, vtkiProxySums sums)
+{
+  vtkiProxyLit lit;
+  vtkiHarmonics4 seen = vtkiSeenSky(position, normal, sums, lit.bounce);
+  for (int color = 0; color < 3; ++color)
+  {
+    vtkiHarmonics4 light = vtkiSeenLight(seen, color);
+    vec3 gradient = vtkiIrradianceGradient(light, normal);
+    float own = vtkiHarmonicsDot(light, vtkiClampedCosine(normal));
+    lit.sky[color] = vec4(gradient, own - dot(gradient, normal));
+  }
+  return lit;
+}
+
+// Irradiance of the sky at a normal.
+vec3 vtkiProxyIrradiance(vec4 sky[3], vec3 normal)
+{
+  vec4 n = vec4(normal, 1.0f);
+  return max(vec3(dot(sky[0], n), dot(sky[1], n), dot(sky[2], n)), vec3(0.0f));
+}

@@ -1,0 +1,185 @@
+//VTK::System::Dec
+// A group of invocations for each tile of 16 x 16 receivers. Where spheres are in groups (VTKI_PROXY_TREE) each goes
+// down their tree by itself; else the group lists the spheres whose regions meet the box about its receivers, a set
+// of bits for a block of 256 at a time, and sums those in their order.
+//
+// Receivers are every vtkiStep-th pixel, whose light goes to coarse images; with VTKI_PROXY_PIXELS all of them, or
+// with VTKI_PROXY_REST those that no coarse receiver stands for, whose irradiance goes to an image; or with
+// VTKI_PROXY_SENDERS the spheres themselves, 256 in a row, whose irradiance goes to their table.
+#include "vtkIndirectStep.glsl"
+#include "vtkIndirectProxySum.glsl"
+uniform ivec2 vtkiCoarseSize;
+#include "vtkIndirectProxySenders.glsl"
+#ifdef VTKI_PROXY_REST
+#include "vtkIndirectProxyList.glsl"
+#endif
+
+layout(local_size_x = 16, local_size_y = 16) in;
+#ifdef VTKI_PROXY_SENDERS
+layout(rgba32f, binding = 0) uniform image2D vtkiLight0;
+layout(rgba32f, binding = 1) uniform image2D vtkiLight1;
+layout(rgba32f, binding = 2) uniform image2D vtkiLight2;
+layout(rgba32f, binding = 3) uniform image2D vtkiLight3;
+#elif defined(VTKI_PROXY_PIXELS)
+layout(rgba32f, binding = 0) uniform image2D vtkiSkyImage;
+layout(rgba32f, binding = 1) uniform image2D vtkiBounceImage;
+#else
+layout(rgba32f, binding = 0) uniform image2D vtkiCoarseImage0;
+layout(rgba32f, binding = 1) uniform image2D vtkiCoarseImage1;
+layout(rgba32f, binding = 2) uniform image2D vtkiCoarseImage2;
+layout(rgba32f, binding = 3) uniform image2D vtkiCoarseImage3;
+#endif
+
+#ifdef VTKI_PROXY_TREE
+vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
+{
+  return vtkiSumProxies(position, normal, lit);
+}
+#else
+// Coordinates as unsigned integers in the same order, so that they can be compared atomically.
+shared uint vtkiLowest[3];
+shared uint vtkiHighest[3];
+shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
+
+uint vtkiOrdered(float value)
+{
+  uint bits = floatBitsToUint(value);
+  return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
+}
+
+float vtkiFromOrdered(uint bits)
+{
+  return uintBitsToFloat((bits & 0x80000000u) != 0u ? bits & 0x7fffffffu : ~bits);
+}
+
+// Sums for a receiver of each invocation, if `lit`.
+vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
+{
+  int number = int(gl_LocalInvocationIndex);
+  barrier();
+  if (number < 3)
+  {
+    vtkiLowest[number] = 0xffffffffu;
+    vtkiHighest[number] = 0u;
+  }
+  barrier();
+  if (lit)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      uint at = vtkiOrdered(position[i]);
+      atomicMin(vtkiLowest[i], at);
+      atomicMax(vtkiHighest[i], at);
+    }
+  }
+  barrier();
+  bool some = vtkiLowest[0] <= vtkiHighest[0];
+  vec3 lower = vec3(vtkiFromOrdered(vtkiLowest[0]), vtkiFromOrdered(vtkiLowest[1]), vtkiFromOrdered(vtkiLowest[2]));
+  vec3 upper = vec3(vtkiFromOrdered(vtkiHighest[0]), vtkiFromOrdered(vtkiHighest[1]), vtkiFromOrdered(vtkiHighest[2]));
+  // Room for what the middle is rounded by.
+  vec3 middle = some ? 0.5f * (lower + upper) : vec3(0.0f);
+  vec3 halfSize = some ? 0.5f * (upper - lower) + 1.0e-6f : vec3(0.0f);
+
+  vtkiProxySums sums = vtkiNoProxies();
+  for (int block = 0; block < vtkiBlockCount && some; ++block)
+  {
+    if (!vtkiMeetsBlock(block, middle, halfSize))
+    {
+      continue; // the same for all invocations
+    }
+    if (number < VTKI_ROW_LENGTH / 32)
+    {
+      vtkiListed[number] = 0u;
+    }
+    barrier();
+    int entry = block * VTKI_ROW_LENGTH + number;
+    if (entry < vtkiProxyCount)
+    {
+      ivec2 at = vtkiTableTexel(entry);
+      vec4 outer = texelFetch(vtkiProxyOuter, at, 0);
+      if (vtkiProxyMeetsBox(middle, halfSize, outer.xyz, outer.w, texelFetch(vtkiProxyCenter, at, 0).xyz,
+            texelFetch(vtkiProxyInner, at, 0).x))
+      {
+        atomicOr(vtkiListed[number >> 5], 1u << uint(number & 31));
+      }
+    }
+    barrier();
+    for (int word = 0; word < VTKI_ROW_LENGTH / 32; ++word)
+    {
+      uint bits = lit ? vtkiListed[word] : 0u;
+      while (bits != 0u)
+      {
+        int next = block * VTKI_ROW_LENGTH + 32 * word + findLSB(bits);
+        bits &= bits - 1u;
+        vtkiAddProxy(position, normal, next, sums);
+      }
+    }
+    barrier();
+  }
+  return sums;
+}
+#endif
+
+#ifdef VTKI_PROXY_SENDERS
+void main()
+{
+  int number = int(gl_WorkGroupID.x) * VTKI_ROW_LENGTH + int(gl_LocalInvocationIndex);
+  bool inside = number < vtkiSenderCount;
+  vec4 place;
+  vec4 normal;
+  vtkiFetchSender(inside ? number : 0, place, normal);
+  vtkiProxySums around = vtkiSumTile(place.xyz, vec3(0.0f), inside && !(normal.w > 0.0f));
+  vtkiOpenSender(around, place, normal);
+  vtkiProxySums sums = vtkiSumTile(place.xyz, normal.xyz, inside);
+  vec4 light[4];
+  vtkiLightOfSender(sums, place, normal, light);
+  if (inside)
+  {
+    imageStore(vtkiLight0, vtkiTableTexel(number), light[0]);
+    imageStore(vtkiLight1, vtkiTableTexel(number), light[1]);
+    imageStore(vtkiLight2, vtkiTableTexel(number), light[2]);
+    imageStore(vtkiLight3, vtkiTableTexel(number), light[3]);
+  }
+}
+#else
+void main()
+{
+  ivec2 place = ivec2(gl_GlobalInvocationID.xy);
+#if defined(VTKI_PROXY_REST)
+  uint number = gl_WorkGroupID.x * 256u + gl_LocalInvocationIndex;
+  bool inside = number < vtkiCommand.w;
+  uint entry = vtkiEntry[inside ? number : 0u];
+  ivec2 pixel = ivec2(int(entry & 65535u), int(entry >> 16));
+#elif defined(VTKI_PROXY_PIXELS)
+  ivec2 pixel = min(place, vtkiSize - 1);
+  bool inside = place.x < vtkiSize.x && place.y < vtkiSize.y;
+#else
+  ivec2 pixel = min(place * vtkiStep, vtkiSize - 1);
+  bool inside = place.x < vtkiCoarseSize.x && place.y < vtkiCoarseSize.y;
+#endif
+  vtkiReceiver receiver;
+  bool lit = vtkiFetchReceiver(pixel, receiver) && inside;
+  vtkiProxySums sums = vtkiSumTile(receiver.position, receiver.normal, lit);
+  vtkiProxyLit result = vtkiResolveProxies(receiver.position, receiver.normal, sums);
+#ifdef VTKI_PROXY_PIXELS
+  if (inside)
+  {
+    vec3 sky = lit ? vtkiProxyIrradiance(result.sky, receiver.normal) : vec3(0.0f);
+    imageStore(vtkiSkyImage, pixel, vec4(sky, 1.0f));
+#ifdef VTKI_PROXY_LIGHT
+    imageStore(vtkiBounceImage, pixel, vec4(lit ? result.bounce : vec3(0.0f), 1.0f));
+#endif
+  }
+#else
+  if (inside)
+  {
+    imageStore(vtkiCoarseImage0, place, result.sky[0]);
+    imageStore(vtkiCoarseImage1, place, result.sky[1]);
+    imageStore(vtkiCoarseImage2, place, result.sky[2]);
+#ifdef VTKI_PROXY_LIGHT
+    imageStore(vtkiCoarseImage3, place, vec4(result.bounce, 1.0f));
+#endif
+  }
+#endif
+}
+#endif

@@ -1,0 +1,87 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Irradiance of the pixel's own normal by the four coarse receivers around (Eq 11): bilinear, by how far each is from
+// the pixel's plane and the pixel from its, and by normals. Where none of them serves, alpha is -1 and the pixel is
+// summed from scratch: here with VTKI_PROXY_GATHER, else by a list.
+#include "vtkIndirectStep.glsl"
+#include "vtkIndirectProxySum.glsl"
+
+uniform ivec2 vtkiCoarseSize;
+uniform sampler2D vtkiCoarse0; // of a colour's irradiance a + b n: b, a
+uniform sampler2D vtkiCoarse1;
+uniform sampler2D vtkiCoarse2;
+uniform sampler2D vtkiCoarse3; // what proxies send
+
+// Weights together that say nothing.
+const float VTKI_LEAST_WEIGHT = 1.0e-3f;
+// The plane's distance, over that of samples, at which a sample counts half.
+const float VTKI_PROXY_DEPTH = 0.5f;
+
+// What a receiver counts that faces elsewhere: power 8 of the cosine, as irradiance is turned to the pixel's normal.
+float vtkiProxyFacing(float cosine)
+{
+  float c = max(cosine, 0.0f);
+  float c2 = c * c;
+  float c4 = c2 * c2;
+  return c4 * c4;
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vtkiReceiver receiver;
+  vec4 result = vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  vec3 bounce = vec3(0.0f);
+  if (vtkiFetchReceiver(pixel, receiver))
+  {
+    float distance = vtkiSampleDistance(receiver.depth);
+    // The last samples may lie closer.
+    ivec2 corner = pixel / vtkiStep;
+    ivec2 first = corner * vtkiStep;
+    vec2 blend = vec2(pixel - first) / vec2(max(min(first + vtkiStep, vtkiSize - 1) - first, 1));
+    vec4 sky[3];
+    sky[0] = vec4(0.0f);
+    sky[1] = vec4(0.0f);
+    sky[2] = vec4(0.0f);
+    float sum = 0.0f;
+    for (int i = 0; i < 4; ++i)
+    {
+      ivec2 shift = ivec2(i & 1, i >> 1);
+      ivec2 at = min(corner + shift, vtkiCoarseSize - 1);
+      vtkiReceiver other;
+      bool lit = vtkiFetchReceiver(min(at * vtkiStep, vtkiSize - 1), other);
+      vec2 w = mix(1.0f - blend, blend, vec2(shift));
+      vec3 offset = other.positionVC - receiver.positionVC;
+      float away = max(abs(dot(offset, receiver.normalVC)), abs(dot(offset, other.normalVC))) /
+        max(VTKI_PROXY_DEPTH * distance, 1.0e-30f);
+      float same = vtkiProxyFacing(dot(receiver.normalVC, other.normalVC)) / (1.0f + away * away * away * away);
+      // A sample next to the pixel may be the only one.
+      float weight = lit ? (w.x * w.y + 1.0e-3f) * same : 0.0f;
+      sum += weight;
+      sky[0] += weight * texelFetch(vtkiCoarse0, at, 0);
+      sky[1] += weight * texelFetch(vtkiCoarse1, at, 0);
+      sky[2] += weight * texelFetch(vtkiCoarse2, at, 0);
+#ifdef VTKI_PROXY_LIGHT
+      bounce += weight * texelFetch(vtkiCoarse3, at, 0).rgb;
+#endif
+    }
+    float scale = 1.0f / max(sum, 1.0e-30f);
+    bounce *= scale;
+    result = vec4(scale * vtkiProxyIrradiance(sky, receiver.normal), 1.0f);
+    if (!(sum > VTKI_LEAST_WEIGHT))
+    {
+#ifdef VTKI_PROXY_GATHER
+      vtkiProxySums sums = vtkiSumProxies(receiver.position, receiver.normal, true);
+      vtkiProxyLit lit = vtkiResolveProxies(receiver.position, receiver.normal, sums);
+      result.rgb = vtkiProxyIrradiance(lit.sky, receiver.normal);
+      bounce = lit.bounce;
+#else
+      result.a = -1.0f;
+#endif
+    }
+  }
+  gl_FragData[0] = result;
+#ifdef VTKI_PROXY_LIGHT
+  gl_FragData[1] = vec4(bounce, 1.0f);
+#endif
+}

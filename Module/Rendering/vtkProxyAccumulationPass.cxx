@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "vtkProxyAccumulationPass.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEstimate.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectStageTimer.h"
+#include "OpenGL/vtkIndirectTarget.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "Proxies/vtkIndirectProxyScene.h"
+#include "Proxies/vtkIndirectProxySums.h"
+#include "Proxies/vtkIndirectProxyTree.h"
+#include "vtkDataArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+vtkStandardNewMacro(vtkProxyAccumulationPass);
+
+namespace
+{
+const vtkIndirectChannel SkyChannels[] = {
+  { "sky", "vtkiSky", "irradiance that comes directly from the environment", GL_RGBA32F, "-",
+    "VTK irradiance" },
+  { "bounce", "vtkiIrradiance", "irradiance that proxies send", GL_RGBA32F, "-", "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+// What is seen of a scene in so many receivers is about as fine as spheres of thousands; more of
+// them cost as much more.
+int FindStep(const int size[2])
+{
+  constexpr double receivers = 16384.0;
+  constexpr int most = 8;
+  const double pixels = static_cast<double>(size[0]) * size[1];
+  return std::min(std::max(static_cast<int>(std::lround(std::sqrt(pixels / receivers))), 1), most);
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkProxyAccumulationPass::Internals
+{
+  vtkIndirectProxyScene::Given Given;
+  vtkIndirectProxyScene Scene;
+  vtkIndirectProxyTree Tree;
+  vtkIndirectProxySums Sums;
+  vtkIndirectTarget Sky{ SkyChannels, false };
+  vtkMTimeType TreeTime = 0; // of this pass when the tree was built
+  bool TreeIsThere = false;
+  int Step = 0; // of the last frame
+};
+
+//------------------------------------------------------------------------------
+vtkProxyAccumulationPass::vtkProxyAccumulationPass()
+  : Internal(new Internals)
+{
+}
+
+vtkProxyAccumulationPass::~vtkProxyAccumulationPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkProxyAccumulationPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  static const char* const levels[] = { "Off", "Middle", "Averaged", "Shadowed" };
+  os << indent << "ReceiverStep: " << this->Settings.ReceiverStep << "\n";
+  os << indent << "Groups: " << (this->Settings.Groups ? "On" : "Off") << "\n";
+  os << indent << "GroupAngle: " << this->Settings.GroupAngle << "\n";
+  os << indent << "InfluenceScale: " << this->Settings.InfluenceScale << "\n";
+  os << indent << "IndirectInfluenceScale: " << this->Settings.IndirectInfluenceScale << "\n";
+  os << indent << "IndirectLight: " << levels[this->Settings.IndirectLight] << "\n";
+  os << indent << "NumberOfSpheres: " << this->GetNumberOfSpheres() << "\n";
+  os << indent << "NumberOfPolygons: " << this->GetNumberOfPolygons() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkProxyAccumulationPass::SetProxies(vtkProp* prop, vtkPolyData* spheres)
+{
+  auto& given = this->Internal->Given;
+  if (!prop)
+  {
+    vtkErrorMacro("Spheres need a prop to stand for.");
+    return;
+  }
+  if (!spheres)
+  {
+    if (given.erase(prop) > 0)
+    {
+      this->Modified();
+    }
+    return;
+  }
+  vtkDataArray* radii = spheres->GetPointData()->GetArray("Radius");
+  if (!radii || radii->GetNumberOfComponents() != 1)
+  {
+    vtkErrorMacro(
+      "Spheres need point data 'Radius' of one component, as vtkSphereProxyFilter makes "
+      "it; nothing is changed.");
+    return;
+  }
+  if (given[prop] != spheres)
+  {
+    given[prop] = spheres;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkProxyAccumulationPass::GetProxies(vtkProp* prop)
+{
+  const auto known = this->Internal->Given.find(prop);
+  return known == this->Internal->Given.end() ? nullptr : known->second.Get();
+}
+
+//------------------------------------------------------------------------------
+void vtkProxyAccumulationPass::RemoveAllProxies()
+{
+  if (!this->Internal->Given.empty())
+  {
+    this->Internal->Given.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkProxyAccumulationPass::GetNumberOfSpheres() const
+{
+  return static_cast<int>(this->Internal->Scene.GetSpheres().size());
+}
+
+//------------------------------------------------------------------------------
+int vtkProxyAccumulationPass::GetNumberOfPolygons() const
+{
+  return static_cast<int>(this->Internal->Scene.GetPolygons().size());
+}
+
+//------------------------------------------------------------------------------
+int vtkProxyAccumulationPass::GetActiveReceiverStep() const
+{
+  return this->Internal->Step;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectVisibilityNeeds vtkProxyAccumulationPass::GetVisibilityNeeds(
+  const vtkIndirectPlan&) const
+{
+  return {};
+}
+
+//------------------------------------------------------------------------------
+vtkVirtualLightSampler* vtkProxyAccumulationPass::ChooseSampler(
+  vtkVirtualLightSampler*, const vtkIndirectPlan&)
+{
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectEstimate vtkProxyAccumulationPass::Estimate(const Input& input)
+{
+  if (!this->Sum(input))
+  {
+    return {};
+  }
+  vtkIndirectEstimate result = this->MakeResult();
+  result.Sky = &this->Internal->Sky;
+  result.Irradiance = this->Settings.IndirectLight == OFF ? nullptr : &this->Internal->Sky;
+  result.IrradianceChannel = 1;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool vtkProxyAccumulationPass::Sum(const Input& input)
+{
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkIndirectFullScreenState kernelState(frame.Window);
+
+  input.Timer.Begin(vtkIndirectStageTimer::Lights);
+  const bool moved = in.Scene.Update(frame, in.Given, this);
+  const bool rebuilds = moved || !in.TreeIsThere || in.TreeTime != this->GetMTime();
+  bool done = true;
+  if (rebuilds)
+  {
+    in.Tree.Build(in.Scene.GetSpheres(), this->Settings.Groups ? this->Settings.GroupAngle : 0.0,
+      this->Settings.InfluenceScale);
+    done = in.Sums.Update(frame.Window, in.Tree, in.Scene.GetPolygons());
+    in.TreeIsThere = done;
+    in.TreeTime = this->GetMTime();
+  }
+  in.Sums.SetEnvironment(frame.Window, input.Environment);
+  input.Timer.End(vtkIndirectStageTimer::Lights);
+
+  in.Sky.SetNumberOfChannels(this->Settings.IndirectLight == OFF ? 1 : 2);
+  vtkIndirectProxySums::Input sums = { frame, input.Geometry };
+  in.Step = this->Settings.ReceiverStep > 0 ? this->Settings.ReceiverStep : FindStep(frame.Size);
+  sums.Step = in.Step;
+  sums.Hides = input.Plan.SkyIsShadowed;
+  sums.Middle = this->Settings.IndirectLight == MIDDLE;
+  sums.Shadowed = this->Settings.IndirectLight == SHADOWED;
+  sums.LightReach = this->Settings.Groups ? 0.0 : this->Settings.IndirectInfluenceScale;
+  input.Timer.Begin(vtkIndirectStageTimer::Estimate);
+  done = done && in.Sums.Sum(sums, in.Sky);
+  input.Timer.End(vtkIndirectStageTimer::Estimate);
+  return done;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkProxyAccumulationPass::GetBytes() const
+{
+  const Internals& in = *this->Internal;
+  return this->Superclass::GetBytes() + in.Sky.GetBytes() + in.Sums.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+size_t vtkProxyAccumulationPass::GetMainMemoryBytes() const
+{
+  const Internals& in = *this->Internal;
+  return in.Scene.GetSpheres().size() * sizeof(vtkIndirectProxySphere) +
+    in.Tree.GetEntries().size() * sizeof(vtkIndirectProxyTree::Entry);
+}
+
+//------------------------------------------------------------------------------
+void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
+{
+  const Internals& in = *this->Internal;
+  in.Scene.AddToReport(report);
+  const size_t most = vtkIndirectProxyLight::MostPolygons;
+  if (in.Scene.GetPolygons().size() > most)
+  {
+    report.LeftOut.emplace_back(
+      std::to_string(in.Scene.GetPolygons().size() - most) + " flat polygons",
+      "the " + std::to_string(most) + " largest count; the result is too bright");
+  }
+  const int step = in.Step;
+  report.Modelled.emplace_back("light from the sky",
+    "spherical harmonics of order 4, " +
+      (this->Settings.Groups ? "groups of spheres that are seen under a sine of " +
+            vtkIndirectReport::Number(this->Settings.GroupAngle) + " or less as one"
+                             : "each sphere within " +
+            vtkIndirectReport::Number(this->Settings.InfluenceScale) + " radii") +
+      (step > 1 ? ", a receiver in " + std::to_string(step * step) + " pixels"
+                : ", at every pixel"));
+  if (this->Settings.IndirectLight == OFF)
+  {
+    report.LeftOut.emplace_back("bounces of light from the sky", "IndirectLight is off");
+  }
+  else
+  {
+    report.Modelled.emplace_back("one bounce of light from the sky",
+      this->Settings.IndirectLight == SHADOWED
+        ? "spheres send what of it falls on them"
+        : "spheres send it as if nothing hid it from them; the result is too bright where they are "
+          "close to each other");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkProxyAccumulationPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (!window)
+  {
+    return;
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+  Internals& in = *this->Internal;
+  in.Sky.Release(window);
+  in.Sums.Release(window);
+  in.TreeIsThere = false;
+}

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkProxyAccumulationPass
+ * @brief Light of the sky, hidden and sent on by spheres that stand for what is drawn
+ *
+ * Sloan, Govindaraju, Nowrouzezahrai and Snyder 2007, "Image-Based Proxy Accumulation for Real-Time
+ * Soft Global Illumination": at each receiver the logarithms of what each sphere leaves of the sky
+ * are added in spherical harmonics of order 4; their exponential is what is seen, and its product
+ * with the environment's light and the cosine (Eq 10) is the irradiance. There are no maps: what
+ * moves in every frame costs no more than what stands.
+ *
+ * It takes the place of the sky's maps (buffer `sky`), and of virtual lights under the sky (buffer
+ * `bounce`, one bounce of the sky's light; see IndirectLight). The environment is that of
+ * vtkIndirectIlluminationPass. Lights of the renderer shade and cast shadows as ever, but none of
+ * their light is reflected.
+ *
+ * *Spheres* are taken from the data in every frame: atoms (vtkMoleculeMapper),
+ * vtkOpenGLSphereMapper, glyphs that are spheres (vtkGlyph3DMapper), points of
+ * vtkPointGaussianMapper whose shader code cuts them off by `discard`. A mesh that consists of
+ * spheres is these; one that is flat and convex is a polygon. For any other a vtkSphereProxyFilter
+ * makes spheres, where the module IndirectProxies is loaded, or they are given (SetProxies); they
+ * are kept while the mesh is the same, and move with its actor and with its points.
+ *
+ * Where this differs from the paper, by default:
+ * - Groups of spheres that are far away are summed as one (Groups): thousands of spheres cost
+ *   hundreds, and logarithms of what lies behind each other stay short enough for their
+ * exponential. Without them each sphere counts within InfluenceScale radii, as in the paper.
+ * - Spheres send what others leave of the sky, not all of it (IndirectLight).
+ * - What is interpolated between receivers is light by direction, not irradiance: pixels use their
+ *   own normal.
+ *
+ * Approximations: order 4 blurs shadows (either sign); what lies behind each other within reach
+ * of GroupAngle hides twice (too dark); ten or more spheres around a receiver hide too little (too
+ * bright); none of the light that spheres send is reflected again (too dark); glyphs that are no
+ * spheres, bonds, lines and points hide nothing. A sun is as broad as order 4 makes it.
+ * Documentation/methods/sphere-proxies.md has figures.
+ *
+ * Memory: 16 bytes a pixel, twice that with IndirectLight, 64 bytes a receiver and 4 a pixel where
+ * receivers are fewer than pixels, and 120 bytes a sphere.
+ */
+
+#ifndef vtkProxyAccumulationPass_h
+#define vtkProxyAccumulationPass_h
+
+#include "vtkIndirectEstimatorPass.h"
+#include "vtkIndirectSettings.h"        // For properties
+#include "vtkRenderingIndirectModule.h" // For export macro
+
+class vtkPolyData;
+class vtkProp;
+
+class VTKRENDERINGINDIRECT_EXPORT vtkProxyAccumulationPass : public vtkIndirectEstimatorPass
+{
+public:
+  static vtkProxyAccumulationPass* New();
+  vtkTypeMacro(vtkProxyAccumulationPass, vtkIndirectEstimatorPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  const char* GetMethodName() const override { return "proxies"; }
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * Pixels from one receiver to the next: 1, or 2, 4, 8 for a quarter, a sixteenth, a sixty-fourth
+   * of them, with bilateral interpolation between (Eq 11); pixels that no receiver stands for are
+   * summed from scratch. 0: as many as leave about 16,000 receivers, at most 8. Default 0, range 0
+   * to 16.
+   */
+  vtkIndirectClampMacro(ReceiverStep, int, 0, 16);
+  ///@}
+
+  ///@{
+  /** Whether groups of spheres are summed as one from afar. Default on. */
+  vtkIndirectFlagMacro(Groups);
+  ///@}
+
+  ///@{
+  /**
+   * The largest radius of a group over its distance under which it is one. Smaller is slower, and
+   * hardly more exact, as logarithms of spheres behind each other add up. Default 0.4, range 0.05
+   * to 1.
+   */
+  vtkIndirectClampMacro(GroupAngle, double, 0.05, 1.0);
+  ///@}
+
+  ///@{
+  /**
+   * Without Groups: radii within which a sphere hides light, with a smooth end. 15 cuts off at most
+   * 1/256 of what a light from one direction gives a receiver that faces it, and so of any light.
+   * Default 15, range 2 to 1000.
+   */
+  vtkIndirectClampMacro(InfluenceScale, double, 2.0, 1000.0);
+  ///@}
+
+  ///@{
+  /** Without Groups: radii within which a sphere sends light. Default 4, range 2 to 1000. */
+  vtkIndirectClampMacro(IndirectInfluenceScale, double, 2.0, 1000.0);
+  ///@}
+
+  enum IndirectLightType
+  {
+    OFF = 0,
+    MIDDLE = 1,
+    AVERAGED = 2,
+    SHADOWED = 3
+  };
+
+  ///@{
+  /**
+   * Light that spheres reflect of the sky: none, as if all of a sphere sent what its middle sends
+   * (Eq 13), or its mean over the visible disk (Eq 15), both as if nothing hid the sky from them;
+   * or the mean of what other spheres leave of it, which is found for groups of up to four spheres.
+   * Overlap is accounted for (Eq 12). Default SHADOWED.
+   */
+  vtkIndirectClampMacro(IndirectLight, int, OFF, SHADOWED);
+  void SetIndirectLightToOff() { this->SetIndirectLight(OFF); }
+  void SetIndirectLightToMiddle() { this->SetIndirectLight(MIDDLE); }
+  void SetIndirectLightToAveraged() { this->SetIndirectLight(AVERAGED); }
+  void SetIndirectLightToShadowed() { this->SetIndirectLight(SHADOWED); }
+  ///@}
+
+  /**
+   * Spheres for a prop in place of what would be found for it: points in its own coordinates with
+   * the point data "Radius", such as the output of vtkSphereProxyFilter. They move with the prop,
+   * and are read again when they are modified. Null: what is found for it. Data without that array
+   * is an error, and nothing changes.
+   */
+  void SetProxies(vtkProp* prop, vtkPolyData* spheres);
+  /** Those, or null. */
+  vtkPolyData* GetProxies(vtkProp* prop);
+  void RemoveAllProxies();
+
+  ///@{
+  /** Of the last frame: spheres, and flat polygons. */
+  int GetNumberOfSpheres() const;
+  int GetNumberOfPolygons() const;
+  /** Pixels from one of its receivers to the next; 0 before a frame. */
+  int GetActiveReceiverStep() const;
+  ///@}
+
+#ifndef __VTK_WRAP__
+  bool SumsSky() const override
+  {
+    return true;
+  }
+  vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
+  vtkVirtualLightSampler* ChooseSampler(
+    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
+  vtkIndirectEstimate Estimate(const Input& input) override;
+  size_t GetBytes() const override;
+  size_t GetMainMemoryBytes() const override;
+  void AddToReport(vtkIndirectReport& report) const override;
+#endif
+
+protected:
+  vtkProxyAccumulationPass();
+  ~vtkProxyAccumulationPass() override;
+
+  struct SettingsType
+  {
+    int ReceiverStep = 0;
+    bool Groups = true;
+    double GroupAngle = 0.4;
+    double InfluenceScale = 15.0;
+    double IndirectInfluenceScale = 4.0;
+    int IndirectLight = SHADOWED;
+  };
+  SettingsType Settings;
+
+private:
+  bool Sum(const Input& input);
+
+  vtkProxyAccumulationPass(const vtkProxyAccumulationPass&) = delete;
+  void operator=(const vtkProxyAccumulationPass&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif
