@@ -18,8 +18,11 @@ namespace
 // to divide than maps take to draw.
 constexpr size_t MostTexels = 65536;
 
-// At most, where there is little time for each. See Documentation/methods/light-tree.md.
-constexpr int QuickLights = 256;
+// Of scenes by themselves: enough of walls and bodies, of many small objects, and where there is
+// little time for each. See Documentation/methods/light-tree.md.
+constexpr int LeastLights = 128;
+constexpr int MostLights = 1024;
+constexpr int UsualLights = 256;
 }
 
 //------------------------------------------------------------------------------
@@ -54,9 +57,9 @@ void vtkLightTreeSampler::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-int vtkLightTreeSampler::GetNumberOfQuickLights() const
+int vtkLightTreeSampler::GetUsualNumberOfLights() const
 {
-  return std::min(this->NumberOfLights, QuickLights);
+  return this->NumberOfLights > 0 ? this->NumberOfLights : UsualLights;
 }
 
 //------------------------------------------------------------------------------
@@ -72,9 +75,11 @@ bool vtkLightTreeSampler::Update(const Input& input)
   const vtkIndirectFurtherSenders* further = input.Further;
   const size_t furtherTime = further ? further->Time : 0;
   const bool same = !read && in.FurtherTime == furtherTime;
-  const int most = input.Interactive ? this->GetNumberOfQuickLights() : this->NumberOfLights;
+  const bool automatic = this->NumberOfLights == 0;
+  const int wanted = automatic ? MostLights : this->NumberOfLights;
+  const int most = automatic && input.Interactive ? UsualLights : wanted;
   // While nothing but the camera moves, what a still picture had is kept.
-  const bool enough = in.Count == this->NumberOfLights || (input.Interactive && in.Count == most);
+  const bool enough = in.Count == most || in.Count == wanted;
   if (same && enough && in.Error == error)
   {
     return true;
@@ -129,7 +134,7 @@ bool vtkLightTreeSampler::Update(const Input& input)
 // What the eye sees changes with every move of the camera, too often to make a tree of it.
 vtkMapLightSampler* vtkLightTreeSampler::GetViewPattern()
 {
-  this->Internal->ViewPattern->SetNumberOfLights(this->GetNumberOfQuickLights());
+  this->Internal->ViewPattern->SetNumberOfLights(this->GetUsualNumberOfLights());
   return this->Internal->ViewPattern;
 }
 

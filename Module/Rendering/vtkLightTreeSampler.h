@@ -37,21 +37,21 @@ public:
 
   ///@{
   /**
-   * Virtual lights that all receivers sum at most, over all lights of the scene together. There are
-   * as few as 128, or half of these, once they lie within 4 % of the scene's diagonal of what they
-   * stand for, root mean square: light of many small objects takes more than that of walls.
-   * Default 1024, range 1 to 1048576.
+   * Virtual lights that all receivers sum at most, over all lights of the scene together, and as
+   * few as half of these, once they lie within 4 % of the scene's diagonal of what they stand for,
+   * root mean square. 0: as many as the scene needs, 128 to 1024; 256 at most of what changes while
+   * the window gives a frame a second or less (vtkRenderWindow::SetDesiredUpdateRate). Default 0,
+   * range 0 to 1048576.
    */
-  vtkSetClampMacro(NumberOfLights, int, 1, 1048576);
+  vtkSetClampMacro(NumberOfLights, int, 0, 1048576);
   vtkGetMacro(NumberOfLights, int);
   ///@}
 
   /**
-   * NumberOfLights, but 256 at most: of what changes while the window gives a frame a second or
-   * less (vtkRenderWindow::SetDesiredUpdateRate), of what the eye sees where a headlight is the
-   * only light, and of what the sky lights.
+   * NumberOfLights, or 256 where it is 0: even lights of what the eye sees, where a headlight is
+   * the only light, and lights of what the sky and area lights light.
    */
-  int GetNumberOfQuickLights() const;
+  int GetUsualNumberOfLights() const;
 
 #ifndef __VTK_WRAP__
   bool Update(const Input& input) override;
@@ -68,7 +68,7 @@ protected:
   vtkLightTreeSampler();
   ~vtkLightTreeSampler() override;
 
-  int NumberOfLights = 1024;
+  int NumberOfLights = 0;
 
 private:
   vtkLightTreeSampler(const vtkLightTreeSampler&) = delete;

@@ -40,7 +40,7 @@ void vtkIndirectRefractionSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* s
 {
   auto* tree = vtkLightTreeSampler::SafeDownCast(sampler);
   auto* uniform = vtkUniformLightSampler::SafeDownCast(sampler);
-  this->NumberOfLights = tree ? tree->GetNumberOfQuickLights()
+  this->NumberOfLights = tree ? tree->GetUsualNumberOfLights()
     : uniform                 ? uniform->GetNumberOfLights()
                               : 256;
 }

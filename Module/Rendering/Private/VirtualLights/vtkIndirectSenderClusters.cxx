@@ -23,9 +23,6 @@ constexpr double NormalLength = 0.25;
 // summed over its branches. See Documentation/methods/light-tree.md.
 constexpr double ShareOfArea = 0.25;
 
-// Lights that are enough of walls and bodies, whatever the scene.
-constexpr size_t Enough = 128;
-
 // What is left of a mean normal at least, so that it has a direction.
 constexpr double LeastNormal = 0.01;
 
@@ -300,8 +297,7 @@ void vtkIndirectSenderClusters::DivideAll(
     }
   }
   const size_t most = static_cast<size_t>(std::max(count, 1));
-  this->Clusters =
-    this->Divide(0, this->Entries.size(), divides ? std::min((most + 1) / 2, Enough) : most, most);
+  this->Clusters = this->Divide(0, this->Entries.size(), divides ? this->Least : most, most);
 }
 
 //------------------------------------------------------------------------------
@@ -431,14 +427,16 @@ void vtkIndirectSenderClusters::MakeBranches(
 
 //------------------------------------------------------------------------------
 vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
-  const std::vector<glm::dvec3>& strengths, int count, double error, double nearness)
+  const std::vector<glm::dvec3>& strengths, int count, double error, double nearness, int least)
 {
   const std::vector<double> weights = FindWeights(strengths);
   const bool divides = error > 0.0;
+  const size_t fewest = static_cast<size_t>(least > 0 ? least : std::max((count + 1LL) / 2, 1LL));
   if (weights != this->Weights || count != this->Count || divides != this->Divides ||
-    nearness != this->Nearness)
+    nearness != this->Nearness || fewest != this->Least)
   {
     this->Nearness = nearness;
+    this->Least = fewest;
     this->DivideAll(weights, count, divides);
   }
   Lights lights;

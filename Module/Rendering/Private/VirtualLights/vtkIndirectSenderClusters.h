@@ -71,13 +71,13 @@ public:
 
   /**
    * At most so many lights of the senders under lights of these strengths, one for each map; where
-   * `error` is not 0 as few as 128, or half of them, once their light lies within `nearness` of
+   * `error` is not 0 as few as `least`, or half of them, once their light lies within `nearness` of
    * what they stand for, root mean square. No senders, no lights; as many as there are senders,
    * each of them is one. A light is divided where the error of having it whole is more than `error`
    * of the mean irradiance that the lights give each other; 0: never.
    */
   Lights MakeLights(const std::vector<glm::dvec3>& strengths, int count, double error,
-    double nearness = StandardNearness);
+    double nearness = StandardNearness, int least = 0);
   /** Enough along surfaces in one piece; many small objects take all lights. Scene units. */
   static constexpr double StandardNearness = 0.04;
   /** Enough where later bounces spread light over all surfaces, smoothly. */
@@ -128,6 +128,7 @@ private:
   std::vector<Sender> Senders;
   std::vector<double> Weights; // of maps
   int Count = 0;
+  size_t Least = 1;
   double Nearness = 0.0;
   bool Divides = false; // into branches
   std::vector<Entry> Entries;
