@@ -131,6 +131,12 @@ bool vtkLightTreeSampler::Update(const Input& input)
 }
 
 //------------------------------------------------------------------------------
+bool vtkLightTreeSampler::HasMore() const
+{
+  return this->NumberOfLights == 0 && this->Internal->Count == UsualLights;
+}
+
+//------------------------------------------------------------------------------
 // What the eye sees changes with every move of the camera, too often to make a tree of it.
 vtkMapLightSampler* vtkLightTreeSampler::GetViewPattern()
 {

@@ -60,6 +60,7 @@ public:
   {
     return true;
   }
+  bool HasMore() const override;
   /** In main memory. */
   size_t GetMainMemoryBytes() const;
 #endif

@@ -24,6 +24,8 @@ struct vtkRandomWalkLightSampler::Internals
   vtkIndirectSenderClusters Clusters;
   size_t NumberOfSources = 0;
   int NumberOfWalks = 0;
+  int NumberOfFrames = 0; // over which the walk extends by now
+  bool IsCoarse = false;  // made while things move
   double ShareOfArea = 1.0;
   std::vector<double> WalkKey;  // what paths were made of, besides surfaces; empty: there are none
   std::vector<double> TableKey; // and lights of these
@@ -36,6 +38,9 @@ namespace
 {
 // How many times fewer vertices a tree is made of while things move.
 constexpr int FewerWhileMoving = 4;
+
+// However many frames a walk extends over.
+constexpr long long MostVertices = 1048576;
 
 // A later vertex's disk over its area, in a tree of so many vertices. There are few enough of them
 // that those beside a crease would show one by one: 4 for 8192 of them, 2 for 32768. It costs rooms
@@ -111,6 +116,7 @@ void vtkRandomWalkLightSampler::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "NumberOfVertices: " << this->NumberOfVertices << "\n";
+  os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
   os << indent << "NumberOfWalks: " << this->GetNumberOfWalks() << "\n";
   os << indent << "NumberOfTreeBuilds: " << this->GetNumberOfTreeBuilds() << "\n";
   os << indent << "FirstBounce: " << this->FirstBounce << "\n";
@@ -152,19 +158,26 @@ bool vtkRandomWalkLightSampler::Walk(const Input& input)
   settings.LastBounce = input.NumberOfBounces;
   const bool moved = in.Surfaces.Update(input.Frame);
   std::vector<double> key = MakeKey(sources, settings);
-  if (!moved && key == in.WalkKey)
+  bool same = !moved && key == in.WalkKey;
+  bool coarse = false;
+  if (!same && input.Interactive && this->NumberOfVertices > 0)
+  {
+    settings.NumberOfVertices = std::max(vertices / FewerWhileMoving, 1);
+    coarse = true;
+    key = MakeKey(sources, settings);
+    same = !moved && key == in.WalkKey;
+  }
+  const int next = in.NumberOfFrames + (input.Interactive ? 0 : 1);
+  const int number = same ? std::min(next, this->NumberOfFrames) : 1;
+  if (same && number == in.NumberOfFrames)
   {
     return false;
   }
-  if (input.Interactive && this->NumberOfVertices > 0)
-  {
-    settings.NumberOfVertices = std::max(vertices / FewerWhileMoving, 1);
-    key = MakeKey(sources, settings);
-    if (!moved && key == in.WalkKey)
-    {
-      return false;
-    }
-  }
+  // Paths go on in their sequence; to follow the first ones again takes less than to keep them.
+  settings.NumberOfVertices = static_cast<int>(
+    std::min<long long>(static_cast<long long>(number) * settings.NumberOfVertices, MostVertices));
+  in.NumberOfFrames = number;
+  in.IsCoarse = coarse;
   in.Walk.Walk(in.Surfaces, input.Frame, sources, settings);
   in.NumberOfSources = sources.size();
   in.ShareOfArea = FindShareOfArea(settings.NumberOfVertices);
@@ -230,6 +243,13 @@ const vtkIndirectFurtherSenders& vtkRandomWalkLightSampler::UpdateSenders(const 
 }
 
 //------------------------------------------------------------------------------
+bool vtkRandomWalkLightSampler::HasMore() const
+{
+  const Internals& in = *this->Internal;
+  return !in.WalkKey.empty() && (in.IsCoarse || in.NumberOfFrames < this->NumberOfFrames);
+}
+
+//------------------------------------------------------------------------------
 void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
 {
   const Internals& in = *this->Internal;
@@ -237,7 +257,10 @@ void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
   report.Modelled.emplace_back("random walk",
     std::to_string(in.Walk.GetNumberOfPaths()) + " paths through " +
       std::to_string(in.Surfaces.GetNumberOfTriangles()) + " triangles, " +
-      std::to_string(in.Walk.GetVertices().size()) + " vertices");
+      std::to_string(in.Walk.GetVertices().size()) + " vertices" +
+      (this->NumberOfFrames > 1 ? ", frame " + std::to_string(in.NumberOfFrames) + " of " +
+            std::to_string(this->NumberOfFrames)
+                                : std::string()));
   for (const auto& [what, why] : in.Surfaces.GetLeftOut())
   {
     report.LeftOut.emplace_back(what + " in the random walk", why);

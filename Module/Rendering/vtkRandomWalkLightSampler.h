@@ -64,6 +64,17 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Frames over which the walk extends while no light and no surface changes, and the window gives
+   * a frame more than a second (vtkRenderWindow::SetDesiredUpdateRate): the second has twice as
+   * many paths as the first, and so on; 1048576 vertices at most. What changes begins anew. Default
+   * 1, range 1 to 1024.
+   */
+  vtkSetClampMacro(NumberOfFrames, int, 1, 1024);
+  vtkGetMacro(NumberOfFrames, int);
+  ///@}
+
+  ///@{
   /** How often paths have been followed, and the tree of triangles made, so far. */
   int GetNumberOfWalks() const;
   int GetNumberOfTreeBuilds() const;
@@ -77,6 +88,7 @@ public:
   {
     return true;
   }
+  bool HasMore() const override;
   void AddToReport(vtkIndirectReport& report) const override;
 #endif
 
@@ -87,6 +99,7 @@ protected:
   int NumberOfLights = 1000;
   int FirstBounce = 1;
   int NumberOfVertices = 0;
+  int NumberOfFrames = 1;
 
 private:
   vtkRandomWalkLightSampler(const vtkRandomWalkLightSampler&) = delete;

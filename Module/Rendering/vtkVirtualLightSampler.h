@@ -102,6 +102,12 @@ public:
     return false;
   }
 
+  /** Whether a still frame of the same scene would have more lights than the last one. */
+  virtual bool HasMore() const
+  {
+    return false;
+  }
+
   /** Says what the last frame's lights were made of. Default: nothing. */
   virtual void AddToReport(vtkIndirectReport&) const {}
 

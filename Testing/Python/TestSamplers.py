@@ -81,5 +81,36 @@ class Samplers(unittest.TestCase):
         self.assertEqual((self.lights()[:, 8:11].max(axis=1) == 0.0).sum(), 0)
 
 
+class Tree(unittest.TestCase):
+    def lights(self) -> int:
+        self.scene.render_window.Render()
+        return int(vtkindirect.report(self.scene.renderer)["virtual_lights"])
+
+    def test_scattered_light_takes_more_lights_where_there_is_time(self) -> None:
+        self.scene = vtkindirect.load_scene(support.SCENES / "many_objects.json")
+        frames.open_window(self.scene, (48, 48))
+        window, renderer = self.scene.render_window, self.scene.renderer
+        self.addCleanup(window.Finalize)
+        vtkindirect.enable(renderer, "gather", visibility="none")
+        still = self.lights()
+        self.assertGreater(still, 512)
+        self.assertLessEqual(still, 1024)
+        # A camera that moves changes nothing, a light that moves does.
+        window.SetDesiredUpdateRate(30.0)
+        renderer.GetActiveCamera().Azimuth(1.0)
+        self.assertEqual(self.lights(), still)
+        light = renderer.GetLights().GetItemAsObject(0)
+        x, y, z = light.GetPosition()
+        light.SetPosition(1.001 * x, y, z)
+        moving = self.lights()
+        self.assertLessEqual(moving, 256)
+        self.assertEqual(self.lights(), moving)
+        window.SetDesiredUpdateRate(0.0001)
+        self.assertGreater(self.lights(), 512)
+        # What the user says is kept to.
+        vtkindirect.enable(renderer, "gather", visibility="none", number_of_lights=100)
+        self.assertLessEqual(self.lights(), 100)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -540,3 +540,54 @@ VTK_INDIRECT_TEST(WalkAddedSampler)
   CheckRelative("flux", added.x - first.x, all.x - first.x, 0.05, "1000 vertices, even lights");
   scene.Pass->RemoveSampler(later);
 }
+
+// A walk that goes on while nothing changes ends as the one that is as long at once.
+VTK_INDIRECT_TEST(WalkExtendsOverFrames)
+{
+  WalkScene scene;
+  scene.AddCorner();
+  vtkLight* light = scene.AddSpot({ 1, 2, 1 }, { 0.4, 0, 0.4 }, 40, 1, { 1, 0, 0 });
+  scene.Pass->SetVisibilityToNone();
+  scene.UseWalk(16384, 3);
+  const Image truth = scene.Copy("bounce");
+  scene.UseWalk(2048, 3);
+  const Image atOnce = scene.Copy("bounce");
+  scene.UseWalk(128, 3);
+  auto differ = [](const Image& a, const Image& b)
+  {
+    double sum = 0.0;
+    for (size_t i = 0; i < a.Values.size(); ++i)
+    {
+      sum += std::pow(a.Values[i] - b.Values[i], 2);
+    }
+    return std::sqrt(sum / static_cast<double>(a.Values.size())) / b.Mean();
+  };
+  const double first = differ(scene.Copy("bounce"), truth);
+  scene.Walk->SetNumberOfFrames(16);
+  const int walks = scene.Walk->GetNumberOfWalks();
+  for (int frame = 0; frame < 20; ++frame)
+  {
+    scene.Render();
+  }
+  CheckEqual("walks in the frames after the first", scene.Walk->GetNumberOfWalks() - walks, 15);
+  const Image extended = scene.Copy("bounce");
+  CheckAtMost("RMSE after 16 frames over that of the first", differ(extended, truth) / first, 0.5,
+    "measured 0.33: sixteen times the lights, with areas to match");
+  CheckAtMost("RMSE to as many paths at once", differ(extended, atOnce), 1e-6,
+    "the same sequence, but for rounding of the number of paths");
+
+  // In frames of interaction what is there stays; a light that moves begins anew.
+  scene.Window->SetDesiredUpdateRate(30.0);
+  scene.Render();
+  CheckAtLeast("lights in a frame of interaction", scene.Walk->GetActualNumberOfLights(), 1024,
+    "half of 2048: those of before are kept");
+  light->SetPosition(1.0, 2.1, 1.0);
+  scene.Render();
+  scene.Render();
+  CheckAtMost("lights when one has moved", scene.Walk->GetActualNumberOfLights(), 256,
+    "twice 128: the number is met about");
+  scene.Window->SetDesiredUpdateRate(0.0001);
+  scene.Render();
+  CheckAtLeast("lights when all stands again", scene.Walk->GetActualNumberOfLights(), 192,
+    "twice as many paths");
+}

@@ -106,6 +106,14 @@ bool vtkIndirectFrameSamplers::Update(const vtkIndirectFrame& frame, const vtkIn
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectFrameSamplers::HasMore() const
+{
+  return (this->SendersAreWalked && this->LaterBounces->HasMore()) ||
+    std::any_of(this->Samplers.begin(), this->Samplers.end(),
+      [](const auto& sampler) { return sampler->HasMore(); });
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectFrameSamplers::AppendTo(std::vector<double>& key) const
 {
   for (const auto& sampler : this->Others)

@@ -55,6 +55,8 @@ public:
   void Choose(
     const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkVirtualLightSampler* own);
 
+  /** Whether a still frame of the same scene would have more lights than the last one. */
+  bool HasMore() const;
   /** Brings their lights up to date. Returns false, after an error, when one of them cannot. */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     const vtkReflectiveShadowMapPass& maps, const vtkIndirectGeometryBuffer& geometry);

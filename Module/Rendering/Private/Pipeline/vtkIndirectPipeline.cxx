@@ -244,7 +244,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const std::vector<double> key = this->MakeKey(request.Sampler);
   const bool caching = request.Settings.Caching;
   const bool still = key == this->EstimateKey;
-  if (caching && still && this->Estimate.State == vtkIndirectEstimate::CONVERGED &&
+  const bool more = !this->Plan.Interactive && this->Samplers.HasMore();
+  if (caching && still && !more && this->Estimate.State == vtkIndirectEstimate::CONVERGED &&
     this->Visibility.IsComplete())
   {
     return true;
@@ -282,7 +283,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   }
 
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
-    lights, this->Visibility, still && this->Visibility.GetNumberOfTilesDrawn() == tiles,
+    lights, this->Visibility, still && !more && this->Visibility.GetNumberOfTilesDrawn() == tiles,
     this->Timer, this->Plan.SkyByEstimator ? this->Environment : nullptr };
   this->Estimator->HoldContext(this->Frame.Window);
   this->Estimate = sampled && visible ? this->Estimator->Estimate(input) : vtkIndirectEstimate();
