@@ -22,6 +22,8 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <cmath>
 
 namespace
@@ -312,6 +314,14 @@ void vtkIndirectFrame::SetUpEye()
   }
   this->Near = -unproject(0.0, 0.0, -1.0).z;
   this->Far = -unproject(0.0, 0.0, 1.0).z;
+}
+
+//------------------------------------------------------------------------------
+glm::mat4 vtkIndirectFrame::FindSceneToClip() const
+{
+  const glm::dmat4 toView = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / this->SceneScale)) *
+    glm::inverse(this->ViewToScene);
+  return glm::mat4((this->Parallel ? 1.0 : this->SceneScale) * (this->Projection * toView));
 }
 
 //------------------------------------------------------------------------------

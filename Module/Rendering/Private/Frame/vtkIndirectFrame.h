@@ -119,6 +119,9 @@ struct vtkIndirectFrame
 
   /** Transform from an affine frame given in world coordinates to scene units. */
   glm::dmat4 ToScene(const glm::dmat4& frameToWorld) const;
+  /** To clip coordinates whose fourth component is of order one, whatever the scene measures:
+   * products of three of them stay within floats. */
+  glm::mat4 FindSceneToClip() const;
 
   /** Adds what an estimate depends on besides the lights' maps: the eye, the lights, the props. */
   void AppendTo(std::vector<double>& key) const;

@@ -16,7 +16,6 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <glm/gtc/matrix_transform.hpp>
 
 using namespace vtkIndirectProxyChannels;
 
@@ -36,14 +35,6 @@ enum ModeType
 
 // Places of a polygon at each side that its light is the mean of.
 constexpr int PlacesOfPolygon = 4;
-
-glm::mat4 FindSceneToClip(const vtkIndirectFrame& frame)
-{
-  const double scale = frame.SceneScale;
-  const glm::dmat4 toView =
-    glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / scale)) * glm::inverse(frame.ViewToScene);
-  return glm::mat4((frame.Parallel ? 1.0 : scale) * (frame.Projection * toView));
-}
 
 // Of a table. Powers of two: numbers that change a little keep the textures.
 int FindRows(size_t entries)
@@ -479,7 +470,7 @@ bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definiti
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   this->Activate(input, program);
-  vtkIndirectSetUniform(program, "vtkiSceneToClip", FindSceneToClip(frame));
+  vtkIndirectSetUniform(program, "vtkiSceneToClip", frame.FindSceneToClip());
   vtkIndirectSetUniform(program, "vtkiProxyMargin",
     glm::vec2(4.0f / static_cast<float>(this->CoarseSize[0]),
       4.0f / static_cast<float>(this->CoarseSize[1])));

@@ -19,7 +19,6 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace
 {
@@ -27,16 +26,6 @@ constexpr int RowLength = vtkVirtualLightSampler::RowLength;
 // Lights in one draw: long draws stall a desktop, and some drivers end them.
 constexpr int SplatsPerDraw = 16 * RowLength;
 constexpr int TileSize = 16;
-
-// To clip coordinates whose fourth component is of order one, whatever the scene measures: products
-// of three of them stay within floats.
-glm::mat4 FindSceneToClip(const vtkIndirectFrame& frame)
-{
-  const double scale = frame.SceneScale;
-  const glm::dmat4 toView =
-    glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / scale)) * glm::inverse(frame.ViewToScene);
-  return glm::mat4((frame.Parallel ? 1.0 : scale) * (frame.Projection * toView));
-}
 
 // Back faces in front of which a surface lies, not cut at the near and far planes, added. The state
 // of vtkIndirectFullScreenState comes back.
@@ -158,7 +147,7 @@ bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
   }
   const vtkIndirectFrame& frame = input.Frame;
   table.Activate(input, program);
-  vtkIndirectSetUniform(program, "vtkiSceneToClip", FindSceneToClip(frame));
+  vtkIndirectSetUniform(program, "vtkiSceneToClip", frame.FindSceneToClip());
   // Normalized device coordinates are twice depths; the surface's and the splat's are rounded.
   program->SetUniformf(
     "vtkiDepthMargin", static_cast<float>(8.0 * input.Geometry.GetTarget().GetDepthStep()));
