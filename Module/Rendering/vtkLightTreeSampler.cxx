@@ -18,11 +18,10 @@ namespace
 // to divide than maps take to draw.
 constexpr size_t MostTexels = 65536;
 
-// Of scenes by themselves: enough of walls and bodies, of many small objects, and where there is
-// little time for each. See Documentation/methods/light-tree.md.
+// Of scenes by themselves: enough of walls and bodies, and of many small objects. See
+// Documentation/methods/light-tree.md.
 constexpr int LeastLights = 128;
 constexpr int MostLights = 1024;
-constexpr int UsualLights = 256;
 }
 
 //------------------------------------------------------------------------------
@@ -38,6 +37,7 @@ struct vtkLightTreeSampler::Internals
   // What the tree was made of, and the lights.
   vtkMTimeType MapTime = 0;
   int Count = 0;
+  bool Automatic = false;
   double Error = 0.0;
 };
 
@@ -54,12 +54,19 @@ void vtkLightTreeSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
+  os << indent << "AutomaticNumberOfLights: " << this->AutomaticNumberOfLights << "\n";
 }
 
 //------------------------------------------------------------------------------
-int vtkLightTreeSampler::GetUsualNumberOfLights() const
+void vtkLightTreeSampler::SetNumberOfLights(int number)
 {
-  return this->NumberOfLights > 0 ? this->NumberOfLights : UsualLights;
+  const int clamped = std::min(std::max(number, 1), 1048576);
+  if (clamped != this->NumberOfLights || this->AutomaticNumberOfLights)
+  {
+    this->NumberOfLights = clamped;
+    this->AutomaticNumberOfLights = false;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -75,12 +82,13 @@ bool vtkLightTreeSampler::Update(const Input& input)
   const vtkIndirectFurtherSenders* further = input.Further;
   const size_t furtherTime = further ? further->Time : 0;
   const bool same = !read && in.FurtherTime == furtherTime;
-  const bool automatic = this->NumberOfLights == 0;
+  const bool automatic = this->AutomaticNumberOfLights;
   const int wanted = automatic ? MostLights : this->NumberOfLights;
-  const int most = automatic && input.Interactive ? UsualLights : wanted;
+  const int most =
+    automatic && input.Interactive ? std::min(this->NumberOfLights, MostLights) : wanted;
   // While nothing but the camera moves, what a still picture had is kept.
   const bool enough = in.Count == most || in.Count == wanted;
-  if (same && enough && in.Error == error)
+  if (same && enough && in.Automatic == automatic && in.Error == error)
   {
     return true;
   }
@@ -119,13 +127,15 @@ bool vtkLightTreeSampler::Update(const Input& input)
   const vtkIndirectSenderClusters::Lights lights = in.Clusters.MakeLights(
     std::vector<glm::dvec3>(in.Sources + in.FurtherMaps, glm::dvec3(1.0)), most, error,
     further ? vtkIndirectSenderClusters::NearnessOfBounces
-            : vtkIndirectSenderClusters::StandardNearness);
+            : vtkIndirectSenderClusters::StandardNearness,
+    automatic ? LeastLights : 0);
   if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Tops),
         vtkIndirectSenderTexels::MakeRows(lights.Branches)))
   {
     return false;
   }
   in.Count = most;
+  in.Automatic = automatic;
   in.Error = error;
   return true;
 }
@@ -133,14 +143,15 @@ bool vtkLightTreeSampler::Update(const Input& input)
 //------------------------------------------------------------------------------
 bool vtkLightTreeSampler::HasMore() const
 {
-  return this->NumberOfLights == 0 && this->Internal->Count == UsualLights;
+  const int count = this->Internal->Count;
+  return this->AutomaticNumberOfLights && count > 0 && count < MostLights;
 }
 
 //------------------------------------------------------------------------------
 // What the eye sees changes with every move of the camera, too often to make a tree of it.
 vtkMapLightSampler* vtkLightTreeSampler::GetViewPattern()
 {
-  this->Internal->ViewPattern->SetNumberOfLights(this->GetUsualNumberOfLights());
+  this->Internal->ViewPattern->SetNumberOfLights(this->NumberOfLights);
   return this->Internal->ViewPattern;
 }
 

@@ -39,19 +39,23 @@ public:
   /**
    * Virtual lights that all receivers sum at most, over all lights of the scene together, and as
    * few as half of these, once they lie within 4 % of the scene's diagonal of what they stand for,
-   * root mean square. 0: as many as the scene needs, 128 to 1024; 256 at most of what changes while
-   * the window gives a frame a second or less (vtkRenderWindow::SetDesiredUpdateRate). Default 0,
-   * range 0 to 1048576.
+   * root mean square. Where a headlight is the only light, as many as this of even ones of what the
+   * eye sees. Setting it turns AutomaticNumberOfLights off. Default 256, range 1 to 1048576.
    */
-  vtkSetClampMacro(NumberOfLights, int, 0, 1048576);
+  void SetNumberOfLights(int number);
   vtkGetMacro(NumberOfLights, int);
   ///@}
 
+  ///@{
   /**
-   * NumberOfLights, or 256 where it is 0: even lights of what the eye sees, where a headlight is
-   * the only light, and lights of what the sky and area lights light.
+   * Whether there are as many lights as the scene needs by the same measure, 128 to 1024 in place
+   * of NumberOfLights; of what changes while the window gives a frame a second or less
+   * (vtkRenderWindow::SetDesiredUpdateRate), NumberOfLights at most. Default on.
    */
-  int GetUsualNumberOfLights() const;
+  vtkSetMacro(AutomaticNumberOfLights, bool);
+  vtkGetMacro(AutomaticNumberOfLights, bool);
+  vtkBooleanMacro(AutomaticNumberOfLights, bool);
+  ///@}
 
 #ifndef __VTK_WRAP__
   bool Update(const Input& input) override;
@@ -69,7 +73,8 @@ protected:
   vtkLightTreeSampler();
   ~vtkLightTreeSampler() override;
 
-  int NumberOfLights = 0;
+  int NumberOfLights = 256;
+  bool AutomaticNumberOfLights = true;
 
 private:
   vtkLightTreeSampler(const vtkLightTreeSampler&) = delete;

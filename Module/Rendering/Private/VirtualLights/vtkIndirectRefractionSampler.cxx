@@ -40,7 +40,7 @@ void vtkIndirectRefractionSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* s
 {
   auto* tree = vtkLightTreeSampler::SafeDownCast(sampler);
   auto* uniform = vtkUniformLightSampler::SafeDownCast(sampler);
-  this->NumberOfLights = tree ? tree->GetUsualNumberOfLights()
+  this->NumberOfLights = tree ? tree->GetNumberOfLights()
     : uniform                 ? uniform->GetNumberOfLights()
                               : 256;
 }

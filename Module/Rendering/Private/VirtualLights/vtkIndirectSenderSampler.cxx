@@ -66,7 +66,7 @@ void vtkIndirectSenderSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampl
   auto* tree = vtkLightTreeSampler::SafeDownCast(sampler);
   this->NumberOfLights = vtkIndirectAllTexelsSampler::SafeDownCast(sampler) ? VTK_INT_MAX
     : pattern ? pattern->GetNumberOfLights()
-    : tree    ? tree->GetUsualNumberOfLights()
+    : tree    ? tree->GetNumberOfLights()
               : 256;
   const bool divides = tree != nullptr;
   this->SourceTime += divides != this->Divides ? 1 : 0;
