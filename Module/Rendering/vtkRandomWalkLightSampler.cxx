@@ -25,7 +25,7 @@ struct vtkRandomWalkLightSampler::Internals
   size_t NumberOfSources = 0;
   int NumberOfWalks = 0;
   int NumberOfFrames = 0; // over which the walk extends by now
-  bool IsCoarse = false;  // made while things move
+  bool HasMore = false;   // whether a still frame would have more vertices
   double ShareOfArea = 1.0;
   std::vector<double> WalkKey;  // what paths were made of, besides surfaces; empty: there are none
   std::vector<double> TableKey; // and lights of these
@@ -40,7 +40,7 @@ namespace
 constexpr int FewerWhileMoving = 4;
 
 // However many frames a walk extends over.
-constexpr long long MostVertices = 1048576;
+constexpr int MostVertices = 1048576;
 
 // A later vertex's disk over its area, in a tree of so many vertices. There are few enough of them
 // that those beside a crease would show one by one: 4 for 8192 of them, 2 for 32768. It costs rooms
@@ -152,8 +152,8 @@ bool vtkRandomWalkLightSampler::Walk(const Input& input)
     sources.push_back({ (*input.Emitters)[i].Light, (*input.Emitters)[i].Strength, 2 });
   }
   vtkIndirectRandomWalk::Settings settings;
-  const int vertices = this->NumberOfVertices > 0 ? this->NumberOfVertices : this->NumberOfLights;
-  settings.NumberOfVertices = vertices;
+  settings.NumberOfVertices =
+    this->NumberOfVertices > 0 ? this->NumberOfVertices : this->NumberOfLights;
   settings.FirstBounce = this->FirstBounce;
   settings.LastBounce = input.NumberOfBounces;
   const bool moved = in.Surfaces.Update(input.Frame);
@@ -162,22 +162,22 @@ bool vtkRandomWalkLightSampler::Walk(const Input& input)
   bool coarse = false;
   if (!same && input.Interactive && this->NumberOfVertices > 0)
   {
-    settings.NumberOfVertices = std::max(vertices / FewerWhileMoving, 1);
+    settings.NumberOfVertices = std::max(this->NumberOfVertices / FewerWhileMoving, 1);
     coarse = true;
     key = MakeKey(sources, settings);
     same = !moved && key == in.WalkKey;
   }
   const int next = in.NumberOfFrames + (input.Interactive ? 0 : 1);
-  const int number = same ? std::min(next, this->NumberOfFrames) : 1;
+  const int most = std::min(this->NumberOfFrames, MostVertices / settings.NumberOfVertices);
+  const int number = same ? std::min(next, most) : 1;
+  in.HasMore = coarse || number < most;
   if (same && number == in.NumberOfFrames)
   {
     return false;
   }
   // Paths go on in their sequence; to follow the first ones again takes less than to keep them.
-  settings.NumberOfVertices = static_cast<int>(
-    std::min<long long>(static_cast<long long>(number) * settings.NumberOfVertices, MostVertices));
+  settings.NumberOfVertices *= number;
   in.NumberOfFrames = number;
-  in.IsCoarse = coarse;
   in.Walk.Walk(in.Surfaces, input.Frame, sources, settings);
   in.NumberOfSources = sources.size();
   in.ShareOfArea = FindShareOfArea(settings.NumberOfVertices);
@@ -245,8 +245,7 @@ const vtkIndirectFurtherSenders& vtkRandomWalkLightSampler::UpdateSenders(const 
 //------------------------------------------------------------------------------
 bool vtkRandomWalkLightSampler::HasMore() const
 {
-  const Internals& in = *this->Internal;
-  return !in.WalkKey.empty() && (in.IsCoarse || in.NumberOfFrames < this->NumberOfFrames);
+  return this->Internal->HasMore;
 }
 
 //------------------------------------------------------------------------------
@@ -278,6 +277,7 @@ void vtkRandomWalkLightSampler::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Surfaces.Clear();
   this->Internal->Clusters.SetSenders({});
   this->Internal->WalkKey.clear();
+  this->Internal->HasMore = false;
   this->Internal->TableKey.clear();
   this->Internal->Further.Senders = {};
 }

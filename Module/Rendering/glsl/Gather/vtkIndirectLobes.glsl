@@ -32,12 +32,7 @@ void vtkiAddLobe(vec3 position, vec3 normal, vec3 open, float radius, int light,
   vec3 senderNormal = texelFetch(vtkiLightNormal, at, 0).xyz;
   vec4 lobe = texelFetch(vtkiLobeDirection, at, 0);
   vec3 toSender = sender.xyz - position;
-  // Beside the lobe, where less than 1e-6 of it is left: most receivers are, and need no more. Its exponent is 4 r^2 / A
-  // near the light (vtkiLobeExponent).
-  float r2 = dot(toSender, toSender);
-  float along = -dot(toSender, lobe.xyz);
-  if (radius == 0.0f &&
-    (along <= 0.0f || min(lobe.w, 4.0f * r2 / sender.w) * (r2 - along * along) > 28.0f * r2))
+  if (radius == 0.0f && vtkiIsBesideLobe(toSender, lobe.xyz, lobe.w, sender.w))
   {
     return;
   }

@@ -36,49 +36,22 @@ vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
   return vtkiSumProxies(position, normal, lit);
 }
 #else
-// Coordinates as unsigned integers in the same order, so that they can be compared atomically.
-shared uint vtkiLowest[3];
-shared uint vtkiHighest[3];
+#include "vtkIndirectTileBox.glsl"
 shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
-
-uint vtkiOrdered(float value)
-{
-  uint bits = floatBitsToUint(value);
-  return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
-}
-
-float vtkiFromOrdered(uint bits)
-{
-  return uintBitsToFloat((bits & 0x80000000u) != 0u ? bits & 0x7fffffffu : ~bits);
-}
 
 // Sums for a receiver of each invocation, if `lit`.
 vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
 {
   int number = int(gl_LocalInvocationIndex);
   barrier();
-  if (number < 3)
-  {
-    vtkiLowest[number] = 0xffffffffu;
-    vtkiHighest[number] = 0u;
-  }
-  barrier();
+  vtkiBeginBox();
   if (lit)
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      uint at = vtkiOrdered(position[i]);
-      atomicMin(vtkiLowest[i], at);
-      atomicMax(vtkiHighest[i], at);
-    }
+    vtkiAddToBox(position);
   }
-  barrier();
-  bool some = vtkiLowest[0] <= vtkiHighest[0];
-  vec3 lower = vec3(vtkiFromOrdered(vtkiLowest[0]), vtkiFromOrdered(vtkiLowest[1]), vtkiFromOrdered(vtkiLowest[2]));
-  vec3 upper = vec3(vtkiFromOrdered(vtkiHighest[0]), vtkiFromOrdered(vtkiHighest[1]), vtkiFromOrdered(vtkiHighest[2]));
-  // Room for what the middle is rounded by.
-  vec3 middle = some ? 0.5f * (lower + upper) : vec3(0.0f);
-  vec3 halfSize = some ? 0.5f * (upper - lower) + 1.0e-6f : vec3(0.0f);
+  vec3 middle;
+  vec3 halfSize;
+  bool some = vtkiEndBox(middle, halfSize);
 
   vtkiProxySums sums = vtkiNoProxies();
   for (int block = 0; block < vtkiBlockCount && some; ++block)

@@ -7,7 +7,7 @@ uniform sampler2D vtkiSpecular;
 
 #include "vtkIndirectGlossyWeight.glsl"
 #include "vtkIndirectSplatLobe.glsl"
-#include "vtkIndirectSplatTile.glsl"
+#include "vtkIndirectTileBox.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(rgba32f, binding = 0) uniform image2D vtkiSum;
@@ -59,7 +59,8 @@ vec3 vtkiLobeInLobe(vtkiReceiver receiver, vec3 open, int light)
   vec3 toSender = sender.xyz - receiver.position;
   float r = length(toSender);
   float mirrored = r > 0.0f ? min(dot(vtkiReceiverMirror, toSender) / r, 1.0f) : 0.0f;
-  if (!(mirrored > 0.0f) || !(dot(receiver.normal, toSender) > 0.0f) || vtkiIsBesideLobe(toSender, sender, direction))
+  if (!(mirrored > 0.0f) || !(dot(receiver.normal, toSender) > 0.0f) ||
+    vtkiIsBesideLobe(toSender, direction.xyz, direction.w, sender.w))
   {
     return vec3(0.0f);
   }
@@ -88,34 +89,26 @@ void main()
   vtkiReceiverPower = specular.a;
   if (number < 3)
   {
-    vtkiLowest[number] = 0xffffffffu;
-    vtkiHighest[number] = 0u;
     vtkiLowestMirror[number] = 0xffffffffu;
     vtkiHighestMirror[number] = 0u;
     vtkiLeastPower = 0xffffffffu;
     vtkiLeastCosine = 0xffffffffu;
   }
-  barrier();
+  vtkiBeginBox();
   if (wanted)
   {
+    vtkiAddToBox(receiver.position);
     for (int i = 0; i < 3; ++i)
     {
-      uint at = vtkiOrdered(receiver.position[i]);
-      atomicMin(vtkiLowest[i], at);
-      atomicMax(vtkiHighest[i], at);
       uint mirror = vtkiOrdered(vtkiReceiverMirror[i]);
       atomicMin(vtkiLowestMirror[i], mirror);
       atomicMax(vtkiHighestMirror[i], mirror);
     }
     atomicMin(vtkiLeastPower, vtkiOrdered(specular.a));
   }
-  barrier();
-  bool any = vtkiLowest[0] <= vtkiHighest[0];
-  vec3 lower = any ? vtkiFromOrdered(vtkiLowest) : vec3(0.0f);
-  vec3 upper = any ? vtkiFromOrdered(vtkiHighest) : vec3(0.0f);
-  vec3 middle = 0.5f * (lower + upper);
-  // Room for what the middle is rounded by.
-  vec3 halfSize = 0.5f * (upper - lower) + 1.0e-6f;
+  vec3 middle;
+  vec3 halfSize;
+  bool any = vtkiEndBox(middle, halfSize);
   vec3 between = any ? vtkiFromOrdered(vtkiLowestMirror) + vtkiFromOrdered(vtkiHighestMirror) : vec3(0.0f);
   vec3 mirror = between / max(length(between), 1.0e-20f);
   if (wanted)

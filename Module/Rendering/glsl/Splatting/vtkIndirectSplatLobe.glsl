@@ -13,22 +13,13 @@ float vtkiLobeFlux(vec3 density, float low)
   return vtkiSquaredReach(max(max(density.r, density.g), density.b), low);
 }
 
-// Where less than 1e-6 of a lobe is left: most receivers, and they need no more. Its exponent is 4 r^2 / A near the
-// light (vtkiLobeExponent).
-bool vtkiIsBesideLobe(vec3 toSender, vec4 sender, vec4 direction)
-{
-  float r2 = dot(toSender, toSender);
-  float along = -dot(toSender, direction.xyz);
-  return along <= 0.0f || min(direction.w, 4.0f * r2 / sender.w) * (r2 - along * along) > 28.0f * r2;
-}
-
 // What comes of it: the part that its splat gives, or the rest; luminance of both is added to all.
 vec3 vtkiAddSplatLobe(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec3 senderNormal, vec4 direction,
   vec3 density, float low, bool rest, inout float all)
 {
   vec3 toSender = sender.xyz - position;
   float cosine = dot(normal, toSender);
-  if (!(cosine > 0.0f) || vtkiIsBesideLobe(toSender, sender, direction))
+  if (!(cosine > 0.0f) || vtkiIsBesideLobe(toSender, direction.xyz, direction.w, sender.w))
   {
     return vec3(0.0f);
   }

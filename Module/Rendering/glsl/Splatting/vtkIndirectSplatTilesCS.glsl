@@ -4,7 +4,7 @@
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectSplatLobe.glsl"
 #include "vtkIndirectSplatBounds.glsl"
-#include "vtkIndirectSplatTile.glsl"
+#include "vtkIndirectTileBox.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(rgba32f, binding = 0) uniform image2D vtkiSum;
@@ -22,28 +22,14 @@ void main()
   vtkiReceiver receiver;
   bool inside = pixel.x < vtkiSize.x && pixel.y < vtkiSize.y;
   bool lit = vtkiFetchReceiver(min(pixel, vtkiSize - 1), receiver) && inside;
-  if (number < 3)
-  {
-    vtkiLowest[number] = 0xffffffffu;
-    vtkiHighest[number] = 0u;
-  }
-  barrier();
+  vtkiBeginBox();
   if (lit)
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      uint at = vtkiOrdered(receiver.position[i]);
-      atomicMin(vtkiLowest[i], at);
-      atomicMax(vtkiHighest[i], at);
-    }
+    vtkiAddToBox(receiver.position);
   }
-  barrier();
-  bool any = vtkiLowest[0] <= vtkiHighest[0];
-  vec3 lower = any ? vtkiFromOrdered(vtkiLowest) : vec3(0.0f);
-  vec3 upper = any ? vtkiFromOrdered(vtkiHighest) : vec3(0.0f);
-  vec3 middle = 0.5f * (lower + upper);
-  // Room for what the middle is rounded by.
-  vec3 halfSize = 0.5f * (upper - lower) + 1.0e-6f;
+  vec3 middle;
+  vec3 halfSize;
+  bool any = vtkiEndBox(middle, halfSize);
 
   float low = vtkiSplatLow();
   vec3 open = receiver.position;

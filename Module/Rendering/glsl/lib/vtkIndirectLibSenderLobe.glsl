@@ -123,6 +123,15 @@ float vtkiSenderLobeWeight(
     vtkiSenderLobeStrength(toSender, normalS, direction, exponent, area);
 }
 
+/* Whether less than 1e-6 of a lobe is left at a receiver, which most receivers are beside and need no more. The exponent
+ * is 4 r^2 / area near the light (vtkiLobeExponent). */
+bool vtkiIsBesideLobe(vec3 toSender, vec3 direction, float exponent, float area)
+{
+  float r2 = dot(toSender, toSender);
+  float along = -dot(toSender, direction);
+  return along <= 0.0f || min(exponent, 4.0f * r2 / area) * (r2 - along * along) > 28.0f * r2;
+}
+
 /* What interpolation over a patch of surface of this radius about a receiver may change of vtkiSenderLobeStrength times
  * the distance, at most: an eighth of the second derivative over the patch's width, which of a lobe cos^m is at most
  * m max(1, m sin^2) times the lobe at the nearest angle, and of 1 / r^2 six over r^2; never more than the whole. */
