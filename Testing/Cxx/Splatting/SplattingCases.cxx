@@ -24,21 +24,6 @@ namespace
 {
 constexpr double Least = 1e-4;
 
-bool IsFinite(const Image& image)
-{
-  return std::all_of(image.Values.begin(), image.Values.end(),
-    [](float value) { return std::isfinite(value) && value >= 0.0f; });
-}
-
-double Sum(const Image& image)
-{
-  double sum = 0.0;
-  for (float value : image.Values)
-  {
-    sum += value;
-  }
-  return sum;
-}
 }
 
 VTK_INDIRECT_TEST(FarFieldKeepsMean)
@@ -94,41 +79,17 @@ VTK_INDIRECT_TEST(FarFieldKeepsMean)
 VTK_INDIRECT_TEST(WaysAmongSplats)
 {
   // Eyes within splats, and splats behind eyes and around them; parallel eyes that see backwards.
-  double worst[NumberOfSplatWays] = {};
+  WaysAgainstTiles ways;
   int lit = 0;
   for (int number = 0; number < 8; ++number)
   {
     SplattingFrame scene(300 + number, { 90, 70 }, static_cast<FrameLight>(number % 4));
-    Random random(400 + static_cast<std::uint64_t>(number));
-    scene.SetEye({ random.Next(0.2, 0.7), random.Next(0.1, 0.6), random.Next(0.2, 0.7) },
-      { random.Next(0.0, 0.3), 0.0, random.Next(0.0, 0.3) }, { 0.1, 1.0, 0.1 },
-      random.Next(40.0, 110.0), 0.01, 6.0);
-    if (number % 4 == 3)
-    {
-      scene.SetParallelEye(0.4);
-    }
-    scene.Sampler->SetNumberOfLights(80);
-    scene.Pass->SetReflectiveShadowMapResolution(64);
-    for (double threshold : { 1e-4, 2e-3, 2e-2, 0.5 })
-    {
-      scene.Splats->SetIntensityThreshold(threshold);
-      scene.Splats->SetFarField(number % 2 == 0);
-      const Image tiles = scene.SplatLights(SplatWay::TILES);
-      lit += Sum(tiles) > 0.0;
-      for (int way = 1; way < NumberOfSplatWays; ++way)
-      {
-        const double error =
-          Compare(scene.SplatLights(static_cast<SplatWay>(way)), tiles, Least).Worst;
-        worst[way] = std::max(worst[way], error);
-      }
-    }
+    SetEyeAmongSplats(scene, number);
+    scene.Splats->SetFarField(number % 2 == 0);
+    lit += ways.AddThresholds(scene, { 1e-4, 2e-3, 2e-2, 0.5 }, Least);
   }
   CheckAtLeast("frames with light, of 32", lit, 24, "the test's own power");
-  for (int way = 1; way < NumberOfSplatWays; ++way)
-  {
-    CheckAtMost(std::string(GetName(static_cast<SplatWay>(way))) + " against tiles, worst",
-      worst[way], 1e-5, "the order of sums");
-  }
+  ways.Check();
 }
 
 VTK_INDIRECT_TEST(ThousandLightsInAPixel)

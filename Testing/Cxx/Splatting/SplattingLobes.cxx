@@ -27,22 +27,6 @@ constexpr double Least = 1e-4;
 // In a plane with a light a receiver's cosine is rounding, and a wide lobe has no other.
 constexpr double LeastOfLobes = 5e-3;
 
-double Sum(const Image& image)
-{
-  double sum = 0.0;
-  for (float value : image.Values)
-  {
-    sum += value;
-  }
-  return sum;
-}
-
-bool IsFinite(const Image& image)
-{
-  return std::all_of(image.Values.begin(), image.Values.end(),
-    [](float value) { return std::isfinite(value) && value >= 0.0f; });
-}
-
 double Brightest(const glm::dvec3& color)
 {
   return std::max({ color.x, color.y, color.z });
@@ -106,7 +90,7 @@ VTK_INDIRECT_TEST(LobesCutOff)
 {
   // Without the far field: the sum over the lights and lobes that reach I_low at the receiver.
   double worst = 0.0;
-  double between[NumberOfSplatWays] = {};
+  WaysAgainstTiles ways;
   double inLobes = 0.0;
   double cutOfLobes = 0.0;
   int receivers = 0;
@@ -127,28 +111,17 @@ VTK_INDIRECT_TEST(LobesCutOff)
     scene.Splats->FarFieldOff();
     scene.Splats->SetIntensityThreshold(0.05);
     const Image image = scene.SplatLights(SplatWay::TILES);
-    for (int way = 1; way < NumberOfSplatWays; ++way)
-    {
-      const ImageError error = Compare(scene.SplatLights(static_cast<SplatWay>(way)), image, Least);
-      between[way] = std::max(between[way], error.Worst);
-    }
+    ways.Add(scene, image, Least);
     const std::vector<VirtualLight> lights = scene.CopyLights();
     const Image lobes = scene.Copy("lobes");
-    double bounds[6];
-    scene.Renderer->ComputeVisiblePropBounds(bounds);
-    const double diagonal = std::sqrt(std::pow(bounds[1] - bounds[0], 2.0) +
-      std::pow(bounds[3] - bounds[2], 2.0) + std::pow(bounds[5] - bounds[4], 2.0));
-    const double length = diagonal / 20.0;
-    double sum = 0.0;
-    double count = 0.0;
+    std::vector<double> intensities;
     for (size_t i = 0; i < lights.size(); ++i)
     {
       const double flux =
         Brightest(lights[i].DensityArea) + Brightest(lobes.Color(1, static_cast<int>(i)));
-      sum += flux / 3.14159265358979;
-      count += flux > 0.0 ? 1.0 : 0.0;
+      intensities.push_back(flux / 3.14159265358979);
     }
-    const double low = 0.05 * sum / std::max(count, 1.0) / (length * length);
+    const double low = FindLowest(scene, intensities);
     double largest = 0.0;
     for (float value : image.Values)
     {
@@ -195,13 +168,7 @@ VTK_INDIRECT_TEST(LobesCutOff)
         inLobes += e.x;
         cutOfLobes += level < 1.0 ? e.x : 0.0;
       }
-      const glm::dvec3 value = image.Color(r.X, r.Y);
-      for (int c = 0; c < 3; ++c)
-      {
-        const double scale = std::max(sure[c], LeastOfLobes * largest);
-        errors.push_back(
-          std::max({ sure[c] - value[c], value[c] - sure[c] - unsure[c], 0.0 }) / scale);
-      }
+      AddErrors(image.Color(r.X, r.Y), sure, unsure, LeastOfLobes * largest, errors);
       ++receivers;
     }
     if (!errors.empty())
@@ -216,11 +183,7 @@ VTK_INDIRECT_TEST(LobesCutOff)
     "share of lobes' light that is cut off", cutOfLobes / inLobes, 0.02, "the test's own power");
   CheckAtMost("99th percentile of the relative error", worst, 2e-3,
     "rounding of floats, largest where walls meet, and of lobes' angles");
-  for (int way = 1; way < NumberOfSplatWays; ++way)
-  {
-    CheckAtMost(std::string(GetName(static_cast<SplatWay>(way))) + " against tiles, worst",
-      between[way], 1e-5, "the order of sums");
-  }
+  ways.Check();
 }
 
 VTK_INDIRECT_TEST(LobesAllIsGather)
@@ -272,43 +235,19 @@ VTK_INDIRECT_TEST(LobesAroundTheEye)
 {
   // Eyes within lobes' splats, and splats behind eyes and around them; parallel eyes that see
   // backwards.
-  double worst[NumberOfSplatWays] = {};
+  WaysAgainstTiles ways;
   int lit = 0;
   const double powers[] = { 2.0, 40.0, -0.3, -0.05 };
   for (int number = 0; number < 6; ++number)
   {
     SplattingFrame scene(300 + number, { 90, 70 }, static_cast<FrameLight>(number % 4));
     MakeAllSpecular(scene, powers[number % 4]);
-    Random random(400 + static_cast<std::uint64_t>(number));
-    scene.SetEye({ random.Next(0.2, 0.7), random.Next(0.1, 0.6), random.Next(0.2, 0.7) },
-      { random.Next(0.0, 0.3), 0.0, random.Next(0.0, 0.3) }, { 0.1, 1.0, 0.1 },
-      random.Next(40.0, 110.0), 0.01, 6.0);
-    if (number % 4 == 3)
-    {
-      scene.SetParallelEye(0.4);
-    }
-    scene.Sampler->SetNumberOfLights(80);
-    scene.Pass->SetReflectiveShadowMapResolution(64);
-    for (double threshold : { 2e-3, 2e-2, 0.5 })
-    {
-      scene.Splats->SetIntensityThreshold(threshold);
-      scene.Splats->SetFarField(number % 2 == 0);
-      const Image tiles = scene.SplatLights(SplatWay::TILES);
-      lit += Sum(tiles) > 0.0;
-      for (int way = 1; way < NumberOfSplatWays; ++way)
-      {
-        const double error =
-          Compare(scene.SplatLights(static_cast<SplatWay>(way)), tiles, Least).Worst;
-        worst[way] = std::max(worst[way], error);
-      }
-    }
+    SetEyeAmongSplats(scene, number);
+    scene.Splats->SetFarField(number % 2 == 0);
+    lit += ways.AddThresholds(scene, { 2e-3, 2e-2, 0.5 }, Least);
   }
   CheckAtLeast("frames with light, of 18", lit, 14, "the test's own power");
-  for (int way = 1; way < NumberOfSplatWays; ++way)
-  {
-    CheckAtMost(std::string(GetName(static_cast<SplatWay>(way))) + " against tiles, worst",
-      worst[way], 1e-5, "the order of sums");
-  }
+  ways.Check();
 }
 
 VTK_INDIRECT_TEST(LobesInReceiversLobes)

@@ -62,7 +62,7 @@ VTK_INDIRECT_TEST(CutOff)
   // Without the far field: the sum over the lights that reach I_low at the receiver, in double
   // precision from the lights and receivers that the frame had.
   double worst = 0.0;
-  double between[NumberOfSplatWays] = {};
+  WaysAgainstTiles ways;
   double share = 1.0;
   double shares = 0.0;
   int receivers = 0;
@@ -80,30 +80,19 @@ VTK_INDIRECT_TEST(CutOff)
     scene.Splats->SetIntensityThreshold(0.05);
     const Image image = scene.SplatLights(SplatWay::TILES);
     double measured = scene.Splats->GetCutOffShare();
-    for (int way = 1; way < NumberOfSplatWays; ++way)
-    {
-      const ImageError error = Compare(scene.SplatLights(static_cast<SplatWay>(way)), image, Least);
-      between[way] = std::max(between[way], error.Worst);
-    }
+    ways.Add(scene, image, Least);
     const std::vector<VirtualLight> lights = scene.CopyLights();
-    double bounds[6];
-    scene.Renderer->ComputeVisiblePropBounds(bounds);
-    const double diagonal = std::sqrt(std::pow(bounds[1] - bounds[0], 2.0) +
-      std::pow(bounds[3] - bounds[2], 2.0) + std::pow(bounds[5] - bounds[4], 2.0));
-    const double length = diagonal / 20.0;
     auto intensity = [](const VirtualLight& light)
     {
       return std::max({ light.DensityArea.x, light.DensityArea.y, light.DensityArea.z }) /
         3.14159265358979;
     };
-    double sum = 0.0;
-    double count = 0.0;
+    std::vector<double> intensities;
     for (const VirtualLight& light : lights)
     {
-      sum += intensity(light);
-      count += intensity(light) > 0.0 ? 1.0 : 0.0;
+      intensities.push_back(intensity(light));
     }
-    const double low = 0.05 * sum / std::max(count, 1.0) / (length * length);
+    const double low = FindLowest(scene, intensities);
     double largest = 0.0;
     for (float value : image.Values)
     {
@@ -133,13 +122,7 @@ VTK_INDIRECT_TEST(CutOff)
         all += e.x;
         cut += level < 1.0 ? e.x : 0.0;
       }
-      const glm::dvec3 value = image.Color(r.X, r.Y);
-      for (int c = 0; c < 3; ++c)
-      {
-        const double scale = std::max(sure[c], Least * largest);
-        errors.push_back(
-          std::max({ sure[c] - value[c], value[c] - sure[c] - unsure[c], 0.0 }) / scale);
-      }
+      AddErrors(image.Color(r.X, r.Y), sure, unsure, Least * largest, errors);
       ++receivers;
     }
     if (!errors.empty() && all > 0.0)
@@ -157,9 +140,5 @@ VTK_INDIRECT_TEST(CutOff)
     "rounding of floats, largest where walls meet");
   CheckAtMost("share that is said to be cut off, of 20 to 30 samples", shares, 0.1,
     "luminance against red, and few samples");
-  for (int way = 1; way < NumberOfSplatWays; ++way)
-  {
-    CheckAtMost(std::string(GetName(static_cast<SplatWay>(way))) + " against tiles, worst",
-      between[way], 1e-5, "the order of sums");
-  }
+  ways.Check();
 }
