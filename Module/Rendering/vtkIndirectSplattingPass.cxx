@@ -88,11 +88,9 @@ bool vtkIndirectSplattingPass::Sum(const Input& input)
   const vtkIndirectFrame& frame = input.Frame;
   vtkIndirectStageTimer& timer = input.Timer;
   in.Window = frame.Window;
-  if (!vtkIndirectSplats::UsesTiles())
-  {
-    this->Irradiance->ShareDepth(input.Geometry.GetTarget());
-  }
-  if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
+  const vtkIndirectTarget* depth =
+    vtkIndirectSplats::UsesTiles() ? nullptr : &input.Geometry.GetTarget();
+  if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1], depth) ||
     !this->ResizeGlossy(input))
   {
     return false;

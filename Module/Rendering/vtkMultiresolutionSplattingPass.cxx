@@ -346,9 +346,8 @@ bool vtkMultiresolutionSplattingPass::FillInBatches(
     in.BatchIsHalf = settings.HalfFloats;
     in.Batch = std::make_unique<vtkIndirectTarget>(
       settings.HalfFloats ? HalfBatchChannels : BatchChannels, false);
-    in.Batch->ShareDepth(*this->Irradiance);
   }
-  if (!in.Batch->Resize(window, input.Frame.Size[0], input.Frame.Size[1]))
+  if (!in.Batch->Resize(window, input.Frame.Size[0], input.Frame.Size[1], this->Irradiance.get()))
   {
     return false;
   }

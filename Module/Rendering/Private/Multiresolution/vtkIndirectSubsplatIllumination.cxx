@@ -59,8 +59,7 @@ bool vtkIndirectSubsplatIllumination::Resize(vtkOpenGLRenderWindow* window,
   {
     vtkIndirectTarget& level = *this->Levels[i];
     const vtkIndirectTarget& surface = pyramid.GetSurface(i + 1);
-    level.ShareDepth(pixels);
-    if (!level.Resize(window, surface.GetWidth(), surface.GetHeight()))
+    if (!level.Resize(window, surface.GetWidth(), surface.GetHeight(), &pixels))
     {
       return false;
     }

@@ -106,7 +106,8 @@ vtkIndirectTarget::vtkIndirectTarget(const vtkIndirectChannel* channels, bool de
 vtkIndirectTarget::~vtkIndirectTarget() = default;
 
 //------------------------------------------------------------------------------
-bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int height)
+bool vtkIndirectTarget::Resize(
+  vtkOpenGLRenderWindow* window, int width, int height, const vtkIndirectTarget* shared)
 {
   size_t channels = 0;
   while (channels < this->Limit && this->Channels[channels].InternalFormat)
@@ -117,13 +118,14 @@ bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int hei
     ? this->DepthFormat
     : (this->DepthBits == 16 ? vtkTextureObject::Fixed16 : vtkTextureObject::Float32);
   const bool otherDepth = this->Depth && depthFormat != this->AllocatedDepth;
-  if (this->Framebuffer && (channels != this->Textures.size() || otherDepth))
+  vtkTextureObject* sharedDepth = shared ? shared->GetDepthTexture() : nullptr;
+  const bool detaches = this->SharedDepth && !sharedDepth;
+  if (this->Framebuffer && (channels != this->Textures.size() || otherDepth || detaches))
   {
     this->Release(this->Window);
   }
-  vtkTextureObject* shared = this->Shared ? this->Shared->GetDepthTexture() : nullptr;
   if (this->Framebuffer && window == this->Window && width == this->Width &&
-    height == this->Height && shared == this->SharedDepth)
+    height == this->Height && sharedDepth == this->SharedDepth)
   {
     return true;
   }
@@ -182,10 +184,10 @@ bool vtkIndirectTarget::Resize(vtkOpenGLRenderWindow* window, int width, int hei
   {
     this->Framebuffer->AddColorAttachment(static_cast<unsigned int>(i), this->Textures[i]);
   }
-  this->SharedDepth = shared;
-  if (this->Depth || shared)
+  this->SharedDepth = sharedDepth;
+  if (this->Depth || sharedDepth)
   {
-    this->Framebuffer->AddDepthAttachment(this->Depth ? this->Depth.Get() : shared);
+    this->Framebuffer->AddDepthAttachment(this->Depth ? this->Depth.Get() : sharedDepth);
   }
   this->ActivateChannels();
   const char* reason = "";

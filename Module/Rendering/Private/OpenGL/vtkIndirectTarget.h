@@ -28,14 +28,12 @@ public:
   /** Uses only so many of the table's channels, from the first on; before Resize. */
   void SetNumberOfChannels(int count) { this->Limit = static_cast<size_t>(count); }
 
-  /** Creates or resizes the textures. Returns false, after an error, when OpenGL refuses. */
-  bool Resize(vtkOpenGLRenderWindow* window, int width, int height);
-
   /**
-   * Uses another target's depth texture, at least as large, in place of one of its own; before
-   * Resize. The other one must outlive this one's use of it.
+   * Creates or resizes the textures. `shared`: a target whose depth texture, at least as large, is
+   * attached in place of one of its own. Returns false, after an error, when OpenGL refuses.
    */
-  void ShareDepth(const vtkIndirectTarget& other) { this->Shared = &other; }
+  bool Resize(vtkOpenGLRenderWindow* window, int width, int height,
+    const vtkIndirectTarget* shared = nullptr);
 
   /**
    * Takes the depth format of the framebuffer that is bound for drawing, so that CopyDepth can copy
@@ -113,8 +111,7 @@ private:
   int AllocatedDepth = -1;
   mutable bool DepthRefused = false; // OpenGL has refused to copy this format
   size_t Limit = static_cast<size_t>(-1);
-  const vtkIndirectTarget* Shared = nullptr;
-  vtkTextureObject* SharedDepth = nullptr; // as attached
+  vtkSmartPointer<vtkTextureObject> SharedDepth; // as attached
   int Width = 0;
   int Height = 0;
   vtkOpenGLRenderWindow* Window = nullptr;
