@@ -79,9 +79,47 @@ glm::dvec3 vtkIndirectProxyLight::FindNormal(const vtkIndirectProxyPolygon& poly
 }
 
 //------------------------------------------------------------------------------
+// Triangles about its middle, each in m^2 equal ones.
+std::vector<glm::dvec3> vtkIndirectProxyLight::FindPlaces(
+  const vtkIndirectProxyPolygon& polygon, size_t numberOfPolygons)
+{
+  const int m = numberOfPolygons <= MostFinePolygons ? 2 : 1;
+  const size_t corners = std::min(polygon.Corners.size(), MostCorners);
+  glm::dvec3 middle(0.0);
+  for (size_t i = 0; i < corners; ++i)
+  {
+    middle += polygon.Corners[i] / static_cast<double>(corners);
+  }
+  std::vector<glm::dvec3> places;
+  for (size_t k = 0; k < corners; ++k)
+  {
+    const glm::dvec3 a = (polygon.Corners[k] - middle) / static_cast<double>(m);
+    const glm::dvec3 b = (polygon.Corners[(k + 1) % corners] - middle) / static_cast<double>(m);
+    for (int i = 0; i < m; ++i)
+    {
+      for (int j = 0; i + j < m; ++j)
+      {
+        places.push_back(middle + (i + 1.0 / 3.0) * a + (j + 1.0 / 3.0) * b);
+        if (i + j + 1 < m)
+        {
+          places.push_back(middle + (i + 2.0 / 3.0) * a + (j + 2.0 / 3.0) * b);
+        }
+      }
+    }
+  }
+  return places;
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectProxyLight::FindSize(const vtkIndirectProxyPolygon& polygon)
+{
+  return 0.5 * glm::length(FindArea(polygon));
+}
+
+//------------------------------------------------------------------------------
 // Rows as vtkIndirectProxyBlock.glsl has them.
-void vtkIndirectProxyLight::AddPolygons(
-  std::vector<glm::vec4>& rows, const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean)
+void vtkIndirectProxyLight::AddPolygons(std::vector<glm::vec4>& rows,
+  const std::vector<vtkIndirectProxyPolygon>& polygons, int firstPlace)
 {
   this->NumberOfPolygons = static_cast<int>(polygons.size());
   for (size_t k = 0; k < polygons.size(); ++k)
@@ -89,20 +127,22 @@ void vtkIndirectProxyLight::AddPolygons(
     const vtkIndirectProxyPolygon& polygon = polygons[k];
     const glm::dvec3 area = FindArea(polygon);
     const size_t corners = std::min(polygon.Corners.size(), MostCorners);
+    const int places = static_cast<int>(FindPlaces(polygon, polygons.size()).size());
     rows.emplace_back(glm::vec3(glm::normalize(area)), static_cast<float>(corners));
     rows.emplace_back(polygon.Albedo, static_cast<float>(std::sqrt(0.5 * glm::length(area))));
     for (size_t i = 0; i < MostCorners; ++i)
     {
       rows.emplace_back(glm::vec3(polygon.Corners[std::min(i, corners - 1)]),
-        static_cast<float>(firstMean + 2 * static_cast<int>(k)));
+        static_cast<float>(i == 0 ? firstPlace : places));
     }
+    firstPlace += 2 * places;
   }
   rows.resize(rows.size() + (MostPolygons - polygons.size()) * (2 + MostCorners));
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxyLight::Update(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment,
-  const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean, bool changed)
+  const std::vector<vtkIndirectProxyPolygon>& polygons, int firstPlace, bool changed)
 {
   const vtkMTimeType time = environment ? environment->GetMTime() : 0;
   const bool same = environment == this->Environment && time == this->Time;
@@ -139,7 +179,7 @@ bool vtkIndirectProxyLight::Update(vtkOpenGLRenderWindow* window, vtkEnvironment
     }
     Append(rows, light);
   }
-  this->AddPolygons(rows, polygons, firstMean);
+  this->AddPolygons(rows, polygons, firstPlace);
   this->Block.Update(window, rows.data(), rows.size() * sizeof(glm::vec4));
   return true;
 }

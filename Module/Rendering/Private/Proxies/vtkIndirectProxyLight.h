@@ -20,20 +20,30 @@ public:
   static constexpr int NumberOfCoefficients = 16;
   static constexpr size_t MostPolygons = 32;
   static constexpr size_t MostCorners = 8;
+  static constexpr size_t MostFinePolygons = 4;
   using Coefficients = std::array<glm::dvec3, NumberOfCoefficients>;
 
   /** Of order 4, by l (l + 1) + m, in world coordinates. */
   static Coefficients Project(vtkEnvironmentLight* environment);
 
   /**
-   * Fills the block; null: no light. Polygons are those of ChoosePolygons, whose light is the means
-   * from that number on, one for each side. Returns whether anything has changed.
+   * Fills the block; null: no light. Polygons are those of ChoosePolygons, whose places are the
+   * senders from that number on, those of one side after the other. Returns whether anything has
+   * changed.
    */
   bool Update(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment,
-    const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean, bool changed);
+    const std::vector<vtkIndirectProxyPolygon>& polygons, int firstPlace, bool changed);
   /** Those that count: of too many the largest. */
   static std::vector<vtkIndirectProxyPolygon> ChoosePolygons(
     std::vector<vtkIndirectProxyPolygon> polygons);
+  /**
+   * Places evenly spread over one, at which its light is found: four times as many as it has
+   * corners, or as many where polygons are more than a few.
+   */
+  static std::vector<glm::dvec3> FindPlaces(
+    const vtkIndirectProxyPolygon& polygon, size_t numberOfPolygons);
+  /** Area. */
+  static double FindSize(const vtkIndirectProxyPolygon& polygon);
   /** Unit. */
   static glm::dvec3 FindNormal(const vtkIndirectProxyPolygon& polygon);
 
@@ -43,7 +53,7 @@ public:
 
 private:
   void AddPolygons(std::vector<glm::vec4>& rows,
-    const std::vector<vtkIndirectProxyPolygon>& polygons, int firstMean);
+    const std::vector<vtkIndirectProxyPolygon>& polygons, int firstPlace);
 
   vtkIndirectUniformBlock Block{ "vtkiProxyBlock" };
   Coefficients Light;

@@ -33,9 +33,6 @@ enum ModeType
   SENDERS
 };
 
-// Places of a polygon at each side that its light is the mean of.
-constexpr int PlacesOfPolygon = 4;
-
 // Of a table. Powers of two: numbers that change a little keep the textures.
 int FindRows(size_t entries)
 {
@@ -108,10 +105,15 @@ bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndire
     const float* const first = &vtkIndirectProxyTable[0][0];
     this->Table.Write(0, std::vector<float>(first, first + 4 * vtkIndirectProxyEntries));
   }
-  // Senders of the tree are followed by those of polygons, then, from another row on, by the means
-  // of both.
+  // Senders of the tree are followed by those of polygons, then, from another row on, by means of
+  // the tree's.
   const int trees = static_cast<int>(tree.GetSenders().size());
-  this->NumberOfSenders = trees + 2 * PlacesOfPolygon * static_cast<int>(this->Polygons.size());
+  this->FirstPlace = this->NumberOfSenders = trees;
+  for (const vtkIndirectProxyPolygon& polygon : this->Polygons)
+  {
+    this->NumberOfSenders += 2 *
+      static_cast<int>(vtkIndirectProxyLight::FindPlaces(polygon, this->Polygons.size()).size());
+  }
   const int added = RowLength * FindRows(static_cast<size_t>(this->NumberOfSenders)) - trees;
   std::vector<float> values[5];
   for (const vtkIndirectProxyTree::Entry& entry : entries)
@@ -157,31 +159,24 @@ bool vtkIndirectProxySums::UpdateSenders(
     Append(ranges, glm::vec3(static_cast<float>(mean.First), static_cast<float>(mean.Count), 0.0f),
       0.0f);
   }
-  this->FirstPolygonMean = RowLength * FindRows(static_cast<size_t>(this->NumberOfSenders)) +
-    static_cast<int>(tree.GetMeans().size());
-  int next = static_cast<int>(tree.GetSenders().size());
   for (const vtkIndirectProxyPolygon& polygon : this->Polygons)
   {
     const glm::dvec3 normal = vtkIndirectProxyLight::FindNormal(polygon);
-    glm::dvec3 middle(0.0);
-    for (const glm::dvec3& corner : polygon.Corners)
-    {
-      middle += corner / static_cast<double>(polygon.Corners.size());
-    }
+    const std::vector<glm::dvec3> own =
+      vtkIndirectProxyLight::FindPlaces(polygon, this->Polygons.size());
+    const double area = vtkIndirectProxyLight::FindSize(polygon) / static_cast<double>(own.size());
     for (const double side : { 1.0, -1.0 })
     {
-      for (int i = 0; i < PlacesOfPolygon; ++i)
+      for (const glm::dvec3& place : own)
       {
-        const size_t corner = static_cast<size_t>(i) * polygon.Corners.size() / PlacesOfPolygon;
-        Append(places, glm::vec3(0.5 * (middle + polygon.Corners[corner])), 0.0f);
+        Append(places, glm::vec3(place), static_cast<float>(area));
         Append(normals, glm::vec3(side * normal), 1.0f);
       }
-      Append(ranges, glm::vec3(static_cast<float>(next), static_cast<float>(PlacesOfPolygon), 0.0f),
-        0.0f);
-      next += PlacesOfPolygon;
     }
   }
   const int rows = FindRows(places.size() / 4);
+  // What is read of a texture has been written.
+  ranges.resize(std::max(ranges.size(), size_t(4)), 0.0f);
   const int meanRows = FindRows(ranges.size() / 4);
   if (!this->Senders.Resize(window, RowLength, rows) ||
     !this->Ranges.Resize(window, RowLength, meanRows))
@@ -200,7 +195,7 @@ void vtkIndirectProxySums::SetEnvironment(
   vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment)
 {
   const bool changed =
-    this->Light.Update(window, environment, this->Polygons, this->FirstPolygonMean, this->Changed);
+    this->Light.Update(window, environment, this->Polygons, this->FirstPlace, this->Changed);
   this->SendersAreLit = this->SendersAreLit && !changed;
   this->Changed = false;
 }

@@ -73,7 +73,7 @@ private:
   int NumberOfEntries = 0;
   int NumberOfBlocks = 0;
   int NumberOfSenders = 0;
-  int FirstPolygonMean = 0; // by number of senders and means
+  int FirstPlace = 0; // of polygons, by number of senders
   int CoarseSize[2] = { 0, 0 };
   vtkIndirectTarget Table;  // zonal logarithms
   vtkIndirectTarget Rows;   // entries

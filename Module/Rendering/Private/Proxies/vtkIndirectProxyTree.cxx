@@ -11,7 +11,8 @@ namespace
 // Groups of more than that come first, so that blocks of the others are near to each other.
 constexpr size_t LargeGroup = 64;
 // Spheres whose light is found together: so many, or more where else there would be more senders.
-constexpr size_t LeastOfSender = 4;
+// As groups have four parts that is a sender for two to eight.
+constexpr size_t LeastOfSender = 8;
 constexpr size_t MostSenders = 4096;
 // Everywhere, in scene units, whose square and cube are floats still.
 constexpr double Everywhere = 1e8;
@@ -227,7 +228,14 @@ void vtkIndirectProxyTree::AddSenders(size_t number, int own)
   if (own < 0 && node.NumberOfSpheres <= this->SpheresOfSender)
   {
     own = static_cast<int>(this->Senders.size());
-    this->Senders.push_back({ glm::vec3(node.Center), static_cast<float>(node.Radius) });
+    // One of its spheres: where the group itself is, there may be none.
+    size_t inside = number;
+    while (this->Nodes[inside].NumberOfChildren > 0)
+    {
+      inside = this->Nodes[inside].Children[this->Nodes[inside].NumberOfChildren / 2];
+    }
+    const Node& sphere = this->Nodes[inside];
+    this->Senders.push_back({ glm::vec3(sphere.Center), static_cast<float>(sphere.Radius) });
   }
   node.Sender = own;
   const int first = static_cast<int>(this->Senders.size());

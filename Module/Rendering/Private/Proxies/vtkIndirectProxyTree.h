@@ -36,7 +36,10 @@ public:
     int Next;   // the entry after it and all below it; -1: none
     int First;  // the first below it, or Next
   };
-  /** Spheres that are close to each other, whose light is found once. */
+  /**
+   * A sphere whose light stands for that of those next to it, too. It is one of them: between
+   * spheres that are far apart there is more light than at any of them.
+   */
   struct Sender
   {
     glm::vec3 Center;

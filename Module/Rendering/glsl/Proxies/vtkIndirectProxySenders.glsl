@@ -1,5 +1,4 @@
 // Light that falls on what sends: on groups of a few spheres, found where they are open, and on flat polygons.
-uniform sampler2D vtkiSenderPlace;  // place, radius
 uniform sampler2D vtkiSenderNormal; // normal; a fourth component of 1 where there is one
 uniform sampler2D vtkiProxyBlocks;  // lower, upper corner of the box of each block of entries
 uniform int vtkiBlockCount;
@@ -25,6 +24,9 @@ void vtkiOpenSender(vtkiProxySums around, inout vec4 place, inout vec4 normal)
 {
   vec3 open = vec3(around.hidden.A.w, around.hidden.A.y, around.hidden.A.z);
   float size = length(open);
+#ifdef VTKI_PROXY_SENDERS
+  vtkiOwnCenter = normal.w > 0.0f ? vec3(1.0e30f) : place.xyz;
+#endif
   if (!(normal.w > 0.0f))
   {
     normal = vec4(size > 1.0e-6f ? open / size : vec3(0.0f, 0.0f, 1.0f), 0.0f);

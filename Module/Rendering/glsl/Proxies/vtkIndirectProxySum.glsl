@@ -13,14 +13,20 @@ uniform sampler2D vtkiSenderLight0; // of a sphere's irradiance a + b n: a, b.x;
 uniform sampler2D vtkiSenderLight1;
 uniform sampler2D vtkiSenderLight2;
 uniform sampler2D vtkiSenderLight3; // of the share of its half space that is open among spheres, the same
+uniform sampler2D vtkiSenderPlace;  // place; radius, or the area that a place of a polygon stands for
 uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: everywhere
+#ifdef VTKI_PROXY_SENDERS
+// Center of the sphere whose light is summed. It hides nothing from itself: its normals' cosines do that, and the half
+// space behind one of its places is in front of others.
+vec3 vtkiOwnCenter = vec3(1.0e30f);
+#endif
 
 const int VTKI_PROXY_TABLE = 64;
 
 struct vtkiProxySums
 {
   vtkiHarmonics4 hidden; // sum of logarithms
-  vec4 sent;             // irradiance, and solid angle
+  vec4 sent;             // irradiance; solid angle, or with VTKI_PROXY_SHADOWED irradiance of radiance 1
 };
 
 vtkiProxySums vtkiNoProxies()
@@ -93,6 +99,7 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
   float sine = dot(normal, normal) > 0.0f ? vtkiProxySine(toCenter, sphere.w, normal)
     : d > sphere.w                        ? sphere.w / d
                                           : 0.0f;
+  sine = all(equal(sphere.xyz, vtkiOwnCenter)) ? 0.0f : sine;
 #else
   float sine = vtkiProxySine(toCenter, sphere.w, normal);
 #endif
@@ -120,7 +127,12 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
 #endif
     weight *= reach;
     float given = weight * vtkiDiskIrradiance(sine, dot(direction, normal));
-    sums.sent += vec4(given * albedo.rgb * radiance, weight * 2.0f * VTKI_PI * vtkiProxyRow(sine));
+#ifdef VTKI_PROXY_SHADOWED
+    float counted = given;
+#else
+    float counted = weight * 2.0f * VTKI_PI * vtkiProxyRow(sine);
+#endif
+    sums.sent += vec4(given * albedo.rgb * radiance, counted);
 #endif
   }
   return toOuter < outer.w && d < inner.x ? int(inner.w) : int(inner.z);
@@ -161,6 +173,25 @@ vtkiHarmonics4 vtkiSeenLight(vtkiHarmonics4 seen, int color)
   return light;
 }
 
+#ifdef VTKI_PROXY_SHADOWED
+// Mean irradiance of the places of a polygon's side, each by what it gives the receiver as a disk.
+vec3 vtkiPolygonRadiance(vec3 position, vec3 normal, vec3 side, int first, int count)
+{
+  vec4 sum = vec4(0.0f);
+  for (int i = first; i < first + count; ++i)
+  {
+    ivec2 at = vtkiTableTexel(i);
+    vec4 place = texelFetch(vtkiSenderPlace, at, 0);
+    vec3 offset = place.xyz - position;
+    float d2 = max(dot(offset, offset), 1.0e-30f);
+    // Where none is above the receiver's plane, all of them by their distance.
+    float cosines = max(dot(offset, normal), 0.0f) * abs(dot(offset, side)) / d2 + 1.0e-4f;
+    sum += cosines / (VTKI_PI * d2 + place.w) * vec4(texelFetch(vtkiSenderLight0, at, 0).rgb, 1.0f);
+  }
+  return sum.rgb / max(sum.a, 1.0e-30f);
+}
+#endif
+
 // Adds the flat polygons, each as the disk that gives all receivers above it the same irradiance. One that the
 // receiver lies on hides nothing. open: what spheres leave to be seen, of the polygons too.
 void vtkiAddPolygons(
@@ -195,8 +226,9 @@ void vtkiAddPolygons(
       hidden = vtkiHarmonicsAdd(hidden, 1.0f, vtkiZonalTo(vtkiZonalLog(disk.w), disk.xyz));
 #ifdef VTKI_PROXY_LIGHT
 #ifdef VTKI_PROXY_SHADOWED
-      int mean = int(vtkiProxyRows[row + 2].w) + (height >= 0.0f ? 0 : 1);
-      vec3 radiance = vtkiSenderIrradiance(mean, vec3(0.0f)).rgb;
+      int count = int(vtkiProxyRows[row + 3].w);
+      int first = int(vtkiProxyRows[row + 2].w) + (height >= 0.0f ? 0 : count);
+      vec3 radiance = vtkiPolygonRadiance(position, normal, plane.xyz, first, count);
 #else
       vtkiHarmonics4 cosine = vtkiClampedCosine(side);
       vec3 radiance = max(vec3(vtkiHarmonicsDot(cosine, vtkiProxyLightOf(0)),
@@ -217,7 +249,7 @@ vtkiHarmonics4 vtkiSeenSky(vec3 position, vec3 normal, vtkiProxySums sums, out v
   bounce = vec3(0.0f);
 #ifdef VTKI_PROXY_LIGHT
 #ifdef VTKI_PROXY_SHADOWED
-  bounce = vtkiProxyMean(seen, sums.sent.a) * sums.sent.rgb;
+  bounce = vtkiProxyMean(seen, normal, sums.sent.a) * sums.sent.rgb;
 #else
   bounce = vtkiProxyOverlap(seen, sums.sent.a) * sums.sent.rgb;
 #endif

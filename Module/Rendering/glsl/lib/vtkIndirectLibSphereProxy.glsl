@@ -234,10 +234,13 @@ float vtkiProxyOverlap(vtkiHarmonics4 seen, float solidAngle)
   return solidAngle > 0.0f ? min(max(hidden / solidAngle, 0.0f), 1.0f) : 0.0f;
 }
 
-/* The same where solid angles are weighted: all that hides sends the weighted mean. */
-float vtkiProxyMean(vtkiHarmonics4 seen, float solidAngle)
+/* What spheres hide of a uniform sky of radiance 1 from a normal, over what they would give it if all of them were
+ * as bright as that, each by the weight with which it sends: the factor of their summed light. So all that hides the
+ * sky sends the weighted mean, and as much of it as it hides. Solid angles instead take together what lies on both
+ * sides of the receiver, which is crowded behind a receiver on a body and sparse in front of it. */
+float vtkiProxyMean(vtkiHarmonics4 seen, vec3 normal, float given)
 {
-  float hidden = 4.0f * VTKI_PI * (1.0f - seen.A.x * VTKI_HARMONICS_Y00);
-  return max(hidden, 0.0f) / max(solidAngle, 1.0e-6f);
+  float hidden = 1.0f - vtkiHarmonicsDot(seen, vtkiClampedCosine(normal));
+  return max(hidden, 0.0f) / max(given, 1.0e-6f);
 }
 #endif
