@@ -71,7 +71,7 @@ vtkProxyAccumulationPass::~vtkProxyAccumulationPass() = default;
 void vtkProxyAccumulationPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  static const char* const levels[] = { "Off", "Middle", "Averaged", "Shadowed" };
+  static const char* const levels[] = { "Off", "Middle", "Averaged", "Shadowed", "Exact" };
   os << indent << "ReceiverStep: " << this->Settings.ReceiverStep << "\n";
   os << indent << "Groups: " << (this->Settings.Groups ? "On" : "Off") << "\n";
   os << indent << "GroupAngle: " << this->Settings.GroupAngle << "\n";
@@ -208,6 +208,7 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
   sums.Step = in.Step;
   sums.Hides = input.Plan.SkyIsShadowed;
   sums.Middle = this->Settings.IndirectLight == MIDDLE;
+  sums.Exact = this->Settings.IndirectLight == EXACT;
   sums.Shadowed = this->Settings.IndirectLight == SHADOWED;
   sums.LightReach = this->Settings.Groups ? 0.0 : this->Settings.IndirectInfluenceScale;
   input.Timer.Begin(vtkIndirectStageTimer::Estimate);

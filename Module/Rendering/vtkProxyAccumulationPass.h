@@ -102,21 +102,25 @@ public:
     OFF = 0,
     MIDDLE = 1,
     AVERAGED = 2,
-    SHADOWED = 3
+    SHADOWED = 3,
+    EXACT = 4
   };
 
   ///@{
   /**
-   * Light that spheres reflect of the sky: none, as if all of a sphere sent what its middle sends
-   * (Eq 13), or its mean over the visible disk (Eq 15), both as if nothing hid the sky from them;
-   * or the mean of what other spheres leave of it, which is found for groups of up to four spheres.
-   * Overlap is accounted for (Eq 12). Default SHADOWED.
+   * Light that spheres reflect of the sky: none (OFF); as if all of a sphere sent what its middle
+   * sends (MIDDLE, Eq 13), or its mean over the visible disk (AVERAGED, Eq 15), or each place of it
+   * what its own normal makes of the light (EXACT, Eq 17), all three as if nothing hid the sky from
+   * them, and what overlaps counted once (Eq 12); or the mean of what other spheres leave of the
+   * sky, found at one sphere for every two to eight, of all that spheres hide (SHADOWED). Default
+   * SHADOWED.
    */
-  vtkIndirectClampMacro(IndirectLight, int, OFF, SHADOWED);
+  vtkIndirectClampMacro(IndirectLight, int, OFF, EXACT);
   void SetIndirectLightToOff() { this->SetIndirectLight(OFF); }
   void SetIndirectLightToMiddle() { this->SetIndirectLight(MIDDLE); }
   void SetIndirectLightToAveraged() { this->SetIndirectLight(AVERAGED); }
   void SetIndirectLightToShadowed() { this->SetIndirectLight(SHADOWED); }
+  void SetIndirectLightToExact() { this->SetIndirectLight(EXACT); }
   ///@}
 
   /**

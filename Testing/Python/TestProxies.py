@@ -149,6 +149,8 @@ class ProxyPass(unittest.TestCase):
         self.assertEqual(proxies.GetReceiverStep(), 16)
         settings.apply([proxies], {"IndirectLight": "averaged"})
         self.assertEqual(proxies.GetIndirectLight(), proxies.AVERAGED)
+        settings.apply([proxies], {"IndirectLight": "exact"})
+        self.assertEqual(proxies.GetIndirectLight(), proxies.EXACT)
 
     @unittest.skipUnless(wrapped.has("vtkSphereProxyFilter"), "vtkIndirectProxies was not built")
     def test_a_mesh_gets_spheres_by_itself(self) -> None:

@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fits what sums over spheres need in spherical harmonics of order 4.
 
-    Testing/Reference/fit_sphere_proxies.py TABLE PRODUCT   write Proxies/vtkIndirectProxyTable.h and
-                                                            glsl/lib/vtkIndirectLibHarmonicProduct.glsl
-    Testing/Reference/fit_sphere_proxies.py --errors        how good the fits are
+    Testing/Reference/fit_sphere_proxies.py TABLE PRODUCT OPERATOR
+        write Proxies/vtkIndirectProxyTable.h and of glsl/lib vtkIndirectLibHarmonicProduct.glsl and
+        vtkIndirectLibProxyOperator.glsl
+    Testing/Reference/fit_sphere_proxies.py --errors
+        how good the fits are
 
 "Image-Based Proxy Accumulation for Real-Time Soft Global Illumination" (Sloan, Govindaraju,
 Nowrouzezahrai, Snyder 2007) and, for the exponential, "Real-time Soft Shadows in Dynamic Scenes using
@@ -18,6 +20,8 @@ the error is that of f^2 / 2^(p + 1), with it that of f^3 / 4^p / 6.)
 formula, is nearest to the projection of the visibility.
 *Average.* Radiance of a sphere under distant light, averaged over its visible disk, is a zonal
 operator of its normals' light: D0 to D2 as polynomials of sin.
+*Operator.* Not averaged (Eq 16): integrals over the disk of a function at the direction times one at
+the sphere's normal there, over the solid angle, as polynomials of sin and cos.
 """
 
 from __future__ import annotations
@@ -244,6 +248,107 @@ def fit_average() -> tuple[np.ndarray, np.ndarray, tuple[float, float]]:
     return fits[0], fits[1], (errors[0], errors[1])
 
 
+PAIRS = (
+    *((0, row, column) for row in range(3) for column in range(3)),
+    *((1, row, column) for row in (1, 2) for column in (1, 2)),
+    (2, 2, 2),
+)
+"""Entries of the operator that irradiance takes: m, bands of directions and of normals. Cosines have
+no band 3, and m and -m have the same; where m differ it is zero, as the disk is round."""
+
+
+def operator(sines: np.ndarray) -> np.ndarray:
+    """Return the entries for spheres along +z, n x 14: means over the visible disk."""
+    functions = {(0, 0): 0, (0, 1): 2, (0, 2): 6, (1, 1): 3, (1, 2): 7, (2, 2): 8}
+    x, w = np.polynomial.legendre.leggauss(64)
+    phi = 2 * np.pi * (np.arange(8) + 0.5) / 8  # exact: degree 4
+    u = 0.5 * (x + 1.0)
+    weight = np.repeat(w * u, 8) / 8
+    around = np.stack((np.cos(phi), np.sin(phi)), axis=-1)
+    found = []
+    for sine in sines:
+        cosine = np.sqrt(1 - sine * sine)
+        z = cosine + (1 - cosine) * u * u
+        s = np.sqrt(1 - z * z)
+        distance = z - np.sqrt(np.maximum(z * z - cosine * cosine, 0.0))
+        ways, normals = (
+            basis(
+                np.concatenate(
+                    (r[:, None, None] * around, np.repeat(h[:, None, None], 8, axis=1)), axis=2
+                ).reshape(-1, 3)
+            )
+            for r, h in ((s, z), (distance * s / sine, (distance * z - 1.0) / sine))
+        )
+        found.append(
+            [
+                weight @ (ways[:, functions[m, row]] * normals[:, functions[m, column]])
+                for m, row, column in PAIRS
+            ]
+        )
+    return np.array(found)
+
+
+def operator_terms(sines: np.ndarray) -> np.ndarray:
+    """Return what the fit of the operator is linear in, n x 7."""
+    s, c = sines, np.sqrt(1 - sines**2)
+    return np.stack((np.ones_like(s), s, s * s, s**3, c, s * c, s * s * c), axis=-1)
+
+
+def fit_operator() -> tuple[np.ndarray, float]:
+    """Return the factors of the terms, 7 x 14, and the largest error of any entry."""
+    x, w = np.polynomial.legendre.leggauss(64)
+    sines = 0.5 * (x + 1.0)
+    exact, terms = operator(sines), operator_terms(sines)
+    root = np.sqrt(w)[:, None]
+    factors = np.linalg.lstsq(root * terms, root * exact, rcond=None)[0]
+    return factors, float(np.abs(terms @ factors - exact).max())
+
+
+def operator_text() -> str:
+    """Return the kernel of the operator."""
+    factors, _ = fit_operator()
+    rows = np.zeros((7, 16))
+    rows[:, :14] = factors
+    lines = [
+        "// What a sphere sends of a light, over its solid angle, for one along +z: the operator of",
+        "// \"Image-Based Proxy Accumulation for Real-Time Soft Global Illumination\", Sloan, Govindaraju,",
+        "// Nowrouzezahrai, Snyder 2007, Eq 16. Written by Testing/Reference/fit_sphere_proxies.py; not to be edited.",
+        "#ifndef vtkIndirectLibProxyOperator",
+        "#define vtkIndirectLibProxyOperator",
+        '#include "vtkIndirectLibPortable.glsl"',
+        "",
+        "/* Means over the visible disk of a function of the direction times one of the sphere's normal there, of the",
+        " * same m; by bands of direction and normal. m = 0: 00, 01, 02, 10; 11, 12, 20, 21; 22; m = 1, or -1: 11, 12, 21;",
+        " * 22; m = 2, or -2: 22. */",
+        "struct vtkiProxyOperator",
+        "{",
+        "  vec4 A;",
+        "  vec4 B;",
+        "  vec4 C;",
+        "  vec4 D;",
+        "};",
+        "",
+        "/* By the sine of half the angle, from 0 to 1. */",
+        "vtkiProxyOperator vtkiExactOperator(float sine)",
+        "{",
+        "  float s2 = sine * sine;",
+        "  float s3 = s2 * sine;",
+        "  float c = sqrt(max(1.0f - s2, 0.0f));",
+        "  float sc = sine * c;",
+        "  float s2c = s2 * c;",
+        "  vtkiProxyOperator m;",
+    ]
+    for part in range(4):
+        vectors = [
+            "vec4(" + ", ".join(f"{round(v, 7) + 0.0:.7f}f" for v in row[4 * part : 4 * part + 4]) + ")"
+            for row in rows
+        ]
+        lines.append(f"  m.{'ABCD'[part]} = {vectors[0]};")
+        for name, vector in zip(("sine", "s2", "s3", "c", "sc", "s2c"), vectors[1:]):
+            lines.append(f"  m.{'ABCD'[part]} += {name} * {vector};")
+    return "\n".join([*lines, "  return m;", "}", "#endif", ""])
+
+
 def product_text() -> str:
     """Return the kernel of the product of two vectors."""
     lines = [
@@ -312,6 +417,7 @@ def errors() -> None:
     first, second, squared = fit_average()
     print("D1:", first, "D2:", second)
     print(f"relative squared errors: {squared[0]:.3g}, {squared[1]:.3g}")
+    print(f"operator, largest error of an entry: {fit_operator()[1]:.3g}")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -325,6 +431,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.files:
         options.files[0].write_text(table_text(), encoding="utf-8")
         options.files[1].write_text(product_text(), encoding="utf-8")
+        options.files[2].write_text(operator_text(), encoding="utf-8")
     return 0
 
 

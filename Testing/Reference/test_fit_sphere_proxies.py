@@ -14,6 +14,7 @@ import fit_sphere_proxies as fits
 RENDERING = Path(__file__).resolve().parents[2] / "Module" / "Rendering"
 TABLE = RENDERING / "Private" / "Proxies" / "vtkIndirectProxyTable.h"
 PRODUCT = RENDERING / "glsl" / "lib" / "vtkIndirectLibHarmonicProduct.glsl"
+OPERATOR = RENDERING / "glsl" / "lib" / "vtkIndirectLibProxyOperator.glsl"
 KERNELS = RENDERING / "glsl" / "lib" / "vtkIndirectLibSphereProxy.glsl"
 
 MADE = fits.visibility_table()
@@ -26,6 +27,13 @@ def numbers_of(text: str) -> np.ndarray:
 class Files(unittest.TestCase):
     def test_product(self) -> None:
         self.assertEqual(PRODUCT.read_text(encoding="utf-8"), fits.product_text())
+
+    def test_operator(self) -> None:
+        written, made = OPERATOR.read_text(encoding="utf-8"), fits.operator_text()
+        number = re.compile(r"-?\d+\.\d+f")
+        self.assertEqual(number.sub("", written), number.sub("", made))
+        # Rounding of the last of seven digits.
+        np.testing.assert_allclose(numbers_of(written), numbers_of(made), atol=2e-6)
 
     def test_table(self) -> None:
         written = numbers_of(TABLE.read_text(encoding="utf-8")).reshape(fits.ENTRIES, 4)
@@ -51,6 +59,13 @@ class Fits(unittest.TestCase):
         self.assertLess(squared[1], 6.4e-6)
         np.testing.assert_allclose(first, (0.08432, -0.25073, -0.32494), atol=1e-4)
         np.testing.assert_allclose(second, (-0.22230, 0.22502, 0.47398, 0.15950), atol=5e-4)
+
+    def test_operator_is_as_near_as_its_comment_says(self) -> None:
+        self.assertLess(fits.fit_operator()[1], 3.1e-4)
+        # Averages are its entries of a constant function of the direction.
+        sines = np.array((0.1, 0.5, 0.9))
+        means = fits.operator(sines)[:, :3] / fits.Y00
+        np.testing.assert_allclose(means, fits.average(sines), atol=1e-9)
 
     def test_basis_is_orthonormal(self) -> None:
         products = np.einsum("n,ni,nj->ij", fits.WEIGHTS, fits.VALUES, fits.VALUES)

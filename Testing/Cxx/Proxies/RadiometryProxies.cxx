@@ -108,6 +108,82 @@ double Open(const std::vector<Ball>& balls, const glm::dvec3& p)
   return static_cast<double>(open) / count;
 }
 
+// Where a ray ends: at one of the balls or the ground of half width 3, which face the normal.
+struct Hit
+{
+  bool Any = false;
+  bool OnGround = false;
+  glm::dvec3 Place;
+  glm::dvec3 Normal;
+};
+
+Hit Trace(const std::vector<Ball>& balls, const glm::dvec3& p, const glm::dvec3& d)
+{
+  Hit hit;
+  double nearest = 1e300;
+  for (const Ball& ball : balls)
+  {
+    const glm::dvec3 c = ball.Center - p;
+    const double along = glm::dot(c, d);
+    const double room = along * along - glm::dot(c, c) + ball.Radius * ball.Radius;
+    const double t = along - std::sqrt(std::max(room, 0.0));
+    if (room > 0.0 && t > 0.0 && t < nearest)
+    {
+      nearest = t;
+      hit = { true, false, p + t * d, (t * d - c) / ball.Radius };
+    }
+  }
+  const double t = -p.y / d.y;
+  const glm::dvec3 at = p + t * d;
+  if (t > 0.0 && t < nearest && std::abs(at.x) < 3.0 && std::abs(at.z) < 3.0)
+  {
+    hit = { true, true, at, glm::dvec3(0.0, d.y < 0.0 ? 1.0 : -1.0, 0.0) };
+  }
+  return hit;
+}
+
+// Directions about a normal as its cosine has them.
+std::vector<glm::dvec3> AboutNormal(const glm::dvec3& n, int count, double turn)
+{
+  const glm::dvec3 x =
+    glm::normalize(glm::cross(n, std::abs(n.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  const glm::dvec3 y = glm::cross(n, x);
+  std::vector<glm::dvec3> ways;
+  for (int i = 0; i < count; ++i)
+  {
+    const double e = (i + 0.5) / count;
+    const double phi = turn + 2.399963229728653 * i;
+    ways.push_back(std::sqrt(e) * (std::cos(phi) * x + std::sin(phi) * y) + std::sqrt(1.0 - e) * n);
+  }
+  return ways;
+}
+
+// Light of a uniform sky that white balls and the ground send to a place.
+double Bounce(
+  const std::vector<Ball>& balls, const glm::dvec3& p, const glm::dvec3& n, double ground)
+{
+  constexpr int seen = 64;
+  constexpr int open = 48;
+  constexpr double lift = 1e-4;
+  double sum = 0.0;
+  double turn = 0.0;
+  for (const glm::dvec3& way : AboutNormal(n, seen, 0.0))
+  {
+    const Hit hit = Trace(balls, p + lift * n, way);
+    turn += 1.0;
+    if (hit.Any)
+    {
+      for (const glm::dvec3& on : AboutNormal(hit.Normal, open, turn))
+      {
+        sum += Trace(balls, hit.Place + lift * hit.Normal, on).Any ? 0.0
+          : hit.OnGround                                           ? ground
+                                                                   : 1.0;
+      }
+    }
+  }
+  return sum / (seen * open);
+}
+
 // A sphere wholly above a plane takes sin^2 cos of a uniform sky.
 double OverPlane(const Ball& ball, const glm::dvec3& p)
 {
@@ -296,6 +372,10 @@ VTK_INDIRECT_TEST(ProxiesSendLight)
     { 0.05, 0.1, "in all of a uniform sky a white sphere is as bright as that; disks of order 3" },
     "unshadowed");
   const double whole = scene.Copy("bounce").Mean();
+  scene.Proxies->SetIndirectLightToExact();
+  scene.Render();
+  CheckRelative("each place as its normal has it, in light that is the same for all of them",
+    scene.Copy("bounce").Mean(), whole, 1e-3, "entries of the operator");
   scene.Proxies->SetIndirectLightToShadowed();
   scene.Render();
   const double shadowed = scene.Copy("bounce").Mean();
@@ -314,6 +394,51 @@ VTK_INDIRECT_TEST(ProxiesSendLight)
   scene.Proxies->SetIndirectLightToOff();
   scene.Render();
   CheckEqual("nor does it when it is not asked for", scene.Copy("bounce").Mean(), 0.0);
+}
+
+VTK_INDIRECT_TEST(ProxiesSendLightAmongSpheres)
+{
+  // Spheres that float, and spheres in a heap of which each is half inside of others.
+  for (const bool heap : { false, true })
+  {
+    Random random(9);
+    std::vector<Ball> balls;
+    for (int i = 0; i < 400; ++i)
+    {
+      const glm::dvec3 d = std::cbrt(random.Next()) * random.NextDirection();
+      const double size = heap ? 0.75 : 1.0;
+      balls.push_back({ glm::dvec3(0.0, 0.95, 0.0) + size * d * glm::dvec3(1.3, 0.7, 1.3),
+        heap ? random.Next(0.15, 0.2) : random.Next(0.04, 0.08) });
+    }
+    ProxyScene scene;
+    scene.SetBalls(balls);
+    scene.Render();
+    const Image bounce = scene.Copy("bounce");
+    double found = 0.0;
+    double expected = 0.0;
+    double squares = 0.0;
+    const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
+    int count = 0;
+    for (size_t i = 0; i < receivers.size(); i += 37)
+    {
+      const Scene::Receiver& r = receivers[i];
+      if (r.Lit)
+      {
+        const double sent = Bounce(balls, r.Position, r.Normal, White.x);
+        const double value = bounce.Color(r.X, r.Y).x;
+        found += value;
+        expected += sent;
+        squares += (value - sent) * (value - sent);
+        ++count;
+      }
+    }
+    const std::string name = heap ? "a heap" : "floating";
+    CheckAtLeast(name + ": receivers", count, 50.0, "of 140");
+    CheckRelative(name + ": light of all of them", found, expected, 0.06,
+      "goal of the method 0.05, and 100 receivers of 64 rays");
+    CheckAtMost(name + ": RMS, of the sky's 1", std::sqrt(squares / count), 0.06,
+      "a sender stands for several spheres; 0.05 measured");
+  }
 }
 
 VTK_INDIRECT_TEST(ProxiesMove)

@@ -377,6 +377,84 @@ VTK_INDIRECT_TEST(SphereHarmonicsAverage)
     "7 to 8 % in the paper, with more light from one side");
 }
 
+VTK_INDIRECT_TEST(SphereHarmonicsExactOperator)
+{
+  // A light of order 3 and a sphere lit by it, anywhere above a receiver: irradiance of each place
+  // of its disk as bright as its normal makes it, against that of one radiance for all of the disk.
+  Random random(13);
+  double exact = 0.0;
+  double averaged = 0.0;
+  double middle = 0.0;
+  double all = 0.0;
+  for (int trial = 0; trial < 60; ++trial)
+  {
+    vtkiHarmonics4 light = Zero();
+    light.A.x = 2.0f;
+    for (int i = 1; i < 9; ++i)
+    {
+      At(light, i) = static_cast<float>(random.Next(-1.0, 1.0));
+    }
+    const glm::dvec3 n = random.NextDirection();
+    const glm::dvec3 d = random.NextDirection();
+    const double sine = random.Next(0.05, 0.99);
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    const glm::dvec3 x = glm::normalize(
+      glm::cross(d, std::abs(d.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+    const glm::dvec3 y = glm::cross(d, x);
+    const vtkiHarmonics4 receiver = vtkiClampedCosine(vec3(n));
+    const int around = 16;
+    double sum = 0.0;
+    for (int i = 0; i < around; ++i)
+    {
+      const double turn = 2.0 * vtkMath::Pi() * i / around;
+      const glm::dvec3 side = std::cos(turn) * x + std::sin(turn) * y;
+      sum += Integrate(
+               0.0, 1.0,
+               [&](double u)
+               {
+                 const double z = cosine + (1.0 - cosine) * u * u;
+                 const glm::dvec3 way = z * d + std::sqrt(std::max(1.0 - z * z, 0.0)) * side;
+                 const double distance = z - std::sqrt(std::max(z * z - cosine * cosine, 0.0));
+                 const vec3 normal(glm::normalize(distance * way - d));
+                 return 2.0 * u * Value(receiver, way) *
+                   vtkiHarmonicsDot(light, vtkiClampedCosine(normal));
+               },
+               4) /
+        around;
+    }
+    // Over the solid angle, as all of these.
+    const float s = static_cast<float>(sine);
+    const double disk = vtkiDiskIrradiance(s, static_cast<float>(glm::dot(n, d))) /
+      (2.0 * vtkMath::Pi() * vtkiProxyRow(s));
+    const double sent[3] = {
+      vtkiProxyExactIrradiance(vtkiExactOperator(s), light, vec3(d), vec3(n)),
+      disk * vtkiProxyRadiance(light, vec3(d), s), disk * vtkiProxyRadianceAtMiddle(light, vec3(d))
+    };
+    sum = std::max(sum, 0.0); // order 3 rings below the horizon
+    exact += (sent[0] - sum) * (sent[0] - sum);
+    averaged += (sent[1] - sum) * (sent[1] - sum);
+    middle += (sent[2] - sum) * (sent[2] - sum);
+    all += sum * sum;
+  }
+  CheckAtMost("irradiance by the operator, RMS over RMS", std::sqrt(exact / all), 1e-3,
+    "entries are fitted to 3e-4 of at most 0.23, in the mean far better");
+  CheckAtLeast("of the averaged radiance, the same", std::sqrt(averaged / all),
+    5.0 * std::sqrt(exact / all), "it is one for all of the disk");
+  CheckAtLeast("of the radiance at the middle", std::sqrt(middle / all), std::sqrt(averaged / all),
+    "it is that of the middle for all of the disk");
+  // A light from everywhere makes them one.
+  vtkiHarmonics4 uniform = Zero();
+  uniform.A.x = 1.0f / VTKI_HARMONICS_Y00;
+  for (const float s : { 0.1f, 0.6f, 1.0f })
+  {
+    CheckRelative("of a uniform light, that of a disk",
+      2.0 * vtkMath::Pi() * vtkiProxyRow(s) *
+        vtkiProxyExactIrradiance(
+          vtkiExactOperator(s), uniform, vec3(0.0f, 0.6f, 0.8f), vec3(0.0f, 0.0f, 1.0f)),
+      vtkiDiskIrradiance(s, 0.8f), 1e-5, "entries that the fit has exactly");
+  }
+}
+
 VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
 {
   const vec3 n(0.0f, 0.0f, 1.0f);

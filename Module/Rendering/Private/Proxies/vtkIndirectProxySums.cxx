@@ -319,6 +319,7 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
   const bool shadowed = sends && input.Shadowed && input.Hides;
   const std::string definitions = std::string(sends ? "#define VTKI_PROXY_LIGHT\n" : "") +
     (input.Middle ? "#define VTKI_PROXY_MIDDLE\n" : "") +
+    (input.Exact ? "#define VTKI_PROXY_EXACT\n" : "") +
     (shadowed ? "#define VTKI_PROXY_SHADOWED\n" : "");
   if (shadowed && !this->LightSenders(input))
   {

@@ -33,6 +33,7 @@ public:
     int Step = 1;            // every so many pixels is a receiver
     bool Hides = true;       // else nothing hides the sky
     bool Middle = false;     // radiance of spheres at their middles
+    bool Exact = false;      // radiance of spheres at each place of theirs
     bool Shadowed = true;    // spheres hide the light from each other that they send
     double LightReach = 0.0; // radii within which a sphere sends; 0: everywhere
   };

@@ -122,11 +122,18 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
     vec4 sent = vtkiSenderIrradiance(int(inner.y), (vtkiProxyAverage(sine).y / 0.48860251f) * direction);
     vec3 radiance = sent.rgb;
     reach *= sent.a;
-#else
+#elif !defined(VTKI_PROXY_EXACT)
     vec3 radiance = vtkiSphereRadiance(y, sine);
 #endif
     weight *= reach;
     float given = weight * vtkiDiskIrradiance(sine, dot(direction, normal));
+#ifdef VTKI_PROXY_EXACT
+    given = weight * 2.0f * VTKI_PI * vtkiProxyRow(sine);
+    vtkiProxyOperator exact = vtkiExactOperator(sine);
+    vec3 radiance = vec3(vtkiProxyExactIrradiance(exact, vtkiProxyLightOf(0), direction, normal),
+      vtkiProxyExactIrradiance(exact, vtkiProxyLightOf(1), direction, normal),
+      vtkiProxyExactIrradiance(exact, vtkiProxyLightOf(2), direction, normal));
+#endif
 #ifdef VTKI_PROXY_SHADOWED
     float counted = given;
 #else

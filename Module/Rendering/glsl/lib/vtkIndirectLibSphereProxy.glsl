@@ -5,6 +5,7 @@
 #define vtkIndirectLibSphereProxy
 #include "vtkIndirectLibHarmonicProduct.glsl"
 #include "vtkIndirectLibPortable.glsl"
+#include "vtkIndirectLibProxyOperator.glsl"
 
 /* Of the constant function: over the sphere it is 1. */
 const float VTKI_HARMONICS_Y00 = 0.28209479f;
@@ -224,6 +225,43 @@ float vtkiProxyRadiance(vtkiHarmonics4 light, vec3 d, float sine)
 float vtkiProxyRadianceAtMiddle(vtkiHarmonics4 light, vec3 d)
 {
   return vtkiHarmonicsDot(vtkiClampedCosine(-d), light);
+}
+
+/* Half the gradient of band 2 of a function in the direction of a vector: with it again, the function. */
+vec3 vtkiBandTwo(vtkiHarmonics4 f, vec3 v)
+{
+  float k = 0.54627422f;
+  float z = 0.31539157f * f.B.z;
+  return vec3(k * (f.B.x * v.y + f.B.w * v.z + f.C.x * v.x) - z * v.x,
+    k * (f.B.x * v.x + f.B.y * v.z - f.C.x * v.y) - z * v.y, k * (f.B.y * v.y + f.B.w * v.x) + 2.0f * z * v.z);
+}
+
+/* Irradiance at a unit normal n, in VTK's unit and over the sphere's solid angle, of a sphere of albedo 1 in a unit
+ * direction d, each place of it as bright as its own normal makes it, without anything that hides the light from it
+ * (Eq 17); `light` of one colour, its first nine coefficients. In place of turning light and result, both are taken
+ * apart along d and u, the part of n across d: n is the cosine's only direction. */
+float vtkiProxyExactIrradiance(vtkiProxyOperator m, vtkiHarmonics4 light, vec3 d, vec3 n)
+{
+  float c = dot(n, d);
+  vec3 u = n - c * d;
+  float s2 = dot(u, u);
+  // Bands of the clamped cosine over pi about n, and of what it makes of the light, 1, 2/3 and 1/4 of it.
+  vec3 v = 0.32573501f * vec3(light.A.w, light.A.y, light.A.z);
+  vec3 qd = vtkiBandTwo(light, d);
+  vec3 qu = vtkiBandTwo(light, u);
+  float dqd = dot(d, qd);
+  vec3 to = vec3(0.28209479f, 0.32573501f * c, 0.07884789f * (3.0f * c * c - 1.0f));
+  vec3 from = vec3(light.A.x, dot(v, d) / 0.48860251f, dqd * 0.39633273f);
+  float sum = to.x * (m.A.x * from.x + m.A.y * from.y + m.A.z * from.z) +
+    to.y * (m.A.w * from.x + m.B.x * from.y + m.B.y * from.z) +
+    to.z * (m.B.z * from.x + m.B.w * from.y + m.C.x * from.z);
+  // Of m = 1, both without the length of u.
+  vec2 to1 = vec2(0.32573501f, 0.27313711f * c);
+  vec2 from1 = vec2(dot(v, u) / 0.48860251f, 0.25f * dot(d, qu) / 0.54627422f);
+  sum += to1.x * (m.C.y * from1.x + m.C.z * from1.y) + to1.y * (m.C.w * from1.x + m.D.x * from1.y);
+  // Of m = 2, without its square.
+  sum += 0.13656855f * m.D.y * 0.25f * (2.0f * dot(u, qu) + s2 * dqd) / 1.09254843f;
+  return max(sum, 0.0f);
 }
 
 /* What hides of all spheres together, over the sum of their solid angles (Eq 12): the factor of their
