@@ -408,7 +408,7 @@ VTK_INDIRECT_TEST(ProxiesSendLightAmongSpheres)
       const glm::dvec3 d = std::cbrt(random.Next()) * random.NextDirection();
       const double size = heap ? 0.75 : 1.0;
       balls.push_back({ glm::dvec3(0.0, 0.95, 0.0) + size * d * glm::dvec3(1.3, 0.7, 1.3),
-        heap ? random.Next(0.15, 0.2) : random.Next(0.04, 0.08) });
+        heap ? random.Next(0.15, 0.2) : random.Next(0.03, 0.06) });
     }
     ProxyScene scene;
     scene.SetBalls(balls);
@@ -434,10 +434,11 @@ VTK_INDIRECT_TEST(ProxiesSendLightAmongSpheres)
     }
     const std::string name = heap ? "a heap" : "floating";
     CheckAtLeast(name + ": receivers", count, 50.0, "of 140");
-    CheckRelative(name + ": light of all of them", found, expected, 0.06,
-      "goal of the method 0.05, and 100 receivers of 64 rays");
-    CheckAtMost(name + ": RMS, of the sky's 1", std::sqrt(squares / count), 0.06,
-      "a sender stands for several spheres; 0.05 measured");
+    CheckRelative(name + ": light of all of them", found, expected, 0.1,
+      "goal of the method; 0.075 and -0.005 measured: the open side of a sphere stands for all of "
+      "it");
+    CheckAtMost(name + ": RMS, of the sky's 1", std::sqrt(squares / count), 0.03,
+      "a sender stands for several spheres; 0.012 and 0.014 measured");
   }
 }
 
