@@ -90,6 +90,12 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
   vec4 sphere = texelFetch(vtkiProxyCenter, at, 0);
   vec4 outer = texelFetch(vtkiProxyOuter, at, 0);
   vec4 inner = texelFetch(vtkiProxyInner, at, 0);
+#ifdef VTKI_PROXY_SENDERS
+  // Groups of up to twice the angle say as well where it is open.
+  float share = dot(normal, normal) > 0.0f ? 1.0f : 0.5f;
+  outer.w *= share;
+  inner.x *= share;
+#endif
   vec3 toCenter = sphere.xyz - position;
   float d = length(toCenter);
   float toOuter = length(outer.xyz - position);
