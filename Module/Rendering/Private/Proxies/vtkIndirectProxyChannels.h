@@ -50,6 +50,13 @@ const vtkIndirectChannel SenderLightChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 #undef VTKI_LIGHT_CHANNEL
+const vtkIndirectChannel SentLightChannels[] = {
+  { "proxies.sent0", "vtkiSentLight0", "irradiance by normals, in pairs", GL_RGBA32F, "world",
+    "two halves of bits each" },
+  { "proxies.sent1", "vtkiSentLight1", "irradiance by normals, in pairs", GL_RGBA32F, "world",
+    "two halves of bits each" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
 #define VTKI_COARSE_CHANNEL(name, uniform)                                                         \
   {                                                                                                \
     name, uniform, "what coarse receivers get", GL_RGBA32F, "world", "VTK irradiance"              \

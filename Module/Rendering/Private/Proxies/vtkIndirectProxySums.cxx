@@ -69,7 +69,7 @@ vtkIndirectProxySums::vtkIndirectProxySums()
   , Senders(SendersChannels, false)
   , Ranges(RangesChannels, false)
   , SenderLight(SenderLightChannels, false)
-  , AllLight(SenderLightChannels, false)
+  , AllLight(SentLightChannels, false)
   , Coarse(CoarseChannels, false)
   , Blended(BlendedChannels, false)
 {
@@ -278,7 +278,7 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
     this->Blocks.Activate(0, program);
     program->SetUniformi("vtkiBlockCount", this->NumberOfBlocks);
   }
-  if (program->IsUniformUsed("vtkiSenderLight0"))
+  if (program->IsUniformUsed("vtkiSentLight0"))
   {
     for (int i = 0; i < this->AllLight.GetNumberOfChannels(); ++i)
     {

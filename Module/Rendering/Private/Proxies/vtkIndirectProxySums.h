@@ -82,7 +82,7 @@ private:
   vtkIndirectTarget Senders;
   vtkIndirectTarget Ranges;      // of means
   vtkIndirectTarget SenderLight; // what falls on them
-  vtkIndirectTarget AllLight;    // the same, and means of it
+  vtkIndirectTarget AllLight;    // the same, and means of it, in pairs
   vtkIndirectTarget Coarse;
   vtkIndirectTarget Blended; // sums
   vtkIndirectSplatMesh Mesh;

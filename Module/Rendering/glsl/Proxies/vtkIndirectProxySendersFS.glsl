@@ -1,12 +1,16 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// The light that falls on senders, one fragment each; or with VTKI_PROXY_MEANS all of it, followed from row
-// vtkiMeanRow on by means of several.
+// The light that falls on senders, one fragment each; or with VTKI_PROXY_MEANS all of it in pairs, followed
+// from row vtkiMeanRow on by means of several.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectProxySum.glsl"
 #include "vtkIndirectProxySenders.glsl"
 
-uniform sampler2D vtkiMeanRange; // first, number
+uniform sampler2D vtkiSenderLight0; // of a sphere's irradiance a + b n: a, b.x; b.y, b.z of each colour
+uniform sampler2D vtkiSenderLight1;
+uniform sampler2D vtkiSenderLight2;
+uniform sampler2D vtkiSenderLight3; // of the share of its half space that is open among spheres, the same
+uniform sampler2D vtkiMeanRange;    // first, number
 uniform int vtkiMeanRow;
 
 // Of more senders so many stand for all.
@@ -22,15 +26,15 @@ void main()
   light[3] = vec4(0.0f);
 #ifdef VTKI_PROXY_MEANS
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  if (texel.y < vtkiMeanRow)
+  bool single = texel.y < vtkiMeanRow;
+  if (single)
   {
-    gl_FragData[0] = texelFetch(vtkiSenderLight0, texel, 0);
-    gl_FragData[1] = texelFetch(vtkiSenderLight1, texel, 0);
-    gl_FragData[2] = texelFetch(vtkiSenderLight2, texel, 0);
-    gl_FragData[3] = texelFetch(vtkiSenderLight3, texel, 0);
-    return;
+    light[0] = texelFetch(vtkiSenderLight0, texel, 0);
+    light[1] = texelFetch(vtkiSenderLight1, texel, 0);
+    light[2] = texelFetch(vtkiSenderLight2, texel, 0);
+    light[3] = texelFetch(vtkiSenderLight3, texel, 0);
   }
-  vec2 range = texelFetch(vtkiMeanRange, texel - ivec2(0, vtkiMeanRow), 0).xy;
+  vec2 range = single ? vec2(0.0f) : texelFetch(vtkiMeanRange, texel - ivec2(0, vtkiMeanRow), 0).xy;
   int first = int(range.x);
   int count = int(range.y);
   float weights = 0.0f;
@@ -51,8 +55,12 @@ void main()
   }
   for (int i = 0; i < 3; ++i)
   {
-    light[i] /= max(weights, 1.0e-6f);
+    light[i] /= single ? 1.0f : max(weights, 1.0e-6f);
   }
+  vec4 pairs[2];
+  vtkiPairLight(light, pairs);
+  gl_FragData[0] = pairs[0];
+  gl_FragData[1] = pairs[1];
 #else
   if (number < vtkiSenderCount)
   {
@@ -68,9 +76,9 @@ void main()
     vtkiProxySums sums = vtkiSumProxies(place.xyz, normal.xyz, true);
     vtkiLightOfSender(sums, place, normal, light);
   }
-#endif
   gl_FragData[0] = light[0];
   gl_FragData[1] = light[1];
   gl_FragData[2] = light[2];
   gl_FragData[3] = light[3];
+#endif
 }

@@ -9,10 +9,8 @@ uniform sampler2D vtkiProxyInner;  // radius within which others stand for it, s
 uniform sampler2D vtkiProxyTable;  // zonal logarithms, a row of them
 uniform int vtkiProxyCount;
 uniform bool vtkiProxyHides;
-uniform sampler2D vtkiSenderLight0; // of a sphere's irradiance a + b n: a, b.x; b.y, b.z of each colour
-uniform sampler2D vtkiSenderLight1;
-uniform sampler2D vtkiSenderLight2;
-uniform sampler2D vtkiSenderLight3; // of the share of its half space that is open among spheres, the same
+uniform sampler2D vtkiSentLight0;  // of senders and means in pairs: irradiance a + b n of each colour, a and b.x; red b.y
+uniform sampler2D vtkiSentLight1;  // and b.z; green, blue; the open share of the half space around n, the same
 uniform sampler2D vtkiSenderPlace;  // place; radius, or the area that a place of a polygon stands for
 uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: everywhere
 #ifdef VTKI_PROXY_SENDERS
@@ -71,16 +69,46 @@ vec3 vtkiSphereRadiance(vtkiHarmonics4 y, float sine)
   return max(radiance, vec3(0.0f));
 }
 
+// Two numbers in one, of 8 bits of mantissa each: texels cost more than what is done with them. The first one's
+// exponent is that of the float, which thus is no special one.
+float vtkiPair(float first, float second)
+{
+  uint high = floatBitsToUint(abs(first) < 1.0e-30f ? 1.0e-30f : first) + 0x8000u;
+  uint low = floatBitsToUint(second) + 0x8000u;
+  return uintBitsToFloat((high & 0xffff0000u) | (low >> 16));
+}
+
+vec4 vtkiFirst(vec4 pairs)
+{
+  return uintBitsToFloat(floatBitsToUint(pairs) & uvec4(0xffff0000u));
+}
+
+vec4 vtkiSecond(vec4 pairs)
+{
+  return uintBitsToFloat(floatBitsToUint(pairs) << uvec4(16u));
+}
+
+// What the lights of vtkiLightOfSender are as pairs.
+void vtkiPairLight(vec4 light[4], out vec4 pairs[2])
+{
+  pairs[0] = vec4(vtkiPair(light[0].r, light[0].a), vtkiPair(light[0].g, light[1].r), vtkiPair(light[0].b, light[1].g),
+    vtkiPair(light[1].b, light[2].g));
+  pairs[1] = vec4(vtkiPair(light[1].a, light[2].b), vtkiPair(light[2].r, light[2].a),
+    vtkiPair(light[3].r, light[3].g), vtkiPair(light[3].b, light[3].a));
+}
+
 // Irradiance a + b n of a sender or of a mean, for a vector n; in the fourth component how open it is there.
 vec4 vtkiSenderIrradiance(int sender, vec3 n)
 {
   ivec2 at = vtkiTableTexel(sender);
-  vec4 l0 = texelFetch(vtkiSenderLight0, at, 0);
-  vec4 l1 = texelFetch(vtkiSenderLight1, at, 0);
-  vec4 l2 = texelFetch(vtkiSenderLight2, at, 0);
-  vec4 l3 = texelFetch(vtkiSenderLight3, at, 0);
-  vec3 e = l0.rgb + n.x * vec3(l0.a, l1.rg) + n.y * vec3(l1.ba, l2.r) + n.z * l2.gba;
-  return max(vec4(e, l3.x + dot(l3.yzw, n)), vec4(0.0f, 0.0f, 0.0f, 0.02f));
+  vec4 l0 = texelFetch(vtkiSentLight0, at, 0);
+  vec4 l1 = texelFetch(vtkiSentLight1, at, 0);
+  vec4 first0 = vtkiFirst(l0);
+  vec4 first1 = vtkiFirst(l1);
+  vec4 second0 = vtkiSecond(l0);
+  vec4 second1 = vtkiSecond(l1);
+  vec3 e = first0.rgb + n.x * second0.rgb + n.y * vec3(first0.a, first1.rg) + n.z * vec3(second0.a, second1.rg);
+  return max(vec4(e, first1.b + n.x * second1.b + n.y * first1.a + n.z * second1.a), vec4(0.0f, 0.0f, 0.0f, 0.02f));
 }
 
 // Adds an entry of the tree of spheres. Returns the entry that comes next: of those below it, where they count.
@@ -199,7 +227,7 @@ vec3 vtkiPolygonRadiance(vec3 position, vec3 normal, vec3 side, int first, int c
     float d2 = max(dot(offset, offset), 1.0e-30f);
     // Where none is above the receiver's plane, all of them by their distance.
     float cosines = max(dot(offset, normal), 0.0f) * abs(dot(offset, side)) / d2 + 1.0e-4f;
-    sum += cosines / (VTKI_PI * d2 + place.w) * vec4(texelFetch(vtkiSenderLight0, at, 0).rgb, 1.0f);
+    sum += cosines / (VTKI_PI * d2 + place.w) * vec4(vtkiFirst(texelFetch(vtkiSentLight0, at, 0)).rgb, 1.0f);
   }
   return sum.rgb / max(sum.a, 1.0e-30f);
 }
