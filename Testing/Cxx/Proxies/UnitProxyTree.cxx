@@ -176,6 +176,40 @@ VTK_INDIRECT_TEST(ProxyTreeGroups)
   CheckEqual("of nothing", static_cast<double>(tree.GetEntries().size()), 0.0);
 }
 
+VTK_INDIRECT_TEST(ProxyTreeSenders)
+{
+  // A sender is one of the spheres that it stands for, never a place between them; entries name
+  // senders, or means of them.
+  for (const int count : { 1, 5, 300, 2000 })
+  {
+    const Spheres spheres = MakeSpheres(count, 3);
+    vtkIndirectProxyTree tree;
+    tree.Build(spheres, 0.4, 15.0);
+    const auto& senders = tree.GetSenders();
+    int spheresAmongThem = 0;
+    for (const auto& sender : senders)
+    {
+      spheresAmongThem += std::any_of(spheres.begin(), spheres.end(),
+                            [&sender](const vtkIndirectProxySphere& sphere)
+                            {
+                              return glm::vec3(sphere.Center) == sender.Center &&
+                                static_cast<float>(sphere.Radius) == sender.Radius;
+                            })
+        ? 1
+        : 0;
+    }
+    const std::string name = std::to_string(count) + " spheres";
+    const int number = static_cast<int>(senders.size());
+    CheckEqual(name + ": senders that are spheres", spheresAmongThem, number);
+    CheckAtMost(name + ": senders", number, std::max(count / 2, 1), "two to eight spheres each");
+    CheckAtLeast(name + ": senders, at least", number, count / 8, "two to eight spheres each");
+    const int known = number + static_cast<int>(tree.GetMeans().size());
+    Check(name + ": all entries have one",
+      std::all_of(tree.GetEntries().begin(), tree.GetEntries().end(),
+        [known](const Entry& entry) { return entry.Sender >= 0 && entry.Sender < known; }));
+  }
+}
+
 VTK_INDIRECT_TEST(ProxyShapesOfMeshes)
 {
   using Shapes = vtkIndirectProxyShapes;
