@@ -172,8 +172,9 @@ vtkIndirectEstimate vtkProxyAccumulationPass::Estimate(const Input& input)
   }
   vtkIndirectEstimate result = this->MakeResult();
   result.Sky = &this->Internal->Sky;
-  result.Irradiance = this->Settings.IndirectLight == OFF ? nullptr : &this->Internal->Sky;
-  result.IrradianceChannel = 1;
+  result.Irradiance = nullptr;
+  result.SkyBounce = this->Settings.IndirectLight == OFF ? nullptr : &this->Internal->Sky;
+  result.SkyBounceChannel = 1;
   return result;
 }
 
@@ -186,6 +187,9 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
+  const auto stage = input.Plan.SkySource == vtkIndirectPlan::SKY_BY_ESTIMATOR
+    ? vtkIndirectStageTimer::Estimate
+    : vtkIndirectStageTimer::Sky;
 
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool moved = in.Scene.Update(frame, in.Given, this);
@@ -211,9 +215,9 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
   sums.Exact = this->Settings.IndirectLight == EXACT;
   sums.Shadowed = this->Settings.IndirectLight == SHADOWED;
   sums.LightReach = this->Settings.Groups ? 0.0 : this->Settings.IndirectInfluenceScale;
-  input.Timer.Begin(vtkIndirectStageTimer::Estimate);
+  input.Timer.Begin(stage);
   done = done && in.Sums.Sum(sums, in.Sky);
-  input.Timer.End(vtkIndirectStageTimer::Estimate);
+  input.Timer.End(stage);
   return done;
 }
 

@@ -94,7 +94,9 @@ struct vtkIndirectComposite::Internals
                                      : "vtkIndirectIrradianceTexture.glsl");
     kernel.SetDefinitions(input.Geometry.GetAlbedoDefinitions() +
       std::string(HasGlossy(input) ? "#define VTKI_GLOSSY\n" : "") +
-      (input.Sky ? "#define VTKI_SKY\n" : "") + (input.Area ? "#define VTKI_AREA\n" : "") +
+      (input.Sky ? "#define VTKI_SKY\n" : "") +
+      (input.SkyBounce ? "#define VTKI_SKY_BOUNCE\n" : "") +
+      (input.Area ? "#define VTKI_AREA\n" : "") +
       (input.AreaGlossy ? "#define VTKI_AREA_GLOSSY\n" : "") + definitions);
     return kernel.Use(input.Frame.Window);
   }
@@ -107,7 +109,7 @@ struct vtkIndirectComposite::Internals
     geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
     if (estimate)
     {
-      estimate->Irradiance->Activate(estimate->IrradianceChannel, program, "vtkiIrradiance");
+      estimate->Irradiance->Activate(0, program, "vtkiIrradiance");
     }
     if (estimate && estimate->Coarse)
     {
@@ -131,6 +133,10 @@ struct vtkIndirectComposite::Internals
         direct->Activate(0, program);
       }
     }
+    if (input.SkyBounce)
+    {
+      input.SkyBounce->Activate(input.SkyBounceChannel, program, "vtkiSkyBounce");
+    }
     vtkIndirectSetEyeUniforms(program, input.Frame);
     program->SetUniform2i("vtkiSize", input.Frame.Size);
     const bool adds = estimate || input.Sky || input.Area;
@@ -143,7 +149,8 @@ struct vtkIndirectComposite::Internals
   static void DeactivateFrame(const Input& input)
   {
     input.Geometry.GetTarget().Deactivate();
-    for (const vtkIndirectTarget* direct : { input.Sky, input.Area, input.AreaGlossy })
+    for (const vtkIndirectTarget* direct :
+      { input.Sky, input.SkyBounce, input.Area, input.AreaGlossy })
     {
       if (direct)
       {

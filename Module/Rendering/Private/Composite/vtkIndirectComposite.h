@@ -43,7 +43,9 @@ public:
     const vtkReflectiveShadowMapPass* Maps; // null without maps
     const vtkIndirectEstimate* Estimate;    // null for none
     const vtkIndirectTarget* Sky;           // irradiance from the environment, null for none
-    const vtkIndirectTarget* Area;          // the same from area lights
+    const vtkIndirectTarget* SkyBounce;     // what is reflected of that, null for none beside
+    int SkyBounceChannel;                   // the estimate; of that image
+    const vtkIndirectTarget* Area;          // irradiance from area lights
     const vtkIndirectTarget* AreaGlossy;    // what is reflected specularly of these
     double IndirectScale;
     bool DepthCleared; // of the framebuffer that is bound: nothing is drawn there yet

@@ -53,10 +53,8 @@ struct vtkIndirectEstimate
   };
   StateType State = FAILED;
 
-  /** Irradiance over Unit, a value for every pixel, or where there is Coarse of mixed cells. Null
-   * of an estimator that sums the sky and nothing else. */
+  /** Irradiance over Unit, a value for every pixel, or where there is Coarse of mixed cells. */
   const vtkIndirectTarget* Irradiance = nullptr;
-  int IrradianceChannel = 0; // of that
   /**
    * Irradiance at every Step-th pixel from border to border, null where all pixels have a value of
    * their own: the composite interpolates it (vtkIndirectIrradianceCoarse.glsl). The fourth
@@ -67,8 +65,13 @@ struct vtkIndirectEstimate
   int Step = 1;
   /** What lobes of a specular coefficient of one reflect, over Unit; null where there is none. */
   const vtkIndirectTarget* Glossy = nullptr;
-  /** VTK irradiance that comes directly from the sky, of an estimator that sums it itself. */
+  ///@{
+  /** Of an estimator that sums the sky itself, in place of Irradiance: VTK irradiance that comes
+   * directly from there, and what is reflected of it, null for none, a channel of that. */
   const vtkIndirectTarget* Sky = nullptr;
+  const vtkIndirectTarget* SkyBounce = nullptr;
+  int SkyBounceChannel = 0;
+  ///@}
   /** VTK irradiance that a stored value of one stands for. */
   double Unit = 1.0;
   /** RMS error of the irradiance over its mean, as the estimator itself finds; negative: unknown.

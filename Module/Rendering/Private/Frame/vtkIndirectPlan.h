@@ -49,6 +49,14 @@ struct vtkIndirectCircumstances
   bool Environment = false;  // light comes from all around
   /** VTK irradiance of a surface that all of its light would fall on at a right angle. */
   double EnvironmentIrradiance = 0.0;
+  ///@{
+  /**
+   * Spheres that have moved in frames one after the other are among the casters: why, in words,
+   * else empty; and why spheres cannot stand for all that hides the sky, empty where they can.
+   */
+  std::string SpheresMove;
+  std::string SpheresFail;
+  ///@}
   bool ImageBasedLighting = false; // VTK adds that of the renderer's texture, which nothing hides
   std::string OtherAntialiasing;   // what antialiases the picture after the pass; empty: nothing
   /** What the window gives a frame: 1 / DesiredUpdateRate, by default that of a still picture. */
@@ -80,7 +88,15 @@ struct vtkIndirectPlan
   bool SenderLobes = false;         // maps have what senders reflect specularly
   bool AlbedoInAlpha = false;       // alpha says nothing, and the albedo has its place
   bool Antialiasing = false;        // edges of the composed picture are antialiased
-  /** Whether there is irradiance to estimate; else WhyNoIrradiance. */
+  enum SkySourceType
+  {
+    SKY_BY_MAPS,    // depth maps, and virtual lights of its bounce
+    SKY_BY_SPHERES, // spheres that stand for what is drawn, and its bounce too, beside an estimator
+    SKY_BY_ESTIMATOR // that sums it itself, and nothing beside it
+  };
+
+  /** Whether there is irradiance to estimate of anything but what sums the sky itself; else, where
+   * there is none of that either, WhyNoIrradiance. */
   bool Irradiance = false;
   std::string WhyNoIrradiance;
   int Visibility = vtkIndirectVisibilityNone; // of senders from receivers; never automatic
@@ -91,14 +107,16 @@ struct vtkIndirectPlan
    */
   bool Sky = false;
   bool SkyIsShadowed = true;
-  bool SkyByEstimator = false;     // no maps are looked up for it
+  int SkySource = SKY_BY_MAPS;
   bool ReplacesImageLight = false; // the diffuse light that VTK adds of the renderer's texture
   int NumberOfSkyDirections = 256;
   int NumberOfStillSkyDirections = 256;
   int SkyBlock = 1;
   int SkyTileTexels = 128;
   ///@}
-  bool SkyBounces = false;       // surfaces send what the environment gives them
+  /** Surfaces send what the environment gives them: virtual lights of it, or spheres. */
+  bool SkyBounces = false;
+  bool SpheresBounceSky = false;
   bool OtherSamplers = false;    // virtual lights that passes bring of their own
   bool AreaLights = false;       // light comes directly from rectangles
   bool AreaIsShadowed = true;    // and may be hidden
@@ -106,7 +124,9 @@ struct vtkIndirectPlan
   bool AreaSpecular = false;     // receivers reflect them specularly, too
   int VisibleAreaLights = 0;     // that are drawn
   ///@{
-  /** The time that there is for the frame; whether another is awaited, as while a camera turns. */
+  /** The time that there is for the frame; whether another is awaited, as while a camera turns: who
+   * asks for a picture a second or more is not waiting for this one alone. */
+  static constexpr double InteractiveSeconds = 1.0;
   double FrameSeconds = 10000.0;
   bool Interactive = false;
   ///@}
@@ -129,6 +149,12 @@ struct vtkIndirectPlan
   Entries EstimateModelled;
   Entries EstimateLeftOut;
   ///@}
+
+  /** Depth maps are looked up for the sky. */
+  bool HasSkyMaps() const
+  {
+    return this->Sky && this->SkySource == SKY_BY_MAPS && this->SkyIsShadowed;
+  }
 
   static vtkIndirectPlan Make(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
@@ -166,6 +192,8 @@ private:
   void FindVisibility(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
   void FindSky(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
+  void FindSkySource(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
+    const vtkIndirectCircumstances& circumstances);
   void FindOtherLights(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void FindUnit(const vtkIndirectFrame& frame, const vtkIndirectCircumstances& circumstances);

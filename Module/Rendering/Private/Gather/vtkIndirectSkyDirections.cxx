@@ -58,6 +58,20 @@ bool vtkIndirectSkyDirections::Update(
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectSkyDirections::HasStrong(vtkEnvironmentLight* environment)
+{
+  vtkIndirectSkyProjection projection;
+  double total = 0.0;
+  double most = 0.0;
+  for (const glm::dvec3& light : projection.Find(environment, LeastLattice).Light)
+  {
+    total += Sum(light);
+    most = std::max(most, Sum(light));
+  }
+  return most > StrongShare * total;
+}
+
+//------------------------------------------------------------------------------
 // What is strong, and all the rest in small pieces.
 void vtkIndirectSkyDirections::FindLight(
   vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment)

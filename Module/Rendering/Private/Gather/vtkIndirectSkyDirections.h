@@ -40,6 +40,8 @@ public:
 
   /** Unit, to where the light comes from. */
   const glm::dvec3& GetDirection(size_t number) const { return this->Lattice[number]; }
+  /** Whether more than a 32nd of an environment's light comes from one of 256 directions. */
+  static bool HasStrong(vtkEnvironmentLight* environment);
   /** Those that more than a 32nd of all light comes from. */
   const std::vector<Summand>& GetStrong() const { return this->Strong; }
   /** The others from which light comes; without what the strong ones have. */

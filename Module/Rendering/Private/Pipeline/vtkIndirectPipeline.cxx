@@ -58,6 +58,17 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
     request.Environment ? request.Environment : this->ImageLight.Find(this->Frame.Renderer);
   circumstances.EnvironmentIrradiance = this->Environment ? SumIrradiance(this->Environment) : 0.0;
   circumstances.Environment = circumstances.EnvironmentIrradiance > 0.0;
+  if (circumstances.Environment && request.Settings.Caching)
+  {
+    this->SphereMotion.Update(this->Frame, this->Environment,
+      circumstances.FrameSeconds <= vtkIndirectPlan::InteractiveSeconds);
+    circumstances.SpheresMove = this->SphereMotion.GetWhat();
+    circumstances.SpheresFail = this->SphereMotion.GetWhyNot();
+  }
+  else
+  {
+    this->SphereMotion.Forget();
+  }
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
   circumstances.TakesSampler =
     request.Estimator->ChooseSampler(request.Sampler, vtkIndirectPlan()) == request.Sampler;
@@ -65,10 +76,21 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
     request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
-  if (!circumstances.Environment || request.Settings.IndirectScale == 0.0 ||
-    this->Plan.SkyByEstimator)
+  // Maps of the scene as it was would show shadows that are gone when the sky comes from them
+  // again.
+  const bool sky = circumstances.Environment && request.Settings.IndirectScale > 0.0;
+  if (!sky || this->Plan.SkySource != vtkIndirectPlan::SKY_BY_MAPS)
   {
-    this->ReleaseSky(this->Frame.Window);
+    this->ReleaseSkyMaps(this->Frame.Window);
+  }
+  if (!sky)
+  {
+    this->SkyKey.clear();
+  }
+  // What moves stops and goes on; programs for it take seconds to build.
+  if (!sky || !this->SphereMotion.HasMoved())
+  {
+    this->Spheres->ReleaseGraphicsResources(this->Frame.Window);
   }
   if (!circumstances.AreaLights || request.Settings.IndirectScale == 0.0)
   {
@@ -83,11 +105,10 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPipeline::ReleaseSky(vtkWindow* window)
+void vtkIndirectPipeline::ReleaseSkyMaps(vtkWindow* window)
 {
   this->Sky.Release(window);
   this->SkyProjection = vtkIndirectSkyProjection();
-  this->SkyKey.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -192,8 +213,12 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
     this->Frame, this->Plan, this->Estimator->ChooseSampler(request.Sampler, this->Plan));
   this->TilesLeft = this->Plan.TilesPerFrame;
   this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
-  this->SkyIsThere = this->Plan.SkyByEstimator ? this->IrradianceIsThere && this->Estimate.Sky
-                                               : this->Plan.Sky && this->UpdateSky(request);
+  if (!this->Plan.Irradiance && this->GetSkySummer())
+  {
+    // Nobody asks what others have looked up in.
+    this->Visibility.Update({ this->Frame, nullptr, this->Capture, false, 0 }, {});
+  }
+  this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
   this->AreaIsThere = this->Plan.AreaLights && this->UpdateArea(request);
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
   const bool composed = this->Composite.Composite(this->MakeCompositeInput());
@@ -224,9 +249,6 @@ std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) 
   this->Samplers.AppendTo(key);
   key.push_back(static_cast<double>(
     this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0));
-  key.push_back(this->Plan.SkyByEstimator && this->Environment
-      ? static_cast<double>(this->Environment->GetMTime())
-      : -1.0);
   for (size_t i = 0; this->Plan.Senders == vtkIndirectPlan::RAYS && i < this->Frame.Lights.size();
        ++i)
   {
@@ -271,8 +293,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const size_t tiles = this->Visibility.GetNumberOfTilesDrawn();
   // The sky's maps share the frame's time.
   const int most = this->Plan.TilesPerFrame;
-  const bool shared = (this->Plan.Sky && !this->Plan.SkyByEstimator && this->Plan.SkyIsShadowed &&
-                        !this->Sky.IsComplete()) ||
+  const bool shared = (this->Plan.HasSkyMaps() && !this->Sky.IsComplete()) ||
     (this->Plan.AreaLights && this->Plan.AreaIsShadowed && !this->Area.IsComplete());
   const bool visible = this->Visibility.Update(
     { this->Frame, lights, this->Capture, caching, shared ? most - most / 2 : most }, needs);
@@ -284,7 +305,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
 
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
     lights, this->Visibility, still && !more && this->Visibility.GetNumberOfTilesDrawn() == tiles,
-    this->Timer, this->Plan.SkyByEstimator ? this->Environment : nullptr };
+    this->Timer };
   this->Estimator->HoldContext(this->Frame.Window);
   this->Estimate = sampled && visible ? this->Estimator->Estimate(input) : vtkIndirectEstimate();
   if (this->Estimate.State == vtkIndirectEstimate::FAILED)
@@ -298,7 +319,46 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
 }
 
 //------------------------------------------------------------------------------
+// Who sums the sky without maps; null where they are looked up.
+vtkIndirectEstimatorPass* vtkIndirectPipeline::GetSkySummer() const
+{
+  return this->Plan.SkySource == vtkIndirectPlan::SKY_BY_SPHERES ? this->Spheres
+    : this->Plan.SkySource == vtkIndirectPlan::SKY_BY_ESTIMATOR  ? this->Estimator
+                                                                 : nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectPipeline::UpdateSky(const Request& request)
+{
+  vtkIndirectEstimatorPass* const summer = this->GetSkySummer();
+  if (!summer)
+  {
+    return this->UpdateSkyMaps(request);
+  }
+  if (summer == this->Spheres)
+  {
+    this->Spheres->SetIndirectLight(this->Plan.SpheresBounceSky ? vtkProxyAccumulationPass::SHADOWED
+                                                                : vtkProxyAccumulationPass::OFF);
+  }
+  std::vector<double> key = this->MakeFrameKey();
+  key.push_back(static_cast<double>(summer->GetMTime()));
+  key.push_back(static_cast<double>(this->Environment->GetMTime()));
+  const bool failed = this->SkyEstimate.State == vtkIndirectEstimate::FAILED;
+  if (key == this->SkyKey && (failed || request.Settings.Caching))
+  {
+    return !failed;
+  }
+  const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
+    nullptr, this->Visibility, false, this->Timer, this->Environment };
+  summer->HoldContext(this->Frame.Window);
+  this->SkyEstimate = summer->Estimate(input);
+  this->SkyKey = std::move(key);
+  this->NumberOfEstimates += summer == this->Estimator ? 1 : 0;
+  return this->SkyEstimate.State != vtkIndirectEstimate::FAILED;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
 {
   const vtkIndirectSkyGather::Input input = { this->Frame, this->Plan, this->Geometry,
     this->Capture, this->Environment, this->SkyProjection };
@@ -377,11 +437,11 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
 {
   const bool maps = this->Plan.Senders == vtkIndirectPlan::MAPS;
   const vtkIndirectEstimate* const estimate = this->GetEstimate();
-  const vtkIndirectTarget* const sky =
-    estimate && estimate->Sky ? estimate->Sky : &this->Sky.GetIrradiance();
-  return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr,
-    estimate && estimate->Irradiance ? estimate : nullptr, this->SkyIsThere ? sky : nullptr,
-    this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr,
+  const bool summed = this->SkyIsThere && this->GetSkySummer();
+  const vtkIndirectTarget* const sky = summed ? this->SkyEstimate.Sky : &this->Sky.GetIrradiance();
+  return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr, estimate,
+    this->SkyIsThere ? sky : nullptr, summed ? this->SkyEstimate.SkyBounce : nullptr,
+    this->SkyEstimate.SkyBounceChannel, this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr,
     this->AreaIsThere ? this->Area.GetReflected() : nullptr, this->Plan.IndirectScale,
     this->TargetIsClear };
 }
@@ -465,7 +525,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     { "sky_tiles_drawn", static_cast<long long>(this->Sky.GetNumberOfTilesDrawn()) },
     { "tiles_left",
       (this->IrradianceIsThere ? this->Visibility.GetNumberOfTilesLeft() : 0) +
-        (this->SkyIsThere && !this->Plan.SkyByEstimator ? this->Sky.GetNumberOfTilesLeft() : 0) +
+        (this->SkyIsThere && this->Plan.HasSkyMaps() ? this->Sky.GetNumberOfTilesLeft() : 0) +
         (this->AreaIsThere ? this->Area.GetNumberOfTilesLeft() : 0) },
     { "estimates", this->NumberOfEstimates } };
   this->Frame.AddToReport(report);
@@ -499,19 +559,33 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     report.MainMemoryBytes = this->Estimator->GetMainMemoryBytes();
     report.EstimatedError = this->Estimate.Error;
     this->Estimator->AddToReport(report);
-    if (!this->Plan.SkyByEstimator)
-    {
-      this->Visibility.AddToReport(report);
-    }
+    this->Visibility.AddToReport(report);
     this->Samplers.AddToReport(report);
   }
   else if (this->Plan.Irradiance)
   {
     report.LeftOut.emplace_back("indirect light", "its estimator had an error");
   }
-  if (this->SkyIsThere && !this->Plan.SkyByEstimator)
+  vtkIndirectEstimatorPass* const summer = this->Plan.Sky ? this->GetSkySummer() : nullptr;
+  if (this->SkyIsThere && summer)
+  {
+    report.Method = this->GetEstimate() ? report.Method : summer->GetMethodName();
+    report.Bytes += summer->GetBytes();
+    report.MainMemoryBytes += summer->GetMainMemoryBytes();
+    summer->AddToReport(report);
+    if (summer == this->Estimator)
+    {
+      add(report.Modelled, this->Plan.EstimateModelled);
+      add(report.LeftOut, this->Plan.EstimateLeftOut);
+    }
+  }
+  else if (this->SkyIsThere)
   {
     this->Sky.AddToReport(report);
+  }
+  else if (summer)
+  {
+    report.LeftOut.emplace_back("light from the sky", "what sums it had an error");
   }
   if (this->AreaIsThere)
   {
@@ -532,7 +606,9 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Penumbra.Release(window);
   this->Geometry.Release(window);
   this->Samplers.Release(window);
-  this->ReleaseSky(window);
+  this->ReleaseSkyMaps(window);
+  this->Spheres->ReleaseGraphicsResources(window);
+  this->SphereMotion.Forget();
   this->Area.Release(window);
   this->VisibleLamps.Release(window);
   this->Visibility.Release(window);

@@ -20,6 +20,7 @@
 #include "Gather/vtkIndirectVisibleLamps.h"         // for members
 #include "Pipeline/vtkIndirectFrameSamplers.h"      // for members
 #include "Pipeline/vtkIndirectImageLight.h"         // for members
+#include "Pipeline/vtkIndirectSphereMotion.h"       // for a member
 #include "VirtualLights/vtkIndirectSkyProjection.h" // for members
 #include "Visibility/vtkIndirectPenumbra.h"         // for members
 #include "Visibility/vtkIndirectVisibility.h"       // for members
@@ -28,6 +29,7 @@
 #include "vtkIndirectEstimatorPass.h"               // for members
 #include "vtkMultiresolutionSplattingPass.h"        // for members
 #include "vtkNew.h"                                 // for members
+#include "vtkProxyAccumulationPass.h"               // for members
 #include "vtkReflectiveShadowMapPass.h"             // for members
 #include "vtkSmartPointer.h"                        // for members
 #include "vtkWeakPointer.h"                         // for members
@@ -102,10 +104,12 @@ private:
   std::vector<double> MakeKey(vtkVirtualLightSampler* users) const;
   bool UpdateIrradiance(const Request& request);
   bool UpdateSky(const Request& request);
+  bool UpdateSkyMaps(const Request& request);
+  vtkIndirectEstimatorPass* GetSkySummer() const;
   bool UpdateArea(const Request& request);
   vtkMTimeType GetAreaTime() const;
   bool UpdateSenderMaps();
-  void ReleaseSky(vtkWindow* window);
+  void ReleaseSkyMaps(vtkWindow* window);
   const vtkIndirectEstimate* GetEstimate() const;
   vtkIndirectComposite::Input MakeCompositeInput() const;
   bool RenderChannel(const std::string& name);
@@ -116,6 +120,8 @@ private:
   vtkIndirectVisibility Visibility;
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather Sky;
+  vtkNew<vtkProxyAccumulationPass> Spheres; // in place of these maps
+  vtkIndirectSphereMotion SphereMotion;
   vtkIndirectAreaGather Area;
   vtkIndirectVisibleLamps VisibleLamps;
   vtkIndirectImageLight ImageLight;
@@ -136,6 +142,7 @@ private:
   int TilesLeft = 0; // depth maps that the frame has time for still
   std::string WhyNoBuffers = "no frame has been rendered yet";
   vtkIndirectEstimate Estimate;
+  vtkIndirectEstimate SkyEstimate; // of who sums the sky without maps
   // What made its irradiance: its buffers stay readable when the pass is given others.
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkIndirectEstimatorPass> HeldEstimator;

@@ -19,6 +19,9 @@ uniform sampler2D vtkiGlossy;
 #ifdef VTKI_SKY
 uniform sampler2D vtkiSky;
 #endif
+#ifdef VTKI_SKY_BOUNCE
+uniform sampler2D vtkiSkyBounce;
+#endif
 #ifdef VTKI_AREA
 uniform sampler2D vtkiArea;
 #endif
@@ -39,6 +42,9 @@ void main()
   vec3 albedo = lit ? vtkiFetchAlbedo(pixel) : vec3(0.0f);
   vec3 bounce =
     lit ? vtkiFetchIrradiance(vec2(pixel) + 0.5f) * vtkiIrradianceUnit : vec3(0.0f);
+#ifdef VTKI_SKY_BOUNCE
+  bounce += lit ? texelFetch(vtkiSkyBounce, pixel, 0).rgb : vec3(0.0f);
+#endif
   vec3 sky = vec3(0.0f);
 #ifdef VTKI_SKY
   sky = lit ? texelFetch(vtkiSky, pixel, 0).rgb : vec3(0.0f);

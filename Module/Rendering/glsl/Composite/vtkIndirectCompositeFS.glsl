@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Direct light plus albedo times irradiance, with VTKI_SKY also that of the environment, with VTKI_AREA that of area
-// lights, with VTKI_AREA_GLOSSY what receivers reflect specularly of these, and with VTKI_GLOSSY what is reflected specularly.
+// Direct light plus albedo times irradiance, with VTKI_SKY also that of the environment, with
+// VTKI_SKY_BOUNCE what is reflected of that beside it, with VTKI_AREA that of area lights, with VTKI_AREA_GLOSSY what receivers reflect specularly of these, and with VTKI_GLOSSY what is reflected specularly.
 // Background is left as it was drawn. Depth comes too, unless with VTKI_DEPTH_COPIED it is there already.
 // VTKI_ALBEDO_IN_ALPHA where the lit image has the albedo in place of alpha, VTKI_ENCODED where the scene has
 // physically based materials, whose colours are encoded. VTKI_GATHER names the file that knows where the
@@ -23,6 +23,9 @@ uniform float vtkiIndirectScale;
 uniform float vtkiIrradianceUnit;
 #ifdef VTKI_SKY
 uniform sampler2D vtkiSky;
+#endif
+#ifdef VTKI_SKY_BOUNCE
+uniform sampler2D vtkiSkyBounce;
 #endif
 #ifdef VTKI_AREA
 uniform sampler2D vtkiArea;
@@ -60,6 +63,9 @@ void main()
       vtkiFetchIrradiance(position) * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
 #ifdef VTKI_SKY
     indirect += albedo * textureLod(vtkiSky, pixel, 0.0f).rgb * (vtkiIndirectScale * lit.a);
+#endif
+#ifdef VTKI_SKY_BOUNCE
+    indirect += albedo * textureLod(vtkiSkyBounce, pixel, 0.0f).rgb * (vtkiIndirectScale * lit.a);
 #endif
 #ifdef VTKI_AREA
     indirect += albedo * textureLod(vtkiArea, pixel, 0.0f).rgb * (vtkiIndirectScale * lit.a);

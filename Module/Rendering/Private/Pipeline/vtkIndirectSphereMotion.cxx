@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Pipeline/vtkIndirectSphereMotion.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "Gather/vtkIndirectSkyDirections.h"
+#include "Proxies/vtkIndirectProxyLight.h"
+#include "vtkCamera.h"
+#include "vtkEnvironmentLight.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <utility>
+
+namespace
+{
+constexpr int LeastChanges = 2;
+constexpr int MostIdle = 8; // half a second at 15 frames a second
+// So many take 0.8 of the time of maps, of which a frame that somebody waits for draws a few
+// (Documentation/methods/sphere-proxies.md); with more the tree of them takes over.
+constexpr double MostSpheres = 100000.0;
+
+// Whether a frame is a further part of a picture, which its first part has decided for.
+bool IsFurtherPart(const vtkIndirectFrame& frame)
+{
+  const double* tile = frame.Window->GetTileViewport();
+  const bool rightEye =
+    frame.Window->GetStereoRender() && !frame.Renderer->GetActiveCamera()->GetLeftEye();
+  return rightEye || tile[0] > 0.0 || tile[1] > 0.0;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSphereMotion::Update(
+  const vtkIndirectFrame& frame, vtkEnvironmentLight* environment, bool interactive)
+{
+  if (IsFurtherPart(frame))
+  {
+    return;
+  }
+  const double moved = this->FindMovedSpheres(frame);
+  if (moved > 0.0)
+  {
+    ++this->Changes;
+    this->Idle = 0;
+  }
+  else if (!interactive || ++this->Idle > MostIdle)
+  {
+    this->Changes = this->Idle = 0;
+  }
+  if (this->Changes < LeastChanges)
+  {
+    this->What.clear();
+    this->WhyNot.clear();
+    // Where none of what has moved is left it takes two frames to begin with again.
+    this->Moved = this->Moved && !this->Props.empty();
+    return;
+  }
+  if (moved > 0.0)
+  {
+    this->What =
+      std::to_string(static_cast<long long>(moved)) + " spheres have moved in frames on end";
+  }
+  this->WhyNot = this->HasSun(environment) ? "the environment has a sun, whose shadows they blur"
+                                           : this->FindWhyNot(frame);
+  this->Moved = this->WhyNot.empty();
+}
+
+//------------------------------------------------------------------------------
+// Those that were there in the last frame already.
+double vtkIndirectSphereMotion::FindMovedSpheres(const vtkIndirectFrame& frame)
+{
+  std::unordered_map<vtkProp*, Before> now;
+  double moved = 0.0;
+  for (const vtkIndirectCaster& caster : frame.Casters)
+  {
+    const auto found = this->Props.find(caster.Prop);
+    if (found != this->Props.end() && found->second.Time == caster.RedrawMTime)
+    {
+      now.emplace(caster.Prop, std::move(found->second));
+      continue;
+    }
+    vtkIndirectProxyKinds::Kind kind = vtkIndirectProxyKinds::FindSpheres(caster.Prop);
+    if (kind.NumberOfSpheres > 0.0)
+    {
+      moved += found != this->Props.end() && found->second.Places != kind.Places
+        ? kind.NumberOfSpheres
+        : 0.0;
+      now[caster.Prop] = { caster.RedrawMTime, std::move(kind.Places), kind.NumberOfSpheres };
+    }
+  }
+  this->Props = std::move(now);
+  return moved;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectSphereMotion::FindWhyNot(const vtkIndirectFrame& frame)
+{
+  std::string why;
+  double spheres = 0.0;
+  size_t polygons = 0;
+  for (const vtkIndirectCaster& caster : frame.Casters)
+  {
+    const vtkIndirectProxyKinds::Kind kind = this->Kinds.Find(caster.Prop);
+    spheres += kind.NumberOfSpheres;
+    polygons += kind.NumberOfPolygons;
+    why = kind.Other.empty() ? why : kind.Other;
+  }
+  this->Kinds.Forget();
+  const size_t most = vtkIndirectProxyLight::MostPolygons;
+  return !why.empty()       ? why
+    : polygons > most       ? "there are more than " + std::to_string(most) + " flat polygons"
+    : spheres > MostSpheres ? "so many take as long as maps"
+                            : "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSphereMotion::HasSun(vtkEnvironmentLight* environment)
+{
+  if (environment != this->Environment || environment->GetMTime() != this->EnvironmentTime)
+  {
+    this->Environment = environment;
+    this->EnvironmentTime = environment->GetMTime();
+    this->Sun = vtkIndirectSkyDirections::HasStrong(environment);
+  }
+  return this->Sun;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSphereMotion::Forget()
+{
+  this->Props.clear();
+  this->Changes = this->Idle = 0;
+  this->Moved = false;
+  this->What.clear();
+  this->WhyNot.clear();
+  this->Environment = nullptr;
+}

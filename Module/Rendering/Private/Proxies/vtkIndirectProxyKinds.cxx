@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Proxies/vtkIndirectProxyKinds.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "Proxies/vtkIndirectProxyShapes.h"
+#include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkDataSetMapper.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLSphereMapper.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+
+// As in vtkIndirectProxyScene.
+#if __has_include("vtkOpenGLMoleculeMapper.h")
+#include "vtkOpenGLMoleculeMapper.h"
+#define VTKI_MOLECULES
+#endif
+
+#include <cstring>
+#include <functional>
+
+namespace
+{
+// Of larger meshes no shape is asked for: looking into one takes a millisecond for so many.
+constexpr vtkIdType MostCells = 20000;
+// A sphere whose center is so many radii off its origin moves when its glyph is turned.
+constexpr double MostOffset = 1e-3;
+
+enum MapperType
+{
+  MESH,
+  BALLS,
+  GLYPHS,
+  MOLECULE
+};
+
+int FindType(vtkMapper* mapper)
+{
+#ifdef VTKI_MOLECULES
+  if (vtkOpenGLMoleculeMapper::SafeDownCast(mapper))
+  {
+    return MOLECULE;
+  }
+#endif
+  return vtkOpenGLSphereMapper::SafeDownCast(mapper) ? BALLS
+    : vtkGlyph3DMapper::SafeDownCast(mapper)         ? GLYPHS
+                                                     : MESH;
+}
+
+void ForActors(vtkProp* prop, const std::function<void(vtkActor*, vtkMatrix4x4*)>& call)
+{
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    vtkAssemblyNode* last = path->GetLastNode();
+    auto* actor = vtkActor::SafeDownCast(last->GetViewProp());
+    if (actor && actor->GetMapper() && actor->GetVisibility())
+    {
+      call(actor, last->GetMatrix() ? last->GetMatrix() : actor->GetMatrix());
+    }
+  }
+}
+
+void AddSpheres(vtkMapper* mapper, vtkMatrix4x4* matrix, vtkIndirectProxyKinds::Kind& kind)
+{
+  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+  if (!data)
+  {
+    return;
+  }
+  const int type = FindType(mapper);
+  kind.NumberOfSpheres += static_cast<double>(
+    data->GetNumberOfElements(type == MOLECULE ? vtkDataObject::VERTEX : vtkDataObject::POINT));
+  kind.Places.push_back(static_cast<double>(data->GetMTime()));
+  kind.Places.insert(kind.Places.end(), matrix->GetData(), matrix->GetData() + 16);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::FindSpheres(vtkProp* prop)
+{
+  Kind kind;
+  ForActors(prop,
+    [&kind](vtkActor* actor, vtkMatrix4x4* matrix)
+    {
+      if (FindType(actor->GetMapper()) != MESH)
+      {
+        AddSpheres(actor->GetMapper(), matrix, kind);
+      }
+    });
+  return kind;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::Find(vtkProp* prop)
+{
+  Kind kind = FindSpheres(prop);
+  ForActors(prop, [this, &kind](vtkActor* actor, vtkMatrix4x4*) { this->AddActor(actor, kind); });
+  return kind;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyKinds::AddActor(vtkActor* actor, Kind& kind)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  if (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0)
+  {
+    kind.Other = "something is cut by clipping planes";
+    return;
+  }
+  switch (FindType(mapper))
+  {
+    case BALLS:
+      return;
+    case GLYPHS:
+    {
+      const std::string why = this->FindWhyNoGlyphs(mapper);
+      kind.Other = why.empty() ? kind.Other : why;
+      return;
+    }
+#ifdef VTKI_MOLECULES
+    case MOLECULE:
+      if (vtkOpenGLMoleculeMapper::SafeDownCast(mapper)->GetRenderBonds())
+      {
+        kind.Other = "bonds are no spheres";
+      }
+      return;
+#endif
+    default:
+      if (actor->GetProperty()->GetRepresentation() == VTK_SURFACE)
+      {
+        this->AddMesh(mapper, kind);
+      }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectProxyKinds::FindWhyNoGlyphs(vtkMapper* mapper)
+{
+  auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
+  const int count = glyphs->GetNumberOfInputConnections(1);
+  bool balls = count > 0 && !glyphs->GetUseSourceTableTree();
+  for (int i = 0; balls && i < count; ++i)
+  {
+    vtkPolyData* source = glyphs->GetSource(i);
+    balls = source && this->FindShape(source) == CENTERED_SPHERE;
+  }
+  return !balls ? "there are glyphs that are no spheres"
+    : glyphs->GetScaling() && glyphs->GetScaleMode() == vtkGlyph3DMapper::SCALE_BY_COMPONENTS
+    ? "glyphs are stretched spheres"
+    : "";
+}
+
+//------------------------------------------------------------------------------
+// Mappers of other classes draw something of their own.
+void vtkIndirectProxyKinds::AddMesh(vtkMapper* mapper, Kind& kind)
+{
+  const bool plain = std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 ||
+    std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0;
+  auto* mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  const int shape = plain && mesh ? this->FindShape(mesh) : NEITHER;
+  kind.NumberOfPolygons += shape == POLYGON ? 1 : 0;
+  if (shape == NEITHER)
+  {
+    kind.Other = "there is a mesh that is neither flat and convex nor made of spheres";
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectProxyKinds::FindShape(vtkPolyData* mesh)
+{
+  Known& known = this->Meshes[mesh];
+  known.Used = true;
+  if (known.Time == mesh->GetMTime())
+  {
+    return known.Shape;
+  }
+  known.Time = mesh->GetMTime();
+  known.Shape = NEITHER;
+  if (mesh->GetNumberOfCells() > MostCells || mesh->GetNumberOfPoints() == 0)
+  {
+    return known.Shape;
+  }
+  vtkIndirectProxyShapes::Shape shape;
+  if (vtkIndirectProxyShapes::FindSpheres(mesh, shape))
+  {
+    const vtkIndirectProxySphere& first = shape.Spheres.front();
+    known.Shape =
+      shape.Spheres.size() == 1 && glm::length(first.Center) <= MostOffset * first.Radius
+      ? CENTERED_SPHERE
+      : SPHERES;
+    return known.Shape;
+  }
+  shape = vtkIndirectProxyShapes::Shape();
+  known.Shape = vtkIndirectProxyShapes::FindPolygon(mesh, shape) ? POLYGON : NEITHER;
+  return known.Shape;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyKinds::Forget()
+{
+  for (auto it = this->Meshes.begin(); it != this->Meshes.end();)
+  {
+    it = it->second.Used ? std::next(it) : this->Meshes.erase(it);
+  }
+  for (auto& known : this->Meshes)
+  {
+    known.second.Used = false;
+  }
+}
