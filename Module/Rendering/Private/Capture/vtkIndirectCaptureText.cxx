@@ -103,8 +103,13 @@ void vtkIndirectCaptureText::Add(
   }
   if (lit)
   {
-    // Derivatives belong in front of anything that may discard.
-    visibility = std::string("  vec2 vtkiSlope = vtkiDepthSlope(-vertexVC.z * vtkiSceneScale);\n") +
+    // Derivatives belong in front of anything that may discard. Impostors of spheres and sticks have
+    // discarded what they do not cover, and their normal is that of the surface.
+    const bool impostor = Contains(fragmentShader, "radiusVCVSOutput") &&
+      Contains(fragmentShader, "centerVCVSOutput") && Contains(fragmentShader, "discard");
+    visibility = std::string("  vec2 vtkiSlope = ") +
+      (impostor ? "vtkiNormalSlope(normalVCVSOutput, vertexVC.xyz);\n"
+                : "vtkiDepthSlope(-vertexVC.z * vtkiSceneScale);\n") +
       (this->Shadows ? "  vec3 vtkiPosition = vertexVC.xyz * vtkiSceneScale;\n"
                        "  vec3 vtkiFacetNormalVC = vtkiFacetNormal(vtkiPosition,\n"
                        "    cross(dFdx(vtkiPosition), dFdy(vtkiPosition)), normalVCVSOutput);\n"

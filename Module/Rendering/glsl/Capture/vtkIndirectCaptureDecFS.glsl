@@ -129,6 +129,16 @@ vec2 vtkiDepthSlope(float depth)
   return vec2(dFdx(s), dFdy(s)) * ((positional ? depth : 1.0f) / vtkiMapLight.y);
 }
 
+// The same of the plane through a place, in view coordinates, with this normal.
+vec2 vtkiNormalSlope(vec3 normal, vec3 place)
+{
+  // Seen from its side nothing of a surface is seen.
+  const float least = 1.0e-4f;
+  bool positional = vtkiMapLight.x > 0.5f;
+  float across = positional ? dot(normal, place) / min(place.z, -1.0e-30f) : normal.z;
+  return normal.xy * ((positional ? -1.0f : 1.0f) / (across < 0.0f ? min(across, -least) : max(across, least)));
+}
+
 float vtkiLinearDepth()
 {
   return vtkiDepthRange.z > 0.5f ? mix(vtkiDepthRange.x, vtkiDepthRange.y, gl_FragCoord.z)
