@@ -152,6 +152,7 @@ void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IndirectScale: " << this->Settings.IndirectScale << "\n";
   os << indent << "ErrorTolerance: " << this->Settings.ErrorTolerance << "\n";
   os << indent << "Caching: " << flag(this->Settings.Caching) << "\n";
+  os << indent << "SpheresInMotion: " << flag(this->Settings.SpheresInMotion) << "\n";
   os << indent << "RemainingGeometry: " << flag(this->Settings.RemainingGeometry) << "\n";
   os << indent << "DebugView: \"" << this->DebugView << "\"\n";
   os << indent << "Timing: " << flag(this->GetTiming()) << "\n";

@@ -31,7 +31,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLSphereMapper
 
 FOLDER = Path(__file__).resolve().parents[1]
@@ -363,9 +363,30 @@ def with_proxies(moving: Moving, **settings: object) -> Moving:
 
 
 def with_maps(moving: Moving) -> Moving:
-    """Switch on what the pass does by itself: depth maps of the sky, and virtual lights."""
-    methods.enable(moving.view.renderer, environment=(1.0, 1.0, 1.0))
+    """Switch on depth maps of the sky, and virtual lights."""
+    indirect = methods.enable(moving.view.renderer, environment=(1.0, 1.0, 1.0))
+    indirect.SpheresInMotionOff()
     moving.view.window.SetDesiredUpdateRate(15.0)
+    return moving
+
+
+def by_default(moving: Moving) -> Moving:
+    """Switch on what the pass does by itself."""
+    indirect = with_maps(moving).view.renderer.GetPass()
+    indirect.SpheresInMotionOn()
+    return moving
+
+
+def with_lamp(moving: Moving) -> Moving:
+    """Add a lamp, whose light virtual lights send on."""
+    lamp = vtkLight()
+    lamp.PositionalOn()
+    lamp.SetConeAngle(35)
+    places = moving.rest
+    middle, length = places.mean(axis=0), float(np.linalg.norm(np.ptp(places, axis=0)))
+    lamp.SetPosition(*(middle + length * np.array((0.6, 0.9, 0.4))))
+    lamp.SetFocalPoint(*middle)
+    moving.view.renderer.AddLight(lamp)
     return moving
 
 
@@ -389,6 +410,9 @@ def times() -> None:
         "sky alone": with_proxies(Moving(spheres, size), indirect_light="off"),
         "with a bounce": with_proxies(Moving(spheres, size)),
         "maps, with a bounce": with_maps(Moving(spheres, size)),
+        "by default": by_default(Moving(spheres, size)),
+        "maps, and a lamp": with_lamp(with_maps(Moving(spheres, size))),
+        "by default, and a lamp": with_lamp(by_default(Moving(spheres, size))),
     }
     found = in_turn(kinds)
     print(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the pass holds of OpenGL, when it lets go of it, and in which order things may be destroyed.
+#include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 #include "vtkIndirectDetails.h"
 
@@ -9,10 +10,14 @@
 #include "vtk_glew.h"
 #endif
 
+#include "vtkCellArray.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
+#include "vtkOpenGLSphereMapper.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkProxyAccumulationPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
@@ -173,6 +178,68 @@ VTK_INDIRECT_TEST(ToggleProxies)
   unsetenv("VTK_INDIRECT_PATHS");
 }
 
+//------------------------------------------------------------------------------
+// Spheres in place of the sky's maps, while they move, leave nothing behind.
+VTK_INDIRECT_TEST(ToggleSphereMotion)
+{
+  View view(160, 120);
+  AddRoomSurfaces(view.Renderer);
+  view.Renderer->RemoveAllViewProps();
+  view.Renderer->AddActor(MakeQuad({ 0, 0, 1 }, { 1, 0, 1 }, { 0, 0, 0 }));
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < 5; ++i)
+  {
+    points->InsertNextPoint(0.1 + 0.2 * static_cast<double>(i), 0.2, 0.5);
+    cells->InsertNextCell(1, &i);
+  }
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  vtkNew<vtkOpenGLSphereMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetRadius(0.1f);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  view.Renderer->AddActor(actor);
+  vtkNew<vtkEnvironmentLight> sky;
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  Names first[3];
+  double bytes[2] = { 0.0, 0.0 };
+  for (int turn = 0; turn < 6; ++turn)
+  {
+    Names names[3];
+    view.Renderer->SetPass(pass);
+    pass->SetEnvironment(sky);
+    for (int frame = 0; frame < 4; ++frame)
+    {
+      points->SetPoint(0, 0.1, 0.2 + 0.02 * frame, 0.5);
+      points->Modified();
+      data->Modified();
+      view.Window->Render();
+    }
+    CONTRACT_CHECK(!Report(pass).FindReason("modelled", "sky by spheres").empty(), "no spheres");
+    names[0] = CountNames(view.Window);
+    // Without a sky what was held for it is gone.
+    pass->SetEnvironment(nullptr);
+    view.Window->Render();
+    names[1] = CountNames(view.Window);
+    view.Renderer->SetPass(nullptr);
+    view.Window->Render();
+    names[2] = CountNames(view.Window);
+    for (int i = 0; i < 3 && turn > 0; ++i)
+    {
+      first[i] = turn == 1 ? names[i] : first[i];
+      CONTRACT_CHECK(names[i] == first[i],
+        "turn " << turn << ", " << i << ": " << names[i] << " after " << first[i]);
+    }
+    bytes[turn > 0] = static_cast<double>(names[0].Textures - names[1].Textures);
+  }
+  std::cout << first[0] << "\n" << first[1] << "\n" << first[2] << "\n";
+  CONTRACT_CHECK(bytes[1] >= 10.0, "only " << bytes[1] << " textures go with the sky");
+}
+
+//------------------------------------------------------------------------------
 VTK_INDIRECT_TEST(ToggleMultiresolution)
 {
   vtkNew<vtkMultiresolutionSplattingPass> splatting;

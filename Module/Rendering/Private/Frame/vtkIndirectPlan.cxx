@@ -284,13 +284,27 @@ void vtkIndirectPlan::FindSkySource(const vtkIndirectSettings& settings,
     return;
   }
   const bool asked = settings.ErrorTolerance > 0.0 && settings.ErrorTolerance < ErrorOfSpheres;
-  const std::string why = !this->SkyIsShadowed ? "nothing hides it"
-    : circumstances.SpheresMove.empty() ? "no spheres have moved in frames one after the other"
-    : !circumstances.SpheresFail.empty()
-    ? circumstances.SpheresMove + ", but " + circumstances.SpheresFail
-    : asked
-    ? "ErrorTolerance is below that of spheres, " + vtkIndirectReport::Number(ErrorOfSpheres)
-    : "";
+  std::string why;
+  if (!this->SkyIsShadowed)
+  {
+    why = "nothing hides it";
+  }
+  else if (!settings.SpheresInMotion || !settings.Caching)
+  {
+    why = settings.SpheresInMotion ? "Caching is off" : "SpheresInMotion is off";
+  }
+  else if (circumstances.SpheresMove.empty())
+  {
+    why = "no spheres have moved in frames one after the other";
+  }
+  else if (!circumstances.SpheresFail.empty())
+  {
+    why = circumstances.SpheresMove + ", but " + circumstances.SpheresFail;
+  }
+  else if (asked)
+  {
+    why = "ErrorTolerance is below that of spheres, " + vtkIndirectReport::Number(ErrorOfSpheres);
+  }
   this->SkySource = why.empty() ? SKY_BY_SPHERES : SKY_BY_MAPS;
   this->Modelled.emplace_back(why.empty() ? "sky by spheres" : "sky by depth maps",
     why.empty() ? circumstances.SpheresMove + "; depth maps would have to be drawn anew" : why);

@@ -58,7 +58,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
     request.Environment ? request.Environment : this->ImageLight.Find(this->Frame.Renderer);
   circumstances.EnvironmentIrradiance = this->Environment ? SumIrradiance(this->Environment) : 0.0;
   circumstances.Environment = circumstances.EnvironmentIrradiance > 0.0;
-  if (circumstances.Environment && request.Settings.Caching)
+  if (circumstances.Environment && request.Settings.Caching && request.Settings.SpheresInMotion)
   {
     this->SphereMotion.Update(this->Frame, this->Environment,
       circumstances.FrameSeconds <= vtkIndirectPlan::InteractiveSeconds);
