@@ -432,6 +432,60 @@ VTK_INDIRECT_TEST(PlanSky)
     "not without a sky", !vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, {}, {}).SkyBounces);
 }
 
+// Who makes the sky, and that the estimator keeps the lights.
+VTK_INDIRECT_TEST(PlanSkySource)
+{
+  vtkIndirectCircumstances sky;
+  sky.Environment = true;
+  sky.EnvironmentIrradiance = 3.0;
+  vtkIndirectPlan plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, {}, sky);
+  CheckEqual("of what stands", plan.SkySource, vtkIndirectPlan::SKY_BY_MAPS);
+  Check("by depth maps", plan.HasSkyMaps() && !Find(plan.Modelled, "sky by depth maps").empty());
+  const std::vector<double> key = plan.MakeKey(MakeFrame({ MakeLight() }));
+
+  sky.SpheresMove = "7 spheres have moved";
+  plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, {}, sky);
+  CheckEqual("of what moves", plan.SkySource, vtkIndirectPlan::SKY_BY_SPHERES);
+  Check("spheres send its light, and no virtual lights",
+    plan.SpheresBounceSky && !plan.SkyBounces && !plan.HasSkyMaps());
+  Check("the light is the estimator's",
+    plan.Irradiance && plan.Shadows && plan.Senders == vtkIndirectPlan::MAPS);
+  CheckEqual("whose unit is the light's", plan.IrradianceUnit, 1.0);
+  Check("the report says why", Find(plan.Modelled, "sky by spheres").find("7 spheres") == 0);
+  Check("another key", plan.MakeKey(MakeFrame({ MakeLight() })) != key);
+  plan = vtkIndirectPlan::Make(MakeFrame({}), {}, {}, sky);
+  Check("without a light there is nothing to estimate",
+    !plan.Irradiance && plan.WhyNoIrradiance.empty() && plan.SpheresBounceSky);
+
+  vtkIndirectAbilities reader;
+  reader.ReadsMaps = true;
+  plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, reader, sky);
+  Check("what is reflected does not depend on who makes the sky",
+    plan.SkySource == vtkIndirectPlan::SKY_BY_SPHERES && !plan.SpheresBounceSky);
+  vtkIndirectAbilities summer;
+  summer.SumsSky = true;
+  plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, summer, sky);
+  Check("an estimator that sums the sky",
+    plan.SkySource == vtkIndirectPlan::SKY_BY_ESTIMATOR && !plan.Irradiance &&
+      plan.WhyNoIrradiance.empty() && !plan.SkyBounces);
+  sky.SpheresFail = "one is a cube";
+  plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, {}, sky);
+  Check("not where spheres cannot stand for all",
+    plan.HasSkyMaps() &&
+      Find(plan.Modelled, "sky by depth maps").find("a cube") != std::string::npos);
+  sky.SpheresFail.clear();
+  for (int i = 0; i < 4; ++i)
+  {
+    vtkIndirectSettings settings;
+    settings.SpheresInMotion = i != 0;
+    settings.Caching = i != 1;
+    settings.ErrorTolerance = i == 2 ? 0.02 : 0.0;
+    settings.Visibility = i == 3 ? vtkIndirectVisibilityNone : vtkIndirectVisibilityAutomatic;
+    plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), settings, {}, sky);
+    CheckEqual("nor where a setting says otherwise", plan.SkySource, vtkIndirectPlan::SKY_BY_MAPS);
+  }
+}
+
 VTK_INDIRECT_TEST(PlanKeys)
 {
   const vtkIndirectFrame frame = MakeFrame({ MakeLight() });

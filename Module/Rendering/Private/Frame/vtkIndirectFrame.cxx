@@ -205,7 +205,7 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     vtkIndirectCaster caster;
     caster.Prop = prop;
     std::copy(bounds, bounds + 6, caster.Bounds);
-    caster.RedrawMTime = prop->GetRedrawMTime();
+    caster.RedrawMTime = vtkIndirectPropKind::FindTime(prop);
     caster.SendsLight = ReadKey(prop, vtkIndirectPropKeys::SendsLight(), true);
     caster.Triangles = kind.DepthTriangles;
     this->AllSendLight = this->AllSendLight && caster.SendsLight;
@@ -348,7 +348,7 @@ void vtkIndirectFrame::AppendTo(std::vector<double>& key) const
   for (vtkProp* prop : this->Props)
   {
     key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(prop)));
-    key.push_back(static_cast<double>(prop->GetRedrawMTime()));
+    key.push_back(static_cast<double>(vtkIndirectPropKind::FindTime(prop)));
   }
 }
 

@@ -277,6 +277,19 @@ vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkIndirectPropKind::FindTime(vtkProp* prop)
+{
+  const vtkMTimeType time = prop->GetRedrawMTime();
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  vtkDataObject* data =
+    mapper && mapper->GetNumberOfInputPorts() > 0 && mapper->GetNumberOfInputConnections(0) > 0
+    ? mapper->GetInputDataObject(0, 0)
+    : nullptr;
+  return data ? std::max(time, data->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
 vtkActor* vtkIndirectPropKind::FindRefractor(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);

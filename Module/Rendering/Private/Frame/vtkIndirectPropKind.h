@@ -3,6 +3,8 @@
 #ifndef vtkIndirectPropKind_h
 #define vtkIndirectPropKind_h
 
+#include "vtkType.h" // for times
+
 class vtkActor;
 class vtkProp;
 
@@ -36,6 +38,10 @@ struct vtkIndirectPropKind
   double DepthTriangles = 0.0;
 
   static vtkIndirectPropKind Find(vtkProp* prop);
+
+  /** When what it draws has changed last: VTK's redraw time does not know of data that are no
+   * vtkDataSet, such as a vtkMolecule. */
+  static vtkMTimeType FindTime(vtkProp* prop);
 
   /**
    * The actor that a prop is if it refracts light, else null: with VTK's PBR, a BaseIOR above one,

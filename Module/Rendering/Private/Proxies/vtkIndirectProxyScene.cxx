@@ -2,6 +2,7 @@
 #include "Proxies/vtkIndirectProxyScene.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
@@ -214,7 +215,7 @@ bool vtkIndirectProxyScene::Update(
   for (const Drawn& item : drawn)
   {
     key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(item.Prop)));
-    key.push_back(static_cast<double>(item.Prop->GetRedrawMTime()));
+    key.push_back(static_cast<double>(vtkIndirectPropKind::FindTime(item.Prop)));
     key.push_back(item.Sends ? 1.0 : 0.0);
     const auto known = given.find(item.Prop);
     key.push_back(known == given.end() ? -1.0 : static_cast<double>(known->second->GetMTime()));
