@@ -8,7 +8,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkGlyph3DMapper,
+    vtkPolyDataMapper,
+    vtkRenderer,
+)
 
 import support
 import vtkindirect
@@ -207,6 +212,35 @@ class ProxyPass(unittest.TestCase):
         self.assertIn("order 4", said["light from the sky"])
         proxies.RemoveAllProxies()
         self.assertIsNone(proxies.GetProxies(actor))
+
+    def test_moving_glyphs_take_the_sky_from_spheres(self) -> None:
+        """Of vtkGlyph3DMapper, with nothing set but an environment."""
+        ball = vtkSphereSource()
+        ball.SetRadius(0.2)
+        data = vtkPolyData()
+        data.SetPoints(vtkPoints())
+        mapper = vtkGlyph3DMapper()
+        mapper.SetSourceConnection(ball.GetOutputPort())
+        mapper.SetInputData(data)
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        renderer = vtkRenderer()
+        renderer.AddActor(actor)
+        window = vtkindirect.render_window((64, 48))
+        window.AddRenderer(renderer)
+        vtkindirect.enable(renderer, environment=(1.0, 1.0, 1.0))
+        grid = np.stack(np.meshgrid(*[np.arange(3.0)] * 3), axis=-1).reshape(-1, 3)
+        found = []
+        for frame in range(5):
+            if frame < 4:
+                data.GetPoints().SetData(numpy_to_vtk(grid + 0.1 * np.sin(frame + grid), deep=True))
+                data.Modified()
+            window.Render()
+            entries = vtkindirect.report(renderer)["modelled"]
+            found += [e["what"] for e in entries if e["what"].startswith("sky by")]
+        maps, spheres = "sky by depth maps", "sky by spheres"
+        self.assertEqual(found, [maps, maps, spheres, spheres, maps])
+        window.Finalize()
 
     def test_every_property_is_on_the_page(self) -> None:
         text = PAGE.read_text(encoding="utf-8")
