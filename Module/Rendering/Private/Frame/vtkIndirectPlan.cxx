@@ -272,8 +272,8 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
 }
 
 //------------------------------------------------------------------------------
-// Maps have to be drawn anew wherever something has moved; spheres cost the same then, a third of
-// that or less. Where nothing moves maps are kept, and more exact.
+// Maps have to be drawn anew wherever something has moved; spheres cost the same then, half of
+// that or less up to 10,000 of them. Where nothing moves maps are kept, and more exact.
 void vtkIndirectPlan::FindSkySource(const vtkIndirectSettings& settings,
   const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances)
 {
