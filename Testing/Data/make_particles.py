@@ -4,7 +4,7 @@
 
     make_particles.py [FOLDER]
 
-Point data `radius`: 0.6 to 1.6, in the units of the box of 100 x 50 x 100. Single precision, from a
+Point data `radius`: 0.5 to 1.3, in the units of the box of 100 x 50 x 100. Single precision, from a
 generator of a fixed seed. Needs VTK and numpy.
 """
 
@@ -22,7 +22,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 NAME = "particles.vtp"
 COUNT = 3000
 LOWER, UPPER = (-50, -20, -50), (50, 30, 50)
-RADII = (0.6, 1.6)
+RADII = (0.5, 1.3)
 
 
 def make() -> tuple[np.ndarray, np.ndarray]:
