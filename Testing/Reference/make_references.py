@@ -310,11 +310,13 @@ def trace_rest(work: Work, pair: Pair, known: Estimate) -> tuple[Estimate, dict[
     }
 
 
-def trace_bounce(work: Work) -> tuple[Estimate, dict[str, Any]]:
-    """Trace S2: one diffuse bounce of all light; returns as `trace_one`."""
+def trace_bounce(work: Work, known: Estimate) -> tuple[Estimate, dict[str, Any]]:
+    """Trace S2: one diffuse bounce of all light, which adds to `known`; returns as `trace_one`."""
     settings = work.settings
     work.meter.plan(settings.least * settings.samples)
-    found, _, seeds = work.estimate(FIRST_BOUNCE, settings.samples, 1, settings.deep_noise)
+    found, _, seeds = work.estimate(
+        FIRST_BOUNCE, settings.samples, 1, settings.deep_noise, known
+    )
     return found, {
         "samples": settings.samples * len(seeds),
         "batches": len(seeds),
@@ -340,7 +342,7 @@ def trace_pairs(work: Work) -> tuple[dict[str, Estimate], dict[str, dict[str, An
         if pair.emitted:
             emitted = one if emitted is None else emitted + one
         if pair is SKY_LIGHT and work.name in SKY_SPHERES:
-            found["S2"], records["S2"] = trace_bounce(work)
+            found["S2"], records["S2"] = trace_bounce(work, one)
         if pair.emitted and pair is not pairs[-1]:
             continue
         found[second], records[second] = trace_rest(work, pair, emitted or one)
