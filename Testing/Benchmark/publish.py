@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts comparisons and benchmarks into the documentation: publish.py REPORTS [DOCUMENTATION].
+"""Puts comparisons and benchmarks into the documentation: publish.py REPORTS [DOCUMENTATION | --sky].
 
 REPORTS is the directory that Testing/Benchmark/report fills: ``all``, ``hints``, ``occupancy`` and
 ``sky`` are comparisons by ``comparison.py``, ``*.md`` are tables that benchmarks printed, and
-``area.page`` is a whole page.
+``area.page`` is a whole page. With --sky only the page of the sky is written, from ``sky`` alone.
 """
 
 from __future__ import annotations
@@ -60,8 +60,10 @@ The estimators that sum over virtual lights, without and with voxels that hide s
 
 SKY = """
 Scenes under a sky: a machine part and a statue under one that is the same everywhere, a terrain under a blue one with
-a sun of 2 degrees, a courtyard with a lamp under an evening sky that is warm at the horizon, and four whose answer is a
-closed form. See [depth maps](../methods/depth-maps.md) for how it is done, [references](../reference.md) for S1 and S3.
+a sun of 2 degrees, a courtyard with a lamp under an evening sky that is warm at the horizon, four whose answer is a
+closed form, and four that can be told as spheres: the atoms of a protein and particles, organs of a frog, a cortex. See
+[depth maps](../methods/depth-maps.md) for how it is done, [sums over spheres](../methods/sphere-proxies.md) for the
+rows proxies, [references](../reference.md) for S1 and S3.
 """
 
 BENCHMARKS = """# Benchmarks
@@ -239,8 +241,27 @@ def publish_tables(reports: Path, documentation: Path) -> None:
     (documentation / "speed-vs-error" / "benchmarks.md").write_text(text, encoding="utf-8")
 
 
+def publish_one(reports: Path, name: str) -> int:
+    """Write one page and its figures and leave the others as they are; returns the exit code."""
+    if not (reports / name / "rows.json").is_file():
+        print(f"publish.py: {reports / name}/rows.json is not there", file=sys.stderr)
+        return 2
+    if mixed(read(reports / name)):
+        print(f"publish.py: {mixed(read(reports / name))}", file=sys.stderr)
+        return 1
+    page = PAGES[name]
+    prefix = DOCUMENTATION / page.figures
+    for old in prefix.parent.glob(f"{prefix.name}*"):
+        if old.suffix in (".png", ".csv"):
+            old.unlink()
+    publish(reports / name, page, DOCUMENTATION)
+    return 0
+
+
 def main() -> int:
     """Publish what the command line names; returns the exit code."""
+    if sys.argv[2:] == ["--sky"]:
+        return publish_one(Path(sys.argv[1]), "sky")
     reports = Path(sys.argv[1]) if len(sys.argv) in (2, 3) else Path()
     missing = [name for name in PAGES if not (reports / name / "rows.json").is_file()]
     if len(sys.argv) not in (2, 3) or missing:
