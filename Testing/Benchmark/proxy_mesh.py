@@ -4,11 +4,11 @@
 
     Testing/Benchmark/proxy_mesh.py [--vertices N] [--spheres N] [--size N] [--frames N]
 
-A cortex in a uniform sky, hidden by 60 spheres of vtkSphereProxyFilter, which turns a little in every
-frame. Per vertex, as in figure 6: a vertex program with the library's own kernels and the same
-spheres, whose irradiance VTK's mapper interpolates; beside receivers in image space. Neither has
-groups of spheres. The table for Documentation/methods/sphere-proxies.md: the processor's time of all
-threads, of frames of each kind in turn; compare within one run.
+A cortex in a uniform sky, hidden by 60 spheres of vtkSphereProxyFilter, which turns a little in
+every frame. Per vertex, as in figure 6: a vertex program with the library's own kernels and the
+same spheres, whose irradiance VTK's mapper interpolates; beside receivers in image space. Neither
+has groups of spheres. Prints a table for Documentation/methods/sphere-proxies.md: the processor's
+time of all threads, of frames of each kind in turn; compare within one run.
 """
 
 from __future__ import annotations
@@ -228,7 +228,9 @@ def by_vertices(view: View, spheres: vtkPolyData) -> View:
     )
     view.actor.GetMapper().SetVBOShiftScaleMethod(0)  # vertices as they are
     shader = view.actor.GetShaderProperty()
-    shader.AddVertexShaderReplacement("//VTK::Normal::Dec", True, f"{text}\n//VTK::Normal::Dec", False)
+    shader.AddVertexShaderReplacement(
+        "//VTK::Normal::Dec", True, f"{text}\n//VTK::Normal::Dec", False
+    )
     shader.AddVertexShaderReplacement(
         "//VTK::Normal::Impl",
         True,
@@ -295,8 +297,8 @@ def main() -> int:
     print(
         f"{count} spheres, {given.size} x {given.size}; {100 * (every.max(-1) > 0).mean():.0f} % of"
         f" the pixels; VTK alone {found['vtk']:.0f} ms\n\n"
-        "| receivers | frame, ms | added, ms | frame rate over that of all pixels | of what is added "
-        "| difference to all pixels |\n|---|---:|---:|---:|---:|---:|"
+        "| receivers | frame, ms | added, ms | frame rate over that of all pixels "
+        "| of what is added | difference to all pixels |\n|---|---:|---:|---:|---:|---:|"
     )
     for name, value in found.items():
         if name != "vtk":

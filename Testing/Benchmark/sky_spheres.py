@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Light of the sky by spheres beside depth maps of 64, 256 and 512 directions: error and time in one row.
+"""Light of the sky by spheres beside depth maps of 64, 256 and 512 directions: error and time.
 
     Testing/Benchmark/sky_spheres.py [SCENE...] [--frames N]
 

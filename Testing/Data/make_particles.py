@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes particles.vtp of Testing/Data: 3,000 spheres at random in a flat box, like those of a simulation.
+"""Makes particles.vtp of Testing/Data: 3,000 spheres at random in a flat box.
 
     make_particles.py [FOLDER]
 

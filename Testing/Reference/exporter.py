@@ -254,7 +254,7 @@ def _check_material(prop: vtkProperty, actor: vtkActor) -> None:
 
 
 def ball(subdivisions: int = 3) -> tuple[np.ndarray, np.ndarray]:
-    """Return places, (vertices, 3), and faces of an icosahedron whose faces are cut into four, as often.
+    """Return places, (vertices, 3), and faces of an icosahedron; all are cut into four as often.
 
     Places are on a sphere so much larger than the unit sphere that shadows of all directions have
     on the mean the unit disk's area (Cauchy: a quarter of the surface's). With 1,280 triangles the

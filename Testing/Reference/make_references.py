@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the references R2, R3, S1, S2, S3, A1, A3 of scenes: path traced irradiance, with its error.
+"""Makes the references R2, R3, S1 to S3, A1, A3 of scenes: path traced irradiance, with its error.
 
     make_references.py [SCENE...] [--quick] [--force] [--list]
 
@@ -311,7 +311,7 @@ def trace_rest(work: Work, pair: Pair, known: Estimate) -> tuple[Estimate, dict[
 
 
 def trace_bounce(work: Work, known: Estimate) -> tuple[Estimate, dict[str, Any]]:
-    """Trace S2: one diffuse bounce of all light, which adds to `known`; returns as `trace_one`."""
+    """Trace S2: one diffuse bounce of all light, added to `known`; returns as `trace_one`."""
     settings = work.settings
     work.meter.plan(settings.least * settings.samples)
     found, _, seeds = work.estimate(

@@ -43,7 +43,8 @@ def _geometry(values: Values, path: str, directory: Path, read: Read) -> vtkPoly
     surface = objects.surface_of(data, path)
     if surface.GetNumberOfCells() == 0:
         raise fail(
-            path, "has points but no cells to show: give it spheres, or glyph_spheres in its pipeline"
+            path,
+            "has points but no cells to show: give it spheres, or put glyph_spheres in its pipeline",
         )
     check_finite(surface, path)
     return surface
