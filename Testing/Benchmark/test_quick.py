@@ -147,7 +147,7 @@ class Quick(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="vtkindirect-") as name:
             reports, target = Path(name) / "reports", Path(name) / "documentation"
             target.mkdir()
-            for comparison in ("all", "hints", "occupancy", "sky"):
+            for comparison in ("all", "hints", "occupancy", "sky", "spheres"):
                 shutil.copytree(self.report, reports / comparison)
             (reports / "order.md").write_text("| what a benchmark printed |\n", encoding="utf-8")
             done = self.publish(reports, target)
@@ -157,6 +157,7 @@ class Quick(unittest.TestCase):
                 ("speed-vs-error/hints.md", "hints-"),
                 ("speed-vs-error/occupancy.md", "occupancy-"),
                 ("speed-vs-error/sky.md", "sky-"),
+                ("speed-vs-error/spheres.md", "spheres-"),
             ):
                 text = (target / page).read_text(encoding="utf-8")
                 links = set(re.findall(rf"\]\(({prefix}[^)]+\.(?:png|csv))\)", text))

@@ -8,6 +8,8 @@ import unittest
 from typing import Any
 from unittest import mock
 
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_COLOR_MODE_DIRECT_SCALARS
 
 import support
@@ -155,6 +157,10 @@ MISTAKES = [
         "actors[0].color: cannot be given together with scalars",
     ),
 ]
+
+SLOW_SCENES = (
+    "frog", "brain", "protein", "room_fire", "apartment_living", "sky_statue", "sky_frog"
+)  # fmt: skip
 
 
 class Mistakes(support.DirectoryTest):
@@ -391,6 +397,39 @@ class Built(support.DirectoryTest):
                 self.load(document)
             self.assertIn(expected, str(caught.exception))
 
+    def test_spheres(self) -> None:
+        document = support.small_scene()
+        atoms = {"file": str(support.DATA / "protein_1tii.pdb")}
+        document["actors"] = [
+            {**atoms, "name": "a", "spheres": {"radius": 2, "scale_by": "radius"}},
+            {**atoms, "name": "b", "spheres": {}, "scalars": {"array": "chain", "map": "vivid"}},
+        ]
+        actors = self.load(document).actors
+        for name, least, most in (("a", 2.0, 4.0), ("b", 0.5, 0.5)):
+            mapper = actors[name].GetMapper()
+            self.assertTrue(mapper.IsA("vtkOpenGLSphereMapper"))
+            data = mapper.GetInput()
+            radii = vtk_to_numpy(data.GetPointData().GetArray("Radius"))
+            self.assertEqual(data.GetNumberOfVerts(), data.GetNumberOfPoints())
+            self.assertEqual(len(radii), 5684)
+            # Radii of atoms are 1 to 2 Angstroms.
+            self.assertTrue(((radii >= least) & (radii <= most)).all(), name)
+        self.assertTrue(actors["b"].GetMapper().GetScalarVisibility())
+        for wrong, expected in (
+            ({"radius": 0}, "actors[0].spheres.radius: must be greater than 0"),
+            ({"resolution": 3}, "actors[0].spheres.resolution: unknown key"),
+            ({"scale_by": "radios"}, "spheres.scale_by: no array 'radios' on points (did you mean"),
+        ):
+            document["actors"] = [{**atoms, "spheres": wrong}]
+            with self.subTest(wrong=wrong), self.assertRaises(SceneError) as caught:
+                self.load(document)
+            self.assertIn(expected, str(caught.exception))
+        turned = np.eye(4).ravel().tolist()
+        document["actors"] = [{**atoms, "spheres": {}, "transform": turned}]
+        with self.assertRaises(SceneError) as caught:
+            self.load(document)
+        self.assertIn("actors[0].transform: cannot be given", str(caught.exception))
+
     def test_maps_by_name(self) -> None:
         """The first and the last colour of maps, as their authors publish them."""
         for name, first, last in (
@@ -435,6 +474,6 @@ class Built(support.DirectoryTest):
 
     def test_all_scenes_of_the_project(self) -> None:
         for path in sorted(support.SCENES.glob("*.json")):
-            if path.stem not in ("frog", "brain", "protein", "room_fire", "apartment_living", "sky_statue"):
+            if path.stem not in SLOW_SCENES:
                 with self.subTest(scene=path.stem):
                     self.assertEqual(load_scene(path).name, path.stem)

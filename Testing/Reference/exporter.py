@@ -24,6 +24,9 @@ from vtkmodules.vtkRenderingCore import (
     vtkProperty,
     vtkRenderer,
 )
+from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLSphereMapper
+
+from vtkindirect.actors import RADIUS
 
 from description import AreaLight, Camera, Description, Environment, Light, Surface
 
@@ -250,12 +253,78 @@ def _check_material(prop: vtkProperty, actor: vtkActor) -> None:
         raise ExportError("an actor has a texture")
 
 
+def ball(subdivisions: int = 3) -> tuple[np.ndarray, np.ndarray]:
+    """Return places, (vertices, 3), and faces of an icosahedron; all are cut into four as often.
+
+    Places are on a sphere so much larger than the unit sphere that shadows of all directions have
+    on the mean the unit disk's area (Cauchy: a quarter of the surface's). With 1,280 triangles the
+    surface is at most 0.4 % of the radius away from the unit sphere.
+    """
+    golden = 0.5 * (1.0 + math.sqrt(5.0))
+    one = np.array([[0.0, s, t * golden] for s in (-1, 1) for t in (-1, 1)])
+    places = np.concatenate([np.roll(one, axis, axis=1) for axis in range(3)])
+    apart = np.linalg.norm(places[:, None] - places[None], axis=-1)
+    near = (apart > 0.0) & (apart < 2.1)
+    faces = np.array(
+        [
+            (i, j, k) if np.linalg.det(places[[i, j, k]]) > 0.0 else (i, k, j)
+            for i in range(12)
+            for j in range(i + 1, 12)
+            for k in range(j + 1, 12)
+            if near[i, j] and near[j, k] and near[k, i]
+        ]
+    )
+    for _ in range(subdivisions):
+        sides = np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]], axis=-1)
+        edges, which = np.unique(sides.reshape(-1, 2), axis=0, return_inverse=True)
+        a, b, c = faces.T
+        ab, bc, ca = (which.reshape(-1, 3) + len(places)).T
+        places = np.concatenate([places, places[edges].sum(axis=1)])
+        places /= np.linalg.norm(places, axis=1, keepdims=True)
+        faces = np.stack([a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca], axis=1).reshape(-1, 3)
+    corners = places[faces]
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    area = 0.5 * np.linalg.norm(across, axis=1).sum()
+    return places * math.sqrt(4.0 * math.pi / area), faces
+
+
+def export_spheres(actor: vtkActor) -> Surface:
+    """Return the spheres of a vtkOpenGLSphereMapper as triangles that have the spheres' normals."""
+    prop, mapper = actor.GetProperty(), actor.GetMapper()
+    data = mapper.GetInput()
+    if not np.array_equal(matrix_of(actor.GetMatrix()), np.eye(4)):
+        raise ExportError("its spheres are moved by the actor's matrix")
+    radii = data.GetPointData().GetArray(RADIUS)
+    if radii is None:
+        raise ExportError(f"its spheres have no array {RADIUS}")
+    colors = scalar_colors(mapper, data)
+    radii = vtk_to_numpy(radii).astype(np.float64)
+    drawn = radii > 0.0
+    centers = vtk_to_numpy(data.GetPoints().GetData()).astype(np.float64)[drawn]
+    color = np.array(prop.GetDiffuseColor())[None] if colors is None else colors[0][drawn]
+    places, faces = ball()
+    count = len(places)
+    points = centers[:, None] + radii[drawn, None, None] * places
+    normals = np.tile(places / np.linalg.norm(places, axis=1, keepdims=True), (len(centers), 1))
+    albedo = np.broadcast_to(prop.GetDiffuse() * color[:, None], points.shape)
+    starts = count * np.arange(len(centers))
+    return Surface(
+        points.reshape(-1, 3),
+        normals,
+        albedo.reshape(-1, 3),
+        (starts[:, None, None] + faces).reshape(-1, 3),
+        _specular(prop, count * len(centers)),
+    )
+
+
 def export_actor(actor: vtkActor) -> Surface:
     """Return the triangles of an actor in world coordinates, shaded as its mapper does."""
     prop = actor.GetProperty()
     _check_material(prop, actor)
     mapper = actor.GetMapper()
     mapper.Update()
+    if isinstance(mapper, vtkOpenGLSphereMapper):
+        return export_spheres(actor)
     data = mapper.GetInput()
     faces, cells = triangles(data)
     to_world = matrix_of(actor.GetMatrix())
@@ -310,7 +379,10 @@ def _why_left_out(actor: vtkActor) -> str | None:
     """Return why the indirect light passes draw nothing of a visible actor, or None."""
     if actor.HasTranslucentPolygonalGeometry():
         return "translucent"
-    data = actor.GetMapper().GetInput()
+    mapper = actor.GetMapper()
+    data = mapper.GetInput()
+    if isinstance(mapper, vtkOpenGLSphereMapper) and data is not None and data.GetNumberOfVerts():
+        return None
     if data is None or data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0:
         return "has no polygons"
     return None

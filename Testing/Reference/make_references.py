@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the references R2, R3, S1, S3, A1, A3 of scenes: path traced irradiance, with its error.
+"""Makes the references R2, R3, S1 to S3, A1, A3 of scenes: path traced irradiance, with its error.
 
     make_references.py [SCENE...] [--quick] [--force] [--list]
 
@@ -41,13 +41,16 @@ HARD = ("contact_corner", "grazing_light", "two_rooms", "folded_sheet", "many_ob
 SKY = ("sky_machine", "sky_statue", "sky_terrain", "sky_courtyard")
 SKY_KNOWN = ("sky_plane", "sky_wall", "sky_disk", "sky_groove")
 
+# Scenes under a sky that can be told as spheres: atoms, particles, and two of meshes.
+SKY_SPHERES = ("sky_protein", "sky_particles", "sky_frog", "sky_brain")
+
 # Scenes under area lights.
 AREA = ("area_cornell", "area_machine", "area_apartment")
 
 # Scenes whose senders are specular.
 SPECULAR = ("ring_caustic",)
 
-SCENES = (*DEMOS, *HARD, *SPECULAR, *SKY, *SKY_KNOWN, *AREA)
+SCENES = (*DEMOS, *HARD, *SPECULAR, *SKY, *SKY_KNOWN, *SKY_SPHERES, *AREA)
 
 
 @dataclass(frozen=True)
@@ -79,6 +82,8 @@ QUICK = Settings(width=96, samples=256, deep_samples=64, least=2, most=2, pilot_
 
 def settings_of(name: str) -> Settings:
     """The settings of a scene's stored reference; simple ones need fewer pixels to be judged."""
+    if name in SKY_SPHERES:  # millions of triangles, and a light that makes little noise
+        return Settings(width=128, samples=256, deep_samples=64)
     return Settings(width=128) if name in (*HARD, *SPECULAR, *SKY_KNOWN) else Settings()
 
 
@@ -241,6 +246,8 @@ LIGHTS = Pair(
 SKY_LIGHT = Pair(
     ("S1", "S3"), Part("sky-pilot", "all"), Part("sky", "sky"), Part("sky-rest", "all")
 )
+FIRST_BOUNCE = Part("sky-bounce", "all")
+"""S2: what the first bounce of the sky's light adds to S1, of `SKY_SPHERES`."""
 AREA_LIGHT = Pair(
     ("A1", "A3"), Part("area-pilot", "all"), Part("area", "area"), Part("area-rest", "all")
 )
@@ -303,6 +310,22 @@ def trace_rest(work: Work, pair: Pair, known: Estimate) -> tuple[Estimate, dict[
     }
 
 
+def trace_bounce(work: Work, known: Estimate) -> tuple[Estimate, dict[str, Any]]:
+    """Trace S2: one diffuse bounce of all light, added to `known`; returns as `trace_one`."""
+    settings = work.settings
+    work.meter.plan(settings.least * settings.samples)
+    found, _, seeds = work.estimate(
+        FIRST_BOUNCE, settings.samples, 1, settings.deep_noise, known
+    )
+    return found, {
+        "samples": settings.samples * len(seeds),
+        "batches": len(seeds),
+        "seeds": seeds,
+        "bounces": 1,
+        **_summary(found, work.surfaces["valid"] > 0),
+    }
+
+
 def trace_pairs(work: Work) -> tuple[dict[str, Estimate], dict[str, dict[str, Any]]]:
     """Trace all references of a scene; returns them and their records, by their names.
 
@@ -318,6 +341,8 @@ def trace_pairs(work: Work) -> tuple[dict[str, Estimate], dict[str, dict[str, An
         found[first] = one
         if pair.emitted:
             emitted = one if emitted is None else emitted + one
+        if pair is SKY_LIGHT and work.name in SKY_SPHERES:
+            found["S2"], records["S2"] = trace_bounce(work, one)
         if pair.emitted and pair is not pairs[-1]:
             continue
         found[second], records[second] = trace_rest(work, pair, emitted or one)

@@ -13,8 +13,10 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
+from vtkindirect.actors import RADIUS, show_spheres
+
 from description import Surface
-from exporter import ExportError, export_actor, export_renderer, triangles
+from exporter import ExportError, ball, export_actor, export_renderer, triangles
 
 
 def _polygons(*cells: list[int], points: list[tuple[float, float, float]]) -> vtkPolyData:
@@ -56,6 +58,46 @@ def _sphere() -> vtkPolyData:
     source.SetRadius(1.0)
     source.Update()
     return source.GetOutput()
+
+
+class Spheres(unittest.TestCase):
+    """Spheres of vtkOpenGLSphereMapper are fine triangles with the spheres' normals."""
+
+    def test_ball(self) -> None:
+        places, faces = ball()
+        self.assertEqual((len(places), len(faces)), (642, 1280))
+        corners = places[faces]
+        across = 0.5 * np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        # The mean shadow is a quarter of the surface of what is convex (Cauchy).
+        self.assertAlmostEqual(np.linalg.norm(across, axis=1).sum() / 4.0, np.pi, places=12)
+        outward = np.einsum("ij,ij->i", across, corners.mean(axis=1))
+        self.assertGreater(outward.min(), 0.0)
+        # Middles of faces are the nearest, corners the farthest.
+        self.assertGreater(np.linalg.norm(corners.mean(axis=1), axis=1).min(), 0.996)
+        self.assertLess(np.linalg.norm(places, axis=1).max(), 1.004)
+
+    def test_of_a_mapper(self) -> None:
+        data = vtkPolyData()
+        data.SetPoints(vtkPoints())
+        for point in ((1.0, 2.0, 3.0), (9.0, 9.0, 9.0), (-4.0, 0.0, 0.0)):
+            data.GetPoints().InsertNextPoint(point)
+        radii = numpy_to_vtk(np.array([0.5, 0.0, 2.0]), deep=True)
+        radii.SetName(RADIUS)
+        data.GetPointData().AddArray(radii)
+        actor = show_spheres(data)
+        actor.GetProperty().SetColor(0.2, 0.4, 0.6)
+        surface = export_actor(actor)
+        self.assertEqual(len(surface.faces), 2 * 1280)  # one has no radius
+        for part, (center, radius) in enumerate((((1, 2, 3), 0.5), ((-4, 0, 0), 2.0))):
+            own = slice(642 * part, 642 * (part + 1))
+            found = (surface.points[own] - center) / radius
+            lengths = np.linalg.norm(found, axis=1)
+            self.assertLess(np.abs(lengths - 1.0).max(), 0.004)
+            self.assertTrue(np.allclose(found / lengths[:, None], surface.normals[own]))
+        self.assertTrue(np.allclose(surface.albedo, [0.2, 0.4, 0.6]))
+        actor.SetPosition(1.0, 0.0, 0.0)
+        with self.assertRaises(ExportError):
+            export_actor(actor)
 
 
 class Triangles(unittest.TestCase):

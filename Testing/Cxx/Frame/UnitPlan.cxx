@@ -535,7 +535,7 @@ VTK_INDIRECT_TEST(PlanImageBasedLighting)
   }
 }
 
-// Moving frames sum a quarter of a still frame's directions, sixteen at a pixel.
+// Moving frames sum a quarter of a still frame's directions, sixteen or thirty-two at a pixel.
 VTK_INDIRECT_TEST(PlanSkyDirections)
 {
   struct Case
@@ -545,9 +545,9 @@ VTK_INDIRECT_TEST(PlanSkyDirections)
     int Moving;
     int Block; // of a moving frame
   };
-  const Case cases[] = { { 0.0, 256, 64, 2 }, { 1.0, 16, 16, 1 }, { 0.25, 64, 16, 1 },
-    { 0.1, 64, 16, 1 }, { 0.05, 256, 64, 2 }, { 0.035, 256, 64, 2 }, { 0.02, 1024, 256, 4 },
-    { 1e-6, 1024, 256, 4 } };
+  const Case cases[] = { { 0.0, 256, 64, 2 }, { 1.0, 16, 16, 1 }, { 0.25, 32, 16, 1 },
+    { 0.1, 64, 16, 1 }, { 0.06, 128, 32, 1 }, { 0.05, 256, 64, 2 }, { 0.035, 256, 64, 2 },
+    { 0.021, 512, 128, 2 }, { 0.02, 1024, 256, 4 }, { 1e-6, 1024, 256, 4 } };
   vtkIndirectCircumstances circumstances;
   circumstances.Environment = true;
   for (const Case& one : cases)

@@ -8,9 +8,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSet, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
+from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLSphereMapper
 
 from vtkindirect import arrays, colormaps, objects, pipeline, sources
 from vtkindirect.errors import SceneError, UsageError
@@ -20,6 +22,8 @@ Values = dict[str, Any]
 Read = Callable[[Path], vtkDataSet]
 
 DIRECT_COLORS = "RGB"
+RADIUS = "Radius"
+"""Point data of points that are shown as spheres."""
 
 
 def _geometry(values: Values, path: str, directory: Path, read: Read) -> vtkPolyData:
@@ -32,11 +36,39 @@ def _geometry(values: Values, path: str, directory: Path, read: Read) -> vtkPoly
         except UsageError as error:
             raise SceneError(f"{member(path, 'file')}: {error}") from None
     data = pipeline.run(data, values["pipeline"], member(path, "pipeline"))
+    if values["spheres"] is not None:
+        points = _spheres(data, optional(values["spheres"]), member(path, "spheres"))
+        check_finite(points, path)
+        return points
     surface = objects.surface_of(data, path)
     if surface.GetNumberOfCells() == 0:
-        raise fail(path, "has points but no cells to show: put glyph_spheres in its pipeline")
+        raise fail(
+            path,
+            "has points but no cells to show: give it spheres, or put glyph_spheres in its pipeline",
+        )
     check_finite(surface, path)
     return surface
+
+
+def _spheres(data: vtkDataSet, values: Values, path: str) -> vtkPolyData:
+    """Return points as vertices with their radii as point data."""
+    points = pipeline.points_of(data)
+    count = points.GetNumberOfPoints()
+    radii = np.full(count, values["radius"], np.float32)
+    if values["scale_by"] is not None:
+        place = member(path, "scale_by")
+        found = arrays.find(points, values["scale_by"], place, on_cells=False)
+        radii *= found.numbers().reshape(count, -1)[:, 0]
+        if not (np.isfinite(radii) & (radii >= 0.0)).all():
+            raise fail(place, f"array '{found.name}' has values that are no radii")
+    array = numpy_to_vtk(radii, deep=True)
+    array.SetName(RADIUS)
+    points.GetPointData().AddArray(array)
+    places = np.arange(count + 1, dtype=np.int64)
+    vertices = vtkCellArray()
+    vertices.SetData(*(numpy_to_vtkIdTypeArray(part, deep=True) for part in (places, places[:-1])))
+    points.SetVerts(vertices)
+    return points
 
 
 def check_finite(surface: vtkPolyData, path: str) -> None:
@@ -117,6 +149,17 @@ def _set_material(prop: vtkProperty, values: Values) -> None:
     prop.SetBaseIOR(values["refraction_index"])
 
 
+def show_spheres(points: vtkPolyData) -> vtkActor:
+    """Return an actor that shows points as spheres of the point data `RADIUS`, in white."""
+    mapper = vtkOpenGLSphereMapper()
+    mapper.SetInputData(points)
+    mapper.SetScaleArray(RADIUS)
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
 def show_surface(surface: vtkPolyData) -> vtkActor:
     """Return an actor that shows a surface in white, without any scalars."""
     mapper = vtkPolyDataMapper()
@@ -142,7 +185,7 @@ def build(values: Values, path: str, directory: Path, read: Read) -> vtkActor:
     """Make a checked actor. Files are relative to `directory`."""
     values = optional(values)
     surface = _geometry(values, path, directory, read)
-    actor = show_surface(surface)
+    actor = show_surface(surface) if values["spheres"] is None else show_spheres(surface)
     if values["scalars"] is not None:
         _show_scalars(actor.GetMapper(), surface, values["scalars"], member(path, "scalars"))
     elif values["color"] is None:

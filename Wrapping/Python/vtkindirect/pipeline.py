@@ -213,8 +213,8 @@ def _normals(data: vtkDataSet, _values: Values, path: str) -> vtkDataSet:
     return normals.without(surface_of(data, path))
 
 
-def _glyph_spheres(data: vtkDataSet, values: Values, path: str) -> vtkDataSet:
-    """Keep the points with their numeric arrays; text is costly to copy."""
+def points_of(data: vtkDataSet) -> vtkPolyData:
+    """Return the points with their numeric arrays, without cells; text is costly to copy."""
     points = vtkPolyData()
     if isinstance(data, vtkPointSet):
         points.SetPoints(data.GetPoints())
@@ -224,6 +224,11 @@ def _glyph_spheres(data: vtkDataSet, values: Values, path: str) -> vtkDataSet:
             points.GetPoints().InsertNextPoint(data.GetPoint(index))
     for name in arrays.names(data, on_cells=False):
         points.GetPointData().AddArray(data.GetPointData().GetArray(name))
+    return points
+
+
+def _glyph_spheres(data: vtkDataSet, values: Values, path: str) -> vtkDataSet:
+    points = points_of(data)
     values["scaling"] = values["scale_by"] is not None
     values["rings"] = max(3, int(values["resolution"]) // 2 + 1)
     if values["scaling"]:

@@ -121,6 +121,8 @@ def _actor(value: Values) -> Wrong:
         yield ("must have either file or source",)
     if "color" in value and "scalars" in value:
         yield "cannot be given together with scalars", "color"
+    if "spheres" in value and "transform" in value:
+        yield "cannot be given together with spheres; move the data in the pipeline", "transform"
 
 
 def _visible(value: list[Values]) -> Wrong:

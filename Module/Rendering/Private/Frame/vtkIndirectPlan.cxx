@@ -258,7 +258,7 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
   this->NumberOfSkyDirections = this->NumberOfStillSkyDirections;
   if (this->Interactive)
   {
-    // A quarter of them, and sixteen at a pixel.
+    // A quarter of them, and sixteen or thirty-two at a pixel.
     this->NumberOfSkyDirections = std::max(this->NumberOfStillSkyDirections / 4, 16);
     this->SkyBlock = this->NumberOfSkyDirections >= 256 ? 4
       : this->NumberOfSkyDirections >= 64               ? 2
@@ -498,7 +498,7 @@ int vtkIndirectPlan::FindSkyDirections(double tolerance)
   int count = 16;
   while (count < 1024 && 0.035 * std::pow(static_cast<double>(standard) / count, 0.75) > tolerance)
   {
-    count *= 4;
+    count *= 2;
   }
   return count;
 }
