@@ -35,7 +35,11 @@ SAME = 2e-3
 MOST_FRAMES = 300
 TURN = 0.2
 BESIDE = {"spheres": (MOVING, "proxies", {})} | {
-    f"{count} maps, {pace}": (rate, "auto", {"ErrorTolerance": tolerance, "NumberOfBounces": 1})
+    f"{count} maps, {pace}": (
+        rate,
+        "auto",
+        {"ErrorTolerance": tolerance, "NumberOfBounces": 1, "SpheresInMotion": False},
+    )
     for count, pace, rate, tolerance in (
         (64, "moving", MOVING, 0.0),
         (256, "still", STILL, 0.0),
