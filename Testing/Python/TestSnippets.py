@@ -88,6 +88,7 @@ NOT_RUN = {
     ("Documentation/speed-vs-error/hints.md", "Testing/Benchmark/report"): BENCHMARKS,
     ("Documentation/speed-vs-error/occupancy.md", "Testing/Benchmark/report"): BENCHMARKS,
     ("Documentation/speed-vs-error/sky.md", "Testing/Benchmark/report"): BENCHMARKS,
+    ("Documentation/speed-vs-error/spheres.md", "Testing/Benchmark/report"): BENCHMARKS,
 }
 
 # Command -> why lines with it are checked for their words only.
