@@ -68,9 +68,8 @@ SPHERES = """
 Scenes under a sky that can be told as spheres: organs of a frog and a cortex, which get at most 256 each, particles and
 the atoms of a protein, which are spheres. Rows proxies sum over them, the others are depth maps: finer has 512
 directions, the least number whose error is expected below 0.021. Things stand still; when they move, maps are drawn
-again and spheres are not: see [sums over spheres](../methods/sphere-proxies.md), which has that time, too. It also says
-why the maps' rows are so far from S3 on particles and protein: virtual lights do not serve where spheres are drawn
-without triangles. [References](../reference.md) are S1 and S3.
+again and spheres are not: see [sums over spheres](../methods/sphere-proxies.md), which has that time, too.
+[References](../reference.md) are S1 and S3.
 """
 
 BENCHMARKS = """# Benchmarks

@@ -2,10 +2,9 @@
 #include "Proxies/vtkIndirectProxyKinds.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Proxies/vtkIndirectProxyActors.h"
 #include "Proxies/vtkIndirectProxyShapes.h"
 #include "vtkActor.h"
-#include "vtkAssemblyNode.h"
-#include "vtkAssemblyPath.h"
 #include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"
@@ -15,14 +14,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 
-// As in vtkIndirectProxyScene.
-#if __has_include("vtkOpenGLMoleculeMapper.h")
-#include "vtkOpenGLMoleculeMapper.h"
-#define VTKI_MOLECULES
-#endif
-
 #include <cstring>
-#include <functional>
 
 namespace
 {
@@ -52,20 +44,6 @@ int FindType(vtkMapper* mapper)
                                                      : MESH;
 }
 
-void ForActors(vtkProp* prop, const std::function<void(vtkActor*, vtkMatrix4x4*)>& call)
-{
-  prop->InitPathTraversal();
-  while (vtkAssemblyPath* path = prop->GetNextPath())
-  {
-    vtkAssemblyNode* last = path->GetLastNode();
-    auto* actor = vtkActor::SafeDownCast(last->GetViewProp());
-    if (actor && actor->GetMapper() && actor->GetVisibility())
-    {
-      call(actor, last->GetMatrix() ? last->GetMatrix() : actor->GetMatrix());
-    }
-  }
-}
-
 void AddSpheres(vtkMapper* mapper, vtkMatrix4x4* matrix, vtkIndirectProxyKinds::Kind& kind)
 {
   vtkDataObject* data = mapper->GetInputDataObject(0, 0);
@@ -85,7 +63,7 @@ void AddSpheres(vtkMapper* mapper, vtkMatrix4x4* matrix, vtkIndirectProxyKinds::
 vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::FindSpheres(vtkProp* prop)
 {
   Kind kind;
-  ForActors(prop,
+  vtkIndirectProxyActors::ForEach(prop,
     [&kind](vtkActor* actor, vtkMatrix4x4* matrix)
     {
       if (FindType(actor->GetMapper()) != MESH)
@@ -100,7 +78,8 @@ vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::FindSpheres(vtkProp* prop)
 vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::Find(vtkProp* prop)
 {
   Kind kind = FindSpheres(prop);
-  ForActors(prop, [this, &kind](vtkActor* actor, vtkMatrix4x4*) { this->AddActor(actor, kind); });
+  vtkIndirectProxyActors::ForEach(
+    prop, [this, &kind](vtkActor* actor, vtkMatrix4x4*) { this->AddActor(actor, kind); });
   return kind;
 }
 

@@ -4,9 +4,8 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Proxies/vtkIndirectProxyActors.h"
 #include "vtkActor.h"
-#include "vtkAssemblyNode.h"
-#include "vtkAssemblyPath.h"
 #include "vtkBitArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -24,12 +23,6 @@
 #include "vtkProperty.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
-
-// Atoms: headers alone, so that no library of chemistry is needed where there are none.
-#if __has_include("vtkOpenGLMoleculeMapper.h")
-#include "vtkOpenGLMoleculeMapper.h"
-#define VTKI_MOLECULES
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -233,25 +226,18 @@ bool vtkIndirectProxyScene::Update(
   this->SceneScale = frame.SceneScale;
   for (const Drawn& item : drawn)
   {
-    item.Prop->InitPathTraversal();
-    while (vtkAssemblyPath* path = item.Prop->GetNextPath())
-    {
-      vtkAssemblyNode* last = path->GetLastNode();
-      auto* actor = vtkActor::SafeDownCast(last->GetViewProp());
-      if (!actor || !actor->GetMapper() || !actor->GetVisibility())
+    vtkIndirectProxyActors::ForEach(item.Prop,
+      [&](vtkActor* actor, vtkMatrix4x4* matrix)
       {
-        continue;
-      }
-      vtkMatrix4x4* matrix = last->GetMatrix() ? last->GetMatrix() : actor->GetMatrix();
-      const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(matrix);
-      Part part = { actor, actor->GetMapper(), item.Prop, item.Sends, frame.ToScene(toWorld),
-        frame.SceneScale * std::cbrt(std::abs(glm::determinant(glm::dmat3(toWorld)))) };
-      for (int i = 0; i < 3; ++i)
-      {
-        part.ToScene[i] *= frame.SceneScale;
-      }
-      this->AddPart(part, given);
-    }
+        const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(matrix);
+        Part part = { actor, actor->GetMapper(), item.Prop, item.Sends, frame.ToScene(toWorld),
+          frame.SceneScale * std::cbrt(std::abs(glm::determinant(glm::dmat3(toWorld)))) };
+        for (int i = 0; i < 3; ++i)
+        {
+          part.ToScene[i] *= frame.SceneScale;
+        }
+        this->AddPart(part, given);
+      });
   }
   this->Shapes.Forget();
   if (this->Wrong > 0)

@@ -1,7 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Direct light plus albedo times irradiance, with VTKI_SKY also that of the environment, with
-// VTKI_SKY_BOUNCE what is reflected of that beside it, with VTKI_AREA that of area lights, with VTKI_AREA_GLOSSY what receivers reflect specularly of these, and with VTKI_GLOSSY what is reflected specularly.
+// Direct light plus albedo times irradiance, with VTKI_SKY also that of the environment, with VTKI_SKY_BOUNCE what is
+// reflected of that beside it, with VTKI_AREA that of area lights, with VTKI_AREA_GLOSSY what receivers reflect
+// specularly of these, and with VTKI_GLOSSY what is reflected specularly.
 // Background is left as it was drawn. Depth comes too, unless with VTKI_DEPTH_COPIED it is there already.
 // VTKI_ALBEDO_IN_ALPHA where the lit image has the albedo in place of alpha, VTKI_ENCODED where the scene has
 // physically based materials, whose colours are encoded. VTKI_GATHER names the file that knows where the

@@ -160,15 +160,16 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
     vec3 radiance = vtkiSphereRadiance(y, sine);
 #endif
     weight *= reach;
-    float given = weight * vtkiDiskIrradiance(sine, dot(direction, normal));
 #ifdef VTKI_PROXY_EXACT
-    given = weight * 2.0f * VTKI_PI * vtkiProxyRow(sine);
+    float given = weight * 2.0f * VTKI_PI * vtkiProxyRow(sine);
     vtkiProxyOperator exact = vtkiExactOperator(sine);
     vec3 radiance = vec3(vtkiProxyExactIrradiance(exact, vtkiProxyLightOf(0), direction, normal),
       vtkiProxyExactIrradiance(exact, vtkiProxyLightOf(1), direction, normal),
       vtkiProxyExactIrradiance(exact, vtkiProxyLightOf(2), direction, normal));
+#else
+    float given = weight * vtkiDiskIrradiance(sine, dot(direction, normal));
 #endif
-#ifdef VTKI_PROXY_SHADOWED
+#if defined(VTKI_PROXY_SHADOWED) || defined(VTKI_PROXY_EXACT)
     float counted = given;
 #else
     float counted = weight * 2.0f * VTKI_PI * vtkiProxyRow(sine);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Proxies/vtkIndirectProxyActors.h"
+
+#include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyActors::ForEach(
+  vtkProp* prop, const std::function<void(vtkActor*, vtkMatrix4x4*)>& call)
+{
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    vtkAssemblyNode* last = path->GetLastNode();
+    auto* actor = vtkActor::SafeDownCast(last->GetViewProp());
+    if (actor && actor->GetMapper() && actor->GetVisibility())
+    {
+      call(actor, last->GetMatrix() ? last->GetMatrix() : actor->GetMatrix());
+    }
+  }
+}
