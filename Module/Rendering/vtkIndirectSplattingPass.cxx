@@ -167,8 +167,9 @@ void vtkIndirectSplattingPass::AddToReport(vtkIndirectReport& report) const
   }
   if (this->HasGlossy)
   {
-    report.Modelled.emplace_back(
-      "light in specular lobes", "all virtual lights at every specular pixel");
+    report.Modelled.emplace_back("light in specular lobes",
+      vtkIndirectSplats::UsesTiles() ? "virtual lights of lists by tiles"
+                                     : "all virtual lights at every specular pixel");
   }
 }
 
