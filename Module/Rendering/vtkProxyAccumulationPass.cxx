@@ -11,10 +11,13 @@
 #include "Frame/vtkIndirectStageTimer.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
+#include "Proxies/vtkIndirectProxyLight.h"
+#include "Proxies/vtkIndirectProxyReach.h"
 #include "Proxies/vtkIndirectProxyScene.h"
 #include "Proxies/vtkIndirectProxySums.h"
 #include "Proxies/vtkIndirectProxyTree.h"
 #include "vtkDataArray.h"
+#include "vtkEnvironmentLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -34,6 +37,14 @@ const vtkIndirectChannel SkyChannels[] = {
   { "bounce", "vtkiIrradiance", "irradiance that proxies send", GL_RGBA32F, "-", "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+
+// 0, or a number of radii.
+double ClampScale(double scale)
+{
+  return scale > 0.0
+    ? std::min(std::max(scale, vtkIndirectProxyReach::Least), vtkIndirectProxyReach::Most)
+    : 0.0;
+}
 
 // What is seen of a scene in so many receivers is about as fine as spheres of thousands; more of
 // them cost as much more.
@@ -57,6 +68,13 @@ struct vtkProxyAccumulationPass::Internals
   vtkMTimeType TreeTime = 0; // of this pass when the tree was built
   bool TreeIsThere = false;
   int Step = 0; // of the last frame
+  // Without groups: what an environment needs, and what is used.
+  vtkIndirectProxyReach Needed;
+  vtkEnvironmentLight* Environment = nullptr; // compared only
+  vtkMTimeType EnvironmentTime = 0;
+  bool IsOfMiddle = false;
+  double Hides = 0.0;
+  double Sends = 0.0;
 };
 
 //------------------------------------------------------------------------------
@@ -80,6 +98,28 @@ void vtkProxyAccumulationPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IndirectLight: " << levels[this->Settings.IndirectLight] << "\n";
   os << indent << "NumberOfSpheres: " << this->GetNumberOfSpheres() << "\n";
   os << indent << "NumberOfPolygons: " << this->GetNumberOfPolygons() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkProxyAccumulationPass::SetInfluenceScale(double scale)
+{
+  const double clamped = ClampScale(scale);
+  if (this->Settings.InfluenceScale != clamped)
+  {
+    this->Settings.InfluenceScale = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkProxyAccumulationPass::SetIndirectInfluenceScale(double scale)
+{
+  const double clamped = ClampScale(scale);
+  if (this->Settings.IndirectInfluenceScale != clamped)
+  {
+    this->Settings.IndirectInfluenceScale = clamped;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -150,6 +190,18 @@ int vtkProxyAccumulationPass::GetActiveReceiverStep() const
 }
 
 //------------------------------------------------------------------------------
+double vtkProxyAccumulationPass::GetActiveInfluenceScale() const
+{
+  return this->Internal->Hides;
+}
+
+//------------------------------------------------------------------------------
+double vtkProxyAccumulationPass::GetActiveIndirectInfluenceScale() const
+{
+  return this->Internal->Sends;
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectVisibilityNeeds vtkProxyAccumulationPass::GetVisibilityNeeds(
   const vtkIndirectPlan&) const
 {
@@ -179,6 +231,32 @@ vtkIndirectEstimate vtkProxyAccumulationPass::Estimate(const Input& input)
 }
 
 //------------------------------------------------------------------------------
+// Returns whether spheres hide light within other radii than before.
+bool vtkProxyAccumulationPass::FindReach(vtkEnvironmentLight* environment)
+{
+  Internals& in = *this->Internal;
+  const SettingsType& settings = this->Settings;
+  const double before = in.Hides;
+  in.Hides = settings.Groups ? 0.0 : settings.InfluenceScale;
+  in.Sends = settings.Groups ? 0.0 : settings.IndirectInfluenceScale;
+  if (!settings.Groups && environment && (in.Hides <= 0.0 || in.Sends <= 0.0))
+  {
+    const bool middle = settings.IndirectLight == MIDDLE;
+    if (environment != in.Environment || environment->GetMTime() != in.EnvironmentTime ||
+      middle != in.IsOfMiddle)
+    {
+      in.Needed = vtkIndirectProxyReach::Find(vtkIndirectProxyLight::Project(environment), middle);
+      in.Environment = environment;
+      in.EnvironmentTime = environment->GetMTime();
+      in.IsOfMiddle = middle;
+    }
+    in.Hides = in.Hides > 0.0 ? in.Hides : in.Needed.Hides;
+    in.Sends = in.Sends > 0.0 ? in.Sends : in.Needed.Sends;
+  }
+  return in.Hides != before;
+}
+
+//------------------------------------------------------------------------------
 bool vtkProxyAccumulationPass::Sum(const Input& input)
 {
   Internals& in = *this->Internal;
@@ -193,12 +271,13 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
 
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool moved = in.Scene.Update(frame, in.Given, this);
-  const bool rebuilds = moved || !in.TreeIsThere || in.TreeTime != this->GetMTime();
+  const bool reaches = this->FindReach(input.Environment);
+  const bool rebuilds = moved || reaches || !in.TreeIsThere || in.TreeTime != this->GetMTime();
   bool done = true;
   if (rebuilds)
   {
-    in.Tree.Build(in.Scene.GetSpheres(), this->Settings.Groups ? this->Settings.GroupAngle : 0.0,
-      this->Settings.InfluenceScale);
+    in.Tree.Build(
+      in.Scene.GetSpheres(), this->Settings.Groups ? this->Settings.GroupAngle : 0.0, in.Hides);
     done = in.Sums.Update(frame.Window, in.Tree, in.Scene.GetPolygons());
     in.TreeIsThere = done;
     in.TreeTime = this->GetMTime();
@@ -214,7 +293,7 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
   sums.Middle = this->Settings.IndirectLight == MIDDLE;
   sums.Exact = this->Settings.IndirectLight == EXACT;
   sums.Shadowed = this->Settings.IndirectLight == SHADOWED;
-  sums.LightReach = this->Settings.Groups ? 0.0 : this->Settings.IndirectInfluenceScale;
+  sums.LightReach = in.Sends;
   input.Timer.Begin(stage);
   done = done && in.Sums.Sum(sums, in.Sky);
   input.Timer.End(stage);
@@ -237,6 +316,31 @@ size_t vtkProxyAccumulationPass::GetMainMemoryBytes() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkProxyAccumulationPass::DescribeReach() const
+{
+  const Internals& in = *this->Internal;
+  auto describe = [](double used, bool chosen)
+  {
+    return vtkIndirectReport::Number(used) + " radii (" +
+      (chosen ? "chosen: beyond, one takes at most 1/256 of the open sky's largest irradiance)"
+              : "as set)");
+  };
+  std::string text =
+    "each sphere within " + describe(in.Hides, this->Settings.InfluenceScale <= 0.0);
+  if (this->Settings.IndirectLight != OFF)
+  {
+    text +=
+      ", its light within " + describe(in.Sends, this->Settings.IndirectInfluenceScale <= 0.0);
+  }
+  if (this->Settings.InfluenceScale <= 0.0)
+  {
+    text += ", where the sky is at most " + vtkIndirectReport::Number(in.Needed.Contrast) +
+      " times as bright as that irradiance";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
 {
   const Internals& in = *this->Internal;
@@ -253,8 +357,7 @@ void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
     "spherical harmonics of order 4, " +
       (this->Settings.Groups ? "groups of spheres that are seen under a sine of " +
             vtkIndirectReport::Number(this->Settings.GroupAngle) + " or less as one"
-                             : "each sphere within " +
-            vtkIndirectReport::Number(this->Settings.InfluenceScale) + " radii") +
+                             : this->DescribeReach()) +
       (step > 1 ? ", a receiver in " + std::to_string(step * step) + " pixels"
                 : ", at every pixel"));
   if (this->Settings.IndirectLight == OFF)
@@ -283,4 +386,5 @@ void vtkProxyAccumulationPass::ReleaseGraphicsResources(vtkWindow* window)
   in.Sky.Release(window);
   in.Sums.Release(window);
   in.TreeIsThere = false;
+  in.Environment = nullptr;
 }

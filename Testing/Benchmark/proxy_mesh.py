@@ -39,7 +39,9 @@ TABLE = FOLDER.parent / "Module/Rendering/Private/Proxies/vtkIndirectProxyTable.
 VERTICES, SPHERES = 60_767, 60
 """As in the paper's figure 6; how many spheres it had there it does not say."""
 REACH = 15.0
-"""`InfluenceScale`."""
+"""`InfluenceScale`, the paper's."""
+LIGHT_REACH = 4.0
+"""`IndirectInfluenceScale`, the same."""
 RADIANCE = 0.8
 """Of the sky: less than what a window can show."""
 WARM_UP = 2
@@ -126,7 +128,13 @@ class View:
 def by_pixels(view: View, spheres: vtkPolyData, **settings: object) -> View:
     """Sum in image space."""
     found = methods.enable(
-        view.renderer, "proxies", environment=(RADIANCE,) * 3, groups=False, **settings
+        view.renderer,
+        "proxies",
+        environment=(RADIANCE,) * 3,
+        groups=False,
+        influence_scale=REACH,
+        indirect_influence_scale=LIGHT_REACH,
+        **settings,
     )
     found.GetEstimator().SetProxies(view.actor, spheres)
     view.window.SetDesiredUpdateRate(15.0)

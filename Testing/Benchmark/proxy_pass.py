@@ -428,7 +428,7 @@ def paper() -> None:
     """Print ratios of figures 7 and 9: receivers, indirect light; 512 x 512, without groups."""
     spheres = particles(60)
     size = (512, 512)
-    common = {"groups": False}
+    common = {"groups": False, "influence_scale": 15, "indirect_influence_scale": 4}
     kinds = {
         f"1/{step * step} of the pixels": with_proxies(
             Moving(spheres, size), receiver_step=step, indirect_light="off", **common
