@@ -321,7 +321,7 @@ std::string vtkProxyAccumulationPass::DescribeReach() const
   const Internals& in = *this->Internal;
   auto describe = [](double used, bool chosen)
   {
-    return vtkIndirectReport::Number(used) + " radii (" +
+    return vtkIndirectReport::Number(std::round(10.0 * used) / 10.0) + " radii (" +
       (chosen ? "chosen: beyond, one takes at most 1/256 of the open sky's largest irradiance)"
               : "as set)");
   };
@@ -334,7 +334,8 @@ std::string vtkProxyAccumulationPass::DescribeReach() const
   }
   if (this->Settings.InfluenceScale <= 0.0)
   {
-    text += ", where the sky is at most " + vtkIndirectReport::Number(in.Needed.Contrast) +
+    text += ", where the sky is at most " +
+      vtkIndirectReport::Number(std::round(100.0 * in.Needed.Contrast) / 100.0) +
       " times as bright as that irradiance";
   }
   return text;
