@@ -4,11 +4,13 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Proxies/vtkIndirectProxyActors.h"
 #include "Proxies/vtkIndirectProxyShapes.h"
+#include "Proxies/vtkIndirectProxySticks.h"
 #include "vtkActor.h"
 #include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLSphereMapper.h"
+#include "vtkOpenGLStickMapper.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -27,6 +29,7 @@ enum MapperType
 {
   MESH,
   BALLS,
+  STICKS,
   GLYPHS,
   MOLECULE
 };
@@ -40,6 +43,7 @@ int FindType(vtkMapper* mapper)
   }
 #endif
   return vtkOpenGLSphereMapper::SafeDownCast(mapper) ? BALLS
+    : vtkOpenGLStickMapper::SafeDownCast(mapper)     ? STICKS
     : vtkGlyph3DMapper::SafeDownCast(mapper)         ? GLYPHS
                                                      : MESH;
 }
@@ -52,8 +56,9 @@ void AddSpheres(vtkMapper* mapper, vtkMatrix4x4* matrix, vtkIndirectProxyKinds::
     return;
   }
   const int type = FindType(mapper);
-  kind.NumberOfSpheres += static_cast<double>(
-    data->GetNumberOfElements(type == MOLECULE ? vtkDataObject::VERTEX : vtkDataObject::POINT));
+  kind.NumberOfSpheres += (type == STICKS ? vtkIndirectProxySticks::MostSpheresOfAStick : 1) *
+    static_cast<double>(
+      data->GetNumberOfElements(type == MOLECULE ? vtkDataObject::VERTEX : vtkDataObject::POINT));
   kind.Places.push_back(static_cast<double>(data->GetMTime()));
   kind.Places.insert(kind.Places.end(), matrix->GetData(), matrix->GetData() + 16);
 }
@@ -95,6 +100,7 @@ void vtkIndirectProxyKinds::AddActor(vtkActor* actor, Kind& kind)
   switch (FindType(mapper))
   {
     case BALLS:
+    case STICKS:
       return;
     case GLYPHS:
     {
@@ -106,7 +112,11 @@ void vtkIndirectProxyKinds::AddActor(vtkActor* actor, Kind& kind)
     case MOLECULE:
       if (vtkOpenGLMoleculeMapper::SafeDownCast(mapper)->GetRenderBonds())
       {
-        kind.Other = "bonds are no spheres";
+        // Two sticks of a bond, one an atom: no more than these.
+        vtkDataObject* molecule = mapper->GetInputDataObject(0, 0);
+        kind.NumberOfSpheres += !molecule ? 0.0
+                                          : 2.0 * vtkIndirectProxySticks::MostSpheresOfAStick *
+            static_cast<double>(molecule->GetNumberOfElements(vtkDataObject::EDGE));
       }
       return;
 #endif
