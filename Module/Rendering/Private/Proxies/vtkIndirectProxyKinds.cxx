@@ -12,6 +12,7 @@
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkOpenGLStickMapper.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -77,6 +78,15 @@ vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::FindSpheres(vtkProp* prop)
       }
     });
   return kind;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxyKinds::IsOfCutSplats(vtkActor* actor)
+{
+  auto* mapper = vtkPointGaussianMapper::SafeDownCast(actor->GetMapper());
+  const char* code = mapper ? mapper->GetSplatShaderCode() : nullptr;
+  return code && std::strstr(code, "discard") && mapper->GetScaleFactor() > 0.0 &&
+    !mapper->GetEmissive() && actor->GetProperty()->GetOpacity() >= 1.0;
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Proxies/vtkIndirectProxyActors.h"
+#include "Proxies/vtkIndirectProxyKinds.h"
 #include "Proxies/vtkIndirectProxySticks.h"
 #include "vtkActor.h"
 #include "vtkBitArray.h"
@@ -28,7 +29,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 
 namespace
@@ -383,9 +383,7 @@ void vtkIndirectProxyScene::AddPoints(
 void vtkIndirectProxyScene::AddGaussians(const Part& part)
 {
   auto* mapper = vtkPointGaussianMapper::SafeDownCast(part.Mapper);
-  const char* code = mapper->GetSplatShaderCode();
-  if (!code || !std::strstr(code, "discard") || mapper->GetScaleFactor() <= 0.0 ||
-    mapper->GetEmissive() || part.Actor->GetProperty()->GetOpacity() < 1.0)
+  if (!vtkIndirectProxyKinds::IsOfCutSplats(part.Actor))
   {
     this->LeaveOut("splats without an edge",
       "they hide no light: a sphere's shader code cuts them off by `discard`, with Emissive off");
