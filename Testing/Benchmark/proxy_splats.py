@@ -49,6 +49,7 @@ def main() -> int:
     print(f"{len(true)} receivers, of which splats leave {true.mean():.3f} of the sky")
     images = {"spheres": vtkindirect.copy_buffer(view.renderer, "sky")[y, x, 0]}
     indirect.SetEstimator(None)
+    indirect.SpheresInMotionOff()
     for _ in range(20):
         view.window.Render()
     images["256 maps, still"] = vtkindirect.copy_buffer(view.renderer, "sky")[y, x, 0]
