@@ -282,6 +282,8 @@ public:
    * elsewhere than before, where all else that casts shadows is made of spheres or flat and convex,
    * the environment has no sun, and ErrorTolerance is 0 or at least 0.05. The first frame in which
    * nothing has moved has maps again, the ninth while the window gives a frame a second or less.
+   * Bonds and other sticks are rows of spheres. With splats that vtkPointGaussianMapper's shader
+   * code cuts off by `discard`, which no map has, all frames are so, still ones too.
    * The report says by whom the sky was made and why. Half of the time or less, at an RMS error over
    * the mean of 0.05; a still frame has 0.02. Default on; off for a film whose frames may take their
    * time.

@@ -16,7 +16,8 @@
  *
  * *Spheres* are taken from the data in every frame: atoms (vtkMoleculeMapper),
  * vtkOpenGLSphereMapper, glyphs that are spheres (vtkGlyph3DMapper), points of
- * vtkPointGaussianMapper whose shader code cuts them off by `discard`. A mesh that consists of
+ * vtkPointGaussianMapper whose shader code cuts them off by `discard`. Bonds and other sticks of
+ * vtkOpenGLStickMapper are rows of spheres that hide as much in the mean over directions. A mesh that consists of
  * spheres is these; one that is flat and convex is a polygon. For any other a vtkSphereProxyFilter
  * makes spheres, where the module IndirectProxies is loaded, or they are given (SetProxies); they
  * are kept while the mesh is the same, and move with its actor and with its points.
@@ -32,7 +33,7 @@
  * Approximations: order 4 blurs shadows (either sign); what lies behind each other within reach
  * of GroupAngle hides twice (too dark); ten or more spheres around a receiver hide too little (too
  * bright); none of the light that spheres send is reflected again (too dark); glyphs that are no
- * spheres, bonds, lines and points hide nothing. A sun is as broad as order 4 makes it.
+ * spheres, lines and points hide nothing. A sun is as broad as order 4 makes it.
  * Documentation/methods/sphere-proxies.md has figures.
  *
  * Memory: 16 bytes a pixel, twice that with IndirectLight, 64 bytes a receiver and 4 a pixel where

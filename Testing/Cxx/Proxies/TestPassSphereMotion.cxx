@@ -13,6 +13,7 @@
 #include "vtkMolecule.h"
 #include "vtkOpenGLMoleculeMapper.h"
 #include "vtkOpenGLSphereMapper.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRadianceHintsPass.h"
@@ -51,6 +52,10 @@ struct ParticleView : View
       points->InsertNextPoint(0.0, 0.0, 0.0);
       cells->InsertNextCell(1, &i);
       this->Molecule->AppendAtom(6, 0.0, 0.0, 0.0);
+      if (i % 5 > 0)
+      {
+        this->Molecule->AppendBond(i - 1, i, 1);
+      }
     }
     this->Points->SetPoints(points);
     this->Points->SetVerts(cells);
@@ -284,7 +289,7 @@ VTK_INDIRECT_TEST(SphereMotionOfMappers)
     vtkMapper* Mapper;
     const char* Why; // not
   } const cases[] = { { nullptr, nullptr }, { balls, nullptr }, { atoms, nullptr },
-    { cones, "glyphs that are no spheres" }, { sticks, "bonds" } };
+    { sticks, nullptr }, { cones, "glyphs that are no spheres" } };
   for (const auto& one : cases)
   {
     ParticleView view(one.Mapper);
@@ -299,6 +304,39 @@ VTK_INDIRECT_TEST(SphereMotionOfMappers)
       name << ": " << why);
     view.Renderer->RemoveActor(view.Particles);
   }
+}
+
+//------------------------------------------------------------------------------
+// Splats that are cut off like spheres are in no map: they hide the sky in still frames as in
+// motion, and those that fade out never do.
+VTK_INDIRECT_TEST(SphereMotionOfSplats)
+{
+  vtkNew<vtkPointGaussianMapper> splats;
+  splats->SetScaleFactor(0.15);
+  splats->EmissiveOff();
+  ParticleView view(splats);
+  view.Render(true);
+  view.Render(true);
+  view.Render(true);
+  CONTRACT_CHECK(!view.BySpheres(), "without an edge: " << view.Who());
+  const double open = Mean(Read(view.Pass, "sky"), 0);
+  splats->SetSplatShaderCode("//VTK::Color::Impl\n"
+                             "if (dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy) > 1.0) "
+                             "{ discard; }\n");
+  view.Render(false);
+  CONTRACT_CHECK(view.BySpheres(), "a still frame: " << view.Who());
+  const Floats still = Read(view.Pass, "sky");
+  CONTRACT_CHECK(Mean(still, 0) < 0.95 * open, "they hide nothing: " << Mean(still, 0) / open);
+  view.Render(true);
+  view.Render(true);
+  view.Render(true);
+  CONTRACT_CHECK(view.BySpheres(), "in motion: " << view.Who());
+  const Floats moving = Read(view.Pass, "sky");
+  view.Render(false);
+  CONTRACT_CHECK(view.BySpheres(), "after it: " << view.Who());
+  CONTRACT_CHECK(
+    Compare(Read(view.Pass, "sky"), moving).Max == 0.0, "the picture jumps when motion ends");
+  view.Renderer->RemoveActor(view.Particles);
 }
 
 //------------------------------------------------------------------------------

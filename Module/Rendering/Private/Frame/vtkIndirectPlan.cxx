@@ -307,7 +307,7 @@ void vtkIndirectPlan::FindSkySource(const vtkIndirectSettings& settings,
   }
   this->SkySource = why.empty() ? SKY_BY_SPHERES : SKY_BY_MAPS;
   this->Modelled.emplace_back(why.empty() ? "sky by spheres" : "sky by depth maps",
-    why.empty() ? circumstances.SpheresMove + "; depth maps would have to be drawn anew" : why);
+    why.empty() ? circumstances.SpheresMove + "; depth maps do not show them as they are" : why);
 }
 
 //------------------------------------------------------------------------------

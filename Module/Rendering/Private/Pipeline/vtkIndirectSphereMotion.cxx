@@ -6,8 +6,11 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Gather/vtkIndirectSkyDirections.h"
 #include "Proxies/vtkIndirectProxyLight.h"
+#include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkDataObject.h"
 #include "vtkEnvironmentLight.h"
+#include "vtkMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -49,7 +52,8 @@ void vtkIndirectSphereMotion::Update(
   {
     this->Changes = this->Idle = 0;
   }
-  if (this->Changes < LeastChanges)
+  const double splats = CountSplats(frame);
+  if (this->Changes < LeastChanges && splats == 0.0)
   {
     this->What.clear();
     this->WhyNot.clear();
@@ -57,14 +61,33 @@ void vtkIndirectSphereMotion::Update(
     this->Moved = this->Moved && !this->Props.empty();
     return;
   }
-  if (moved > 0.0)
+  if (splats > 0.0)
+  {
+    this->What = std::to_string(static_cast<long long>(splats)) + " splats look like spheres";
+  }
+  else if (moved > 0.0)
   {
     this->What =
       std::to_string(static_cast<long long>(moved)) + " spheres have moved in frames on end";
   }
   this->WhyNot = this->HasSun(environment) ? "the environment has a sun, whose shadows they blur"
-                                           : this->FindWhyNot(frame);
+                                           : this->FindWhyNot(frame, splats);
   this->Moved = this->WhyNot.empty();
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectSphereMotion::CountSplats(const vtkIndirectFrame& frame)
+{
+  double splats = 0.0;
+  for (vtkProp* prop : frame.Props)
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    vtkDataObject* data = actor && vtkIndirectProxyKinds::IsOfCutSplats(actor)
+      ? actor->GetMapper()->GetInputDataObject(0, 0)
+      : nullptr;
+    splats += data ? static_cast<double>(data->GetNumberOfElements(vtkDataObject::POINT)) : 0.0;
+  }
+  return splats;
 }
 
 //------------------------------------------------------------------------------
@@ -95,10 +118,9 @@ double vtkIndirectSphereMotion::FindMovedSpheres(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIndirectSphereMotion::FindWhyNot(const vtkIndirectFrame& frame)
+std::string vtkIndirectSphereMotion::FindWhyNot(const vtkIndirectFrame& frame, double spheres)
 {
   std::string why;
-  double spheres = 0.0;
   size_t polygons = 0;
   for (const vtkIndirectCaster& caster : frame.Casters)
   {

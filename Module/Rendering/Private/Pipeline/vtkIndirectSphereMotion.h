@@ -7,6 +7,9 @@
 // in which nothing has moved, else with the ninth of these on end: data often come more slowly than
 // a camera turns, and the picture is not to change in between. Eyes and tiles of one picture have
 // one answer.
+//
+// Splats that are cut off like spheres are in no depth map: with them all frames are as in motion,
+// still ones too, so that what they hide does not come and go.
 #ifndef vtkIndirectSphereMotion_h
 #define vtkIndirectSphereMotion_h
 
@@ -36,8 +39,9 @@ public:
   void Forget();
 
 private:
+  static double CountSplats(const vtkIndirectFrame& frame);
   double FindMovedSpheres(const vtkIndirectFrame& frame);
-  std::string FindWhyNot(const vtkIndirectFrame& frame);
+  std::string FindWhyNot(const vtkIndirectFrame& frame, double spheres);
   bool HasSun(vtkEnvironmentLight* environment);
 
   struct Before

@@ -4,12 +4,15 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Proxies/vtkIndirectProxyActors.h"
 #include "Proxies/vtkIndirectProxyShapes.h"
+#include "Proxies/vtkIndirectProxySticks.h"
 #include "vtkActor.h"
 #include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLSphereMapper.h"
+#include "vtkOpenGLStickMapper.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -27,6 +30,7 @@ enum MapperType
 {
   MESH,
   BALLS,
+  STICKS,
   GLYPHS,
   MOLECULE
 };
@@ -40,6 +44,7 @@ int FindType(vtkMapper* mapper)
   }
 #endif
   return vtkOpenGLSphereMapper::SafeDownCast(mapper) ? BALLS
+    : vtkOpenGLStickMapper::SafeDownCast(mapper)     ? STICKS
     : vtkGlyph3DMapper::SafeDownCast(mapper)         ? GLYPHS
                                                      : MESH;
 }
@@ -52,8 +57,9 @@ void AddSpheres(vtkMapper* mapper, vtkMatrix4x4* matrix, vtkIndirectProxyKinds::
     return;
   }
   const int type = FindType(mapper);
-  kind.NumberOfSpheres += static_cast<double>(
-    data->GetNumberOfElements(type == MOLECULE ? vtkDataObject::VERTEX : vtkDataObject::POINT));
+  kind.NumberOfSpheres += (type == STICKS ? vtkIndirectProxySticks::MostSpheresOfAStick : 1) *
+    static_cast<double>(
+      data->GetNumberOfElements(type == MOLECULE ? vtkDataObject::VERTEX : vtkDataObject::POINT));
   kind.Places.push_back(static_cast<double>(data->GetMTime()));
   kind.Places.insert(kind.Places.end(), matrix->GetData(), matrix->GetData() + 16);
 }
@@ -72,6 +78,15 @@ vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::FindSpheres(vtkProp* prop)
       }
     });
   return kind;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxyKinds::IsOfCutSplats(vtkActor* actor)
+{
+  auto* mapper = vtkPointGaussianMapper::SafeDownCast(actor->GetMapper());
+  const char* code = mapper ? mapper->GetSplatShaderCode() : nullptr;
+  return code && std::strstr(code, "discard") && mapper->GetScaleFactor() > 0.0 &&
+    !mapper->GetEmissive() && actor->GetProperty()->GetOpacity() >= 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -95,6 +110,7 @@ void vtkIndirectProxyKinds::AddActor(vtkActor* actor, Kind& kind)
   switch (FindType(mapper))
   {
     case BALLS:
+    case STICKS:
       return;
     case GLYPHS:
     {
@@ -106,7 +122,11 @@ void vtkIndirectProxyKinds::AddActor(vtkActor* actor, Kind& kind)
     case MOLECULE:
       if (vtkOpenGLMoleculeMapper::SafeDownCast(mapper)->GetRenderBonds())
       {
-        kind.Other = "bonds are no spheres";
+        // Two sticks of a bond, one an atom: no more than these.
+        vtkDataObject* molecule = mapper->GetInputDataObject(0, 0);
+        kind.NumberOfSpheres += !molecule ? 0.0
+                                          : 2.0 * vtkIndirectProxySticks::MostSpheresOfAStick *
+            static_cast<double>(molecule->GetNumberOfElements(vtkDataObject::EDGE));
       }
       return;
 #endif

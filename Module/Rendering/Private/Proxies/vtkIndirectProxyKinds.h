@@ -31,6 +31,9 @@ public:
 
   /** What draws spheres alone; without Other's reasons, and without looking into meshes. */
   static Kind FindSpheres(vtkProp* prop);
+  /** Whether an actor draws opaque splats that its shader code cuts off by `discard`, so that they
+   * look like spheres. Others fade out, and light comes through them. */
+  static bool IsOfCutSplats(vtkActor* actor);
   /** All of a prop. */
   Kind Find(vtkProp* prop);
   /** Ends a frame: forgets meshes that it did not ask for. */

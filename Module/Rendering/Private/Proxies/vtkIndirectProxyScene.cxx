@@ -5,6 +5,8 @@
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Proxies/vtkIndirectProxyActors.h"
+#include "Proxies/vtkIndirectProxyKinds.h"
+#include "Proxies/vtkIndirectProxySticks.h"
 #include "vtkActor.h"
 #include "vtkBitArray.h"
 #include "vtkCompositeDataIterator.h"
@@ -16,6 +18,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkObject.h"
 #include "vtkOpenGLSphereMapper.h"
+#include "vtkOpenGLStickMapper.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
@@ -26,7 +29,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 
 namespace
@@ -221,7 +223,7 @@ bool vtkIndirectProxyScene::Update(
   this->Spheres.clear();
   this->Polygons.clear();
   this->LeftOut.clear();
-  this->Exact = this->Fitted = this->Wrong = 0;
+  this->Exact = this->OfSticks = this->Fitted = this->Wrong = 0;
   this->SceneCenter = frame.SceneCenter;
   this->SceneScale = frame.SceneScale;
   for (const Drawn& item : drawn)
@@ -309,7 +311,9 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
   {
     if (molecule->GetRenderBonds())
     {
-      this->LeaveOut("bonds", "cylinders hide no light of spheres; the result is a little bright");
+      Part inner = part;
+      inner.Mapper = vtkIndirectProxySticks::FindBonds(molecule);
+      this->AddActor(inner);
     }
     vtkOpenGLSphereMapper* atoms = molecule->GetFastAtomMapper();
     if (molecule->GetRenderAtoms())
@@ -327,6 +331,18 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
       [&](vtkDataSet* data)
       { this->AddPoints(part, data, SphereAccess::GetArray(spheres), spheres->GetRadius()); });
     this->Exact += this->Spheres.size() - before;
+  }
+  else if (vtkOpenGLStickMapper::SafeDownCast(part.Mapper))
+  {
+    ForDataSets(part.Mapper->GetInputDataObject(0, 0),
+      [&](vtkDataSet* data)
+      {
+        const Albedos albedos(part.Mapper, part.Actor->GetProperty(), data);
+        vtkIndirectProxySticks::ForEach(part.Mapper, data,
+          [&](vtkIdType i, const double place[3], double radius)
+          { this->Add(part, place, radius, albedos.Get(i)); });
+      });
+    this->OfSticks += this->Spheres.size() - before;
   }
   else if (vtkPointGaussianMapper::SafeDownCast(part.Mapper))
   {
@@ -367,9 +383,7 @@ void vtkIndirectProxyScene::AddPoints(
 void vtkIndirectProxyScene::AddGaussians(const Part& part)
 {
   auto* mapper = vtkPointGaussianMapper::SafeDownCast(part.Mapper);
-  const char* code = mapper->GetSplatShaderCode();
-  if (!code || !std::strstr(code, "discard") || mapper->GetScaleFactor() <= 0.0 ||
-    mapper->GetEmissive() || part.Actor->GetProperty()->GetOpacity() < 1.0)
+  if (!vtkIndirectProxyKinds::IsOfCutSplats(part.Actor))
   {
     this->LeaveOut("splats without an edge",
       "they hide no light: a sphere's shader code cuts them off by `discard`, with Emissive off");
@@ -537,7 +551,9 @@ void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
 void vtkIndirectProxyScene::AddToReport(vtkIndirectReport& report) const
 {
   report.Modelled.emplace_back("what hides the sky",
-    std::to_string(this->Exact) + " spheres of the data, " + std::to_string(this->Fitted) +
-      " spheres of meshes, " + std::to_string(this->Polygons.size()) + " flat polygons");
+    std::to_string(this->Exact) + " spheres of the data, " +
+      (this->OfSticks > 0 ? std::to_string(this->OfSticks) + " spheres of sticks, " : "") +
+      std::to_string(this->Fitted) + " spheres of meshes, " +
+      std::to_string(this->Polygons.size()) + " flat polygons");
   report.LeftOut.insert(report.LeftOut.end(), this->LeftOut.begin(), this->LeftOut.end());
 }

@@ -57,9 +57,10 @@ private:
   vtkIndirectProxyShapes Shapes;
   glm::dvec3 SceneCenter{ 0.0 };
   double SceneScale = 1.0;
-  size_t Exact = 0;  // spheres straight from the data
-  size_t Fitted = 0; // of meshes
-  size_t Wrong = 0;  // radii or places that are not
+  size_t Exact = 0;    // spheres straight from the data
+  size_t OfSticks = 0; // rows of them, see vtkIndirectProxySticks
+  size_t Fitted = 0;   // of meshes
+  size_t Wrong = 0;    // radii or places that are not
   std::string WrongProp;
   std::vector<std::pair<std::string, std::string>> LeftOut;
 };

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Proxies/vtkIndirectProxySticks.h"
+
+#include "Proxies/vtkIndirectProxyActors.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkMath.h"
+#include "vtkOpenGLStickMapper.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Members that VTK keeps to its derived classes.
+struct StickAccess : public vtkOpenGLStickMapper
+{
+  static const char* GetScale(vtkOpenGLStickMapper* mapper)
+  {
+    return mapper->*(&StickAccess::ScaleArray);
+  }
+  static const char* GetOrientation(vtkOpenGLStickMapper* mapper)
+  {
+    return mapper->*(&StickAccess::OrientationArray);
+  }
+};
+#ifdef VTKI_MOLECULES
+struct MoleculeAccess : public vtkOpenGLMoleculeMapper
+{
+  static vtkMapper* GetBonds(vtkOpenGLMoleculeMapper* mapper)
+  {
+    return (mapper->*(&MoleculeAccess::FastBondMapper)).Get();
+  }
+};
+#endif
+
+vtkDataArray* FindVectors(vtkDataSet* data, const char* name)
+{
+  vtkDataArray* array = name ? data->GetPointData()->GetArray(name) : nullptr;
+  return array && array->GetNumberOfComponents() == 3 ? array : nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkMapper* vtkIndirectProxySticks::FindBonds(vtkMapper* mapper)
+{
+#ifdef VTKI_MOLECULES
+  auto* molecule = vtkOpenGLMoleculeMapper::SafeDownCast(mapper);
+  return molecule ? MoleculeAccess::GetBonds(molecule) : nullptr;
+#else
+  static_cast<void>(mapper);
+  return nullptr;
+#endif
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectProxySticks::FindRow(double length, double radius, double& radiusOfSpheres)
+{
+  radiusOfSpheres = 0.0;
+  if (!(length > 0.0) || !(radius > 0.0) || !std::isfinite(length) || !std::isfinite(radius))
+  {
+    return 0;
+  }
+  // Clamped before it becomes an integer.
+  const double touching =
+    std::min(std::max(length / (2.0 * radius), 1.0), double(MostSpheresOfAStick));
+  const int count = static_cast<int>(std::lround(touching));
+  radiusOfSpheres = std::sqrt(0.5 * length * radius / count);
+  return count;
+}
+
+//------------------------------------------------------------------------------
+// As vtkOpenGLStickMapper draws them: about their points, lengths and radii the first two
+// components of their scales.
+void vtkIndirectProxySticks::ForEach(vtkMapper* mapper, vtkDataSet* data,
+  const std::function<void(vtkIdType, const double[3], double)>& call)
+{
+  auto* sticks = vtkOpenGLStickMapper::SafeDownCast(mapper);
+  vtkDataArray* scales = sticks ? FindVectors(data, StickAccess::GetScale(sticks)) : nullptr;
+  vtkDataArray* ways = sticks ? FindVectors(data, StickAccess::GetOrientation(sticks)) : nullptr;
+  if (!scales || !ways)
+  {
+    return;
+  }
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double middle[3];
+    double way[3];
+    data->GetPoint(i, middle);
+    ways->GetTuple(i, way);
+    // What is drawn is as long as the product of both.
+    const double length = scales->GetComponent(i, 0) * vtkMath::Norm(way);
+    double radius = 0.0;
+    const int count = FindRow(length, scales->GetComponent(i, 1), radius);
+    vtkMath::Normalize(way);
+    for (int k = 0; k < count; ++k)
+    {
+      const double along = length * ((k + 0.5) / count - 0.5);
+      const double place[3] = { middle[0] + along * way[0], middle[1] + along * way[1],
+        middle[2] + along * way[2] };
+      call(i, place, radius);
+    }
+  }
+}
