@@ -68,7 +68,7 @@ double FindRadiusInPixels(
 
 // What is seen of a scene in so many receivers is about as fine as spheres of thousands; more of
 // them cost as much more. Pixels between receivers of different spheres have no light of their own:
-// where the next receiver would be on another sphere there are up to twice as many.
+// where the next receiver would be on another sphere there are up to four times as many.
 int FindStep(const int size[2], double radius)
 {
   constexpr double receivers = 16384.0;
@@ -78,7 +78,7 @@ int FindStep(const int size[2], double radius)
     return std::min(std::max(static_cast<int>(std::lround(std::sqrt(pixels / number))), 1), most);
   };
   const int usual = step(receivers);
-  return radius < usual ? std::min(usual, std::max(step(2.0 * receivers), static_cast<int>(radius)))
+  return radius < usual ? std::min(usual, std::max(step(4.0 * receivers), static_cast<int>(radius)))
                         : usual;
 }
 }
