@@ -25,7 +25,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkProxyAccumulationPass);
 
@@ -46,14 +48,49 @@ double ClampScale(double scale)
     : 0.0;
 }
 
+// The median radius of spheres before the eye, in pixels; infinite where there is none. Of many
+// some are looked at.
+double FindRadiusInPixels(
+  const vtkIndirectFrame& frame, const std::vector<vtkIndirectProxySphere>& spheres)
+{
+  constexpr size_t most = 512;
+  const glm::dmat4 sceneToView = glm::inverse(frame.ViewToScene);
+  const size_t count = std::min(spheres.size(), most);
+  std::vector<double> radii;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const vtkIndirectProxySphere& sphere = spheres[i * spheres.size() / count];
+    const double depth = -(sceneToView * glm::dvec4(sphere.Center, 1.0)).z;
+    const double pixel =
+      glm::length(frame.RayOrigin[0] + depth * frame.RayDirection[0]) * 2.0 / frame.Size[0];
+    if (depth > 0.0 && pixel > 0.0)
+    {
+      radii.push_back(sphere.Radius / pixel);
+    }
+  }
+  if (radii.empty())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  return *middle;
+}
+
 // What is seen of a scene in so many receivers is about as fine as spheres of thousands; more of
-// them cost as much more.
-int FindStep(const int size[2])
+// them cost as much more. Pixels between receivers of different spheres have no light of their own:
+// where the next receiver would be on another sphere there are up to four times as many.
+int FindStep(const int size[2], double radius)
 {
   constexpr double receivers = 16384.0;
   constexpr int most = 8;
   const double pixels = static_cast<double>(size[0]) * size[1];
-  return std::min(std::max(static_cast<int>(std::lround(std::sqrt(pixels / receivers))), 1), most);
+  const auto step = [&](double number) {
+    return std::min(std::max(static_cast<int>(std::lround(std::sqrt(pixels / number))), 1), most);
+  };
+  const int usual = step(receivers);
+  return radius < usual ? std::min(usual, std::max(step(4.0 * receivers), static_cast<int>(radius)))
+                        : usual;
 }
 }
 
@@ -287,7 +324,9 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
 
   in.Sky.SetNumberOfChannels(this->Settings.IndirectLight == OFF ? 1 : 2);
   vtkIndirectProxySums::Input sums = { frame, input.Geometry };
-  in.Step = this->Settings.ReceiverStep > 0 ? this->Settings.ReceiverStep : FindStep(frame.Size);
+  in.Step = this->Settings.ReceiverStep > 0
+    ? this->Settings.ReceiverStep
+    : FindStep(frame.Size, FindRadiusInPixels(frame, in.Scene.GetSpheres()));
   sums.Step = in.Step;
   sums.Hides = input.Plan.SkyIsShadowed;
   sums.Middle = this->Settings.IndirectLight == MIDDLE;
