@@ -12,7 +12,7 @@ import support  # noqa: F401
 import vtkindirect
 
 ENTRY = "coarse geometry in depth maps"
-FINE, COARSE = 200, 40
+FINE, COARSE = 80, 40
 """Rows and columns of a ball of radius one."""
 ERROR = 1.0 - np.cos(np.pi / COARSE) ** 2
 """Of the coarse one: facets lie inside by no more, rows turned by half of their angle both ways."""
