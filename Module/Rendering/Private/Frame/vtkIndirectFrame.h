@@ -90,7 +90,7 @@ struct vtkIndirectFrame
   int NumberOfOtherReceivers = 0; // captured lit props that are no casters
   std::vector<vtkIndirectCaster> Casters;
   vtkIndirectCoarseLevels* Levels = nullptr; // of them, for depth maps; may be null
-  bool AllSendLight = true;          // whether all surfaces may send light
+  bool AllSendLight = true;                  // whether all surfaces may send light
   std::vector<vtkActor*> Refractors; // translucent ones that are glass, see vtkIndirectPropKind
   bool SendersAreSpecular = false;   // whether some that may reflect specularly
   std::vector<vtkIndirectLight> Lights;
