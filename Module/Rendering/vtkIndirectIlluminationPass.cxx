@@ -213,6 +213,25 @@ void vtkIndirectIlluminationPass::RemoveSampler(vtkVirtualLightSampler* sampler)
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::AddCoarseLevel(vtkProp* actor, vtkPolyData* level, double error)
+{
+  const std::string why = this->Internal->Pipeline.Levels.Add(actor, level, error);
+  if (!why.empty())
+  {
+    vtkErrorMacro("The coarse level is not taken: " << why << ".");
+    return;
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::RemoveCoarseLevels(vtkProp* actor)
+{
+  this->Internal->Pipeline.Levels.Remove(actor);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::AddAreaLight(vtkAreaLight* light)
 {
   auto& lights = this->Internal->Pipeline.AreaLights;

@@ -41,6 +41,8 @@ class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkIndirectEstimatorPass;
 class vtkLight;
+class vtkPolyData;
+class vtkProp;
 class vtkReflectiveShadowMapPass;
 class vtkVirtualLightSampler;
 
@@ -373,6 +375,22 @@ public:
    */
   void AddSampler(vtkVirtualLightSampler* sampler);
   void RemoveSampler(vtkVirtualLightSampler* sampler);
+  ///@}
+
+  ///@{
+  /**
+   * A mesh of fewer triangles that stands for what an actor draws in depth maps of the sky, of
+   * virtual lights, of area lights and of penumbras, wherever it is no farther off than half a
+   * texel of that map; of several the one of the fewest triangles. `error` is that distance, both
+   * ways, in lengths of the actor's mesh, at least 0, as
+   * vtkMeshSimplificationFilter::GetMaximumDistance gives it. The picture and lights' own maps
+   * always have the mesh itself, and so has an actor with textures, clipping planes or shaders of
+   * its own. Levels go when the input of the actor's mapper, or its points or cells, change. The
+   * level is copied; it has triangles alone. In a map it lies behind what it stands for by its
+   * distance, so that nothing hides itself; what it hides within twice that is left bright.
+   */
+  void AddCoarseLevel(vtkProp* actor, vtkPolyData* level, double error);
+  void RemoveCoarseLevels(vtkProp* actor);
   ///@}
 
 #ifndef __VTK_WRAP__

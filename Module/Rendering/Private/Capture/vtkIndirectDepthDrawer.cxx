@@ -115,8 +115,10 @@ bool vtkIndirectDepthDrawer::CanDraw(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectDepthDrawer::Begin(vtkOpenGLRenderWindow* window, vtkProp* prop)
+bool vtkIndirectDepthDrawer::Begin(
+  vtkOpenGLRenderWindow* window, vtkProp* prop, vtkIndirectCoarseLevels::Level* level)
 {
+  this->Level = level;
   this->Mapper = FindMapper(prop);
   this->Program = window->GetShaderCache()->ReadyShaderProgram(
     vtkIndirectShaderLibrary::GetText("vtkIndirectDepthVS.glsl").c_str(),
@@ -125,8 +127,25 @@ bool vtkIndirectDepthDrawer::Begin(vtkOpenGLRenderWindow* window, vtkProp* prop)
   {
     return false;
   }
-  vtkOpenGLVertexBufferObject* positions = MapperAccess::GetPositions(this->Mapper);
   this->ToWorld = vtkIndirectFrame::ToGLM(static_cast<vtkActor*>(prop)->GetMatrix());
+  if (level)
+  {
+    if (!level->PositionBuffer)
+    {
+      level->PositionBuffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+      level->PositionBuffer->Upload(level->Positions, vtkOpenGLBufferObject::ArrayBuffer);
+      level->IndexBuffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+      level->IndexBuffer->Upload(level->Indices, vtkOpenGLBufferObject::ElementArrayBuffer);
+    }
+    glm::dmat4 restore(1.0);
+    restore[3] = glm::dvec4(level->Middle, 1.0);
+    this->ToWorld *= restore;
+    this->Vertices->Bind();
+    this->Vertices->AddAttributeArray(
+      this->Program, level->PositionBuffer, "vertexMC", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
+    return true;
+  }
+  vtkOpenGLVertexBufferObject* positions = MapperAccess::GetPositions(this->Mapper);
   if (positions->GetCoordShiftAndScaleEnabled())
   {
     // Mappers hold (position - shift) * scale.
@@ -150,6 +169,14 @@ size_t vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip)
 {
   size_t triangles = 0;
   vtkIndirectSetUniform(this->Program, "vtkiToClip", glm::mat4(worldToClip * this->ToWorld));
+  if (this->Level)
+  {
+    this->Level->IndexBuffer->Bind();
+    glDrawRangeElements(GL_TRIANGLES, 0, static_cast<GLuint>(this->Level->Positions.size() / 3 - 1),
+      static_cast<GLsizei>(this->Level->Indices.size()), GL_UNSIGNED_INT, nullptr);
+    this->Level->IndexBuffer->Release();
+    return this->Level->Indices.size() / 3;
+  }
   const auto last = static_cast<GLuint>(MapperAccess::CountPositions(this->Mapper) - 1);
   for (const int kind : MapperAccess::Kinds)
   {
@@ -167,8 +194,20 @@ size_t vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip)
 }
 
 //------------------------------------------------------------------------------
+size_t vtkIndirectDepthDrawer::CountTriangles() const
+{
+  size_t indices = 0;
+  for (const int kind : MapperAccess::Kinds)
+  {
+    indices += MapperAccess::GetIndices(this->Mapper, kind)->IndexCount;
+  }
+  return indices / 3;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectDepthDrawer::End()
 {
+  this->Level = nullptr;
   this->Vertices->Release();
   this->Mapper = nullptr;
 }

@@ -6,7 +6,8 @@
 #ifndef vtkIndirectDepthDrawer_h
 #define vtkIndirectDepthDrawer_h
 
-#include "vtkSmartPointer.h" // for a member
+#include "Capture/vtkIndirectCoarseLevels.h" // for levels
+#include "vtkSmartPointer.h"                 // for a member
 
 #include <glm/glm.hpp> // for matrices
 
@@ -29,10 +30,14 @@ public:
    */
   static bool CanDraw(vtkProp* prop);
 
-  /** Sets up a prop that it can draw. Returns false, after an error, where the program fails. */
-  bool Begin(vtkOpenGLRenderWindow* window, vtkProp* prop);
+  /** Sets up a prop that it can draw, or a coarse level in its place. Returns false, after an
+   * error, where the program fails. */
+  bool Begin(
+    vtkOpenGLRenderWindow* window, vtkProp* prop, vtkIndirectCoarseLevels::Level* level = nullptr);
   /** Draws it into the current viewport; both transforms in double precision. Returns triangles. */
   size_t Draw(const glm::dmat4& worldToClip);
+  /** Triangles of the prop itself, whatever is drawn in its place. */
+  size_t CountTriangles() const;
   void End();
 
   void Release(vtkWindow* window);
@@ -40,8 +45,9 @@ public:
 private:
   vtkShaderProgram* Program = nullptr;
   vtkSmartPointer<vtkOpenGLVertexArrayObject> Vertices;
-  vtkOpenGLPolyDataMapper* Mapper = nullptr; // between Begin and End
-  glm::dmat4 ToWorld{ 1.0 };                 // from what the buffer holds
+  vtkOpenGLPolyDataMapper* Mapper = nullptr;       // between Begin and End
+  vtkIndirectCoarseLevels::Level* Level = nullptr; // the same
+  glm::dmat4 ToWorld{ 1.0 };                       // from what the buffer holds
 };
 
 #endif

@@ -14,6 +14,7 @@
 #include <vector>      // for lists
 
 class vtkBoundingBox;
+class vtkIndirectCoarseLevels;
 class vtkIndirectRoom;
 class vtkLight;
 class vtkLightCollection;
@@ -88,7 +89,8 @@ struct vtkIndirectFrame
   double NumberOfTriangles = 0.0; // about, of opaque props; 1e9 of one whose number is unknown
   int NumberOfOtherReceivers = 0; // captured lit props that are no casters
   std::vector<vtkIndirectCaster> Casters;
-  bool AllSendLight = true;          // whether all surfaces may send light
+  vtkIndirectCoarseLevels* Levels = nullptr; // of them, for depth maps; may be null
+  bool AllSendLight = true;                  // whether all surfaces may send light
   std::vector<vtkActor*> Refractors; // translucent ones that are glass, see vtkIndirectPropKind
   bool SendersAreSpecular = false;   // whether some that may reflect specularly
   std::vector<vtkIndirectLight> Lights;

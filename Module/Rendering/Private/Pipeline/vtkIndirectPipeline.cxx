@@ -47,6 +47,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
     this->Room.Forget();
   }
   this->Frame.Build(s, &this->Room);
+  this->Levels.Update(this->Frame);
   this->Frame.ReplacedLights = request.ReplacedLights;
   vtkIndirectCircumstances circumstances = request.Circumstances;
   circumstances.NumberOfOtherEmitters = static_cast<int>(this->Samplers.Others.size());
@@ -591,6 +592,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   {
     this->Area.AddToReport(report);
   }
+  this->Levels.AddToReport(report);
   if (this->IsInWindow())
   {
     this->Frame.Window->MakeCurrent();
@@ -602,6 +604,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
 void vtkIndirectPipeline::Release(vtkWindow* window)
 {
   this->Capture->ReleaseGraphicsResources(window);
+  this->Levels.Release(window);
   this->Maps->ReleaseGraphicsResources(window);
   this->Penumbra.Release(window);
   this->Geometry.Release(window);

@@ -5,6 +5,7 @@
 #ifndef vtkIndirectPipeline_h
 #define vtkIndirectPipeline_h
 
+#include "Capture/vtkIndirectCoarseLevels.h"        // for a member
 #include "Capture/vtkIndirectGeometryBuffer.h"      // for members
 #include "Capture/vtkSurfaceCapturePass.h"          // for members
 #include "Composite/vtkIndirectAntialiasing.h"      // for members
@@ -98,6 +99,7 @@ public:
   vtkNew<vtkMultiresolutionSplattingPass> DefaultEstimator;
   std::vector<vtkSmartPointer<vtkAreaLight>> AreaLights;
   vtkIndirectFrameSamplers Samplers;
+  vtkIndirectCoarseLevels Levels;
 
 private:
   std::vector<double> MakeFrameKey() const;

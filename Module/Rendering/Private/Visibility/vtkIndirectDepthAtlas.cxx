@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <map>
 #include <unordered_map>
 
 namespace
@@ -29,6 +31,9 @@ constexpr int MostTexels = 16384;
 // too badly.
 constexpr size_t LeastTiles = 1;
 constexpr size_t FirstTiles = 4;
+
+// A coarse level is no farther than this from what it stands for: neighbours of a texel are as far.
+constexpr double MostErrorOfLevels = 0.5;
 
 // After so many triangles what was asked for goes to OpenGL. Software rasterizers begin with them
 // while the next ones are prepared, which saves a tenth.
@@ -146,8 +151,8 @@ std::vector<int> vtkIndirectDepthAtlas::ChooseTiles(
     [this](int a, int b) {
       return this->Drawn[static_cast<size_t>(a)].Time < this->Drawn[static_cast<size_t>(b)].Time;
     });
-  const bool first = std::none_of(this->Drawn.begin(), this->Drawn.end(),
-    [](const Drawing& drawing) { return drawing.There; });
+  const bool first = std::none_of(
+    this->Drawn.begin(), this->Drawn.end(), [](const Drawing& drawing) { return drawing.There; });
   most = std::max(most, first ? FirstTiles : LeastTiles);
   std::vector<int> chosen = missing;
   chosen.insert(chosen.end(), stale.begin(), stale.end());
@@ -233,6 +238,13 @@ void vtkIndirectDepthAtlas::Use(const vtkIndirectFrame& frame, int tile)
 std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
   const vtkIndirectFrame& frame, const std::vector<int>& tiles)
 {
+  // A tile, and how far a level is off in it: world units, texels.
+  struct View
+  {
+    size_t Tile;
+    double Error;
+    double Texels;
+  };
   std::vector<const vtkIndirectCaster*> others;
   std::vector<glm::dmat4> toClip;
   for (const int tile : tiles)
@@ -242,27 +254,67 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
   size_t triangles = 0; // of the batch
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    if (!vtkIndirectDepthDrawer::CanDraw(caster.Prop) ||
-      !this->Drawer.Begin(frame.Window, caster.Prop))
+    if (!vtkIndirectDepthDrawer::CanDraw(caster.Prop))
     {
       others.push_back(&caster);
       continue;
     }
+    // By what is drawn of it, in the order of tiles: its buffers are set up once for each.
+    std::map<vtkIndirectCoarseLevels::Level*, std::vector<View>> views;
     for (size_t i = 0; i < tiles.size(); ++i)
     {
-      if (this->Drawn[static_cast<size_t>(tiles[i])].Tile.CanSee(
-            frame, caster.Bounds, this->Texels))
+      const vtkIndirectDepthTile& tile = this->Drawn[static_cast<size_t>(tiles[i])].Tile;
+      if (tile.CanSee(frame, caster.Bounds, this->Texels))
       {
-        this->Use(frame, tiles[i]);
-        triangles += this->Drawer.Draw(toClip[i]);
-      }
-      if (triangles >= TrianglesOfBatch)
-      {
-        glFlush();
-        triangles = 0;
+        const double texel = tile.FindTexelAt(frame, caster.Bounds, this->Texels);
+        View view = { i, 0.0, 0.0 };
+        vtkIndirectCoarseLevels::Level* const level = frame.Levels
+          ? frame.Levels->Find(caster.Prop, MostErrorOfLevels * texel, view.Error)
+          : nullptr;
+        view.Texels = view.Error / texel;
+        views[level].push_back(view);
       }
     }
-    this->Drawer.End();
+    bool failed = false;
+    for (const auto& [level, list] : views)
+    {
+      if (!this->Drawer.Begin(frame.Window, caster.Prop, level))
+      {
+        failed = true;
+        break;
+      }
+      for (const View& view : list)
+      {
+        const vtkIndirectDepthTile& tile = this->Drawn[static_cast<size_t>(tiles[view.Tile])].Tile;
+        this->Use(frame, tiles[view.Tile]);
+        if (level)
+        {
+          // What it stands for must not hide itself. Behind it by its distance, and by what that
+          // changes the depth of a sloping triangle, it is nowhere in front.
+          glPolygonOffset(static_cast<float>(std::sqrt(2.0) * view.Texels), 0.0f);
+          glEnable(GL_POLYGON_OFFSET_FILL);
+          const size_t drawn = this->Drawer.Draw(
+            toClip[view.Tile] * glm::translate(glm::dmat4(1.0), tile.Forward * view.Error));
+          glDisable(GL_POLYGON_OFFSET_FILL);
+          frame.Levels->Count(drawn, this->Drawer.CountTriangles());
+          triangles += drawn;
+        }
+        else
+        {
+          triangles += this->Drawer.Draw(toClip[view.Tile]);
+        }
+        if (triangles >= TrianglesOfBatch)
+        {
+          glFlush();
+          triangles = 0;
+        }
+      }
+      this->Drawer.End();
+    }
+    if (failed)
+    {
+      others.push_back(&caster);
+    }
   }
   return others;
 }

@@ -183,6 +183,29 @@ bool vtkIndirectDepthTile::CanSee(
 }
 
 //------------------------------------------------------------------------------
+double vtkIndirectDepthTile::FindTexelAt(
+  const vtkIndirectFrame& frame, const double bounds[6], int texels) const
+{
+  const double width = 2.0 * std::min(this->HalfWidth.x, this->HalfWidth.y) / texels;
+  if (this->Parallel)
+  {
+    return width / frame.SceneScale;
+  }
+  // Nothing that it sees is nearer along its axis than this, nor than the nearest corner.
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 8; ++i)
+  {
+    nearest = std::min(nearest, glm::dot(ToScene(frame, bounds, i) - this->Place, this->Forward));
+  }
+  const glm::dvec3 lower = ToScene(frame, bounds, 0);
+  const glm::dvec3 upper = ToScene(frame, bounds, 7);
+  const double away = glm::length(glm::clamp(this->Place, lower, upper) - this->Place);
+  const glm::dvec2 widest = glm::abs(this->Middle) + this->HalfWidth;
+  const double least = away / std::sqrt(1.0 + glm::dot(widest, widest));
+  return width * std::max({ nearest, least, this->Near }) / frame.SceneScale;
+}
+
+//------------------------------------------------------------------------------
 glm::dmat4 vtkIndirectDepthTile::GetWorldToClip(const vtkIndirectFrame& frame) const
 {
   const glm::dmat3 rotation =

@@ -38,6 +38,9 @@ struct vtkIndirectDepthTile
    * edge holds anything of them: they do not lie between the texels' centres. */
   bool CanSee(const vtkIndirectFrame& frame, const double bounds[6], int texels) const;
 
+  /** A texel's width, in world units, where these bounds are nearest to the emitter. */
+  double FindTexelAt(const vtkIndirectFrame& frame, const double bounds[6], int texels) const;
+
   /** From world to clip coordinates. */
   glm::dmat4 GetWorldToClip(const vtkIndirectFrame& frame) const;
   /** Sets up a camera that keeps the eye's ParallelProjection flag; see vtkIndirectLightMap. */

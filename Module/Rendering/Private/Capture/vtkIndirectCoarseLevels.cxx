@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Capture/vtkIndirectCoarseLevels.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectReport.h"
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkTimeStamp.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+vtkPolyData* FindMesh(vtkActor* actor)
+{
+  auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  return mapper ? mapper->GetInput() : nullptr;
+}
+
+// Of its shape: colours may change.
+vtkMTimeType FindShapeTime(vtkPolyData* mesh)
+{
+  const vtkMTimeType points = mesh->GetPoints() ? mesh->GetPoints()->GetMTime() : 0;
+  return std::max({ points, mesh->GetPolys()->GetMTime(), mesh->GetStrips()->GetMTime() });
+}
+
+// The most by which the actor's matrix lengthens anything, or a bound of it.
+double FindScale(vtkActor* actor)
+{
+  const glm::dmat3 m(vtkIndirectFrame::ToGLM(actor->GetMatrix()));
+  return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectCoarseLevels::vtkIndirectCoarseLevels() = default;
+vtkIndirectCoarseLevels::~vtkIndirectCoarseLevels() = default;
+
+//------------------------------------------------------------------------------
+bool vtkIndirectCoarseLevels::IsCurrent(const Entry& entry)
+{
+  return entry.Actor && entry.Mesh && FindMesh(entry.Actor) == entry.Mesh &&
+    FindShapeTime(entry.Mesh) == entry.MeshTime;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCoarseLevels::Discard(Entry& entry)
+{
+  for (const auto& level : entry.Levels)
+  {
+    for (const auto& buffer : { level->PositionBuffer, level->IndexBuffer })
+    {
+      if (buffer)
+      {
+        this->Unused.push_back(buffer);
+      }
+    }
+  }
+  entry.Levels.clear();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectCoarseLevels::Add(vtkProp* prop, vtkPolyData* mesh, double error)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (actor && vtkPolyDataMapper::SafeDownCast(actor->GetMapper()))
+  {
+    actor->GetMapper()->Update();
+  }
+  vtkPolyData* whole = FindMesh(actor);
+  if (!whole)
+  {
+    return "only actors whose vtkPolyDataMapper has an input have coarse levels";
+  }
+  if (!mesh || mesh == whole || !(error >= 0.0) || !std::isfinite(error))
+  {
+    return "a coarse level is another mesh, and its error a finite number of at least 0";
+  }
+  auto level = std::make_unique<Level>();
+  level->Error = error;
+  double middle[3];
+  mesh->GetCenter(middle);
+  level->Middle = { middle[0], middle[1], middle[2] };
+  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    it->GetCurrentCell(size, points);
+    if (size != 3)
+    {
+      return "polygons of a coarse level are triangles";
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      level->Indices.push_back(static_cast<unsigned int>(points[i]));
+    }
+  }
+  if (level->Indices.empty() || mesh->GetNumberOfStrips() > 0)
+  {
+    return "a coarse level has triangles, and no strips";
+  }
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(i, p);
+    for (int c = 0; c < 3; ++c)
+    {
+      if (!std::isfinite(p[c]))
+      {
+        return "points of a coarse level are finite";
+      }
+      level->Positions.push_back(static_cast<float>(p[c] - middle[c]));
+    }
+  }
+  auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
+    [actor](const Entry& entry) { return entry.Actor == actor; });
+  if (found == this->Entries.end())
+  {
+    found = this->Entries.insert(this->Entries.end(), Entry());
+  }
+  else if (!IsCurrent(*found))
+  {
+    this->Discard(*found);
+  }
+  found->Actor = actor;
+  found->Mesh = whole;
+  found->MeshTime = FindShapeTime(whole);
+  vtkTimeStamp now;
+  now.Modified();
+  found->Time = now.GetMTime();
+  found->Levels.push_back(std::move(level));
+  std::stable_sort(found->Levels.begin(), found->Levels.end(),
+    [](const auto& a, const auto& b) { return a->Indices.size() < b->Indices.size(); });
+  return "";
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCoarseLevels::Remove(vtkProp* prop)
+{
+  for (auto it = this->Entries.begin(); it != this->Entries.end();)
+  {
+    if (it->Actor == prop)
+    {
+      this->Discard(*it);
+      it = this->Entries.erase(it);
+    }
+    else
+    {
+      ++it;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCoarseLevels::Update(vtkIndirectFrame& frame)
+{
+  for (auto it = this->Entries.begin(); it != this->Entries.end();)
+  {
+    if (!IsCurrent(*it))
+    {
+      this->Discard(*it);
+      it = this->Entries.erase(it);
+      continue;
+    }
+    for (vtkIndirectCaster& caster : frame.Casters)
+    {
+      // Maps that were drawn without it are stale, and those with it when it is gone.
+      caster.RedrawMTime =
+        caster.Prop == it->Actor ? std::max(caster.RedrawMTime, it->Time) : caster.RedrawMTime;
+    }
+    ++it;
+  }
+  for (const auto& buffer : this->Unused)
+  {
+    buffer->ReleaseGraphicsResources();
+  }
+  this->Unused.clear();
+  frame.Levels = this;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectCoarseLevels::Level* vtkIndirectCoarseLevels::Find(
+  vtkProp* prop, double mostError, double& error) const
+{
+  for (const Entry& entry : this->Entries)
+  {
+    if (entry.Actor != prop)
+    {
+      continue;
+    }
+    const double scale = FindScale(entry.Actor);
+    for (const auto& level : entry.Levels)
+    {
+      error = level->Error * scale;
+      if (error <= mostError)
+      {
+        return level.get();
+      }
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCoarseLevels::Count(size_t drawn, size_t full) const
+{
+  this->Drawn += static_cast<double>(drawn);
+  this->Full += static_cast<double>(full);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCoarseLevels::AddToReport(vtkIndirectReport& report) const
+{
+  if (this->Entries.empty())
+  {
+    return;
+  }
+  for (const Entry& entry : this->Entries)
+  {
+    for (const auto& level : entry.Levels)
+    {
+      const size_t bytes =
+        level->Positions.size() * sizeof(float) + level->Indices.size() * sizeof(unsigned int);
+      report.MainMemoryBytes += bytes;
+      report.Bytes += level->PositionBuffer ? bytes : 0;
+    }
+  }
+  report.Modelled.emplace_back("coarse geometry in depth maps",
+    this->Full > 0.0 ? std::to_string(static_cast<long long>(this->Drawn)) +
+        " triangles drawn in place of " + std::to_string(static_cast<long long>(this->Full)) +
+        " so far, half a texel from them at most"
+                     : "levels of " + std::to_string(this->Entries.size()) +
+        " props, used by no map: half a texel from what they draw at most");
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCoarseLevels::Release(vtkWindow*)
+{
+  for (Entry& entry : this->Entries)
+  {
+    for (const auto& level : entry.Levels)
+    {
+      for (auto* buffer : { &level->PositionBuffer, &level->IndexBuffer })
+      {
+        if (*buffer)
+        {
+          (*buffer)->ReleaseGraphicsResources();
+          *buffer = nullptr;
+        }
+      }
+    }
+  }
+  for (const auto& buffer : this->Unused)
+  {
+    buffer->ReleaseGraphicsResources();
+  }
+  this->Unused.clear();
+}
