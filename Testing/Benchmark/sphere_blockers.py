@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What stands between virtual lights and receivers: voxels and depth maps beside spheres.
+
+    Testing/Benchmark/sphere_blockers.py [--program build/bin/IndirectBlockersBenchmark]
+
+Spheres that move, and meshes for which spheres of vtkSphereProxyFilter stand. 400 receivers that an
+eye sees and 256 places that a light sees, all pairs that face each other, as a gather sums them;
+held to the true geometry in double precision. All are C++ of one process and one thread: the
+library's own voxels and its own kernels. Prints a table for Documentation/methods/sphere-proxies.md.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import vtkindirect
+from proxies import fit
+from proxy_pass import FOLDER, particles, protein
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+
+PROGRAM = FOLDER.parent / "build" / "bin" / "IndirectBlockersBenchmark"
+HEAD = """\
+| scene | by | let through | taken away | light of wrong answers | bias | nRMSE | ns a segment \
+| build, ms | frame, ms |
+|---|---|---:|---:|---:|---:|---:|---:|---:|---:|"""
+
+
+def triangles_of(scene: str, part: str) -> vtkPolyData:
+    """Return the mesh of an actor."""
+    actor = vtkindirect.load_scene(FOLDER / "Scenes" / f"{scene}.json").actors[part]
+    actor.GetMapper().Update()
+    triangles = vtkTriangleFilter()
+    triangles.SetInputData(actor.GetMapper().GetInput())
+    triangles.PassVertsOff()
+    triangles.PassLinesOff()
+    triangles.Update()
+    return triangles.GetOutput()
+
+
+def proxies_of(mesh: vtkPolyData, number: int) -> np.ndarray:
+    """Return the spheres that stand for a mesh: x, y, z, radius."""
+    output = fit(mesh, number).GetOutput()
+    radii = vtk_to_numpy(output.GetPointData().GetArray("Radius"))
+    return np.c_[vtk_to_numpy(output.GetPoints().GetData()), radii]
+
+
+def rows(program: Path, name: str, spheres: np.ndarray, mesh: vtkPolyData | None = None) -> str:
+    """Return the table's rows of a scene."""
+    with tempfile.TemporaryDirectory() as folder:
+        files = [Path(folder) / "spheres", Path(folder) / "triangles"]
+        spheres.astype(np.float64).tofile(files[0])
+        if mesh is None:
+            files.pop()
+        else:
+            points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(np.float64)
+            corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
+            points[corners].tofile(files[1])
+        run = [str(program), name, *map(str, files)]
+        return subprocess.run(run, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+def main() -> int:
+    """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--program", type=Path, default=PROGRAM)
+    arguments = parser.parse_args()
+    print(HEAD)
+    print(rows(arguments.program, "protein", protein()), end="", flush=True)
+    for count in (1000, 5000):
+        print(rows(arguments.program, f"{count:,} particles", particles(count)), end="", flush=True)
+    for scene, part, number in (("brain", "cortex", 1000), ("frog", "liver", 256)):
+        mesh = triangles_of(scene, part)
+        spheres = proxies_of(mesh, number)
+        print(rows(arguments.program, part, spheres, mesh), end="", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
