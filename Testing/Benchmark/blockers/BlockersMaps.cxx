@@ -128,3 +128,19 @@ bool BlockersMaps::IsSeen(size_t light, const glm::vec3& position, const glm::ve
   return vtkiIsSeenInPerspectiveTile(
     this->Inverse[at], away.z, border, glm::dot(n, away), along, VTKI_TILE_ROUGHNESS * texel);
 }
+
+//------------------------------------------------------------------------------
+std::vector<float> BlockersMaps::GetAtlas(int columns) const
+{
+  const size_t width = static_cast<size_t>(columns) * Texels;
+  std::vector<float> atlas(width * width, 0.0f);
+  for (size_t i = 0; i < this->Inverse.size(); ++i)
+  {
+    const size_t tile = i / (Texels * Texels);
+    const size_t x = tile % columns * Texels + i % Texels;
+    const size_t y = tile / columns * Texels + i / Texels % Texels;
+    atlas[width * y + x] =
+      (1.0f / VTKI_TILE_NEAR - this->Inverse[i]) / (1.0f / VTKI_TILE_NEAR - 1.0f / VTKI_TILE_FAR);
+  }
+  return atlas;
+}

@@ -16,6 +16,8 @@ public:
   void Draw(const BlockersScene& scene);
   /** The look-up of vtkIndirectDepthTiles.glsl, by the same kernels. */
   bool IsSeen(size_t light, const glm::vec3& position, const glm::vec3& normal) const;
+  /** As the library's atlas keeps them, so many tiles a row and column. */
+  std::vector<float> GetAtlas(int columns) const;
 
 private:
   struct Tile

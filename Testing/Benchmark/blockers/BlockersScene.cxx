@@ -22,6 +22,8 @@ std::vector<double> ReadNumbers(const std::string& name)
   return numbers;
 }
 
+const glm::dvec3 ToEye = glm::normalize(glm::dvec3(0.4, 0.35, 0.85));
+
 glm::dvec3 Turn(const glm::dvec3& p, double angle)
 {
   const double c = std::cos(angle);
@@ -271,30 +273,75 @@ void BlockersScene::MakePairs(int receivers, int lights)
 {
   Random random(2007);
   double area = 0.0;
-  this->Receivers =
-    this->DrawSeen(random, glm::normalize(glm::dvec3(0.4, 0.35, 0.85)), receivers, area);
-  this->Lights = this->DrawSeen(random, glm::normalize(glm::dvec3(-0.5, 0.8, 0.5)), lights, area);
+  this->Receivers = this->DrawSeen(random, ToEye, receivers, area);
+  this->Lights =
+    this->DrawSeen(random, glm::normalize(glm::dvec3(-0.5, 0.8, 0.5)), lights, this->LitArea);
   for (int r = 0; r < receivers; ++r)
   {
     for (int l = 0; l < lights; ++l)
     {
       const BlockersPlace& receiver = this->Receivers[static_cast<size_t>(r)];
       const BlockersPlace& light = this->Lights[static_cast<size_t>(l)];
-      const glm::dvec3 way = light.Position - receiver.Position;
-      const double atReceiver = glm::dot(receiver.Normal, way);
-      const double atLight = -glm::dot(light.Normal, way);
-      if (atReceiver <= 0.0 || atLight <= 0.0)
+      const double weight = this->GetWeight(receiver, light);
+      if (weight > 0.0)
       {
-        continue;
+        const double lift = vtkIndirectSightLines::Lift;
+        const bool visible = this->IsFree(
+          receiver.Position + lift * receiver.Normal, light.Position + lift * light.Normal);
+        this->Pairs.push_back({ r, l, weight, visible });
       }
-      // The disk kernel of the gather; all lights have the same flux.
-      const double distance2 = glm::dot(way, way);
-      const double weight = atReceiver * atLight / distance2 /
-        (vtkMath::Pi() * distance2 + area / (lights * light.Cosine));
-      const double lift = vtkIndirectSightLines::Lift;
-      const bool visible = this->IsFree(
-        receiver.Position + lift * receiver.Normal, light.Position + lift * light.Normal);
-      this->Pairs.push_back({ r, l, weight, visible });
     }
   }
+}
+
+//------------------------------------------------------------------------------
+double BlockersScene::GetLightArea(const BlockersPlace& light) const
+{
+  return this->LitArea / (static_cast<double>(this->Lights.size()) * light.Cosine);
+}
+
+//------------------------------------------------------------------------------
+// The disk kernel; all lights have the same flux.
+double BlockersScene::GetWeight(const BlockersPlace& receiver, const BlockersPlace& light) const
+{
+  const glm::dvec3 way = light.Position - receiver.Position;
+  const double atReceiver = glm::dot(receiver.Normal, way);
+  const double atLight = -glm::dot(light.Normal, way);
+  const double distance2 = glm::dot(way, way);
+  return atReceiver > 0.0 && atLight > 0.0
+    ? atReceiver * atLight / distance2 / (vtkMath::Pi() * distance2 + this->GetLightArea(light))
+    : 0.0;
+}
+
+//------------------------------------------------------------------------------
+std::vector<BlockersPlace> BlockersScene::MakePicture(int edge) const
+{
+  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), ToEye));
+  const glm::dvec3 up = glm::cross(ToEye, right);
+  std::vector<BlockersPlace> picture;
+  for (int y = 0; y < edge; ++y)
+  {
+    for (int x = 0; x < edge; ++x)
+    {
+      const glm::dvec3 place =
+        0.4 * ((2.0 * (x + 0.5) / edge - 1.0) * right + (2.0 * (y + 0.5) / edge - 1.0) * up);
+      BlockersPlace seen{ glm::dvec3(0.0), glm::dvec3(0.0), 0.0 };
+      double nearest = -1e300;
+      for (const glm::dvec4& sphere : this->Spheres)
+      {
+        const glm::dvec3 away = place - glm::dvec3(sphere);
+        const double along = glm::dot(away, ToEye);
+        const double root = sphere.w * sphere.w - glm::dot(away, away) + along * along;
+        if (root > 0.0 && std::sqrt(root) - along > nearest)
+        {
+          nearest = std::sqrt(root) - along;
+          seen.Position = place + nearest * ToEye;
+          seen.Normal = glm::normalize(seen.Position - glm::dvec3(sphere));
+          seen.Cosine = glm::dot(seen.Normal, ToEye);
+        }
+      }
+      picture.push_back(seen);
+    }
+  }
+  return picture;
 }

@@ -40,6 +40,12 @@ public:
   void MakePairs(int receivers, int lights);
 
   bool IsMesh() const { return this->HasMesh; }
+  /** What a gather weighs a light by, 0 where they do not face each other; and its area. */
+  double GetWeight(const BlockersPlace& receiver, const BlockersPlace& light) const;
+  double GetLightArea(const BlockersPlace& light) const;
+  /** What the eye sees of spheres in a square picture of that edge; Cosine 0: nothing. */
+  std::vector<BlockersPlace> MakePicture(int edge) const;
+
   /** By the true geometry, in double precision: a loop over all spheres, or a tree of triangles. */
   bool IsFree(const glm::dvec3& start, const glm::dvec3& end) const;
   /** Of the first thing on the way, in units of `direction`; 0: nothing before `most`. */
@@ -65,6 +71,7 @@ private:
   void Tessellate();
 
   bool HasMesh = false;
+  double LitArea = 0.0;      // across the light's way
   std::vector<double> Areas; // sums, of spheres or triangles
   vtkIndirectTriangleTree Tree;
 };

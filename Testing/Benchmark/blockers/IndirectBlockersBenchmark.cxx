@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// IndirectBlockersBenchmark NAME SPHERES [TRIANGLES]
+// IndirectBlockersBenchmark NAME SPHERES [TRIANGLES | --shaders]
 //
 // Rows of a table: what stands between virtual lights and receivers by voxels, by depth maps and by
-// spheres in a grid, against the true geometry. One thread, one process, processor's time.
+// spheres in a grid, against the true geometry. One thread, one process, processor's time. With
+// --shaders rows of another one: what a picture costs in shaders.
 #include "BlockersMaps.h"
 #include "BlockersScene.h"
+#include "BlockersShaders.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Proxies/vtkIndirectSphereGrid.h"
 #include "Visibility/vtkIndirectDistanceField.h"
@@ -23,6 +25,7 @@ namespace
 constexpr int NumberOfReceivers = 400;
 constexpr int NumberOfLights = 256; // the samplers' default
 constexpr int Resolution = 128;     // of voxels, the default
+constexpr double CellsOfSphere = 4.0;
 // A frame of 512 x 512: a receiver at every fourth pixel either way, as the gather interpolates.
 constexpr double ReceiversOfFrame = 512.0 * 512.0 / 16.0;
 
@@ -137,13 +140,14 @@ int main(int argc, char* argv[])
 {
   if (argc < 3 || argc > 4)
   {
-    std::fprintf(stderr, "usage: %s NAME SPHERES [TRIANGLES]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s NAME SPHERES [TRIANGLES | --shaders]\n", argv[0]);
     return 2;
   }
   const std::string name = argv[1];
   vtkSMPTools::Initialize(1);
   BlockersScene scene;
-  if (!scene.Read(argv[2], argc > 3 ? argv[3] : ""))
+  const bool shaders = argc > 3 && std::string(argv[3]) == "--shaders";
+  if (!scene.Read(argv[2], argc > 3 && !shaders ? argv[3] : ""))
   {
     std::fprintf(stderr, "%s: no spheres or no triangles in the files\n", name.c_str());
     return 1;
@@ -158,6 +162,23 @@ int main(int argc, char* argv[])
   std::fprintf(stderr, "%s: %zu spheres, %zu triangles, %zu pairs, %.3f of them hidden\n",
     name.c_str(), scene.Spheres.size(), scene.Triangles.size(), pairs.size(),
     hidden / static_cast<double>(pairs.size()));
+
+  if (shaders)
+  {
+    vtkIndirectOccupancyVolume volume;
+    volume.Clear(scene.Lower, scene.Upper, Resolution);
+    for (const BlockersScene::Triangle& triangle : scene.Triangles)
+    {
+      volume.AddTriangle(triangle.data(), glm::dvec3(0.5));
+    }
+    volume.Finish();
+    BlockersMaps maps;
+    maps.Draw(scene);
+    vtkIndirectSphereGrid grid;
+    grid.Build(scene.Spheres, CellsOfSphere);
+    MeasureShaders(name, scene, volume.GetDistanceField(), maps, grid);
+    return 0;
+  }
 
   PrintRow(
     name, "nothing", scene, [](std::vector<char>& seen) { std::fill(seen.begin(), seen.end(), 1); },
@@ -212,8 +233,7 @@ int main(int argc, char* argv[])
     PrintRow(name, "voxels, marked by spheres", scene, byVoxels, marks + field);
   }
 
-  // Depth maps
-  // -------------------------------------------------------------------------------------
+  // Depth maps.
   BlockersMaps maps;
   const double start = GetSeconds();
   maps.Draw(scene);
@@ -230,12 +250,11 @@ int main(int argc, char* argv[])
           static_cast<size_t>(pairs[i].Light), glm::vec3(place.Position), glm::vec3(place.Normal));
       }
     },
-    -1.0);
+    drawing);
 
-  // Spheres
-  // ----------------------------------------------------------------------------------------
+  // Spheres.
   vtkIndirectSphereGrid grid;
-  for (const double cells : { 1.0, 4.0, 16.0 })
+  for (const double cells : { 1.0, CellsOfSphere, 16.0 })
   {
     const double build = 1e3 * MeasureSeconds([&](int) { grid.Build(spheres, cells); });
     grid.Build(scene.Spheres, cells);

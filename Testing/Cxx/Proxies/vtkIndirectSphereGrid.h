@@ -100,6 +100,37 @@ public:
     return this->Lists.size() * sizeof(glm::vec4) + this->First.size() * sizeof(std::uint32_t);
   }
 
+  const glm::dvec3& GetOrigin() const { return this->Origin; }
+  double GetScale() const { return this->Scale; }
+  ///@{
+  /** For textures: the first of each cell's list and how many (8 bits, 255 at most); the lists, in
+   * rows. */
+  std::vector<std::uint32_t> GetPackedLists() const
+  {
+    std::vector<std::uint32_t> lists;
+    for (size_t i = 0; i + 1 < this->First.size(); ++i)
+    {
+      const std::uint32_t count = this->First[i + 1] - this->First[i];
+      lists.push_back(this->First[i] << 8 | std::min<std::uint32_t>(count, 255u));
+    }
+    return lists;
+  }
+  int GetNumberOfRows(int width) const
+  {
+    return std::max(1, (static_cast<int>(this->Lists.size()) + width - 1) / width);
+  }
+  std::vector<float> GetSpheresAsRows(int width) const
+  {
+    std::vector<float> rows;
+    for (const glm::vec4& sphere : this->Lists)
+    {
+      rows.insert(rows.end(), { sphere.x, sphere.y, sphere.z, sphere.w });
+    }
+    rows.resize(static_cast<size_t>(4) * width * this->GetNumberOfRows(width), 0.0f);
+    return rows;
+  }
+  ///@}
+
 private:
   static constexpr int MaximumSize = 256;
 
