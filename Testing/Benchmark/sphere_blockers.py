@@ -7,7 +7,9 @@
 Spheres that move, and meshes for which spheres of vtkSphereProxyFilter stand. 400 receivers that an
 eye sees and 256 places that a light sees, all pairs that face each other, as a gather sums them;
 held to the true geometry in double precision. All are C++ of one process and one thread: the
-library's own voxels and its own kernels. Prints a table for Documentation/methods/sphere-proxies.md.
+library's own voxels and its own kernels. A second table has the same sums in shaders, for 128 x 128
+receivers of a picture, the processor's time of all threads: compare within a scene. Prints tables
+for Documentation/methods/sphere-proxies.md.
 """
 
 from __future__ import annotations
@@ -32,6 +34,10 @@ HEAD = """\
 | build, ms | frame, ms |
 |---|---|---:|---:|---:|---:|---:|---:|---:|---:|"""
 
+SHADER_HEAD = """
+| scene | by | picture, ms | ns a segment | bias |
+|---|---|---:|---:|---:|"""
+
 
 def triangles_of(scene: str, part: str) -> vtkPolyData:
     """Return the mesh of an actor."""
@@ -52,7 +58,13 @@ def proxies_of(mesh: vtkPolyData, number: int) -> np.ndarray:
     return np.c_[vtk_to_numpy(output.GetPoints().GetData()), radii]
 
 
-def rows(program: Path, name: str, spheres: np.ndarray, mesh: vtkPolyData | None = None) -> str:
+def rows(
+    program: Path,
+    name: str,
+    spheres: np.ndarray,
+    mesh: vtkPolyData | None = None,
+    *options: str,
+) -> str:
     """Return the table's rows of a scene."""
     with tempfile.TemporaryDirectory() as folder:
         files = [Path(folder) / "spheres", Path(folder) / "triangles"]
@@ -63,7 +75,7 @@ def rows(program: Path, name: str, spheres: np.ndarray, mesh: vtkPolyData | None
             points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(np.float64)
             corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
             points[corners].tofile(files[1])
-        run = [str(program), name, *map(str, files)]
+        run = [str(program), name, *map(str, files), *options]
         return subprocess.run(run, check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
@@ -73,13 +85,17 @@ def main() -> int:
     parser.add_argument("--program", type=Path, default=PROGRAM)
     arguments = parser.parse_args()
     print(HEAD)
-    print(rows(arguments.program, "protein", protein()), end="", flush=True)
-    for count in (1000, 5000):
-        print(rows(arguments.program, f"{count:,} particles", particles(count)), end="", flush=True)
+    scenes = {"protein": protein()}
+    scenes |= {f"{count:,} particles": particles(count) for count in (1000, 5000)}
+    for name, spheres in scenes.items():
+        print(rows(arguments.program, name, spheres), end="", flush=True)
     for scene, part, number in (("brain", "cortex", 1000), ("frog", "liver", 256)):
         mesh = triangles_of(scene, part)
         spheres = proxies_of(mesh, number)
         print(rows(arguments.program, part, spheres, mesh), end="", flush=True)
+    print(SHADER_HEAD)
+    for name, spheres in scenes.items():
+        print(rows(arguments.program, name, spheres, None, "--shaders"), end="", flush=True)
     return 0
 
 

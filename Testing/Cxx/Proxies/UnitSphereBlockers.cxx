@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Segments against spheres in a grid find what a loop over all spheres does.
+// Segments against spheres in a grid find what a loop over all spheres does, and more than voxels.
 #include "Proxies/vtkIndirectSphereGrid.h"
+#include "Visibility/vtkIndirectDistanceField.h"
+#include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "vtkIndirectTestUtilities.h"
+
+#include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +48,35 @@ std::vector<glm::dvec4> MakeSpheres(Random& random, int count, double radius)
     spheres.emplace_back(place, radius * random.NextMagnitude(0.3, 3.0));
   }
   return spheres;
+}
+
+// A sphere's surface as 120 triangles, for voxels.
+void AddSphere(vtkIndirectOccupancyVolume& volume, const glm::dvec4& sphere)
+{
+  auto at = [&sphere](int i, int j)
+  {
+    const double theta = vtkMath::Pi() * j / 6;
+    const double phi = 2.0 * vtkMath::Pi() * i / 12;
+    return glm::dvec3(sphere) +
+      sphere.w *
+      glm::dvec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+  };
+  for (int j = 0; j < 6; ++j)
+  {
+    for (int i = 0; i < 12; ++i)
+    {
+      const glm::dvec3 upper[3] = { at(i, j), at(i + 1, j), at(i, j + 1) };
+      const glm::dvec3 lower[3] = { at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) };
+      if (j > 0)
+      {
+        volume.AddTriangle(upper, glm::dvec3(0.5));
+      }
+      if (j < 5)
+      {
+        volume.AddTriangle(lower, glm::dvec3(0.5));
+      }
+    }
+  }
 }
 }
 
@@ -125,4 +158,66 @@ VTK_INDIRECT_TEST(SphereBlockersDoNotHideThemselves)
   vtkIndirectSphereGrid empty;
   empty.Build({}, 2.0);
   Check("nothing hides nothing", empty.IsFree(glm::vec3(-1.0f), glm::vec3(2.0f)));
+}
+
+//------------------------------------------------------------------------------
+// Between places on spheres that face each other, as a gather asks: who is wrong how often. The
+// order is what Testing/Benchmark/sphere_blockers.py finds in larger scenes.
+VTK_INDIRECT_TEST(SphereBlockersBesideVoxels)
+{
+  Random random(47);
+  const std::vector<glm::dvec4> spheres = MakeSpheres(random, 300, 0.02);
+  vtkIndirectOccupancyVolume volume;
+  volume.Clear(glm::dvec3(-0.06), glm::dvec3(1.06, 0.76, 0.46), 128);
+  for (const glm::dvec4& sphere : spheres)
+  {
+    AddSphere(volume, sphere);
+  }
+  volume.Finish();
+  const vtkIndirectDistanceField& field = volume.GetDistanceField();
+  vtkIndirectSphereGrid grid;
+  grid.Build(spheres, 4.0);
+  auto pick = [&](glm::dvec3& place, glm::dvec3& normal)
+  {
+    bool open = false;
+    while (!open)
+    {
+      const glm::dvec4& sphere = spheres[random.NextBits() % spheres.size()];
+      normal = random.NextDirection();
+      place = glm::dvec3(sphere) + sphere.w * (1.0 + 1e-6) * normal;
+      open = std::none_of(spheres.begin(), spheres.end(),
+        [&place](const glm::dvec4& other)
+        { return glm::length(place - glm::dvec3(other)) < other.w; });
+    }
+  };
+  double wrong[2] = {};
+  int hidden = 0;
+  const int count = 3000;
+  for (int i = 0; i < count;)
+  {
+    glm::dvec3 places[2];
+    glm::dvec3 normals[2];
+    pick(places[0], normals[0]);
+    pick(places[1], normals[1]);
+    const glm::dvec3 way = places[1] - places[0];
+    if (glm::dot(way, normals[0]) <= 0.0 || glm::dot(way, normals[1]) >= 0.0)
+    {
+      continue;
+    }
+    ++i;
+    double margin = 0.0;
+    const bool free = IsFreeByAll(spheres, places[0], places[1], margin);
+    hidden += !free;
+    wrong[0] += free !=
+      field.IsVisible(field.FindEnd(glm::vec3(places[0]), glm::vec3(normals[0])),
+        field.FindEnd(glm::vec3(places[1]), glm::vec3(normals[1])));
+    wrong[1] +=
+      free != grid.IsFree(glm::vec3(grid.ToCells(places[0])), glm::vec3(grid.ToCells(places[1])));
+  }
+  CheckAtLeast("hidden", hidden, 0.2 * count, "the test's own power");
+  CheckAtLeast("free", count - hidden, 0.2 * count, "the test's own power");
+  CheckAtMost("spheres: share of wrong answers", wrong[1] / count, 2e-3,
+    "single precision, where a segment touches a sphere or its end's own");
+  CheckAtLeast("voxels: share of wrong answers", wrong[0] / count, 0.05,
+    "0.2 of pairs in the benchmark's crowds, whose gaps voxels close");
 }
