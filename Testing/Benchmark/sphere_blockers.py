@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What stands between virtual lights and receivers: voxels and depth maps beside spheres.
 
-    Testing/Benchmark/sphere_blockers.py [--program build/bin/IndirectBlockersBenchmark]
+    Testing/Benchmark/sphere_blockers.py [--frames] [--program build/bin/IndirectBlockersBenchmark]
 
 Spheres that move, and meshes for which spheres of vtkSphereProxyFilter stand. 400 receivers that an
 eye sees and 256 places that a light sees, all pairs that face each other, as a gather sums them;
 held to the true geometry in double precision. All are C++ of one process and one thread: the
 library's own voxels and its own kernels. A second table has the same sums in shaders, for 128 x 128
-receivers of a picture, the processor's time of all threads: compare within a scene. Prints tables
-for Documentation/methods/sphere-proxies.md.
+receivers of a picture, the processor's time of all threads: compare within a scene. With --frames
+instead what depth maps cost in whole frames of a lamp's bounce. Prints tables for
+Documentation/methods/sphere-proxies.md.
 """
 
 from __future__ import annotations
@@ -18,12 +19,14 @@ import argparse
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 import numpy as np
 import vtkindirect
 from proxies import fit
-from proxy_pass import FOLDER, particles, protein
+from proxy_pass import FOLDER, Moving, in_turn, particles, protein, with_lamp
+from vtkindirect import methods
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
@@ -79,14 +82,59 @@ def rows(
         return subprocess.run(run, check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
+class Turning(Moving):
+    """Spheres that stay while the camera turns."""
+
+    def frame(self, number: int) -> float:
+        """Turn, render, and return the processor's milliseconds."""
+        self.view.renderer.GetActiveCamera().Azimuth(0.5 if number % 2 else -0.5)
+        start = time.process_time()
+        self.view.window.Render()
+        return 1e3 * (time.process_time() - start)
+
+
+def frames(scenes: dict[str, np.ndarray]) -> None:
+    """Print what visibility adds to frames of 512 x 512: depth maps, over frames without any."""
+    print("| scene | look-ups alone | all maps drawn again | 15 frames a second asked for |")
+    print("|---|---:|---:|---:|")
+    for name, spheres in scenes.items():
+        kinds = {}
+        for label, kind, rate in (
+            ("turning", Turning, None),
+            ("exact", Moving, None),
+            ("awaited", Moving, 15.0),
+        ):
+            for visible in ("none", "maps"):
+                moving = with_lamp(kind(spheres, (512, 512)))
+                indirect = methods.enable(moving.view.renderer, "multiresolution")
+                if visible == "none":
+                    indirect.SetVisibilityToNone()
+                if rate:
+                    moving.view.window.SetDesiredUpdateRate(rate)
+                moving.view.window.Render()
+                kinds[f"{label}, {visible}"] = moving
+        spent = in_turn(kinds, 5)
+        added = [
+            f"{spent[f'{label}, maps'] - spent[f'{label}, none']:.0f}"
+            for label in ("turning", "exact", "awaited")
+        ]
+        print(f"| {name} | {' | '.join(added)} |", flush=True)
+        for moving in kinds.values():
+            moving.view.close()
+
+
 def main() -> int:
     """Print the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", type=Path, default=PROGRAM)
+    parser.add_argument("--frames", action="store_true")
     arguments = parser.parse_args()
-    print(HEAD)
     scenes = {"protein": protein()}
     scenes |= {f"{count:,} particles": particles(count) for count in (1000, 5000)}
+    if arguments.frames:
+        frames(scenes)
+        return 0
+    print(HEAD)
     for name, spheres in scenes.items():
         print(rows(arguments.program, name, spheres), end="", flush=True)
     for scene, part, number in (("brain", "cortex", 1000), ("frog", "liver", 256)):

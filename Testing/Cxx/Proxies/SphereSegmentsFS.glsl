@@ -1,8 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Test stage: the sum over virtual lights at a pixel's place, as the gather takes it. What stands between is asked
-// of spheres in a grid (VTKI_SPHERE_SEGMENTS), of voxels or depth maps (vtkIndirectVisibility.glsl, VTKI_VISIBILITY), or nothing
-// without either.
+// of spheres in a grid (VTKI_SPHERE_SEGMENTS), or of voxels or depth maps (VTKI_VISIBILITY and what
+// vtkIndirectVisibility.glsl takes), or not at all.
 #include "SphereSegments.glsl"
 #include "vtkIndirectVisibility.glsl"
 
