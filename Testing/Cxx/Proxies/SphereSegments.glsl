@@ -1,0 +1,72 @@
+// Whether a segment meets any of many spheres, which lie in lists by the cells of a grid (Amanatides and Woo
+// 1987, "A fast voxel traversal algorithm for ray tracing"). Coordinates count cells: cell i reaches from i to
+// i + 1.
+#ifndef vtkIndirectSphereSegments
+#define vtkIndirectSphereSegments
+#include "vtkIndirectLibPortable.glsl"
+
+/* Where a segment is. */
+struct vtkiCells
+{
+  vec3 next;  // parameter of the next border along each axis
+  vec3 delta; // parameter from border to border
+  ivec3 cell; // now
+  ivec3 side; // -1 or 1
+  ivec3 last; // the farthest cell of the grid along side
+  float leave; // parameter at which it ends or leaves the grid
+  bool inside; // whether it is in the grid at all
+};
+
+vtkiCells vtkiBeginCells(vec3 start, vec3 along, ivec3 size)
+{
+  const float huge = 1.0e30f;
+  vtkiCells w;
+  float enter = 0.0f;
+  w.leave = 1.0f;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bool moves = abs(along[axis]) > 1.0e-9f;
+    float inverse = moves ? 1.0f / along[axis] : huge;
+    float lower = -start[axis] * inverse;
+    float upper = (float(size[axis]) - start[axis]) * inverse;
+    bool within = start[axis] >= 0.0f && start[axis] <= float(size[axis]);
+    enter = moves ? max(enter, min(lower, upper)) : (within ? enter : huge);
+    w.leave = moves ? min(w.leave, max(lower, upper)) : w.leave;
+  }
+  w.inside = enter <= w.leave;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bool moves = abs(along[axis]) > 1.0e-9f;
+    bool up = along[axis] >= 0.0f;
+    int at = w.inside ? int(floor(start[axis] + enter * along[axis])) : 0;
+    at = at < 0 ? 0 : (at < size[axis] ? at : size[axis] - 1);
+    w.cell[axis] = at;
+    w.side[axis] = up ? 1 : -1;
+    w.last[axis] = up ? size[axis] - 1 : 0;
+    w.delta[axis] = moves ? abs(1.0f / along[axis]) : huge;
+    w.next[axis] = moves ? (float(up ? at + 1 : at) - start[axis]) / along[axis] : huge;
+  }
+  return w;
+}
+
+/* To the next cell; returns false when the segment ends before. */
+bool vtkiNextCell(VTKI_INOUT(vtkiCells) w)
+{
+  int axis = w.next.x <= w.next.y ? (w.next.x <= w.next.z ? 0 : 2) : (w.next.y <= w.next.z ? 1 : 2);
+  bool on = w.next[axis] < w.leave && w.cell[axis] != w.last[axis];
+  w.cell[axis] += w.side[axis];
+  w.next[axis] += w.delta[axis];
+  return on;
+}
+
+/* Whether a sphere (center, radius) stands between the ends of a segment. One that holds an end does not: it is
+ * the surface that the end lies on, or, where spheres stand for a mesh, sticks out of it. Nor does one whose
+ * surface an end lies on when the segment leaves it, without any tolerance. length2: of along, squared. */
+bool vtkiSphereBlocks(vec3 start, vec3 along, float length2, vec4 sphere)
+{
+  vec3 away = start - vec3(sphere.x, sphere.y, sphere.z);
+  float c = dot(away, away) - sphere.w * sphere.w;
+  float b = dot(away, along);
+  return b < 0.0f && b + length2 > 0.0f && b * b > length2 * c && c > 0.0f && c + 2.0f * b + length2 > 0.0f;
+}
+#endif

@@ -1,0 +1,83 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Test stage: the sum over virtual lights at a pixel's place, as the gather takes it. What stands between is asked
+// of spheres in a grid (VTKI_SPHERE_SEGMENTS), or of voxels or depth maps (VTKI_VISIBILITY and what
+// vtkIndirectVisibility.glsl takes), or not at all.
+#include "SphereSegments.glsl"
+#include "vtkIndirectVisibility.glsl"
+
+uniform sampler2D vtkiPlaces;  // of receivers
+uniform sampler2D vtkiNormals; // 0 where there is none
+uniform sampler2D vtkiLights;  // places and areas; in the second row normals
+uniform int vtkiLightCount;
+uniform usampler3D vtkiCellLists; // first of a cell's list, 8 bits of how many
+uniform sampler2D vtkiCellSpheres; // 1024 a row
+uniform vec4 vtkiCellOrigin; // scene units; cells per scene unit
+
+bool vtkiIsFreeOfSpheres(vec3 from, vec3 to, bool test)
+{
+  vec3 start = (from - vtkiCellOrigin.xyz) * vtkiCellOrigin.w;
+  vec3 along = (to - from) * vtkiCellOrigin.w;
+  float length2 = dot(along, along);
+  vtkiCells walk = vtkiBeginCells(start, along, textureSize(vtkiCellLists, 0));
+  bool clear = true;
+  bool more = test && walk.inside;
+  int i = 0;
+  int beyond = 0;
+  if (more)
+  {
+    uint list = texelFetch(vtkiCellLists, walk.cell, 0).r;
+    i = int(list >> 8);
+    beyond = i + int(list & 255u);
+  }
+  // One loop: neighbours need not wait for each other's lists.
+  while (more)
+  {
+    if (i < beyond)
+    {
+      vec4 sphere = texelFetch(vtkiCellSpheres, ivec2(i & 1023, i >> 10), 0);
+      clear = !vtkiSphereBlocks(start, along, length2, sphere);
+      more = clear;
+      i += 1;
+    }
+    if (i >= beyond)
+    {
+      more = vtkiNextCell(walk) && more;
+      uint list = texelFetch(vtkiCellLists, walk.cell, 0).r;
+      i = int(list >> 8);
+      beyond = i + int(list & 255u);
+    }
+  }
+  return clear;
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec3 place = texelFetch(vtkiPlaces, pixel, 0).xyz;
+  vec3 normal = texelFetch(vtkiNormals, pixel, 0).xyz;
+  bool there = dot(normal, normal) > 0.5f;
+  vec3 open = place;
+#ifdef VTKI_VISIBILITY
+  open = vtkiOpenPlace(place, normal);
+#endif
+  float sum = 0.0f;
+  for (int i = 0; there && i < vtkiLightCount; ++i)
+  {
+    vec4 light = texelFetch(vtkiLights, ivec2(i, 0), 0);
+    vec3 lightNormal = texelFetch(vtkiLights, ivec2(i, 1), 0).xyz;
+    vec3 way = light.xyz - place;
+    float atReceiver = dot(normal, way);
+    float atLight = -dot(lightNormal, way);
+    bool facing = atReceiver > 0.0f && atLight > 0.0f;
+    float distance2 = max(dot(way, way), 1.0e-12f);
+    bool seen = facing;
+#if defined(VTKI_SPHERE_SEGMENTS)
+    seen = vtkiIsFreeOfSpheres(place, light.xyz, facing) && facing;
+#elif defined(VTKI_VISIBILITY)
+    seen = vtkiIsSenderVisible(i, open, place, normal, vec4(light.xyz, 1.0f), lightNormal, facing) && facing;
+#endif
+    sum += seen ? atReceiver * atLight / (distance2 * (VTKI_PI * distance2 + light.w)) : 0.0f;
+  }
+  gl_FragData[0] = vec4(sum, 0.0f, 0.0f, 1.0f);
+}
