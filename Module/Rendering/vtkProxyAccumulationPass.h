@@ -68,8 +68,10 @@ public:
    * Pixels from one receiver to the next: 1, or 2, 4, 8 for a quarter, a sixteenth, a sixty-fourth
    * of them, with bilateral interpolation between (Eq 11); pixels that no receiver stands for are
    * summed from scratch. 0: as many as leave about 16,000 receivers, at most 8; up to four times
-   * as many receivers where that is more than the median radius of the spheres in view. Default
-   * 0, range 0 to 16.
+   * as many receivers where that is more than the median radius of the spheres before the camera,
+   * in pixels. A step is kept until radii are 0.15 beyond its limits, so that light does not
+   * flicker while the camera or spheres move; another size of the picture has its own. Default 0,
+   * range 0 to 16.
    */
   vtkIndirectClampMacro(ReceiverStep, int, 0, 16);
   ///@}
