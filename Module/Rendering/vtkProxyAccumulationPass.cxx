@@ -14,6 +14,7 @@
 #include "Proxies/vtkIndirectProxyLight.h"
 #include "Proxies/vtkIndirectProxyReach.h"
 #include "Proxies/vtkIndirectProxyScene.h"
+#include "Proxies/vtkIndirectProxyStep.h"
 #include "Proxies/vtkIndirectProxySums.h"
 #include "Proxies/vtkIndirectProxyTree.h"
 #include "vtkDataArray.h"
@@ -24,10 +25,7 @@
 #include "vtkProp.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
-#include <vector>
 
 vtkStandardNewMacro(vtkProxyAccumulationPass);
 
@@ -47,51 +45,6 @@ double ClampScale(double scale)
     ? std::min(std::max(scale, vtkIndirectProxyReach::Least), vtkIndirectProxyReach::Most)
     : 0.0;
 }
-
-// The median radius of spheres before the eye, in pixels; infinite where there is none. Of many
-// some are looked at.
-double FindRadiusInPixels(
-  const vtkIndirectFrame& frame, const std::vector<vtkIndirectProxySphere>& spheres)
-{
-  constexpr size_t most = 512;
-  const glm::dmat4 sceneToView = glm::inverse(frame.ViewToScene);
-  const size_t count = std::min(spheres.size(), most);
-  std::vector<double> radii;
-  for (size_t i = 0; i < count; ++i)
-  {
-    const vtkIndirectProxySphere& sphere = spheres[i * spheres.size() / count];
-    const double depth = -(sceneToView * glm::dvec4(sphere.Center, 1.0)).z;
-    const double pixel =
-      glm::length(frame.RayOrigin[0] + depth * frame.RayDirection[0]) * 2.0 / frame.Size[0];
-    if (depth > 0.0 && pixel > 0.0)
-    {
-      radii.push_back(sphere.Radius / pixel);
-    }
-  }
-  if (radii.empty())
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  return *middle;
-}
-
-// What is seen of a scene in so many receivers is about as fine as spheres of thousands; more of
-// them cost as much more. Pixels between receivers of different spheres have no light of their own:
-// where the next receiver would be on another sphere there are up to four times as many.
-int FindStep(const int size[2], double radius)
-{
-  constexpr double receivers = 16384.0;
-  constexpr int most = 8;
-  const double pixels = static_cast<double>(size[0]) * size[1];
-  const auto step = [&](double number) {
-    return std::min(std::max(static_cast<int>(std::lround(std::sqrt(pixels / number))), 1), most);
-  };
-  const int usual = step(receivers);
-  return radius < usual ? std::min(usual, std::max(step(4.0 * receivers), static_cast<int>(radius)))
-                        : usual;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -104,6 +57,7 @@ struct vtkProxyAccumulationPass::Internals
   vtkIndirectTarget Sky{ SkyChannels, false };
   vtkMTimeType TreeTime = 0; // of this pass when the tree was built
   bool TreeIsThere = false;
+  vtkIndirectProxyStep StepBySpheres;
   int Step = 0; // of the last frame
   // Without groups: what an environment needs, and what is used.
   vtkIndirectProxyReach Needed;
@@ -324,9 +278,15 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
 
   in.Sky.SetNumberOfChannels(this->Settings.IndirectLight == OFF ? 1 : 2);
   vtkIndirectProxySums::Input sums = { frame, input.Geometry };
-  in.Step = this->Settings.ReceiverStep > 0
-    ? this->Settings.ReceiverStep
-    : FindStep(frame.Size, FindRadiusInPixels(frame, in.Scene.GetSpheres()));
+  in.Step = this->Settings.ReceiverStep;
+  if (in.Step == 0)
+  {
+    in.Step = in.StepBySpheres.Find(frame, in.Scene.GetSpheres());
+  }
+  else
+  {
+    in.StepBySpheres.Forget();
+  }
   sums.Step = in.Step;
   sums.Hides = input.Plan.SkyIsShadowed;
   sums.Middle = this->Settings.IndirectLight == MIDDLE;

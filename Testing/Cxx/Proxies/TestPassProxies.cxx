@@ -4,11 +4,13 @@
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
+#include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkFloatArray.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
@@ -17,6 +19,7 @@
 #include "vtkProxyAccumulationPass.h"
 #include "vtkSphereSource.h"
 
+#include <cmath>
 #include <limits>
 
 using namespace contract;
@@ -29,8 +32,8 @@ struct ProxyView : View
   vtkNew<vtkEnvironmentLight> Sky;
   vtkNew<vtkPolyData> Points;
 
-  ProxyView()
-    : View(80, 60)
+  explicit ProxyView(int width = 80, int height = 60)
+    : View(width, height)
   {
     AddRoomSurfaces(this->Renderer);
     this->Renderer->AutomaticLightCreationOff();
@@ -242,4 +245,49 @@ VTK_INDIRECT_TEST(ProxiesWrongInput)
   pass->SetProxies(actor, data);
   CONTRACT_CHECK(errors.GetCount() == 2, errors.GetText());
   CONTRACT_CHECK(!pass->GetProxies(actor), "wrong spheres are kept");
+}
+
+//------------------------------------------------------------------------------
+// Receivers are closer where spheres are small; a camera that moves to and fro about that limit has
+// one step.
+VTK_INDIRECT_TEST(ProxiesStepIsSteady)
+{
+  ProxyView view(256, 192);
+  vtkNew<vtkOpenGLSphereMapper> mapper;
+  mapper->SetInputData(view.Points);
+  mapper->SetScaleArray("size");
+  view.Add(mapper);
+  vtkCamera* camera = view.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.5, 0.3, 0.5);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetViewAngle(30.0);
+  constexpr double distance = 1.5;
+  const auto renderFrom = [&](double share)
+  {
+    camera->SetPosition(0.5, 0.3, 0.5 + share * distance);
+    view.Grab();
+    return view.Proxies->GetActiveReceiverStep();
+  };
+  // Of 2 pixels from there: at this size receivers are in every second pixel, or in all of them.
+  const double pixel = 2.0 * distance * std::tan(vtkMath::RadiansFromDegrees(15.0)) / 192.0;
+  auto* sizes = vtkFloatArray::SafeDownCast(view.Points->GetPointData()->GetArray("size"));
+  sizes->FillValue(static_cast<float>(2.0 * pixel));
+  sizes->Modified();
+  view.Points->Modified();
+  const int first = renderFrom(1.05);
+  CONTRACT_CHECK(first == 1, "spheres below 2 pixels have " << first);
+  for (const double share : { 0.95, 1.05, 0.97, 1.02, 0.92 })
+  {
+    const int step = renderFrom(share);
+    CONTRACT_CHECK(step == 1, "from " << share << " of the distance the step is " << step);
+  }
+  const int near = renderFrom(0.7);
+  CONTRACT_CHECK(near == 2, "nearby the step is " << near);
+  for (const double share : { 1.05, 0.95, 1.1 })
+  {
+    const int step = renderFrom(share);
+    CONTRACT_CHECK(step == 2, "back at " << share << " of the distance the step is " << step);
+  }
+  const int far = renderFrom(1.4);
+  CONTRACT_CHECK(far == 1, "far off the step is " << far);
 }

@@ -4,6 +4,9 @@ uniform sampler2D vtkiProxyBlocks;  // lower, upper corner of the box of each bl
 uniform int vtkiBlockCount;
 uniform int vtkiSenderCount;
 
+// Length of the linear part of what is hidden from the middle of a sphere from which on it is lit at its open side.
+const float VTKI_ONE_SIDED = 8.0f;
+
 bool vtkiMeetsBlock(int block, vec3 middle, vec3 halfSize)
 {
   vec3 lower = texelFetch(vtkiProxyBlocks, ivec2(0, block), 0).xyz;
@@ -19,7 +22,9 @@ void vtkiFetchSender(int number, out vec4 place, out vec4 normal)
 }
 
 // Moves spheres without a normal to the side of theirs from which most of the sky is seen: sums of logarithms are the
-// lower the more is hidden, and their linear part points away from that.
+// lower the more is hidden, and their linear part points away from that. The shorter it is, the closer they stay to the
+// middle: no side of what floats is much more open than others, and the most open one would stand for all. Not where
+// the middle is inside of another sphere: what is said there is of no place that is seen.
 void vtkiOpenSender(vtkiProxySums around, inout vec4 place, inout vec4 normal)
 {
   vec3 open = vec3(around.hidden.A.w, around.hidden.A.y, around.hidden.A.z);
@@ -30,7 +35,11 @@ void vtkiOpenSender(vtkiProxySums around, inout vec4 place, inout vec4 normal)
   if (!(normal.w > 0.0f))
   {
     normal = vec4(size > 1.0e-6f ? open / size : vec3(0.0f, 0.0f, 1.0f), 0.0f);
-    place.xyz += place.w * normal.xyz;
+    float share = 1.0f;
+#ifdef VTKI_PROXY_SENDERS
+    share = clamp(max(size / VTKI_ONE_SIDED, vtkiOwnBuried), 0.0f, 1.0f);
+#endif
+    place.xyz += share * place.w * normal.xyz;
   }
 }
 

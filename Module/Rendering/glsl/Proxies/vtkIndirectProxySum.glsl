@@ -17,6 +17,9 @@ uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: ever
 // Center of the sphere whose light is summed. It hides nothing from itself: its normals' cosines do that, and the half
 // space behind one of its places is in front of others.
 vec3 vtkiOwnCenter = vec3(1.0e30f);
+// Whether the middle of a sphere that is summed for without a normal is inside of another one, 1; 0 from a quarter of
+// that one's radius on.
+float vtkiOwnBuried = 0.0f;
 #endif
 
 const int VTKI_PROXY_TABLE = 64;
@@ -134,6 +137,10 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
     : d > sphere.w                        ? sphere.w / d
                                           : 0.0f;
   sine = all(equal(sphere.xyz, vtkiOwnCenter)) ? 0.0f : sine;
+  if (weight > 0.0f && d > 0.0f && !(dot(normal, normal) > 0.0f))
+  {
+    vtkiOwnBuried = max(vtkiOwnBuried, clamp(5.0f - 4.0f * d / max(sphere.w, 1.0e-30f), 0.0f, 1.0f));
+  }
 #else
   float sine = vtkiProxySine(toCenter, sphere.w, normal);
 #endif
