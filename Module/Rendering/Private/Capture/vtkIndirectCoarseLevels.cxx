@@ -186,6 +186,13 @@ void vtkIndirectCoarseLevels::Update(vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectCoarseLevels::Has(vtkProp* prop) const
+{
+  return std::any_of(this->Entries.begin(), this->Entries.end(),
+    [prop](const Entry& entry) { return entry.Actor == prop; });
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectCoarseLevels::Level* vtkIndirectCoarseLevels::Find(
   vtkProp* prop, double mostError, double& error) const
 {

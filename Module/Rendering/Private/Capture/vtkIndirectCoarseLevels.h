@@ -48,6 +48,8 @@ public:
   /** Forgets levels of what is gone or has changed, and dates casters that have some. */
   void Update(vtkIndirectFrame& frame);
 
+  /** Whether a prop has levels. */
+  bool Has(vtkProp* prop) const;
   /** The least triangles no farther off than this, in world units; null: what the prop draws. On
    * success also the level's distance in world units. */
   Level* Find(vtkProp* prop, double mostError, double& error) const;

@@ -261,17 +261,20 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
     }
     // By what is drawn of it, in the order of tiles: its buffers are set up once for each.
     std::map<vtkIndirectCoarseLevels::Level*, std::vector<View>> views;
+    const bool hasLevels = frame.Levels && frame.Levels->Has(caster.Prop);
     for (size_t i = 0; i < tiles.size(); ++i)
     {
       const vtkIndirectDepthTile& tile = this->Drawn[static_cast<size_t>(tiles[i])].Tile;
       if (tile.CanSee(frame, caster.Bounds, this->Texels))
       {
-        const double texel = tile.FindTexelAt(frame, caster.Bounds, this->Texels);
         View view = { i, 0.0, 0.0 };
-        vtkIndirectCoarseLevels::Level* const level = frame.Levels
-          ? frame.Levels->Find(caster.Prop, MostErrorOfLevels * texel, view.Error)
-          : nullptr;
-        view.Texels = view.Error / texel;
+        vtkIndirectCoarseLevels::Level* level = nullptr;
+        if (hasLevels)
+        {
+          const double texel = tile.FindTexelAt(frame, caster.Bounds, this->Texels);
+          level = frame.Levels->Find(caster.Prop, MostErrorOfLevels * texel, view.Error);
+          view.Texels = view.Error / texel;
+        }
         views[level].push_back(view);
       }
     }
