@@ -238,10 +238,10 @@ public:
 
   ///@{
   /**
-   * Bounces of indirect light. Default 0: automatic, all that a random walk finds (16 at most; paths
-   * end by themselves where little light is left) for estimators of virtual lights, as long as no
-   * light follows the camera; else 1. Range 0 to 16. Bounces that neither the estimator nor a walk
-   * computes are listed in the report under left_out.
+   * Bounces of indirect light. Default 0: automatic, all that a random walk finds (16 at most;
+   * paths end by themselves where little light is left) for estimators of virtual lights, as long
+   * as no light follows the camera; else 1. Range 0 to 16. Bounces that neither the estimator nor a
+   * walk computes are listed in the report under left_out.
    */
   vtkIndirectClampMacro(NumberOfBounces, int, 0, 16);
   ///@}
@@ -286,9 +286,9 @@ public:
    * nothing has moved has maps again, the ninth while the window gives a frame a second or less.
    * Bonds and other sticks are rows of spheres. With splats that vtkPointGaussianMapper's shader
    * code cuts off by `discard`, which no map has, all frames are so, still ones too.
-   * The report says by whom the sky was made and why. Half of the time or less, at an RMS error over
-   * the mean of 0.05; a still frame has 0.02. Default on; off for a film whose frames may take their
-   * time.
+   * The report says by whom the sky was made and why. Half of the time or less, at an RMS error
+   * over the mean of 0.05; a still frame has 0.02. Default on; off for a film whose frames may take
+   * their time.
    */
   vtkIndirectFlagMacro(SpheresInMotion);
   ///@}
