@@ -238,12 +238,11 @@ void vtkIndirectDepthAtlas::Use(const vtkIndirectFrame& frame, int tile)
 std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
   const vtkIndirectFrame& frame, const std::vector<int>& tiles)
 {
-  // A tile, and how far a level is off in it: world units, texels.
+  // A tile, and how far a level is off in it, in world units.
   struct View
   {
     size_t Tile;
     double Error;
-    double Texels;
   };
   std::vector<const vtkIndirectCaster*> others;
   std::vector<glm::dmat4> toClip;
@@ -267,13 +266,12 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
       const vtkIndirectDepthTile& tile = this->Drawn[static_cast<size_t>(tiles[i])].Tile;
       if (tile.CanSee(frame, caster.Bounds, this->Texels))
       {
-        View view = { i, 0.0, 0.0 };
+        View view = { i, 0.0 };
         vtkIndirectCoarseLevels::Level* level = nullptr;
         if (hasLevels)
         {
           const double texel = tile.FindTexelAt(frame, caster.Bounds, this->Texels);
           level = frame.Levels->Find(caster.Prop, MostErrorOfLevels * texel, view.Error);
-          view.Texels = view.Error / texel;
         }
         views[level].push_back(view);
       }
@@ -292,13 +290,11 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
         this->Use(frame, tiles[view.Tile]);
         if (level)
         {
-          // What it stands for must not hide itself. Behind it by its distance, and by what that
-          // changes the depth of a sloping triangle, it is nowhere in front.
-          glPolygonOffset(static_cast<float>(std::sqrt(2.0) * view.Texels), 0.0f);
-          glEnable(GL_POLYGON_OFFSET_FILL);
+          // What it stands for must not hide itself: it lies behind by its distance. What a slope
+          // makes of that, look-ups allow for by what it makes of a texel; glPolygonOffset would
+          // say the same and doubles the time of software rasterizers.
           const size_t drawn = this->Drawer.Draw(
             toClip[view.Tile] * glm::translate(glm::dmat4(1.0), tile.Forward * view.Error));
-          glDisable(GL_POLYGON_OFFSET_FILL);
           frame.Levels->Count(drawn, this->Drawer.CountTriangles());
           triangles += drawn;
         }
