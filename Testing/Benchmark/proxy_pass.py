@@ -288,6 +288,25 @@ def error_rows(name: str, view: View, rays: Spheres | Triangles) -> None:
     view.close()
 
 
+def part_of(scene: str, part: str) -> tuple[vtkActor, vtkPolyData]:
+    """Return an actor in white of a part of a scene, and its triangles, shaded smoothly."""
+    actor = vtkindirect.load_scene(FOLDER / "Scenes" / f"{scene}.json").actors[part]
+    actor.GetMapper().Update()
+    triangles = vtkTriangleFilter()
+    triangles.SetInputData(actor.GetMapper().GetInput())
+    smooth = vtkPolyDataNormals()
+    smooth.SetInputConnection(triangles.GetOutputPort())
+    smooth.SplittingOff()
+    smooth.Update()
+    mesh = smooth.GetOutput()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(mesh)
+    mapper.ScalarVisibilityOff()
+    own = vtkActor()
+    own.SetMapper(mapper)
+    return own, mesh
+
+
 def errors() -> None:
     """Print the table of errors."""
     print(
@@ -300,21 +319,7 @@ def errors() -> None:
         view = View([actor], box, (512, 384))
         error_rows(name, view, Spheres(spheres, view.plane))
     for scene, part in (("brain", "cortex"), ("frog", "liver"), ("frog", "stomach")):
-        loaded = vtkindirect.load_scene(FOLDER / "Scenes" / f"{scene}.json")
-        actor = loaded.actors[part]
-        actor.GetMapper().Update()
-        triangles = vtkTriangleFilter()
-        triangles.SetInputData(actor.GetMapper().GetInput())
-        smooth = vtkPolyDataNormals()
-        smooth.SetInputConnection(triangles.GetOutputPort())
-        smooth.SplittingOff()
-        smooth.Update()
-        mesh = smooth.GetOutput()
-        mapper = vtkPolyDataMapper()
-        mapper.SetInputData(mesh)
-        mapper.ScalarVisibilityOff()
-        own = vtkActor()
-        own.SetMapper(mapper)
+        own, mesh = part_of(scene, part)
         bounds = np.array(mesh.GetBounds()).reshape(3, 2).T
         view = View([own], bounds, (512, 384))
         error_rows(f"{part} of {scene}", view, Triangles(mesh, view.plane))

@@ -23,8 +23,7 @@ from vtkindirect import environments, methods
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference as by_reference
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
 import proxy_pass
 
@@ -252,20 +251,7 @@ def around(box: np.ndarray, random: np.random.Generator) -> tuple[np.ndarray, np
 
 def organ_scene(part: str, seed: int) -> None:
     """Print the row of an organ of the frog."""
-    actor = vtkindirect.load_scene(FOLDER / "Scenes" / "frog.json").actors[part]
-    actor.GetMapper().Update()
-    triangles = vtkTriangleFilter()
-    triangles.SetInputData(actor.GetMapper().GetInput())
-    smooth = vtkPolyDataNormals()
-    smooth.SetInputConnection(triangles.GetOutputPort())
-    smooth.SplittingOff()
-    smooth.Update()
-    mesh = smooth.GetOutput()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(mesh)
-    mapper.ScalarVisibilityOff()
-    own = vtkActor()
-    own.SetMapper(mapper)
+    own, mesh = proxy_pass.part_of("frog", part)
     box = np.array(mesh.GetBounds()).reshape(3, 2).T
     random = np.random.Generator(np.random.PCG64((seed, 100)))
     view = View(own, box, *around(box, random), grounded=True)

@@ -3,6 +3,7 @@
 
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Proxies/vtkIndirectProxyTable.h"
+#include "VirtualLights/vtkIndirectDirections.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,21 +16,11 @@ namespace
 {
 constexpr int Directions = 256;
 constexpr int Pairs = 8; // that are climbed from
-const float Around = 2.39996323f;
 
 float* At(vtkiHarmonics4& f, int i)
 {
   vec4& part = i < 4 ? f.A : i < 8 ? f.B : i < 12 ? f.C : f.D;
   return &part[i % 4];
-}
-
-// Evenly spread.
-vec3 Direction(int i)
-{
-  const float z = 1.0f - (2.0f * static_cast<float>(i) + 1.0f) / Directions;
-  const float s = std::sqrt(std::max(1.0f - z * z, 0.0f));
-  const float turn = Around * static_cast<float>(i);
-  return vec3(s * std::cos(turn), s * std::sin(turn), z);
 }
 
 // Climbs from two directions to where a function of both is largest.
@@ -113,14 +104,16 @@ vtkIndirectProxyReach FindColor(const vtkiHarmonics4& light, bool middle)
 {
   vtkIndirectProxyReach reach;
   const vtkiLightMatrix matrix = vtkiMakeLightMatrix(light);
+  std::vector<vec3> directions;
   std::vector<vtkiHarmonics4> lit;
   std::vector<vtkiHarmonics4> at;
   double irradiance = 0.0;
   double radiance = 0.0;
   vec3 brightest(0.0f, 0.0f, 1.0f);
-  for (int i = 0; i < Directions; ++i)
+  for (const glm::dvec3& exact : vtkIndirectDirections::MakeLattice(Directions))
   {
-    const vec3 d = Direction(i);
+    const vec3 d(exact);
+    directions.push_back(d);
     lit.push_back(vtkiLitCosine(matrix, d));
     at.push_back(vtkiHarmonics4At(d));
     radiance = std::max(radiance, static_cast<double>(vtkiHarmonicsDot(light, at.back())));
@@ -146,14 +139,12 @@ vtkIndirectProxyReach FindColor(const vtkiHarmonics4& light, bool middle)
     vec3 Direction;
   };
   std::vector<Pair> pairs;
-  for (int i = 0; i < Directions; ++i)
+  for (size_t n = 0; n < directions.size(); ++n)
   {
-    for (int k = 0; k < Directions; ++k)
+    for (size_t d = 0; d < directions.size(); ++d)
     {
-      const size_t n = static_cast<size_t>(i);
-      const size_t d = static_cast<size_t>(k);
       pairs.push_back({ std::abs(static_cast<double>(vtkiHarmonicsDot(lit[n], at[d]))),
-        Direction(i), Direction(k) });
+        directions[n], directions[d] });
     }
   }
   std::partial_sort(pairs.begin(), pairs.begin() + Pairs, pairs.end(),
