@@ -4,6 +4,7 @@
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
+#include "vtkAssembly.h"
 #include "vtkCellArray.h"
 #include "vtkConeSource.h"
 #include "vtkEnvironmentLight.h"
@@ -337,6 +338,50 @@ VTK_INDIRECT_TEST(SphereMotionOfSplats)
   CONTRACT_CHECK(
     Compare(Read(view.Pass, "sky"), moving).Max == 0.0, "the picture jumps when motion ends");
   view.Renderer->RemoveActor(view.Particles);
+}
+
+//------------------------------------------------------------------------------
+// Splats in an assembly, and in one within it, are found as those outside are.
+VTK_INDIRECT_TEST(SphereMotionOfSplatsInAssemblies)
+{
+  vtkNew<vtkPointGaussianMapper> splats;
+  splats->SetScaleFactor(0.15);
+  splats->EmissiveOff();
+  splats->SetSplatShaderCode("//VTK::Color::Impl\n"
+                             "if (dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy) > 1.0) "
+                             "{ discard; }\n");
+  ParticleView view(splats);
+  view.Render(false);
+  CONTRACT_CHECK(view.BySpheres(), "outside: " << view.Who());
+  const Floats outside = Read(view.Pass, "sky");
+  view.Renderer->RemoveActor(view.Particles);
+  vtkNew<vtkAssembly> inner;
+  inner->AddPart(view.Particles);
+  vtkNew<vtkAssembly> outer;
+  outer->AddPart(inner);
+  for (vtkAssembly* assembly : { inner.Get(), outer.Get() })
+  {
+    view.Renderer->AddActor(assembly);
+    view.Render(false);
+    CONTRACT_CHECK(view.BySpheres(), "in an assembly: " << view.Who());
+    const std::string why = Report(view.Pass).FindReason("modelled", view.Who());
+    CONTRACT_CHECK(why.find("20 splats") != std::string::npos, why);
+    // Float rounding of matrices that are multiplied once more.
+    CONTRACT_CHECK(Compare(Read(view.Pass, "sky"), outside).Max <= 1e-5, "they hide otherwise");
+    // Their places are looked at again when data change.
+    view.Render(true);
+    CONTRACT_CHECK(
+      Compare(Read(view.Pass, "sky"), outside).Max > 0.01, "they stay where they were");
+    view.Number -= 2;
+    view.Render(true);
+    CONTRACT_CHECK(Compare(Read(view.Pass, "sky"), outside).Max <= 1e-5, "or do not come back");
+    view.Renderer->RemoveActor(assembly);
+  }
+  view.Renderer->AddActor(outer);
+  view.Particles->VisibilityOff();
+  view.Render(false);
+  CONTRACT_CHECK(!view.BySpheres(), "invisible ones: " << view.Who());
+  view.Renderer->RemoveActor(outer);
 }
 
 //------------------------------------------------------------------------------
