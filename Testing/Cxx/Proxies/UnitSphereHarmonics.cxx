@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What sums over spheres do in spherical harmonics of order 4, against quadrature and closed forms.
 #include "OpenGL/vtkIndirectKernels.h"
+#include "Proxies/vtkIndirectCoefficient.h"
 #include "Proxies/vtkIndirectProxyTable.h"
 #include "vtkIndirectTestUtilities.h"
 
@@ -16,12 +17,6 @@ namespace
 {
 constexpr int Count = 16;
 
-float& At(vtkiHarmonics4& f, int i)
-{
-  vec4& part = i < 4 ? f.A : i < 8 ? f.B : i < 12 ? f.C : f.D;
-  return part[i % 4];
-}
-
 vtkiHarmonics4 Zero()
 {
   vtkiHarmonics4 f;
@@ -35,8 +30,8 @@ vtkiHarmonics4 RandomVector(Random& random, double size)
   double sum = 0.0;
   for (int i = 0; i < Count; ++i)
   {
-    At(f, i) = static_cast<float>(random.Next(-1.0, 1.0));
-    sum += At(f, i) * At(f, i);
+    vtkIndirectCoefficient(f, i) = static_cast<float>(random.Next(-1.0, 1.0));
+    sum += vtkIndirectCoefficient(f, i) * vtkIndirectCoefficient(f, i);
   }
   return vtkiHarmonicsAdd(Zero(), static_cast<float>(size / std::sqrt(sum)), f);
 }
@@ -79,13 +74,13 @@ vtkiHarmonics4 Project(const std::function<double(const glm::dvec3&)>& function)
       const double value = weight * function(d);
       for (int i = 0; i < Count; ++i)
       {
-        sums[i] += value * At(y, i);
+        sums[i] += value * vtkIndirectCoefficient(y, i);
       }
     });
   vtkiHarmonics4 f;
   for (int i = 0; i < Count; ++i)
   {
-    At(f, i) = static_cast<float>(sums[i]);
+    vtkIndirectCoefficient(f, i) = static_cast<float>(sums[i]);
   }
   return f;
 }
@@ -124,9 +119,9 @@ VTK_INDIRECT_TEST(SphereHarmonicsBasis)
       [i](const glm::dvec3& d)
       {
         vtkiHarmonics4 y = vtkiHarmonics4At(vec3(d));
-        return static_cast<double>(At(y, i));
+        return static_cast<double>(vtkIndirectCoefficient(y, i));
       });
-    At(f, i) -= 1.0f;
+    vtkIndirectCoefficient(f, i) -= 1.0f;
     worst = std::max(worst, Distance(f, Zero()));
   }
   CheckAtMost("the 16 functions, off from orthonormal", worst, 1e-3, Midpoints);
@@ -240,7 +235,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsVisibility)
           {
             vtkiHarmonics4 y = vtkiHarmonics4At(
               vec3(static_cast<float>(std::sqrt(1.0 - z * z)), 0.0f, static_cast<float>(z)));
-            return static_cast<double>(At(y, l * (l + 1)));
+            return static_cast<double>(vtkIndirectCoefficient(y, l * (l + 1)));
           },
           4);
     }
@@ -340,7 +335,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsAverage)
     light.A.x = 2.0f;
     for (int i = 1; i < 9; ++i)
     {
-      At(light, i) = static_cast<float>(random.Next(-1.0, 1.0));
+      vtkIndirectCoefficient(light, i) = static_cast<float>(random.Next(-1.0, 1.0));
     }
     const double sine = random.Next(0.05, 0.99);
     const double cosine = std::sqrt(1.0 - sine * sine);
@@ -392,7 +387,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsExactOperator)
     light.A.x = 2.0f;
     for (int i = 1; i < 9; ++i)
     {
-      At(light, i) = static_cast<float>(random.Next(-1.0, 1.0));
+      vtkIndirectCoefficient(light, i) = static_cast<float>(random.Next(-1.0, 1.0));
     }
     const glm::dvec3 n = random.NextDirection();
     const glm::dvec3 d = random.NextDirection();
