@@ -8,9 +8,11 @@
 #include "vtkCellArray.h"
 #include "vtkConeSource.h"
 #include "vtkEnvironmentLight.h"
+#include "vtkGenericRenderWindowInteractor.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkIndirectSplattingPass.h"
+#include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkMolecule.h"
 #include "vtkOpenGLMoleculeMapper.h"
 #include "vtkOpenGLSphereMapper.h"
@@ -206,6 +208,39 @@ VTK_INDIRECT_TEST(SphereMotionEnds)
       CONTRACT_CHECK(jump < 0.05, "the mean jumps by " << jump);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// VTK's interactor renders once more when an interaction ends, at its StillUpdateRate: that frame
+// is the still one, complete, whatever an observer has moved meanwhile.
+VTK_INDIRECT_TEST(SphereMotionEndsWithAnInteraction)
+{
+  ParticleView view;
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  interactor->SetRenderWindow(view.Window);
+  interactor->SetInteractorStyle(style);
+  interactor->Initialize();
+  for (int turn = 0; turn < 2; ++turn)
+  {
+    style->StartRotate();
+    CONTRACT_CHECK(view.Window->GetDesiredUpdateRate() == interactor->GetDesiredUpdateRate(),
+      view.Window->GetDesiredUpdateRate() << " frames a second");
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      ++view.Number;
+      view.Place();
+      interactor->Render();
+    }
+    CONTRACT_CHECK(view.BySpheres(), "while it lasts: " << view.Who());
+    style->EndRotate();
+    CONTRACT_CHECK(view.Who() == "sky by depth maps", "when it has ended: " << view.Who());
+    CONTRACT_CHECK(CountOf(view.Pass, "tiles_left") == 0, "maps are left to be drawn");
+    const Floats ended = Read(view.Pass, "sky");
+    interactor->Render();
+    CONTRACT_CHECK(Compare(ended, Read(view.Pass, "sky")).Max == 0.0, "another picture");
+  }
+  interactor->SetRenderWindow(nullptr);
 }
 
 //------------------------------------------------------------------------------
