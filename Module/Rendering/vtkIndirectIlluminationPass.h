@@ -284,6 +284,8 @@ public:
    * elsewhere than before, where all else that casts shadows is made of spheres or flat and convex,
    * the environment has no sun, and ErrorTolerance is 0 or at least 0.05. The first frame in which
    * nothing has moved has maps again, the ninth while the window gives a frame a second or less.
+   * Interactors render it when an interaction ends; after the last frame of an animation, Render
+   * once more.
    * Bonds and other sticks are rows of spheres. With splats that vtkPointGaussianMapper's shader
    * code cuts off by `discard`, which no map has, all frames are so, still ones too.
    * The report says by whom the sky was made and why. Half of the time or less, at an RMS error

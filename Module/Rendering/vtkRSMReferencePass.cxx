@@ -8,6 +8,7 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectStageTimer.h"
+#include "Gather/vtkIndirectReferenceLobe.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "VirtualLights/vtkIndirectAllTexelsSampler.h"
@@ -131,53 +132,12 @@ void SumLobe(
   }
 }
 
-// The lobe of a specular sender, in double precision.
-struct LobeSender
-{
-  glm::dvec3 Position;
-  glm::dvec3 Normal; // unit
-  double Area;
-  glm::dvec3 Direction;
-  double Exponent;
-  glm::dvec3 Flux;
-};
-
-// log of cos^2 of an angle by its sine, without loss of digits.
-double LogOfRest(double sine)
-{
-  return std::log1p(-std::min(sine * sine, 1.0 - 1e-15));
-}
-
-// What a lobe of flux one gives a surface that faces it: vtkiSenderLobeStrength times the distance.
-double FindLobe(const LobeSender& s, const glm::dvec3& toReceiver)
-{
-  constexpr double pi = 3.14159265358979323846;
-  const double r2 = glm::dot(toReceiver, toReceiver);
-  const double r = std::sqrt(r2);
-  if (!(r > 0.0) || glm::dot(s.Normal, toReceiver) <= 0.0 ||
-    glm::dot(s.Direction, toReceiver) <= 0.0)
-  {
-    return 0.0;
-  }
-  // The lobe is widened where it would be narrower than half the light.
-  const double reach = 0.5 * std::sqrt(s.Exponent * s.Area);
-  const double exponent = reach > r ? s.Exponent * r2 / (reach * reach) : s.Exponent;
-  const double sine = glm::length(glm::cross(s.Direction, toReceiver)) / r;
-  const double height = std::max(glm::dot(s.Normal, s.Direction), 0.0);
-  const double freedom = exponent + 1.0;
-  const double z = (8.0 * freedom + 1.0) / (8.0 * freedom + 3.0) *
-    std::sqrt(-freedom * LogOfRest(std::min(height, 1.0)));
-  const double integral = 2.0 * pi / freedom * 0.5 * std::erfc(-z / std::sqrt(2.0));
-  return std::exp(0.5 * exponent * LogOfRest(sine)) / integral /
-    (r2 + s.Area / (pi * std::max(exponent, 1.0)));
-}
-
 // Adds lobes to the irradiance, and to what a lobe of that power reflects; power < 0: there is
 // none.
 template <typename Lines>
-void SumLobes(const std::vector<LobeSender>& senders, const std::vector<typename Lines::End>& ends,
-  const Lines& lines, const Receiver& receiver, const typename Lines::End& end, double power,
-  double* total, double* reflected)
+void SumLobes(const std::vector<vtkIndirectReferenceLobe>& senders,
+  const std::vector<typename Lines::End>& ends, const Lines& lines, const Receiver& receiver,
+  const typename Lines::End& end, double power, double* total, double* reflected)
 {
   const glm::dvec3 position(receiver.Position[0], receiver.Position[1], receiver.Position[2]);
   const glm::dvec3 normal(receiver.Normal[0], receiver.Normal[1], receiver.Normal[2]);
@@ -185,10 +145,10 @@ void SumLobes(const std::vector<LobeSender>& senders, const std::vector<typename
   const glm::dvec3 mirror = 2.0 * glm::dot(normal, toEye) * normal - toEye;
   for (size_t i = 0; i < senders.size(); ++i)
   {
-    const LobeSender& s = senders[i];
+    const vtkIndirectReferenceLobe& s = senders[i];
     const glm::dvec3 way = position - s.Position;
     const double cosine = -glm::dot(normal, way);
-    const double facing = cosine > 0.0 ? FindLobe(s, way) : 0.0;
+    const double facing = cosine > 0.0 ? s.FindStrength(way) : 0.0;
     if (!(facing > 0.0) || !lines.IsVisible(end, ends[i]))
     {
       continue;
@@ -203,36 +163,6 @@ void SumLobes(const std::vector<LobeSender>& senders, const std::vector<typename
       reflected[c] += s.Flux[c] * facing * lobe;
     }
   }
-}
-
-std::vector<LobeSender> ReadLobes(const vtkIndirectVirtualLights& lights)
-{
-  std::vector<LobeSender> senders;
-  if (!lights.HasLobes())
-  {
-    return senders;
-  }
-  const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
-  const vtkIndirectTarget& table = lights.GetTable();
-  const vtkIndirectTarget& lobes = *lights.GetLobes();
-  const std::vector<float> position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
-  const std::vector<float> normal = table.ReadBack(vtkVirtualLightSampler::NormalReach);
-  const std::vector<float> direction =
-    lobes.ReadBack(vtkVirtualLightSampler::LobeDirectionExponent);
-  const std::vector<float> density = lobes.ReadBack(vtkVirtualLightSampler::LobeDensityArea);
-  for (size_t i = 0; i < count; ++i)
-  {
-    const float* d = &density[4 * i];
-    if (std::max({ d[0], d[1], d[2] }) > 0.0f)
-    {
-      const float* p = &position[4 * i];
-      const float* n = &normal[4 * i];
-      const float* w = &direction[4 * i];
-      senders.push_back({ { p[0], p[1], p[2] }, glm::normalize(glm::dvec3(n[0], n[1], n[2])), p[3],
-        glm::normalize(glm::dvec3(w[0], w[1], w[2])), w[3], { d[0], d[1], d[2] } });
-    }
-  }
-  return senders;
 }
 
 // Whether two points on surfaces see each other, in three ways (with vtkIndirectSightLines) of one
@@ -442,7 +372,7 @@ struct Sums
   const std::vector<float>& Specular; // empty where nothing reflects specularly
   std::vector<SenderBlock> Senders;
   std::vector<DirectionLight> Directions;
-  std::vector<LobeSender> Lobes;
+  std::vector<vtkIndirectReferenceLobe> Lobes;
   std::vector<float> Irradiance;
   std::vector<float> Glossy;
 
@@ -452,7 +382,7 @@ struct Sums
     constexpr bool hides = !std::is_same<Lines, OpenLines>::value;
     const SenderEnds<Lines> ends = FindEnds(this->Senders, lines);
     std::vector<typename Lines::End> endsOfLobes;
-    for (const LobeSender& lobe : this->Lobes)
+    for (const vtkIndirectReferenceLobe& lobe : this->Lobes)
     {
       endsOfLobes.push_back(lines.FindEnd(lobe.Position, lobe.Normal));
     }
@@ -566,7 +496,7 @@ vtkIndirectEstimate vtkRSMReferencePass::Estimate(const Input& input)
     : std::vector<float>();
   Sums sums = { input.Frame, surfaces, specular, {}, {}, {}, {}, {} };
   sums.Senders = ReadSenders(*input.Lights, sums.Directions);
-  sums.Lobes = ReadLobes(*input.Lights);
+  sums.Lobes = vtkIndirectReferenceLobe::Read(*input.Lights);
   const vtkIndirectVisibility& visibility = input.Visibility;
   if (visibility.IsExact())
   {

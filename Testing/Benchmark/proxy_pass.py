@@ -45,12 +45,12 @@ GOLDEN = np.pi * (3.0 - np.sqrt(5.0))
 # Scenes ------------------------------------------------------------------------------------------
 
 
-def protein() -> np.ndarray:
-    """Return the atoms of the protein: x, y, z, radius; Angstroms."""
+def protein(chain: str | None = None) -> np.ndarray:
+    """Return the atoms of the protein, or of one chain: x, y, z, radius; Angstroms."""
     radii = {"C": 1.7, "N": 1.55, "O": 1.52, "S": 1.8}
     rows = []
     for line in (FOLDER / "Data" / "protein_1tii.pdb").read_text(encoding="ascii").splitlines():
-        if line.startswith("ATOM"):
+        if line.startswith("ATOM") and chain in (None, line[21]):
             place = [float(line[i : i + 8]) for i in (30, 38, 46)]
             rows.append([*place, radii.get(line[76:78].strip(), 1.7)])
     return np.array(rows)
@@ -125,7 +125,9 @@ class View:
         self.window = vtkindirect.render_window(size)
         self.window.AddRenderer(self.renderer)
 
-    def receivers(self, seed: int = 1) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def receivers(
+        self, seed: int = 1, count: int = RECEIVERS
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return pixels (y, x), places and normals of some of what the last frame has seen."""
         depth = vtkindirect.copy_buffer(self.renderer, "depth")[..., 0].astype(float)
         normals = vtkindirect.copy_buffer(self.renderer, "normal").astype(float)
@@ -137,7 +139,7 @@ class View:
         tangent = np.tan(np.radians(camera.GetViewAngle() / 2))
         y, x = np.nonzero(depth > 0)
         chosen = np.random.Generator(np.random.PCG64(seed)).choice(
-            len(y), min(RECEIVERS, len(y)), replace=False
+            len(y), min(count, len(y)), replace=False
         )
         y, x = y[chosen], x[chosen]
         across = ((x + 0.5) / width * 2 - 1) * tangent * width / height

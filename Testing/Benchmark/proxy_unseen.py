@@ -15,7 +15,6 @@ from __future__ import annotations
 import argparse
 import sys
 import time
-from pathlib import Path
 
 import numpy as np
 import vtkindirect
@@ -27,7 +26,6 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
 import proxy_pass
 
-FOLDER = Path(__file__).resolve().parents[1]
 SIZE = (160, 120)
 RECEIVERS = 300
 DIRECTIONS = 256
@@ -36,7 +34,7 @@ SENT = 120
 BOUNCE = (64, 48)
 """Receivers whose bounce is compared; directions of each, and of each place that it sees."""
 NO_PLANE = np.array((1.0, -1.0, 1.0, -1.0, 0.0))
-EVENING = FOLDER / "Data" / "sky_gradient.exr"
+EVENING = proxy_pass.FOLDER / "Data" / "sky_gradient.exr"
 """Depends on the altitude alone."""
 
 
@@ -165,10 +163,9 @@ class View(proxy_pass.View):
 def row(name: str, view: View, rays: Rays, sky: Sky) -> None:
     """Print the row of a scene."""
     begin = time.process_time()
-    proxy_pass.RECEIVERS = RECEIVERS
     indirect = methods.enable(view.renderer, "proxies", environment=sky.value())
     view.window.Render()
-    (y, x), places, normals = view.receivers()
+    (y, x), places, normals = view.receivers(count=RECEIVERS)
     step = indirect.GetEstimator().GetActiveReceiverStep()
     halves = np.array(
         [
@@ -260,14 +257,7 @@ def organ_scene(part: str, seed: int) -> None:
 
 def chain_scene(letter: str, seed: int) -> None:
     """Print the row of a chain of the protein, its atoms at their radii."""
-    radii = {"C": 1.7, "N": 1.55, "O": 1.52, "S": 1.8}
-    lines = (FOLDER / "Data" / "protein_1tii.pdb").read_text(encoding="ascii").splitlines()
-    rows = [
-        [*(float(line[i : i + 8]) for i in (30, 38, 46)), radii.get(line[76:78].strip(), 1.7)]
-        for line in lines
-        if line.startswith("ATOM") and line[21] == letter
-    ]
-    spheres = np.array(rows)
+    spheres = proxy_pass.protein(letter)
     actor, _ = proxy_pass.spheres_actor(spheres)
     box = np.array((spheres[:, :3].min(axis=0), spheres[:, :3].max(axis=0)))
     random = np.random.Generator(np.random.PCG64((seed, 101)))

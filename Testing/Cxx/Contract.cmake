@@ -12,6 +12,7 @@ vtk_module_test_executable(TestPassContract
   Harness/vtkIndirectContractReport.cxx
   Harness/vtkIndirectContractScenes.cxx
   Harness/vtkIndirectContractUtilities.cxx
+  Harness/vtkIndirectGLNames.cxx
   Harness/vtkIndirectHarness.cxx
   ${contract_sources})
 target_link_libraries(TestPassContract

@@ -3,18 +3,11 @@
 
 import unittest
 
-import numpy as np
-
-import support
+import support  # noqa: F401
+import traced
 import vtkindirect
-from vtkindirect import frames, metrics, references, wrapped
+from vtkindirect import wrapped
 from vtkindirect.metrics import Errors
-
-STORED = support.SOURCE / "Testing" / "Reference" / "data"
-
-SAME = 2e-3
-"""Relative difference of depths under which a pixel shows the surface that was traced: half floats
-keep 5e-4, spheres are traced as triangles within 4e-3 of their radius."""
 
 # The scene, and the most of nRMSE that its kind may have of the direct light: atoms and particles
 # are spheres as they are, meshes are covered by at most 256 each. Measured: 0.083, 0.041, 0.068,
@@ -40,29 +33,14 @@ class SkySpheres(unittest.TestCase):
         All pixels count that show the surface that was traced, silhouettes and crevices with them:
         atoms are a few pixels wide, and there is little else of them.
         """
-        stored = STORED / f"{name}.exr"
-        layers = {layer: references.read_layer(stored, layer) for layer in ("S1", "S2", "depth")}
-        height, width = layers["S1"].shape[:2]
-        scene = vtkindirect.load_scene(support.SCENES / f"{name}.json")
-        frames.open_window(scene, (factor * width, factor * height))
-        self.addCleanup(scene.render_window.Finalize)
-        pass_ = vtkindirect.enable(scene.renderer, "proxies", lighting="scene")
-        scene.render_window.Render()
+        view = traced.Traced(name, factor)
+        self.addCleanup(view.window.Finalize)
+        pass_ = vtkindirect.enable(view.renderer, "proxies", lighting="scene")
+        view.window.Render()
         self.assertEqual(pass_.GetEstimator().GetActiveReceiverStep(), step)
-        middle = slice(factor // 2, None, factor)
-        found = {
-            buffer: vtkindirect.copy_buffer(scene.renderer, buffer)[middle, middle]
-            for buffer in ("depth", "sky", "bounce")
-        }
-        depth = found["depth"][..., 0]
-        traced = layers["depth"][..., 0]
-        same = (depth > 0.0) & (np.abs(depth - traced) < SAME * traced)
         # Edges of things that are a few pixels wide are all that differs.
-        self.assertGreater(same.sum(), 0.95 * (traced > 0.0).sum())
-        sky, bounce = (
-            metrics.compare(found[buffer], layers[layer], same)
-            for buffer, layer in (("sky", "S1"), ("bounce", "S2"))
-        )
+        self.assertGreater(view.same().sum(), 0.95 * (view.traced > 0.0).sum())
+        sky, bounce = (view.errors(buffer) for buffer in ("sky", "bounce"))
         print(
             f"{name}: nRMSE {sky.nrmse:.3f}, bias {sky.bias:+.3f}; "
             f"of the bounce {bounce.nrmse:.3f}, {bounce.bias:+.3f}"

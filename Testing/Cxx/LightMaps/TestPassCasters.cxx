@@ -3,9 +3,12 @@
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractRoom.h"
 
+#include "vtkAssembly.h"
 #include "vtkBoxRepresentation.h"
 #include "vtkCellArray.h"
 #include "vtkCubeAxesActor.h"
+#include "vtkCubeSource.h"
+#include "vtkEnvironmentLight.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLightKit.h"
@@ -14,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkReflectiveShadowMapPass.h"
+#include "vtkSphereSource.h"
 
 #include <algorithm>
 #include <functional>
@@ -97,6 +101,81 @@ VTK_INDIRECT_TEST(PropsBehindCasters)
     CONTRACT_CHECK(red(plain, 0) > 60 && red(plain, 0.7) > 60, "the tube is not lit");
     CONTRACT_CHECK(std::abs(red(plain, 0) - red(image, 0)) <= 1, "shadow of nothing");
     CONTRACT_CHECK(red(image, 0.7) < 10, "no shadow of the table");
+  }
+}
+
+//------------------------------------------------------------------------------
+// When data or mapper of an actor in an assembly change, maps follow as they do of one outside. Its
+// bounds stay, so that these do not give it away.
+VTK_INDIRECT_TEST(PropsChangeInAssemblies)
+{
+  Floats images[3][2][2]; // after changes, outside and inside, of two buffers
+  for (int inside = 0; inside < 2; ++inside)
+  {
+    vtkNew<vtkSphereSource> ball;
+    ball->SetCenter(-0.2, 0.5, 0.0);
+    ball->SetRadius(0.4);
+    ball->Update();
+    vtkNew<vtkCubeSource> cube;
+    cube->SetBounds(ball->GetOutput()->GetBounds());
+    cube->Update();
+    vtkNew<vtkPolyData> data;
+    data->ShallowCopy(ball->GetOutput());
+    vtkNew<vtkPolyDataMapper> mappers[2];
+    mappers[0]->SetInputData(data);
+    mappers[1]->SetInputConnection(ball->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mappers[0]);
+    vtkNew<vtkAssembly> inner;
+    inner->AddPart(actor);
+    vtkNew<vtkAssembly> outer;
+    outer->AddPart(inner);
+    View view(64, 48);
+    view.Renderer->AddActor(MakeQuad({ -1, 0, 1 }, { 1, 0, 1 }, { -1, 0, -1 }));
+    view.Renderer->AddViewProp(inside ? static_cast<vtkProp*>(outer) : actor);
+    view.Renderer->AddLight(MakeLight(LightKind::Spot, { 0.5, 3, 0.5 }, { 0, 0, 0 }));
+    vtkCamera* camera = view.Renderer->GetActiveCamera();
+    camera->SetPosition(0, 2, 3);
+    camera->SetFocalPoint(0, 0.2, 0);
+    view.Renderer->ResetCameraClippingRange(-1, 1, 0, 1, -1, 1);
+    vtkNew<vtkIndirectIlluminationPass> pass;
+    vtkNew<vtkEnvironmentLight> sky;
+    pass->SetEnvironment(sky);
+    view.Renderer->SetPass(pass);
+    for (int change = 0; change < 3; ++change)
+    {
+      if (change == 1)
+      {
+        data->ShallowCopy(cube->GetOutput());
+      }
+      else if (change == 2)
+      {
+        actor->SetMapper(mappers[1]);
+      }
+      const long long before = CountOf(pass, "sky_tiles_drawn");
+      view.Grab();
+      const long long first = CountOf(pass, "sky_tiles_drawn");
+      CONTRACT_CHECK(change == 0 || first > before, change << ": no map is drawn");
+      // All are there, and stay.
+      view.Grab();
+      view.Grab();
+      CONTRACT_CHECK(CountOf(pass, "sky_tiles_drawn") == first, change << ": maps are drawn again");
+      images[change][inside][0] = Read(pass, "direct");
+      images[change][inside][1] = Read(pass, "sky");
+    }
+    pass->SetEnvironment(nullptr);
+  }
+  for (int change = 0; change < 3; ++change)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      // Depths of the same triangles by other matrices, and the pixels of an edge that they move.
+      const Difference off = Compare(images[change][0][i], images[change][1][i]);
+      CONTRACT_CHECK(off.Max < 0.02, change << ", " << i << ": off by " << off.Max);
+      CONTRACT_CHECK(
+        change == 0 || Compare(images[change][0][i], images[change - 1][0][i]).Max > 0.05,
+        change << ", " << i << ": nothing has changed");
+    }
   }
 }
 

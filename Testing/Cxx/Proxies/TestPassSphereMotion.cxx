@@ -4,12 +4,15 @@
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
+#include "vtkAssembly.h"
 #include "vtkCellArray.h"
 #include "vtkConeSource.h"
 #include "vtkEnvironmentLight.h"
+#include "vtkGenericRenderWindowInteractor.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkIndirectSplattingPass.h"
+#include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkMolecule.h"
 #include "vtkOpenGLMoleculeMapper.h"
 #include "vtkOpenGLSphereMapper.h"
@@ -208,6 +211,39 @@ VTK_INDIRECT_TEST(SphereMotionEnds)
 }
 
 //------------------------------------------------------------------------------
+// VTK's interactor renders once more when an interaction ends, at its StillUpdateRate: that frame
+// is the still one, complete, whatever an observer has moved meanwhile.
+VTK_INDIRECT_TEST(SphereMotionEndsWithAnInteraction)
+{
+  ParticleView view;
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  interactor->SetRenderWindow(view.Window);
+  interactor->SetInteractorStyle(style);
+  interactor->Initialize();
+  for (int turn = 0; turn < 2; ++turn)
+  {
+    style->StartRotate();
+    CONTRACT_CHECK(view.Window->GetDesiredUpdateRate() == interactor->GetDesiredUpdateRate(),
+      view.Window->GetDesiredUpdateRate() << " frames a second");
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      ++view.Number;
+      view.Place();
+      interactor->Render();
+    }
+    CONTRACT_CHECK(view.BySpheres(), "while it lasts: " << view.Who());
+    style->EndRotate();
+    CONTRACT_CHECK(view.Who() == "sky by depth maps", "when it has ended: " << view.Who());
+    CONTRACT_CHECK(CountOf(view.Pass, "tiles_left") == 0, "maps are left to be drawn");
+    const Floats ended = Read(view.Pass, "sky");
+    interactor->Render();
+    CONTRACT_CHECK(Compare(ended, Read(view.Pass, "sky")).Max == 0.0, "another picture");
+  }
+  interactor->SetRenderWindow(nullptr);
+}
+
+//------------------------------------------------------------------------------
 // Data that come more slowly than frames do not change who makes the sky with each of them.
 VTK_INDIRECT_TEST(SphereMotionSlowly)
 {
@@ -337,6 +373,50 @@ VTK_INDIRECT_TEST(SphereMotionOfSplats)
   CONTRACT_CHECK(
     Compare(Read(view.Pass, "sky"), moving).Max == 0.0, "the picture jumps when motion ends");
   view.Renderer->RemoveActor(view.Particles);
+}
+
+//------------------------------------------------------------------------------
+// Splats in an assembly, and in one within it, are found as those outside are.
+VTK_INDIRECT_TEST(SphereMotionOfSplatsInAssemblies)
+{
+  vtkNew<vtkPointGaussianMapper> splats;
+  splats->SetScaleFactor(0.15);
+  splats->EmissiveOff();
+  splats->SetSplatShaderCode("//VTK::Color::Impl\n"
+                             "if (dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy) > 1.0) "
+                             "{ discard; }\n");
+  ParticleView view(splats);
+  view.Render(false);
+  CONTRACT_CHECK(view.BySpheres(), "outside: " << view.Who());
+  const Floats outside = Read(view.Pass, "sky");
+  view.Renderer->RemoveActor(view.Particles);
+  vtkNew<vtkAssembly> inner;
+  inner->AddPart(view.Particles);
+  vtkNew<vtkAssembly> outer;
+  outer->AddPart(inner);
+  for (vtkAssembly* assembly : { inner.Get(), outer.Get() })
+  {
+    view.Renderer->AddActor(assembly);
+    view.Render(false);
+    CONTRACT_CHECK(view.BySpheres(), "in an assembly: " << view.Who());
+    const std::string why = Report(view.Pass).FindReason("modelled", view.Who());
+    CONTRACT_CHECK(why.find("20 splats") != std::string::npos, why);
+    // Float rounding of matrices that are multiplied once more.
+    CONTRACT_CHECK(Compare(Read(view.Pass, "sky"), outside).Max <= 1e-5, "they hide otherwise");
+    // Their places are looked at again when data change.
+    view.Render(true);
+    CONTRACT_CHECK(
+      Compare(Read(view.Pass, "sky"), outside).Max > 0.01, "they stay where they were");
+    view.Number -= 2;
+    view.Render(true);
+    CONTRACT_CHECK(Compare(Read(view.Pass, "sky"), outside).Max <= 1e-5, "or do not come back");
+    view.Renderer->RemoveActor(assembly);
+  }
+  view.Renderer->AddActor(outer);
+  view.Particles->VisibilityOff();
+  view.Render(false);
+  CONTRACT_CHECK(!view.BySpheres(), "invisible ones: " << view.Who());
+  view.Renderer->RemoveActor(outer);
 }
 
 //------------------------------------------------------------------------------

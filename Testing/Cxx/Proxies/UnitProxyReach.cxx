@@ -2,6 +2,7 @@
 // Radii within which spheres count, by brute force: what is cut off is at most 1/256, and with a
 // fifth less it is more than that.
 #include "OpenGL/vtkIndirectKernels.h"
+#include "Proxies/vtkIndirectCoefficient.h"
 #include "Proxies/vtkIndirectProxyLight.h"
 #include "Proxies/vtkIndirectProxyReach.h"
 #include "Proxies/vtkIndirectProxyTable.h"
@@ -23,13 +24,9 @@ namespace
 vtkiHarmonics4 OfColor(const Light& light, int color)
 {
   vtkiHarmonics4 f;
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < vtkIndirectProxyLight::NumberOfCoefficients; ++i)
   {
-    const size_t k = static_cast<size_t>(i);
-    f.A[i] = static_cast<float>(light[k][color]);
-    f.B[i] = static_cast<float>(light[4 + k][color]);
-    f.C[i] = static_cast<float>(light[8 + k][color]);
-    f.D[i] = static_cast<float>(light[12 + k][color]);
+    vtkIndirectCoefficient(f, i) = static_cast<float>(light[static_cast<size_t>(i)][color]);
   }
   return f;
 }
@@ -37,13 +34,9 @@ vtkiHarmonics4 OfColor(const Light& light, int color)
 void AddFrom(Light& light, const vec3& d, const glm::dvec3& sent)
 {
   const vtkiHarmonics4 y = vtkiHarmonics4At(d);
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < vtkIndirectProxyLight::NumberOfCoefficients; ++i)
   {
-    const size_t k = static_cast<size_t>(i);
-    light[k] += static_cast<double>(y.A[i]) * sent;
-    light[4 + k] += static_cast<double>(y.B[i]) * sent;
-    light[8 + k] += static_cast<double>(y.C[i]) * sent;
-    light[12 + k] += static_cast<double>(y.D[i]) * sent;
+    light[static_cast<size_t>(i)] += static_cast<double>(vtkIndirectCoefficient(y, i)) * sent;
   }
 }
 

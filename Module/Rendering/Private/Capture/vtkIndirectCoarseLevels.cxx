@@ -10,6 +10,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
@@ -50,18 +51,25 @@ bool vtkIndirectCoarseLevels::IsCurrent(const Entry& entry)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCoarseLevels::Discard(Entry& entry)
+void vtkIndirectCoarseLevels::DiscardBuffers(Entry& entry)
 {
   for (const auto& level : entry.Levels)
   {
-    for (const auto& buffer : { level->PositionBuffer, level->IndexBuffer })
+    for (auto* buffer : { &level->PositionBuffer, &level->IndexBuffer })
     {
-      if (buffer)
+      if (*buffer)
       {
-        this->Unused.push_back(buffer);
+        this->Unused.push_back(*buffer);
+        *buffer = nullptr;
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCoarseLevels::Discard(Entry& entry)
+{
+  this->DiscardBuffers(entry);
   entry.Levels.clear();
 }
 
@@ -168,6 +176,11 @@ void vtkIndirectCoarseLevels::Update(vtkIndirectFrame& frame)
       this->Discard(*it);
       it = this->Entries.erase(it);
       continue;
+    }
+    // As renderers release what a mapper has.
+    if (!frame.Renderer->HasViewProp(it->Actor))
+    {
+      this->DiscardBuffers(*it);
     }
     for (vtkIndirectCaster& caster : frame.Casters)
     {

@@ -45,7 +45,8 @@ public:
   std::string Add(vtkProp* prop, vtkPolyData* mesh, double error);
   void Remove(vtkProp* prop);
 
-  /** Forgets levels of what is gone or has changed, and dates casters that have some. */
+  /** Forgets levels of what is gone or has changed, and dates casters that have some. Of an actor
+   * that is not in the renderer OpenGL's part is released. */
   void Update(vtkIndirectFrame& frame);
 
   /** Whether a prop has levels. */
@@ -76,6 +77,7 @@ private:
 
   static bool IsCurrent(const Entry& entry);
   void Discard(Entry& entry);
+  void DiscardBuffers(Entry& entry);
 };
 
 #endif

@@ -39,8 +39,12 @@ struct vtkIndirectPropKind
 
   static vtkIndirectPropKind Find(vtkProp* prop);
 
-  /** When what it draws has changed last: VTK's redraw time does not know of data that are no
-   * vtkDataSet, such as a vtkMolecule. */
+  /**
+   * When what it draws has changed last: VTK's redraw time does not know of data that are no
+   * vtkDataSet, such as a vtkMolecule. VTK modifies what is in an assembly whenever it draws it, so
+   * of assemblies it is a number made of what their parts are drawn from: only to be compared
+   * whether it is the same.
+   */
   static vtkMTimeType FindTime(vtkProp* prop);
 
   /**

@@ -5,6 +5,7 @@
 
 #include "Frame/vtkIndirectFrame.h"
 #include "Gather/vtkIndirectSkyDirections.h"
+#include "Proxies/vtkIndirectProxyActors.h"
 #include "Proxies/vtkIndirectProxyLight.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -81,11 +82,14 @@ double vtkIndirectSphereMotion::CountSplats(const vtkIndirectFrame& frame)
   double splats = 0.0;
   for (vtkProp* prop : frame.Props)
   {
-    auto* actor = vtkActor::SafeDownCast(prop);
-    vtkDataObject* data = actor && vtkIndirectProxyKinds::IsOfCutSplats(actor)
-      ? actor->GetMapper()->GetInputDataObject(0, 0)
-      : nullptr;
-    splats += data ? static_cast<double>(data->GetNumberOfElements(vtkDataObject::POINT)) : 0.0;
+    vtkIndirectProxyActors::ForEach(prop,
+      [&splats](vtkActor* actor, vtkMatrix4x4*)
+      {
+        vtkDataObject* data = vtkIndirectProxyKinds::IsOfCutSplats(actor)
+          ? actor->GetMapper()->GetInputDataObject(0, 0)
+          : nullptr;
+        splats += data ? static_cast<double>(data->GetNumberOfElements(vtkDataObject::POINT)) : 0.0;
+      });
   }
   return splats;
 }

@@ -2,6 +2,7 @@
 #include "Proxies/vtkIndirectProxyLight.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
+#include "Proxies/vtkIndirectCoefficient.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -12,12 +13,6 @@ using namespace vtkIndirectKernels;
 
 namespace
 {
-float Get(const vtkiHarmonics4& f, int i)
-{
-  const vec4& part = i < 4 ? f.A : i < 8 ? f.B : i < 12 ? f.C : f.D;
-  return part[i % 4];
-}
-
 void Append(std::vector<glm::vec4>& rows, const vtkiHarmonics4& f)
 {
   rows.insert(rows.end(), { f.A, f.B, f.C, f.D });
@@ -48,7 +43,7 @@ vtkIndirectProxyLight::Coefficients vtkIndirectProxyLight::Project(vtkEnvironmen
     const glm::dvec3 sent(cell.Light[0], cell.Light[1], cell.Light[2]);
     for (int i = 0; i < NumberOfCoefficients; ++i)
     {
-      light[static_cast<size_t>(i)] += static_cast<double>(Get(y, i)) * sent;
+      light[static_cast<size_t>(i)] += static_cast<double>(vtkIndirectCoefficient(y, i)) * sent;
     }
   }
   return light;
@@ -164,13 +159,10 @@ bool vtkIndirectProxyLight::Update(vtkOpenGLRenderWindow* window, vtkEnvironment
   for (int color = 0; color < 3; ++color)
   {
     vtkiHarmonics4 light;
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < NumberOfCoefficients; ++i)
     {
-      const size_t k = static_cast<size_t>(i);
-      light.A[i] = static_cast<float>(this->Light[k][color]);
-      light.B[i] = static_cast<float>(this->Light[4 + k][color]);
-      light.C[i] = static_cast<float>(this->Light[8 + k][color]);
-      light.D[i] = static_cast<float>(this->Light[12 + k][color]);
+      vtkIndirectCoefficient(light, i) =
+        static_cast<float>(this->Light[static_cast<size_t>(i)][color]);
     }
     const vtkiLightMatrix matrix = vtkiMakeLightMatrix(light);
     for (const vtkiHarmonics4& column : matrix.Columns)

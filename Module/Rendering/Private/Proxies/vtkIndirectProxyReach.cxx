@@ -2,6 +2,7 @@
 #include "Proxies/vtkIndirectProxyReach.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
+#include "Proxies/vtkIndirectCoefficient.h"
 #include "Proxies/vtkIndirectProxyTable.h"
 #include "VirtualLights/vtkIndirectDirections.h"
 
@@ -16,12 +17,6 @@ namespace
 {
 constexpr int Directions = 256;
 constexpr int Pairs = 8; // that are climbed from
-
-float* At(vtkiHarmonics4& f, int i)
-{
-  vec4& part = i < 4 ? f.A : i < 8 ? f.B : i < 12 ? f.C : f.D;
-  return &part[i % 4];
-}
 
 // Climbs from two directions to where a function of both is largest.
 double Climb(const std::function<double(const vec3&, const vec3&)>& f, vec3& a, vec3& b)
@@ -210,7 +205,8 @@ vtkIndirectProxyReach vtkIndirectProxyReach::Find(const Coefficients& light, boo
     vtkiHarmonics4 one;
     for (int i = 0; i < 16; ++i)
     {
-      *At(one, i) = static_cast<float>(light[static_cast<size_t>(i)][color] / size);
+      vtkIndirectCoefficient(one, i) =
+        static_cast<float>(light[static_cast<size_t>(i)][color] / size);
     }
     const vtkIndirectProxyReach own = FindColor(one, middle);
     reach.Hides = std::max(reach.Hides, own.Hides);

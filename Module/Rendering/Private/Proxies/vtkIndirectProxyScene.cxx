@@ -169,6 +169,20 @@ vtkDataObject* FindMeshes(vtkMapper* mapper)
   }
   return input;
 }
+
+bool IsOfSplats(vtkActor* actor)
+{
+  return vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) != nullptr;
+}
+
+// Whether an actor, or one in an assembly, draws splats.
+bool HasSplats(vtkProp* prop)
+{
+  bool any = false;
+  vtkIndirectProxyActors::ForEach(
+    prop, [&any](vtkActor* actor, vtkMatrix4x4*) { any = any || IsOfSplats(actor); });
+  return any;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -190,6 +204,7 @@ bool vtkIndirectProxyScene::Update(
   {
     vtkProp* Prop;
     bool Sends;
+    bool SplatsAlone = false;
   };
   std::vector<Drawn> drawn;
   for (const vtkIndirectCaster& caster : frame.Casters)
@@ -199,10 +214,11 @@ bool vtkIndirectProxyScene::Update(
   // Splats have no surface, and are no casters, but some of them look like spheres.
   for (vtkProp* prop : frame.Props)
   {
-    auto* actor = vtkActor::SafeDownCast(prop);
-    if (actor && vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()))
+    if (HasSplats(prop) &&
+      std::none_of(frame.Casters.begin(), frame.Casters.end(),
+        [prop](const vtkIndirectCaster& caster) { return caster.Prop == prop; }))
     {
-      drawn.push_back({ prop, true });
+      drawn.push_back({ prop, true, true });
     }
   }
   std::vector<double> key = { frame.SceneCenter.x, frame.SceneCenter.y, frame.SceneCenter.z,
@@ -231,6 +247,10 @@ bool vtkIndirectProxyScene::Update(
     vtkIndirectProxyActors::ForEach(item.Prop,
       [&](vtkActor* actor, vtkMatrix4x4* matrix)
       {
+        if (item.SplatsAlone && !IsOfSplats(actor))
+        {
+          return;
+        }
         const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(matrix);
         Part part = { actor, actor->GetMapper(), item.Prop, item.Sends, frame.ToScene(toWorld),
           frame.SceneScale * std::cbrt(std::abs(glm::determinant(glm::dmat3(toWorld)))) };
