@@ -174,7 +174,7 @@ vec4 zonalLog(float sine)
 {
   float place = vtkiProxyRow(sine) * float(TABLE.length() - 1);
   int row = min(int(place), TABLE.length() - 2);
-  return mix(TABLE[row], TABLE[row + 1], place - float(row));
+  return vtkiProxyRow(sine) * mix(TABLE[row], TABLE[row + 1], place - float(row));
 }
 
 // What vtkIndirectProxySum.glsl does of a receiver, without bounce and polygons.

@@ -56,7 +56,8 @@ vec4 Logarithm(float sine)
   for (int i = 0; i < 4; ++i)
   {
     const float low = vtkIndirectProxyTable[row][i];
-    zonal[i] = low + (at - static_cast<float>(row)) * (vtkIndirectProxyTable[row + 1][i] - low);
+    zonal[i] = vtkiProxyRow(sine) *
+      (low + (at - static_cast<float>(row)) * (vtkIndirectProxyTable[row + 1][i] - low));
   }
   return zonal;
 }

@@ -6,7 +6,7 @@ uniform sampler2D vtkiProxyCenter; // centre, radius
 uniform sampler2D vtkiProxyOuter;  // centre and radius of the region
 uniform sampler2D vtkiProxyAlbedo; // albedo, share of the disk that is hidden
 uniform sampler2D vtkiProxyInner;  // radius within which others stand for it, sender, next entry, first below it
-uniform sampler2D vtkiProxyTable;  // zonal logarithms, a row of them
+uniform sampler2D vtkiProxyTable;  // zonal logarithms over 1 - cos, a row of them
 uniform int vtkiProxyCount;
 uniform bool vtkiProxyHides;
 uniform sampler2D vtkiSentLight0;  // of senders and means in pairs: irradiance a + b n of each colour, a and b.x; red b.y
@@ -41,10 +41,12 @@ vtkiProxySums vtkiNoProxies()
 // The logarithm of what a disk around +z leaves to be seen, by half its sine.
 vec4 vtkiZonalLog(float sine)
 {
-  float place = vtkiProxyRow(sine) * float(VTKI_PROXY_TABLE - 1);
+  float share = vtkiProxyRow(sine);
+  float place = share * float(VTKI_PROXY_TABLE - 1);
   int row = min(int(place), VTKI_PROXY_TABLE - 2);
-  return mix(texelFetch(vtkiProxyTable, ivec2(row, 0), 0), texelFetch(vtkiProxyTable, ivec2(row + 1, 0), 0),
-    place - float(row));
+  return share *
+    mix(texelFetch(vtkiProxyTable, ivec2(row, 0), 0), texelFetch(vtkiProxyTable, ivec2(row + 1, 0), 0),
+      place - float(row));
 }
 
 // Radiance of a sphere of albedo 1 towards the receiver, in the light that nothing hides from it (Eq 15; with
