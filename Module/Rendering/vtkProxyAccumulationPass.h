@@ -99,7 +99,7 @@ public:
    * 0: as few as cut off, of one sphere, at most 1/256 of the largest irradiance that the open
    * environment gives any normal, in each colour, wherever the sphere is and whatever the
    * receiver's normal: 16.9 under a uniform sky, 28.5 under a sun alone. The paper's 15 cut off
-   * 1/203 and 1/72. What thousands of spheres lose adds up. With Groups nothing is cut off.
+   * 1/209 and 1/72. What thousands of spheres lose adds up. With Groups nothing is cut off.
    * Default 0, range 0, and 2 to 1000; what is between is 2.
    */
   virtual void SetInfluenceScale(double scale);
