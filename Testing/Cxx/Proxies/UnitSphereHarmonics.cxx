@@ -383,8 +383,8 @@ VTK_INDIRECT_TEST(SphereHarmonicsOverAPlane)
     for (double x = 0.05; x < 8.0; x += 0.1)
     {
       const double d = std::sqrt(x * x + height * height);
-      const double sine =
-        vtkiProxySine(vec3(static_cast<float>(x), 0.0f, static_cast<float>(height)), 1.0f, n);
+      const double sine = vtkiProxySine(
+        vec3(static_cast<float>(x), 0.0f, static_cast<float>(height)), 1.0f, n, VTKI_PROXY_FITTED);
       const double measured =
         vtkiHarmonicsDot(c, vtkiHarmonicsExp(LogVisibility(sine, { x / d, 0.0, height / d })));
       const double exact = 1.0 - height / (d * d * d);
@@ -567,10 +567,12 @@ VTK_INDIRECT_TEST(SphereHarmonicsExactOperator)
 VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
 {
   const vec3 n(0.0f, 0.0f, 1.0f);
-  CheckEqual("no radius", vtkiProxySine(vec3(0.0f, 0.0f, 1.0f), 0.0f, n), 0.0);
-  CheckEqual("far: r / d", vtkiProxySine(vec3(3.0f, 0.0f, 4.0f), 1.0f, n), 0.2f);
-  CheckEqual("at the center: hides nothing", vtkiProxySine(vec3(0.0f), 1.0f, n), 0.0);
-  CheckEqual("inside, under the center", vtkiProxySine(vec3(0.0f, 0.0f, 0.5f), 1.0f, n), 1.0);
+  CheckEqual("no radius", vtkiProxySine(vec3(0.0f, 0.0f, 1.0f), 0.0f, n, VTKI_PROXY_FITTED), 0.0);
+  CheckEqual("far: r / d", vtkiProxySine(vec3(3.0f, 0.0f, 4.0f), 1.0f, n, VTKI_PROXY_FITTED), 0.2f);
+  CheckEqual(
+    "at the center: hides nothing", vtkiProxySine(vec3(0.0f), 1.0f, n, VTKI_PROXY_FITTED), 0.0);
+  CheckEqual("inside, under the center",
+    vtkiProxySine(vec3(0.0f, 0.0f, 0.5f), 1.0f, n, VTKI_PROXY_FITTED), 1.0);
   // Spheres of the receiver's own surface, which stick out of it a little.
   const vtkiLightMatrix sky = UniformSky();
   const vtkiHarmonics4 c = vtkiLitCosine(sky, n);
@@ -578,7 +580,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
   for (const glm::dvec3& center : { glm::dvec3(0.0, 0.0, -0.95), glm::dvec3(0.3, 0.0, -0.95),
          glm::dvec3(0.6, 0.0, -0.6), glm::dvec3(0.8, 0.0, -0.3) })
   {
-    const double sine = vtkiProxySine(vec3(center), 1.0f, n);
+    const double sine = vtkiProxySine(vec3(center), 1.0f, n, VTKI_PROXY_FITTED);
     worst = std::max(worst,
       std::abs(
         1.0 - vtkiHarmonicsDot(c, vtkiHarmonicsExp(LogVisibility(sine, glm::normalize(center))))));
@@ -592,8 +594,8 @@ VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
     double before = -1.0;
     for (double x = 2.0; x > 0.0; x -= 1e-3)
     {
-      const double sine =
-        vtkiProxySine(vec3(static_cast<float>(x), 0.0f, static_cast<float>(height)), 1.0f, n);
+      const double sine = vtkiProxySine(
+        vec3(static_cast<float>(x), 0.0f, static_cast<float>(height)), 1.0f, n, VTKI_PROXY_FITTED);
       jump = std::max(jump, before < 0.0 ? 0.0 : std::abs(sine - before));
       before = sine;
     }

@@ -40,9 +40,9 @@ void vtkIndirectProxyTree::Build(
     {
       const glm::vec3 center(sphere.Center);
       const double outer = reach > 0.0 ? std::min(reach * sphere.Radius, Everywhere) : Everywhere;
-      this->Entries.push_back(
-        { center, static_cast<float>(sphere.Radius), center, static_cast<float>(outer),
-          sphere.Albedo, 1.0f, 0.0f, static_cast<int>(this->Senders.size()), 0, 0 });
+      this->Entries.push_back({ center, static_cast<float>(sphere.Radius), center,
+        static_cast<float>(outer), sphere.Albedo, 1.0f, sphere.Exact ? -1.0f : 0.0f,
+        static_cast<int>(this->Senders.size()), 0, 0 });
       this->Senders.push_back({ center, static_cast<float>(sphere.Radius) });
     }
     for (size_t i = 0; i < this->Entries.size(); ++i)
@@ -136,6 +136,7 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
   Node node;
   node.NumberOfChildren = 0;
   node.NumberOfSpheres = end - first;
+  node.Exact = false;
   if (end - first == 1)
   {
     const vtkIndirectProxySphere& sphere = spheres[this->Order[first]];
@@ -152,6 +153,7 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
     node.Albedo = sphere.Albedo;
     node.Share = 1.0;
     node.Inner = 0.0;
+    node.Exact = sphere.Exact;
     this->Nodes[number] = node;
     return number;
   }
@@ -265,7 +267,8 @@ void vtkIndirectProxyTree::AddEntry(size_t number, const Node* parent)
     { center, static_cast<float>(node.Radius), parent ? glm::vec3(parent->Center) : center,
       static_cast<float>(parent ? std::min(parent->Inner, Everywhere) : Everywhere),
       glm::vec3(node.Albedo), static_cast<float>(node.Share),
-      static_cast<float>(std::min(node.Inner, Everywhere)), node.Sender, -1, -1 });
+      node.Exact ? -1.0f : static_cast<float>(std::min(node.Inner, Everywhere)), node.Sender, -1,
+      -1 });
 }
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,8 @@ public:
     float Outer; // it counts within; all of it within vtkiProxyBand of that
     glm::vec3 Albedo;
     float Share; // of the light that its disk hides
-    float Inner; // the same the other way round: nothing of it counts well within; 0: it does
+    float Inner; // the same the other way round: nothing of it counts well within; 0: it does, as
+                 // a sphere that stands for a surface; -1: as one that is drawn
     int Sender; // whose light it sends: a place among the senders, or from there on among the means
     int Next;   // the entry after it and all below it; -1: none
     int First;  // the first below it, or Next
@@ -83,6 +84,7 @@ private:
     size_t Children[4];
     int NumberOfChildren;
     size_t NumberOfSpheres;
+    bool Exact;
     int Sender;
     int Entry;
   };

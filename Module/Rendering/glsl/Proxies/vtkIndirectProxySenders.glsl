@@ -31,6 +31,7 @@ void vtkiOpenSender(vtkiProxySums around, inout vec4 place, inout vec4 normal)
   float size = length(open);
 #ifdef VTKI_PROXY_SENDERS
   vtkiOwnCenter = normal.w > 0.0f ? vec3(1.0e30f) : place.xyz;
+  vtkiAllNormals = !(normal.w > 0.0f);
 #endif
   if (!(normal.w > 0.0f))
   {

@@ -5,7 +5,8 @@
 uniform sampler2D vtkiProxyCenter; // centre, radius
 uniform sampler2D vtkiProxyOuter;  // centre and radius of the region
 uniform sampler2D vtkiProxyAlbedo; // albedo, share of the disk that is hidden
-uniform sampler2D vtkiProxyInner;  // radius within which others stand for it, sender, next entry, first below it
+uniform sampler2D vtkiProxyInner;  // radius within which others stand for it (0: none do, -1: it is drawn as it is),
+                                   // sender, next entry, first below it
 uniform sampler2D vtkiProxyTable;  // zonal logarithms over 1 - cos, a row of them
 uniform int vtkiProxyCount;
 uniform bool vtkiProxyHides;
@@ -20,6 +21,8 @@ vec3 vtkiOwnCenter = vec3(1.0e30f);
 // Whether the middle of a sphere that is summed for without a normal is inside of another one, 1; 0 from a quarter of
 // that one's radius on.
 float vtkiOwnBuried = 0.0f;
+// Whether light is summed for all normals of a sphere, whose place among spheres is open towards the given one.
+bool vtkiAllNormals = false;
 #endif
 
 const int VTKI_PROXY_TABLE = 64;
@@ -133,30 +136,35 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
   float d = length(toCenter);
   float toOuter = length(outer.xyz - position);
   float weight = vtkiProxyWeight(toOuter, outer.w, d, inner.x);
+  vec3 direction = toCenter / max(d, 1.0e-30f);
+  float band = inner.x < 0.0f ? VTKI_PROXY_DRAWN : VTKI_PROXY_FITTED;
+#ifdef VTKI_PROXY_SENDERS
+  band = vtkiAllNormals ? VTKI_PROXY_FITTED : band;
+#endif
+  float sine = vtkiProxySine(toCenter, sphere.w, normal, band);
 #ifdef VTKI_PROXY_SENDERS
   // Without a normal: of a place among spheres, where those around it say nothing.
-  float sine = dot(normal, normal) > 0.0f ? vtkiProxySine(toCenter, sphere.w, normal)
-    : d > sphere.w                        ? sphere.w / d
-                                          : 0.0f;
+  sine = dot(normal, normal) > 0.0f ? sine : d > sphere.w ? sphere.w / d : 0.0f;
+  weight *= vtkiAllNormals ? 1.0f : vtkiProxyAbove(dot(direction, normal), sine);
   sine = all(equal(sphere.xyz, vtkiOwnCenter)) ? 0.0f : sine;
   if (weight > 0.0f && d > 0.0f && !(dot(normal, normal) > 0.0f))
   {
     vtkiOwnBuried = max(vtkiOwnBuried, clamp(5.0f - 4.0f * d / max(sphere.w, 1.0e-30f), 0.0f, 1.0f));
   }
 #else
-  float sine = vtkiProxySine(toCenter, sphere.w, normal);
+  weight *= vtkiProxyAbove(dot(direction, normal), sine);
 #endif
   if (weight > 0.0f && sine > 0.0f)
   {
     vec4 albedo = texelFetch(vtkiProxyAlbedo, at, 0);
-    weight *= albedo.w;
-    vec3 direction = toCenter / max(d, 1.0e-30f);
-    vec4 zonal = weight * vtkiZonalLog(sine) * vec4(3.54490770f, 2.04665341f, 1.58533092f, 1.33984918f);
+    vec4 zonal = weight * vtkiZonalShare(vtkiZonalLog(sine), sine, albedo.w) *
+      vec4(3.54490770f, 2.04665341f, 1.58533092f, 1.33984918f);
     vtkiHarmonics4 y = vtkiHarmonics4At(direction);
     sums.hidden.A += y.A * vec4(zonal.x, zonal.y, zonal.y, zonal.y);
     sums.hidden.B += y.B * zonal.z;
     sums.hidden.C += y.C * vec4(zonal.z, zonal.w, zonal.w, zonal.w);
     sums.hidden.D += y.D * zonal.w;
+    weight *= albedo.w;
 #ifdef VTKI_PROXY_LIGHT
     float reach = vtkiProxyLightReach > 0.0f ? vtkiProxyWithin(d, vtkiProxyLightReach * sphere.w) : 1.0f;
 #ifdef VTKI_PROXY_SHADOWED
@@ -243,11 +251,12 @@ vec3 vtkiPolygonRadiance(vec3 position, vec3 normal, vec3 side, int first, int c
 }
 #endif
 
-// Adds the flat polygons, each as the disk that gives all receivers above it the same irradiance. One that the
-// receiver lies on hides nothing. open: what spheres leave to be seen, of the polygons too.
-void vtkiAddPolygons(
-  vec3 position, vec3 normal, vtkiHarmonics4 open, inout vtkiHarmonics4 hidden, inout vec3 bounce)
+// Takes what flat polygons hide from what is seen, each as the disk that gives all receivers above it the same
+// irradiance. One that the receiver lies on hides nothing. They are few and large: the product with what one leaves is
+// exact to order 4, where a disk that fills half of the sphere has no logarithm.
+void vtkiAddPolygons(vec3 position, vec3 normal, inout vtkiHarmonics4 seen, inout vec3 bounce)
 {
+  vtkiHarmonics4 open = seen; // what spheres leave to be seen, of the polygons too
   for (int i = 0; i < vtkiPolygonCount; ++i)
   {
     int row = VTKI_PROXY_LIGHT_ROWS + VTKI_POLYGON_ROWS * i;
@@ -274,7 +283,8 @@ void vtkiAddPolygons(
     bool below = dot(disk.xyz, normal) < -0.9999f * max(disk.w, 1.0e-6f);
     if (!own && !below && disk.w > 0.0f)
     {
-      hidden = vtkiHarmonicsAdd(hidden, 1.0f, vtkiZonalTo(vtkiZonalLog(disk.w), disk.xyz));
+      vtkiHarmonics4 filled = vtkiZonalTo(vtkiZonalDisk(disk.w), disk.xyz);
+      seen = vtkiHarmonicsAdd(seen, -1.0f, vtkiHarmonicProduct(seen, filled));
 #ifdef VTKI_PROXY_LIGHT
 #ifdef VTKI_PROXY_SHADOWED
       int count = int(vtkiProxyRows[row + 3].w);
@@ -285,8 +295,8 @@ void vtkiAddPolygons(
       vec3 radiance = max(vec3(vtkiHarmonicsDot(cosine, vtkiProxyLightOf(0)),
         vtkiHarmonicsDot(cosine, vtkiProxyLightOf(1)), vtkiHarmonicsDot(cosine, vtkiProxyLightOf(2))), vec3(0.0f));
 #endif
-      vtkiHarmonics4 seen = vtkiHarmonicProduct(open, vtkiZonalTo(vtkiZonalDisk(disk.w), disk.xyz));
-      bounce += max(vtkiHarmonicsDot(seen, vtkiClampedCosine(normal)), 0.0f) * albedo.rgb * radiance;
+      vtkiHarmonics4 sent = vtkiHarmonicProduct(open, filled);
+      bounce += max(vtkiHarmonicsDot(sent, vtkiClampedCosine(normal)), 0.0f) * albedo.rgb * radiance;
 #endif
     }
   }
@@ -295,8 +305,7 @@ void vtkiAddPolygons(
 // What is left to be seen of the sky. bounce: what proxies send.
 vtkiHarmonics4 vtkiSeenSky(vec3 position, vec3 normal, vtkiProxySums sums, out vec3 bounce)
 {
-  vtkiHarmonics4 hidden = sums.hidden;
-  vtkiHarmonics4 seen = vtkiHarmonicsExp(hidden);
+  vtkiHarmonics4 seen = vtkiHarmonicsExp(sums.hidden);
   bounce = vec3(0.0f);
 #ifdef VTKI_PROXY_LIGHT
 #ifdef VTKI_PROXY_SHADOWED
@@ -307,8 +316,7 @@ vtkiHarmonics4 vtkiSeenSky(vec3 position, vec3 normal, vtkiProxySums sums, out v
 #endif
   if (vtkiPolygonCount > 0)
   {
-    vtkiAddPolygons(position, normal, seen, hidden, bounce);
-    seen = vtkiHarmonicsExp(hidden);
+    vtkiAddPolygons(position, normal, seen, bounce);
   }
   if (!vtkiProxyHides)
   {

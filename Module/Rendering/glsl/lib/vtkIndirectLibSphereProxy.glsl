@@ -174,14 +174,20 @@ float vtkiDiskIrradiance(float sine, float cosine)
   return max(0.5f * s2 / (1.0f + c) + 0.5f * s2 * cosine + 0.15625f * c * s2 * (3.0f * cosine * cosine - 1.0f), 0.0f);
 }
 
+/* Share of the radius within which a receiver may be on what stands for a surface, and on what is drawn as a sphere. */
+const float VTKI_PROXY_FITTED = 0.25f;
+const float VTKI_PROXY_DRAWN = 0.01f;
+
 /* Sine of half the angle under which a sphere counts for a receiver of unit normal n; toCenter from
- * the receiver. Seen from outside it is r / d, whatever crosses the receiver's plane: what is below it
- * has no cosine. Spheres that contain the receiver are mostly those that stand for its own surface. One
- * whose center is below the plane is shrunk until it ends at it, and hides nothing; one with its center
- * above hides the more the higher that is, all of its side from a quarter of the radius on. From there
- * to 1.25 radii away this goes over to r / d, so that nothing jumps. Too bright: beside a body that is
- * half sunk into the ground, within that distance. */
-float vtkiProxySine(vec3 toCenter, float radius, vec3 n)
+ * the receiver. Seen from outside it is r / d, whatever crosses the receiver's plane. Spheres that
+ * contain the receiver are mostly those that stand for its own surface. One whose center is below the
+ * plane is shrunk until it ends at it; one with its center above hides the more the higher that is, all
+ * of its side from a quarter of the radius on. Up to the share `band` of the radius outside of it this
+ * goes over to r / d, so that nothing jumps: far outside for what stands for a surface, which may lie on
+ * either side of it, and close by for spheres that are drawn, of which a neighbor that is cut by the
+ * receiver's own sphere hides what is above the plane. Too bright: beside a fitted body that is half
+ * sunk into the ground, within that distance. */
+float vtkiProxySine(vec3 toCenter, float radius, vec3 n, float band)
 {
   float d = length(toCenter);
   if (!(radius > 0.0f))
@@ -189,11 +195,20 @@ float vtkiProxySine(vec3 toCenter, float radius, vec3 n)
     return 0.0f;
   }
   float seen = d > radius ? radius / d : 1.0f;
-  float outside = min(max(4.0f * (d / radius - 1.0f), 0.0f), 1.0f);
+  float outside = min(max((d / radius - 1.0f) / band, 0.0f), 1.0f);
   outside = outside * outside * (3.0f - 2.0f * outside);
   float height = dot(toCenter, n);
   float own = height < 0.0f ? min(-height / d, seen) : seen * min(4.0f * height / radius, 1.0f);
   return own + (seen - own) * outside;
+}
+
+/* How much of a sphere counts by whether it is above the receiver's plane, by the cosine of its middle and its own
+ * sine: nothing of what is wholly below, as the receiver's own sphere, which touches the plane. In order 4 that would
+ * ring into the upper half as dark as 0.05 of the sky, most of all where the ground fills the lower half as well. */
+float vtkiProxyAbove(float cosine, float sine)
+{
+  float t = min(max(10.0f * (cosine / max(sine, 1.0e-30f) + 1.0f), 0.0f), 1.0f);
+  return t * t * (3.0f - 2.0f * t);
 }
 
 /* How much of a sphere counts: all of it within its region of influence, from `sine` of four thirds of
