@@ -187,7 +187,7 @@ vec3 irradianceOf(vec3 place, vec3 normal)
     vec3 toCenter = sphere.xyz - place;
     float d = length(toCenter);
     float weight = vtkiProxyWithin(d, REACH * sphere.w);
-    float sine = vtkiProxySine(toCenter, sphere.w, normal, VTKI_PROXY_FITTED);
+    float sine = vtkiProxySine(toCenter, sphere.w, normal, false);
     if (weight > 0.0 && sine > 0.0)
     {
       hidden = vtkiHarmonicsAdd(hidden, weight, vtkiZonalTo(zonalLog(sine), toCenter / d));

@@ -384,7 +384,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsOverAPlane)
     {
       const double d = std::sqrt(x * x + height * height);
       const double sine = vtkiProxySine(
-        vec3(static_cast<float>(x), 0.0f, static_cast<float>(height)), 1.0f, n, VTKI_PROXY_FITTED);
+        vec3(static_cast<float>(x), 0.0f, static_cast<float>(height)), 1.0f, n, false);
       const double measured =
         vtkiHarmonicsDot(c, vtkiHarmonicsExp(LogVisibility(sine, { x / d, 0.0, height / d })));
       const double exact = 1.0 - height / (d * d * d);
@@ -567,12 +567,11 @@ VTK_INDIRECT_TEST(SphereHarmonicsExactOperator)
 VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
 {
   const vec3 n(0.0f, 0.0f, 1.0f);
-  CheckEqual("no radius", vtkiProxySine(vec3(0.0f, 0.0f, 1.0f), 0.0f, n, VTKI_PROXY_FITTED), 0.0);
-  CheckEqual("far: r / d", vtkiProxySine(vec3(3.0f, 0.0f, 4.0f), 1.0f, n, VTKI_PROXY_FITTED), 0.2f);
+  CheckEqual("no radius", vtkiProxySine(vec3(0.0f, 0.0f, 1.0f), 0.0f, n, false), 0.0);
+  CheckEqual("far: r / d", vtkiProxySine(vec3(3.0f, 0.0f, 4.0f), 1.0f, n, false), 0.2f);
+  CheckEqual("at the center: hides nothing", vtkiProxySine(vec3(0.0f), 1.0f, n, false), 0.0);
   CheckEqual(
-    "at the center: hides nothing", vtkiProxySine(vec3(0.0f), 1.0f, n, VTKI_PROXY_FITTED), 0.0);
-  CheckEqual("inside, under the center",
-    vtkiProxySine(vec3(0.0f, 0.0f, 0.5f), 1.0f, n, VTKI_PROXY_FITTED), 1.0);
+    "inside, under the center", vtkiProxySine(vec3(0.0f, 0.0f, 0.5f), 1.0f, n, false), 1.0);
   // Spheres of the receiver's own surface, which stick out of it a little.
   const vtkiLightMatrix sky = UniformSky();
   const vtkiHarmonics4 c = vtkiLitCosine(sky, n);
@@ -580,7 +579,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
   for (const glm::dvec3& center : { glm::dvec3(0.0, 0.0, -0.95), glm::dvec3(0.3, 0.0, -0.95),
          glm::dvec3(0.6, 0.0, -0.6), glm::dvec3(0.8, 0.0, -0.3) })
   {
-    const double sine = vtkiProxySine(vec3(center), 1.0f, n, VTKI_PROXY_FITTED);
+    const double sine = vtkiProxySine(vec3(center), 1.0f, n, false);
     worst = std::max(worst,
       std::abs(
         1.0 - vtkiHarmonicsDot(c, vtkiHarmonicsExp(LogVisibility(sine, glm::normalize(center))))));
@@ -595,7 +594,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
     for (double x = 2.0; x > 0.0; x -= 1e-3)
     {
       const double sine = vtkiProxySine(
-        vec3(static_cast<float>(x), 0.0f, static_cast<float>(height)), 1.0f, n, VTKI_PROXY_FITTED);
+        vec3(static_cast<float>(x), 0.0f, static_cast<float>(height)), 1.0f, n, false);
       jump = std::max(jump, before < 0.0 ? 0.0 : std::abs(sine - before));
       before = sine;
     }

@@ -2,6 +2,7 @@
 #include "Proxies/vtkIndirectProxyTree.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
+#include "Proxies/vtkIndirectProxySilhouette.h"
 
 #include <algorithm>
 #include <cmath>
@@ -207,8 +208,16 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
   const double spread = s > 0.0 ? (moments[4] / s - glm::dot(node.Center, node.Center)) / 0.6 : 0.0;
   // What cancels in it is small beside the squared distance from the origin, which is of order one.
   node.Radius = std::min(std::sqrt(std::max(spread, 1e-4 * largest * largest)), largest);
-  const double depth = node.Radius > 0.0 ? s / (node.Radius * node.Radius) : 0.0;
-  node.Share = -std::expm1(-depth);
+  // No smaller than what it hides.
+  vtkIndirectProxySilhouette::Ball balls[4];
+  for (int i = 0; i < node.NumberOfChildren; ++i)
+  {
+    const Node& child = this->Nodes[node.Children[i]];
+    balls[i] = { child.Center, child.Radius, child.Share };
+  }
+  const double area = vtkIndirectProxySilhouette::FindArea(balls, node.NumberOfChildren);
+  node.Radius = std::max(node.Radius, std::sqrt(area));
+  node.Share = area > 0.0 ? std::min(area / (node.Radius * node.Radius), 1.0) : 0.0;
   // Where it begins to count its children count in full.
   node.Inner = node.Radius / angle;
   for (int i = 0; i < node.NumberOfChildren; ++i)

@@ -137,11 +137,11 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
   float toOuter = length(outer.xyz - position);
   float weight = vtkiProxyWeight(toOuter, outer.w, d, inner.x);
   vec3 direction = toCenter / max(d, 1.0e-30f);
-  float band = inner.x < 0.0f ? VTKI_PROXY_DRAWN : VTKI_PROXY_FITTED;
+  bool drawn = inner.x < 0.0f;
 #ifdef VTKI_PROXY_SENDERS
-  band = vtkiAllNormals ? VTKI_PROXY_FITTED : band;
+  drawn = drawn && !vtkiAllNormals;
 #endif
-  float sine = vtkiProxySine(toCenter, sphere.w, normal, band);
+  float sine = vtkiProxySine(toCenter, sphere.w, normal, drawn);
 #ifdef VTKI_PROXY_SENDERS
   // Without a normal: of a place among spheres, where those around it say nothing.
   sine = dot(normal, normal) > 0.0f ? sine : d > sphere.w ? sphere.w / d : 0.0f;

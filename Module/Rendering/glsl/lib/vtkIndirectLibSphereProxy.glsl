@@ -174,20 +174,17 @@ float vtkiDiskIrradiance(float sine, float cosine)
   return max(0.5f * s2 / (1.0f + c) + 0.5f * s2 * cosine + 0.15625f * c * s2 * (3.0f * cosine * cosine - 1.0f), 0.0f);
 }
 
-/* Share of the radius within which a receiver may be on what stands for a surface, and on what is drawn as a sphere. */
-const float VTKI_PROXY_FITTED = 0.25f;
-const float VTKI_PROXY_DRAWN = 0.01f;
-
 /* Sine of half the angle under which a sphere counts for a receiver of unit normal n; toCenter from
  * the receiver. Seen from outside it is r / d, whatever crosses the receiver's plane. Spheres that
- * contain the receiver are mostly those that stand for its own surface. One whose center is below the
- * plane is shrunk until it ends at it; one with its center above hides the more the higher that is, all
- * of its side from a quarter of the radius on. Up to the share `band` of the radius outside of it this
- * goes over to r / d, so that nothing jumps: far outside for what stands for a surface, which may lie on
- * either side of it, and close by for spheres that are drawn, of which a neighbor that is cut by the
- * receiver's own sphere hides what is above the plane. Too bright: beside a fitted body that is half
- * sunk into the ground, within that distance. */
-float vtkiProxySine(vec3 toCenter, float radius, vec3 n, float band)
+ * contain the receiver are mostly those of its own surface; farther outside this goes over to r / d, so
+ * that nothing jumps. A sphere that is drawn as it is (`drawn`) is the receiver's own if its center is
+ * straight below, to 18 degrees: normals and places are those of its facets, or a neighbor's that it is
+ * cut by, and the more the center is aside the more of it is above the plane. Spheres that stand for a
+ * surface may lie on either side of it. One whose center is below the plane is shrunk until it ends at
+ * it; one with its center above hides the more the higher that is, all of its side from a quarter of the
+ * radius on; and that reaches as far outside. Too bright: beside a body that is half sunk into the
+ * ground, within that distance. */
+float vtkiProxySine(vec3 toCenter, float radius, vec3 n, bool drawn)
 {
   float d = length(toCenter);
   if (!(radius > 0.0f))
@@ -195,10 +192,15 @@ float vtkiProxySine(vec3 toCenter, float radius, vec3 n, float band)
     return 0.0f;
   }
   float seen = d > radius ? radius / d : 1.0f;
-  float outside = min(max((d / radius - 1.0f) / band, 0.0f), 1.0f);
+  float outside = min(max((drawn ? 100.0f : 4.0f) * (d / radius - 1.0f), 0.0f), 1.0f);
   outside = outside * outside * (3.0f - 2.0f * outside);
   float height = dot(toCenter, n);
   float own = height < 0.0f ? min(-height / d, seen) : seen * min(4.0f * height / radius, 1.0f);
+  if (drawn)
+  {
+    float aside = min(max(5.0f * (height / max(d, 1.0e-30f) + 0.95f), 0.0f), 1.0f);
+    own = seen * aside * aside * (3.0f - 2.0f * aside);
+  }
   return own + (seen - own) * outside;
 }
 
