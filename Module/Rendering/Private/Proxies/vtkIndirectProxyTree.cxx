@@ -11,9 +11,11 @@ namespace
 {
 // Groups of more than that come first, so that blocks of the others are near to each other.
 constexpr size_t LargeGroup = 64;
-// Spheres whose light is found together: so many, or more where else there would be more senders.
-// As groups have four parts that is a sender for two to eight.
-constexpr size_t LeastOfSender = 8;
+// Up to so many spheres have light of their own. Of more of them so many or fewer are found
+// together, or more where else there would be more senders: as groups have four parts that is a
+// sender for two to eight.
+constexpr size_t FewSpheres = 2048;
+constexpr size_t SpheresTogether = 8;
 constexpr size_t MostSenders = 4096;
 // Everywhere, in scene units, whose square and cube are floats still.
 constexpr double Everywhere = 1e8;
@@ -63,7 +65,8 @@ void vtkIndirectProxyTree::Build(
   double moments[NumberOfMoments];
   const size_t root = this->MakeNode(spheres, 0, spheres.size(), angle, moments);
   this->Entries.reserve(this->Nodes.size());
-  this->SpheresOfSender = std::max(LeastOfSender, spheres.size() / MostSenders);
+  this->SpheresOfSender =
+    spheres.size() <= FewSpheres ? 1 : std::max(SpheresTogether, spheres.size() / MostSenders);
   this->AddSenders(root, -1);
   for (Node& node : this->Nodes)
   {

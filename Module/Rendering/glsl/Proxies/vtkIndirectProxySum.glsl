@@ -18,11 +18,10 @@ uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: ever
 // Center of the sphere whose light is summed. It hides nothing from itself: its normals' cosines do that, and the half
 // space behind one of its places is in front of others.
 vec3 vtkiOwnCenter = vec3(1.0e30f);
-// Whether the middle of a sphere that is summed for without a normal is inside of another one, 1; 0 from a quarter of
-// that one's radius on.
-float vtkiOwnBuried = 0.0f;
-// Whether light is summed for all normals of a sphere, whose place among spheres is open towards the given one.
+// Whether light is summed for all normals of a sphere, at a place of it with the given one.
 bool vtkiAllNormals = false;
+// Whether that place is inside of another sphere, 1; 0 from a quarter of that one's radius on.
+float vtkiOwnBuried = 0.0f;
 #endif
 
 const int VTKI_PROXY_TABLE = 64;
@@ -126,9 +125,9 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
   vec4 sphere = texelFetch(vtkiProxyCenter, at, 0);
   vec4 outer = texelFetch(vtkiProxyOuter, at, 0);
   vec4 inner = texelFetch(vtkiProxyInner, at, 0);
-#ifdef VTKI_PROXY_SENDERS
-  // Groups of up to twice the angle say as well where it is open.
-  float share = dot(normal, normal) > 0.0f ? 1.0f : 0.5f;
+#if defined(VTKI_PROXY_SENDERS) && defined(VTKI_PROXY_TREE)
+  // Groups of up to twice the angle say as well where it is open, and how bright.
+  float share = dot(normal, normal) > 0.0f && !vtkiAllNormals ? 1.0f : 0.5f;
   outer.w *= share;
   inner.x *= share;
 #endif
@@ -137,23 +136,29 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
   float toOuter = length(outer.xyz - position);
   float weight = vtkiProxyWeight(toOuter, outer.w, d, inner.x);
   vec3 direction = toCenter / max(d, 1.0e-30f);
-  bool drawn = inner.x < 0.0f;
-#ifdef VTKI_PROXY_SENDERS
-  drawn = drawn && !vtkiAllNormals;
-#endif
-  float sine = vtkiProxySine(toCenter, sphere.w, normal, drawn);
-#ifdef VTKI_PROXY_SENDERS
-  // Without a normal: of a place among spheres, where those around it say nothing.
-  sine = dot(normal, normal) > 0.0f ? sine : d > sphere.w ? sphere.w / d : 0.0f;
-  weight *= vtkiAllNormals ? 1.0f : vtkiProxyAbove(dot(direction, normal), sine);
-  sine = all(equal(sphere.xyz, vtkiOwnCenter)) ? 0.0f : sine;
-  if (weight > 0.0f && d > 0.0f && !(dot(normal, normal) > 0.0f))
+  float sine = 0.0f;
+  if (weight > 0.0f)
   {
-    vtkiOwnBuried = max(vtkiOwnBuried, clamp(5.0f - 4.0f * d / max(sphere.w, 1.0e-30f), 0.0f, 1.0f));
-  }
-#else
-  weight *= vtkiProxyAbove(dot(direction, normal), sine);
+#ifdef VTKI_PROXY_SENDERS
+    bool own = all(equal(sphere.xyz, vtkiOwnCenter));
+    if (!(dot(normal, normal) > 0.0f))
+    {
+      // Of a place among spheres, where those around it say nothing.
+      sine = d > sphere.w ? sphere.w / d : 0.0f;
+    }
+    else if (vtkiAllNormals && !own)
+    {
+      sine = vtkiProxySine(toCenter, sphere.w, normal, false);
+      vtkiOwnBuried =
+        inner.x > 0.0f ? vtkiOwnBuried : max(vtkiOwnBuried, clamp(5.0f - 4.0f * d / sphere.w, 0.0f, 1.0f));
+    }
+    else if (!own)
 #endif
+    {
+      sine = vtkiProxySine(toCenter, sphere.w, normal, inner.x < 0.0f);
+      weight *= vtkiProxyAbove(dot(direction, normal), sine);
+    }
+  }
   if (weight > 0.0f && sine > 0.0f)
   {
     vec4 albedo = texelFetch(vtkiProxyAlbedo, at, 0);
