@@ -564,6 +564,46 @@ VTK_INDIRECT_TEST(SphereHarmonicsExactOperator)
   }
 }
 
+VTK_INDIRECT_TEST(SphereHarmonicsOfDrawnSpheres)
+{
+  // A sphere that is drawn, at a place of its surface, and one that it is cut by.
+  const vec3 n(0.0f, 0.0f, 1.0f);
+  const vtkiHarmonics4 c = vtkiLitCosine(UniformSky(), n);
+  auto add = [&](vtkiHarmonics4& sum, const glm::dvec3& center)
+  {
+    const double sine = vtkiProxySine(vec3(center), 1.0f, n, true);
+    const glm::dvec3 d = glm::normalize(center);
+    const float above = vtkiProxyAbove(static_cast<float>(d.z), static_cast<float>(sine));
+    sum = vtkiHarmonicsAdd(sum, above, LogVisibility(sine, d));
+  };
+  const glm::dvec3 own(0.0, 0.0, -1.0005);
+  vtkiHarmonics4 sum = Zero();
+  add(sum, own);
+  CheckAbsolute("its own surface", vtkiHarmonicsDot(c, vtkiHarmonicsExp(sum)), 1.0, 1e-4,
+    "what is below hides nothing; a hemisphere of order 4 would ring");
+  for (const double height : { -0.7, -0.4, -0.1, 0.2, 0.5 })
+  {
+    // Near the seam of both.
+    const glm::dvec3 center = 1.01 * glm::dvec3(std::sqrt(1.0 - height * height), 0.0, height);
+    const double cosine = std::sqrt(1.0 - 1.0 / (1.01 * 1.01));
+    double exact = 0.0;
+    ForSphere(
+      [&](const glm::dvec3& d, double weight)
+      {
+        const bool open = glm::dot(d, glm::normalize(center)) < cosine;
+        exact += open ? weight * std::max(d.z, 0.0) / vtkMath::Pi() : 0.0;
+      },
+      2);
+    sum = Zero();
+    add(sum, own);
+    add(sum, center);
+    CheckAbsolute("beside one whose center is at " + std::to_string(height),
+      vtkiHarmonicsDot(c, vtkiHarmonicsExp(sum)), exact, 0.015,
+      "order 4 of what fills nearly a hemisphere; shrunk, as what stands for a surface, off by up "
+      "to 0.06");
+  }
+}
+
 VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
 {
   const vec3 n(0.0f, 0.0f, 1.0f);
