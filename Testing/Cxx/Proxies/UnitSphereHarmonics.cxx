@@ -339,34 +339,6 @@ VTK_INDIRECT_TEST(SphereHarmonicsVisibility)
     "near a full hemisphere, where there is no logarithm; below sine 0.7 1e-3");
 }
 
-VTK_INDIRECT_TEST(SphereHarmonicsOfManySmallSpheres)
-{
-  // Spheres at random all around hide what they cover: each of N leaves 1 - a of every direction,
-  // and sets of them (1 - a)^N on average.
-  const vtkiHarmonics4 c = vtkiLitCosine(UniformSky(), vec3(0.0f, 0.0f, 1.0f));
-  Random random(17);
-  for (const double sine : { 0.05, 0.1, 0.2 })
-  {
-    const double covered = 0.5 * (1.0 - std::sqrt(1.0 - sine * sine));
-    const int count = static_cast<int>(0.5 / covered);
-    const int sets = 64;
-    double measured = 0.0;
-    for (int set = 0; set < sets; ++set)
-    {
-      vtkiHarmonics4 sum = Zero();
-      for (int i = 0; i < count; ++i)
-      {
-        sum = vtkiHarmonicsAdd(sum, 1.0f, LogVisibility(sine, random.NextDirection()));
-      }
-      measured += vtkiHarmonicsDot(c, vtkiHarmonicsExp(sum)) / sets;
-    }
-    CheckRelative("half of the sky, by spheres of sine " + std::to_string(sine), measured,
-      std::pow(1.0 - covered, count), 0.01,
-      "64 sets, each off by 0.05 and less; by logarithms that are linear from zero to the first "
-      "row of the table 2.5 % too dark");
-  }
-}
-
 VTK_INDIRECT_TEST(SphereHarmonicsOverAPlane)
 {
   // A sphere wholly above a plane takes sin^2 cos of a uniform sky.
@@ -561,46 +533,6 @@ VTK_INDIRECT_TEST(SphereHarmonicsExactOperator)
         vtkiProxyExactIrradiance(
           vtkiExactOperator(s), uniform, vec3(0.0f, 0.6f, 0.8f), vec3(0.0f, 0.0f, 1.0f)),
       vtkiDiskIrradiance(s, 0.8f), 1e-5, "entries that the fit has exactly");
-  }
-}
-
-VTK_INDIRECT_TEST(SphereHarmonicsOfDrawnSpheres)
-{
-  // A sphere that is drawn, at a place of its surface, and one that it is cut by.
-  const vec3 n(0.0f, 0.0f, 1.0f);
-  const vtkiHarmonics4 c = vtkiLitCosine(UniformSky(), n);
-  auto add = [&](vtkiHarmonics4& sum, const glm::dvec3& center)
-  {
-    const double sine = vtkiProxySine(vec3(center), 1.0f, n, true);
-    const glm::dvec3 d = glm::normalize(center);
-    const float above = vtkiProxyAbove(static_cast<float>(d.z), static_cast<float>(sine));
-    sum = vtkiHarmonicsAdd(sum, above, LogVisibility(sine, d));
-  };
-  const glm::dvec3 own(0.0, 0.0, -1.0005);
-  vtkiHarmonics4 sum = Zero();
-  add(sum, own);
-  CheckAbsolute("its own surface", vtkiHarmonicsDot(c, vtkiHarmonicsExp(sum)), 1.0, 1e-4,
-    "what is below hides nothing; a hemisphere of order 4 would ring");
-  for (const double height : { -0.7, -0.4, -0.1, 0.2, 0.5 })
-  {
-    // Near the seam of both.
-    const glm::dvec3 center = 1.01 * glm::dvec3(std::sqrt(1.0 - height * height), 0.0, height);
-    const double cosine = std::sqrt(1.0 - 1.0 / (1.01 * 1.01));
-    double exact = 0.0;
-    ForSphere(
-      [&](const glm::dvec3& d, double weight)
-      {
-        const bool open = glm::dot(d, glm::normalize(center)) < cosine;
-        exact += open ? weight * std::max(d.z, 0.0) / vtkMath::Pi() : 0.0;
-      },
-      2);
-    sum = Zero();
-    add(sum, own);
-    add(sum, center);
-    CheckAbsolute("beside one whose center is at " + std::to_string(height),
-      vtkiHarmonicsDot(c, vtkiHarmonicsExp(sum)), exact, 0.015,
-      "order 4 of what fills nearly a hemisphere; shrunk, as what stands for a surface, off by up "
-      "to 0.06");
   }
 }
 

@@ -12,7 +12,7 @@ public:
   /**
    * What two balls cover of each other's disks: the area that both have, meaned over directions,
    * over that of the smaller one. Radii are positive; distance is that of their centres, from 0 on.
-   * Within 0.01 of the integral.
+   * Within 0.01 of the integral, 0.05 where a small one is just hidden wholly.
    */
   static double FindOverlap(double first, double second, double distance);
 
