@@ -33,11 +33,13 @@
  *
  * Approximations: order 4 blurs shadows (either sign); what lies behind each other within reach
  * of GroupAngle hides twice (too dark); ten or more spheres around a receiver hide too little (too
- * bright); from among dense spheres groups hide too little (sky up to 6 % too bright, up to 24 %
- * where less than a tenth of it is left); spheres that float send too much (bounce 6 % too bright
- * on average, up to 21 %; of 1,479 atoms up to 26 %); none of the light that spheres send is
- * reflected again (too dark); glyphs that are no spheres, lines and points hide nothing. A
- * sun is as broad as order 4 makes it. Documentation/methods/sphere-proxies.md has figures.
+ * bright); from among dense spheres groups hide too little (sky up to 4 % too bright, up to 22 %
+ * where less than a tenth of it is left), and holes between them are filled (up to 4 % too dark);
+ * what spheres send is not told from what is in front of it (bounce off by 4 % RMS, up to 15 %; of
+ * 1,479 atoms 16 %); bodies of fitted spheres send to the ground half of what they should; none of
+ * the light that spheres send is reflected again (too dark); glyphs that are no spheres, lines and
+ * points hide nothing. A sun is as broad as order 4 makes it.
+ * Documentation/methods/sphere-proxies.md has figures.
  *
  * Memory: 16 bytes a pixel, twice that with IndirectLight, 64 bytes a receiver and 4 a pixel where
  * receivers are fewer than pixels, and about 270 bytes a sphere (5,469 of them, SHADOWED).
@@ -86,9 +88,9 @@ public:
 
   ///@{
   /**
-   * The largest radius of a group over its distance under which it is one. Smaller is slower, and
-   * hardly more exact, as logarithms of spheres behind each other add up. Default 0.4, range 0.05
-   * to 1.
+   * The largest radius of a group over its distance under which it is one. Smaller is slower, 0.2
+   * by half, and hardly more exact but for receivers deep among dense spheres. Default 0.4, range
+   * 0.05 to 1.
    */
   vtkIndirectClampMacro(GroupAngle, double, 0.05, 1.0);
   ///@}
@@ -98,8 +100,8 @@ public:
    * Without Groups: radii within which a sphere hides light, with a smooth end over the last fifth.
    * 0: as few as cut off, of one sphere, at most 1/256 of the largest irradiance that the open
    * environment gives any normal, in each colour, wherever the sphere is and whatever the
-   * receiver's normal: 16.9 under a uniform sky, 28.5 under a sun alone. The paper's 15 cut off
-   * 1/203 and 1/72. What thousands of spheres lose adds up. With Groups nothing is cut off.
+   * receiver's normal: 16.6 under a uniform sky, 28.3 under a sun alone. The paper's 15 cut off
+   * 1/209 and 1/72. What thousands of spheres lose adds up. With Groups nothing is cut off.
    * Default 0, range 0, and 2 to 1000; what is between is 2.
    */
   virtual void SetInfluenceScale(double scale);

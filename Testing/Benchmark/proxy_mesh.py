@@ -174,7 +174,7 @@ vec4 zonalLog(float sine)
 {
   float place = vtkiProxyRow(sine) * float(TABLE.length() - 1);
   int row = min(int(place), TABLE.length() - 2);
-  return mix(TABLE[row], TABLE[row + 1], place - float(row));
+  return vtkiProxyRow(sine) * mix(TABLE[row], TABLE[row + 1], place - float(row));
 }
 
 // What vtkIndirectProxySum.glsl does of a receiver, without bounce and polygons.
@@ -187,7 +187,7 @@ vec3 irradianceOf(vec3 place, vec3 normal)
     vec3 toCenter = sphere.xyz - place;
     float d = length(toCenter);
     float weight = vtkiProxyWithin(d, REACH * sphere.w);
-    float sine = vtkiProxySine(toCenter, sphere.w, normal);
+    float sine = vtkiProxySine(toCenter, sphere.w, normal, false);
     if (weight > 0.0 && sine > 0.0)
     {
       hidden = vtkiHarmonicsAdd(hidden, weight, vtkiZonalTo(zonalLog(sine), toCenter / d));

@@ -213,6 +213,16 @@ def visibility_table() -> np.ndarray:
     return table
 
 
+def over_rows(table: np.ndarray) -> np.ndarray:
+    """Return the logarithms over 1 - cos: of nothing, as of a small disk, over its solid angle.
+
+    Between rows it is this that is linear, so that spheres of any size hide what they cover.
+    """
+    share = np.arange(ENTRIES) / (ENTRIES - 1)
+    first = -2 * np.pi * basis(np.array((0.0, 0.0, 1.0)))[ZONAL]
+    return np.vstack((first, table[1:] / share[1:, None]))
+
+
 def average(sines: np.ndarray) -> np.ndarray:
     """Return D0 to D2, n x 3: the mean over the visible disk of Y_l0 at the sphere's normals.
 
@@ -387,7 +397,7 @@ def product_text() -> str:
 
 def table_text() -> str:
     """Return the table as a header of C++."""
-    table = visibility_table()
+    table = over_rows(visibility_table())
     lines = [
         "// SPDX-License-Identifier: BSD-3-Clause",
         "// What sums over spheres need in spherical harmonics. Written by",
@@ -397,7 +407,7 @@ def table_text() -> str:
         "",
         "// clang-format off",
         f"constexpr int vtkIndirectProxyEntries = {ENTRIES};",
-        "// Zonal logarithm of visibility where 1 - cos = row / (entries - 1).",
+        "// Zonal logarithm of visibility over 1 - cos where 1 - cos = row / (entries - 1).",
         f"constexpr float vtkIndirectProxyTable[{ENTRIES}][4] = {{",
     ]
     lines += ["  {" + ", ".join(f"{v:.7g}f" if "." in f"{v:.7g}" or "e" in f"{v:.7g}"

@@ -192,7 +192,7 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
   if (kernel == 29)
   {
     // A sphere, seen from a place with the normal b3 under a light from around c3.
-    float sine = vtkiProxySine((0.2f + a.w) * a3, 0.3f * b.w, b3);
+    float sine = vtkiProxySine((0.2f + a.w) * a3, 0.3f * b.w, b3, false);
     vec4 zonal = -4.0f * vtkiProxyRow(sine) * vec4(1.0f, 1.4f, 1.3f, 1.0f);
     vtkiHarmonics4 seen = vtkiHarmonicsExp(vtkiZonalTo(zonal, a3));
     vtkiHarmonics4 light = vtkiZonalTo(vec4(1.0f, 0.8f, 0.5f, 0.2f), c3);

@@ -100,7 +100,8 @@ vtkiHarmonics4 LogVisibility(double sine, const glm::dvec3& d)
   for (int i = 0; i < 4; ++i)
   {
     const float low = vtkIndirectProxyTable[row][i];
-    zonal[i] = low + static_cast<float>(at - row) * (vtkIndirectProxyTable[row + 1][i] - low);
+    zonal[i] = vtkiProxyRow(static_cast<float>(sine)) *
+      (low + static_cast<float>(at - row) * (vtkIndirectProxyTable[row + 1][i] - low));
   }
   return vtkiZonalTo(zonal, vec3(d));
 }
@@ -354,8 +355,8 @@ VTK_INDIRECT_TEST(SphereHarmonicsOverAPlane)
     for (double x = 0.05; x < 8.0; x += 0.1)
     {
       const double d = std::sqrt(x * x + height * height);
-      const double sine =
-        vtkiProxySine(vec3(static_cast<float>(x), 0.0f, static_cast<float>(height)), 1.0f, n);
+      const double sine = vtkiProxySine(
+        vec3(static_cast<float>(x), 0.0f, static_cast<float>(height)), 1.0f, n, false);
       const double measured =
         vtkiHarmonicsDot(c, vtkiHarmonicsExp(LogVisibility(sine, { x / d, 0.0, height / d })));
       const double exact = 1.0 - height / (d * d * d);
@@ -538,10 +539,11 @@ VTK_INDIRECT_TEST(SphereHarmonicsExactOperator)
 VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
 {
   const vec3 n(0.0f, 0.0f, 1.0f);
-  CheckEqual("no radius", vtkiProxySine(vec3(0.0f, 0.0f, 1.0f), 0.0f, n), 0.0);
-  CheckEqual("far: r / d", vtkiProxySine(vec3(3.0f, 0.0f, 4.0f), 1.0f, n), 0.2f);
-  CheckEqual("at the center: hides nothing", vtkiProxySine(vec3(0.0f), 1.0f, n), 0.0);
-  CheckEqual("inside, under the center", vtkiProxySine(vec3(0.0f, 0.0f, 0.5f), 1.0f, n), 1.0);
+  CheckEqual("no radius", vtkiProxySine(vec3(0.0f, 0.0f, 1.0f), 0.0f, n, false), 0.0);
+  CheckEqual("far: r / d", vtkiProxySine(vec3(3.0f, 0.0f, 4.0f), 1.0f, n, false), 0.2f);
+  CheckEqual("at the center: hides nothing", vtkiProxySine(vec3(0.0f), 1.0f, n, false), 0.0);
+  CheckEqual(
+    "inside, under the center", vtkiProxySine(vec3(0.0f, 0.0f, 0.5f), 1.0f, n, false), 1.0);
   // Spheres of the receiver's own surface, which stick out of it a little.
   const vtkiLightMatrix sky = UniformSky();
   const vtkiHarmonics4 c = vtkiLitCosine(sky, n);
@@ -549,7 +551,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
   for (const glm::dvec3& center : { glm::dvec3(0.0, 0.0, -0.95), glm::dvec3(0.3, 0.0, -0.95),
          glm::dvec3(0.6, 0.0, -0.6), glm::dvec3(0.8, 0.0, -0.3) })
   {
-    const double sine = vtkiProxySine(vec3(center), 1.0f, n);
+    const double sine = vtkiProxySine(vec3(center), 1.0f, n, false);
     worst = std::max(worst,
       std::abs(
         1.0 - vtkiHarmonicsDot(c, vtkiHarmonicsExp(LogVisibility(sine, glm::normalize(center))))));
@@ -563,8 +565,8 @@ VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
     double before = -1.0;
     for (double x = 2.0; x > 0.0; x -= 1e-3)
     {
-      const double sine =
-        vtkiProxySine(vec3(static_cast<float>(x), 0.0f, static_cast<float>(height)), 1.0f, n);
+      const double sine = vtkiProxySine(
+        vec3(static_cast<float>(x), 0.0f, static_cast<float>(height)), 1.0f, n, false);
       jump = std::max(jump, before < 0.0 ? 0.0 : std::abs(sine - before));
       before = sine;
     }

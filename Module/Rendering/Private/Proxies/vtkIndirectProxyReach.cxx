@@ -57,7 +57,7 @@ vec4 FindTaken(double sine, float weight)
   for (int i = 0; i < 4; ++i)
   {
     const float first = vtkIndirectProxyTable[low][i];
-    zonal[i] = weight *
+    zonal[i] = weight * vtkiProxyRow(static_cast<float>(sine)) *
       (first + static_cast<float>(row - low) * (vtkIndirectProxyTable[low + 1][i] - first));
   }
   const vtkiHarmonics4 seen = vtkiHarmonicsExp(vtkiZonalTo(zonal, vec3(0.0f, 0.0f, 1.0f)));

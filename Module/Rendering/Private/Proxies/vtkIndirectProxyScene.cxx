@@ -283,7 +283,7 @@ void vtkIndirectProxyScene::LeaveOut(const std::string& what, const std::string&
 
 //------------------------------------------------------------------------------
 void vtkIndirectProxyScene::Add(
-  const Part& part, const double center[3], double radius, const glm::vec3& albedo)
+  const Part& part, const double center[3], double radius, const glm::vec3& albedo, bool exact)
 {
   const glm::dvec3 place(part.ToScene * glm::dvec4(center[0], center[1], center[2], 1.0));
   const double scaled = radius * part.Scale;
@@ -295,7 +295,7 @@ void vtkIndirectProxyScene::Add(
   if (scaled > 1e-12) // of the scene's diagonal; a smaller one hides nothing
   {
     this->Spheres.push_back(
-      { place, std::min(scaled, 1e6), part.Sends ? albedo : glm::vec3(0.0f) });
+      { place, std::min(scaled, 1e6), part.Sends ? albedo : glm::vec3(0.0f), exact });
   }
 }
 
@@ -317,7 +317,7 @@ void vtkIndirectProxyScene::AddPart(const Part& part, const Given& given)
   const size_t before = this->Spheres.size();
   for (vtkIdType i = 0; i < spheres->GetNumberOfPoints(); ++i)
   {
-    this->Add(part, spheres->GetPoint(i), radii->GetTuple1(i), albedo);
+    this->Add(part, spheres->GetPoint(i), radii->GetTuple1(i), albedo, false);
   }
   this->Fitted += this->Spheres.size() - before;
 }
@@ -360,7 +360,7 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
         const Albedos albedos(part.Mapper, part.Actor->GetProperty(), data);
         vtkIndirectProxySticks::ForEach(part.Mapper, data,
           [&](vtkIdType i, const double place[3], double radius)
-          { this->Add(part, place, radius, albedos.Get(i)); });
+          { this->Add(part, place, radius, albedos.Get(i), false); });
       });
     this->OfSticks += this->Spheres.size() - before;
   }
@@ -393,7 +393,7 @@ void vtkIndirectProxyScene::AddPoints(
   {
     double place[3];
     data->GetPoint(i, place);
-    this->Add(part, place, sizes ? sizes->GetComponent(i, 0) : radius, albedos.Get(i));
+    this->Add(part, place, sizes ? sizes->GetComponent(i, 0) : radius, albedos.Get(i), true);
   }
 }
 
@@ -428,7 +428,7 @@ void vtkIndirectProxyScene::AddGaussians(const Part& part)
         double place[3];
         data->GetPoint(i, place);
         const double size = sizes ? sizes->GetComponent(i, component) : 1.0;
-        this->Add(part, place, size * mapper->GetScaleFactor(), albedos.Get(i));
+        this->Add(part, place, size * mapper->GetScaleFactor(), albedos.Get(i), true);
       }
     });
 }
@@ -514,7 +514,8 @@ bool vtkIndirectProxyScene::AddGlyphs(const Part& part, vtkDataSet* data)
     }
     // Of an ellipsoid the ball of equal volume. Negative magnitudes there are none.
     const double volume = factors.x * factors.y * factors.z;
-    this->Add(part, place, std::cbrt(std::abs(volume)) * sphere.Radius, albedos.Get(i));
+    this->Add(part, place, std::cbrt(std::abs(volume)) * sphere.Radius, albedos.Get(i),
+      factors.x == factors.y && factors.y == factors.z);
   }
   return all;
 }
@@ -552,7 +553,7 @@ void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
   for (size_t i = 0; i < shape.Spheres.size(); ++i)
   {
     this->Add(part, &shape.Spheres[i].Center[0], shape.Spheres[i].Radius,
-      own ? albedos.Get(albedos.AreByCell() ? shape.Cells[i] : shape.Points[i]) : mean);
+      own ? albedos.Get(albedos.AreByCell() ? shape.Cells[i] : shape.Points[i]) : mean, own);
   }
   (own ? this->Exact : this->Fitted) += this->Spheres.size() - before;
   for (const vtkIndirectProxyPolygon& polygon : shape.Polygons)

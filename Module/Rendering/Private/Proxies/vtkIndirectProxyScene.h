@@ -48,7 +48,9 @@ private:
   bool AddGlyphs(const Part& part, vtkDataSet* data);
   void AddMesh(const Part& part, vtkPolyData* mesh);
   void AddMeshes(const Part& part);
-  void Add(const Part& part, const double center[3], double radius, const glm::vec3& albedo);
+  // exact: it is drawn as it is.
+  void Add(
+    const Part& part, const double center[3], double radius, const glm::vec3& albedo, bool exact);
   void LeaveOut(const std::string& what, const std::string& why);
 
   std::vector<double> Key; // of what has been collected

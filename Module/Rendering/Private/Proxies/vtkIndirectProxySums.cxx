@@ -226,7 +226,9 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
   {
     vtkIndirectFullScreenProgram& kernel = i == 0 ? this->Sending : this->Averaging;
     vtkIndirectTarget& target = i == 0 ? this->SenderLight : this->AllLight;
-    kernel.SetDefinitions(i == 0 ? definitions : "#define VTKI_PROXY_MEANS\n");
+    kernel.SetDefinitions(i > 0 ? "#define VTKI_PROXY_MEANS\n"
+        : this->HasGroups       ? definitions + "#define VTKI_PROXY_TREE\n"
+                                : definitions);
     vtkShaderProgram* program = kernel.Use(window);
     if (!program)
     {

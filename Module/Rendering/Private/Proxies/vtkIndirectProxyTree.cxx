@@ -2,6 +2,7 @@
 #include "Proxies/vtkIndirectProxyTree.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
+#include "Proxies/vtkIndirectProxySilhouette.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,11 @@ namespace
 {
 // Groups of more than that come first, so that blocks of the others are near to each other.
 constexpr size_t LargeGroup = 64;
-// Spheres whose light is found together: so many, or more where else there would be more senders.
-// As groups have four parts that is a sender for two to eight.
-constexpr size_t LeastOfSender = 8;
+// Up to so many spheres have light of their own. Of more of them so many or fewer are found
+// together, or more where else there would be more senders: as groups have four parts that is a
+// sender for two to eight.
+constexpr size_t FewSpheres = 2048;
+constexpr size_t SpheresTogether = 8;
 constexpr size_t MostSenders = 4096;
 // Everywhere, in scene units, whose square and cube are floats still.
 constexpr double Everywhere = 1e8;
@@ -40,9 +43,9 @@ void vtkIndirectProxyTree::Build(
     {
       const glm::vec3 center(sphere.Center);
       const double outer = reach > 0.0 ? std::min(reach * sphere.Radius, Everywhere) : Everywhere;
-      this->Entries.push_back(
-        { center, static_cast<float>(sphere.Radius), center, static_cast<float>(outer),
-          sphere.Albedo, 1.0f, 0.0f, static_cast<int>(this->Senders.size()), 0, 0 });
+      this->Entries.push_back({ center, static_cast<float>(sphere.Radius), center,
+        static_cast<float>(outer), sphere.Albedo, 1.0f, sphere.Exact ? -1.0f : 0.0f,
+        static_cast<int>(this->Senders.size()), 0, 0 });
       this->Senders.push_back({ center, static_cast<float>(sphere.Radius) });
     }
     for (size_t i = 0; i < this->Entries.size(); ++i)
@@ -62,7 +65,8 @@ void vtkIndirectProxyTree::Build(
   double moments[NumberOfMoments];
   const size_t root = this->MakeNode(spheres, 0, spheres.size(), angle, moments);
   this->Entries.reserve(this->Nodes.size());
-  this->SpheresOfSender = std::max(LeastOfSender, spheres.size() / MostSenders);
+  this->SpheresOfSender =
+    spheres.size() <= FewSpheres ? 1 : std::max(SpheresTogether, spheres.size() / MostSenders);
   this->AddSenders(root, -1);
   for (Node& node : this->Nodes)
   {
@@ -136,6 +140,7 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
   Node node;
   node.NumberOfChildren = 0;
   node.NumberOfSpheres = end - first;
+  node.Exact = false;
   if (end - first == 1)
   {
     const vtkIndirectProxySphere& sphere = spheres[this->Order[first]];
@@ -152,6 +157,7 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
     node.Albedo = sphere.Albedo;
     node.Share = 1.0;
     node.Inner = 0.0;
+    node.Exact = sphere.Exact;
     this->Nodes[number] = node;
     return number;
   }
@@ -205,8 +211,16 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
   const double spread = s > 0.0 ? (moments[4] / s - glm::dot(node.Center, node.Center)) / 0.6 : 0.0;
   // What cancels in it is small beside the squared distance from the origin, which is of order one.
   node.Radius = std::min(std::sqrt(std::max(spread, 1e-4 * largest * largest)), largest);
-  const double depth = node.Radius > 0.0 ? s / (node.Radius * node.Radius) : 0.0;
-  node.Share = -std::expm1(-depth);
+  // No smaller than what it hides.
+  vtkIndirectProxySilhouette::Ball balls[4];
+  for (int i = 0; i < node.NumberOfChildren; ++i)
+  {
+    const Node& child = this->Nodes[node.Children[i]];
+    balls[i] = { child.Center, child.Radius, child.Share };
+  }
+  const double area = vtkIndirectProxySilhouette::FindArea(balls, node.NumberOfChildren);
+  node.Radius = std::max(node.Radius, std::sqrt(area));
+  node.Share = area > 0.0 ? std::min(area / (node.Radius * node.Radius), 1.0) : 0.0;
   // Where it begins to count its children count in full.
   node.Inner = node.Radius / angle;
   for (int i = 0; i < node.NumberOfChildren; ++i)
@@ -265,7 +279,8 @@ void vtkIndirectProxyTree::AddEntry(size_t number, const Node* parent)
     { center, static_cast<float>(node.Radius), parent ? glm::vec3(parent->Center) : center,
       static_cast<float>(parent ? std::min(parent->Inner, Everywhere) : Everywhere),
       glm::vec3(node.Albedo), static_cast<float>(node.Share),
-      static_cast<float>(std::min(node.Inner, Everywhere)), node.Sender, -1, -1 });
+      node.Exact ? -1.0f : static_cast<float>(std::min(node.Inner, Everywhere)), node.Sender, -1,
+      -1 });
 }
 
 //------------------------------------------------------------------------------

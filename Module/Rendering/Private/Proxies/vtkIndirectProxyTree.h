@@ -4,9 +4,10 @@
 // "Real-time soft shadows in dynamic scenes using spherical harmonic exponentiation".
 //
 // A group's sphere has the second moment of its spheres' cross sections, those of a ball; it hides
-// the share 1 - e^(-t) of its disk, t the sum of the cross sections over its own, as of spheres
-// that lie at random in it. Sums of logarithms hide twice what lies behind each other; a group does
-// not.
+// the share of its disk that is the area of their silhouette, meaned over directions: spheres of a
+// group lie beside each other rather than at random, and hide less of each other than those would,
+// or are half inside of each other. Sums of logarithms hide twice what lies behind each other; a
+// group does not.
 //
 // Every entry says itself where it counts: within `Outer` of its parent's centre, where the parent
 // is too near to stand for it, and beyond `Inner` of its own. Both change over smoothly, and over
@@ -31,7 +32,8 @@ public:
     float Outer; // it counts within; all of it within vtkiProxyBand of that
     glm::vec3 Albedo;
     float Share; // of the light that its disk hides
-    float Inner; // the same the other way round: nothing of it counts well within; 0: it does
+    float Inner; // the same the other way round: nothing of it counts well within; 0: it does, as
+                 // a sphere that stands for a surface; -1: as one that is drawn
     int Sender; // whose light it sends: a place among the senders, or from there on among the means
     int Next;   // the entry after it and all below it; -1: none
     int First;  // the first below it, or Next
@@ -83,6 +85,7 @@ private:
     size_t Children[4];
     int NumberOfChildren;
     size_t NumberOfSpheres;
+    bool Exact;
     int Sender;
     int Entry;
   };

@@ -4,9 +4,6 @@ uniform sampler2D vtkiProxyBlocks;  // lower, upper corner of the box of each bl
 uniform int vtkiBlockCount;
 uniform int vtkiSenderCount;
 
-// Length of the linear part of what is hidden from the middle of a sphere from which on it is lit at its open side.
-const float VTKI_ONE_SIDED = 8.0f;
-
 bool vtkiMeetsBlock(int block, vec3 middle, vec3 halfSize)
 {
   vec3 lower = texelFetch(vtkiProxyBlocks, ivec2(0, block), 0).xyz;
@@ -22,26 +19,61 @@ void vtkiFetchSender(int number, out vec4 place, out vec4 normal)
 }
 
 // Moves spheres without a normal to the side of theirs from which most of the sky is seen: sums of logarithms are the
-// lower the more is hidden, and their linear part points away from that. The shorter it is, the closer they stay to the
-// middle: no side of what floats is much more open than others, and the most open one would stand for all. Not where
-// the middle is inside of another sphere: what is said there is of no place that is seen.
+// lower the more is hidden, and their linear part points away from that.
 void vtkiOpenSender(vtkiProxySums around, inout vec4 place, inout vec4 normal)
 {
-  vec3 open = vec3(around.hidden.A.w, around.hidden.A.y, around.hidden.A.z);
-  float size = length(open);
 #ifdef VTKI_PROXY_SENDERS
   vtkiOwnCenter = normal.w > 0.0f ? vec3(1.0e30f) : place.xyz;
+  vtkiAllNormals = !(normal.w > 0.0f);
 #endif
   if (!(normal.w > 0.0f))
   {
+    vec3 open = vec3(around.hidden.A.w, around.hidden.A.y, around.hidden.A.z);
+    float size = length(open);
     normal = vec4(size > 1.0e-6f ? open / size : vec3(0.0f, 0.0f, 1.0f), 0.0f);
-    float share = 1.0f;
-#ifdef VTKI_PROXY_SENDERS
-    share = clamp(max(size / VTKI_ONE_SIDED, vtkiOwnBuried), 0.0f, 1.0f);
-#endif
-    place.xyz += share * place.w * normal.xyz;
+    place.xyz += place.w * normal.xyz;
   }
 }
+
+#ifdef VTKI_PROXY_SENDERS
+// From there to the other side of the sphere.
+void vtkiTurnSender(inout vec4 place, inout vec4 normal)
+{
+  place.xyz -= 2.0f * place.w * normal.xyz;
+  normal.xyz = -normal.xyz;
+  vtkiOwnBuried = 0.0f;
+}
+
+// Light of a sphere from that at both of its sides along n: each side's own normal from there, those across from both,
+// and the mean as that of an octahedron's corners. The side that is open alone would stand for the darker ones as well.
+// What is inside of another sphere is not seen: there it does.
+void vtkiLightOfSides(vec4 front[4], vec4 back[4], vec3 n, out vec4 light[4])
+{
+  // r, g, b and how open it is, of a + b n.
+  vec4 a = vec4(front[0].rgb, front[3].x);
+  vec4 bx = vec4(front[0].a, front[1].rg, front[3].y);
+  vec4 by = vec4(front[1].ba, front[2].r, front[3].z);
+  vec4 bz = vec4(front[2].gba, front[3].w);
+  vec4 backA = mix(vec4(back[0].rgb, back[3].x), a, vtkiOwnBuried);
+  vec4 backX = mix(vec4(back[0].a, back[1].rg, back[3].y), bx, vtkiOwnBuried);
+  vec4 backY = mix(vec4(back[1].ba, back[2].r, back[3].z), by, vtkiOwnBuried);
+  vec4 backZ = mix(vec4(back[2].gba, back[3].w), bz, vtkiOwnBuried);
+  vec4 first = a + n.x * bx + n.y * by + n.z * bz;
+  vec4 second = backA - n.x * backX - n.y * backY - n.z * backZ;
+  a = (first + second) / 6.0f + (a + backA) / 3.0f;
+  bx = 0.5f * (bx + backX);
+  by = 0.5f * (by + backY);
+  bz = 0.5f * (bz + backZ);
+  vec4 along = 0.5f * (first - second) - n.x * bx - n.y * by - n.z * bz;
+  bx += n.x * along;
+  by += n.y * along;
+  bz += n.z * along;
+  light[0] = vec4(a.rgb, bx.r);
+  light[1] = vec4(bx.gb, by.rg);
+  light[2] = vec4(by.b, bz.rgb);
+  light[3] = vec4(a.a, bx.a, by.a, bz.a);
+}
+#endif
 
 // Irradiance of a sphere's normals, a + b n of each colour, where nothing but what was summed hides the sky, and how
 // open it is among spheres alone; of a polygon's one normal.

@@ -37,25 +37,41 @@ void main()
   vec2 range = single ? vec2(0.0f) : texelFetch(vtkiMeanRange, texel - ivec2(0, vtkiMeanRow), 0).xy;
   int first = int(range.x);
   int count = int(range.y);
-  float weights = 0.0f;
   int samples = min(count, VTKI_MEAN_SAMPLES);
+  // What is open is what is seen of them: products of light and openness, both a + b n, to first order in n.
+  vec3 sentA = vec3(0.0f);
+  vec3 sent[3] = vec3[3](vec3(0.0f), vec3(0.0f), vec3(0.0f));
+  vec4 open = vec4(0.0f);
   for (int i = 0; i < samples; ++i)
   {
     // In the middles of equal parts.
     int sender = first + min(int((float(i) + 0.5f) * float(count) / float(samples)), count - 1);
     ivec2 at = vtkiTableTexel(sender);
-    // What is open is what is seen of them.
-    vec4 open = texelFetch(vtkiSenderLight3, at, 0);
-    float weight = max(open.x, 0.02f);
-    light[0] += weight * texelFetch(vtkiSenderLight0, at, 0);
-    light[1] += weight * texelFetch(vtkiSenderLight1, at, 0);
-    light[2] += weight * texelFetch(vtkiSenderLight2, at, 0);
-    light[3] += open / float(samples);
-    weights += weight;
+    vec4 l0 = texelFetch(vtkiSenderLight0, at, 0);
+    vec4 l1 = texelFetch(vtkiSenderLight1, at, 0);
+    vec4 l2 = texelFetch(vtkiSenderLight2, at, 0);
+    vec4 own = texelFetch(vtkiSenderLight3, at, 0);
+    own.x = max(own.x, 0.02f);
+    vec3 b[3] = vec3[3](vec3(l0.a, l1.rg), vec3(l1.ba, l2.r), l2.gba);
+    sentA += own.x * l0.rgb + (own.y * b[0] + own.z * b[1] + own.w * b[2]) / 3.0f;
+    for (int k = 0; k < 3; ++k)
+    {
+      sent[k] += own.x * b[k] + own[k + 1] * l0.rgb;
+    }
+    open += own;
   }
-  for (int i = 0; i < 3; ++i)
+  if (!single && samples > 0)
   {
-    light[i] /= single ? 1.0f : max(weights, 1.0e-6f);
+    // The light whose product with the mean openness that is.
+    vec3 a = (sentA - (open.y * sent[0] + open.z * sent[1] + open.w * sent[2]) / (3.0f * open.x)) /
+      max(open.x - dot(open.yzw, open.yzw) / (3.0f * open.x), 0.1f * open.x);
+    vec3 bx = (sent[0] - open.y * a) / open.x;
+    vec3 by = (sent[1] - open.z * a) / open.x;
+    vec3 bz = (sent[2] - open.w * a) / open.x;
+    light[0] = vec4(a, bx.r);
+    light[1] = vec4(bx.gb, by.rg);
+    light[2] = vec4(by.b, bz);
+    light[3] = open / float(samples);
   }
   vec4 pairs[2];
   vtkiPairLight(light, pairs);
@@ -75,6 +91,15 @@ void main()
     vtkiOpenSender(around, place, normal);
     vtkiProxySums sums = vtkiSumProxies(place.xyz, normal.xyz, true);
     vtkiLightOfSender(sums, place, normal, light);
+    if (!(normal.w > 0.0f))
+    {
+      vec4 front[4] = light;
+      vec4 back[4];
+      vtkiTurnSender(place, normal);
+      sums = vtkiSumProxies(place.xyz, normal.xyz, true);
+      vtkiLightOfSender(sums, place, normal, back);
+      vtkiLightOfSides(front, back, -normal.xyz, light);
+    }
   }
   gl_FragData[0] = light[0];
   gl_FragData[1] = light[1];

@@ -5,8 +5,9 @@
 uniform sampler2D vtkiProxyCenter; // centre, radius
 uniform sampler2D vtkiProxyOuter;  // centre and radius of the region
 uniform sampler2D vtkiProxyAlbedo; // albedo, share of the disk that is hidden
-uniform sampler2D vtkiProxyInner;  // radius within which others stand for it, sender, next entry, first below it
-uniform sampler2D vtkiProxyTable;  // zonal logarithms, a row of them
+uniform sampler2D vtkiProxyInner;  // radius within which others stand for it (0: none do, -1: it is drawn as it is),
+                                   // sender, next entry, first below it
+uniform sampler2D vtkiProxyTable;  // zonal logarithms over 1 - cos, a row of them
 uniform int vtkiProxyCount;
 uniform bool vtkiProxyHides;
 uniform sampler2D vtkiSentLight0;  // of senders and means in pairs: irradiance a + b n of each colour, a and b.x; red b.y
@@ -17,8 +18,9 @@ uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: ever
 // Center of the sphere whose light is summed. It hides nothing from itself: its normals' cosines do that, and the half
 // space behind one of its places is in front of others.
 vec3 vtkiOwnCenter = vec3(1.0e30f);
-// Whether the middle of a sphere that is summed for without a normal is inside of another one, 1; 0 from a quarter of
-// that one's radius on.
+// Whether light is summed for all normals of a sphere, at a place of it with the given one.
+bool vtkiAllNormals = false;
+// Whether that place is inside of another sphere, 1; 0 from a quarter of that one's radius on.
 float vtkiOwnBuried = 0.0f;
 #endif
 
@@ -41,10 +43,12 @@ vtkiProxySums vtkiNoProxies()
 // The logarithm of what a disk around +z leaves to be seen, by half its sine.
 vec4 vtkiZonalLog(float sine)
 {
-  float place = vtkiProxyRow(sine) * float(VTKI_PROXY_TABLE - 1);
+  float share = vtkiProxyRow(sine);
+  float place = share * float(VTKI_PROXY_TABLE - 1);
   int row = min(int(place), VTKI_PROXY_TABLE - 2);
-  return mix(texelFetch(vtkiProxyTable, ivec2(row, 0), 0), texelFetch(vtkiProxyTable, ivec2(row + 1, 0), 0),
-    place - float(row));
+  return share *
+    mix(texelFetch(vtkiProxyTable, ivec2(row, 0), 0), texelFetch(vtkiProxyTable, ivec2(row + 1, 0), 0),
+      place - float(row));
 }
 
 // Radiance of a sphere of albedo 1 towards the receiver, in the light that nothing hides from it (Eq 15; with
@@ -121,9 +125,9 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
   vec4 sphere = texelFetch(vtkiProxyCenter, at, 0);
   vec4 outer = texelFetch(vtkiProxyOuter, at, 0);
   vec4 inner = texelFetch(vtkiProxyInner, at, 0);
-#ifdef VTKI_PROXY_SENDERS
-  // Groups of up to twice the angle say as well where it is open.
-  float share = dot(normal, normal) > 0.0f ? 1.0f : 0.5f;
+#if defined(VTKI_PROXY_SENDERS) && defined(VTKI_PROXY_TREE)
+  // Groups of up to twice the angle say as well where it is open, and how bright.
+  float share = dot(normal, normal) > 0.0f && !vtkiAllNormals ? 1.0f : 0.5f;
   outer.w *= share;
   inner.x *= share;
 #endif
@@ -131,30 +135,41 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
   float d = length(toCenter);
   float toOuter = length(outer.xyz - position);
   float weight = vtkiProxyWeight(toOuter, outer.w, d, inner.x);
-#ifdef VTKI_PROXY_SENDERS
-  // Without a normal: of a place among spheres, where those around it say nothing.
-  float sine = dot(normal, normal) > 0.0f ? vtkiProxySine(toCenter, sphere.w, normal)
-    : d > sphere.w                        ? sphere.w / d
-                                          : 0.0f;
-  sine = all(equal(sphere.xyz, vtkiOwnCenter)) ? 0.0f : sine;
-  if (weight > 0.0f && d > 0.0f && !(dot(normal, normal) > 0.0f))
+  vec3 direction = toCenter / max(d, 1.0e-30f);
+  float sine = 0.0f;
+  if (weight > 0.0f)
   {
-    vtkiOwnBuried = max(vtkiOwnBuried, clamp(5.0f - 4.0f * d / max(sphere.w, 1.0e-30f), 0.0f, 1.0f));
-  }
-#else
-  float sine = vtkiProxySine(toCenter, sphere.w, normal);
+#ifdef VTKI_PROXY_SENDERS
+    bool own = all(equal(sphere.xyz, vtkiOwnCenter));
+    if (!(dot(normal, normal) > 0.0f))
+    {
+      // Of a place among spheres, where those around it say nothing.
+      sine = d > sphere.w ? sphere.w / d : 0.0f;
+    }
+    else if (vtkiAllNormals && !own)
+    {
+      sine = vtkiProxySine(toCenter, sphere.w, normal, false);
+      vtkiOwnBuried =
+        inner.x > 0.0f ? vtkiOwnBuried : max(vtkiOwnBuried, clamp(5.0f - 4.0f * d / sphere.w, 0.0f, 1.0f));
+    }
+    else if (!own)
 #endif
+    {
+      sine = vtkiProxySine(toCenter, sphere.w, normal, inner.x < 0.0f);
+      weight *= vtkiProxyAbove(dot(direction, normal), sine);
+    }
+  }
   if (weight > 0.0f && sine > 0.0f)
   {
     vec4 albedo = texelFetch(vtkiProxyAlbedo, at, 0);
-    weight *= albedo.w;
-    vec3 direction = toCenter / max(d, 1.0e-30f);
-    vec4 zonal = weight * vtkiZonalLog(sine) * vec4(3.54490770f, 2.04665341f, 1.58533092f, 1.33984918f);
+    vec4 zonal = weight * vtkiZonalShare(vtkiZonalLog(sine), sine, albedo.w) *
+      vec4(3.54490770f, 2.04665341f, 1.58533092f, 1.33984918f);
     vtkiHarmonics4 y = vtkiHarmonics4At(direction);
     sums.hidden.A += y.A * vec4(zonal.x, zonal.y, zonal.y, zonal.y);
     sums.hidden.B += y.B * zonal.z;
     sums.hidden.C += y.C * vec4(zonal.z, zonal.w, zonal.w, zonal.w);
     sums.hidden.D += y.D * zonal.w;
+    weight *= albedo.w;
 #ifdef VTKI_PROXY_LIGHT
     float reach = vtkiProxyLightReach > 0.0f ? vtkiProxyWithin(d, vtkiProxyLightReach * sphere.w) : 1.0f;
 #ifdef VTKI_PROXY_SHADOWED
@@ -241,11 +256,12 @@ vec3 vtkiPolygonRadiance(vec3 position, vec3 normal, vec3 side, int first, int c
 }
 #endif
 
-// Adds the flat polygons, each as the disk that gives all receivers above it the same irradiance. One that the
-// receiver lies on hides nothing. open: what spheres leave to be seen, of the polygons too.
-void vtkiAddPolygons(
-  vec3 position, vec3 normal, vtkiHarmonics4 open, inout vtkiHarmonics4 hidden, inout vec3 bounce)
+// Takes what flat polygons hide from what is seen, each as the disk that gives all receivers above it the same
+// irradiance. One that the receiver lies on hides nothing. They are few and large: the product with what one leaves is
+// exact to order 4, where a disk that fills half of the sphere has no logarithm.
+void vtkiAddPolygons(vec3 position, vec3 normal, inout vtkiHarmonics4 seen, inout vec3 bounce)
 {
+  vtkiHarmonics4 open = seen; // what spheres leave to be seen, of the polygons too
   for (int i = 0; i < vtkiPolygonCount; ++i)
   {
     int row = VTKI_PROXY_LIGHT_ROWS + VTKI_POLYGON_ROWS * i;
@@ -272,7 +288,8 @@ void vtkiAddPolygons(
     bool below = dot(disk.xyz, normal) < -0.9999f * max(disk.w, 1.0e-6f);
     if (!own && !below && disk.w > 0.0f)
     {
-      hidden = vtkiHarmonicsAdd(hidden, 1.0f, vtkiZonalTo(vtkiZonalLog(disk.w), disk.xyz));
+      vtkiHarmonics4 filled = vtkiZonalTo(vtkiZonalDisk(disk.w), disk.xyz);
+      seen = vtkiHarmonicsAdd(seen, -1.0f, vtkiHarmonicProduct(seen, filled));
 #ifdef VTKI_PROXY_LIGHT
 #ifdef VTKI_PROXY_SHADOWED
       int count = int(vtkiProxyRows[row + 3].w);
@@ -283,8 +300,8 @@ void vtkiAddPolygons(
       vec3 radiance = max(vec3(vtkiHarmonicsDot(cosine, vtkiProxyLightOf(0)),
         vtkiHarmonicsDot(cosine, vtkiProxyLightOf(1)), vtkiHarmonicsDot(cosine, vtkiProxyLightOf(2))), vec3(0.0f));
 #endif
-      vtkiHarmonics4 seen = vtkiHarmonicProduct(open, vtkiZonalTo(vtkiZonalDisk(disk.w), disk.xyz));
-      bounce += max(vtkiHarmonicsDot(seen, vtkiClampedCosine(normal)), 0.0f) * albedo.rgb * radiance;
+      vtkiHarmonics4 sent = vtkiHarmonicProduct(open, filled);
+      bounce += max(vtkiHarmonicsDot(sent, vtkiClampedCosine(normal)), 0.0f) * albedo.rgb * radiance;
 #endif
     }
   }
@@ -293,8 +310,7 @@ void vtkiAddPolygons(
 // What is left to be seen of the sky. bounce: what proxies send.
 vtkiHarmonics4 vtkiSeenSky(vec3 position, vec3 normal, vtkiProxySums sums, out vec3 bounce)
 {
-  vtkiHarmonics4 hidden = sums.hidden;
-  vtkiHarmonics4 seen = vtkiHarmonicsExp(hidden);
+  vtkiHarmonics4 seen = vtkiHarmonicsExp(sums.hidden);
   bounce = vec3(0.0f);
 #ifdef VTKI_PROXY_LIGHT
 #ifdef VTKI_PROXY_SHADOWED
@@ -305,8 +321,7 @@ vtkiHarmonics4 vtkiSeenSky(vec3 position, vec3 normal, vtkiProxySums sums, out v
 #endif
   if (vtkiPolygonCount > 0)
   {
-    vtkiAddPolygons(position, normal, seen, hidden, bounce);
-    seen = vtkiHarmonicsExp(hidden);
+    vtkiAddPolygons(position, normal, seen, bounce);
   }
   if (!vtkiProxyHides)
   {

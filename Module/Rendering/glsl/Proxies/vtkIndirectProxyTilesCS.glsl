@@ -106,6 +106,19 @@ void main()
   vtkiProxySums sums = vtkiSumTile(place.xyz, normal.xyz, inside);
   vec4 light[4];
   vtkiLightOfSender(sums, place, normal, light);
+  bool sphere = !(normal.w > 0.0f);
+  if (sphere)
+  {
+    vtkiTurnSender(place, normal);
+  }
+  sums = vtkiSumTile(place.xyz, normal.xyz, inside && sphere);
+  if (sphere)
+  {
+    vec4 front[4] = light;
+    vec4 back[4];
+    vtkiLightOfSender(sums, place, normal, back);
+    vtkiLightOfSides(front, back, -normal.xyz, light);
+  }
   if (inside)
   {
     imageStore(vtkiLight0, vtkiTableTexel(number), light[0]);

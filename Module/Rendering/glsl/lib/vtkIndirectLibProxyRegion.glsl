@@ -36,7 +36,7 @@ bool vtkiProxyMeetsBox(vec3 middle, vec3 halfSize, vec3 outerCenter, float outer
 {
   vec2 toOuter = vtkiBoxDistances(middle, halfSize, outerCenter);
   vec2 toCenter = vtkiBoxDistances(middle, halfSize, center);
-  float least = VTKI_PROXY_BAND * inner;
+  float least = VTKI_PROXY_BAND * max(inner, 0.0f);
   return toOuter.x < outer * outer && toCenter.y >= least * least;
 }
 
@@ -56,6 +56,13 @@ vec4 vtkiZonalDisk(float sine)
   float c = sqrt(max(1.0f - s2, 0.0f));
   return VTKI_PI *
     vec4(0.56418958f * s2 / (1.0f + c), 0.48860251f * s2, 0.63078313f * c * s2, 0.18658817f * s2 * (4.0f - 5.0f * s2));
+}
+
+/* The logarithm of what a disk leaves to be seen that hides the share p of the light: `whole` is that of an opaque
+ * one. log(1 - p D) begins with -p D, and what exceeds that goes with the square of p. */
+vec4 vtkiZonalShare(vec4 whole, float sine, float share)
+{
+  return share * (share * whole - (1.0f - share) * vtkiZonalDisk(sine));
 }
 
 /* The disk of equal vector irradiance: direction, and the sine of half its angle. sum: over all edges. */

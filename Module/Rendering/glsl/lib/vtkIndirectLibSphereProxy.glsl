@@ -175,13 +175,16 @@ float vtkiDiskIrradiance(float sine, float cosine)
 }
 
 /* Sine of half the angle under which a sphere counts for a receiver of unit normal n; toCenter from
- * the receiver. Seen from outside it is r / d, whatever crosses the receiver's plane: what is below it
- * has no cosine. Spheres that contain the receiver are mostly those that stand for its own surface. One
- * whose center is below the plane is shrunk until it ends at it, and hides nothing; one with its center
- * above hides the more the higher that is, all of its side from a quarter of the radius on. From there
- * to 1.25 radii away this goes over to r / d, so that nothing jumps. Too bright: beside a body that is
- * half sunk into the ground, within that distance. */
-float vtkiProxySine(vec3 toCenter, float radius, vec3 n)
+ * the receiver. Seen from outside it is r / d, whatever crosses the receiver's plane. Spheres that
+ * contain the receiver are mostly those of its own surface; farther outside this goes over to r / d, so
+ * that nothing jumps. A sphere that is drawn as it is (`drawn`) is the receiver's own if its center is
+ * straight below, to 18 degrees: normals and places are those of its facets, or a neighbor's that it is
+ * cut by, and the more the center is aside the more of it is above the plane. Spheres that stand for a
+ * surface may lie on either side of it. One whose center is below the plane is shrunk until it ends at
+ * it; one with its center above hides the more the higher that is, all of its side from a quarter of the
+ * radius on; and that reaches as far outside. Too bright: beside a body that is half sunk into the
+ * ground, within that distance. */
+float vtkiProxySine(vec3 toCenter, float radius, vec3 n, bool drawn)
 {
   float d = length(toCenter);
   if (!(radius > 0.0f))
@@ -189,11 +192,25 @@ float vtkiProxySine(vec3 toCenter, float radius, vec3 n)
     return 0.0f;
   }
   float seen = d > radius ? radius / d : 1.0f;
-  float outside = min(max(4.0f * (d / radius - 1.0f), 0.0f), 1.0f);
+  float outside = min(max((drawn ? 100.0f : 4.0f) * (d / radius - 1.0f), 0.0f), 1.0f);
   outside = outside * outside * (3.0f - 2.0f * outside);
   float height = dot(toCenter, n);
   float own = height < 0.0f ? min(-height / d, seen) : seen * min(4.0f * height / radius, 1.0f);
+  if (drawn)
+  {
+    float aside = min(max(5.0f * (height / max(d, 1.0e-30f) + 0.95f), 0.0f), 1.0f);
+    own = seen * aside * aside * (3.0f - 2.0f * aside);
+  }
   return own + (seen - own) * outside;
+}
+
+/* How much of a sphere counts by whether it is above the receiver's plane, by the cosine of its middle and its own
+ * sine: nothing of what is wholly below, as the receiver's own sphere, which touches the plane. In order 4 that would
+ * ring into the upper half as dark as 0.05 of the sky, most of all where the ground fills the lower half as well. */
+float vtkiProxyAbove(float cosine, float sine)
+{
+  float t = min(max(10.0f * (cosine / max(sine, 1.0e-30f) + 1.0f), 0.0f), 1.0f);
+  return t * t * (3.0f - 2.0f * t);
 }
 
 /* How much of a sphere counts: all of it within its region of influence, from `sine` of four thirds of
