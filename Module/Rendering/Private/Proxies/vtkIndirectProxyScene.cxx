@@ -2,6 +2,7 @@
 #include "Proxies/vtkIndirectProxyScene.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Proxies/vtkIndirectProxyActors.h"
@@ -19,6 +20,8 @@
 #include "vtkObject.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkOpenGLStickMapper.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
@@ -56,6 +59,22 @@ struct GlyphAccess : public vtkGlyph3DMapper
     return (mapper->*(&GlyphAccess::GetSourceIndexArray))(data);
   }
 };
+
+const char* const NoBlockers = "they block no indirect light; the result is too bright";
+
+// Whether a mapper draws spheres or sticks of given radii.
+bool IsOfSpheres(vtkMapper* mapper)
+{
+#ifdef VTKI_MOLECULES
+  if (vtkOpenGLMoleculeMapper::SafeDownCast(mapper))
+  {
+    return true;
+  }
+#endif
+  return vtkOpenGLSphereMapper::SafeDownCast(mapper) ||
+    vtkOpenGLStickMapper::SafeDownCast(mapper) || vtkGlyph3DMapper::SafeDownCast(mapper) ||
+    vtkPointGaussianMapper::SafeDownCast(mapper);
+}
 
 // All data sets of an input.
 void ForDataSets(vtkDataObject* input, const std::function<void(vtkDataSet*)>& call)
@@ -192,6 +211,7 @@ struct vtkIndirectProxyScene::Part
   vtkMapper* Mapper;
   vtkProp* Prop; // of the renderer
   bool Sends;
+  glm::dmat4 ToWorld;
   glm::dmat4 ToScene;
   double Scale; // of lengths
 };
@@ -215,6 +235,7 @@ bool vtkIndirectProxyScene::Update(
   for (vtkProp* prop : frame.Props)
   {
     if (HasSplats(prop) &&
+      vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::CastsShadows()) &&
       std::none_of(frame.Casters.begin(), frame.Casters.end(),
         [prop](const vtkIndirectCaster& caster) { return caster.Prop == prop; }))
     {
@@ -238,12 +259,14 @@ bool vtkIndirectProxyScene::Update(
   this->Key = std::move(key);
   this->Spheres.clear();
   this->Polygons.clear();
+  this->Props.clear();
   this->LeftOut.clear();
   this->Exact = this->OfSticks = this->Fitted = this->Wrong = 0;
   this->SceneCenter = frame.SceneCenter;
   this->SceneScale = frame.SceneScale;
   for (const Drawn& item : drawn)
   {
+    const size_t before = this->Spheres.size();
     vtkIndirectProxyActors::ForEach(item.Prop,
       [&](vtkActor* actor, vtkMatrix4x4* matrix)
       {
@@ -252,7 +275,8 @@ bool vtkIndirectProxyScene::Update(
           return;
         }
         const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(matrix);
-        Part part = { actor, actor->GetMapper(), item.Prop, item.Sends, frame.ToScene(toWorld),
+        Part part = { actor, actor->GetMapper(), item.Prop, item.Sends, toWorld,
+          frame.ToScene(toWorld),
           frame.SceneScale * std::cbrt(std::abs(glm::determinant(glm::dmat3(toWorld)))) };
         for (int i = 0; i < 3; ++i)
         {
@@ -260,8 +284,13 @@ bool vtkIndirectProxyScene::Update(
         }
         this->AddPart(part, given);
       });
+    if (this->Spheres.size() > before)
+    {
+      this->Props.push_back(item.Prop);
+    }
   }
   this->Shapes.Forget();
+  this->Kinds.Forget();
   if (this->Wrong > 0)
   {
     vtkErrorWithObjectMacro(caller, << this->Wrong << " spheres of " << this->WrongProp
@@ -292,11 +321,45 @@ void vtkIndirectProxyScene::Add(
     this->WrongProp = this->Wrong++ ? this->WrongProp : part.Prop->GetClassName();
     return;
   }
-  if (scaled > 1e-12) // of the scene's diagonal; a smaller one hides nothing
+  // Of the scene's diagonal; a smaller one hides nothing.
+  if (scaled > 1e-12 &&
+    !(this->User == SEGMENTS &&
+      IsCutOff(part, glm::dvec3(part.ToWorld * glm::dvec4(center[0], center[1], center[2], 1.0)))))
   {
     this->Spheres.push_back(
       { place, std::min(scaled, 1e6), part.Sends ? albedo : glm::vec3(0.0f), exact });
   }
+}
+
+//------------------------------------------------------------------------------
+// VTK's spheres are there as a whole where their center is; glyphs that a plane cuts count so, too.
+bool vtkIndirectProxyScene::IsCutOff(const Part& part, const glm::dvec3& place)
+{
+  vtkPlaneCollection* planes = part.Actor->GetMapper()->GetClippingPlanes();
+  bool shown = true;
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    shown = shown && planes->GetItem(i)->EvaluateFunction(place.x, place.y, place.z) >= 0.0;
+  }
+  return !shown;
+}
+
+//------------------------------------------------------------------------------
+// Whether its matrix stretches spheres, by more than rounding.
+bool vtkIndirectProxyScene::IsOfEllipsoids(const Part& part)
+{
+  const glm::dmat3 turned(part.ToWorld);
+  const glm::dmat3 squares = glm::transpose(turned) * turned;
+  const double mean = (squares[0][0] + squares[1][1] + squares[2][2]) / 3.0;
+  double off = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      off = std::max(off, std::abs(squares[i][k] - (i == k ? mean : 0.0)));
+    }
+  }
+  return !(off <= 1e-3 * mean);
 }
 
 //------------------------------------------------------------------------------
@@ -326,6 +389,12 @@ void vtkIndirectProxyScene::AddPart(const Part& part, const Given& given)
 void vtkIndirectProxyScene::AddActor(const Part& part)
 {
   const size_t before = this->Spheres.size();
+  const bool segments = this->User == SEGMENTS;
+  if (segments && IsOfSpheres(part.Mapper) && this->IsOfEllipsoids(part))
+  {
+    this->LeaveOut("spheres that a matrix stretches", NoBlockers);
+    return;
+  }
 #ifdef VTKI_MOLECULES
   if (auto* molecule = vtkOpenGLMoleculeMapper::SafeDownCast(part.Mapper))
   {
@@ -359,6 +428,7 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
       {
         const Albedos albedos(part.Mapper, part.Actor->GetProperty(), data);
         vtkIndirectProxySticks::ForEach(part.Mapper, data,
+          segments ? vtkIndirectProxySticks::INSIDE : vtkIndirectProxySticks::AVERAGED,
           [&](vtkIdType i, const double place[3], double radius)
           { this->Add(part, place, radius, albedos.Get(i), false); });
       });
@@ -371,13 +441,18 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
   }
   else if (vtkGlyph3DMapper::SafeDownCast(part.Mapper))
   {
-    if (!this->AddGlyphs(part))
+    const std::string why = segments ? this->Kinds.FindWhyNoGlyphs(part.Mapper) : "";
+    if (!why.empty())
+    {
+      this->LeaveOut(why, NoBlockers);
+    }
+    else if (!this->AddGlyphs(part))
     {
       this->LeaveOut("glyphs that are no spheres", "they hide no light; the result is too bright");
     }
     this->Exact += this->Spheres.size() - before;
   }
-  else
+  else if (!segments)
   {
     this->AddMeshes(part);
   }
@@ -569,12 +644,17 @@ void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkIndirectProxyScene::GetWhat() const
+{
+  return std::to_string(this->Exact) + " spheres of the data" +
+    (this->OfSticks > 0 ? ", " + std::to_string(this->OfSticks) + " spheres of sticks" : "");
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectProxyScene::AddToReport(vtkIndirectReport& report) const
 {
   report.Modelled.emplace_back("what hides the sky",
-    std::to_string(this->Exact) + " spheres of the data, " +
-      (this->OfSticks > 0 ? std::to_string(this->OfSticks) + " spheres of sticks, " : "") +
-      std::to_string(this->Fitted) + " spheres of meshes, " +
+    this->GetWhat() + ", " + std::to_string(this->Fitted) + " spheres of meshes, " +
       std::to_string(this->Polygons.size()) + " flat polygons");
   report.LeftOut.insert(report.LeftOut.end(), this->LeftOut.begin(), this->LeftOut.end());
 }

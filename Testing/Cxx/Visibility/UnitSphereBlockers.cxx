@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Segments against spheres in a grid find what a loop over all spheres does, and more than voxels.
-#include "Proxies/vtkIndirectSphereGrid.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "Visibility/vtkIndirectSphereGrid.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkMath.h"
@@ -88,7 +88,7 @@ VTK_INDIRECT_TEST(SphereBlockersAreAllSpheres)
   {
     const std::vector<glm::dvec4> spheres = MakeSpheres(random, 300, 0.02);
     vtkIndirectSphereGrid grid;
-    grid.Build(spheres, cells);
+    grid.Build(spheres, cells, vtkIndirectSphereGrid::MaximumNumberOfEntries);
     int wrong = 0;
     int blocked = 0;
     int near = 0;
@@ -110,8 +110,7 @@ VTK_INDIRECT_TEST(SphereBlockersAreAllSpheres)
       }
       double margin = 0.0;
       const bool free = IsFreeByAll(spheres, ends[0], ends[1], margin);
-      const bool found =
-        grid.IsFree(glm::vec3(grid.ToCells(ends[0])), glm::vec3(grid.ToCells(ends[1])));
+      const bool found = grid.IsFree(ends[0], ends[1]);
       blocked += !free;
       // Single precision of places in up to 60 cells, over radii of a tenth of one and more.
       const bool unsure = margin < 1e-4;
@@ -135,7 +134,7 @@ VTK_INDIRECT_TEST(SphereBlockersDoNotHideThemselves)
     const std::vector<glm::dvec4> spheres = { { 3.0, -2.0, 1.0, radius },
       { 3.0 + 100.0 * radius, -2.0, 1.0, radius } };
     vtkIndirectSphereGrid grid;
-    grid.Build(spheres, 8.0);
+    grid.Build(spheres, 8.0, vtkIndirectSphereGrid::MaximumNumberOfEntries);
     int hidden = 0;
     int faced = 0;
     for (int i = 0; i < 3000; ++i)
@@ -149,15 +148,15 @@ VTK_INDIRECT_TEST(SphereBlockersDoNotHideThemselves)
       if (glm::dot(way, n) > 1e-3 && glm::dot(way, m) < -1e-3)
       {
         ++faced;
-        hidden += !grid.IsFree(glm::vec3(grid.ToCells(start)), glm::vec3(grid.ToCells(end)));
+        hidden += !grid.IsFree(start, end);
       }
     }
     CheckEqual("segments that leave a sphere and are hidden by it", hidden, 0);
     CheckAtLeast("segments", faced, 500, "the test's own power");
   }
   vtkIndirectSphereGrid empty;
-  empty.Build({}, 2.0);
-  Check("nothing hides nothing", empty.IsFree(glm::vec3(-1.0f), glm::vec3(2.0f)));
+  empty.Build({});
+  Check("nothing hides nothing", empty.IsFree(glm::dvec3(-1.0), glm::dvec3(2.0)));
 }
 
 //------------------------------------------------------------------------------
@@ -176,7 +175,7 @@ VTK_INDIRECT_TEST(SphereBlockersBesideVoxels)
   volume.Finish();
   const vtkIndirectDistanceField& field = volume.GetDistanceField();
   vtkIndirectSphereGrid grid;
-  grid.Build(spheres, 4.0);
+  grid.Build(spheres);
   auto pick = [&](glm::dvec3& place, glm::dvec3& normal)
   {
     bool open = false;
@@ -211,8 +210,7 @@ VTK_INDIRECT_TEST(SphereBlockersBesideVoxels)
     wrong[0] += free !=
       field.IsVisible(field.FindEnd(glm::vec3(places[0]), glm::vec3(normals[0])),
         field.FindEnd(glm::vec3(places[1]), glm::vec3(normals[1])));
-    wrong[1] +=
-      free != grid.IsFree(glm::vec3(grid.ToCells(places[0])), glm::vec3(grid.ToCells(places[1])));
+    wrong[1] += free != grid.IsFree(places[0], places[1]);
   }
   CheckAtLeast("hidden", hidden, 0.2 * count, "the test's own power");
   CheckAtLeast("free", count - hidden, 0.2 * count, "the test's own power");

@@ -1,8 +1,8 @@
 // Whether a segment meets any of many spheres, which lie in lists by the cells of a grid (Amanatides and Woo
 // 1987, "A fast voxel traversal algorithm for ray tracing"). Coordinates count cells: cell i reaches from i to
 // i + 1.
-#ifndef vtkIndirectSphereSegments
-#define vtkIndirectSphereSegments
+#ifndef vtkIndirectLibSphereSegments
+#define vtkIndirectLibSphereSegments
 #include "vtkIndirectLibPortable.glsl"
 
 /* Where a segment is. */
