@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/vtkIndirectSphereBlockers.h"
 
+#include <utility>
+
 //------------------------------------------------------------------------------
 const vtkIndirectBlockingSpheres* vtkIndirectSphereBlockers::Update(
   const vtkIndirectFrame& frame, vtkObject* caller)
@@ -9,11 +11,16 @@ const vtkIndirectBlockingSpheres* vtkIndirectSphereBlockers::Update(
   {
     return &this->Result;
   }
-  ++this->Result.NumberOfUpdates;
-  this->Result.Spheres.clear();
+  std::vector<glm::dvec4> spheres;
   for (const vtkIndirectProxySphere& sphere : this->Scene.TakeSpheres())
   {
-    this->Result.Spheres.emplace_back(sphere.Center, sphere.Radius);
+    spheres.emplace_back(sphere.Center, sphere.Radius);
+  }
+  // A colour may have changed, or what is no sphere.
+  if (spheres != this->Result.Spheres)
+  {
+    this->Result.Spheres = std::move(spheres);
+    ++this->Result.NumberOfUpdates;
   }
   this->Result.What = this->Scene.GetWhat();
   this->Result.Props = this->Scene.GetProps();

@@ -291,12 +291,16 @@ bool vtkIndirectProxyScene::Update(
   }
   this->Shapes.Forget();
   this->Kinds.Forget();
-  if (this->Wrong > 0)
+  const std::string wrong = this->Wrong == 0
+    ? ""
+    : std::to_string(this->Wrong) + " spheres of " + this->WrongProp +
+      " have radii that are negative or not finite, or no place; they are left out.";
+  // Not again for another colour.
+  if (!wrong.empty() && wrong != this->Said)
   {
-    vtkErrorWithObjectMacro(caller, << this->Wrong << " spheres of " << this->WrongProp
-                                    << " have radii that are negative or not finite, or no place; "
-                                       "they are left out.");
+    vtkErrorWithObjectMacro(caller, << wrong);
   }
+  this->Said = wrong;
   return true;
 }
 

@@ -92,6 +92,7 @@ private:
   size_t Fitted = 0;   // of meshes
   size_t Wrong = 0;    // radii or places that are not
   std::string WrongProp;
+  std::string Said; // of these, last
   std::vector<std::pair<std::string, std::string>> LeftOut;
 };
 #endif
