@@ -125,6 +125,86 @@ VTK_INDIRECT_TEST(SphereBlockersAreAllSpheres)
 }
 
 //------------------------------------------------------------------------------
+// Hundreds of spheres around one place, many more than 8 bits could count in any cell, rows of them
+// that are longer than a grid's cells, and few entries: none is lost. By either formula.
+VTK_INDIRECT_TEST(SphereBlockersAreNotDropped)
+{
+  struct Case
+  {
+    const char* Name;
+    std::vector<glm::dvec4> Spheres;
+    size_t Entries;
+    size_t LongestList; // at least
+  };
+  Random random(61);
+  std::vector<Case> cases;
+  constexpr size_t many = vtkIndirectSphereGrid::MaximumNumberOfEntries;
+  Case crowd{ "around one place", {}, many, 256 };
+  for (int i = 0; i < 900; ++i)
+  {
+    crowd.Spheres.emplace_back(random.Next(-0.1, 0.1), random.Next(-0.1, 0.1),
+      random.Next(-0.1, 0.1), random.Next(0.15, 0.2));
+  }
+  cases.push_back(crowd);
+  Case far{ "a clump, and one far away", {}, many, 1 };
+  for (int i = 0; i < 900; ++i)
+  {
+    far.Spheres.emplace_back(random.Next(0.0, 0.05), random.Next(0.0, 0.05), random.Next(0.0, 0.05),
+      random.Next(0.001, 0.003));
+  }
+  far.Spheres.emplace_back(1.0, 1.0, 1.0, 0.01);
+  cases.push_back(far);
+  Case row{ "a row", {}, many, 1 };
+  for (int i = 0; i < 5000; ++i)
+  {
+    row.Spheres.emplace_back(0.2 * i / 1000.0, 0.0, 0.0, 1e-4);
+  }
+  cases.push_back(row);
+  Case few{ "few entries", MakeSpheres(random, 300, 0.02), 400, 1 };
+  cases.push_back(few);
+  Case giant{ "one that all others are around", MakeSpheres(random, 300, 0.01), many, 1 };
+  giant.Spheres.emplace_back(0.5, 0.35, 0.2, 0.3);
+  cases.push_back(giant);
+  for (const Case& test : cases)
+  {
+    const std::string name = test.Name;
+    vtkIndirectSphereGrid grid;
+    Check(name + ": built", grid.Build(test.Spheres, test.Entries));
+    CheckEqual(name + ": spheres", static_cast<double>(grid.GetNumberOfSpheres()),
+      static_cast<double>(test.Spheres.size()));
+    CheckAtMost(name + ": entries", static_cast<double>(grid.GetNumberOfEntries()),
+      static_cast<double>(test.Entries), "as was asked for");
+    CheckAtLeast(name + ": longest list", static_cast<double>(grid.GetLongestList()),
+      static_cast<double>(test.LongestList), "the test's own power");
+    int wrong[2] = { 0, 0 };
+    int blocked = 0;
+    const int count = 1000;
+    for (int i = 0; i < count; ++i)
+    {
+      // Past a sphere, closely.
+      const glm::dvec4& target = test.Spheres[random.NextBits() % test.Spheres.size()];
+      const glm::dvec3 middle = glm::dvec3(target) + 1.3 * target.w * random.NextDirection();
+      const glm::dvec3 way = random.NextDirection();
+      const glm::dvec3 start = middle - random.Next(0.0, 0.5) * way;
+      const glm::dvec3 end = middle + random.Next(0.0, 0.5) * way;
+      double margin = 0.0;
+      const bool free = IsFreeByAll(test.Spheres, start, end, margin);
+      blocked += !free;
+      // Single precision of places in 256 cells, over radii of a fortieth of one and more.
+      wrong[0] += margin > 2e-3 && grid.IsFree(start, end) != free;
+      wrong[1] += margin > 1e-4 && grid.IsFreeExactly(start, end) != free;
+    }
+    CheckEqual(name + ": wrong, by the shaders' kernel", wrong[0], 0);
+    CheckEqual(name + ": wrong, in double precision", wrong[1], 0);
+    CheckAtLeast(name + ": blocked", blocked, 0.05 * count, "the test's own power");
+    CheckAtLeast(name + ": free", count - blocked, 0.02 * count, "the test's own power");
+  }
+  vtkIndirectSphereGrid grid;
+  Check("more spheres than entries", !grid.Build(crowd.Spheres, 899) && grid.IsEmpty());
+  Check("as many", grid.Build(crowd.Spheres, 900) && grid.GetNumberOfEntries() == 900);
+}
+
+//------------------------------------------------------------------------------
 // A sphere does not hide its own surface, whatever the scale: no lift, no tolerance.
 VTK_INDIRECT_TEST(SphereBlockersDoNotHideThemselves)
 {

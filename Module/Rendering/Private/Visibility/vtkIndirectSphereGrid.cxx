@@ -41,17 +41,20 @@ void vtkIndirectSphereGrid::Clear()
 }
 
 //------------------------------------------------------------------------------
-// Cubes of about that number, none of their edges shorter than the longest extent allows.
+// Cubes of about that number, none of their edges shorter than the longest extent allows; one where
+// no more are asked for.
 void vtkIndirectSphereGrid::SetSize(const glm::dvec3& extent, double cells)
 {
   const double longest = std::max({ extent.x, extent.y, extent.z });
-  const double edge = std::max(
-    std::cbrt(extent.x * extent.y * extent.z / std::max(cells, 1.0)), longest / MaximumSize);
+  const double edge = cells <= 1.0
+    ? longest
+    : std::max(std::cbrt(extent.x * extent.y * extent.z / cells), longest / MaximumSize);
   this->Scale = 1.0 / edge;
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Size[axis] =
-      std::clamp(static_cast<int>(std::ceil(extent[axis] * this->Scale)), 1, MaximumSize);
+    this->Size[axis] = cells <= 1.0
+      ? 1
+      : std::clamp(static_cast<int>(std::ceil(extent[axis] * this->Scale)), 1, MaximumSize);
   }
 }
 
@@ -156,7 +159,7 @@ bool vtkIndirectSphereGrid::Build(
   this->Origin = lower;
   this->SetSize(upper - lower, cells);
   std::vector<std::uint32_t> counts;
-  // With one cell each sphere has one entry.
+  // In a single cell each sphere has one entry.
   while (this->Count(spheres, counts) > entries)
   {
     cells = std::min(cells, static_cast<double>(counts.size())) / 8.0;
@@ -230,11 +233,11 @@ bool vtkIndirectSphereGrid::IsFree(const glm::dvec3& start, const glm::dvec3& en
 {
   const glm::vec3 from(this->ToCells(start));
   const glm::vec3 along((end - start) * this->Scale);
-  const float length2 = glm::dot(along, along);
+  const float inverse = vtkIndirectKernels::vtkiInverseSquare(along);
   int count = 0;
   const bool free = this->IsFreeOf(from, along, count,
     [&](const glm::vec4& sphere)
-    { return vtkIndirectKernels::vtkiSphereBlocks(from, along, length2, sphere); });
+    { return vtkIndirectKernels::vtkiSphereBlocks(from, along, inverse, sphere); });
   if (steps)
   {
     *steps = count;

@@ -423,6 +423,16 @@ void vtkIndirectVisibility::AddSegmentsToReport(vtkIndirectReport& report, const
       this->Blocking->What + ", in " + std::to_string(size.x) + " x " + std::to_string(size.y) +
       " x " + std::to_string(size.z) + " lists";
   }
+  if (this->SpheresAreTooMany)
+  {
+    report.LeftOut.emplace_back(std::to_string(this->Blocking->Spheres.size()) + " spheres",
+      "there is no memory for so many; they block no indirect light, and the result is too bright");
+  }
+  if (this->Blocking)
+  {
+    report.LeftOut.insert(
+      report.LeftOut.end(), this->Blocking->LeftOut.begin(), this->Blocking->LeftOut.end());
+  }
   if (what.empty())
   {
     report.LeftOut.emplace_back(
@@ -430,11 +440,6 @@ void vtkIndirectVisibility::AddSegmentsToReport(vtkIndirectReport& report, const
     return;
   }
   report.Modelled.emplace_back(name, what);
-  if (this->SpheresAreTooMany)
-  {
-    report.LeftOut.emplace_back(std::to_string(this->Blocking->Spheres.size()) + " spheres",
-      "there is no memory for so many; they block no indirect light, and the result is too bright");
-  }
   for (const vtkIndirectOccupancyVolume::LeftOutProp& entry : this->Volume->GetLeftOut())
   {
     const bool ofSpheres = spheres &&
@@ -444,11 +449,6 @@ void vtkIndirectVisibility::AddSegmentsToReport(vtkIndirectReport& report, const
     {
       report.LeftOut.emplace_back(entry.What, entry.Why);
     }
-  }
-  if (this->Blocking)
-  {
-    report.LeftOut.insert(
-      report.LeftOut.end(), this->Blocking->LeftOut.begin(), this->Blocking->LeftOut.end());
   }
 }
 

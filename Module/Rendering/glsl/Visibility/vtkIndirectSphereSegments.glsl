@@ -28,12 +28,12 @@ void vtkiOpenList(inout vtkiSphereWalk walk)
 }
 
 // A sphere, if the list has another; at its end the next cell.
-void vtkiStepThroughSpheres(vec3 start, vec3 along, float length2, inout vtkiSphereWalk walk)
+void vtkiStepThroughSpheres(vec3 start, vec3 along, float inverseSquare, inout vtkiSphereWalk walk)
 {
   if (walk.next < walk.beyond)
   {
     vec4 sphere = texelFetch(vtkiSphereLists, ivec2(walk.next & 1023, walk.next >> 10), 0);
-    walk.clear = !vtkiSphereBlocks(start, along, length2, sphere);
+    walk.clear = !vtkiSphereBlocks(start, along, inverseSquare, sphere);
     walk.more = walk.clear;
     walk.next += 1;
   }
@@ -49,7 +49,7 @@ bool vtkiIsFreeOfSpheres(vec3 from, vec3 to, bool test)
 {
   vec3 start = (from - vtkiSphereOrigin.xyz) * vtkiSphereOrigin.w;
   vec3 along = (to - from) * vtkiSphereOrigin.w;
-  float length2 = dot(along, along);
+  float inverseSquare = vtkiInverseSquare(along);
   vtkiSphereWalk walk;
   walk.cells = vtkiBeginCells(start, along, textureSize(vtkiSphereCells, 0));
   walk.clear = true;
@@ -59,13 +59,13 @@ bool vtkiIsFreeOfSpheres(vec3 from, vec3 to, bool test)
   // shader after 65535 rounds together.
   while (walk.more)
   {
-    vtkiStepThroughSpheres(start, along, length2, walk);
+    vtkiStepThroughSpheres(start, along, inverseSquare, walk);
 #ifdef VTKI_LONG_STEPS
     for (int i = 0; i < 3; ++i)
     {
       if (walk.more)
       {
-        vtkiStepThroughSpheres(start, along, length2, walk);
+        vtkiStepThroughSpheres(start, along, inverseSquare, walk);
       }
     }
 #endif
