@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What mappers draw as spheres hides senders where voxels are asked: held to rays, light by light,
 // in double precision.
+#include "Visibility/vtkIndirectSphereGrid.h"
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectTestUtilities.h"
 
@@ -384,6 +385,36 @@ VTK_INDIRECT_TEST(SphereSegmentsManyLights)
   check("multiresolution, compute", scene.Splatting);
   SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::POINTS);
   check("multiresolution, points", scene.Splatting);
+}
+
+VTK_INDIRECT_TEST(SphereSegmentsLongLists)
+{
+  // Balls that lie inside each other, hundreds in a list, more rounds than a row of lights has.
+  SegmentScene scene(16, 12);
+  scene.AddFloorAndCeiling();
+  Balls balls;
+  std::vector<Ball> crowd = MakeCrowd(900, 0.25);
+  for (Ball& ball : crowd)
+  {
+    ball.Center = glm::dvec3(0.0, 0.0, 1.0) + 0.1 * (ball.Center - glm::dvec3(0.0, 0.0, 1.0));
+  }
+  balls.Set(crowd);
+  scene.Renderer->AddActor(balls.Actor);
+  std::vector<glm::dvec4> spheres;
+  for (const Ball& ball : crowd)
+  {
+    spheres.emplace_back(ball.Center, ball.Radius);
+  }
+  vtkIndirectSphereGrid grid;
+  grid.Build(spheres);
+  CheckAtLeast("longest list", static_cast<double>(grid.GetLongestList()), 256.0, "its power");
+  CheckAtLeast("rounds of a row of lights, if all took four times the mean",
+    4.0 * 256.0 * grid.GetNumberOfSteps(), 65536.0, "what llvmpipe has: the test's own power");
+  const Comparison c = Compare(scene, scene.Measure(scene.Gather, true), balls.All);
+  CheckAtLeast("light that is hidden", c.Hidden, 0.1, "the test's own power");
+  CheckAtMost("gather: RMSE over the mean", c.Error, 2e-3, Origin);
+  CheckAtMost("multiresolution",
+    Compare(scene, scene.Measure(scene.Splatting, true), balls.All).Error, 2e-3, Origin);
 }
 
 VTK_INDIRECT_TEST(SphereSegmentsUpdates)
