@@ -35,8 +35,9 @@ void vtkIndirectSphereGrid::Clear()
   this->Size = glm::ivec3(1);
   this->Scale = 1.0;
   this->NumberOfSpheres = 0;
-  this->Cells = { glm::uvec2(0u) };
-  this->Lists.clear();
+  this->NumberOfSteps = 0.0;
+  this->Cells = std::vector<glm::uvec2>();
+  this->Lists = std::vector<glm::vec4>();
   this->Uploaded = false;
 }
 
