@@ -260,8 +260,9 @@ int main(int argc, char* argv[])
     const double build =
       1e3 * MeasureSeconds([&](int) { grid.Build(spheres, cells, MostEntries); });
     grid.Build(scene.Spheres, cells, MostEntries);
-    const std::string by = "spheres, " +
-      (cells > 0.0 ? std::to_string(static_cast<int>(cells)) + " cells each" : "as they are");
+    const std::string by = cells > 0.0
+      ? "spheres, " + std::to_string(static_cast<int>(cells)) + " cells each"
+      : "spheres";
     PrintRow(
       name, by, scene,
       [&](std::vector<char>& seen)
