@@ -234,8 +234,7 @@ bool vtkIndirectProxyScene::Update(
   // Splats have no surface, and are no casters, but some of them look like spheres.
   for (vtkProp* prop : frame.Props)
   {
-    if (HasSplats(prop) &&
-      vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::CastsShadows()) &&
+    if (HasSplats(prop) && vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::CastsShadows()) &&
       std::none_of(frame.Casters.begin(), frame.Casters.end(),
         [prop](const vtkIndirectCaster& caster) { return caster.Prop == prop; }))
     {
