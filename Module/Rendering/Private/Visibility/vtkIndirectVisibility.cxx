@@ -11,6 +11,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -83,6 +84,7 @@ void vtkIndirectVisibility::UpdateSpheres(const Input& input)
     this->Spheres.Release(input.Frame.Window);
     this->Spheres.Clear();
     this->SpheresTime = 0;
+    this->StepsOfSpheres = 0.0;
     this->SpheresAreTooMany = false;
     return;
   }
@@ -97,6 +99,12 @@ void vtkIndirectVisibility::UpdateSpheres(const Input& input)
       vtkIndirectSphereGrid::MaximumNumberOfEntries, rows * vtkIndirectSphereGrid::RowLength));
   this->SpheresTime = spheres->NumberOfUpdates;
   ++this->NumberOfSphereUpdates;
+  // Kept while spheres move about, so that what follows from it does not flip to and fro.
+  const double steps = this->Spheres.GetNumberOfSteps();
+  if (std::abs(steps - this->StepsOfSpheres) > 0.15 * this->StepsOfSpheres)
+  {
+    this->StepsOfSpheres = steps;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -276,7 +284,7 @@ int vtkIndirectVisibility::GetMaximumNumberOfSegments() const
 double vtkIndirectVisibility::FindRounds() const
 {
   const double voxels = this->WalksVoxels() ? MostRounds / MaximumNumberOfSegments : 0.0;
-  return voxels + 4.0 * this->Spheres.GetNumberOfSteps();
+  return voxels + 4.0 * this->StepsOfSpheres;
 }
 
 //------------------------------------------------------------------------------

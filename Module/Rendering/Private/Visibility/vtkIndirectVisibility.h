@@ -137,6 +137,7 @@ private:
   const vtkIndirectBlockingSpheres* Blocking = nullptr; // of this frame
   size_t SpheresTime = 0;                               // of those that the lists are of
   size_t NumberOfSphereUpdates = 0;
+  double StepsOfSpheres = 0.0; // of a segment, in the mean
   bool SpheresAreTooMany = false;
   // Depth maps of virtual lights, a tile each for as many as the memory allows.
   vtkIndirectDepthAtlas Maps;
