@@ -6,6 +6,7 @@
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Proxies/vtkIndirectProxyActors.h"
+#include "Proxies/vtkIndirectProxyAlbedos.h"
 #include "Proxies/vtkIndirectProxyKinds.h"
 #include "Proxies/vtkIndirectProxySticks.h"
 #include "vtkActor.h"
@@ -27,8 +28,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkScalarsToColors.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,82 +98,6 @@ void ForDataSets(vtkDataObject* input, const std::function<void(vtkDataSet*)>& c
     }
   }
 }
-
-// What a surface of a colour reflects diffusely, linear.
-glm::vec3 FindAlbedo(vtkProperty* property, const glm::dvec3& color)
-{
-  if (!property->GetLighting())
-  {
-    return glm::vec3(0.0f);
-  }
-  if (property->GetInterpolation() == VTK_PBR)
-  {
-    return glm::vec3((1.0 - property->GetMetallic()) * glm::pow(color, glm::dvec3(2.2)));
-  }
-  return glm::vec3(property->GetDiffuse() * color);
-}
-
-// Albedos of data as its mapper colours it, one for each point, or each cell.
-class Albedos
-{
-public:
-  Albedos(vtkMapper* mapper, vtkProperty* property, vtkDataSet* data)
-    : Property(property)
-  {
-    const double* color = property->GetDiffuseColor();
-    this->Plain = FindAlbedo(property, glm::dvec3(color[0], color[1], color[2]));
-    if (!mapper->GetScalarVisibility())
-    {
-      return;
-    }
-    int cells = 0;
-    vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
-      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cells);
-    vtkScalarsToColors* table = mapper->GetLookupTable();
-    if (!scalars || !table || cells > 1)
-    {
-      return;
-    }
-    if (!mapper->GetUseLookupTableScalarRange())
-    {
-      table->SetRange(mapper->GetScalarRange());
-    }
-    table->Build();
-    this->Colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(vtkUnsignedCharArray::SafeDownCast(
-      table->MapScalars(scalars, mapper->GetColorMode(), mapper->GetArrayComponent(), VTK_RGB)));
-    this->ByCell = cells == 1;
-  }
-
-  bool AreByCell() const { return this->Colors && this->ByCell; }
-  glm::vec3 Get(vtkIdType i) const
-  {
-    if (!this->Colors || i < 0 || i >= this->Colors->GetNumberOfTuples())
-    {
-      return this->Plain;
-    }
-    const unsigned char* c = this->Colors->GetPointer(i * this->Colors->GetNumberOfComponents());
-    return FindAlbedo(this->Property, glm::dvec3(c[0], c[1], c[2]) / 255.0);
-  }
-  glm::vec3 GetMean() const
-  {
-    const vtkIdType count = this->Colors ? this->Colors->GetNumberOfTuples() : 0;
-    const vtkIdType step = std::max<vtkIdType>(1, count / 1000);
-    glm::dvec3 sum(0.0);
-    double number = 0.0;
-    for (vtkIdType i = 0; i < count; i += step)
-    {
-      sum += glm::dvec3(this->Get(i));
-      number += 1.0;
-    }
-    return number > 0.0 ? glm::vec3(sum / number) : this->Plain;
-  }
-
-private:
-  vtkProperty* Property;
-  glm::vec3 Plain;
-  vtkSmartPointer<vtkUnsignedCharArray> Colors;
-  bool ByCell = false;
-};
 
 // The polygons of a mapper that draws them as they are, or of data sets.
 vtkDataObject* FindMeshes(vtkMapper* mapper)
@@ -378,8 +301,8 @@ void vtkIndirectProxyScene::AddPart(const Part& part, const Given& given)
   vtkPolyData* spheres = known->second;
   vtkDataArray* radii = spheres->GetPointData()->GetArray("Radius");
   const double* color = part.Actor->GetProperty()->GetDiffuseColor();
-  const glm::vec3 albedo =
-    FindAlbedo(part.Actor->GetProperty(), glm::dvec3(color[0], color[1], color[2]));
+  const glm::vec3 albedo = vtkIndirectProxyAlbedos::Find(
+    part.Actor->GetProperty(), glm::dvec3(color[0], color[1], color[2]));
   const size_t before = this->Spheres.size();
   for (vtkIdType i = 0; i < spheres->GetNumberOfPoints(); ++i)
   {
@@ -429,7 +352,7 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
     ForDataSets(part.Mapper->GetInputDataObject(0, 0),
       [&](vtkDataSet* data)
       {
-        const Albedos albedos(part.Mapper, part.Actor->GetProperty(), data);
+        const vtkIndirectProxyAlbedos albedos(part.Mapper, part.Actor->GetProperty(), data);
         vtkIndirectProxySticks::ForEach(part.Mapper, data,
           segments ? vtkIndirectProxySticks::INSIDE : vtkIndirectProxySticks::AVERAGED,
           [&](vtkIdType i, const double place[3], double radius)
@@ -466,7 +389,7 @@ void vtkIndirectProxyScene::AddPoints(
   const Part& part, vtkDataSet* data, const char* array, double radius)
 {
   vtkDataArray* sizes = array ? data->GetPointData()->GetArray(array) : nullptr;
-  const Albedos albedos(part.Mapper, part.Actor->GetProperty(), data);
+  const vtkIndirectProxyAlbedos albedos(part.Mapper, part.Actor->GetProperty(), data);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double place[3];
@@ -500,7 +423,7 @@ void vtkIndirectProxyScene::AddGaussians(const Part& part)
       const int component = sizes ? std::min(std::max(mapper->GetScaleArrayComponent(), 0),
                                       sizes->GetNumberOfComponents() - 1)
                                   : 0;
-      const Albedos albedos(mapper, part.Actor->GetProperty(), data);
+      const vtkIndirectProxyAlbedos albedos(mapper, part.Actor->GetProperty(), data);
       for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
       {
         double place[3];
@@ -542,7 +465,7 @@ bool vtkIndirectProxyScene::AddGlyphs(const Part& part, vtkDataSet* data)
   vtkDataArray* scale = GlyphAccess::GetScale(mapper, data);
   auto* mask =
     mapper->GetMasking() ? vtkBitArray::SafeDownCast(GlyphAccess::GetMask(mapper, data)) : nullptr;
-  const Albedos albedos(mapper, part.Actor->GetProperty(), data);
+  const vtkIndirectProxyAlbedos albedos(mapper, part.Actor->GetProperty(), data);
   const double* range = mapper->GetRange();
   const double width = range[1] != range[0] ? range[1] - range[0] : 1.0;
   bool all = true;
@@ -624,7 +547,7 @@ void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
   {
     this->LeaveOut("a mesh of " + std::string(part.Prop->GetClassName()), shape.LeftOut);
   }
-  const Albedos albedos(part.Mapper, part.Actor->GetProperty(), mesh);
+  const vtkIndirectProxyAlbedos albedos(part.Mapper, part.Actor->GetProperty(), mesh);
   const glm::vec3 mean = albedos.GetMean();
   const size_t before = this->Spheres.size();
   const bool own = shape.Kind == vtkIndirectProxyShapes::SPHERES;
