@@ -74,8 +74,9 @@ public:
 
   ///@{
   /**
-   * Whether what stands between senders and receivers is looked up in voxels of the scene, where
-   * vtkIndirectIlluminationPass::Visibility is automatic. Default off, of radiance hints on.
+   * Whether what stands between senders and receivers is looked up in voxels of the scene and among
+   * its spheres, where vtkIndirectIlluminationPass::Visibility is automatic. Default off, of
+   * radiance hints on.
    */
   vtkSetMacro(Occupancy, bool);
   vtkGetMacro(Occupancy, bool);

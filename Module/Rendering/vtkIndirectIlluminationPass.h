@@ -180,7 +180,8 @@ public:
   /**
    * What tells whether a sender of indirect light is seen from a receiver. NONE: light passes
    * through whatever stands between them, and is too bright. VOXELS: the scene's voxels
-   * (vtkIndirectEstimatorPass::OccupancyResolution), for all estimators. MAPS: a depth map of each
+   * (vtkIndirectEstimatorPass::OccupancyResolution), for all estimators, and, for all but radiance
+   * hints, spheres that mappers draw as such, as they are. MAPS: a depth map of each
    * virtual light, drawn by VTK's mappers and kept while the camera moves, for estimators that sum
    * virtual lights; others take voxels. A frame draws as many as it has time for, those of the
    * environment included (vtkRenderWindow::SetDesiredUpdateRate; a second and a half in a still

@@ -402,7 +402,7 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
     }
     else if (input.Visibility.WalksSegments())
     {
-      in.WhyGlossyIsGathered = "lists do not walk through voxels";
+      in.WhyGlossyIsGathered = "lists do not follow segments";
     }
     else if (input.Lights->HasDirections())
     {

@@ -44,7 +44,6 @@ const char* const NeighborhoodFile = "vtkIndirectGatherNeighborhood.glsl";
 constexpr int RowsPerDraw = 16;
 // What interpolation may change of lobes, over their light.
 constexpr double LobeTolerance = 0.05;
-constexpr int MaximumNumberOfSegments = vtkIndirectVisibility::MaximumNumberOfSegments;
 }
 
 //------------------------------------------------------------------------------
@@ -171,13 +170,14 @@ bool vtkRSMGatherPass::Sum(const Input& input)
     : "";
   const bool walks = input.Visibility.WalksSegments();
   const int rows = neighborhood ? 1 : input.Lights->GetNumberOfRows();
-  const int rowsOfSegments = MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength;
+  const int segments = input.Visibility.GetMaximumNumberOfSegments();
+  const int rowsOfSegments = segments / vtkVirtualLightSampler::RowLength;
   const int rowsPerDraw = walks ? rowsOfSegments : RowsPerDraw;
   if (walks && neighborhood &&
-    this->Settings.NumberOfSamples * input.Maps.GetNumberOfLayers() > MaximumNumberOfSegments)
+    this->Settings.NumberOfSamples * input.Maps.GetNumberOfLayers() > segments)
   {
     vtkErrorMacro("Mode NEIGHBORHOOD with Occupancy takes at most "
-      << MaximumNumberOfSegments << " samples over all maps; lower NumberOfSamples.");
+      << segments << " samples over all maps; lower NumberOfSamples.");
     return false;
   }
   // Pixels that interpolation leaves are summed in one go, so more rows are taken everywhere.

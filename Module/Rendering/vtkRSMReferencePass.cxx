@@ -16,6 +16,7 @@
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "Visibility/vtkIndirectSightLines.h"
+#include "Visibility/vtkIndirectSphereGrid.h"
 #include "Visibility/vtkIndirectVisibility.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -165,8 +166,9 @@ void SumLobes(const std::vector<vtkIndirectReferenceLobe>& senders,
   }
 }
 
-// Whether two points on surfaces see each other, in three ways (with vtkIndirectSightLines) of one
-// form: a kind of End, FindEnd(position, normal) and IsVisible(End, End). This one asks voxels.
+// Whether two points on surfaces see each other, in several ways of one form: a kind of End,
+// FindEnd(position, normal) and IsVisible(End, End). vtkIndirectSightLines asks triangles, this one
+// voxels.
 struct VoxelLines
 {
   using End = vtkIndirectDistanceField::End;
@@ -177,6 +179,39 @@ struct VoxelLines
     return this->Field.FindEnd(glm::vec3(position), glm::vec3(normal));
   }
   bool IsVisible(const End& a, const End& b) const { return this->Field.IsVisible(a, b); }
+};
+
+// Spheres in lists.
+struct SphereLines
+{
+  using End = glm::dvec3;
+  const vtkIndirectSphereGrid& Grid;
+
+  End FindEnd(const glm::dvec3& position, const glm::dvec3&) const { return position; }
+  bool IsVisible(const End& a, const End& b) const { return this->Grid.IsFreeExactly(a, b); }
+};
+
+// Two ways, of which either hides.
+template <typename First, typename Second>
+struct BothLines
+{
+  struct End
+  {
+    typename First::End OfFirst;
+    typename Second::End OfSecond;
+  };
+  First One;
+  Second Other;
+
+  End FindEnd(const glm::dvec3& position, const glm::dvec3& normal) const
+  {
+    return { this->One.FindEnd(position, normal), this->Other.FindEnd(position, normal) };
+  }
+  bool IsVisible(const End& a, const End& b) const
+  {
+    return this->One.IsVisible(a.OfFirst, b.OfFirst) &&
+      this->Other.IsVisible(a.OfSecond, b.OfSecond);
+  }
 };
 
 // Nothing hides anything.
@@ -498,13 +533,31 @@ vtkIndirectEstimate vtkRSMReferencePass::Estimate(const Input& input)
   sums.Senders = ReadSenders(*input.Lights, sums.Directions);
   sums.Lobes = vtkIndirectReferenceLobe::Read(*input.Lights);
   const vtkIndirectVisibility& visibility = input.Visibility;
+  const SphereLines spheres{ visibility.GetSpheres() };
   if (visibility.IsExact())
   {
-    sums.Make(vtkIndirectSightLines(visibility.GetVolume().GetTree()));
+    const vtkIndirectSightLines triangles(visibility.GetVolume().GetTree());
+    if (visibility.GetSpheres().IsEmpty())
+    {
+      sums.Make(triangles);
+    }
+    else
+    {
+      sums.Make(BothLines<vtkIndirectSightLines, SphereLines>{ triangles, spheres });
+    }
   }
-  else if (visibility.WalksSegments())
+  else if (visibility.WalksVoxels() && visibility.WalksSpheres())
+  {
+    const VoxelLines voxels{ visibility.GetVolume().GetDistanceField() };
+    sums.Make(BothLines<VoxelLines, SphereLines>{ voxels, spheres });
+  }
+  else if (visibility.WalksVoxels())
   {
     sums.Make(VoxelLines{ visibility.GetVolume().GetDistanceField() });
+  }
+  else if (visibility.WalksSpheres())
+  {
+    sums.Make(spheres);
   }
   else
   {

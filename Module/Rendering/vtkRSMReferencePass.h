@@ -21,8 +21,9 @@
  * with maps of 256 texels squared that is the reference called R1. In mode VIRTUAL_LIGHTS they are
  * the sampler's lights, which isolates the arithmetic of a shader from its sampling.
  *
- * Visibility says which senders a pixel sees: all, those that voxels of the scene do not hide, or
- * those that none of its triangles hides (Documentation/methods/occupancy.md).
+ * Visibility says which senders a pixel sees: all, those that voxels and spheres of the scene do
+ * not hide, or those that none of its triangles and spheres hides
+ * (Documentation/methods/occupancy.md).
  *
  * Cost: pixels times senders, about 10^9 terms a second on two cores. It uses VTK's threads.
  *
@@ -71,11 +72,11 @@ public:
   ///@{
   /**
    * What hides senders from receivers. NONE: nothing, unless Occupancy is on, which then means the
-   * same as VOXELS. VOXELS: occupied voxels, as with Occupancy. EXACT: the triangles of all props
-   * that cast shadows, by a segment from each pixel to each sender that faces it; both sides of a
-   * triangle block. What mappers draw without polygons that the processor can read blocks nothing;
-   * the report names such props. Surfaces hide no light from what is nearer to them than 1e-5 of
-   * the scene's diagonal. Default NONE.
+   * same as VOXELS. VOXELS: occupied voxels and spheres, as with Occupancy. EXACT: the triangles of
+   * all props that cast shadows, and what mappers draw as spheres, by a segment from each pixel to
+   * each sender that faces it; both sides of a triangle block. What else mappers draw without
+   * polygons that the processor can read blocks nothing; the report names such props. Surfaces hide
+   * no light from what is nearer to them than 1e-5 of the scene's diagonal. Default NONE.
    */
   vtkSetClampMacro(Visibility, int, NONE, EXACT);
   vtkGetMacro(Visibility, int);

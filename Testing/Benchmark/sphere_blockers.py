@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What stands between virtual lights and receivers: voxels and depth maps beside spheres.
 
-    Testing/Benchmark/sphere_blockers.py [--frames] [--program build/bin/IndirectBlockersBenchmark]
+    Testing/Benchmark/sphere_blockers.py [--program build/bin/IndirectBlockersBenchmark]
+    Testing/Benchmark/sphere_blockers.py --frames [--method gather] [--edge 256]
 
 Spheres that move, and meshes for which spheres of vtkSphereProxyFilter stand. 400 receivers that an
 eye sees and 256 places that a light sees, all pairs that face each other, as a gather sums them;
 held to the true geometry in double precision. All are C++ of one process and one thread: the
 library's own voxels and its own kernels. A second table has the same sums in shaders, for 128 x 128
 receivers of a picture, the processor's time of all threads: compare within a scene. With --frames
-instead what depth maps cost in whole frames of a lamp's bounce. Prints tables for
+instead what depth maps, spheres (Visibility voxels) and voxels of the same spheres as meshes cost in
+whole frames of a lamp's bounce. Prints tables for
 Documentation/methods/sphere-proxies.md.
 """
 
@@ -29,7 +31,9 @@ from proxy_pass import FOLDER, Moving, in_turn, particles, protein, with_lamp
 from vtkindirect import methods
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkGlyph3D, vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
 PROGRAM = FOLDER.parent / "build" / "bin" / "IndirectBlockersBenchmark"
 HEAD = """\
@@ -93,32 +97,56 @@ class Turning(Moving):
         return 1e3 * (time.process_time() - start)
 
 
-def frames(scenes: dict[str, np.ndarray]) -> None:
-    """Print what visibility adds to frames of 512 x 512: depth maps, over frames without any."""
-    print("| scene | look-ups alone | all maps drawn again | 15 frames a second asked for |")
-    print("|---|---:|---:|---:|")
+def baked(moving: Moving) -> Moving:
+    """Draw the spheres as meshes of 120 triangles, which voxels can hold."""
+    ball = vtkSphereSource()
+    ball.SetRadius(1.0)
+    ball.SetThetaResolution(12)
+    ball.SetPhiResolution(7)
+    glyphs = vtkGlyph3D()
+    glyphs.SetInputData(moving.data)
+    glyphs.SetSourceConnection(ball.GetOutputPort())
+    glyphs.SetInputArrayToProcess(0, 0, 0, 0, "size")
+    glyphs.SetScaleFactor(1.0)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(glyphs.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actors = moving.view.renderer.GetActors()
+    for i in range(actors.GetNumberOfItems()):
+        actor = actors.GetItemAsObject(i)
+        if actor.GetMapper().GetInputDataObject(0, 0) is moving.data:
+            actor.SetMapper(mapper)
+    return moving
+
+
+def frames(scenes: dict[str, np.ndarray], method: str, edge: int) -> None:
+    """Print what visibility adds to frames of a lamp's bounce, over the same without any."""
+    print("| scene | by | camera turns | all moves |")
+    print("|---|---|---:|---:|")
+    ways = {
+        "depth maps": (False, "Maps"),
+        "spheres": (False, "Voxels"),
+        "voxels of meshes": (True, "Voxels"),
+    }
     for name, spheres in scenes.items():
         kinds = {}
-        for label, kind, rate in (
-            ("turning", Turning, None),
-            ("exact", Moving, None),
-            ("awaited", Moving, 15.0),
-        ):
-            for visible in ("none", "maps"):
-                moving = with_lamp(kind(spheres, (512, 512)))
-                indirect = methods.enable(moving.view.renderer, "multiresolution")
-                if visible == "none":
-                    indirect.SetVisibilityToNone()
-                if rate:
-                    moving.view.window.SetDesiredUpdateRate(rate)
-                moving.view.window.Render()
-                kinds[f"{label}, {visible}"] = moving
+        for kind in (Turning, Moving):
+            for meshes in (False, True):
+                for visible in ("None", "Voxels") if meshes else ("None", "Maps", "Voxels"):
+                    moving = with_lamp(kind(spheres, (edge, edge)))
+                    moving = baked(moving) if meshes else moving
+                    indirect = methods.enable(moving.view.renderer, method)
+                    getattr(indirect, f"SetVisibilityTo{visible}")()
+                    moving.view.window.Render()
+                    kinds[f"{kind.__name__}, {meshes}, {visible}"] = moving
         spent = in_turn(kinds, 5)
-        added = [
-            f"{spent[f'{label}, maps'] - spent[f'{label}, none']:.0f}"
-            for label in ("turning", "exact", "awaited")
-        ]
-        print(f"| {name} | {' | '.join(added)} |", flush=True)
+        for by, (meshes, visible) in ways.items():
+            added = [
+                spent[f"{kind.__name__}, {meshes}, {visible}"]
+                - spent[f"{kind.__name__}, {meshes}, None"]
+                for kind in (Turning, Moving)
+            ]
+            print(f"| {name} | {by} | {added[0]:.0f} | {added[1]:.0f} |", flush=True)
         for moving in kinds.values():
             moving.view.close()
 
@@ -128,11 +156,13 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", type=Path, default=PROGRAM)
     parser.add_argument("--frames", action="store_true")
+    parser.add_argument("--method", default="gather")
+    parser.add_argument("--edge", type=int, default=256)
     arguments = parser.parse_args()
     scenes = {"protein": protein()}
     scenes |= {f"{count:,} particles": particles(count) for count in (1000, 5000)}
     if arguments.frames:
-        frames(scenes)
+        frames(scenes, arguments.method, arguments.edge)
         return 0
     print(HEAD)
     for name, spheres in scenes.items():

@@ -26,6 +26,8 @@ TESTS = (
     ("IndirectSplattingTests", "BranchesAndVisibility"),
     ("IndirectRadiometryTests", "AreaImageSplitsWithoutPop"),
     ("IndirectRadiometryTests", "AreaPenumbraInMovingFrames"),
+    ("IndirectRadiometryTests", "SphereSegmentsBesideVoxels"),
+    ("IndirectRadiometryTests", "SphereSegmentsLongLists"),
 )
 """Programs and tests that have all stages compiled between them, as on the processor, as on a card,
 and as compute shaders."""

@@ -8,8 +8,8 @@
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
-#include "Proxies/vtkIndirectSphereGrid.h"
 #include "Visibility/vtkIndirectDistanceField.h"
+#include "Visibility/vtkIndirectSphereGrid.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -102,30 +102,20 @@ void MeasureShaders(const std::string& name, const BlockersScene& scene,
   const auto placeTexture = Upload(window, places, Edge, Edge, 4);
   const auto normalTexture = Upload(window, normals, Edge, Edge, 4);
   const auto lightTexture = Upload(window, lights, count, 2, 4);
-  const auto sphereTexture =
-    Upload(window, grid.GetSpheresAsRows(1024), 1024, grid.GetNumberOfRows(1024), 4);
   const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
   const auto mapTexture = Upload(window, maps.GetAtlas(columns), columns * BlockersMaps::Texels,
     columns * BlockersMaps::Texels, 1);
-  auto listTexture = MakeTexture(window);
-  std::vector<std::uint32_t> lists = grid.GetPackedLists();
-  listTexture->SetInternalFormat(GL_R32UI);
-  listTexture->SetFormat(GL_RED_INTEGER);
-  listTexture->SetDataType(GL_UNSIGNED_INT);
-  listTexture->Create3DFromRaw(static_cast<unsigned int>(grid.GetSize().x),
-    static_cast<unsigned int>(grid.GetSize().y), static_cast<unsigned int>(grid.GetSize().z), 1,
-    VTK_UNSIGNED_INT, lists.data());
 
   vtkIndirectTarget target(Channels, false);
   target.Resize(window, Edge, Edge);
   const char* const ways[4][2] = { { "nothing", "" },
-    { "voxels", "#define VTKI_VISIBILITY\n#define VTKI_SEGMENTS\n" },
+    { "voxels", "#define VTKI_VISIBILITY\n#define VTKI_VOXEL_SEGMENTS\n" },
     { "depth maps", "#define VTKI_VISIBILITY\n#define VTKI_DEPTH_TILES\n" },
-    { "spheres", "#define VTKI_SPHERE_SEGMENTS\n" } };
+    { "spheres", "#define VTKI_VISIBILITY\n#define VTKI_SPHERE_SEGMENTS\n" } };
   double milliseconds[4] = { 1e300, 1e300, 1e300, 1e300 };
   double sums[4] = {};
-  vtkIndirectFullScreenProgram programs[4] = { { "SphereSegmentsFS.glsl" },
-    { "SphereSegmentsFS.glsl" }, { "SphereSegmentsFS.glsl" }, { "SphereSegmentsFS.glsl" } };
+  vtkIndirectFullScreenProgram programs[4] = { { "BlockersFS.glsl" }, { "BlockersFS.glsl" },
+    { "BlockersFS.glsl" }, { "BlockersFS.glsl" } };
   // In turn; the first round builds the programs.
   for (int round = 0; round < 8; ++round)
   {
@@ -162,12 +152,7 @@ void MeasureShaders(const std::string& name, const BlockersScene& scene,
       }
       if (way == 3)
       {
-        activate(listTexture, "vtkiCellLists");
-        activate(sphereTexture, "vtkiCellSpheres");
-        const glm::vec3 origin(grid.GetOrigin());
-        const float values[4] = { origin.x, origin.y, origin.z,
-          static_cast<float>(grid.GetScale()) };
-        program->SetUniform4f("vtkiCellOrigin", values);
+        grid.Activate(window, program);
       }
       glFinish();
       const std::clock_t start = std::clock();
@@ -175,14 +160,18 @@ void MeasureShaders(const std::string& name, const BlockersScene& scene,
       glFinish();
       const double spent = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
       milliseconds[way] = round > 0 ? std::min(milliseconds[way], spent) : milliseconds[way];
-      for (vtkTextureObject* texture : { placeTexture.Get(), normalTexture.Get(),
-             lightTexture.Get(), listTexture.Get(), sphereTexture.Get(), mapTexture.Get() })
+      for (vtkTextureObject* texture :
+        { placeTexture.Get(), normalTexture.Get(), lightTexture.Get(), mapTexture.Get() })
       {
         texture->Deactivate();
       }
       if (way == 1)
       {
         voxels.Deactivate();
+      }
+      if (way == 3)
+      {
+        grid.Deactivate();
       }
       target.End();
       const std::vector<float> image = target.ReadBack(0);
@@ -200,11 +189,7 @@ void MeasureShaders(const std::string& name, const BlockersScene& scene,
     for (const BlockersPlace& light : scene.Lights)
     {
       const double weight = scene.GetWeight(receiver, light);
-      expected += weight > 0.0 &&
-          grid.IsFree(
-            glm::vec3(grid.ToCells(receiver.Position)), glm::vec3(grid.ToCells(light.Position)))
-        ? weight
-        : 0.0;
+      expected += weight > 0.0 && grid.IsFree(receiver.Position, light.Position) ? weight : 0.0;
     }
   }
   for (int way = 0; way < 4; ++way)

@@ -8,9 +8,9 @@
 #include "BlockersScene.h"
 #include "BlockersShaders.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "Proxies/vtkIndirectSphereGrid.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "Visibility/vtkIndirectSphereGrid.h"
 
 #include "vtkSMPTools.h"
 
@@ -25,7 +25,7 @@ namespace
 constexpr int NumberOfReceivers = 400;
 constexpr int NumberOfLights = 256; // the samplers' default
 constexpr int Resolution = 128;     // of voxels, the default
-constexpr double CellsOfSphere = 4.0;
+constexpr size_t MostEntries = vtkIndirectSphereGrid::MaximumNumberOfEntries;
 // A frame of 512 x 512: a receiver at every fourth pixel either way, as the gather interpolates.
 constexpr double ReceiversOfFrame = 512.0 * 512.0 / 16.0;
 
@@ -175,7 +175,7 @@ int main(int argc, char* argv[])
     BlockersMaps maps;
     maps.Draw(scene);
     vtkIndirectSphereGrid grid;
-    grid.Build(scene.Spheres, CellsOfSphere);
+    grid.Build(scene.Spheres);
     MeasureShaders(name, scene, volume.GetDistanceField(), maps, grid);
     return 0;
   }
@@ -254,33 +254,28 @@ int main(int argc, char* argv[])
 
   // Spheres.
   vtkIndirectSphereGrid grid;
-  for (const double cells : { 1.0, CellsOfSphere, 16.0 })
+  // The library's own number of cells, and others.
+  for (const double cells : { 1.0, 0.0, 16.0 })
   {
-    const double build = 1e3 * MeasureSeconds([&](int) { grid.Build(spheres, cells); });
-    grid.Build(scene.Spheres, cells);
-    std::vector<glm::vec3> from;
-    std::vector<glm::vec3> to;
-    for (const BlockersPlace& place : scene.Receivers)
-    {
-      from.emplace_back(grid.ToCells(place.Position));
-    }
-    for (const BlockersPlace& place : scene.Lights)
-    {
-      to.emplace_back(grid.ToCells(place.Position));
-    }
-    const std::string by = "spheres, " + std::to_string(static_cast<int>(cells)) + " cells each";
+    const double build =
+      1e3 * MeasureSeconds([&](int) { grid.Build(spheres, cells, MostEntries); });
+    grid.Build(scene.Spheres, cells, MostEntries);
+    const std::string by = cells > 0.0
+      ? "spheres, " + std::to_string(static_cast<int>(cells)) + " cells each"
+      : "spheres";
     PrintRow(
       name, by, scene,
       [&](std::vector<char>& seen)
       {
         for (size_t i = 0; i < pairs.size(); ++i)
         {
-          seen[i] = grid.IsFree(
-            from[static_cast<size_t>(pairs[i].Receiver)], to[static_cast<size_t>(pairs[i].Light)]);
+          seen[i] = grid.IsFree(scene.Receivers[static_cast<size_t>(pairs[i].Receiver)].Position,
+            scene.Lights[static_cast<size_t>(pairs[i].Light)].Position);
         }
       },
       build);
-    std::fprintf(stderr, "  %s: %zu bytes\n", by.c_str(), grid.GetBytes());
+    std::fprintf(stderr, "  %s: %zu bytes, longest list %zu, %.0f steps in the mean\n", by.c_str(),
+      grid.GetMainMemoryBytes(), grid.GetLongestList(), grid.GetNumberOfSteps());
   }
   return 0;
 }

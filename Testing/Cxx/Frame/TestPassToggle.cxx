@@ -9,11 +9,14 @@
 #include "vtkCellArray.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkIndirectSplattingPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProxyAccumulationPass.h"
+#include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
 
 #include <cstdlib>
@@ -171,6 +174,65 @@ VTK_INDIRECT_TEST(ToggleSphereMotion)
   }
   std::cout << first[0] << "\n" << first[1] << "\n" << first[2] << "\n";
   CONTRACT_CHECK(bytes[1] >= 10.0, "only " << bytes[1] << " textures go with the sky");
+}
+
+//------------------------------------------------------------------------------
+// Nor do spheres between senders and receivers.
+VTK_INDIRECT_TEST(ToggleSphereBlockers)
+{
+  View view(64, 48);
+  AddRoom(view.Renderer);
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < 5; ++i)
+  {
+    points->InsertNextPoint(0.1 + 0.2 * static_cast<double>(i), 0.2, 0.5);
+    cells->InsertNextCell(1, &i);
+  }
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  vtkNew<vtkOpenGLSphereMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetRadius(0.1f);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  view.Renderer->AddActor(actor);
+  vtkNew<vtkIndirectIlluminationPass> pass;
+  pass->SetVisibilityToVoxels();
+  vtkNew<vtkRSMGatherPass> gather;
+  pass->SetEstimator(gather);
+  vtkNew<vtkInformation> keys;
+  Names first[3];
+  for (int turn = 0; turn < 4; ++turn)
+  {
+    Names names[3];
+    view.Renderer->SetPass(pass);
+    actor->SetPropertyKeys(nullptr);
+    view.Window->Render();
+    CONTRACT_CHECK(Report(pass)
+                     .FindReason("modelled", "visibility between sender and receiver")
+                     .find("5 spheres of the data") != std::string::npos,
+      "no spheres");
+    names[0] = CountNames(view.Window);
+    // They are drawn still.
+    keys->Set(vtkIndirectIlluminationPass::CASTS_SHADOWS(), 0);
+    actor->SetPropertyKeys(keys);
+    view.Window->Render();
+    names[1] = CountNames(view.Window);
+    view.Renderer->SetPass(nullptr);
+    view.Window->Render();
+    names[2] = CountNames(view.Window);
+    for (int i = 0; i < 3 && turn > 0; ++i)
+    {
+      first[i] = turn == 1 ? names[i] : first[i];
+      CONTRACT_CHECK(names[i] == first[i],
+        "turn " << turn << ", " << i << ": " << names[i] << " after " << first[i]);
+    }
+  }
+  std::cout << first[0] << "\n" << first[1] << "\n" << first[2] << "\n";
+  CONTRACT_CHECK(
+    first[0].Textures - first[1].Textures == 2, "lists and spheres go with the spheres");
 }
 
 //------------------------------------------------------------------------------

@@ -38,3 +38,41 @@ VTK_INDIRECT_TEST(ProxySticksRow)
     Check("no radius", vtkIndirectProxySticks::FindRow(1.0, wrong, own) == 0);
   }
 }
+
+//------------------------------------------------------------------------------
+// Rows for segments lie inside of the stick, and are from any side hardly thinner.
+VTK_INDIRECT_TEST(ProxySticksInside)
+{
+  for (const double radius : { 1e-3, 0.15, 2.0 })
+  {
+    for (const double length : { 0.3, 1.5, 40.0 })
+    {
+      const int count = vtkIndirectProxySticks::FindRowInside(length, radius);
+      const double apart = length / count;
+      Check("some", count >= 1);
+      if (count == vtkIndirectProxySticks::MostSpheresInsideAStick)
+      {
+        continue;
+      }
+      CheckAtMost("spacing over the radius", apart / radius, 1.0 + 1e-12, "what it is made for");
+      // From the side, the mean half width over the radius: that of a circle up to half the
+      // spacing.
+      double sum = 0.0;
+      const int steps = 1000;
+      for (int i = 0; i < steps; ++i)
+      {
+        const double x = 0.5 * apart / radius * (i + 0.5) / steps;
+        sum += std::sqrt(std::max(0.0, 1.0 - x * x)) / steps;
+      }
+      CheckAtLeast("mean width over the stick's", sum, 0.956, "4.4 % at a spacing of a radius");
+    }
+  }
+  CheckEqual("a stick as thin as a hair", vtkIndirectProxySticks::FindRowInside(1.0, 1e-9),
+    vtkIndirectProxySticks::MostSpheresInsideAStick);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double wrong : { 0.0, -1.0, nan, std::numeric_limits<double>::infinity() })
+  {
+    CheckEqual("no length", vtkIndirectProxySticks::FindRowInside(wrong, 1.0), 0);
+    CheckEqual("no radius", vtkIndirectProxySticks::FindRowInside(1.0, wrong), 0);
+  }
+}

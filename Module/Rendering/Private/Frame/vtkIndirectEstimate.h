@@ -27,6 +27,8 @@ struct vtkIndirectVisibilityNeeds
   bool IsAny() const { return this->Senders || this->Volume || this->Exact; }
   /** The voxels, or what is read with them. */
   bool HasVolume() const { return (this->Senders && !this->Maps) || this->Volume || this->Exact; }
+  /** Spheres, which are no polygons, beside what segments are held against. */
+  bool TakesSpheres() const { return (this->Segments && !this->Maps) || this->Exact; }
 };
 
 /** All of it is valid for this frame, and read only. */

@@ -39,13 +39,6 @@ bool IsFinite(const double bounds[6])
   }
   return vtkMath::AreBoundsInitialized(bounds) != 0;
 }
-
-// What a property key of a prop says; `otherwise` where it is not set.
-bool ReadKey(vtkProp* prop, vtkInformationIntegerKey* key, bool otherwise)
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  return keys && keys->Has(key) ? keys->Get(key) != 0 : otherwise;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -199,14 +192,15 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     this->LeaveOut(prop->GetClassName(), "its bounds are empty or not finite");
     return;
   }
-  const bool casts = ReadKey(prop, vtkIndirectPropKeys::CastsShadows(), kind.NoCaster == nullptr);
+  const bool casts =
+    vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::CastsShadows(), kind.NoCaster == nullptr);
   if (casts && kind.Captured && kind.Surface)
   {
     vtkIndirectCaster caster;
     caster.Prop = prop;
     std::copy(bounds, bounds + 6, caster.Bounds);
     caster.RedrawMTime = vtkIndirectPropKind::FindTime(prop);
-    caster.SendsLight = ReadKey(prop, vtkIndirectPropKeys::SendsLight(), true);
+    caster.SendsLight = vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::SendsLight(), true);
     caster.Triangles = kind.DepthTriangles;
     this->AllSendLight = this->AllSendLight && caster.SendsLight;
     this->SendersAreSpecular =

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/vtkIndirectPropKeys.h"
 
+#include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkProp.h"
 
 //------------------------------------------------------------------------------
 vtkInformationIntegerKey* vtkIndirectPropKeys::CastsShadows()
@@ -17,4 +19,11 @@ vtkInformationIntegerKey* vtkIndirectPropKeys::SendsLight()
   static vtkInformationIntegerKey* const key =
     vtkInformationIntegerKey::MakeKey("SENDS_LIGHT", "vtkIndirectIlluminationPass");
   return key;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPropKeys::IsSet(vtkProp* prop, vtkInformationIntegerKey* key, bool otherwise)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(key) ? keys->Get(key) != 0 : otherwise;
 }

@@ -29,7 +29,7 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimateInput& input, vtkIndi
   kernel.SetDefinitions(std::string(visibility.GetDefinitions()) +
     (input.Lights ? input.Lights->GetDefinitions() : ""));
   const int rowsPerDraw = visibility.WalksSegments()
-    ? vtkIndirectVisibility::MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength
+    ? visibility.GetMaximumNumberOfSegments() / vtkVirtualLightSampler::RowLength
     : RowsPerDraw;
   const int rows = input.Lights ? input.Lights->GetNumberOfRows() : 1;
   vtkShaderProgram* program = kernel.Use(frame.Window, glossy, rows > rowsPerDraw);

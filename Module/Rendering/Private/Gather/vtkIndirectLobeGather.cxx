@@ -86,7 +86,7 @@ bool vtkIndirectLobeGather::Add(
 int vtkIndirectLobeGather::FindRowsPerDraw(const vtkIndirectEstimateInput& input)
 {
   return input.Visibility.WalksSegments()
-    ? vtkIndirectVisibility::MaximumNumberOfSegments / vtkVirtualLightSampler::RowLength
+    ? input.Visibility.GetMaximumNumberOfSegments() / vtkVirtualLightSampler::RowLength
     : RowsPerDraw;
 }
 
@@ -96,8 +96,8 @@ bool vtkIndirectLobeGather::AddToGlossy(
 {
   this->Coarse.Release(input.Frame.Window);
   return !input.Lights || !input.Lights->HasLobes() ||
-    this->Draw(input, this->InGlossy, "#define VTKI_GLOSSY\n", glossy, 1.0, 1, 0.0,
-      FindRowsPerDraw(input));
+    this->Draw(
+      input, this->InGlossy, "#define VTKI_GLOSSY\n", glossy, 1.0, 1, 0.0, FindRowsPerDraw(input));
 }
 
 //------------------------------------------------------------------------------

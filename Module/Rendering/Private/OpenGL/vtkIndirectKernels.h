@@ -66,6 +66,7 @@ namespace
 #include "vtkIndirectLibHarmonics.glsl"
 #include "vtkIndirectLibOccupancy.glsl"
 #include "vtkIndirectLibDistanceField.glsl"
+#include "vtkIndirectLibSphereSegments.glsl"
 #include "vtkIndirectLibDepthTile.glsl"
 #include "vtkIndirectLibSky.glsl"
 #include "vtkIndirectLibPenumbra.glsl"

@@ -296,8 +296,15 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const int most = this->Plan.TilesPerFrame;
   const bool shared = (this->Plan.HasSkyMaps() && !this->Sky.IsComplete()) ||
     (this->Plan.AreaLights && this->Plan.AreaIsShadowed && !this->Area.IsComplete());
+  if (!needs.TakesSpheres() || !caching)
+  {
+    this->Blockers.Forget();
+  }
+  const vtkIndirectBlockingSpheres* const spheres =
+    needs.TakesSpheres() ? this->Blockers.Update(this->Frame, this->Estimator) : nullptr;
   const bool visible = this->Visibility.Update(
-    { this->Frame, lights, this->Capture, caching, shared ? most - most / 2 : most }, needs);
+    { this->Frame, lights, this->Capture, caching, shared ? most - most / 2 : most, spheres },
+    needs);
   this->TilesLeft = most - static_cast<int>(this->Visibility.GetNumberOfTilesDrawn() - tiles);
   if (timed)
   {
@@ -519,6 +526,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   report.Counters = { { "shader_builds", this->Capture->GetNumberOfShaderBuilds() },
     { "faces_drawn", this->Maps->GetNumberOfFacesDrawn() + this->Samplers.GetNumberOfFacesDrawn() },
     { "voxel_updates", static_cast<long long>(this->Visibility.GetNumberOfUpdates()) },
+    { "sphere_updates", static_cast<long long>(this->Visibility.GetNumberOfSphereUpdates()) },
     { "tiles_drawn",
       static_cast<long long>(this->Visibility.GetNumberOfTilesDrawn() +
         this->Sky.GetNumberOfTilesDrawn() + this->Area.GetNumberOfTilesDrawn() +
@@ -615,6 +623,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Area.Release(window);
   this->VisibleLamps.Release(window);
   this->Visibility.Release(window);
+  this->Blockers.Forget();
   this->DefaultEstimator->ReleaseGraphicsResources(window);
   if (this->Estimator)
   {

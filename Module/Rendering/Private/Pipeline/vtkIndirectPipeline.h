@@ -21,6 +21,7 @@
 #include "Gather/vtkIndirectVisibleLamps.h"         // for members
 #include "Pipeline/vtkIndirectFrameSamplers.h"      // for members
 #include "Pipeline/vtkIndirectImageLight.h"         // for members
+#include "Pipeline/vtkIndirectSphereBlockers.h"     // for a member
 #include "Pipeline/vtkIndirectSphereMotion.h"       // for a member
 #include "VirtualLights/vtkIndirectSkyProjection.h" // for members
 #include "Visibility/vtkIndirectPenumbra.h"         // for members
@@ -120,6 +121,7 @@ private:
   vtkIndirectPenumbra Penumbra; // of the maps' lights
   vtkIndirectGeometryBuffer Geometry;
   vtkIndirectVisibility Visibility;
+  vtkIndirectSphereBlockers Blockers; // for it
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather Sky;
   vtkNew<vtkProxyAccumulationPass> Spheres; // in place of these maps

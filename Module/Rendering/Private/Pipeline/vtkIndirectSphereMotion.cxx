@@ -4,6 +4,7 @@
 #include "Pipeline/vtkIndirectSphereMotion.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPropKeys.h"
 #include "Gather/vtkIndirectSkyDirections.h"
 #include "Proxies/vtkIndirectProxyActors.h"
 #include "Proxies/vtkIndirectProxyLight.h"
@@ -82,6 +83,10 @@ double vtkIndirectSphereMotion::CountSplats(const vtkIndirectFrame& frame)
   double splats = 0.0;
   for (vtkProp* prop : frame.Props)
   {
+    if (!vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::CastsShadows()))
+    {
+      continue;
+    }
     vtkIndirectProxyActors::ForEach(prop,
       [&splats](vtkActor* actor, vtkMatrix4x4*)
       {

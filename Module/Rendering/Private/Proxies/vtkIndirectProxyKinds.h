@@ -36,6 +36,8 @@ public:
   static bool IsOfCutSplats(vtkActor* actor);
   /** All of a prop. */
   Kind Find(vtkProp* prop);
+  /** Why what a vtkGlyph3DMapper draws are not spheres; empty where they are. */
+  std::string FindWhyNoGlyphs(vtkMapper* mapper);
   /** Ends a frame: forgets meshes that it did not ask for. */
   void Forget();
 
@@ -56,7 +58,6 @@ private:
 
   void AddActor(vtkActor* actor, Kind& kind);
   void AddMesh(vtkMapper* mapper, Kind& kind);
-  std::string FindWhyNoGlyphs(vtkMapper* mapper);
   int FindShape(vtkPolyData* mesh);
 
   std::unordered_map<vtkPolyData*, Known> Meshes;

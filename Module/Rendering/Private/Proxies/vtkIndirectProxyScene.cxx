@@ -2,9 +2,11 @@
 #include "Proxies/vtkIndirectProxyScene.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Proxies/vtkIndirectProxyActors.h"
+#include "Proxies/vtkIndirectProxyAlbedos.h"
 #include "Proxies/vtkIndirectProxyKinds.h"
 #include "Proxies/vtkIndirectProxySticks.h"
 #include "vtkActor.h"
@@ -19,13 +21,13 @@
 #include "vtkObject.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkOpenGLStickMapper.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkScalarsToColors.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +59,22 @@ struct GlyphAccess : public vtkGlyph3DMapper
   }
 };
 
+const char* const NoBlockers = "they block no indirect light; the result is too bright";
+
+// Whether a mapper draws spheres or sticks of given radii.
+bool IsOfSpheres(vtkMapper* mapper)
+{
+#ifdef VTKI_MOLECULES
+  if (vtkOpenGLMoleculeMapper::SafeDownCast(mapper))
+  {
+    return true;
+  }
+#endif
+  return vtkOpenGLSphereMapper::SafeDownCast(mapper) ||
+    vtkOpenGLStickMapper::SafeDownCast(mapper) || vtkGlyph3DMapper::SafeDownCast(mapper) ||
+    vtkPointGaussianMapper::SafeDownCast(mapper);
+}
+
 // All data sets of an input.
 void ForDataSets(vtkDataObject* input, const std::function<void(vtkDataSet*)>& call)
 {
@@ -80,82 +98,6 @@ void ForDataSets(vtkDataObject* input, const std::function<void(vtkDataSet*)>& c
     }
   }
 }
-
-// What a surface of a colour reflects diffusely, linear.
-glm::vec3 FindAlbedo(vtkProperty* property, const glm::dvec3& color)
-{
-  if (!property->GetLighting())
-  {
-    return glm::vec3(0.0f);
-  }
-  if (property->GetInterpolation() == VTK_PBR)
-  {
-    return glm::vec3((1.0 - property->GetMetallic()) * glm::pow(color, glm::dvec3(2.2)));
-  }
-  return glm::vec3(property->GetDiffuse() * color);
-}
-
-// Albedos of data as its mapper colours it, one for each point, or each cell.
-class Albedos
-{
-public:
-  Albedos(vtkMapper* mapper, vtkProperty* property, vtkDataSet* data)
-    : Property(property)
-  {
-    const double* color = property->GetDiffuseColor();
-    this->Plain = FindAlbedo(property, glm::dvec3(color[0], color[1], color[2]));
-    if (!mapper->GetScalarVisibility())
-    {
-      return;
-    }
-    int cells = 0;
-    vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
-      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cells);
-    vtkScalarsToColors* table = mapper->GetLookupTable();
-    if (!scalars || !table || cells > 1)
-    {
-      return;
-    }
-    if (!mapper->GetUseLookupTableScalarRange())
-    {
-      table->SetRange(mapper->GetScalarRange());
-    }
-    table->Build();
-    this->Colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(vtkUnsignedCharArray::SafeDownCast(
-      table->MapScalars(scalars, mapper->GetColorMode(), mapper->GetArrayComponent(), VTK_RGB)));
-    this->ByCell = cells == 1;
-  }
-
-  bool AreByCell() const { return this->Colors && this->ByCell; }
-  glm::vec3 Get(vtkIdType i) const
-  {
-    if (!this->Colors || i < 0 || i >= this->Colors->GetNumberOfTuples())
-    {
-      return this->Plain;
-    }
-    const unsigned char* c = this->Colors->GetPointer(i * this->Colors->GetNumberOfComponents());
-    return FindAlbedo(this->Property, glm::dvec3(c[0], c[1], c[2]) / 255.0);
-  }
-  glm::vec3 GetMean() const
-  {
-    const vtkIdType count = this->Colors ? this->Colors->GetNumberOfTuples() : 0;
-    const vtkIdType step = std::max<vtkIdType>(1, count / 1000);
-    glm::dvec3 sum(0.0);
-    double number = 0.0;
-    for (vtkIdType i = 0; i < count; i += step)
-    {
-      sum += glm::dvec3(this->Get(i));
-      number += 1.0;
-    }
-    return number > 0.0 ? glm::vec3(sum / number) : this->Plain;
-  }
-
-private:
-  vtkProperty* Property;
-  glm::vec3 Plain;
-  vtkSmartPointer<vtkUnsignedCharArray> Colors;
-  bool ByCell = false;
-};
 
 // The polygons of a mapper that draws them as they are, or of data sets.
 vtkDataObject* FindMeshes(vtkMapper* mapper)
@@ -192,6 +134,7 @@ struct vtkIndirectProxyScene::Part
   vtkMapper* Mapper;
   vtkProp* Prop; // of the renderer
   bool Sends;
+  glm::dmat4 ToWorld;
   glm::dmat4 ToScene;
   double Scale; // of lengths
 };
@@ -214,7 +157,7 @@ bool vtkIndirectProxyScene::Update(
   // Splats have no surface, and are no casters, but some of them look like spheres.
   for (vtkProp* prop : frame.Props)
   {
-    if (HasSplats(prop) &&
+    if (HasSplats(prop) && vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::CastsShadows()) &&
       std::none_of(frame.Casters.begin(), frame.Casters.end(),
         [prop](const vtkIndirectCaster& caster) { return caster.Prop == prop; }))
     {
@@ -238,12 +181,14 @@ bool vtkIndirectProxyScene::Update(
   this->Key = std::move(key);
   this->Spheres.clear();
   this->Polygons.clear();
+  this->Props.clear();
   this->LeftOut.clear();
   this->Exact = this->OfSticks = this->Fitted = this->Wrong = 0;
   this->SceneCenter = frame.SceneCenter;
   this->SceneScale = frame.SceneScale;
   for (const Drawn& item : drawn)
   {
+    const size_t before = this->Spheres.size();
     vtkIndirectProxyActors::ForEach(item.Prop,
       [&](vtkActor* actor, vtkMatrix4x4* matrix)
       {
@@ -252,7 +197,8 @@ bool vtkIndirectProxyScene::Update(
           return;
         }
         const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(matrix);
-        Part part = { actor, actor->GetMapper(), item.Prop, item.Sends, frame.ToScene(toWorld),
+        Part part = { actor, actor->GetMapper(), item.Prop, item.Sends, toWorld,
+          frame.ToScene(toWorld),
           frame.SceneScale * std::cbrt(std::abs(glm::determinant(glm::dmat3(toWorld)))) };
         for (int i = 0; i < 3; ++i)
         {
@@ -260,14 +206,23 @@ bool vtkIndirectProxyScene::Update(
         }
         this->AddPart(part, given);
       });
+    if (this->Spheres.size() > before)
+    {
+      this->Props.push_back(item.Prop);
+    }
   }
   this->Shapes.Forget();
-  if (this->Wrong > 0)
+  this->Kinds.Forget();
+  const std::string wrong = this->Wrong == 0
+    ? ""
+    : std::to_string(this->Wrong) + " spheres of " + this->WrongProp +
+      " have radii that are negative or not finite, or no place; they are left out.";
+  // Not again for another colour.
+  if (!wrong.empty() && wrong != this->Said)
   {
-    vtkErrorWithObjectMacro(caller, << this->Wrong << " spheres of " << this->WrongProp
-                                    << " have radii that are negative or not finite, or no place; "
-                                       "they are left out.");
+    vtkErrorWithObjectMacro(caller, << wrong);
   }
+  this->Said = wrong;
   return true;
 }
 
@@ -292,11 +247,45 @@ void vtkIndirectProxyScene::Add(
     this->WrongProp = this->Wrong++ ? this->WrongProp : part.Prop->GetClassName();
     return;
   }
-  if (scaled > 1e-12) // of the scene's diagonal; a smaller one hides nothing
+  // Of the scene's diagonal; a smaller one hides nothing.
+  if (scaled > 1e-12 &&
+    !(this->User == SEGMENTS &&
+      IsCutOff(part, glm::dvec3(part.ToWorld * glm::dvec4(center[0], center[1], center[2], 1.0)))))
   {
     this->Spheres.push_back(
       { place, std::min(scaled, 1e6), part.Sends ? albedo : glm::vec3(0.0f), exact });
   }
+}
+
+//------------------------------------------------------------------------------
+// VTK's spheres are there as a whole where their center is; glyphs that a plane cuts count so, too.
+bool vtkIndirectProxyScene::IsCutOff(const Part& part, const glm::dvec3& place)
+{
+  vtkPlaneCollection* planes = part.Actor->GetMapper()->GetClippingPlanes();
+  bool shown = true;
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    shown = shown && planes->GetItem(i)->EvaluateFunction(place.x, place.y, place.z) >= 0.0;
+  }
+  return !shown;
+}
+
+//------------------------------------------------------------------------------
+// Whether its matrix stretches spheres, by more than rounding.
+bool vtkIndirectProxyScene::IsOfEllipsoids(const Part& part)
+{
+  const glm::dmat3 turned(part.ToWorld);
+  const glm::dmat3 squares = glm::transpose(turned) * turned;
+  const double mean = (squares[0][0] + squares[1][1] + squares[2][2]) / 3.0;
+  double off = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      off = std::max(off, std::abs(squares[i][k] - (i == k ? mean : 0.0)));
+    }
+  }
+  return !(off <= 1e-3 * mean);
 }
 
 //------------------------------------------------------------------------------
@@ -312,8 +301,8 @@ void vtkIndirectProxyScene::AddPart(const Part& part, const Given& given)
   vtkPolyData* spheres = known->second;
   vtkDataArray* radii = spheres->GetPointData()->GetArray("Radius");
   const double* color = part.Actor->GetProperty()->GetDiffuseColor();
-  const glm::vec3 albedo =
-    FindAlbedo(part.Actor->GetProperty(), glm::dvec3(color[0], color[1], color[2]));
+  const glm::vec3 albedo = vtkIndirectProxyAlbedos::Find(
+    part.Actor->GetProperty(), glm::dvec3(color[0], color[1], color[2]));
   const size_t before = this->Spheres.size();
   for (vtkIdType i = 0; i < spheres->GetNumberOfPoints(); ++i)
   {
@@ -326,6 +315,12 @@ void vtkIndirectProxyScene::AddPart(const Part& part, const Given& given)
 void vtkIndirectProxyScene::AddActor(const Part& part)
 {
   const size_t before = this->Spheres.size();
+  const bool segments = this->User == SEGMENTS;
+  if (segments && IsOfSpheres(part.Mapper) && this->IsOfEllipsoids(part))
+  {
+    this->LeaveOut("spheres that a matrix stretches", NoBlockers);
+    return;
+  }
 #ifdef VTKI_MOLECULES
   if (auto* molecule = vtkOpenGLMoleculeMapper::SafeDownCast(part.Mapper))
   {
@@ -357,8 +352,9 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
     ForDataSets(part.Mapper->GetInputDataObject(0, 0),
       [&](vtkDataSet* data)
       {
-        const Albedos albedos(part.Mapper, part.Actor->GetProperty(), data);
+        const vtkIndirectProxyAlbedos albedos(part.Mapper, part.Actor->GetProperty(), data);
         vtkIndirectProxySticks::ForEach(part.Mapper, data,
+          segments ? vtkIndirectProxySticks::INSIDE : vtkIndirectProxySticks::AVERAGED,
           [&](vtkIdType i, const double place[3], double radius)
           { this->Add(part, place, radius, albedos.Get(i), false); });
       });
@@ -371,13 +367,18 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
   }
   else if (vtkGlyph3DMapper::SafeDownCast(part.Mapper))
   {
-    if (!this->AddGlyphs(part))
+    const std::string why = segments ? this->Kinds.FindWhyNoGlyphs(part.Mapper) : "";
+    if (!why.empty())
+    {
+      this->LeaveOut(why, NoBlockers);
+    }
+    else if (!this->AddGlyphs(part))
     {
       this->LeaveOut("glyphs that are no spheres", "they hide no light; the result is too bright");
     }
     this->Exact += this->Spheres.size() - before;
   }
-  else
+  else if (!segments)
   {
     this->AddMeshes(part);
   }
@@ -388,7 +389,7 @@ void vtkIndirectProxyScene::AddPoints(
   const Part& part, vtkDataSet* data, const char* array, double radius)
 {
   vtkDataArray* sizes = array ? data->GetPointData()->GetArray(array) : nullptr;
-  const Albedos albedos(part.Mapper, part.Actor->GetProperty(), data);
+  const vtkIndirectProxyAlbedos albedos(part.Mapper, part.Actor->GetProperty(), data);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double place[3];
@@ -422,7 +423,7 @@ void vtkIndirectProxyScene::AddGaussians(const Part& part)
       const int component = sizes ? std::min(std::max(mapper->GetScaleArrayComponent(), 0),
                                       sizes->GetNumberOfComponents() - 1)
                                   : 0;
-      const Albedos albedos(mapper, part.Actor->GetProperty(), data);
+      const vtkIndirectProxyAlbedos albedos(mapper, part.Actor->GetProperty(), data);
       for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
       {
         double place[3];
@@ -464,7 +465,7 @@ bool vtkIndirectProxyScene::AddGlyphs(const Part& part, vtkDataSet* data)
   vtkDataArray* scale = GlyphAccess::GetScale(mapper, data);
   auto* mask =
     mapper->GetMasking() ? vtkBitArray::SafeDownCast(GlyphAccess::GetMask(mapper, data)) : nullptr;
-  const Albedos albedos(mapper, part.Actor->GetProperty(), data);
+  const vtkIndirectProxyAlbedos albedos(mapper, part.Actor->GetProperty(), data);
   const double* range = mapper->GetRange();
   const double width = range[1] != range[0] ? range[1] - range[0] : 1.0;
   bool all = true;
@@ -546,7 +547,7 @@ void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
   {
     this->LeaveOut("a mesh of " + std::string(part.Prop->GetClassName()), shape.LeftOut);
   }
-  const Albedos albedos(part.Mapper, part.Actor->GetProperty(), mesh);
+  const vtkIndirectProxyAlbedos albedos(part.Mapper, part.Actor->GetProperty(), mesh);
   const glm::vec3 mean = albedos.GetMean();
   const size_t before = this->Spheres.size();
   const bool own = shape.Kind == vtkIndirectProxyShapes::SPHERES;
@@ -569,12 +570,17 @@ void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkIndirectProxyScene::GetWhat() const
+{
+  return std::to_string(this->Exact) + " spheres of the data" +
+    (this->OfSticks > 0 ? ", " + std::to_string(this->OfSticks) + " spheres of sticks" : "");
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectProxyScene::AddToReport(vtkIndirectReport& report) const
 {
   report.Modelled.emplace_back("what hides the sky",
-    std::to_string(this->Exact) + " spheres of the data, " +
-      (this->OfSticks > 0 ? std::to_string(this->OfSticks) + " spheres of sticks, " : "") +
-      std::to_string(this->Fitted) + " spheres of meshes, " +
+    this->GetWhat() + ", " + std::to_string(this->Fitted) + " spheres of meshes, " +
       std::to_string(this->Polygons.size()) + " flat polygons");
   report.LeftOut.insert(report.LeftOut.end(), this->LeftOut.begin(), this->LeftOut.end());
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The spheres and flat polygons that stand for what a frame draws: atoms, glyphs and points that
 // are drawn as spheres straight from their data, other meshes by what vtkIndirectProxyShapes finds.
+// For segments, which voxels are there for as well, those that are drawn as spheres alone.
 #ifndef vtkIndirectProxyScene_h
 #define vtkIndirectProxyScene_h
 
+#include "Proxies/vtkIndirectProxyKinds.h"  // for a member
 #include "Proxies/vtkIndirectProxyShapes.h" // for a member
 
 #include <map>     // for the user's spheres
@@ -25,6 +27,16 @@ public:
   /** Spheres that a user has given, by their prop: points with the point data "Radius". */
   using Given = std::map<vtkSmartPointer<vtkProp>, vtkSmartPointer<vtkPolyData>>;
 
+  enum UserType
+  {
+    SUMS,    // over what spheres hide and send: meshes too, sticks and ellipsoids in the mean
+    SEGMENTS // spheres as they are drawn, and what lies inside of sticks; no albedos
+  };
+  explicit vtkIndirectProxyScene(UserType user = SUMS)
+    : User(user)
+  {
+  }
+
   /**
    * Collects what casts shadows in a frame, in scene units. Returns whether anything may have
    * changed since the last call. caller: whose error it is when radii are negative or not finite.
@@ -32,7 +44,18 @@ public:
   bool Update(const vtkIndirectFrame& frame, const Given& given, vtkObject* caller);
 
   const std::vector<vtkIndirectProxySphere>& GetSpheres() const { return this->Spheres; }
+  /** The spheres, which are not kept here any longer. */
+  std::vector<vtkIndirectProxySphere> TakeSpheres() { return std::move(this->Spheres); }
   const std::vector<vtkIndirectProxyPolygon>& GetPolygons() const { return this->Polygons; }
+  /** The renderer's props that have such. */
+  const std::vector<const vtkProp*>& GetProps() const { return this->Props; }
+  /** How many spheres of what. */
+  std::string GetWhat() const;
+  /** What else there is, and what is lost. */
+  const std::vector<std::pair<std::string, std::string>>& GetLeftOut() const
+  {
+    return this->LeftOut;
+  }
   /** How often meshes have been looked into. */
   int GetNumberOfFits() const { return this->Shapes.GetNumberOfFits(); }
   void AddToReport(vtkIndirectReport& report) const;
@@ -52,11 +75,16 @@ private:
   void Add(
     const Part& part, const double center[3], double radius, const glm::vec3& albedo, bool exact);
   void LeaveOut(const std::string& what, const std::string& why);
+  bool IsOfEllipsoids(const Part& part);
+  static bool IsCutOff(const Part& part, const glm::dvec3& place);
 
+  UserType User;
   std::vector<double> Key; // of what has been collected
   std::vector<vtkIndirectProxySphere> Spheres;
   std::vector<vtkIndirectProxyPolygon> Polygons;
+  std::vector<const vtkProp*> Props;
   vtkIndirectProxyShapes Shapes;
+  vtkIndirectProxyKinds Kinds;
   glm::dvec3 SceneCenter{ 0.0 };
   double SceneScale = 1.0;
   size_t Exact = 0;    // spheres straight from the data
@@ -64,6 +92,7 @@ private:
   size_t Fitted = 0;   // of meshes
   size_t Wrong = 0;    // radii or places that are not
   std::string WrongProp;
+  std::string Said; // of these, last
   std::vector<std::pair<std::string, std::string>> LeftOut;
 };
 #endif

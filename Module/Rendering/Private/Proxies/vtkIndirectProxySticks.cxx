@@ -71,9 +71,19 @@ int vtkIndirectProxySticks::FindRow(double length, double radius, double& radius
 }
 
 //------------------------------------------------------------------------------
+int vtkIndirectProxySticks::FindRowInside(double length, double radius)
+{
+  if (!(length > 0.0) || !(radius > 0.0) || !std::isfinite(length) || !std::isfinite(radius))
+  {
+    return 0;
+  }
+  return static_cast<int>(std::min(std::ceil(length / radius), double(MostSpheresInsideAStick)));
+}
+
+//------------------------------------------------------------------------------
 // As vtkOpenGLStickMapper draws them: about their points, lengths and radii the first two
 // components of their scales.
-void vtkIndirectProxySticks::ForEach(vtkMapper* mapper, vtkDataSet* data,
+void vtkIndirectProxySticks::ForEach(vtkMapper* mapper, vtkDataSet* data, RowType type,
   const std::function<void(vtkIdType, const double[3], double)>& call)
 {
   auto* sticks = vtkOpenGLStickMapper::SafeDownCast(mapper);
@@ -91,8 +101,9 @@ void vtkIndirectProxySticks::ForEach(vtkMapper* mapper, vtkDataSet* data,
     ways->GetTuple(i, way);
     // What is drawn is as long as the product of both.
     const double length = scales->GetComponent(i, 0) * vtkMath::Norm(way);
-    double radius = 0.0;
-    const int count = FindRow(length, scales->GetComponent(i, 1), radius);
+    double radius = scales->GetComponent(i, 1);
+    const int count =
+      type == INSIDE ? FindRowInside(length, radius) : FindRow(length, radius, radius);
     vtkMath::Normalize(way);
     for (int k = 0; k < count; ++k)
     {

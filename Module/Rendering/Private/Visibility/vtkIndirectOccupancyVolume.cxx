@@ -268,8 +268,8 @@ void vtkIndirectOccupancyVolume::AddProp(const vtkIndirectFrame& frame, vtkProp*
   this->AllIsHeld = this->AllIsHeld && held;
   if (this->NumberOfTriangles == before)
   {
-    this->LeftOut.emplace_back(prop->GetClassName(),
-      "its mapper has no polygons that the processor can read; it blocks no indirect light");
+    this->LeftOut.push_back({ prop, prop->GetClassName(),
+      "its mapper has no polygons that the processor can read; it blocks no indirect light" });
   }
 }
 

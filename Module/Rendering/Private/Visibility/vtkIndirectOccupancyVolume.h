@@ -18,7 +18,6 @@
 #include <glm/glm.hpp> // for vectors
 #include <memory>      // for the distance field
 #include <string>      // for reasons
-#include <utility>     // for pairs
 #include <vector>      // for columns
 
 class vtkIndirectDistanceField;
@@ -85,11 +84,14 @@ public:
   /** Albedo of all surfaces, by area. */
   const glm::dvec3& GetMeanAlbedo() const { return this->MeanAlbedo; }
 
-  /** Props that block no light here, and why. */
-  const std::vector<std::pair<std::string, std::string>>& GetLeftOut() const
+  /** A prop that blocks no light here, and why. */
+  struct LeftOutProp
   {
-    return this->LeftOut;
-  }
+    const vtkProp* Prop;
+    std::string What;
+    std::string Why;
+  };
+  const std::vector<LeftOutProp>& GetLeftOut() const { return this->LeftOut; }
 
   /** Binds the bits for vtkIndirectOccupancy.glsl; pair with Deactivate. */
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
@@ -120,7 +122,7 @@ private:
   // Made when first asked for.
   mutable std::unique_ptr<vtkIndirectDistanceField> DistanceField;
   mutable bool DistanceFieldIsCurrent = false;
-  std::vector<std::pair<std::string, std::string>> LeftOut;
+  std::vector<LeftOutProp> LeftOut;
   mutable vtkSmartPointer<vtkTextureObject> Texture;
   mutable bool Uploaded = false;
 };

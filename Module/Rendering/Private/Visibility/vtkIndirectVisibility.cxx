@@ -11,6 +11,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -18,6 +19,8 @@ namespace
 constexpr int TexelsOfLights = 128;
 // That have memory: 64 MB. More lights share them.
 constexpr size_t MaximumNumberOfTiles = 1024;
+// Of loops of an invocation, which llvmpipe ends after 65535.
+constexpr double MostRounds = 65535.0;
 // Scene units that two opposite directions count as: lights of one tile face the same way first.
 constexpr double DistanceOfTurn = 0.25;
 }
@@ -60,12 +63,48 @@ bool vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
     }
     this->Volume->KeepTree(needs.Exact);
     this->NumberOfUpdates += this->Volume->Update(frame, needs.Resolution) ? 1 : 0;
-    if (needs.Segments && this->WalksSegments())
+    if (needs.Segments && this->WalksVoxels())
     {
       this->Volume->GetDistanceField();
     }
   }
+  this->UpdateSpheres(input);
   return !this->LooksUpMaps() || this->UpdateMaps(input);
+}
+
+//------------------------------------------------------------------------------
+// Lists of spheres, where they are asked for.
+void vtkIndirectVisibility::UpdateSpheres(const Input& input)
+{
+  const vtkIndirectBlockingSpheres* const spheres =
+    this->Current.TakesSpheres() ? input.Spheres : nullptr;
+  this->Blocking = spheres;
+  if (!spheres || spheres->Spheres.empty())
+  {
+    this->Spheres.Release(input.Frame.Window);
+    this->Spheres.Clear();
+    this->SpheresTime = 0;
+    this->StepsOfSpheres = 0.0;
+    this->SpheresAreTooMany = false;
+    return;
+  }
+  if (this->SpheresTime == spheres->NumberOfUpdates && input.Caching)
+  {
+    return;
+  }
+  const size_t rows =
+    static_cast<size_t>(vtkTextureObject::GetMaximumTextureSize(input.Frame.Window));
+  this->SpheresAreTooMany = !this->Spheres.Build(spheres->Spheres,
+    std::min(
+      vtkIndirectSphereGrid::MaximumNumberOfEntries, rows * vtkIndirectSphereGrid::RowLength));
+  this->SpheresTime = spheres->NumberOfUpdates;
+  ++this->NumberOfSphereUpdates;
+  // Kept while spheres move about, so that what follows from it does not flip to and fro.
+  const double steps = this->Spheres.GetNumberOfSteps();
+  if (std::abs(steps - this->StepsOfSpheres) > 0.15 * this->StepsOfSpheres)
+  {
+    this->StepsOfSpheres = steps;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -211,25 +250,76 @@ void vtkIndirectVisibility::ShareTiles(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectVisibility::WalksSegments() const
+bool vtkIndirectVisibility::WalksVoxels() const
 {
   return this->Current.Senders && !this->Current.Maps && !this->Volume->IsEmpty();
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectVisibility::IsExact() const
+bool vtkIndirectVisibility::WalksSpheres() const
 {
-  return this->Current.Exact && this->Volume->GetTree().GetNumberOfTriangles() > 0;
+  return this->Current.Senders && !this->Current.Maps && !this->Spheres.IsEmpty();
 }
 
 //------------------------------------------------------------------------------
-const char* vtkIndirectVisibility::GetDefinitions() const
+bool vtkIndirectVisibility::WalksSegments() const
 {
-  return this->LooksUpMaps() && this->Shares
-    ? "#define VTKI_VISIBILITY\n#define VTKI_DEPTH_TILES\n#define VTKI_SHARED_TILES\n"
-    : this->LooksUpMaps()   ? "#define VTKI_VISIBILITY\n#define VTKI_DEPTH_TILES\n"
-    : this->WalksSegments() ? "#define VTKI_VISIBILITY\n#define VTKI_SEGMENTS\n"
-                            : "";
+  return this->WalksVoxels() || this->WalksSpheres();
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectVisibility::GetMaximumNumberOfSegments() const
+{
+  constexpr int row = vtkVirtualLightSampler::RowLength;
+  if (!this->WalksSpheres())
+  {
+    return MaximumNumberOfSegments;
+  }
+  const double senders = MostRounds / this->FindRounds();
+  return row * std::clamp(static_cast<int>(senders) / row, 1, MaximumNumberOfSegments / row);
+}
+
+//------------------------------------------------------------------------------
+// For a sender: as many for voxels as ever, and four times what spheres take in the mean.
+double vtkIndirectVisibility::FindRounds() const
+{
+  const double voxels = this->WalksVoxels() ? MostRounds / MaximumNumberOfSegments : 0.0;
+  return voxels + 4.0 * this->StepsOfSpheres;
+}
+
+//------------------------------------------------------------------------------
+// Whether not even one row of lights would have enough rounds: then a round is four steps through
+// the lists, which is slower where less would do.
+bool vtkIndirectVisibility::TakesLongSteps() const
+{
+  return this->WalksSpheres() &&
+    vtkVirtualLightSampler::RowLength * this->FindRounds() > MostRounds;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectVisibility::IsExact() const
+{
+  return this->Current.Exact &&
+    (this->Volume->GetTree().GetNumberOfTriangles() > 0 || !this->Spheres.IsEmpty());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectVisibility::GetDefinitions() const
+{
+  if (this->LooksUpMaps())
+  {
+    return this->Shares
+      ? "#define VTKI_VISIBILITY\n#define VTKI_DEPTH_TILES\n#define VTKI_SHARED_TILES\n"
+      : "#define VTKI_VISIBILITY\n#define VTKI_DEPTH_TILES\n";
+  }
+  if (!this->WalksSegments())
+  {
+    return "";
+  }
+  return std::string("#define VTKI_VISIBILITY\n#define VTKI_SEGMENTS\n") +
+    (this->WalksVoxels() ? "#define VTKI_VOXEL_SEGMENTS\n" : "") +
+    (this->WalksSpheres() ? "#define VTKI_SPHERE_SEGMENTS\n" : "") +
+    (this->TakesLongSteps() ? "#define VTKI_LONG_STEPS\n" : "");
 }
 
 //------------------------------------------------------------------------------
@@ -243,10 +333,15 @@ void vtkIndirectVisibility::Activate(vtkOpenGLRenderWindow* window, vtkShaderPro
       this->Owners->Activate();
       program->SetUniformi("vtkiTileOwners", this->Owners->GetTextureUnit());
     }
+    return;
   }
-  else if (this->WalksSegments())
+  if (this->WalksVoxels())
   {
     this->Volume->GetDistanceField().Activate(window, program);
+  }
+  if (this->WalksSpheres())
+  {
+    this->Spheres.Activate(window, program);
   }
 }
 
@@ -260,10 +355,15 @@ void vtkIndirectVisibility::Deactivate() const
     {
       this->Owners->Deactivate();
     }
+    return;
   }
-  else if (this->WalksSegments())
+  if (this->WalksVoxels())
   {
     this->Volume->GetDistanceField().Deactivate();
+  }
+  if (this->WalksSpheres())
+  {
+    this->Spheres.Deactivate();
   }
 }
 
@@ -306,46 +406,78 @@ void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
       "the light beyond");
     return;
   }
+  this->AddSegmentsToReport(report, name);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVisibility::AddSegmentsToReport(vtkIndirectReport& report, const char* name) const
+{
+  const bool spheres = this->Blocking && !this->Spheres.IsEmpty();
+  std::string what;
   if (this->IsExact())
   {
-    report.Modelled.emplace_back(name,
-      "segments against all " + std::to_string(this->Volume->GetTree().GetNumberOfTriangles()) +
-        " triangles");
+    const size_t triangles = this->Volume->GetTree().GetNumberOfTriangles();
+    what = triangles > 0 ? "segments against all " + std::to_string(triangles) + " triangles" : "";
   }
-  else if (this->WalksSegments())
+  else if (this->WalksVoxels())
   {
-    report.Modelled.emplace_back(name,
-      std::to_string(this->Volume->GetNumberOfOccupiedVoxels()) + " occupied voxels of " +
-        std::to_string(this->Current.Resolution) + " along the longest edge");
+    what = std::to_string(this->Volume->GetNumberOfOccupiedVoxels()) + " occupied voxels of " +
+      std::to_string(this->Current.Resolution) + " along the longest edge";
   }
-  else
+  if (spheres)
+  {
+    const glm::ivec3& size = this->Spheres.GetSize();
+    what += (what.empty() ? "segments against " : ", and segments against ") +
+      this->Blocking->What + ", in " + std::to_string(size.x) + " x " + std::to_string(size.y) +
+      " x " + std::to_string(size.z) + " lists";
+  }
+  if (this->SpheresAreTooMany)
+  {
+    report.LeftOut.emplace_back(std::to_string(this->Blocking->Spheres.size()) + " spheres",
+      "there is no memory for so many; they block no indirect light, and the result is too bright");
+  }
+  if (this->Blocking)
+  {
+    report.LeftOut.insert(
+      report.LeftOut.end(), this->Blocking->LeftOut.begin(), this->Blocking->LeftOut.end());
+  }
+  if (what.empty())
   {
     report.LeftOut.emplace_back(
-      name, "Visibility is none or nothing has polygons; the result is too bright");
+      name, "Visibility is none or nothing has polygons or spheres; the result is too bright");
     return;
   }
-  for (const auto& entry : this->Volume->GetLeftOut())
+  report.Modelled.emplace_back(name, what);
+  for (const vtkIndirectOccupancyVolume::LeftOutProp& entry : this->Volume->GetLeftOut())
   {
-    report.LeftOut.push_back(entry);
+    const bool ofSpheres = spheres &&
+      std::find(this->Blocking->Props.begin(), this->Blocking->Props.end(), entry.Prop) !=
+        this->Blocking->Props.end();
+    if (!ofSpheres)
+    {
+      report.LeftOut.emplace_back(entry.What, entry.Why);
+    }
   }
 }
 
 //------------------------------------------------------------------------------
 size_t vtkIndirectVisibility::GetBytes() const
 {
-  return this->Volume->GetBytes() + this->Maps.GetBytes();
+  return this->Volume->GetBytes() + this->Spheres.GetBytes() + this->Maps.GetBytes();
 }
 
 //------------------------------------------------------------------------------
 size_t vtkIndirectVisibility::GetMainMemoryBytes() const
 {
-  return this->Volume->GetMainMemoryBytes();
+  return this->Volume->GetMainMemoryBytes() + this->Spheres.GetMainMemoryBytes() +
+    (this->Blocking ? this->Blocking->Spheres.size() * sizeof(glm::dvec4) : 0);
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectVisibility::Release(vtkWindow* window)
 {
   this->Volume->Release(window);
+  this->Spheres.Release(window);
   this->Maps.Release(window);
   if (this->Owners)
   {

@@ -1,26 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether a virtual light is seen from a receiver: the answer that estimators ask for. Nothing,
-// voxels of the scene, its triangles, or depth maps of the lights.
+// voxels of the scene and spheres that they do not hold, its triangles and these spheres, or depth
+// maps of the lights.
 #ifndef vtkIndirectVisibility_h
 #define vtkIndirectVisibility_h
 
 #include "Frame/vtkIndirectEstimate.h"        // for what is needed
 #include "Visibility/vtkIndirectDepthAtlas.h" // for a member
+#include "Visibility/vtkIndirectSphereGrid.h" // for a member
 #include "vtkSmartPointer.h"                  // for a member
 
 #include <cstddef> // for size_t
 #include <memory>  // for the volume
+#include <string>  // for reasons
+#include <utility> // for pairs
 #include <vector>  // for emitters
 
 class vtkIndirectOccupancyVolume;
 class vtkIndirectVirtualLights;
 class vtkOpenGLRenderWindow;
+class vtkProp;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
 class vtkTextureObject;
 class vtkWindow;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
+
+/** What mappers draw as spheres, in place of polygons: it stands between senders and receivers,
+ * too. */
+struct vtkIndirectBlockingSpheres
+{
+  std::vector<glm::dvec4> Spheres;                          // center and radius, scene units
+  std::string What;                                         // how many of what
+  std::vector<const vtkProp*> Props;                        // that they are of
+  std::vector<std::pair<std::string, std::string>> LeftOut; // what else is there and blocks nothing
+  size_t NumberOfUpdates = 0;                               // grows when they change
+};
 
 class vtkIndirectVisibility
 {
@@ -30,15 +46,17 @@ public:
   /**
    * Senders that a shader may ask for from one place in one draw. Mesa's llvmpipe ends all loops of
    * an invocation after 65535 rounds together, and a round is a sender or four steps on the way to
-   * it: this leaves 124 steps a sender, four times what rooms need. Whoever has more of them sums
-   * in several draws.
+   * it: this leaves 124 steps a sender, four times what rooms need; fewer senders where spheres
+   * take more. Whoever has more of them sums in several draws. A multiple of
+   * vtkVirtualLightSampler::RowLength.
    */
   static constexpr int MaximumNumberOfSegments = 2048;
+  int GetMaximumNumberOfSegments() const;
   /** The same where nothing is walked: a round a sender, and what there is besides. */
   static constexpr int MaximumNumberOfSenders = 16384;
   int GetMaximumNumberOfSenders() const
   {
-    return this->WalksSegments() ? MaximumNumberOfSegments : MaximumNumberOfSenders;
+    return this->WalksSegments() ? this->GetMaximumNumberOfSegments() : MaximumNumberOfSenders;
   }
 
   vtkIndirectVisibility();
@@ -52,6 +70,8 @@ public:
     vtkSurfaceCapturePass* Capture;
     bool Caching;
     int TilesPerFrame; // depth maps of lights to draw at most
+    /** Beside the voxels or triangles, none of which they have; may be null. */
+    const vtkIndirectBlockingSpheres* Spheres = nullptr;
   };
 
   /**
@@ -72,10 +92,13 @@ public:
   {
     return this->LooksUpMaps() ? this->Maps.GetNumberOfStaleTiles() : 0;
   }
-  /** Whether triangles can hide senders: it was asked for, and there are some. */
+  /** Of these, whether through voxels, and through lists of spheres. */
+  bool WalksVoxels() const;
+  bool WalksSpheres() const;
+  /** Whether triangles or spheres can hide senders: it was asked for, and there are some. */
   bool IsExact() const;
   /** Definitions of shaders that ask vtkIndirectVisibility.glsl; empty where nothing hides. */
-  const char* GetDefinitions() const;
+  std::string GetDefinitions() const;
   ///@{
   /** Bind what they read, and nothing where nothing hides; pair. */
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
@@ -84,7 +107,11 @@ public:
 
   /** The voxels, empty where nobody needs them. */
   const vtkIndirectOccupancyVolume& GetVolume() const { return *this->Volume; }
-  /** Grows when they have changed: what was derived from them is stale. */
+  /** The spheres, empty where nobody needs them or there are none. */
+  const vtkIndirectSphereGrid& GetSpheres() const { return this->Spheres; }
+  /** How often lists of them have been made. */
+  size_t GetNumberOfSphereUpdates() const { return this->NumberOfSphereUpdates; }
+  /** Grows when the voxels have changed: what was derived from them is stale. */
   size_t GetNumberOfUpdates() const { return this->NumberOfUpdates; }
   /** Depth maps of virtual lights, since construction: what was made of fewer is stale. */
   size_t GetNumberOfTilesDrawn() const { return this->Maps.GetNumberOfTilesDrawn(); }
@@ -95,6 +122,10 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  void UpdateSpheres(const Input& input);
+  double FindRounds() const;
+  bool TakesLongSteps() const;
+  void AddSegmentsToReport(vtkIndirectReport& report, const char* name) const;
   void ReadEmitters(const vtkIndirectVirtualLights& lights);
   bool UpdateMaps(const Input& input);
   void ShareTiles(const vtkIndirectFrame& frame);
@@ -102,6 +133,12 @@ private:
   Needs Current;
   std::unique_ptr<vtkIndirectOccupancyVolume> Volume;
   size_t NumberOfUpdates = 0;
+  vtkIndirectSphereGrid Spheres;
+  const vtkIndirectBlockingSpheres* Blocking = nullptr; // of this frame
+  size_t SpheresTime = 0;                               // of those that the lists are of
+  size_t NumberOfSphereUpdates = 0;
+  double StepsOfSpheres = 0.0; // of a segment, in the mean
+  bool SpheresAreTooMany = false;
   // Depth maps of virtual lights, a tile each for as many as the memory allows.
   vtkIndirectDepthAtlas Maps;
   std::vector<vtkIndirectDepthAtlas::Emitter> Lights;   // all

@@ -1,5 +1,6 @@
-// Whether a sender is visible from a receiver: by the distance field of the scene's voxels, or, with
-// VTKI_DEPTH_TILES, by the sender's own depth map.
+// Whether a sender is visible from a receiver: with VTKI_DEPTH_TILES by the sender's own depth map; else, with
+// VTKI_VOXEL_SEGMENTS, by the distance field of the scene's voxels and, with VTKI_SPHERE_SEGMENTS, by spheres, which
+// voxels do not hold.
 #ifdef VTKI_DEPTH_TILES
 #include "vtkIndirectDepthTiles.glsl"
 
@@ -40,6 +41,11 @@ bool vtkiIsSenderVisible(
     sender.w < 0.0f;
 }
 #else
+#ifdef VTKI_SPHERE_SEGMENTS
+#include "vtkIndirectSphereSegments.glsl"
+#endif
+
+#ifdef VTKI_VOXEL_SEGMENTS
 #include "vtkIndirectLibDistanceField.glsl"
 
 uniform usampler3D vtkiDistanceField;  // voxels to the nearest occupied one
@@ -100,9 +106,10 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal)
   return open;
 }
 
-// Whether nothing stands between two surfaces, whose own voxels do not count. start: the receiver's
+// Whether no voxels stand between two surfaces, whose own ones do not count. start: the receiver's
 // open place.
-bool vtkiIsVisible(vec3 start, vec3 position, vec3 normal, vec3 sender, vec3 senderNormal, bool test)
+bool vtkiIsFreeOfVoxels(
+  vec3 start, vec3 position, vec3 normal, vec3 sender, vec3 senderNormal, bool test)
 {
   vec3 receiver = (position - vtkiDistanceFieldOrigin.xyz) * vtkiDistanceFieldOrigin.w;
   vec3 light = (sender - vtkiDistanceFieldOrigin.xyz) * vtkiDistanceFieldOrigin.w;
@@ -112,26 +119,64 @@ bool vtkiIsVisible(vec3 start, vec3 position, vec3 normal, vec3 sender, vec3 sen
     vtkiClearOf(start, normal, light, senderNormal, vtkiClearHeight(senderNormal)), end, test);
 }
 
+// Where a way in a direction has left the voxels.
+vec3 vtkiLeaveVoxels(vec3 position, vec3 direction)
+{
+  vec3 lower = vtkiDistanceFieldOrigin.xyz;
+  vec3 upper = lower + vtkiDistanceFieldSize / vtkiDistanceFieldOrigin.w;
+  vec3 way = mix(lower, upper, greaterThan(direction, vec3(0.0f))) - position;
+  // Twice the diagonal of the scene where a direction is along the others' plane.
+  vec3 far = vec3(2.0f);
+  vec3 exits = mix(far, way / direction, greaterThan(abs(direction), vec3(1.0e-6f)));
+  float leave = clamp(min(exits.x, min(exits.y, exits.z)), 0.0f, 2.0f);
+  // Two voxels further on nothing is.
+  return position + (leave + 2.0f / vtkiDistanceFieldOrigin.w) * direction;
+}
+#else
+// Spheres need no place but the surface's own.
+vec3 vtkiOpenPlace(vec3 position, vec3 normal)
+{
+  return position;
+}
+#endif
+
+// Whether nothing stands between two surfaces. start: the receiver's open place; voxelEnd, sphereEnd: the sender's
+// place, as voxels and spheres are asked.
+bool vtkiIsVisibleFrom(vec3 start, vec3 position, vec3 normal, vec3 voxelEnd, vec3 sphereEnd, vec3 senderNormal,
+  bool test)
+{
+  bool visible = true;
+#ifdef VTKI_SPHERE_SEGMENTS
+  visible = vtkiIsFreeOfSpheres(position, sphereEnd, test);
+#endif
+#ifdef VTKI_VOXEL_SEGMENTS
+  visible = vtkiIsFreeOfVoxels(start, position, normal, voxelEnd, senderNormal, test && visible) && visible;
+#endif
+  return visible;
+}
+
+bool vtkiIsVisible(vec3 start, vec3 position, vec3 normal, vec3 sender, vec3 senderNormal, bool test)
+{
+  return vtkiIsVisibleFrom(start, position, normal, sender, sender, senderNormal, test);
+}
+
 // The same of a virtual light: a place, or with VTKI_DIRECTIONS a direction, which is seen where
 // nothing stands on the way out of the scene.
 bool vtkiIsSenderVisible(
   int light, vec3 start, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
 {
-  vec3 place = sender.xyz;
+  vec3 voxelEnd = sender.xyz;
+  vec3 sphereEnd = sender.xyz;
 #ifdef VTKI_DIRECTIONS
   if (sender.w < 0.0f)
   {
-    vec3 lower = vtkiDistanceFieldOrigin.xyz;
-    vec3 upper = lower + vtkiDistanceFieldSize / vtkiDistanceFieldOrigin.w;
-    vec3 way = mix(lower, upper, greaterThan(sender.xyz, vec3(0.0f))) - position;
-    // Twice the diagonal of the scene where a direction is along the others' plane.
-    vec3 far = vec3(2.0f);
-    vec3 exits = mix(far, way / sender.xyz, greaterThan(abs(sender.xyz), vec3(1.0e-6f)));
-    float leave = clamp(min(exits.x, min(exits.y, exits.z)), 0.0f, 2.0f);
-    // Two voxels further on nothing is.
-    place = position + (leave + 2.0f / vtkiDistanceFieldOrigin.w) * sender.xyz;
+    // Twice the diagonal of the scene.
+    sphereEnd = position + 2.0f * sender.xyz;
+#ifdef VTKI_VOXEL_SEGMENTS
+    voxelEnd = vtkiLeaveVoxels(position, sender.xyz);
+#endif
   }
 #endif
-  return vtkiIsVisible(start, position, normal, place, senderNormal, test);
+  return vtkiIsVisibleFrom(start, position, normal, voxelEnd, sphereEnd, senderNormal, test);
 }
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Segments against spheres in a grid find what a loop over all spheres does, and more than voxels.
-#include "Proxies/vtkIndirectSphereGrid.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "Visibility/vtkIndirectSphereGrid.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkMath.h"
@@ -88,7 +88,7 @@ VTK_INDIRECT_TEST(SphereBlockersAreAllSpheres)
   {
     const std::vector<glm::dvec4> spheres = MakeSpheres(random, 300, 0.02);
     vtkIndirectSphereGrid grid;
-    grid.Build(spheres, cells);
+    grid.Build(spheres, cells, vtkIndirectSphereGrid::MaximumNumberOfEntries);
     int wrong = 0;
     int blocked = 0;
     int near = 0;
@@ -110,8 +110,7 @@ VTK_INDIRECT_TEST(SphereBlockersAreAllSpheres)
       }
       double margin = 0.0;
       const bool free = IsFreeByAll(spheres, ends[0], ends[1], margin);
-      const bool found =
-        grid.IsFree(glm::vec3(grid.ToCells(ends[0])), glm::vec3(grid.ToCells(ends[1])));
+      const bool found = grid.IsFree(ends[0], ends[1]);
       blocked += !free;
       // Single precision of places in up to 60 cells, over radii of a tenth of one and more.
       const bool unsure = margin < 1e-4;
@@ -126,6 +125,86 @@ VTK_INDIRECT_TEST(SphereBlockersAreAllSpheres)
 }
 
 //------------------------------------------------------------------------------
+// Hundreds of spheres around one place, many more than 8 bits could count in any cell, rows of them
+// that are longer than a grid's cells, and few entries: none is lost. By either formula.
+VTK_INDIRECT_TEST(SphereBlockersAreNotDropped)
+{
+  struct Case
+  {
+    const char* Name;
+    std::vector<glm::dvec4> Spheres;
+    size_t Entries;
+    size_t LongestList; // at least
+  };
+  Random random(61);
+  std::vector<Case> cases;
+  constexpr size_t many = vtkIndirectSphereGrid::MaximumNumberOfEntries;
+  Case crowd{ "around one place", {}, many, 256 };
+  for (int i = 0; i < 900; ++i)
+  {
+    crowd.Spheres.emplace_back(random.Next(-0.1, 0.1), random.Next(-0.1, 0.1),
+      random.Next(-0.1, 0.1), random.Next(0.15, 0.2));
+  }
+  cases.push_back(crowd);
+  Case far{ "a clump, and one far away", {}, many, 1 };
+  for (int i = 0; i < 900; ++i)
+  {
+    far.Spheres.emplace_back(random.Next(0.0, 0.05), random.Next(0.0, 0.05), random.Next(0.0, 0.05),
+      random.Next(0.001, 0.003));
+  }
+  far.Spheres.emplace_back(1.0, 1.0, 1.0, 0.01);
+  cases.push_back(far);
+  Case row{ "a row", {}, many, 1 };
+  for (int i = 0; i < 5000; ++i)
+  {
+    row.Spheres.emplace_back(0.2 * i / 1000.0, 0.0, 0.0, 1e-4);
+  }
+  cases.push_back(row);
+  Case few{ "few entries", MakeSpheres(random, 300, 0.02), 400, 1 };
+  cases.push_back(few);
+  Case giant{ "one that all others are around", MakeSpheres(random, 300, 0.01), many, 1 };
+  giant.Spheres.emplace_back(0.5, 0.35, 0.2, 0.3);
+  cases.push_back(giant);
+  for (const Case& test : cases)
+  {
+    const std::string name = test.Name;
+    vtkIndirectSphereGrid grid;
+    Check(name + ": built", grid.Build(test.Spheres, test.Entries));
+    CheckEqual(name + ": spheres", static_cast<double>(grid.GetNumberOfSpheres()),
+      static_cast<double>(test.Spheres.size()));
+    CheckAtMost(name + ": entries", static_cast<double>(grid.GetNumberOfEntries()),
+      static_cast<double>(test.Entries), "as was asked for");
+    CheckAtLeast(name + ": longest list", static_cast<double>(grid.GetLongestList()),
+      static_cast<double>(test.LongestList), "the test's own power");
+    int wrong[2] = { 0, 0 };
+    int blocked = 0;
+    const int count = 1000;
+    for (int i = 0; i < count; ++i)
+    {
+      // Past a sphere, closely.
+      const glm::dvec4& target = test.Spheres[random.NextBits() % test.Spheres.size()];
+      const glm::dvec3 middle = glm::dvec3(target) + 1.3 * target.w * random.NextDirection();
+      const glm::dvec3 way = random.NextDirection();
+      const glm::dvec3 start = middle - random.Next(0.0, 0.5) * way;
+      const glm::dvec3 end = middle + random.Next(0.0, 0.5) * way;
+      double margin = 0.0;
+      const bool free = IsFreeByAll(test.Spheres, start, end, margin);
+      blocked += !free;
+      // Single precision of places in 256 cells, over radii of a fortieth of one and more.
+      wrong[0] += margin > 2e-3 && grid.IsFree(start, end) != free;
+      wrong[1] += margin > 1e-4 && grid.IsFreeExactly(start, end) != free;
+    }
+    CheckEqual(name + ": wrong, by the shaders' kernel", wrong[0], 0);
+    CheckEqual(name + ": wrong, in double precision", wrong[1], 0);
+    CheckAtLeast(name + ": blocked", blocked, 0.05 * count, "the test's own power");
+    CheckAtLeast(name + ": free", count - blocked, 0.02 * count, "the test's own power");
+  }
+  vtkIndirectSphereGrid grid;
+  Check("more spheres than entries", !grid.Build(crowd.Spheres, 899) && grid.IsEmpty());
+  Check("as many", grid.Build(crowd.Spheres, 900) && grid.GetNumberOfEntries() == 900);
+}
+
+//------------------------------------------------------------------------------
 // A sphere does not hide its own surface, whatever the scale: no lift, no tolerance.
 VTK_INDIRECT_TEST(SphereBlockersDoNotHideThemselves)
 {
@@ -135,7 +214,7 @@ VTK_INDIRECT_TEST(SphereBlockersDoNotHideThemselves)
     const std::vector<glm::dvec4> spheres = { { 3.0, -2.0, 1.0, radius },
       { 3.0 + 100.0 * radius, -2.0, 1.0, radius } };
     vtkIndirectSphereGrid grid;
-    grid.Build(spheres, 8.0);
+    grid.Build(spheres, 8.0, vtkIndirectSphereGrid::MaximumNumberOfEntries);
     int hidden = 0;
     int faced = 0;
     for (int i = 0; i < 3000; ++i)
@@ -149,15 +228,15 @@ VTK_INDIRECT_TEST(SphereBlockersDoNotHideThemselves)
       if (glm::dot(way, n) > 1e-3 && glm::dot(way, m) < -1e-3)
       {
         ++faced;
-        hidden += !grid.IsFree(glm::vec3(grid.ToCells(start)), glm::vec3(grid.ToCells(end)));
+        hidden += !grid.IsFree(start, end);
       }
     }
     CheckEqual("segments that leave a sphere and are hidden by it", hidden, 0);
     CheckAtLeast("segments", faced, 500, "the test's own power");
   }
   vtkIndirectSphereGrid empty;
-  empty.Build({}, 2.0);
-  Check("nothing hides nothing", empty.IsFree(glm::vec3(-1.0f), glm::vec3(2.0f)));
+  empty.Build({});
+  Check("nothing hides nothing", empty.IsFree(glm::dvec3(-1.0), glm::dvec3(2.0)));
 }
 
 //------------------------------------------------------------------------------
@@ -176,7 +255,7 @@ VTK_INDIRECT_TEST(SphereBlockersBesideVoxels)
   volume.Finish();
   const vtkIndirectDistanceField& field = volume.GetDistanceField();
   vtkIndirectSphereGrid grid;
-  grid.Build(spheres, 4.0);
+  grid.Build(spheres);
   auto pick = [&](glm::dvec3& place, glm::dvec3& normal)
   {
     bool open = false;
@@ -211,8 +290,7 @@ VTK_INDIRECT_TEST(SphereBlockersBesideVoxels)
     wrong[0] += free !=
       field.IsVisible(field.FindEnd(glm::vec3(places[0]), glm::vec3(normals[0])),
         field.FindEnd(glm::vec3(places[1]), glm::vec3(normals[1])));
-    wrong[1] +=
-      free != grid.IsFree(glm::vec3(grid.ToCells(places[0])), glm::vec3(grid.ToCells(places[1])));
+    wrong[1] += free != grid.IsFree(places[0], places[1]);
   }
   CheckAtLeast("hidden", hidden, 0.2 * count, "the test's own power");
   CheckAtLeast("free", count - hidden, 0.2 * count, "the test's own power");

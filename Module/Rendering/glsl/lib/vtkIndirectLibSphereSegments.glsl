@@ -1,8 +1,8 @@
 // Whether a segment meets any of many spheres, which lie in lists by the cells of a grid (Amanatides and Woo
 // 1987, "A fast voxel traversal algorithm for ray tracing"). Coordinates count cells: cell i reaches from i to
 // i + 1.
-#ifndef vtkIndirectSphereSegments
-#define vtkIndirectSphereSegments
+#ifndef vtkIndirectLibSphereSegments
+#define vtkIndirectLibSphereSegments
 #include "vtkIndirectLibPortable.glsl"
 
 /* Where a segment is. */
@@ -59,14 +59,25 @@ bool vtkiNextCell(VTKI_INOUT(vtkiCells) w)
   return on;
 }
 
+/* One over the square of a segment's length, for vtkiSphereBlocks. */
+float vtkiInverseSquare(vec3 along)
+{
+  return 1.0f / max(dot(along, along), 1.0e-30f);
+}
+
 /* Whether a sphere (center, radius) stands between the ends of a segment. One that holds an end does not: it is
  * the surface that the end lies on, or, where spheres stand for a mesh, sticks out of it. Nor does one whose
- * surface an end lies on when the segment leaves it, without any tolerance. length2: of along, squared. */
-bool vtkiSphereBlocks(vec3 start, vec3 along, float length2, vec4 sphere)
+ * surface an end lies on when the segment leaves it, without any tolerance. By the place that is nearest to the
+ * center: a difference of squares would lose spheres that are small beside their distance (Haines, Gunther,
+ * Akenine-Moeller 2019, "Precision improvements for ray/sphere intersection"). */
+bool vtkiSphereBlocks(vec3 start, vec3 along, float inverseSquare, vec4 sphere)
 {
   vec3 away = start - vec3(sphere.x, sphere.y, sphere.z);
-  float c = dot(away, away) - sphere.w * sphere.w;
-  float b = dot(away, along);
-  return b < 0.0f && b + length2 > 0.0f && b * b > length2 * c && c > 0.0f && c + 2.0f * b + length2 > 0.0f;
+  float t = -dot(away, along) * inverseSquare;
+  vec3 nearest = away + t * along;
+  vec3 end = away + along;
+  float square = sphere.w * sphere.w;
+  return t > 0.0f && t < 1.0f && dot(nearest, nearest) < square && dot(away, away) > square &&
+    dot(end, end) > square;
 }
 #endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Spheres in lists by the cells of a uniform grid, for segments between two points: what voxels are
+// for triangles, but exact. A segment is followed from cell to cell (Amanatides and Woo 1987, "A
+// fast voxel traversal algorithm for ray tracing") and tested against the spheres of each.
+//
+// A list holds copies of its spheres, so that a shader reads them one after the other. Cells that
+// lie inside of a sphere do not list it: a segment that it blocks passes its surface.
+#ifndef vtkIndirectSphereGrid_h
+#define vtkIndirectSphereGrid_h
+
+#include "vtkSmartPointer.h" // for the textures
+
+#include <cstddef>     // for size_t
+#include <cstdint>     // for indices
+#include <glm/glm.hpp> // for vectors
+#include <vector>      // for lists
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkIndirectSphereGrid
+{
+public:
+  /** Cells along an edge at most: no OpenGL has smaller three-dimensional textures. */
+  static constexpr int MaximumSize = 256;
+  /** Spheres in a row of the table that shaders read. */
+  static constexpr int RowLength = 1024;
+  /** Entries of all lists together, by default: 128 MB. */
+  static constexpr size_t MaximumNumberOfEntries = size_t(1) << 23;
+
+  vtkIndirectSphereGrid();
+  ~vtkIndirectSphereGrid();
+
+  /**
+   * Center and radius of each, in scene units; radii are positive, all finite. There are four cells
+   * for each over their bounds, more where spheres lie so close together that lists would be long,
+   * fewer where there would be more entries than these. Returns false, with no spheres, when there
+   * are more spheres than entries.
+   */
+  bool Build(const std::vector<glm::dvec4>& spheres, size_t entries = MaximumNumberOfEntries);
+  /** The same with so many cells for each sphere. */
+  bool Build(const std::vector<glm::dvec4>& spheres, double cellsOfSphere, size_t entries);
+  void Clear();
+
+  bool IsEmpty() const { return this->Lists.empty(); }
+  size_t GetNumberOfSpheres() const { return this->NumberOfSpheres; }
+  size_t GetNumberOfEntries() const { return this->Lists.size(); }
+  size_t GetLongestList() const;
+  const glm::ivec3& GetSize() const { return this->Size; }
+  glm::dvec3 ToCells(const glm::dvec3& position) const
+  {
+    return (position - this->Origin) * this->Scale;
+  }
+
+  /**
+   * Whether no sphere stands between two places (scene units), by the shaders' own kernel. steps,
+   * where it is given: rounds of a shader's loop, one for each cell and each sphere on the way.
+   */
+  bool IsFree(const glm::dvec3& start, const glm::dvec3& end, int* steps = nullptr) const;
+  /** The same in double precision, by a formula of its own. */
+  bool IsFreeExactly(const glm::dvec3& start, const glm::dvec3& end) const;
+  /** Steps in the mean: the most of segments past all spheres, from around to them, and between
+   * them. */
+  double GetNumberOfSteps() const { return this->NumberOfSteps; }
+
+  /** Binds lists and spheres for vtkIndirectSphereSegments.glsl; pair with Deactivate. */
+  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
+  void Deactivate() const;
+  size_t GetBytes() const;
+  size_t GetMainMemoryBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  void SetSize(const glm::dvec3& extent, double cells);
+  size_t Count(const std::vector<glm::dvec4>& spheres, std::vector<std::uint32_t>& counts) const;
+  void Fill(const std::vector<glm::dvec4>& spheres, const std::vector<std::uint32_t>& counts);
+  void FindNumberOfSteps(
+    const std::vector<glm::dvec4>& spheres, const glm::dvec3& lower, const glm::dvec3& upper);
+  void Upload(vtkOpenGLRenderWindow* window) const;
+  glm::vec4 ToCells(const glm::dvec4& sphere) const
+  {
+    return { glm::vec3(this->ToCells(glm::dvec3(sphere))),
+      static_cast<float>(sphere.w * this->Scale) };
+  }
+  size_t Fold(int x, int y, int z) const
+  {
+    return x + static_cast<size_t>(this->Size.x) * (y + static_cast<size_t>(this->Size.y) * z);
+  }
+  template <typename F>
+  bool IsFreeOf(const glm::vec3& start, const glm::vec3& along, int& steps, const F& blocks) const;
+  template <typename F>
+  void ForEachTouched(const glm::vec4& sphere, const F& call) const;
+
+  glm::dvec3 Origin{ 0.0 };
+  double Scale = 1.0; // cells per scene unit
+  glm::ivec3 Size{ 1 };
+  size_t NumberOfSpheres = 0;
+  double NumberOfSteps = 0.0;
+  std::vector<glm::uvec2> Cells; // the first of a list and how many
+  std::vector<glm::vec4> Lists;  // cells
+  mutable vtkSmartPointer<vtkTextureObject> CellTexture;
+  mutable vtkSmartPointer<vtkTextureObject> ListTexture;
+  mutable bool Uploaded = false;
+};
+
+#endif
