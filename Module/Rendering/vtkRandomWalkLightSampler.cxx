@@ -26,7 +26,7 @@ struct vtkRandomWalkLightSampler::Internals
   int NumberOfWalks = 0;
   int NumberOfFrames = 0; // over which the walk extends by now
   bool HasMore = false;   // whether a still frame would have more vertices
-  double ShareOfArea = 1.0;
+  double Smoothing = 1.0;
   std::vector<double> WalkKey;  // what paths were made of, besides surfaces; empty: there are none
   std::vector<double> TableKey; // and lights of these
   vtkIndirectFurtherSenders Further;
@@ -42,34 +42,29 @@ constexpr int FewerWhileMoving = 4;
 // However many frames a walk extends over.
 constexpr int MostVertices = 1048576;
 
-// A later vertex's disk over its area, in a tree of so many vertices. There are few enough of them
-// that those beside a crease would show one by one: 4 for 8192 of them, 2 for 32768. It costs rooms
-// about 1 % of their light.
-double FindShareOfArea(int vertices)
+// The area by which later vertices are smoothed over theirs, in a tree of so many: places are
+// random, and with less those beside a crease would show one by one. It costs rooms 1 % of their
+// light.
+double FindSmoothing(int vertices)
 {
-  return std::max(4.0 * std::sqrt(8192.0 / vertices), 1.0);
+  return 12.0 * std::sqrt(8192.0 / vertices);
 }
 }
 
 //------------------------------------------------------------------------------
-
-// Vertices of a light's first bounce cover surfaces once, as the texels of a map do. Each later
-// bounce is one more map: its vertices stand for the share of the surface that is theirs among all
-// of these, so clusters' disks are smaller than where all were one map, which leaves rooms 5 % too
-// dark.
+// Vertices of a light's first bounce cover surfaces once, as the texels of a map do; those of all
+// later bounces together do so once more.
 void vtkRandomWalkLightSampler::Internals::FindSenders(vtkIndirectFurtherSenders& senders) const
 {
   senders.Senders.clear();
   senders.NumberOfMaps = this->NumberOfSources;
   for (const vtkIndirectRandomWalk::Vertex& vertex : this->Walk.GetVertices())
   {
-    const int map = vertex.Bounce == 1
-      ? vertex.Source
-      : static_cast<int>(this->NumberOfSources) + vertex.Bounce - 2;
+    const int map = vertex.Bounce == 1 ? vertex.Source : static_cast<int>(this->NumberOfSources);
     senders.NumberOfMaps = std::max(senders.NumberOfMaps, static_cast<size_t>(map) + 1);
     senders.Senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
-      static_cast<float>(vertex.Bounce > 1 ? this->ShareOfArea * vertex.Area : vertex.Area),
-      glm::vec3(vertex.DensityArea), map });
+      static_cast<float>(vertex.Area), glm::vec3(vertex.DensityArea), map,
+      static_cast<float>(vertex.Bounce > 1 ? this->Smoothing : 1.0) });
   }
 }
 
@@ -180,7 +175,7 @@ bool vtkRandomWalkLightSampler::Walk(const Input& input)
   in.NumberOfFrames = number;
   in.Walk.Walk(in.Surfaces, input.Frame, sources, settings);
   in.NumberOfSources = sources.size();
-  in.ShareOfArea = FindShareOfArea(settings.NumberOfVertices);
+  in.Smoothing = FindSmoothing(settings.NumberOfVertices);
   in.WalkKey = key;
   ++in.NumberOfWalks;
   return true;

@@ -57,8 +57,7 @@ vtkIndirectTarget& vtkVirtualLightSampler::BeginChange()
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualLightSampler::Fill(
-  vtkIndirectTarget& table, const std::vector<Row>& rows, double source)
+void vtkVirtualLightSampler::Fill(vtkIndirectTarget& table, const std::vector<Row>& rows)
 {
   const size_t places = static_cast<size_t>(table.GetWidth()) * table.GetHeight();
   std::vector<float> channels[3];
@@ -80,7 +79,7 @@ void vtkVirtualLightSampler::Fill(
     const Row& light = i < rows.size() ? rows[i] : empty;
     add(PositionArea, light.Position, light.Area);
     add(NormalReach, light.Normal, light.Reach);
-    add(DensityArea, light.DensityArea, source);
+    add(DensityArea, light.DensityArea, light.SunkenArea);
   }
   for (int channel = 0; channel < 3; ++channel)
   {
@@ -99,9 +98,7 @@ bool vtkVirtualLightSampler::Write(
   {
     return false;
   }
-  // Those of VTK have the numbers before.
-  const double source = static_cast<double>(frame.Lights.size());
-  Fill(this->BeginChange(), lights, source);
+  Fill(this->BeginChange(), lights);
   if (!this->WriteLobes(frame.Window, lights))
   {
     return false;
@@ -120,7 +117,7 @@ bool vtkVirtualLightSampler::Write(
   {
     return false;
   }
-  Fill(*this->Branches, branches, source);
+  Fill(*this->Branches, branches);
   return true;
 }
 

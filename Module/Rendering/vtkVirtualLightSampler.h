@@ -157,6 +157,7 @@ public:
     double Normal[3];
     double DensityArea[3];
     double Reach = 0.0;
+    double SunkenArea = 0.0;
     /** Unit; what follows is the lobe's, and without density there is none. */
     double LobeDirection[3] = { 0.0, 0.0, 1.0 };
     double LobeExponent = 0.0;
@@ -194,7 +195,7 @@ private:
   void operator=(const vtkVirtualLightSampler&) = delete;
 
 #ifndef __VTK_WRAP__
-  static void Fill(vtkIndirectTarget& table, const std::vector<Row>& rows, double source);
+  static void Fill(vtkIndirectTarget& table, const std::vector<Row>& rows);
   bool WriteLobes(vtkOpenGLRenderWindow* window, const std::vector<Row>& lights);
 #endif
   void ReleaseBranches(vtkWindow* window);

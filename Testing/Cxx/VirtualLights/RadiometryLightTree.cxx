@@ -46,12 +46,14 @@ VTK_INDIRECT_TEST(LightTreeAgainstAllTexels)
   scene.AddBox({ 0.6, 0.0, 0.2 }, { 0.9, 0.5, 0.5 }, { 0.9, 0.9, 0.3 });
   scene.SetEye({ 2.2, 1.6, 2.3 }, { 0.4, 0.3, 0.4 }, { 0, 1, 0 }, 36, 0.5, 6);
   scene.AddSpot({ 1, 2, 1 }, { 0.4, 0, 0.4 }, 40, 1, { 1, 0, 0 });
-  scene.Pass->SetReflectiveShadowMapResolution(256);
   scene.Pass->SetVisibility(vtkIndirectIlluminationPass::NONE);
   scene.Gather->SetModeToAllTexels();
   scene.Gather->InterpolationOff();
+  // Nearer to an edge than texels are to each other this sum goes to zero.
+  scene.Pass->SetReflectiveShadowMapResolution(1024);
   scene.Render();
   const Image reference = scene.Copy("bounce");
+  scene.Pass->SetReflectiveShadowMapResolution(256);
   vtkNew<vtkUniformLightSampler> uniform;
   vtkNew<vtkLightTreeSampler> tree;
   vtkNew<vtkMultiresolutionSplattingPass> splatting;

@@ -187,3 +187,132 @@ VTK_INDIRECT_TEST(Curvature)
   CheckEqual("sender and receiver coincide",
     vtkiVirtualLightCurvature(vec3(0.0f), Up, vec3(across), 0.0f), 0.0f);
 }
+
+// A wall of square patches of area one down to the floor, and a plane of them, as receivers on the
+// floor and facing the plane see them: half of the light, and all of it, however near.
+VTK_INDIRECT_TEST(PatchesOfPlanes)
+{
+  constexpr int rows = 200;
+  const vec3 normal(0.0f, 0.0f, 1.0f);
+  auto sum = [&normal](const vec3& receiver, const vec3& facing, int first, auto weight)
+  {
+    double all = 0.0;
+    for (int i = first; i < rows; ++i)
+    {
+      for (int k = -rows; k < rows; ++k)
+      {
+        const vec3 middle(static_cast<float>(k) + 0.5f, static_cast<float>(i) + 0.5f, 0.0f);
+        all += weight(middle - receiver, normal, facing);
+      }
+    }
+    return all;
+  };
+  auto patch = [](const vec3& d, const vec3& n, const vec3& m)
+  { return double(vtkiPatchLightWeight(d, n, m, 1.0f, 1.0f)); };
+  auto onAxis = [](const vec3& d, const vec3& n, const vec3& m)
+  { return double(vtkiMeanLightWeight(d, n, m, 1.0f)); };
+  const vec3 along(0.0f, 1.0f, 0.0f);
+  const char* rest =
+    "0.075 where patches end beside the receiver, measured; 0.005 beyond 200 of them";
+  for (const float height : { 0.05f, 0.2f, 0.5f, 1.0f, 2.0f })
+  {
+    const std::string at = " at " + std::to_string(height);
+    for (const float place : { 0.0f, 0.25f, 0.5f })
+    {
+      CheckRelative(
+        "a wall" + at, sum(vec3(place, 0.0f, height), along, 0, patch), 0.5, 0.08, rest);
+      CheckRelative(
+        "a plane" + at, sum(vec3(place, place, height), -normal, -rows, patch), 1.0, 0.08, rest);
+    }
+  }
+  CheckAtMost("a wall at 0.02 by the kernel of the axis",
+    sum(vec3(0.0f, 0.0f, 0.02f), along, 0, onAxis), 0.05, "goes to zero there");
+}
+
+// A patch against the mean over its points.
+VTK_INDIRECT_TEST(PatchIsSecondOrder)
+{
+  Random random(31);
+  const vec3 normal(0.0f, 0.0f, 1.0f);
+  double worst[2] = { 0.0, 0.0 };
+  double squares[2] = { 0.0, 0.0 };
+  for (const int far : { 0, 1 })
+  {
+    const float distance = far ? 6.0f : 3.0f;
+    for (int i = 0; i < 2000;)
+    {
+      const vec3 way = vec3(random.NextDirection());
+      const vec3 facing = vec3(random.NextDirection());
+      // All of it is before the receiver, which is before all of it.
+      if (way.z < 0.05f || glm::dot(facing, way) > -0.4f)
+      {
+        continue;
+      }
+      ++i;
+      constexpr int points = 16;
+      double mean = 0.0;
+      for (int k = 0; k < points * points; ++k)
+      {
+        const vec3 point((static_cast<float>(k % points) + 0.5f) / points - 0.5f,
+          (static_cast<float>(k / points) + 0.5f) / points - 0.5f, 0.0f);
+        mean += vtkiVirtualLightWeight(point - distance * way, normal, facing, 0.0f);
+      }
+      mean /= points * points;
+      const double scale = 1.0 / (vtkMath::Pi() * distance * distance);
+      const double patch =
+        vtkiPatchLightWeight(-distance * way, normal, facing, 1.0f, 1.0f / 64.0f);
+      worst[far] = std::max(worst[far], std::abs(patch - mean) / scale);
+      squares[far] += std::pow((patch - mean) / scale, 2.0) / 2000.0;
+    }
+  }
+  CheckAtMost(
+    "three widths away", worst[0], 0.02, "fourth order: 1 / 81, of a coefficient about one");
+  CheckAtMost("six widths away, over three", std::sqrt(squares[1] / squares[0]), 1.0 / 8.0,
+    "1 / 16 were it of fourth order alone");
+}
+
+VTK_INDIRECT_TEST(PatchLimits)
+{
+  Random random(14);
+  int bad = 0;
+  double largest = 0.0;
+  int behind = 0;
+  double far = 0.0;
+  for (int i = 0; i < 500000; ++i)
+  {
+    // In a scene of length one; normals of clusters are shorter.
+    const vec3 d = vec3(random.NextDirection() * random.NextMagnitude(1e-6, 1e3));
+    const auto area = static_cast<float>(random.NextMagnitude(1e-12, 1e3));
+    const float sunken = area * static_cast<float>(random.NextMagnitude(1.0, 16.0));
+    const vec3 unit = vec3(random.NextDirection());
+    const vec3 normalS = static_cast<float>(random.NextMagnitude(0.01, 1.0)) * unit;
+    const vec3 normalR = vec3(random.NextDirection());
+    const float w = vtkiPatchLightWeight(d, normalS, normalR, area, sunken);
+    bad += !std::isfinite(w) || w < 0.0f;
+    largest = std::max(largest, double(w) * area);
+    behind += glm::dot(unit, d) > 0.0f &&
+      vtkiPatchLightWeight(d, unit, normalR, area, sunken) > 1e-4f / area;
+    const double radius = std::sqrt(std::max(area, sunken) / vtkMath::Pi());
+    const double r = glm::length(glm::dvec3(d));
+    const double before = -glm::dot(glm::dvec3(unit), glm::dvec3(d)) / r;
+    const double facing = glm::dot(glm::dvec3(normalR), glm::dvec3(d)) / r;
+    if (r > 1e3 * radius && before > 0.1 && facing > 0.1)
+    {
+      const double ratio = double(vtkiPatchLightWeight(d, unit, normalR, area, sunken)) /
+        vtkiMeanLightWeight(d, unit, normalR, area);
+      far = std::max(far, std::abs(ratio - 1.0));
+    }
+  }
+  CheckEqual("weights that are not finite or negative", bad, 0);
+  CheckAtMost("the largest weight times the area", largest, 1.0, "all of a light arrives at most");
+  CheckEqual("weights behind a flat light", behind, 0);
+  CheckAtMost("from 1000 radii on, beside the kernel of the axis", far, 1e-3,
+    "a hundred times (radius / r)^2 at the least cosines, and rounding");
+  CheckEqual(
+    "in one place, without an area", vtkiPatchLightWeight(vec3(0.0f), -Up, Up, 0.0f, 0.0f), 0.0);
+  CheckRelative("a point, at one", vtkiPatchLightWeight(Up, -Up, Up, 0.0f, 0.0f),
+    1.0 / vtkMath::Pi(), 1e-6, "rounding");
+  CheckRelative("a patch before the receiver, at one",
+    vtkiPatchLightWeight(Up, -Up, Up, 3.0f, 0.0f), 0.5 / vtkMath::Pi(), 1e-6,
+    "1 / (pi (r^2 + 4 variance)), of a disk of that variance; rounding");
+}

@@ -35,10 +35,14 @@ public:
     }
     for (const Source& source : sources)
     {
-      for (int j = step / 2; j < source.Size[1]; j += step)
+      // One of the four texels around a square's middle, each as often: always the same one would
+      // be half a texel beside it.
+      for (int row = 0; row * step + step / 2 < source.Size[1]; ++row)
       {
-        for (int i = step / 2; i < source.Size[0]; i += step)
+        const int j = row * step + (step - (row & 1)) / 2;
+        for (int column = 0; column * step + step / 2 < source.Size[0]; ++column)
         {
+          const int i = column * step + (step - ((row + column) & 1)) / 2;
           pattern.push_back({ (i + 0.5f) / source.Size[0], (j + 0.5f) / source.Size[1],
             static_cast<float>(source.Layer), static_cast<float>(step * step) });
         }

@@ -18,11 +18,6 @@ namespace
 // ends of half a scene.
 constexpr double NormalLength = 0.25;
 
-// What a cluster's disk has of its area. Around it a light at its middle with all of the area is
-// too dark, the more the nearer; a quarter leaves a tenth of that bias, and what is nearer still is
-// summed over its branches. See Documentation/methods/light-tree.md.
-constexpr double ShareOfArea = 0.25;
-
 // What is left of a mean normal at least, so that it has a direction.
 constexpr double LeastNormal = 0.01;
 
@@ -73,6 +68,21 @@ glm::dvec3 FindPlace(const vtkIndirectSenderClusters::Sender& middle, const glm:
   const double pitch = std::sqrt(static_cast<double>(middle.Area));
   const double length = glm::length(step);
   return length > pitch ? place + (pitch / length) * step : place + step;
+}
+
+// What vtkiFindPatchLight is told of a node. Folded surfaces have more area than their light's
+// variance; where it has more than twice theirs they are strewn, not stretched. A lobe would be
+// seen to be wider than its surface. A node whose depth map is drawn from its place can go forward,
+// away from the surface; branches have none.
+void MakePatch(vtkIndirectSenderClusters::Light& light, bool hasMap)
+{
+  const double most = Sum(light.LobeDensityArea) > 0.0 ? 1.0 : 2.0;
+  light.Area = std::min(most * light.Area, light.Stretched);
+  if (!hasMap || light.Shift > 0.0)
+  {
+    light.Position += light.Shift * light.Normal;
+    light.Shift = 0.0;
+  }
 }
 
 // How much light each map has, over the mean of those that have any, in powers of four.
@@ -309,6 +319,11 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
   std::vector<double> areas(maps, 0.0);
   std::vector<double> sums(maps, 0.0);
   glm::dvec3 normal(0.0);
+  const glm::dvec3 place(cluster.Mean[0], cluster.Mean[1], cluster.Mean[2]);
+  // Sums of what is sent, times the following.
+  double turned = 0.0;    // normals by places
+  double within = 0.0;    // areas of senders
+  double smoothing = 0.0; // theirs
   for (size_t i = cluster.Begin; i < cluster.End; ++i)
   {
     const Sender& sender = this->Senders[this->Entries[i].Sender];
@@ -317,6 +332,9 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
     light.DensityArea += sent;
     const double all = Sum(sent) + Sum(strengths[map] * glm::dvec3(sender.LobeReflected));
     normal += all * glm::dvec3(sender.Normal);
+    turned += all * glm::dot(glm::dvec3(sender.Normal), glm::dvec3(sender.Position) - place);
+    within += all * static_cast<double>(sender.Area);
+    smoothing += all * static_cast<double>(sender.Smoothing);
     areas[map] += sender.Area;
     sums[map] += all;
   }
@@ -330,11 +348,24 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
     area += sums[map] * areas[map];
   }
   const Sender& middle = this->Senders[cluster.Middle];
-  light.Position = FindPlace(middle, glm::dvec3(cluster.Mean[0], cluster.Mean[1], cluster.Mean[2]));
+  light.Position = FindPlace(middle, place);
   // Normals that cancel out are those of the middle, all but.
   const glm::dvec3 mean = total > 0.0 ? normal / total : glm::dvec3(middle.Normal);
   light.Normal = glm::length(mean) > LeastNormal ? mean : LeastNormal * glm::dvec3(middle.Normal);
-  light.Area = total > 0.0 ? area / total : static_cast<double>(middle.Area);
+  light.Area = static_cast<double>(middle.Area);
+  if (total > 0.0)
+  {
+    light.Area = area / total;
+    light.Stretched = 6.0 * cluster.Spread + within / total;
+    light.SunkenArea = std::min(light.Area, light.Stretched) * smoothing / total;
+    // On a bowl a patch is seen as if its mean place lay once more as far before the surface,
+    // behind it on a ball: what the covariance of normals and places adds to the mean of the
+    // weights.
+    const double bend = -0.5 * turned / total;
+    const double length = glm::length(light.Normal);
+    const glm::dvec3 unit = light.Normal / length;
+    light.Shift = (glm::dot(unit, place - light.Position) + bend) / length;
+  }
   this->AddLobe(cluster, strengths, light);
   return light;
 }
@@ -383,7 +414,7 @@ void vtkIndirectSenderClusters::AddLobe(
 
 //------------------------------------------------------------------------------
 // Within which distance a node's error is more than the limit. It gives E = DA / (pi d^2) at most,
-// of which a share of about s^2 / d^2 is wrong, s the root mean square distance of its light from
+// of which a share of about (s / d)^4 is wrong, s the root mean square distance of its light from
 // its mean place.
 double vtkIndirectSenderClusters::FindReach(
   const Light& light, const Cluster& cluster, double limit)
@@ -392,8 +423,9 @@ double vtkIndirectSenderClusters::FindReach(
   {
     return 0.0;
   }
-  const double fourth = Sum(light.DensityArea) / 3.0 * cluster.Spread / (glm::pi<double>() * limit);
-  return std::sqrt(std::max(std::sqrt(fourth) - cluster.Spread, 0.0));
+  const double sixth =
+    Sum(light.DensityArea) / 3.0 * cluster.Spread * cluster.Spread / (glm::pi<double>() * limit);
+  return std::sqrt(std::max(std::cbrt(sixth) - cluster.Spread, 0.0));
 }
 
 //------------------------------------------------------------------------------
@@ -408,19 +440,23 @@ void vtkIndirectSenderClusters::MakeBranches(
   {
     Light child = this->MakeLight(children[i], strengths);
     child.Reach = FindReach(child, children[i], limit);
-    child.Area *= children[i].End - children[i].Begin > 1 ? ShareOfArea : 1.0;
+    MakePatch(child, false);
     const size_t family = first + i * (perNode + 1);
     all[family] = child;
     if (child.Reach > 0.0)
     {
       const std::vector<Cluster> leaves =
         this->Divide(children[i].Begin, children[i].End, perNode, perNode);
+      double sunken = 0.0;
       for (size_t k = 0; k < leaves.size(); ++k)
       {
         Light leaf = this->MakeLight(leaves[k], strengths);
-        leaf.Area *= leaves[k].End - leaves[k].Begin > 1 ? ShareOfArea : 1.0;
+        MakePatch(leaf, false);
+        sunken += Sum(leaf.DensityArea) * leaf.SunkenArea;
         all[family + 1 + k] = leaf;
       }
+      const double sent = Sum(child.DensityArea);
+      all[family].SunkenArea = sent > 0.0 ? sunken / sent : child.SunkenArea;
     }
   }
 }
@@ -453,9 +489,10 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
     Light& light = lights.Tops[i];
     const Cluster& cluster = this->Clusters[i];
     light.Reach = FindReach(light, cluster, limit);
-    // Lobes are as wide as their whole light, or it would be seen in pieces.
-    const bool mirrors = Sum(light.LobeDensityArea) > Sum(light.DensityArea);
-    light.Area *= limit > 0.0 && cluster.End - cluster.Begin > 1 && !mirrors ? ShareOfArea : 1.0;
+    if (limit > 0.0)
+    {
+      MakePatch(light, true);
+    }
     light.Normal = limit > 0.0 ? light.Normal : glm::dvec3(this->Senders[cluster.Middle].Normal);
   }
   if (limit > 0.0)

@@ -28,7 +28,7 @@ bool vtkiAddSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender
   inout vec3 irradiance)
 {
   vec3 toSender = vtkiToSender(sender, position);
-  float weight = vtkiSenderWeight(toSender, senderNormal.xyz, normal, sender.w);
+  float weight = vtkiSenderWeight(toSender, senderNormal, normal, sender.w, vtkiSunkenArea(senderNormal.w, sender.w));
   float division = 0.0f;
 #ifdef VTKI_DIVIDED
   division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
@@ -65,12 +65,13 @@ void vtkiAddBelow(vec3 position, vec3 normal, int light, inout vec3 irradiance)
   int place = 0;
   while (place < VTKI_BRANCHES)
   {
-    vtkiFetchBranch(light, place, sender, senderNormal, density);
+    vec4 branch;
+    vtkiFetchBranch(light, place, sender, senderNormal, branch);
     toSender = sender.xyz - position;
     bool isChild = vtkiIsChild(place);
     below = isChild ? share * vtkiDivision(dot(toSender, toSender), senderNormal.w) : below;
-    float weight = vtkiSenderWeight(toSender, senderNormal.xyz, normal, sender.w);
-    irradiance += density * (weight * (isChild ? share - below : below));
+    float weight = vtkiSenderWeight(toSender, senderNormal, normal, sender.w, branch.w);
+    irradiance += branch.rgb * (weight * (isChild ? share - below : below));
     place = vtkiNextBranch(place, senderNormal.w, below > 0.0f);
   }
 }

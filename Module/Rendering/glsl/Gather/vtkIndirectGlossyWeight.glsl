@@ -16,4 +16,5 @@ float vtkiDirectionInLobe(vec3 toLight, vec3 normalR)
 }
 #define vtkiVirtualLightWeight vtkiWeightInLobe
 #define vtkiMeanLightWeight vtkiWeightInLobe
+#define vtkiPatchLightWeight(toSender, normalS, normalR, area, sunken) vtkiWeightInLobe(toSender, normalS, normalR, area)
 #define vtkiDirectionWeight vtkiDirectionInLobe

@@ -104,7 +104,7 @@ bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, ve
     nearest = max(nearest, division);
     share[i] -= division;
 #endif
-    vtkiAddSeenLight(position[i], normal[i], share[i], sender, senderNormal.xyz, density, irradiance[i],
+    vtkiAddSeenLight(position[i], normal[i], share[i], vtkiSunkenArea(senderNormal.w, sender.w), sender, senderNormal, density, irradiance[i],
       vectorIrradiance[i]);
   }
   return nearest > 0.0f;
@@ -132,7 +132,8 @@ void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS],
   int place = 0;
   while (place < VTKI_BRANCHES)
   {
-    vtkiFetchBranch(vtkiFirstLight + light, place, sender, senderNormal, density);
+    vec4 branch;
+    vtkiFetchBranch(vtkiFirstLight + light, place, sender, senderNormal, branch);
     bool isChild = vtkiIsChild(place);
     float nearest = 0.0f;
     for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
@@ -140,8 +141,8 @@ void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS],
       vec3 toSender = sender.xyz - position[i];
       below[i] = isChild ? share[i] * vtkiDivision(dot(toSender, toSender), senderNormal.w) : below[i];
       nearest = max(nearest, below[i]);
-      vtkiAddSeenLight(position[i], normal[i], isChild ? share[i] - below[i] : below[i], sender, senderNormal.xyz,
-        density, irradiance[i], vectorIrradiance[i]);
+      vtkiAddSeenLight(position[i], normal[i], isChild ? share[i] - below[i] : below[i], branch.w, sender, senderNormal,
+        branch.rgb, irradiance[i], vectorIrradiance[i]);
     }
     place = vtkiNextBranch(place, senderNormal.w, nearest > 0.0f);
   }

@@ -30,15 +30,15 @@ void vtkiFetchLight(int i, out vec4 sender, out vec4 senderNormal, out vec3 dens
 }
 
 // share: of the light as a whole, 0 where something hides it.
-void vtkiAddSeenLight(vec3 position, vec3 normal, float share, vec4 sender, vec3 senderNormal, vec3 density,
+void vtkiAddSeenLight(vec3 position, vec3 normal, float share, float sunkenArea, vec4 sender, vec4 senderNormal, vec3 density,
   inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
   vec3 toSender = vtkiToSender(sender, position);
-  float cosine = dot(normal, toSender);
-  float strength =
-    cosine > 0.0f ? share * vtkiSenderStrength(toSender, senderNormal, sender.w) : 0.0f;
+  vtkiPatchLight light = vtkiFindSender(toSender, senderNormal, sender.w, sunkenArea);
+  float cosine = dot(normal, light.toPlace);
+  float strength = cosine > 0.0f ? share * light.strength : 0.0f;
   irradiance += (strength * cosine) * density;
-  vectorIrradiance += (strength * vtkiLuminance(density)) * toSender;
+  vectorIrradiance += (strength * vtkiLuminance(density)) * light.toPlace;
 }
 
 // Whether a receiver sees a light. open: see vtkiOpenPlace; light: its number in the table; both of no meaning
@@ -49,8 +49,9 @@ bool vtkiSees(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec
 #ifdef VTKI_VISIBILITY
   // Nothing to walk where there is nothing to get.
   vec3 toSender = vtkiToSender(sender, position);
-  bool lit = max(max(density.r, density.g), density.b) > 0.0f && (division > 0.0f ||
-    (dot(normal, toSender) > 0.0f && vtkiSenderStrength(toSender, senderNormal.xyz, sender.w) > 0.0f));
+  vtkiPatchLight sent = vtkiFindSender(toSender, senderNormal, sender.w, sender.w);
+  bool lit = max(max(density.r, density.g), density.b) > 0.0f &&
+    (division > 0.0f || (dot(normal, sent.toPlace) > 0.0f && sent.strength > 0.0f));
   return vtkiIsSenderVisible(light, open, position, normal, sender, senderNormal.xyz, lit);
 #else
   return true;
@@ -67,7 +68,7 @@ bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
   division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
 #endif
   bool seen = vtkiSees(position, normal, open, light, sender, senderNormal, density, division);
-  vtkiAddSeenLight(position, normal, seen ? 1.0f - division : 0.0f, sender, senderNormal.xyz, density, irradiance,
+  vtkiAddSeenLight(position, normal, seen ? 1.0f - division : 0.0f, vtkiSunkenArea(senderNormal.w, sender.w), sender, senderNormal, density, irradiance,
     vectorIrradiance);
   return seen && division > 0.0f;
 }
@@ -85,12 +86,12 @@ void vtkiAddBelow(vec3 position, vec3 normal, int light, vec4 sender, float reac
   {
     vec4 node;
     vec4 nodeNormal;
-    vec3 density;
+    vec4 density;
     vtkiFetchBranch(light, place, node, nodeNormal, density);
     vec3 toNode = node.xyz - position;
     bool isChild = vtkiIsChild(place);
     below = isChild ? share * vtkiDivision(dot(toNode, toNode), nodeNormal.w) : below;
-    vtkiAddSeenLight(position, normal, isChild ? share - below : below, node, nodeNormal.xyz, density, irradiance,
+    vtkiAddSeenLight(position, normal, isChild ? share - below : below, density.w, node, nodeNormal, density.rgb, irradiance,
       vectorIrradiance);
     place = vtkiNextBranch(place, nodeNormal.w, below > 0.0f);
   }

@@ -2,6 +2,9 @@
 //VTK::Output::Dec
 // The light that falls on senders, one fragment each; or with VTKI_PROXY_MEANS all of it in pairs, followed
 // from row vtkiMeanRow on by means of several.
+#ifndef VTKI_PROXY_MEANS
+#define VTKI_PROXY_SENDERS
+#endif
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectProxySum.glsl"
 #include "vtkIndirectProxySenders.glsl"

@@ -57,10 +57,10 @@ bool vtkiIsChild(int place)
   return place % (VTKI_BRANCHES_PER_NODE + 1) == 0;
 }
 
-void vtkiFetchBranch(int light, int place, out vec4 sender, out vec4 senderNormal, out vec3 density)
+void vtkiFetchBranch(int light, int place, out vec4 sender, out vec4 senderNormal, out vec4 density)
 {
   ivec2 at = vtkiTableTexel(VTKI_BRANCHES * light + place);
   sender = texelFetch(vtkiBranchPosition, at, 0);
   senderNormal = texelFetch(vtkiBranchNormal, at, 0);
-  density = texelFetch(vtkiBranchDensity, at, 0).rgb;
+  density = texelFetch(vtkiBranchDensity, at, 0);
 }

@@ -12,23 +12,30 @@ vec3 vtkiToSender(vec4 sender, vec3 position)
 #endif
 }
 
-// Times the receiver's cosine and the density it is the light's irradiance; see
-// vtkiVirtualLightStrength. Only lights with branches (VTKI_DIVIDED) stand for surfaces that differ.
-float vtkiSenderStrength(vec3 toSender, vec3 senderNormal, float area)
+// By which a light as a whole is seen deeper: where it has branches, of two generations, that of the last one.
+float vtkiSunkenArea(float reach, float area)
 {
-#ifdef VTKI_DIVIDED
-  float strength = vtkiMeanLightStrength(toSender, senderNormal, area);
-#else
-  float strength = vtkiVirtualLightStrength(toSender, senderNormal, area);
-#endif
-#ifdef VTKI_DIRECTIONS
-  return area < 0.0f ? 1.0f / VTKI_PI : strength;
-#else
-  return strength;
-#endif
+  const float share = 1.0f / float(VTKI_BRANCHES_PER_NODE * VTKI_BRANCHES_PER_NODE);
+  return reach > 0.0f ? share * area : area;
 }
 
-float vtkiSenderWeight(vec3 toSender, vec3 senderNormal, vec3 normal, float area)
+// What arrives of a light: times the receiver's cosine and the density it is the irradiance; see
+// vtkiVirtualLightStrength. Only lights with branches (VTKI_DIVIDED) stand for patches of surfaces.
+vtkiPatchLight vtkiFindSender(vec3 toSender, vec4 senderNormal, float area, float sunkenArea)
+{
+#ifdef VTKI_DIVIDED
+  vtkiPatchLight light = vtkiFindPatchLight(toSender, senderNormal.xyz, area, sunkenArea);
+#else
+  vtkiPatchLight light = vtkiPatchLight(toSender, vtkiVirtualLightStrength(toSender, senderNormal.xyz, area));
+#endif
+#ifdef VTKI_DIRECTIONS
+  light.toPlace = area < 0.0f ? toSender : light.toPlace;
+  light.strength = area < 0.0f ? 1.0f / VTKI_PI : light.strength;
+#endif
+  return light;
+}
+
+float vtkiSenderWeight(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float sunkenArea)
 {
 #ifdef VTKI_DIRECTIONS
   if (area < 0.0f)
@@ -37,8 +44,9 @@ float vtkiSenderWeight(vec3 toSender, vec3 senderNormal, vec3 normal, float area
   }
 #endif
 #ifdef VTKI_DIVIDED
-  return vtkiMeanLightWeight(toSender, senderNormal, normal, area);
+  return vtkiPatchLightWeight(
+    toSender, senderNormal.xyz, normal, area, sunkenArea);
 #else
-  return vtkiVirtualLightWeight(toSender, senderNormal, normal, area);
+  return vtkiVirtualLightWeight(toSender, senderNormal.xyz, normal, area);
 #endif
 }
