@@ -13,9 +13,10 @@
  * thousands of lights.
  *
  * The mean squared relative error is half to a thirtieth of what as many lights of
- * vtkUniformLightSampler leave, at about the same time. Approximations: a node is a disk at its
- * mean place with a quarter of its area; where a receiver's horizon cuts a node the result is too
- * dark, by up to 5 %. Maps are read back when they have changed: 10 to 40 ms. A node's depth map
+ * vtkUniformLightSampler leave, at about the same time. Approximations: a node is a patch,
+ * right up to the second order in its width over the distance; where a receiver's horizon cuts it
+ * the result is too dark, by up to 5 %, and behind thin bent sheets, within a node's width, too
+ * bright. Maps are read back when they have changed: 10 to 40 ms. A node's depth map
  * serves its branches.
  */
 
