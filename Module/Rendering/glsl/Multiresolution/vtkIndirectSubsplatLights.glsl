@@ -30,8 +30,8 @@ void vtkiFetchLight(int i, out vec4 sender, out vec4 senderNormal, out vec3 dens
 }
 
 // share: of the light as a whole, 0 where something hides it.
-void vtkiAddSeenLight(vec3 position, vec3 normal, float share, float sunkenArea, vec4 sender, vec4 senderNormal, vec3 density,
-  inout vec3 irradiance, inout vec3 vectorIrradiance)
+void vtkiAddSeenLight(vec3 position, vec3 normal, float share, float sunkenArea, vec4 sender, vec4 senderNormal,
+  vec3 density, inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
   vec3 toSender = vtkiToSender(sender, position);
   vtkiPatchLight light = vtkiFindSender(toSender, senderNormal, sender.w, sunkenArea);
@@ -68,8 +68,8 @@ bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
   division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
 #endif
   bool seen = vtkiSees(position, normal, open, light, sender, senderNormal, density, division);
-  vtkiAddSeenLight(position, normal, seen ? 1.0f - division : 0.0f, vtkiSunkenArea(senderNormal.w, sender.w), sender, senderNormal, density, irradiance,
-    vectorIrradiance);
+  vtkiAddSeenLight(position, normal, seen ? 1.0f - division : 0.0f, vtkiSunkenArea(senderNormal.w, sender.w), sender,
+    senderNormal, density, irradiance, vectorIrradiance);
   return seen && division > 0.0f;
 }
 
@@ -91,8 +91,8 @@ void vtkiAddBelow(vec3 position, vec3 normal, int light, vec4 sender, float reac
     vec3 toNode = node.xyz - position;
     bool isChild = vtkiIsChild(place);
     below = isChild ? share * vtkiDivision(dot(toNode, toNode), nodeNormal.w) : below;
-    vtkiAddSeenLight(position, normal, isChild ? share - below : below, density.w, node, nodeNormal, density.rgb, irradiance,
-      vectorIrradiance);
+    vtkiAddSeenLight(position, normal, isChild ? share - below : below, density.w, node, nodeNormal, density.rgb,
+      irradiance, vectorIrradiance);
     place = vtkiNextBranch(place, nodeNormal.w, below > 0.0f);
   }
 }

@@ -44,8 +44,7 @@ float vtkiSenderWeight(vec3 toSender, vec4 senderNormal, vec3 normal, float area
   }
 #endif
 #ifdef VTKI_DIVIDED
-  return vtkiPatchLightWeight(
-    toSender, senderNormal.xyz, normal, area, sunkenArea);
+  return vtkiPatchLightWeight(toSender, senderNormal.xyz, normal, area, sunkenArea);
 #else
   return vtkiVirtualLightWeight(toSender, senderNormal.xyz, normal, area);
 #endif
