@@ -9,6 +9,10 @@ float vtkiWeightInLobe(vec3 toSender, vec3 normalS, vec3 normalR, float area)
   return vtkiGlossyWeight(
     toSender, normalS, normalR, vtkiReceiverMirror, vtkiReceiverPower, area);
 }
+float vtkiPatchInLobe(vec3 toSender, vec3 normalS, vec3 normalR, float area, float sunkenArea)
+{
+  return vtkiWeightInLobe(toSender, normalS, normalR, area);
+}
 float vtkiDirectionInLobe(vec3 toLight, vec3 normalR)
 {
   float mirrored = dot(normalR, toLight) > 0.0f ? dot(vtkiReceiverMirror, toLight) : 0.0f;
@@ -16,5 +20,5 @@ float vtkiDirectionInLobe(vec3 toLight, vec3 normalR)
 }
 #define vtkiVirtualLightWeight vtkiWeightInLobe
 #define vtkiMeanLightWeight vtkiWeightInLobe
-#define vtkiPatchLightWeight(toSender, normalS, normalR, area, sunken) vtkiWeightInLobe(toSender, normalS, normalR, area)
+#define vtkiPatchLightWeight vtkiPatchInLobe
 #define vtkiDirectionWeight vtkiDirectionInLobe

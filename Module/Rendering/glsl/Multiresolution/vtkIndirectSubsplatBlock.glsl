@@ -104,8 +104,8 @@ bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, ve
     nearest = max(nearest, division);
     share[i] -= division;
 #endif
-    vtkiAddSeenLight(position[i], normal[i], share[i], vtkiSunkenArea(senderNormal.w, sender.w), sender, senderNormal, density, irradiance[i],
-      vectorIrradiance[i]);
+    vtkiAddSeenLight(position[i], normal[i], share[i], vtkiSunkenArea(senderNormal.w, sender.w), sender, senderNormal,
+      density, irradiance[i], vectorIrradiance[i]);
   }
   return nearest > 0.0f;
 }
