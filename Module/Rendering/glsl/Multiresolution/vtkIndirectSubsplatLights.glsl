@@ -34,7 +34,7 @@ void vtkiAddSeenLight(vec3 position, vec3 normal, float share, float sunkenArea,
   vec3 density, inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
   vec3 toSender = vtkiToSender(sender, position);
-  vtkiPatchLight light = vtkiFindSender(toSender, senderNormal, sender.w, sunkenArea);
+  vtkiPatchLight light = vtkiFindSender(toSender, senderNormal, normal, sender.w, sunkenArea);
   float cosine = dot(normal, light.toPlace);
   float strength = cosine > 0.0f ? share * light.strength : 0.0f;
   irradiance += (strength * cosine) * density;
@@ -49,7 +49,7 @@ bool vtkiSees(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec
 #ifdef VTKI_VISIBILITY
   // Nothing to walk where there is nothing to get.
   vec3 toSender = vtkiToSender(sender, position);
-  vtkiPatchLight sent = vtkiFindSender(toSender, senderNormal, sender.w, sender.w);
+  vtkiPatchLight sent = vtkiFindSender(toSender, senderNormal, normal, sender.w, sender.w);
   bool lit = max(max(density.r, density.g), density.b) > 0.0f &&
     (division > 0.0f || (dot(normal, sent.toPlace) > 0.0f && sent.strength > 0.0f));
   return vtkiIsSenderVisible(light, open, position, normal, sender, senderNormal.xyz, lit);

@@ -21,10 +21,10 @@ float vtkiSunkenArea(float reach, float area)
 
 // What arrives of a light: times the receiver's cosine and the density it is the irradiance; see
 // vtkiVirtualLightStrength. Only lights with branches (VTKI_DIVIDED) stand for patches of surfaces.
-vtkiPatchLight vtkiFindSender(vec3 toSender, vec4 senderNormal, float area, float sunkenArea)
+vtkiPatchLight vtkiFindSender(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float sunkenArea)
 {
 #ifdef VTKI_DIVIDED
-  vtkiPatchLight light = vtkiFindPatchLight(toSender, senderNormal.xyz, area, sunkenArea);
+  vtkiPatchLight light = vtkiFindPatchLight(toSender, senderNormal.xyz, normal, area, sunkenArea);
 #else
   vtkiPatchLight light = vtkiPatchLight(toSender, vtkiVirtualLightStrength(toSender, senderNormal.xyz, area));
 #endif

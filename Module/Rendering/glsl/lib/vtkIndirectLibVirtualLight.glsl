@@ -76,16 +76,19 @@ struct vtkiPatchLight
  *   The mean over the patch then adds variance / 2 times the Laplacian along it, of (n H)(m w) / (pi R^4) with w the
  * way to the place and R its length: w (1 + b) - b H n in place of w, times 1 - 3 t, where b = 4 variance / R^2 and
  * t = b H^2 / R^2. 1 / ((1 + t) (1 + 2 t)) is positive and the same in the first order.
- *   Nothing arrives behind the patch: so that this is no step, it sinks over the first twenty-fifth of the depth. Where
- * normals differ some light arrives there, the more the deeper it lies (too bright behind thin sheets). */
-vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, float area, float sunkenArea)
+ *   Nothing arrives behind the patch: so that this is no step, it sinks over the first thousandth of the depth, by
+ * which pixels on a crease are before it, or, if the receiver faces it, over a tenth: it may be the other side of a thin
+ * sheet. Where normals differ some light arrives behind it too (too bright there). */
+vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float sunkenArea)
 {
   float r2 = dot(toSender, toSender);
   float height = vtkiMeanProjection(toSender, normalS, r2);
   float height2 = height * height;
   float a2 = sunkenArea / VTKI_PI;
   float added2 = a2 * a2 / max(a2 + height2, 1.0e-30f);
-  float lifted = min(sqrt(height2 + added2), 25.0f * height);
+  float before = max(-dot(normalS, toSender), 0.0f);
+  float across = max(1.0f + 2.0f * dot(normalS, normalR), 0.0f);
+  float lifted = min(sqrt(height2 + added2), 10.0f * height + min(across, 1.0f) * (15.0f * height + 1000.0f * before));
   float depth = lifted - height;
   float over = 1.0f / max(r2 + added2, 1.0e-18f);
   float b = area / 3.0f * over;
@@ -100,7 +103,7 @@ vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, float area, float
 /* The weight, as vtkiMeanLightWeight. */
 float vtkiPatchLightWeight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float sunkenArea)
 {
-  vtkiPatchLight light = vtkiFindPatchLight(toSender, normalS, area, sunkenArea);
+  vtkiPatchLight light = vtkiFindPatchLight(toSender, normalS, normalR, area, sunkenArea);
   return max(dot(normalR, light.toPlace), 0.0f) * light.strength;
 }
 
