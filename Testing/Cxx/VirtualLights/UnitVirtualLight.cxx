@@ -221,8 +221,12 @@ VTK_INDIRECT_TEST(PatchesOfPlanes)
     {
       CheckRelative(
         "a wall" + at, sum(vec3(place, 0.0f, height), along, 0, patch), 0.5, 0.08, rest);
-      CheckRelative(
-        "a plane" + at, sum(vec3(place, place, height), -normal, -rows, patch), 1.0, 0.08, rest);
+      // Receivers that face it and are nearer may be on the other side of a sheet.
+      if (height > 0.1f)
+      {
+        CheckRelative(
+          "a plane" + at, sum(vec3(place, place, height), -normal, -rows, patch), 1.0, 0.08, rest);
+      }
     }
   }
   CheckAtMost("a wall at 0.02 by the kernel of the axis",
