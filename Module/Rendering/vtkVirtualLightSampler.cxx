@@ -57,7 +57,9 @@ vtkIndirectTarget& vtkVirtualLightSampler::BeginChange()
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualLightSampler::Fill(vtkIndirectTarget& table, const std::vector<Row>& rows)
+// source: of lights; below zero: these are branches.
+void vtkVirtualLightSampler::Fill(
+  vtkIndirectTarget& table, const std::vector<Row>& rows, double source)
 {
   const size_t places = static_cast<size_t>(table.GetWidth()) * table.GetHeight();
   std::vector<float> channels[3];
@@ -79,7 +81,7 @@ void vtkVirtualLightSampler::Fill(vtkIndirectTarget& table, const std::vector<Ro
     const Row& light = i < rows.size() ? rows[i] : empty;
     add(PositionArea, light.Position, light.Area);
     add(NormalReach, light.Normal, light.Reach);
-    add(DensityArea, light.DensityArea, light.SunkenArea);
+    add(DensityArea, light.DensityArea, source < 0.0 ? light.SunkenArea : source);
   }
   for (int channel = 0; channel < 3; ++channel)
   {
@@ -98,7 +100,8 @@ bool vtkVirtualLightSampler::Write(
   {
     return false;
   }
-  Fill(this->BeginChange(), lights);
+  // Those of VTK have the numbers before.
+  Fill(this->BeginChange(), lights, static_cast<double>(frame.Lights.size()));
   if (!this->WriteLobes(frame.Window, lights))
   {
     return false;
@@ -117,7 +120,7 @@ bool vtkVirtualLightSampler::Write(
   {
     return false;
   }
-  Fill(*this->Branches, branches);
+  Fill(*this->Branches, branches, -1.0);
   return true;
 }
 

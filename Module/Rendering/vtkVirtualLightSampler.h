@@ -70,7 +70,8 @@ public:
   {
     PositionArea, // scene units; or unit direction to the light, minus its solid angle
     NormalReach,  // of the sender, unit; distance within which its branches are summed, 0: none
-    DensityArea   // reflected radiance times area, or radiance times solid angle; source
+    DensityArea   // reflected radiance times area, or radiance times solid angle; source, or of
+                  // branches the sunken area (vtkiFindPatchLight)
   };
   /** Channels of the table of lobes, a texel a light; lights without a lobe have no density. */
   enum LobeChannel
@@ -157,7 +158,7 @@ public:
     double Normal[3];
     double DensityArea[3];
     double Reach = 0.0;
-    double SunkenArea = 0.0;
+    double SunkenArea = 0.0; // of a branch
     /** Unit; what follows is the lobe's, and without density there is none. */
     double LobeDirection[3] = { 0.0, 0.0, 1.0 };
     double LobeExponent = 0.0;
@@ -195,7 +196,7 @@ private:
   void operator=(const vtkVirtualLightSampler&) = delete;
 
 #ifndef __VTK_WRAP__
-  static void Fill(vtkIndirectTarget& table, const std::vector<Row>& rows);
+  static void Fill(vtkIndirectTarget& table, const std::vector<Row>& rows, double source);
   bool WriteLobes(vtkOpenGLRenderWindow* window, const std::vector<Row>& lights);
 #endif
   void ReleaseBranches(vtkWindow* window);

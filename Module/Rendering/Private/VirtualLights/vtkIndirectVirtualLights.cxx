@@ -255,8 +255,14 @@ void vtkIndirectVirtualLights::CopyLights(const vtkIndirectFrame& frame, vtkImag
 void vtkIndirectVirtualLights::CopyBranches(
   const vtkIndirectFrame& frame, vtkImageData* image) const
 {
-  Copy(
-    frame, *this->CurrentBranches, vtkIndirectKernels::VTKI_BRANCHES * this->NumberOfLights, image);
+  const int count = vtkIndirectKernels::VTKI_BRANCHES * this->NumberOfLights;
+  Copy(frame, *this->CurrentBranches, count, image);
+  auto* out = static_cast<float*>(image->GetScalarPointer());
+  for (int i = 0; i < count; ++i)
+  {
+    float& sunkenArea = out[12 * i + 11];
+    sunkenArea = static_cast<float>(sunkenArea / frame.SceneScale / frame.SceneScale);
+  }
 }
 
 //------------------------------------------------------------------------------
