@@ -27,6 +27,30 @@ using namespace contract;
 
 namespace
 {
+// Five spheres of a mapper beside each other.
+struct RowOfSpheres
+{
+  vtkNew<vtkPolyData> Data;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkActor> Actor;
+
+  RowOfSpheres()
+  {
+    vtkNew<vtkCellArray> cells;
+    for (vtkIdType i = 0; i < 5; ++i)
+    {
+      this->Points->InsertNextPoint(0.1 + 0.2 * static_cast<double>(i), 0.2, 0.5);
+      cells->InsertNextCell(1, &i);
+    }
+    this->Data->SetPoints(this->Points);
+    this->Data->SetVerts(cells);
+    vtkNew<vtkOpenGLSphereMapper> mapper;
+    mapper->SetInputData(this->Data);
+    mapper->SetRadius(0.1f);
+    this->Actor->SetMapper(mapper);
+  }
+};
+
 double GetResidentMegabytes()
 {
   std::ifstream statm("/proc/self/statm");
@@ -123,22 +147,8 @@ VTK_INDIRECT_TEST(ToggleSphereMotion)
   AddRoomSurfaces(view.Renderer);
   view.Renderer->RemoveAllViewProps();
   view.Renderer->AddActor(MakeQuad({ 0, 0, 1 }, { 1, 0, 1 }, { 0, 0, 0 }));
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> cells;
-  for (vtkIdType i = 0; i < 5; ++i)
-  {
-    points->InsertNextPoint(0.1 + 0.2 * static_cast<double>(i), 0.2, 0.5);
-    cells->InsertNextCell(1, &i);
-  }
-  data->SetPoints(points);
-  data->SetVerts(cells);
-  vtkNew<vtkOpenGLSphereMapper> mapper;
-  mapper->SetInputData(data);
-  mapper->SetRadius(0.1f);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  view.Renderer->AddActor(actor);
+  RowOfSpheres row;
+  view.Renderer->AddActor(row.Actor);
   vtkNew<vtkEnvironmentLight> sky;
   vtkNew<vtkIndirectIlluminationPass> pass;
   Names first[3];
@@ -150,9 +160,9 @@ VTK_INDIRECT_TEST(ToggleSphereMotion)
     pass->SetEnvironment(sky);
     for (int frame = 0; frame < 4; ++frame)
     {
-      points->SetPoint(0, 0.1, 0.2 + 0.02 * frame, 0.5);
-      points->Modified();
-      data->Modified();
+      row.Points->SetPoint(0, 0.1, 0.2 + 0.02 * frame, 0.5);
+      row.Points->Modified();
+      row.Data->Modified();
       view.Window->Render();
     }
     CONTRACT_CHECK(!Report(pass).FindReason("modelled", "sky by spheres").empty(), "no spheres");
@@ -182,22 +192,8 @@ VTK_INDIRECT_TEST(ToggleSphereBlockers)
 {
   View view(64, 48);
   AddRoom(view.Renderer);
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> cells;
-  for (vtkIdType i = 0; i < 5; ++i)
-  {
-    points->InsertNextPoint(0.1 + 0.2 * static_cast<double>(i), 0.2, 0.5);
-    cells->InsertNextCell(1, &i);
-  }
-  data->SetPoints(points);
-  data->SetVerts(cells);
-  vtkNew<vtkOpenGLSphereMapper> mapper;
-  mapper->SetInputData(data);
-  mapper->SetRadius(0.1f);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  view.Renderer->AddActor(actor);
+  RowOfSpheres row;
+  view.Renderer->AddActor(row.Actor);
   vtkNew<vtkIndirectIlluminationPass> pass;
   pass->SetVisibilityToVoxels();
   vtkNew<vtkRSMGatherPass> gather;
@@ -208,7 +204,7 @@ VTK_INDIRECT_TEST(ToggleSphereBlockers)
   {
     Names names[3];
     view.Renderer->SetPass(pass);
-    actor->SetPropertyKeys(nullptr);
+    row.Actor->SetPropertyKeys(nullptr);
     view.Window->Render();
     CONTRACT_CHECK(Report(pass)
                      .FindReason("modelled", "visibility between sender and receiver")
@@ -217,7 +213,7 @@ VTK_INDIRECT_TEST(ToggleSphereBlockers)
     names[0] = CountNames(view.Window);
     // They are drawn still.
     keys->Set(vtkIndirectIlluminationPass::CASTS_SHADOWS(), 0);
-    actor->SetPropertyKeys(keys);
+    row.Actor->SetPropertyKeys(keys);
     view.Window->Render();
     names[1] = CountNames(view.Window);
     view.Renderer->SetPass(nullptr);

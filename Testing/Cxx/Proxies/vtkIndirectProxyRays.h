@@ -3,18 +3,15 @@
 #ifndef vtkIndirectProxyRays_h
 #define vtkIndirectProxyRays_h
 
+#include "vtkIndirectBalls.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
-#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironmentLight.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkOpenGLSphereMapper.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkProxyAccumulationPass.h"
@@ -25,12 +22,6 @@
 namespace vtkIndirectTest
 {
 const glm::dvec3 White(0.8);
-
-struct Ball
-{
-  glm::dvec3 Center;
-  double Radius;
-};
 
 // A ground at y = 0, seen from above, and spheres over it, from points.
 struct ProxyScene : Scene
@@ -60,23 +51,7 @@ struct ProxyScene : Scene
   }
   ~ProxyScene() { this->Pass->SetEnvironment(nullptr); }
 
-  void SetBalls(const std::vector<Ball>& balls)
-  {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    vtkNew<vtkFloatArray> sizes;
-    sizes->SetName("size");
-    vtkNew<vtkCellArray> cells;
-    for (const Ball& ball : balls)
-    {
-      const vtkIdType id = points->InsertNextPoint(ball.Center.x, ball.Center.y, ball.Center.z);
-      sizes->InsertNextValue(static_cast<float>(ball.Radius));
-      cells->InsertNextCell(1, &id);
-    }
-    this->Points->SetPoints(points);
-    this->Points->SetVerts(cells);
-    this->Points->GetPointData()->AddArray(sizes);
-  }
+  void SetBalls(const std::vector<Ball>& balls) { vtkIndirectTest::SetBalls(this->Points, balls); }
 };
 
 // Not on top of a sphere, whose places are at a distance.

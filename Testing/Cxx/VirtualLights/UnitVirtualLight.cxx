@@ -210,7 +210,7 @@ VTK_INDIRECT_TEST(PatchesOfPlanes)
   auto patch = [](const vec3& d, const vec3& n, const vec3& m)
   { return double(vtkiPatchLightWeight(d, n, m, 1.0f, 1.0f)); };
   auto onAxis = [](const vec3& d, const vec3& n, const vec3& m)
-  { return double(vtkiMeanLightWeight(d, n, m, 1.0f)); };
+  { return double(vtkiVirtualLightWeight(d, n, m, 1.0f)); };
   const vec3 along(0.0f, 1.0f, 0.0f);
   const char* rest =
     "0.075 where patches end beside the receiver, measured; 0.005 beyond 200 of them";
@@ -303,7 +303,7 @@ VTK_INDIRECT_TEST(PatchLimits)
     if (r > 1e3 * radius && before > 0.1 && facing > 0.1)
     {
       const double ratio = double(vtkiPatchLightWeight(d, unit, normalR, area, sunken)) /
-        vtkiMeanLightWeight(d, unit, normalR, area);
+        vtkiVirtualLightWeight(d, unit, normalR, area);
       far = std::max(far, std::abs(ratio - 1.0));
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference with exact visibility: penumbrae of closed forms, walls that let nothing through,
 // rooms that hide nothing, and the same picture at every scale.
-#include "vtkIndirectTestUtilities.h"
+#include "vtkIndirectVisibilityScene.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -72,16 +72,6 @@ struct ExactScene : Scene
     this->SetEye(at(0.1, 0.13, 1.8), at(2.7, 1.9, 0.5), { 0, 0, 1 }, 75.0, 0.05 * scale, 9 * scale);
   }
 };
-
-double RootMeanSquare(const Image& a, const Image& b)
-{
-  double sum = 0.0;
-  for (size_t i = 0; i < a.Values.size(); ++i)
-  {
-    sum += std::pow(double(a.Values[i]) - b.Values[i], 2.0);
-  }
-  return std::sqrt(sum / a.Values.size()) / b.Mean();
-}
 
 // Pixels whose values differ by more than a share of the mean.
 int CountOthers(const Image& a, const Image& b, double share)

@@ -2,7 +2,7 @@
 // Occupancy of the estimators that sum over virtual lights: what is hidden is dark, what is not
 // keeps its light, and every estimator sees the same.
 #include "vtkIndirectDetails.h"
-#include "vtkIndirectTestUtilities.h"
+#include "vtkIndirectVisibilityScene.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -26,32 +26,15 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-struct VisibilityScene : Scene
+struct OccupancyScene : VisibilityScene
 {
-  vtkNew<vtkMultiresolutionSplattingPass> Splatting;
-  vtkNew<vtkRSMReferencePass> Reference;
-
-  VisibilityScene(int width, int height)
-    : Scene(width, height)
-  {
-    this->Gather->SetModeToVirtualLights();
-    this->Gather->InterpolationOff();
-    this->Splatting->SetPlaneThreshold(0.0); // every pixel for itself
-    SET_DETAIL(this->Splatting, HalfFloats, false);
-    this->Reference->SetModeToVirtualLights();
-    this->Sampler->SetNumberOfLights(256);
-    this->Pass->SetReflectiveShadowMapResolution(128);
-  }
-  ~VisibilityScene() { this->Pass->SetEstimator(nullptr); }
+  using VisibilityScene::VisibilityScene;
 
   Image Measure(vtkIndirectEstimatorPass* estimator, bool occupancy)
   {
     estimator->SetOccupancy(occupancy);
-    this->Pass->SetEstimator(estimator);
-    this->Pass->SetVisibility(
-      occupancy ? vtkIndirectIlluminationPass::AUTO : vtkIndirectIlluminationPass::NONE);
-    this->Render();
-    return this->Copy("irradiance");
+    return this->VisibilityScene::Measure(
+      estimator, occupancy ? vtkIndirectIlluminationPass::AUTO : vtkIndirectIlluminationPass::NONE);
   }
 };
 
@@ -75,18 +58,8 @@ void AddRoom(Scene& scene, const glm::dvec3& size, double angle, double scale = 
   scene.AddQuad(at(0, 0, 0), at(0, 0, z), at(x, 0, 0), white);
 }
 
-double RootMeanSquare(const Image& a, const Image& b)
-{
-  double sum = 0.0;
-  for (size_t i = 0; i < a.Values.size(); ++i)
-  {
-    sum += std::pow(double(a.Values[i]) - b.Values[i], 2.0);
-  }
-  return std::sqrt(sum / a.Values.size()) / b.Mean();
-}
-
 // A room with blocks that hide much of it, seen from one of its corners.
-void AddBlocks(VisibilityScene& scene, double scale, const glm::dvec3& place)
+void AddBlocks(OccupancyScene& scene, double scale, const glm::dvec3& place)
 {
   auto at = [&](double x, double y, double z) { return place + scale * glm::dvec3(x, y, z); };
   AddRoom(scene, { 4.03, 3.01, 2.02 }, 0.0, scale, place);
@@ -106,7 +79,7 @@ VTK_INDIRECT_TEST(OccupancyConvexRoom)
   for (double angle : { 0.0, 31.0 })
   {
     const std::string what = "room turned by " + std::to_string(static_cast<int>(angle)) + ": ";
-    VisibilityScene scene(96, 72);
+    OccupancyScene scene(96, 72);
     AddRoom(scene, { 4.03, 3.01, 2.02 }, angle);
     const double c = std::cos(vtkMath::RadiansFromDegrees(angle));
     const double s = std::sin(vtkMath::RadiansFromDegrees(angle));
@@ -134,7 +107,7 @@ VTK_INDIRECT_TEST(OccupancyConvexRoom)
 VTK_INDIRECT_TEST(OccupancySphere)
 {
   // From inside a ball every part sees every other.
-  VisibilityScene scene(48, 48);
+  OccupancyScene scene(48, 48);
   scene.AddSphere(glm::dvec3(0.0), 2.0, 96, glm::dvec3(0.7));
   scene.AddPoint(glm::dvec3(0.0), { 0.0, 0.0, 1.0 });
   scene.SetEye({ 0, 0, 0 }, { 1, 0.3, 0.2 }, { 0, 0, 1 }, 90.0, 0.1, 10.0);
@@ -149,7 +122,7 @@ VTK_INDIRECT_TEST(OccupancyTwoRooms)
   // A wall a fifth of a voxel thick, straight and slanted, between a lit room and a dark one.
   for (double slant : { 0.0, 0.4 })
   {
-    VisibilityScene scene(96, 48);
+    OccupancyScene scene(96, 48);
     AddRoom(scene, { 4.03, 2.0, 2.0 }, 0.0);
     for (double x : { 2.02, 2.03 })
     {
@@ -193,7 +166,7 @@ VTK_INDIRECT_TEST(OccupancyTwoRooms)
 VTK_INDIRECT_TEST(OccupancyExact)
 {
   // Against the same lights and segments that are cut with every triangle of the scene.
-  VisibilityScene scene(40, 30);
+  OccupancyScene scene(40, 30);
   AddBlocks(scene, 1.0, glm::dvec3(0.0));
   const Image open = scene.Measure(scene.Gather, false);
   const Image seen = scene.Measure(scene.Gather, true);
@@ -270,7 +243,7 @@ VTK_INDIRECT_TEST(OccupancyExact)
 VTK_INDIRECT_TEST(OccupancySame)
 {
   // The shader's walk and the processor's, at every pixel and through subsplats of one pixel.
-  VisibilityScene scene(40, 30);
+  OccupancyScene scene(40, 30);
   AddBlocks(scene, 1.0, glm::dvec3(0.0));
   const Image exact = scene.Measure(scene.Reference, true);
   const Image open = scene.Measure(scene.Reference, false);
@@ -298,7 +271,7 @@ VTK_INDIRECT_TEST(OccupancySame)
 VTK_INDIRECT_TEST(OccupancySubsplats)
 {
   // Where lights become visible the picture has edges that no surface has.
-  VisibilityScene scene(160, 120);
+  OccupancyScene scene(160, 120);
   AddBlocks(scene, 1.0, glm::dvec3(0.0));
   const Image full = scene.Measure(scene.Gather, true);
   vtkNew<vtkMultiresolutionSplattingPass> defaults;
@@ -315,7 +288,7 @@ VTK_INDIRECT_TEST(OccupancySubsplats)
 VTK_INDIRECT_TEST(OccupancyManyLights)
 {
   // More than a shader of any OpenGL can ask for in one draw: sums of several.
-  VisibilityScene scene(24, 18);
+  OccupancyScene scene(24, 18);
   AddBlocks(scene, 1.0, glm::dvec3(0.0));
   scene.Sampler->SetNumberOfLights(2500);
   const Image expected = scene.Measure(scene.Reference, true);
@@ -348,7 +321,7 @@ VTK_INDIRECT_TEST(OccupancyScales)
     { std::pair(1.0, glm::dvec3(0.0)), std::pair(1e-9, glm::dvec3(0.0)),
       std::pair(1e9, glm::dvec3(0.0)), std::pair(1.0, glm::dvec3(1e4, -3e4, 2e4)) })
   {
-    VisibilityScene scene(48, 36);
+    OccupancyScene scene(48, 36);
     AddBlocks(scene, scale, place);
     const Image image = scene.Measure(scene.Gather, true);
     if (first.Values.empty())
@@ -364,7 +337,7 @@ VTK_INDIRECT_TEST(OccupancyScales)
 
 VTK_INDIRECT_TEST(OccupancyUpdates)
 {
-  VisibilityScene scene(48, 36);
+  OccupancyScene scene(48, 36);
   AddRoom(scene, { 4.03, 3.01, 2.02 }, 0.0);
   vtkActor* wall = scene.AddBox({ 1.9, 0.5, 0.02 }, { 2.0, 2.5, 2.0 }, glm::dvec3(0.7));
   scene.AddPoint({ 0.7, 1.4, 1.1 }, { 0.0, 0.0, 1.0 });
@@ -400,7 +373,7 @@ VTK_INDIRECT_TEST(OccupancyUpdates)
 VTK_INDIRECT_TEST(OccupancyThinPlate)
 {
   // A plate a hundredth of a voxel thick in mid-air: each side sees what is before it.
-  VisibilityScene scene(32, 32);
+  OccupancyScene scene(32, 32);
   scene.AddQuad({ -2, -2, 2 }, { -2, 2, 2 }, { 2, -2, 2 }, glm::dvec3(0.8)); // ceiling
   scene.AddQuad({ -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, glm::dvec3(0.8));
   scene.AddQuad({ -1, -1, -3e-4 }, { -1, 1, -3e-4 }, { 1, -1, -3e-4 }, glm::dvec3(0.8));
@@ -421,7 +394,7 @@ VTK_INDIRECT_TEST(OccupancyThinPlate)
 VTK_INDIRECT_TEST(OccupancyNothing)
 {
   // Without polygons there is nothing to look up; the report says so.
-  VisibilityScene scene(16, 16);
+  OccupancyScene scene(16, 16);
   scene.Gather->OccupancyOn();
   scene.Render();
   scene.AddQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, glm::dvec3(0.5));

@@ -2,13 +2,12 @@
 // What mappers draw as spheres hides senders where voxels are asked: held to rays, light by light,
 // in double precision.
 #include "Visibility/vtkIndirectSphereGrid.h"
+#include "vtkIndirectBalls.h"
 #include "vtkIndirectDetails.h"
-#include "vtkIndirectTestUtilities.h"
+#include "vtkIndirectVisibilityScene.h"
 
 #include "vtkActor.h"
-#include "vtkCellArray.h"
 #include "vtkCubeSource.h"
-#include "vtkFloatArray.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkIndirectEstimatorPass.h"
 #include "vtkInformation.h"
@@ -17,9 +16,7 @@
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkPlane.h"
-#include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRSMGatherPass.h"
@@ -35,12 +32,6 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-struct Ball
-{
-  glm::dvec3 Center;
-  double Radius;
-};
-
 // What is drawn of points by a mapper of its own.
 struct Balls
 {
@@ -64,48 +55,18 @@ struct Balls
   void Set(const std::vector<Ball>& balls)
   {
     this->All = balls;
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    vtkNew<vtkFloatArray> sizes;
-    sizes->SetName("size");
-    vtkNew<vtkCellArray> cells;
-    for (const Ball& ball : balls)
-    {
-      const vtkIdType id = points->InsertNextPoint(ball.Center.x, ball.Center.y, ball.Center.z);
-      sizes->InsertNextValue(static_cast<float>(ball.Radius));
-      cells->InsertNextCell(1, &id);
-    }
-    this->Points->SetPoints(points);
-    this->Points->SetVerts(cells);
-    this->Points->GetPointData()->AddArray(sizes);
+    SetBalls(this->Points, balls);
   }
 };
 
-struct SegmentScene : Scene
+struct SegmentScene : VisibilityScene
 {
-  vtkNew<vtkMultiresolutionSplattingPass> Splatting;
-  vtkNew<vtkRSMReferencePass> Reference;
-
-  SegmentScene(int width, int height)
-    : Scene(width, height)
-  {
-    this->Gather->SetModeToVirtualLights();
-    this->Gather->InterpolationOff();
-    this->Splatting->SetPlaneThreshold(0.0); // every pixel for itself
-    SET_DETAIL(this->Splatting, HalfFloats, false);
-    this->Reference->SetModeToVirtualLights();
-    this->Sampler->SetNumberOfLights(256);
-    this->Pass->SetReflectiveShadowMapResolution(128);
-  }
-  ~SegmentScene() { this->Pass->SetEstimator(nullptr); }
+  using VisibilityScene::VisibilityScene;
 
   Image Measure(vtkIndirectEstimatorPass* estimator, bool voxels)
   {
-    this->Pass->SetEstimator(estimator);
-    this->Pass->SetVisibility(
-      voxels ? vtkIndirectIlluminationPass::VOXELS : vtkIndirectIlluminationPass::NONE);
-    this->Render();
-    return this->Copy("irradiance");
+    return this->VisibilityScene::Measure(
+      estimator, voxels ? vtkIndirectIlluminationPass::VOXELS : vtkIndirectIlluminationPass::NONE);
   }
   Image MeasureReference(int visibility)
   {
@@ -125,16 +86,6 @@ struct SegmentScene : Scene
     this->SetEye(at(0.0, -4.0, 1.2), at(0, 0, 0.2), { 0, 0, 1 }, 40.0, 0.5 * scale, 9.0 * scale);
   }
 };
-
-double RootMeanSquare(const Image& a, const Image& b)
-{
-  double sum = 0.0;
-  for (size_t i = 0; i < a.Values.size(); ++i)
-  {
-    sum += std::pow(double(a.Values[i]) - b.Values[i], 2.0);
-  }
-  return std::sqrt(sum / a.Values.size()) / b.Mean();
-}
 
 // Whether a ball stands between two places, neither of which is in it: by the nearest place of the
 // segment.
