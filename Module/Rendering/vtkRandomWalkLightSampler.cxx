@@ -43,8 +43,8 @@ constexpr int FewerWhileMoving = 4;
 constexpr int MostVertices = 1048576;
 
 // The area by which later vertices are smoothed over theirs, in a tree of so many: places are
-// random, and with less those beside a crease would show one by one. It costs rooms 1 % of their
-// light.
+// random, and with less those beside a crease would show one by one. It costs rooms half a per cent
+// of their light.
 double FindSmoothing(int vertices)
 {
   return 12.0 * std::sqrt(8192.0 / vertices);

@@ -214,10 +214,9 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
   {
     return false;
   }
-  const std::string definitions = "#define VTKI_PROXY_SENDERS\n";
   if (UsesTiles())
   {
-    if (!this->SumInTiles(input, definitions, this->SenderLight, SENDERS))
+    if (!this->SumInTiles(input, "#define VTKI_PROXY_SENDERS\n", this->SenderLight, SENDERS))
     {
       return false;
     }
@@ -227,8 +226,8 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
     vtkIndirectFullScreenProgram& kernel = i == 0 ? this->Sending : this->Averaging;
     vtkIndirectTarget& target = i == 0 ? this->SenderLight : this->AllLight;
     kernel.SetDefinitions(i > 0 ? "#define VTKI_PROXY_MEANS\n"
-        : this->HasGroups       ? definitions + "#define VTKI_PROXY_TREE\n"
-                                : definitions);
+        : this->HasGroups       ? "#define VTKI_PROXY_TREE\n"
+                                : "");
     vtkShaderProgram* program = kernel.Use(window);
     if (!program)
     {

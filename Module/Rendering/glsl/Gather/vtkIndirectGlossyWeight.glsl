@@ -19,6 +19,5 @@ float vtkiDirectionInLobe(vec3 toLight, vec3 normalR)
   return mirrored > 0.0f ? pow(min(mirrored, 1.0f), vtkiReceiverPower) / VTKI_PI : 0.0f;
 }
 #define vtkiVirtualLightWeight vtkiWeightInLobe
-#define vtkiMeanLightWeight vtkiWeightInLobe
 #define vtkiPatchLightWeight vtkiPatchInLobe
 #define vtkiDirectionWeight vtkiDirectionInLobe

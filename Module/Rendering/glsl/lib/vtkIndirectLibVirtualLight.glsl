@@ -46,18 +46,12 @@ float vtkiMeanProjection(vec3 toSender, vec3 normalS, float r2)
   return 0.5f * (projected + sqrt(projected * projected + vtkiSpreadOfNormals(normalS) * r2));
 }
 
-/* vtkiVirtualLightStrength and vtkiVirtualLightWeight of a light that stands for surfaces whose mean normal is
- * normalS. */
+/* vtkiVirtualLightStrength of a light that stands for surfaces whose mean normal is normalS. */
 float vtkiMeanLightStrength(vec3 toSender, vec3 normalS, float area)
 {
   float r2 = dot(toSender, toSender);
   float denominator = r2 * (VTKI_PI * r2 + area);
   return denominator > 0.0f ? vtkiMeanProjection(toSender, normalS, r2) / denominator : 0.0f;
-}
-
-float vtkiMeanLightWeight(vec3 toSender, vec3 normalS, vec3 normalR, float area)
-{
-  return max(dot(normalR, toSender), 0.0f) * vtkiMeanLightStrength(toSender, normalS, area);
 }
 
 /* A light that stands for a patch of a surface, to receivers that may be near to it. */
@@ -100,7 +94,7 @@ vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, flo
   return light;
 }
 
-/* The weight, as vtkiMeanLightWeight. */
+/* The weight, as vtkiVirtualLightWeight. */
 float vtkiPatchLightWeight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float sunkenArea)
 {
   vtkiPatchLight light = vtkiFindPatchLight(toSender, normalS, normalR, area, sunkenArea);
