@@ -66,8 +66,8 @@ VTK_INDIRECT_TEST(DepthTileDepths)
   CheckAtMost("depths come back from the buffer", worst, 1.3e-4, "steps of a float times 2048");
 }
 
-// A receiver is seen where what is stored is not nearer than its plane there, or, nearer to the
-// emitter's horizon than the tile reaches, than its distance to the side; in doubles.
+// A receiver is seen where what is stored is not nearer than its plane there, or than itself: nearer
+// to the emitter's horizon than the tile reaches, than its distance to the side; in doubles.
 VTK_INDIRECT_TEST(DepthTilePlanes)
 {
   Random random(11);
@@ -85,8 +85,9 @@ VTK_INDIRECT_TEST(DepthTilePlanes)
     const double along = glm::dot(n, ray);
     const bool inside = p.z >= border;
     const bool plane = facing < 0.0 && along < 0.0;
-    const double mine = !inside ? (1.0 - VTKI_TILE_BORDER) * border
-                                : (plane ? std::min(facing / along, p.z) : p.z) - bias * p.z;
+    const double held = std::max(p.z, border);
+    const double mine = std::min((1.0 - (inside ? bias : VTKI_TILE_BORDER)) * held,
+      plane ? facing / along - bias * held : held);
     const bool expected = p.z <= VTKI_TILE_NEAR || stored >= mine;
     ++counts[inside ? 1 : 0][plane ? 1 : 0][expected ? 1 : 0];
     const bool found = vtkiIsSeenInPerspectiveTile(static_cast<float>(1.0 / stored),

@@ -18,6 +18,11 @@ namespace
 // ends of half a scene.
 constexpr double NormalLength = 0.25;
 
+// How far before its mean a cluster is looked at from, in standard deviations of its places. What is
+// seen of folds, organs and atoms is what lies in front: from their mean, in a furrow, they would
+// send light into the furrow alone. It is about how far the higher one of two random places is.
+constexpr double Forward = 0.5;
+
 // What is left of a mean normal at least, so that it has a direction.
 constexpr double LeastNormal = 0.01;
 
@@ -206,6 +211,14 @@ vtkIndirectSenderClusters::Cluster vtkIndirectSenderClusters::Measure(
 //------------------------------------------------------------------------------
 uint32_t vtkIndirectSenderClusters::FindMiddle(const Cluster& cluster) const
 {
+  const glm::dvec3 normal(cluster.Mean[3], cluster.Mean[4], cluster.Mean[5]);
+  const double length = glm::length(normal);
+  const double forward = length > 0.0 ? Forward * std::sqrt(cluster.Spread) / length : 0.0;
+  double wanted[NumberOfAxes];
+  for (int axis = 0; axis < NumberOfAxes; ++axis)
+  {
+    wanted[axis] = cluster.Mean[axis] + (axis < 3 ? forward * normal[axis] : 0.0);
+  }
   uint32_t middle = this->Entries[cluster.Begin].Sender;
   double nearest = -1.0;
   for (size_t i = cluster.Begin; i < cluster.End; ++i)
@@ -213,7 +226,7 @@ uint32_t vtkIndirectSenderClusters::FindMiddle(const Cluster& cluster) const
     double distance = 0.0;
     for (int axis = 0; axis < NumberOfAxes; ++axis)
     {
-      const double x = this->Entries[i].Coordinates[axis] - cluster.Mean[axis];
+      const double x = this->Entries[i].Coordinates[axis] - wanted[axis];
       distance += x * x;
     }
     if (nearest < 0.0 || distance < nearest)

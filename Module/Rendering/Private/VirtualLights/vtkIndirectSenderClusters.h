@@ -6,7 +6,7 @@
 //
 // Texels are divided, always those whose light lies farthest from its mean, by place and normal
 // alike, until there are as many clusters as lights. A cluster's light is the sum of its texels',
-// so no light is lost; it comes from the texel nearest to its mean.
+// so no light is lost; it comes from a texel near its mean, a little before it.
 //
 // Which texels are together follows how much light each map has in steps only: a sky that changes a
 // little moves no virtual light, so that what is kept by their places stays.
@@ -111,7 +111,7 @@ private:
   {
     size_t Begin = 0; // of entries
     size_t End = 0;
-    uint32_t Middle = 0; // the sender nearest to the mean
+    uint32_t Middle = 0; // the sender nearest to the mean, or to half a deviation before it
     double Mean[NumberOfAxes] = {};
     int Axis = 0;        // along which it is widest
     double Border = 0.0; // where it is divided along that

@@ -44,14 +44,14 @@ float vtkiTileInverseDepth(float stored)
  * border's texels tell how far to the side the light gets; facing: product of the receiver's normal and the way
  * from the emitter to it; along: and the way to where depth is one on the texel's ray; bias: share of the
  * depth. The plane counts where it comes nearer: one that runs away from the emitter does not reach behind
- * what ends the surface. Without a division. */
+ * what ends the surface. So does a wall that leans over the emitter where the border sees it, above its foot.
+ * Without a division. */
 bool vtkiIsSeenInPerspectiveTile(
   float inverse, float depth, float border, float facing, float along, float bias)
 {
-  bool inside = depth >= border;
-  float least = inside ? (1.0f - bias) * depth : (1.0f - VTKI_TILE_BORDER) * border;
-  bool onPlane =
-    inside && facing < 0.0f && (1.0f + bias * depth * inverse) * along <= facing * inverse;
+  float held = max(depth, border);
+  float least = (1.0f - (depth >= border ? bias : VTKI_TILE_BORDER)) * held;
+  bool onPlane = facing < 0.0f && (1.0f + bias * held * inverse) * along <= facing * inverse;
   return depth <= VTKI_TILE_NEAR || least * inverse <= 1.0f || onPlane;
 }
 

@@ -63,34 +63,39 @@ struct vtkiPatchLight
 
 /* The patch's mean of the weight of its points, up to the second order in its width over the distance, for any receiver
  * that sees all of it; on the axis it is that of a disk of the same variance, at any distance. toSender: to its middle;
- * normalS: its mean normal; area: of a square, so that A / 12 is the variance along either side; sunkenArea: pi a^2.
- *   With h the height of the receiver over the patch, the middle lies deeper by H - h, where
- * H^2 = h^2 + a^4 / (a^2 + h^2): of a plane, or of half of one at a crease, as much arrives whatever the depth, so that
- * patches add up to these down to contact, where points would leave dots and a dark line. The depth is of fourth order.
- *   The mean over the patch then adds variance / 2 times the Laplacian along it, of (n H)(m w) / (pi R^4) with w the
- * way to the place and R its length: w (1 + b) - b H n in place of w, times 1 - 3 t, where b = 4 variance / R^2 and
- * t = b H^2 / R^2. 1 / ((1 + t) (1 + 2 t)) is positive and the same in the first order.
- *   Nothing arrives behind the patch: so that this is no step, it sinks over the first thousandth of the depth, by
- * which pixels on a crease are before it, or, if the receiver faces it, over a tenth: it may be the other side of a thin
- * sheet. Where normals differ some light arrives behind it too (too bright there). */
+ * normalS: its mean normal; area: of a square, so that A / 12 is the variance along either side; sunkenArea: the square
+ * of the depth by which it is blunt at contact.
+ *   With h the height of the receiver over the patch, x the way along it, b^2 = h^2 + s^2 / (s + h^2) and
+ * R^2 = x^2 + b^2, what a point gives along and towards the plane, h x / (pi R^4) and h^2 / (pi R^4), becomes
+ *   (h R^2 + 4 b^2 (b - h)) x / (pi R^6)  and  (h^2 R^2 + 2 b^2 (b^2 - h^2)) / (pi R^6).
+ * Of a plane, or of half of one at a crease, as much arrives whatever b (the integrals are 1 and 1/2), so that patches
+ * add up to these down to contact, where points would leave dots and a dark line. From farther than b comes what points
+ * give, but for (b / R)^3: beside a wall its plane is dark. b - h is of fourth order.
+ *   The mean over the patch adds variance / 2 times the Laplacian along it: with 4 variance / R^2 = v and
+ * t = v b^2 / R^2 times 1 + v along it, 1 + 2 v towards it, and 1 - 3 t both. 1 / ((1 + t) (1 + 2 t)) is positive and
+ * the same in the first order.
+ *   Nothing arrives behind the patch: so that this is no step, it is blunt from a tenth of b on. Receivers that do not
+ * face it, as pixels on a crease, see it so from a thousandth on; those that do may be the other side of a thin sheet.
+ * Where normals differ some light arrives behind it too (too bright there). */
 vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float sunkenArea)
 {
   float r2 = dot(toSender, toSender);
   float height = vtkiMeanProjection(toSender, normalS, r2);
   float height2 = height * height;
-  float a2 = sunkenArea / VTKI_PI;
-  float added2 = a2 * a2 / max(a2 + height2, 1.0e-30f);
+  float added2 = sunkenArea * sunkenArea / max(sunkenArea + height2, 1.0e-30f);
+  float blunt2 = height2 + added2;
+  float across = min(max(1.0f + 2.0f * dot(normalS, normalR), 0.0f), 1.0f);
   float before = max(-dot(normalS, toSender), 0.0f);
-  float across = max(1.0f + 2.0f * dot(normalS, normalR), 0.0f);
-  float lifted = min(sqrt(height2 + added2), 10.0f * height + min(across, 1.0f) * (15.0f * height + 1000.0f * before));
-  float depth = lifted - height;
+  float depth = min(sqrt(blunt2) - height, 10.0f * height + across * (1000.0f * before));
   float over = 1.0f / max(r2 + added2, 1.0e-18f);
-  float b = area / 3.0f * over;
-  float t = b * over * lifted * lifted;
-  float towards = height + depth * dot(normalS, normalS);
+  float v = area / 3.0f * over;
+  float t = v * over * blunt2;
+  float core = 2.0f * blunt2 * over * depth * dot(normalS, normalS);
+  float along = height + 2.0f * core;
   vtkiPatchLight light;
-  light.toPlace = (1.0f + b) * toSender - (depth + b * (depth + lifted)) * normalS;
-  light.strength = towards * over * over / (VTKI_PI * (1.0f + t) * (1.0f + 2.0f * t));
+  light.toPlace =
+    (1.0f + v) * toSender - (v * height + (1.0f + 2.0f * v) * core * depth / max(along, 1.0e-30f)) * normalS;
+  light.strength = along * over * over / (VTKI_PI * (1.0f + t) * (1.0f + 2.0f * t));
   return light;
 }
 
