@@ -342,7 +342,7 @@ public:
    * `specular` (reflectance, power of the lobe);
    * `rsm<i>.depth`, `rsm<i>.normal`, `rsm<i>.density` (the faces of a map in a row); `lights` (four
    * components, one row a virtual light: position, area; normal, reach; B A, source), `branches`
-   * (what is below each, 72 rows a light, with the area by which it lies deeper near receivers in
+   * (what is below each, 72 rows a light, with the area by which it is blunt to near receivers in
    * place of the source) and `lobes` (what each reflects specularly: direction,
    * exponent; flux, 0).
    * An estimator may have more; see its page. Returns false, after one error, for an unknown name

@@ -81,7 +81,7 @@ void vtkVirtualLightSampler::Fill(
     const Row& light = i < rows.size() ? rows[i] : empty;
     add(PositionArea, light.Position, light.Area);
     add(NormalReach, light.Normal, light.Reach);
-    add(DensityArea, light.DensityArea, source < 0.0 ? light.SunkenArea : source);
+    add(DensityArea, light.DensityArea, source < 0.0 ? light.BluntArea : source);
   }
   for (int channel = 0; channel < 3; ++channel)
   {

@@ -71,7 +71,7 @@ public:
     PositionArea, // scene units; or unit direction to the light, minus its solid angle
     NormalReach,  // of the sender, unit; distance within which its branches are summed, 0: none
     DensityArea   // reflected radiance times area, or radiance times solid angle; source, or of
-                  // branches the sunken area (vtkiFindPatchLight)
+                  // branches the blunt area (vtkiFindPatchLight)
   };
   /** Channels of the table of lobes, a texel a light; lights without a lobe have no density. */
   enum LobeChannel
@@ -158,7 +158,7 @@ public:
     double Normal[3];
     double DensityArea[3];
     double Reach = 0.0;
-    double SunkenArea = 0.0; // of a branch
+    double BluntArea = 0.0; // of a branch
     /** Unit; what follows is the lobe's, and without density there is none. */
     double LobeDirection[3] = { 0.0, 0.0, 1.0 };
     double LobeExponent = 0.0;

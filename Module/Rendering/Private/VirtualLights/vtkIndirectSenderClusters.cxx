@@ -370,7 +370,7 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
   {
     light.Area = area / total;
     light.Stretched = 6.0 * cluster.Spread + within / total;
-    light.SunkenArea = std::min(light.Area, light.Stretched) * smoothing / total;
+    light.BluntArea = std::min(light.Area, light.Stretched) * smoothing / total;
     // On a bowl a patch is seen as if its mean place lay once more as far before the surface,
     // behind it on a ball: what the covariance of normals and places adds to the mean of the
     // weights.
@@ -460,16 +460,16 @@ void vtkIndirectSenderClusters::MakeBranches(
     {
       const std::vector<Cluster> leaves =
         this->Divide(children[i].Begin, children[i].End, perNode, perNode);
-      double sunken = 0.0;
+      double blunt = 0.0;
       for (size_t k = 0; k < leaves.size(); ++k)
       {
         Light leaf = this->MakeLight(leaves[k], strengths);
         MakePatch(leaf, false);
-        sunken += Sum(leaf.DensityArea) * leaf.SunkenArea;
+        blunt += Sum(leaf.DensityArea) * leaf.BluntArea;
         all[family + 1 + k] = leaf;
       }
       const double sent = Sum(child.DensityArea);
-      all[family].SunkenArea = sent > 0.0 ? sunken / sent : child.SunkenArea;
+      all[family].BluntArea = sent > 0.0 ? blunt / sent : child.BluntArea;
     }
   }
 }

@@ -29,7 +29,7 @@ public:
     float Area;
     glm::vec3 Reflected; // density times area, of a light of strength one
     int Map;
-    float Smoothing = 1.0f; // the sunken area of a leaf that it is in, over its area
+    float Smoothing = 1.0f; // the blunt area of a leaf that it is in, over its area
     // Of what it reflects specularly, where it does.
     glm::vec3 LobeDirection{ 0.0f, 0.0f, 1.0f };
     float LobeExponent = 0.0f;
@@ -44,9 +44,9 @@ public:
     double Area = 1.0;      // of the surface, or of a node the square that it sends light as
     double Stretched = 1.0; // that of a square whose variance is the light's
     double Shift = 0.0;     // how far before its place light comes from, in lengths of the normal
-    /** By which nearby receivers see it as if deeper (vtkiFindPatchLight): that of the leaves
+    /** By which it is blunt to nearby receivers (vtkiFindPatchLight): that of the leaves
      * around them, so that what is seen as whole farther off adds up with these. */
-    double SunkenArea = 1.0;
+    double BluntArea = 1.0;
     glm::dvec3 DensityArea{ 0.0 };
     double Reach = 0.0; // nearer than this its branches are summed in its place
     /** One for the lobes of what it stands for, of the same flux, as wide as they are together. */

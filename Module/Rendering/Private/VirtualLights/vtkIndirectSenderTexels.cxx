@@ -70,7 +70,7 @@ std::vector<vtkVirtualLightSampler::Row> vtkIndirectSenderTexels::MakeRows(
     rows.push_back({ { light.Position.x, light.Position.y, light.Position.z }, light.Area,
       { light.Normal.x, light.Normal.y, light.Normal.z },
       { light.DensityArea.x, light.DensityArea.y, light.DensityArea.z }, light.Reach,
-      light.SunkenArea, { light.LobeDirection.x, light.LobeDirection.y, light.LobeDirection.z },
+      light.BluntArea, { light.LobeDirection.x, light.LobeDirection.y, light.LobeDirection.z },
       light.LobeExponent,
       { light.LobeDensityArea.x, light.LobeDensityArea.y, light.LobeDensityArea.z } });
   }

@@ -260,8 +260,8 @@ void vtkIndirectVirtualLights::CopyBranches(
   auto* out = static_cast<float*>(image->GetScalarPointer());
   for (int i = 0; i < count; ++i)
   {
-    float& sunkenArea = out[12 * i + 11];
-    sunkenArea = static_cast<float>(sunkenArea / frame.SceneScale / frame.SceneScale);
+    float& bluntArea = out[12 * i + 11];
+    bluntArea = static_cast<float>(bluntArea / frame.SceneScale / frame.SceneScale);
   }
 }
 

@@ -28,7 +28,7 @@ bool vtkiAddSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender
   inout vec3 irradiance)
 {
   vec3 toSender = vtkiToSender(sender, position);
-  float weight = vtkiSenderWeight(toSender, senderNormal, normal, sender.w, vtkiSunkenArea(senderNormal.w, sender.w));
+  float weight = vtkiSenderWeight(toSender, senderNormal, normal, sender.w, vtkiBluntArea(senderNormal.w, sender.w));
   float division = 0.0f;
 #ifdef VTKI_DIVIDED
   division = vtkiDivision(dot(toSender, toSender), senderNormal.w);

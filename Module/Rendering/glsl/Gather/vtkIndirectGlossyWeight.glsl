@@ -9,7 +9,7 @@ float vtkiWeightInLobe(vec3 toSender, vec3 normalS, vec3 normalR, float area)
   return vtkiGlossyWeight(
     toSender, normalS, normalR, vtkiReceiverMirror, vtkiReceiverPower, area);
 }
-float vtkiPatchInLobe(vec3 toSender, vec3 normalS, vec3 normalR, float area, float sunkenArea)
+float vtkiPatchInLobe(vec3 toSender, vec3 normalS, vec3 normalR, float area, float bluntArea)
 {
   return vtkiWeightInLobe(toSender, normalS, normalR, area);
 }

@@ -30,11 +30,11 @@ void vtkiFetchLight(int i, out vec4 sender, out vec4 senderNormal, out vec3 dens
 }
 
 // share: of the light as a whole, 0 where something hides it.
-void vtkiAddSeenLight(vec3 position, vec3 normal, float share, float sunkenArea, vec4 sender, vec4 senderNormal,
+void vtkiAddSeenLight(vec3 position, vec3 normal, float share, float bluntArea, vec4 sender, vec4 senderNormal,
   vec3 density, inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
   vec3 toSender = vtkiToSender(sender, position);
-  vtkiPatchLight light = vtkiFindSender(toSender, senderNormal, normal, sender.w, sunkenArea);
+  vtkiPatchLight light = vtkiFindSender(toSender, senderNormal, normal, sender.w, bluntArea);
   float cosine = dot(normal, light.toPlace);
   float strength = cosine > 0.0f ? share * light.strength : 0.0f;
   irradiance += (strength * cosine) * density;
@@ -68,7 +68,7 @@ bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
   division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
 #endif
   bool seen = vtkiSees(position, normal, open, light, sender, senderNormal, density, division);
-  vtkiAddSeenLight(position, normal, seen ? 1.0f - division : 0.0f, vtkiSunkenArea(senderNormal.w, sender.w), sender,
+  vtkiAddSeenLight(position, normal, seen ? 1.0f - division : 0.0f, vtkiBluntArea(senderNormal.w, sender.w), sender,
     senderNormal, density, irradiance, vectorIrradiance);
   return seen && division > 0.0f;
 }

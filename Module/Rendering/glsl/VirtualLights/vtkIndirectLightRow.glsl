@@ -12,8 +12,8 @@ vec3 vtkiToSender(vec4 sender, vec3 position)
 #endif
 }
 
-// By which a light as a whole is seen deeper: where it has branches, of two generations, that of the last one.
-float vtkiSunkenArea(float reach, float area)
+// By which a light as a whole is blunt: where it has branches, of two generations, that of the last one.
+float vtkiBluntArea(float reach, float area)
 {
   const float share = 1.0f / float(VTKI_BRANCHES_PER_NODE * VTKI_BRANCHES_PER_NODE);
   return reach > 0.0f ? share * area : area;
@@ -21,10 +21,10 @@ float vtkiSunkenArea(float reach, float area)
 
 // What arrives of a light: times the receiver's cosine and the density it is the irradiance; see
 // vtkiVirtualLightStrength. Only lights with branches (VTKI_DIVIDED) stand for patches of surfaces.
-vtkiPatchLight vtkiFindSender(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float sunkenArea)
+vtkiPatchLight vtkiFindSender(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float bluntArea)
 {
 #ifdef VTKI_DIVIDED
-  vtkiPatchLight light = vtkiFindPatchLight(toSender, senderNormal.xyz, normal, area, sunkenArea);
+  vtkiPatchLight light = vtkiFindPatchLight(toSender, senderNormal.xyz, normal, area, bluntArea);
 #else
   vtkiPatchLight light = vtkiPatchLight(toSender, vtkiVirtualLightStrength(toSender, senderNormal.xyz, area));
 #endif
@@ -35,7 +35,7 @@ vtkiPatchLight vtkiFindSender(vec3 toSender, vec4 senderNormal, vec3 normal, flo
   return light;
 }
 
-float vtkiSenderWeight(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float sunkenArea)
+float vtkiSenderWeight(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float bluntArea)
 {
 #ifdef VTKI_DIRECTIONS
   if (area < 0.0f)
@@ -44,7 +44,7 @@ float vtkiSenderWeight(vec3 toSender, vec4 senderNormal, vec3 normal, float area
   }
 #endif
 #ifdef VTKI_DIVIDED
-  return vtkiPatchLightWeight(toSender, senderNormal.xyz, normal, area, sunkenArea);
+  return vtkiPatchLightWeight(toSender, senderNormal.xyz, normal, area, bluntArea);
 #else
   return vtkiVirtualLightWeight(toSender, senderNormal.xyz, normal, area);
 #endif

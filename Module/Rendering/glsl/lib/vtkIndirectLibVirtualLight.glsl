@@ -57,13 +57,13 @@ float vtkiMeanLightStrength(vec3 toSender, vec3 normalS, float area)
 /* A light that stands for a patch of a surface, to receivers that may be near to it. */
 struct vtkiPatchLight
 {
-  vec3 toPlace;   // where its light comes from, minus the receiver
-  float strength; // times the cosine towards that place: the weight
+  vec3 toPlace;   // towards where its light comes from, of any length
+  float strength; // times the product of this and the receiver's normal, above its horizon: the weight
 };
 
 /* The patch's mean of the weight of its points, up to the second order in its width over the distance, for any receiver
  * that sees all of it; on the axis it is that of a disk of the same variance, at any distance. toSender: to its middle;
- * normalS: its mean normal; area: of a square, so that A / 12 is the variance along either side; sunkenArea: the square
+ * normalS: its mean normal; area: of a square, so that A / 12 is the variance along either side; bluntArea: the square
  * of the depth by which it is blunt at contact.
  *   With h the height of the receiver over the patch, x the way along it, b^2 = h^2 + s^2 / (s + h^2) and
  * R^2 = x^2 + b^2, what a point gives along and towards the plane, h x / (pi R^4) and h^2 / (pi R^4), becomes
@@ -77,12 +77,12 @@ struct vtkiPatchLight
  *   Nothing arrives behind the patch: so that this is no step, it is blunt from a tenth of b on. Receivers that do not
  * face it, as pixels on a crease, see it so from a thousandth on; those that do may be the other side of a thin sheet.
  * Where normals differ some light arrives behind it too (too bright there). */
-vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float sunkenArea)
+vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float bluntArea)
 {
   float r2 = dot(toSender, toSender);
   float height = vtkiMeanProjection(toSender, normalS, r2);
   float height2 = height * height;
-  float added2 = sunkenArea * sunkenArea / max(sunkenArea + height2, 1.0e-30f);
+  float added2 = bluntArea * bluntArea / max(bluntArea + height2, 1.0e-30f);
   float blunt2 = height2 + added2;
   float across = min(max(1.0f + 2.0f * dot(normalS, normalR), 0.0f), 1.0f);
   float before = max(-dot(normalS, toSender), 0.0f);
@@ -93,16 +93,15 @@ vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, flo
   float core = 2.0f * blunt2 * over * depth * dot(normalS, normalS);
   float along = height + 2.0f * core;
   vtkiPatchLight light;
-  light.toPlace =
-    (1.0f + v) * toSender - (v * height + (1.0f + 2.0f * v) * core * depth / max(along, 1.0e-30f)) * normalS;
-  light.strength = along * over * over / (VTKI_PI * (1.0f + t) * (1.0f + 2.0f * t));
+  light.toPlace = along * (1.0f + v) * toSender - (v * along * height + (1.0f + 2.0f * v) * core * depth) * normalS;
+  light.strength = over * over / (VTKI_PI * (1.0f + t) * (1.0f + 2.0f * t));
   return light;
 }
 
 /* The weight, as vtkiVirtualLightWeight. */
-float vtkiPatchLightWeight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float sunkenArea)
+float vtkiPatchLightWeight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float bluntArea)
 {
-  vtkiPatchLight light = vtkiFindPatchLight(toSender, normalS, normalR, area, sunkenArea);
+  vtkiPatchLight light = vtkiFindPatchLight(toSender, normalS, normalR, area, bluntArea);
   return max(dot(normalR, light.toPlace), 0.0f) * light.strength;
 }
 
