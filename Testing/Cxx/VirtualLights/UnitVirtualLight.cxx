@@ -212,7 +212,8 @@ VTK_INDIRECT_TEST(PatchesOfPlanes)
   auto onAxis = [](const vec3& d, const vec3& n, const vec3& m)
   { return double(vtkiVirtualLightWeight(d, n, m, 1.0f)); };
   const vec3 along(0.0f, 1.0f, 0.0f);
-  const char* rest = "0.03 where patches end beside the receiver, measured; 0.005 beyond 200 of them";
+  const char* rest =
+    "0.03 where patches end beside the receiver, measured; 0.005 beyond 200 of them";
   const char* facing = "0.09 of patches nearer than half of their sides, measured";
   for (const float height : { 0.05f, 0.2f, 0.5f, 1.0f, 2.0f })
   {

@@ -66,8 +66,8 @@ VTK_INDIRECT_TEST(DepthTileDepths)
   CheckAtMost("depths come back from the buffer", worst, 1.3e-4, "steps of a float times 2048");
 }
 
-// A receiver is seen where what is stored is not nearer than its plane there, or than itself: nearer
-// to the emitter's horizon than the tile reaches, than its distance to the side; in doubles.
+// A receiver is seen where what is stored is not nearer than its plane there, or than itself:
+// nearer to the emitter's horizon than the tile reaches, than its distance to the side; in doubles.
 VTK_INDIRECT_TEST(DepthTilePlanes)
 {
   Random random(11);
