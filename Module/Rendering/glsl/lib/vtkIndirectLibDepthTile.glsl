@@ -43,7 +43,9 @@ float vtkiTileInverseDepth(float stored)
  * receiver's along the tile's axis; border: the least that the tile holds in its direction, below which the
  * border's texels tell how far to the side the light gets; facing: product of the receiver's normal and the way
  * from the emitter to it; along: and the way to where depth is one on the texel's ray; bias: share of the
- * depth. The plane counts where it comes nearer: one that runs away from the emitter does not reach behind
+ * depth, by which the plane lies nearer along its normal, since a surface bends away from it by as much in a texel that
+ * it fills at a grazing angle, but along the ray by no more than twice that. The plane counts where it comes nearer: one
+ * that runs away from the emitter does not reach behind
  * what ends the surface. So does a wall that leans over the emitter where the border sees it, above its foot.
  * Without a division. */
 bool vtkiIsSeenInPerspectiveTile(
@@ -51,7 +53,7 @@ bool vtkiIsSeenInPerspectiveTile(
 {
   float held = max(depth, border);
   float least = (1.0f - (depth >= border ? bias : VTKI_TILE_BORDER)) * held;
-  bool onPlane = facing < 0.0f && (1.0f + bias * held * inverse) * along <= facing * inverse;
+  bool onPlane = facing < 0.0f && along <= min(facing + bias * held, (1.0f - 2.0f * bias) * facing) * inverse;
   return depth <= VTKI_TILE_NEAR || least * inverse <= 1.0f || onPlane;
 }
 
