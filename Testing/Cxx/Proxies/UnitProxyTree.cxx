@@ -55,12 +55,12 @@ void AddWeights(const std::vector<Entry>& entries, int number, double above, con
 {
   const Entry& entry = entries[static_cast<size_t>(number)];
   const double weight = above + WeightOf(entry, place);
-  if (entry.First == entry.Next)
+  if (entry.Inner <= 0.0f)
   {
     sums.push_back(weight);
     return;
   }
-  for (int child = entry.First; child != entry.Next;
+  for (int child = number + 1; child != entry.Next;
        child = entries[static_cast<size_t>(child)].Next)
   {
     AddWeights(entries, child, weight, place, sums);
@@ -128,7 +128,7 @@ VTK_INDIRECT_TEST(ProxyTreeSkipsNothing)
       down += WeightOf(entry, place);
       const bool goes = glm::length(entry.OuterCenter - place) < entry.Outer &&
         glm::length(entry.Center - place) < entry.Inner;
-      i = goes ? entry.First : entry.Next;
+      i = goes ? i + 1 : entry.Next;
       visited += 1.0 / 60.0;
     }
     met += down;
