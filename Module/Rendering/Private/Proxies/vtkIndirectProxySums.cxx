@@ -339,7 +339,7 @@ void vtkIndirectProxySums::Deactivate(const Input& input) const
 bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  if (!image.Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  if (!image.Resize(frame.Window, frame.Size[0], frame.Size[1], &input.Geometry.GetTarget()))
   {
     return false;
   }
@@ -383,9 +383,8 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
   {
     return this->SumInTiles(input, definitions, image, PIXELS);
   }
-  bool ok = this->SumInTiles(input, definitions, this->Coarse, COARSE);
-  ok = ok && this->Upsample(input, definitions, image);
-  return ok && this->SumRest(input, definitions, image);
+  return this->SumInTiles(input, definitions, this->Coarse, COARSE) &&
+    this->Upsample(input, definitions, image) && this->SumRest(input, definitions, image);
 }
 
 //------------------------------------------------------------------------------
@@ -397,12 +396,10 @@ bool vtkIndirectProxySums::SumRest(
   const int tiles[2] = { (size[0] + SharedTile - 1) / SharedTile,
     (size[1] + SharedTile - 1) / SharedTile };
   vtkOpenGLRenderWindow* window = input.Frame.Window;
-  bool ok = this->Counts.Resize(window, tiles[0], tiles[1]) &&
+  return this->Counts.Resize(window, tiles[0], tiles[1]) &&
     this->Shared.Resize(window, SharedBlock * tiles[0], SharedBlock * tiles[1]) &&
-    this->ChooseRest(input, image);
-  ok = ok && this->SumInTiles(input, definitions, image, REST);
-  ok = ok && this->ShareRest(input, definitions, image);
-  return ok;
+    this->ChooseRest(input, image) && this->SumInTiles(input, definitions, image, REST) &&
+    this->ShareRest(input, definitions, image);
 }
 
 //------------------------------------------------------------------------------
@@ -626,7 +623,15 @@ bool vtkIndirectProxySums::Upsample(
   {
     return false;
   }
+  // The depth test branches where software's shaders cannot: most of many pictures is background.
+  vtkOpenGLState* state = input.Frame.Window->GetState();
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  state->vtkglDepthMask(GL_FALSE);
   image.Begin();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  glDepthRange(1.0, 1.0);
+  state->vtkglDepthFunc(GL_GREATER);
   this->Activate(input, program);
   for (int i = 0; i < this->Coarse.GetNumberOfChannels(); ++i)
   {
@@ -635,8 +640,16 @@ bool vtkIndirectProxySums::Upsample(
   this->Upsampling.Draw();
   this->Coarse.Deactivate();
   this->Deactivate(input);
+  program = this->Background.Use(input.Frame.Window);
+  state->vtkglDepthFunc(GL_EQUAL);
+  if (program)
+  {
+    this->Background.Draw();
+  }
+  glDepthRange(0.0, 1.0);
+  state->vtkglDisable(GL_DEPTH_TEST);
   image.End();
-  return true;
+  return program != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -671,6 +684,7 @@ void vtkIndirectProxySums::Release(vtkWindow* window)
     program.Release(window);
   }
   this->Upsampling.Release();
+  this->Background.Release();
   this->Resolving.Release();
   this->Sending.Release();
   this->Averaging.Release();

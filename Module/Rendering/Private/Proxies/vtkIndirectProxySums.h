@@ -102,6 +102,7 @@ private:
   vtkIndirectFullScreenProgram Sending{ "vtkIndirectProxySendersFS.glsl" };
   vtkIndirectFullScreenProgram Averaging{ "vtkIndirectProxySendersFS.glsl" };
   vtkIndirectFullScreenProgram Upsampling{ "vtkIndirectProxyUpsampleFS.glsl" };
+  vtkIndirectFullScreenProgram Background{ "vtkIndirectClearFS.glsl" };
   vtkIndirectFullScreenProgram Resolving{ "vtkIndirectProxyResolveFS.glsl" };
 };
 #endif
