@@ -319,6 +319,14 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
   {
     this->Rows.Activate(i, program);
   }
+  const auto scale = [program](const char* name, const vtkIndirectTarget& target)
+  {
+    const float perTexel[2] = { 1.0f / static_cast<float>(RowLength),
+      1.0f / static_cast<float>(std::max(target.GetHeight(), 1)) };
+    program->SetUniform2f(name, perTexel);
+  };
+  scale("vtkiEntryScale", this->Rows);
+  scale("vtkiLightScale", this->AllLight);
   program->SetUniformi("vtkiProxyCount", this->NumberOfEntries);
   program->SetUniformi("vtkiProxyHides", input.Hides ? 1 : 0);
   program->SetUniformf("vtkiProxyLightReach", static_cast<float>(input.LightReach));

@@ -12,6 +12,10 @@ uniform sampler2D vtkiSentLight0;  // what entries send, and from row vtkiSender
 uniform sampler2D vtkiSentLight1;  // a + b n of each colour, a and b.x; red b.y and b.z; green, blue; the open share of the
                                    // half space around n, the same
 uniform int vtkiSenderRow;
+// From texels to coordinates of entries and of what they send: software samples the nearest texel faster than it fetches
+// one.
+uniform vec2 vtkiEntryScale;
+uniform vec2 vtkiLightScale;
 uniform sampler2D vtkiSenderPlace;  // place; radius, or the area that a place of a polygon stands for
 uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: everywhere
 #ifdef VTKI_PROXY_SENDERS
@@ -42,7 +46,8 @@ vtkiProxySums vtkiNoProxies()
 vec4 vtkiZonalLog(float sine)
 {
   float share = vtkiProxyRow(sine);
-  return share * texelFetch(vtkiProxyTable, ivec2(int(share * float(VTKI_PROXY_TABLE - 1) + 0.5f), 0), 0);
+  float place = (share * float(VTKI_PROXY_TABLE - 1) + 0.5f) / float(VTKI_PROXY_TABLE);
+  return share * textureLod(vtkiProxyTable, vec2(place, 0.5f), 0.0f);
 }
 
 // Radiance of a sphere of albedo 1 towards the receiver, in the light that nothing hides from it (Eq 15; with
@@ -92,8 +97,9 @@ void vtkiPairLight(vec4 light[4], out vec4 pairs[2])
 // Irradiance a + b n of what an entry sends, for a vector n; in the fourth component how open it is there.
 vec4 vtkiEntryIrradiance(ivec2 at, vec3 n)
 {
-  vec4 l0 = texelFetch(vtkiSentLight0, at, 0);
-  vec4 l1 = texelFetch(vtkiSentLight1, at, 0);
+  vec2 place = (vec2(at) + 0.5f) * vtkiLightScale;
+  vec4 l0 = textureLod(vtkiSentLight0, place, 0.0f);
+  vec4 l1 = textureLod(vtkiSentLight1, place, 0.0f);
   vec4 first0 = vtkiFirst(l0);
   vec4 first1 = vtkiFirst(l1);
   vec4 second0 = vtkiSecond(l0);
@@ -107,8 +113,9 @@ vec4 vtkiEntryIrradiance(ivec2 at, vec3 n)
 int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sums)
 {
   ivec2 at = vtkiTableTexel(number);
-  vec4 sphere = texelFetch(vtkiProxyCenter, at, 0);
-  vtkiRegion region = vtkiUnpackRegion(texelFetch(vtkiProxyRegion, at, 0));
+  vec2 place = (vec2(at) + 0.5f) * vtkiEntryScale;
+  vec4 sphere = textureLod(vtkiProxyCenter, place, 0.0f);
+  vtkiRegion region = vtkiUnpackRegion(textureLod(vtkiProxyRegion, place, 0.0f));
 #if defined(VTKI_PROXY_SENDERS) && defined(VTKI_PROXY_TREE)
   // Groups of up to twice the angle say as well where it is open, and how bright.
   float share = dot(normal, normal) > 0.0f && !vtkiAllNormals ? 1.0f : 0.5f;

@@ -37,6 +37,7 @@ void main()
     {
       ivec2 shift = ivec2(i & 1, i >> 1);
       ivec2 at = min(corner + shift, vtkiCoarseSize - 1);
+      vec2 place = (vec2(at) + 0.5f) / vec2(vtkiCoarseSize);
       vtkiReceiver other;
       bool lit = vtkiFetchReceiver(min(at * vtkiStep, vtkiSize - 1), other);
       vec2 w = mix(1.0f - blend, blend, vec2(shift));
@@ -44,11 +45,11 @@ void main()
       // A sample next to the pixel may be the only one.
       float weight = lit ? (w.x * w.y + 1.0e-3f) * same : 0.0f;
       sum += weight;
-      sky[0] += weight * texelFetch(vtkiCoarse0, at, 0);
-      sky[1] += weight * texelFetch(vtkiCoarse1, at, 0);
-      sky[2] += weight * texelFetch(vtkiCoarse2, at, 0);
+      sky[0] += weight * textureLod(vtkiCoarse0, place, 0.0f);
+      sky[1] += weight * textureLod(vtkiCoarse1, place, 0.0f);
+      sky[2] += weight * textureLod(vtkiCoarse2, place, 0.0f);
 #ifdef VTKI_PROXY_LIGHT
-      bounce += weight * texelFetch(vtkiCoarse3, at, 0).rgb;
+      bounce += weight * textureLod(vtkiCoarse3, place, 0.0f).rgb;
 #endif
     }
     float scale = 1.0f / max(sum, 1.0e-30f);
