@@ -12,7 +12,7 @@ layout(rgba32f, binding = 0) uniform image2D vtkiSkyImage;
 layout(r32f, binding = 1) uniform image2D vtkiCountImage;
 
 // A receiver of less than that serves no pixel.
-const float VTKI_LEAST_ALIKE = 0.1f;
+const float VTKI_LEAST_ALIKE = 0.05f;
 
 float vtkiFacesEye(vtkiReceiver receiver)
 {
