@@ -1,12 +1,13 @@
-// Pixels that no coarse receiver stands for, and receivers for them: a command of a dispatch for each list, then entries.
+// Receivers for pixels that no coarse one stands for, and these pixels: a command of a dispatch for each list, then
+// entries.
 const int VTKI_PROXY_RECEIVERS = 0;
 const int VTKI_PROXY_SERVED = 1;
 
 layout(std430) buffer vtkiProxyPixels
 {
   uvec4 vtkiCommands[2]; // groups of 256 and the number of entries
-  uint vtkiEntries[];    // of receivers, from vtkiSize.x * vtkiSize.y on of pixels that they serve: x, y in 14 bits each;
-                         // place among the tile's receivers, or VTKI_PROXY_SHARED: for itself alone
+  uint vtkiEntries[];    // receivers, from vtkiSize.x * vtkiSize.y on pixels that they serve: x, y in 14 bits each; place
+                         // among the tile's receivers, or VTKI_PROXY_SHARED: for itself alone
 };
 
 void vtkiAppend(int list, ivec2 pixel, int number)

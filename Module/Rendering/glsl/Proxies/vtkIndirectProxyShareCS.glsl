@@ -1,6 +1,7 @@
 //VTK::System::Dec
-// Irradiance of pixels that no coarse receiver stands for, an invocation each, by the receivers of the four tiles around: bilinear between the tiles'
-// middles, by planes and normals. Receivers of the pixel's own tile serve it, so that the weights are not zero.
+// Irradiance of pixels that no coarse receiver stands for, an invocation each, by the receivers of the four tiles
+// around: bilinear between the tiles' middles, by planes and normals. Receivers of the pixel's own tile serve it, so
+// that the weights are not zero.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
 #include "vtkIndirectProxyAlike.glsl"
@@ -35,7 +36,7 @@ void main()
     vec4 sky[3] = vec4[3](vec4(0.0f), vec4(0.0f), vec4(0.0f));
     vec3 bounce = vec3(0.0f);
     float sum = 0.0f;
-    vec2 texel = 0.25f / vec2(last + 1); // of the shared receivers, sampled as software does faster than it fetches
+    vec2 texel = 0.25f / vec2(last + 1);
     for (int i = 0; i < 4; ++i)
     {
       ivec2 shift = ivec2(i & 1, i >> 1);

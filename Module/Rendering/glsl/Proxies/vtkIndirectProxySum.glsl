@@ -8,15 +8,16 @@ uniform sampler2D vtkiProxyAlbedo; // albedo, sender
 uniform sampler2D vtkiProxyTable;  // zonal logarithms over 1 - cos, a row of them
 uniform int vtkiProxyCount;
 uniform bool vtkiProxyHides;
-uniform sampler2D vtkiSentLight0;  // what entries send, and from row vtkiSenderRow on what falls on senders, in pairs:
-uniform sampler2D vtkiSentLight1;  // a + b n of each colour, a and b.x; red b.y and b.z; green, blue; the open share of the
-                                   // half space around n, the same
+// What entries send, and from row vtkiSenderRow on what falls on senders, in pairs: a + b n of each colour, a and b.x; red
+// b.y and b.z; green, blue; the open share of the half space around n, the same.
+uniform sampler2D vtkiSentLight0;
+uniform sampler2D vtkiSentLight1;
 uniform int vtkiSenderRow;
 // From texels to coordinates of entries and of what they send: software samples the nearest texel faster than it fetches
 // one.
 uniform vec2 vtkiEntryScale;
 uniform vec2 vtkiLightScale;
-uniform sampler2D vtkiSenderPlace;  // place; radius, or the area that a place of a polygon stands for
+uniform sampler2D vtkiSenderPlace; // place; radius, or the area that a place of a polygon stands for
 uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: everywhere
 #ifdef VTKI_PROXY_SENDERS
 // Center of the sphere whose light is summed. It hides nothing from itself: its normals' cosines do that, and the half
@@ -246,7 +247,8 @@ vec3 vtkiPolygonRadiance(vec3 position, vec3 normal, vec3 side, int first, int c
     float d2 = max(dot(offset, offset), 1.0e-30f);
     // Where none is above the receiver's plane, all of them by their distance.
     float cosines = max(dot(offset, normal), 0.0f) * abs(dot(offset, side)) / d2 + 1.0e-4f;
-    sum += cosines / (VTKI_PI * d2 + place.w) * vec4(vtkiFirst(texelFetch(vtkiSentLight0, at + ivec2(0, vtkiSenderRow), 0)).rgb, 1.0f);
+    vec4 light = vtkiFirst(texelFetch(vtkiSentLight0, at + ivec2(0, vtkiSenderRow), 0));
+    sum += cosines / (VTKI_PI * d2 + place.w) * vec4(light.rgb, 1.0f);
   }
   return sum.rgb / max(sum.a, 1.0e-30f);
 }

@@ -4,7 +4,8 @@
 // of bits for a block of 256 at a time, and sums those in their order.
 //
 // Receivers are every vtkiStep-th pixel, whose light goes to coarse images; with VTKI_PROXY_PIXELS all of them, or
-// with VTKI_PROXY_REST those of a list, whose light goes to images of tiles' receivers; or with VTKI_PROXY_SENDERS the spheres themselves, 256 in a row, whose irradiance goes to their table.
+// with VTKI_PROXY_REST those of a list, whose light goes to images of tiles' receivers; or with VTKI_PROXY_SENDERS the
+// spheres themselves, 256 in a row, whose irradiance goes to their table.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
 uniform ivec2 vtkiCoarseSize;
