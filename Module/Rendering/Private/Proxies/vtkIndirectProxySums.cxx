@@ -266,6 +266,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
     {
       program->SetUniformi("vtkiSenderRow", this->Rows.GetHeight());
       program->SetUniformi("vtkiFirstMean", this->FirstPlace);
+      program->SetUniformi("vtkiProxyCount", this->NumberOfEntries);
       this->Rows.Activate(2, program);
       for (int k = 0; k < 4; ++k)
       {

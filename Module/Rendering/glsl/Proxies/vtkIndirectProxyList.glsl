@@ -6,8 +6,8 @@ const int VTKI_PROXY_SERVED = 1;
 layout(std430) buffer vtkiProxyPixels
 {
   uvec4 vtkiCommands[2]; // groups of 256 and the number of entries
-  uint vtkiEntries[];    // receivers, from vtkiSize.x * vtkiSize.y on pixels that they serve: x, y in 14 bits each; place
-                         // among the tile's receivers, or VTKI_PROXY_SHARED: for itself alone
+  uint vtkiEntries[];    // receivers, from vtkiSize.x * vtkiSize.y on pixels that they serve: x, y in 14 bits each;
+                         // place among the tile's receivers, or VTKI_PROXY_SHARED: for itself alone
 };
 
 void vtkiAppend(int list, ivec2 pixel, int number)

@@ -30,7 +30,9 @@ void main()
 #ifdef VTKI_PROXY_MEANS
   ivec2 texel = ivec2(gl_FragCoord.xy);
   bool entry = texel.y < vtkiSenderRow;
-  vec4 albedo = entry ? texelFetch(vtkiProxyAlbedo, texel, 0) : vec4(1.0f);
+  // Rows may end before the table does.
+  vec4 albedo =
+    entry && number < vtkiProxyCount ? texelFetch(vtkiProxyAlbedo, texel, 0) : vec4(1.0f, 1.0f, 1.0f, 0.0f);
   int own = int(albedo.a);
   bool single = !entry || own < vtkiFirstMean;
   if (single)

@@ -8,13 +8,13 @@ uniform sampler2D vtkiProxyAlbedo; // albedo, sender
 uniform sampler2D vtkiProxyTable;  // zonal logarithms over 1 - cos, a row of them
 uniform int vtkiProxyCount;
 uniform bool vtkiProxyHides;
-// What entries send, and from row vtkiSenderRow on what falls on senders, in pairs: a + b n of each colour, a and b.x; red
-// b.y and b.z; green, blue; the open share of the half space around n, the same.
+// What entries send, and from row vtkiSenderRow on what falls on senders, in pairs: a + b n of each colour, a and b.x;
+// red b.y and b.z; green, blue; the open share of the half space around n, the same.
 uniform sampler2D vtkiSentLight0;
 uniform sampler2D vtkiSentLight1;
 uniform int vtkiSenderRow;
-// From texels to coordinates of entries and of what they send: software samples the nearest texel faster than it fetches
-// one.
+// From texels to coordinates of entries and of what they send: software samples the nearest texel faster than it
+// fetches one.
 uniform vec2 vtkiEntryScale;
 uniform vec2 vtkiLightScale;
 uniform sampler2D vtkiSenderPlace; // place; radius, or the area that a place of a polygon stands for
