@@ -3,7 +3,7 @@
 """Light of the sky by spheres: error against rays, time against numbers, beside the sky's maps.
 
     Testing/Benchmark/proxy_pass.py errors    molecules, particles and meshes against rays
-    Testing/Benchmark/proxy_pass.py times     a protein that moves in every frame, beside UseSSAO
+    Testing/Benchmark/proxy_pass.py times     spheres that move in every frame, beside UseSSAO
     Testing/Benchmark/proxy_pass.py paper     the ratios of Sloan et al. 2007, figures 7 and 9
     Testing/Benchmark/proxy_pass.py numbers   1,000 to 100,000 spheres, and a plot (--plot FILE)
 
@@ -258,15 +258,11 @@ def compare(found: np.ndarray, true: np.ndarray) -> str:
     return f"{error:.3f} | {(found - true).mean() / true.mean():+.1%}"
 
 
-def error_rows(name: str, view: View, rays: Spheres | Triangles) -> None:
-    """Print the rows of a scene."""
-    indirect = methods.enable(view.renderer, "proxies", environment=(1.0, 1.0, 1.0))
-    view.window.SetDesiredUpdateRate(15.0)
-    view.window.Render()
+def against_rays(view: View, rays: Spheres | Triangles) -> tuple[np.ndarray, np.ndarray, str]:
+    """Return pixels of the last frame, the sky that rays find there, and the cells of a table."""
     (y, x), places, normals = view.receivers()
     count = DIRECTIONS if isinstance(rays, Spheres) else DIRECTIONS // 2
     true = np.array([rays.sky(p, n, count, i) for i, (p, n) in enumerate(zip(places, normals))])
-    spheres = indirect.GetEstimator().GetNumberOfSpheres()
     sky = vtkindirect.copy_buffer(view.renderer, "sky")[y, x, 0]
     cells = compare(sky, true)
     if isinstance(rays, Spheres):
@@ -279,6 +275,16 @@ def error_rows(name: str, view: View, rays: Spheres | Triangles) -> None:
         cells += f" | {np.sqrt(((bounce - sent) ** 2).mean()) / true.mean():.3f}"
     else:
         cells += " | | "
+    return np.stack((y, x)), true, cells
+
+
+def error_rows(name: str, view: View, rays: Spheres | Triangles) -> None:
+    """Print the rows of a scene."""
+    indirect = methods.enable(view.renderer, "proxies", environment=(1.0, 1.0, 1.0))
+    view.window.SetDesiredUpdateRate(15.0)
+    view.window.Render()
+    (y, x), true, cells = against_rays(view, rays)
+    spheres = indirect.GetEstimator().GetNumberOfSpheres()
     print(f"| {name} | {spheres} spheres | {cells} |")
     indirect.SetEstimator(None)
     for label, rate in (("64 maps, moving", 15.0), ("256 maps, still", 1e-4)):
@@ -409,26 +415,41 @@ def with_ssao(moving: Moving) -> Moving:
 
 
 def times() -> None:
-    """Print a protein that moves in every frame, beside UseSSAO; 1024 x 1024."""
-    size, spheres = (1024, 1024), protein()
-    kinds = {
-        "vtk": Moving(spheres, size),
-        "UseSSAO": with_ssao(Moving(spheres, size)),
-        "sky alone": with_proxies(Moving(spheres, size), indirect_light="off"),
-        "with a bounce": with_proxies(Moving(spheres, size)),
-        "maps, with a bounce": with_maps(Moving(spheres, size)),
-        "by default": by_default(Moving(spheres, size)),
-        "maps, and a lamp": with_lamp(with_maps(Moving(spheres, size))),
-        "by default, and a lamp": with_lamp(by_default(Moving(spheres, size))),
-    }
-    found = in_turn(kinds)
+    """Print spheres that move in every frame, beside UseSSAO, and their error; 1024 x 1024."""
+    size = (1024, 1024)
     print(
-        "| frame | processor ms | frame over UseSSAO's | added over UseSSAO's |\n"
-        "|---|---:|---:|---:|"
+        "| scene | frame | processor ms | over UseSSAO's | added over UseSSAO's | nRMSE, sky |"
+        " bias | bias, bounce | its RMSE over the sky's mean |\n"
+        "|---|---|---:|---:|---:|---:|---:|---:|---:|"
     )
-    for name, spent in found.items():
-        added = (spent - found["vtk"]) / (found["UseSSAO"] - found["vtk"])
-        print(f"| {name} | {spent:.0f} | {spent / found['UseSSAO']:.2f} | {added:.2f} |")
+    for scene, spheres in (("protein", protein()), ("particles", particles(5000))):
+        kinds = {
+            "vtk": Moving(spheres, size),
+            "UseSSAO": with_ssao(Moving(spheres, size)),
+            "sky alone": with_proxies(Moving(spheres, size), indirect_light="off"),
+            "with a bounce": with_proxies(Moving(spheres, size)),
+        }
+        if scene == "protein":
+            kinds |= {
+                "maps, with a bounce": with_maps(Moving(spheres, size)),
+                "by default": by_default(Moving(spheres, size)),
+                "maps, and a lamp": with_lamp(with_maps(Moving(spheres, size))),
+                "by default, and a lamp": with_lamp(by_default(Moving(spheres, size))),
+            }
+        found = in_turn(kinds)
+        for name, spent in found.items():
+            added = (spent - found["vtk"]) / (found["UseSSAO"] - found["vtk"])
+            cells = "| | | "
+            if name == "with a bounce":
+                places = vtk_to_numpy(kinds[name].data.GetPoints().GetData()).astype(float)
+                view = kinds[name].view
+                rays = Spheres(np.c_[places, spheres[:, 3]], view.plane)
+                _, _, cells = against_rays(view, rays)
+            print(
+                f"| {scene} | {name} | {spent:.0f} | {spent / found['UseSSAO']:.2f} | {added:.2f} |"
+                f" {cells} |",
+                flush=True,
+            )
 
 
 def paper() -> None:

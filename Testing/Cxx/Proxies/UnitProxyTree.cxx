@@ -55,12 +55,12 @@ void AddWeights(const std::vector<Entry>& entries, int number, double above, con
 {
   const Entry& entry = entries[static_cast<size_t>(number)];
   const double weight = above + WeightOf(entry, place);
-  if (entry.First == entry.Next)
+  if (entry.Inner <= 0.0f)
   {
     sums.push_back(weight);
     return;
   }
-  for (int child = entry.First; child != entry.Next;
+  for (int child = number + 1; child != entry.Next;
        child = entries[static_cast<size_t>(child)].Next)
   {
     AddWeights(entries, child, weight, place, sums);
@@ -128,7 +128,7 @@ VTK_INDIRECT_TEST(ProxyTreeSkipsNothing)
       down += WeightOf(entry, place);
       const bool goes = glm::length(entry.OuterCenter - place) < entry.Outer &&
         glm::length(entry.Center - place) < entry.Inner;
-      i = goes ? entry.First : entry.Next;
+      i = goes ? i + 1 : entry.Next;
       visited += 1.0 / 60.0;
     }
     met += down;
@@ -138,6 +138,75 @@ VTK_INDIRECT_TEST(ProxyTreeSkipsNothing)
   CheckAtMost("weight that is not met", missed, 1e-3, "rounding of sums");
   CheckEqual("weight outside of blocks and lists", outside, 0.0);
   CheckAtMost("entries visited of 4000, on average", visited, 600.0, "most of it is far away");
+}
+
+VTK_INDIRECT_TEST(ProxyTreeBounds)
+{
+  // What is wholly below a receiver is left out by the bound of what stands for it.
+  vtkIndirectProxyTree tree;
+  tree.Build(MakeSpheres(3000, 17), 0.4, 0.0);
+  const std::vector<Entry>& entries = tree.GetEntries();
+  double farthest = 0.0;
+  double groups = 0.0;
+  double width = 0.0;
+  for (size_t i = 0; i < entries.size(); ++i)
+  {
+    const size_t end = entries[i].Next < 0 ? entries.size() : static_cast<size_t>(entries[i].Next);
+    double reach = 0.0;
+    for (size_t k = i; k < end; ++k)
+    {
+      reach = std::max(reach,
+        static_cast<double>(
+          glm::length(entries[k].Center - entries[i].Center) + entries[k].Radius));
+    }
+    farthest = std::max(farthest, reach / entries[i].Bound);
+    groups += end > i + 1 ? 1.0 : 0.0;
+    width += end > i + 1 ? entries[i].Bound / reach : 0.0;
+  }
+  Check("there are groups", groups > 900.0);
+  CheckAtMost("what is below an entry, over its bound", farthest, 1.0 + 1e-5, "rounding");
+  CheckAtMost("bounds over what they hold, on average", width / groups, 1.5,
+    "sums of the ways down, not the farthest sphere");
+}
+
+VTK_INDIRECT_TEST(ProxyRegionsInATexel)
+{
+  Random random(19);
+  double way = 0.0;
+  double radii = 0.0;
+  double share = 0.0;
+  bool finite = true;
+  for (int trial = 0; trial < 2000; ++trial)
+  {
+    vtkiRegion region;
+    region.Outer = vtkiPairedAbove(static_cast<float>(random.NextMagnitude(1e-6, 1e8)));
+    region.ToOuter =
+      region.Outer * static_cast<float>(random.Next()) * glm::vec3(random.NextDirection());
+    region.Inner = trial % 3 == 0 ? 0.0f
+      : trial % 3 == 1            ? -1.0f
+                       : vtkiPairedAbove(static_cast<float>(random.NextMagnitude(1e-6, 1e8)));
+    region.Bound = vtkiPairedAbove(static_cast<float>(random.NextMagnitude(1e-6, 1e8)));
+    region.Share = static_cast<float>(random.Next());
+    region.Next = static_cast<float>(trial - 1);
+    const glm::vec4 texel = vtkiPackRegion(region);
+    for (int i = 0; i < 4; ++i)
+    {
+      finite = finite && (std::isnormal(texel[i]) || texel[i] == 0.0f);
+    }
+    const vtkiRegion found = vtkiUnpackRegion(texel);
+    way = std::max(
+      way, static_cast<double>(glm::length(found.ToOuter - region.ToOuter) / region.Outer));
+    radii += found.Outer == region.Outer && found.Inner == region.Inner &&
+        found.Bound == region.Bound && found.Next == region.Next
+      ? 0.0
+      : 1.0;
+    share = std::max(share, std::abs(static_cast<double>(found.Share) - region.Share));
+  }
+  Check("no texel is a special number", finite);
+  CheckEqual("regions whose radii or next entry are others", radii, 0.0);
+  CheckAtMost("the way to the region's centre, over its radius", way, 2.5e-3,
+    "half a step of each coordinate: 1/1022, 1/1022, 1/510");
+  CheckAtMost("the share", share, 2.0e-3, "8 bits of mantissa");
 }
 
 VTK_INDIRECT_TEST(ProxyTreeGroups)

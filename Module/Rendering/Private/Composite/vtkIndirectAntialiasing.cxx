@@ -156,6 +156,8 @@ bool vtkIndirectAntialiasing::Internals::Apply(
   this->Edges.Activate(0, program);
   this->Tiles.Activate(0, program);
   program->SetUniform2i("vtkiTileCount", tiles);
+  const int edgeSize[2] = { this->Edges.GetWidth(), this->Edges.GetHeight() };
+  program->SetUniform2i("vtkiEdgeSize", edgeSize);
   program->SetUniform2i("vtkiSize", frame.Size);
   program->SetUniform2i("vtkiOrigin", frame.Origin);
   program->SetUniformi("vtkiRows", rows);

@@ -16,12 +16,8 @@ const vtkIndirectChannel TableChannels[] = {
 };
 const vtkIndirectChannel RowsChannels[] = {
   { "proxies.center", "vtkiProxyCenter", "centre, radius", GL_RGBA32F, "scene", "scene units" },
-  { "proxies.outer", "vtkiProxyOuter", "where it counts: centre, radius", GL_RGBA32F, "scene",
-    "scene units" },
-  { "proxies.albedo", "vtkiProxyAlbedo", "albedo, share of the disk that is hidden", GL_RGBA32F,
-    "-", "1" },
-  { "proxies.inner", "vtkiProxyInner", "radius within which others count, sender", GL_RGBA32F, "-",
-    "scene units" },
+  { "proxies.region", "vtkiProxyRegion", "where it counts", GL_RGBA32F, "scene", "bits" },
+  { "proxies.albedo", "vtkiProxyAlbedo", "albedo, sender", GL_RGBA32F, "-", "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 const vtkIndirectChannel BlocksChannels[] = {
@@ -69,6 +65,22 @@ const vtkIndirectChannel CoarseChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 #undef VTKI_COARSE_CHANNEL
+#define VTKI_SHARED_CHANNEL(name, uniform)                                                         \
+  {                                                                                                \
+    name, uniform, "what receivers of tiles get", GL_RGBA32F, "world", "VTK irradiance"            \
+  }
+const vtkIndirectChannel SharedChannels[] = {
+  VTKI_SHARED_CHANNEL("proxies.shared0", "vtkiShared0"),
+  VTKI_SHARED_CHANNEL("proxies.shared1", "vtkiShared1"),
+  VTKI_SHARED_CHANNEL("proxies.shared2", "vtkiShared2"),
+  VTKI_SHARED_CHANNEL("proxies.shared3", "vtkiShared3"),
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+#undef VTKI_SHARED_CHANNEL
+const vtkIndirectChannel CountChannels[] = {
+  { "proxies.count", "vtkiSharedCount", "receivers of a tile", GL_R32F, "-", "1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
 #define VTKI_SUM_CHANNEL(name, uniform)                                                            \
   {                                                                                                \
     name, uniform, "sums over spheres", GL_RGBA32F, "world", "-"                                   \

@@ -23,6 +23,11 @@ namespace
 {
 constexpr int RowLength = vtkIndirectKernels::VTKI_ROW_LENGTH;
 constexpr int TileSize = 16;
+// As in vtkIndirectProxyTile.glsl.
+constexpr int SharedTile = 8;
+constexpr int SharedBlock = 4;
+// Of images of pixels, beside those of receivers.
+constexpr int PixelUnit = 4;
 // Entries in one draw: long draws stall a desktop.
 constexpr int EntriesPerDraw = 16 * RowLength;
 enum ModeType
@@ -42,6 +47,27 @@ int FindRows(size_t entries)
     rows *= 2;
   }
   return rows;
+}
+
+// The table with so many entries that the nearest one does: a texel takes longer than what is done
+// with it.
+constexpr int TableLength = vtkIndirectKernels::VTKI_PROXY_TABLE;
+std::vector<float> MakeTable()
+{
+  std::vector<float> values;
+  for (int i = 0; i < TableLength; ++i)
+  {
+    const float place =
+      static_cast<float>(i * (vtkIndirectProxyEntries - 1)) / static_cast<float>(TableLength - 1);
+    const int row = std::min(static_cast<int>(place), vtkIndirectProxyEntries - 2);
+    for (int k = 0; k < 4; ++k)
+    {
+      const float low = vtkIndirectProxyTable[row][k];
+      values.push_back(
+        low + (place - static_cast<float>(row)) * (vtkIndirectProxyTable[row + 1][k] - low));
+    }
+  }
+  return values;
 }
 
 // Fills whole rows of a table.
@@ -71,6 +97,8 @@ vtkIndirectProxySums::vtkIndirectProxySums()
   , SenderLight(SenderLightChannels, false)
   , AllLight(SentLightChannels, false)
   , Coarse(CoarseChannels, false)
+  , Shared(SharedChannels, false)
+  , Counts(CountChannels, false)
   , Blended(BlendedChannels, false)
 {
 }
@@ -94,19 +122,17 @@ bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndire
   this->NumberOfBlocks = static_cast<int>(blocks.size());
   this->HasGroups = tree.HasGroups();
   const int rows = FindRows(entries.size());
-  if (!this->Table.Resize(window, vtkIndirectProxyEntries, 1) ||
-    !this->Rows.Resize(window, RowLength, rows) || !this->Blocks.Resize(window, 2, rows))
+  if (!this->Table.Resize(window, TableLength, 1) || !this->Rows.Resize(window, RowLength, rows) ||
+    !this->Blocks.Resize(window, 2, rows))
   {
     this->NumberOfEntries = 0;
     return false;
   }
   if (begins)
   {
-    const float* const first = &vtkIndirectProxyTable[0][0];
-    this->Table.Write(0, std::vector<float>(first, first + 4 * vtkIndirectProxyEntries));
+    this->Table.Write(0, MakeTable());
   }
-  // Senders of the tree are followed by those of polygons, then, from another row on, by means of
-  // the tree's.
+  // Senders of the tree are followed by those of polygons.
   const int trees = static_cast<int>(tree.GetSenders().size());
   this->FirstPlace = this->NumberOfSenders = trees;
   for (const vtkIndirectProxyPolygon& polygon : this->Polygons)
@@ -114,30 +140,27 @@ bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndire
     this->NumberOfSenders += 2 *
       static_cast<int>(vtkIndirectProxyLight::FindPlaces(polygon, this->Polygons.size()).size());
   }
-  const int added = RowLength * FindRows(static_cast<size_t>(this->NumberOfSenders)) - trees;
-  std::vector<float> values[5];
+  std::vector<float> values[4];
   for (const vtkIndirectProxyTree::Entry& entry : entries)
   {
     Append(values[0], entry.Center, entry.Radius);
-    Append(values[1], entry.OuterCenter, entry.Outer);
-    Append(values[2], entry.Albedo, entry.Share);
-    const int sender = entry.Sender + (entry.Sender < trees ? 0 : added);
-    Append(values[3],
-      glm::vec3(entry.Inner, static_cast<float>(sender), static_cast<float>(entry.Next)),
-      static_cast<float>(entry.First));
+    const glm::vec4 region = vtkIndirectKernels::vtkiPackRegion({ entry.OuterCenter - entry.Center,
+      entry.Outer, entry.Inner, entry.Bound, entry.Share, static_cast<float>(entry.Next) });
+    Append(values[1], glm::vec3(region), region.w);
+    Append(values[2], entry.Albedo, static_cast<float>(entry.Sender));
   }
   for (const vtkIndirectProxyTree::Block& block : blocks)
   {
-    Append(values[4], block.Lower, 0.0f);
-    Append(values[4], block.Upper, 0.0f);
+    Append(values[3], block.Lower, 0.0f);
+    Append(values[3], block.Upper, 0.0f);
   }
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < 3; ++i)
   {
     WriteRows(this->Rows, i, values[i]);
   }
   if (!blocks.empty())
   {
-    this->Blocks.Write(0, values[4]);
+    this->Blocks.Write(0, values[3]);
   }
   return this->UpdateSenders(window, tree);
 }
@@ -210,7 +233,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
     return true;
   }
   if (!this->SenderLight.Resize(window, RowLength, this->Senders.GetHeight()) ||
-    !this->AllLight.Resize(window, RowLength, this->Senders.GetHeight() + this->Ranges.GetHeight()))
+    !this->AllLight.Resize(window, RowLength, this->Rows.GetHeight() + this->Senders.GetHeight()))
   {
     return false;
   }
@@ -241,7 +264,10 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
     this->Ranges.Activate(0, program);
     if (i == 1)
     {
-      program->SetUniformi("vtkiMeanRow", this->Senders.GetHeight());
+      program->SetUniformi("vtkiSenderRow", this->Rows.GetHeight());
+      program->SetUniformi("vtkiFirstMean", this->FirstPlace);
+      program->SetUniformi("vtkiProxyCount", this->NumberOfEntries);
+      this->Rows.Activate(2, program);
       for (int k = 0; k < 4; ++k)
       {
         this->SenderLight.Activate(k, program);
@@ -249,6 +275,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
     }
     kernel.Draw();
     this->SenderLight.Deactivate();
+    this->Rows.Deactivate();
     this->Ranges.Deactivate();
     if (i == 0)
     {
@@ -281,6 +308,7 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
   }
   if (program->IsUniformUsed("vtkiSentLight0"))
   {
+    program->SetUniformi("vtkiSenderRow", this->Rows.GetHeight());
     for (int i = 0; i < this->AllLight.GetNumberOfChannels(); ++i)
     {
       this->AllLight.Activate(i, program);
@@ -292,6 +320,14 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
   {
     this->Rows.Activate(i, program);
   }
+  const auto scale = [program](const char* name, const vtkIndirectTarget& target)
+  {
+    const float perTexel[2] = { 1.0f / static_cast<float>(RowLength),
+      1.0f / static_cast<float>(std::max(target.GetHeight(), 1)) };
+    program->SetUniform2f(name, perTexel);
+  };
+  scale("vtkiEntryScale", this->Rows);
+  scale("vtkiLightScale", this->AllLight);
   program->SetUniformi("vtkiProxyCount", this->NumberOfEntries);
   program->SetUniformi("vtkiProxyHides", input.Hides ? 1 : 0);
   program->SetUniformf("vtkiProxyLightReach", static_cast<float>(input.LightReach));
@@ -312,7 +348,7 @@ void vtkIndirectProxySums::Deactivate(const Input& input) const
 bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  if (!image.Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  if (!image.Resize(frame.Window, frame.Size[0], frame.Size[1], &input.Geometry.GetTarget()))
   {
     return false;
   }
@@ -335,6 +371,8 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
   if (!coarse)
   {
     this->Coarse.Release(frame.Window);
+    this->Shared.Release(frame.Window);
+    this->Counts.Release(frame.Window);
     this->Rest.Release();
   }
   else
@@ -355,35 +393,103 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
     return this->SumInTiles(input, definitions, image, PIXELS);
   }
   return this->SumInTiles(input, definitions, this->Coarse, COARSE) &&
-    this->Upsample(input, definitions, image) && this->ListRest(input, image) &&
-    this->SumInTiles(input, definitions, image, REST);
+    this->Upsample(input, definitions, image) && this->SumRest(input, definitions, image);
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectProxySums::ListRest(const Input& input, vtkIndirectTarget& image)
+// Light of pixels that no coarse receiver stands for.
+bool vtkIndirectProxySums::SumRest(
+  const Input& input, const std::string& definitions, vtkIndirectTarget& image)
+{
+  const int* const size = input.Frame.Size;
+  const int tiles[2] = { (size[0] + SharedTile - 1) / SharedTile,
+    (size[1] + SharedTile - 1) / SharedTile };
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  return this->Counts.Resize(window, tiles[0], tiles[1]) &&
+    this->Shared.Resize(window, SharedBlock * tiles[0], SharedBlock * tiles[1]) &&
+    this->ChooseRest(input, image) && this->SumInTiles(input, definitions, image, REST) &&
+    this->ShareRest(input, definitions, image);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::ChooseRest(const Input& input, vtkIndirectTarget& image)
 {
 #ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
-  vtkShaderProgram* program = this->Listing.Use(frame.Window);
+  vtkShaderProgram* program = this->Choosing.Use(frame.Window);
   if (!program)
   {
     return false;
   }
   const size_t pixels = static_cast<size_t>(frame.Size[0]) * static_cast<size_t>(frame.Size[1]);
-  this->Rest.Begin(frame.Window, pixels);
+  this->Rest.Begin(frame.Window, 2 * pixels);
+  this->Activate(input, program);
   this->Rest.Activate(program, "vtkiProxyPixels");
-  program->SetUniform2i("vtkiSize", frame.Size);
   glBindImageTexture(
     0, image.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  glBindImageTexture(
+    1, this->Counts.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32F);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  glDispatchCompute(static_cast<GLuint>((frame.Size[0] + TileSize - 1) / TileSize),
-    static_cast<GLuint>((frame.Size[1] + TileSize - 1) / TileSize), 1);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  glDispatchCompute(static_cast<GLuint>((this->Counts.GetWidth() + SharedTile - 1) / SharedTile),
+    static_cast<GLuint>((this->Counts.GetHeight() + SharedTile - 1) / SharedTile), 1);
+  glMemoryBarrier(
+    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+  for (GLuint i = 0; i < 2; ++i)
+  {
+    glBindImageTexture(i, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  }
   this->Rest.Deactivate();
+  this->Deactivate(input);
   return true;
 #else
   return image.GetWidth() > 0 && input.Step > 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::ShareRest(
+  const Input& input, const std::string& definitions, vtkIndirectTarget& image)
+{
+#ifdef GL_COMPUTE_SHADER
+  const vtkIndirectFrame& frame = input.Frame;
+  this->Sharing.SetDefinitions(definitions);
+  vtkShaderProgram* program = this->Sharing.Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  this->Activate(input, program);
+  this->Counts.Activate(0, program);
+  for (int i = 0; i < this->Shared.GetNumberOfChannels(); ++i)
+  {
+    this->Shared.Activate(i, program);
+  }
+  this->BindImages(image, 0, true);
+  this->Rest.Activate(program, "vtkiProxyPixels");
+  this->Rest.Dispatch(1);
+  this->Rest.Deactivate();
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  this->BindImages(image, 0, false);
+  this->Counts.Deactivate();
+  this->Shared.Deactivate();
+  this->Deactivate(input);
+  return true;
+#else
+  return image.GetWidth() > 0 && definitions.empty() && input.Step > 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+// All channels of a target as images from a unit on, or nothing there.
+void vtkIndirectProxySums::BindImages(vtkIndirectTarget& target, int unit, bool binds)
+{
+#ifdef GL_COMPUTE_SHADER
+  for (int i = 0; i < target.GetNumberOfChannels(); ++i)
+  {
+    glBindImageTexture(static_cast<GLuint>(unit + i), binds ? target.GetTexture(i)->GetHandle() : 0,
+      0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  }
 #endif
 }
 
@@ -395,7 +501,7 @@ bool vtkIndirectProxySums::SumInTiles(
   const vtkIndirectFrame& frame = input.Frame;
   this->Tiles[mode].SetDefinitions(definitions +
     (this->HasGroups ? "#define VTKI_PROXY_TREE\n" : "") +
-    (mode == PIXELS || mode == REST ? "#define VTKI_PROXY_PIXELS\n" : "") +
+    (mode == PIXELS ? "#define VTKI_PROXY_PIXELS\n" : "") +
     (mode == REST ? "#define VTKI_PROXY_REST\n" : ""));
   vtkShaderProgram* program = this->Tiles[mode].Use(frame.Window);
   if (!program)
@@ -408,12 +514,13 @@ bool vtkIndirectProxySums::SumInTiles(
   const int* const size = mode == COARSE ? this->CoarseSize
     : mode == SENDERS                    ? senders
                                          : frame.Size;
-  auto bind = [&](bool binds)
+  const bool ofPixels = mode == PIXELS || mode == REST;
+  const auto bind = [&](bool binds)
   {
-    for (int i = 0; i < image.GetNumberOfChannels(); ++i)
+    this->BindImages(image, ofPixels ? PixelUnit : 0, binds);
+    if (mode == REST)
     {
-      glBindImageTexture(static_cast<GLuint>(i), binds ? image.GetTexture(i)->GetHandle() : 0, 0,
-        GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+      this->BindImages(this->Shared, 0, binds);
     }
   };
   bind(true);
@@ -525,7 +632,15 @@ bool vtkIndirectProxySums::Upsample(
   {
     return false;
   }
+  // The depth test branches where software's shaders cannot: most of many pictures is background.
+  vtkOpenGLState* state = input.Frame.Window->GetState();
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  state->vtkglDepthMask(GL_FALSE);
   image.Begin();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  glDepthRange(1.0, 1.0);
+  state->vtkglDepthFunc(GL_GREATER);
   this->Activate(input, program);
   for (int i = 0; i < this->Coarse.GetNumberOfChannels(); ++i)
   {
@@ -534,16 +649,25 @@ bool vtkIndirectProxySums::Upsample(
   this->Upsampling.Draw();
   this->Coarse.Deactivate();
   this->Deactivate(input);
+  program = this->Background.Use(input.Frame.Window);
+  state->vtkglDepthFunc(GL_EQUAL);
+  if (program)
+  {
+    this->Background.Draw();
+  }
+  glDepthRange(0.0, 1.0);
+  state->vtkglDisable(GL_DEPTH_TEST);
   image.End();
-  return true;
+  return program != nullptr;
 }
 
 //------------------------------------------------------------------------------
 size_t vtkIndirectProxySums::GetBytes() const
 {
   size_t bytes = this->Mesh.GetBytes() + this->Light.GetBytes() + this->Rest.GetBytes();
-  for (const vtkIndirectTarget* target : { &this->Table, &this->Rows, &this->Blocks, &this->Senders,
-         &this->Ranges, &this->SenderLight, &this->AllLight, &this->Coarse, &this->Blended })
+  for (const vtkIndirectTarget* target :
+    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
+      &this->AllLight, &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
   {
     bytes += target->GetBytes();
   }
@@ -553,20 +677,23 @@ size_t vtkIndirectProxySums::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkIndirectProxySums::Release(vtkWindow* window)
 {
-  for (vtkIndirectTarget* target : { &this->Table, &this->Rows, &this->Blocks, &this->Senders,
-         &this->Ranges, &this->SenderLight, &this->AllLight, &this->Coarse, &this->Blended })
+  for (vtkIndirectTarget* target :
+    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
+      &this->AllLight, &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
   {
     target->Release(window);
   }
   this->Light.Release();
   this->Mesh.Release();
   this->Rest.Release();
-  this->Listing.Release(window);
+  this->Choosing.Release(window);
+  this->Sharing.Release(window);
   for (vtkIndirectComputeProgram& program : this->Tiles)
   {
     program.Release(window);
   }
   this->Upsampling.Release();
+  this->Background.Release();
   this->Resolving.Release();
   this->Sending.Release();
   this->Averaging.Release();

@@ -61,7 +61,10 @@ private:
   bool LightSenders(const Input& input);
   bool SumInTiles(
     const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode);
-  bool ListRest(const Input& input, vtkIndirectTarget& image);
+  static void BindImages(vtkIndirectTarget& target, int unit, bool binds);
+  bool SumRest(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
+  bool ChooseRest(const Input& input, vtkIndirectTarget& image);
+  bool ShareRest(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
   bool SumBlended(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
   bool Splat(const Input& input, const std::string& definitions);
   bool Upsample(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
@@ -84,11 +87,14 @@ private:
   vtkIndirectTarget SenderLight; // what falls on them
   vtkIndirectTarget AllLight;    // the same, and means of it, in pairs
   vtkIndirectTarget Coarse;
+  vtkIndirectTarget Shared;  // receivers of tiles
+  vtkIndirectTarget Counts;  // of them
   vtkIndirectTarget Blended; // sums
   vtkIndirectSplatMesh Mesh;
-  vtkIndirectCommandBuffer Rest{ 1 }; // pixels that are left
-  vtkIndirectComputeProgram Listing{ "vtkIndirectProxyListCS.glsl" };
-  // Of coarse receivers, of all pixels, of pixels that are left, of senders.
+  vtkIndirectCommandBuffer Rest{ 2 }; // tiles' receivers, pixels that they serve
+  vtkIndirectComputeProgram Choosing{ "vtkIndirectProxyChooseCS.glsl" };
+  vtkIndirectComputeProgram Sharing{ "vtkIndirectProxyShareCS.glsl" };
+  // Of coarse receivers, of all pixels, of tiles' receivers, of senders.
   vtkIndirectComputeProgram Tiles[4]{ vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
     vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
     vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
@@ -96,6 +102,7 @@ private:
   vtkIndirectFullScreenProgram Sending{ "vtkIndirectProxySendersFS.glsl" };
   vtkIndirectFullScreenProgram Averaging{ "vtkIndirectProxySendersFS.glsl" };
   vtkIndirectFullScreenProgram Upsampling{ "vtkIndirectProxyUpsampleFS.glsl" };
+  vtkIndirectFullScreenProgram Background{ "vtkIndirectClearFS.glsl" };
   vtkIndirectFullScreenProgram Resolving{ "vtkIndirectProxyResolveFS.glsl" };
 };
 #endif

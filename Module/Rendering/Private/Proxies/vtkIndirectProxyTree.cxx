@@ -9,8 +9,6 @@
 
 namespace
 {
-// Groups of more than that come first, so that blocks of the others are near to each other.
-constexpr size_t LargeGroup = 64;
 // Up to so many spheres have light of their own. Of more of them so many or fewer are found
 // together, or more where else there would be more senders: as groups have four parts that is a
 // sender for two to eight.
@@ -32,7 +30,6 @@ void vtkIndirectProxyTree::Build(
   this->Senders.clear();
   this->Means.clear();
   this->Nodes.clear();
-  this->Small.clear();
   if (spheres.empty())
   {
     return;
@@ -45,13 +42,12 @@ void vtkIndirectProxyTree::Build(
       const double outer = reach > 0.0 ? std::min(reach * sphere.Radius, Everywhere) : Everywhere;
       this->Entries.push_back({ center, static_cast<float>(sphere.Radius), center,
         static_cast<float>(outer), sphere.Albedo, 1.0f, sphere.Exact ? -1.0f : 0.0f,
-        static_cast<int>(this->Senders.size()), 0, 0 });
+        static_cast<int>(this->Senders.size()), 0, static_cast<float>(sphere.Radius) });
       this->Senders.push_back({ center, static_cast<float>(sphere.Radius) });
     }
     for (size_t i = 0; i < this->Entries.size(); ++i)
     {
-      this->Entries[i].Next = this->Entries[i].First =
-        i + 1 < this->Entries.size() ? static_cast<int>(i) + 1 : -1;
+      this->Entries[i].Next = i + 1 < this->Entries.size() ? static_cast<int>(i) + 1 : -1;
     }
     this->MakeBlocks();
     return;
@@ -74,12 +70,11 @@ void vtkIndirectProxyTree::Build(
     node.Sender =
       node.Sender < 0 ? static_cast<int>(this->Senders.size()) - 1 - node.Sender : node.Sender;
   }
-  this->AddLarge(root, nullptr);
-  for (const auto& small : this->Small)
+  this->AddEntries(root, nullptr);
+  for (Entry& entry : this->Entries)
   {
-    this->AddEntry(small.first, small.second);
+    entry.Next = entry.Next < static_cast<int>(this->Entries.size()) ? entry.Next : -1;
   }
-  this->Link(root, -1);
   this->MakeBlocks();
 }
 
@@ -154,6 +149,7 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
     moments[4] = r2 * (glm::dot(sphere.Center, sphere.Center) + 0.6 * r2);
     node.Center = sphere.Center;
     node.Radius = sphere.Radius;
+    node.Bound = sphere.Radius;
     node.Albedo = sphere.Albedo;
     node.Share = 1.0;
     node.Inner = 0.0;
@@ -220,16 +216,21 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
   }
   const double area = vtkIndirectProxySilhouette::FindArea(balls, node.NumberOfChildren);
   node.Radius = std::max(node.Radius, std::sqrt(area));
+  node.Bound = node.Radius;
   node.Share = area > 0.0 ? std::min(area / (node.Radius * node.Radius), 1.0) : 0.0;
   // Where it begins to count its children count in full.
   node.Inner = node.Radius / angle;
   for (int i = 0; i < node.NumberOfChildren; ++i)
   {
     const Node& child = this->Nodes[node.Children[i]];
-    node.Inner = std::max(node.Inner,
-      (child.Inner + glm::length(child.Center - node.Center)) /
-        vtkIndirectKernels::VTKI_PROXY_BAND);
+    const double distance = glm::length(child.Center - node.Center);
+    node.Inner =
+      std::max(node.Inner, (child.Inner + distance) / vtkIndirectKernels::VTKI_PROXY_BAND);
+    node.Bound = std::max(node.Bound, distance + child.Bound);
   }
+  // Radii as they are in texels: where it ends its children begin.
+  node.Inner =
+    vtkIndirectKernels::vtkiPairedAbove(static_cast<float>(std::min(node.Inner, Everywhere)));
   this->Nodes[number] = node;
   return number;
 }
@@ -270,48 +271,22 @@ void vtkIndirectProxyTree::AddSenders(size_t number, int own)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxyTree::AddEntry(size_t number, const Node* parent)
+void vtkIndirectProxyTree::AddEntries(size_t number, const Node* parent)
 {
-  Node& node = this->Nodes[number];
+  const Node& node = this->Nodes[number];
   const glm::vec3 center(node.Center);
-  node.Entry = static_cast<int>(this->Entries.size());
+  const size_t entry = this->Entries.size();
   this->Entries.push_back(
     { center, static_cast<float>(node.Radius), parent ? glm::vec3(parent->Center) : center,
       static_cast<float>(parent ? std::min(parent->Inner, Everywhere) : Everywhere),
       glm::vec3(node.Albedo), static_cast<float>(node.Share),
       node.Exact ? -1.0f : static_cast<float>(std::min(node.Inner, Everywhere)), node.Sender, -1,
-      -1 });
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectProxyTree::Link(size_t number, int next)
-{
-  const Node& node = this->Nodes[number];
-  Entry& entry = this->Entries[static_cast<size_t>(node.Entry)];
-  entry.Next = entry.First = next;
-  for (int i = node.NumberOfChildren - 1; i >= 0; --i)
-  {
-    this->Link(node.Children[i], entry.First);
-    entry.First = this->Nodes[node.Children[i]].Entry;
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectProxyTree::AddLarge(size_t number, const Node* parent)
-{
-  const Node& node = this->Nodes[number];
-  if (node.NumberOfSpheres > LargeGroup)
-  {
-    this->AddEntry(number, parent);
-  }
-  else
-  {
-    this->Small.emplace_back(number, parent);
-  }
+      vtkIndirectKernels::vtkiPairedAbove(static_cast<float>(std::min(node.Bound, Everywhere))) });
   for (int i = 0; i < node.NumberOfChildren; ++i)
   {
-    this->AddLarge(node.Children[i], &node);
+    this->AddEntries(node.Children[i], &node);
   }
+  this->Entries[entry].Next = static_cast<int>(this->Entries.size());
 }
 
 //------------------------------------------------------------------------------

@@ -18,8 +18,7 @@
 
 #include "Proxies/vtkIndirectProxySphere.h" // for spheres
 
-#include <utility> // for pairs
-#include <vector>  // for lists
+#include <vector> // for lists
 
 class vtkIndirectProxyTree
 {
@@ -35,8 +34,8 @@ public:
     float Inner; // the same the other way round: nothing of it counts well within; 0: it does, as
                  // a sphere that stands for a surface; -1: as one that is drawn
     int Sender; // whose light it sends: a place among the senders, or from there on among the means
-    int Next;   // the entry after it and all below it; -1: none
-    int First;  // the first below it, or Next
+    int Next;   // the entry after it and all below it, which follow it; -1: none
+    float Bound; // radius about its centre that it and all below it are within
   };
   /**
    * A sphere whose light stands for that of those next to it, too. It is one of them: between
@@ -79,6 +78,7 @@ private:
   {
     glm::dvec3 Center;
     double Radius;
+    double Bound;
     double Share;
     double Inner;
     glm::dvec3 Albedo;
@@ -87,7 +87,6 @@ private:
     size_t NumberOfSpheres;
     bool Exact;
     int Sender;
-    int Entry;
   };
 
   size_t MakeNode(const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end,
@@ -96,15 +95,12 @@ private:
     const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end) const;
   void Split(const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end);
   void AddSenders(size_t node, int own);
-  void AddEntry(size_t node, const Node* parent);
-  void Link(size_t node, int next);
-  void AddLarge(size_t node, const Node* parent);
+  void AddEntries(size_t node, const Node* parent);
   void MakeBlocks();
 
   std::vector<size_t> Order; // of the spheres
   size_t SpheresOfSender = 4;
   std::vector<Node> Nodes;
-  std::vector<std::pair<size_t, const Node*>> Small; // and their parents
   std::vector<Entry> Entries;
   std::vector<Block> Blocks;
   std::vector<Sender> Senders;

@@ -8,12 +8,14 @@
 uniform sampler2D vtkiDepth;
 uniform usampler2D vtkiEdges;
 flat in vec2 vtkiTexel;
+flat in vec2 vtkiEdgeTexel;
 flat in ivec3 vtkiPlaces; // the viewport's origin, and the first line of columns
 
-// Of a line and the word of a position, which may be one before the picture's first or behind its last.
+// Of a line and the word of a position, which may be one before the picture's first or behind its last. Sampled:
+// software takes the nearest texel faster than it fetches one.
 uvec4 vtkiFetchEdges(int position, int line)
 {
-  return texelFetch(vtkiEdges, ivec2((position + 32) >> 5, line), 0);
+  return textureLod(vtkiEdges, (vec2(float((position + 32) >> 5), float(line)) + 0.5f) * vtkiEdgeTexel, 0.0f);
 }
 
 // Four bits from that position on, of a channel each.

@@ -5,7 +5,9 @@ uniform ivec2 vtkiTileCount;
 uniform ivec2 vtkiSize;
 uniform ivec2 vtkiOrigin;
 uniform int vtkiRows;
+uniform ivec2 vtkiEdgeSize;
 flat out vec2 vtkiTexel;
+flat out vec2 vtkiEdgeTexel;
 flat out ivec3 vtkiPlaces; // the viewport's origin, and the first line of columns
 
 void main()
@@ -16,6 +18,7 @@ void main()
   vec2 at = (tile + 0.5f) / vec2(vtkiTileCount);
   bool hasEdges = textureLod(vtkiTiles, at, 0.0f).r > 0.0f;
   vtkiTexel = 1.0f / vec2(vtkiSize);
+  vtkiEdgeTexel = 1.0f / vec2(vtkiEdgeSize);
   vtkiPlaces = ivec3(vtkiOrigin, vtkiRows);
   // The viewport is as large as all tiles, of which the last may reach over the picture.
   gl_Position = hasEdges ? vec4(2.0f * at - 1.0f, 0.0f, 1.0f) : vec4(2.0f, 2.0f, 2.0f, 1.0f);

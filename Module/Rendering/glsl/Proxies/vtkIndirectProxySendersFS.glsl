@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// The light that falls on senders, one fragment each; or with VTKI_PROXY_MEANS all of it in pairs, followed
-// from row vtkiMeanRow on by means of several.
+// The light that falls on senders, one fragment each; or with VTKI_PROXY_MEANS what each entry sends of its own sender
+// or the mean of several, in pairs, followed from row vtkiSenderRow on by what falls on each sender.
 #ifndef VTKI_PROXY_MEANS
 #define VTKI_PROXY_SENDERS
 #endif
@@ -14,7 +14,7 @@ uniform sampler2D vtkiSenderLight1;
 uniform sampler2D vtkiSenderLight2;
 uniform sampler2D vtkiSenderLight3; // of the share of its half space that is open among spheres, the same
 uniform sampler2D vtkiMeanRange;    // first, number
-uniform int vtkiMeanRow;
+uniform int vtkiFirstMean;          // a number of senders
 
 // Of more senders so many stand for all.
 const int VTKI_MEAN_SAMPLES = 16;
@@ -29,15 +29,21 @@ void main()
   light[3] = vec4(0.0f);
 #ifdef VTKI_PROXY_MEANS
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  bool single = texel.y < vtkiMeanRow;
+  bool entry = texel.y < vtkiSenderRow;
+  // Rows may end before the table does.
+  vec4 albedo =
+    entry && number < vtkiProxyCount ? texelFetch(vtkiProxyAlbedo, texel, 0) : vec4(1.0f, 1.0f, 1.0f, 0.0f);
+  int own = int(albedo.a);
+  bool single = !entry || own < vtkiFirstMean;
   if (single)
   {
+    texel = entry ? vtkiTableTexel(own) : texel - ivec2(0, vtkiSenderRow);
     light[0] = texelFetch(vtkiSenderLight0, texel, 0);
     light[1] = texelFetch(vtkiSenderLight1, texel, 0);
     light[2] = texelFetch(vtkiSenderLight2, texel, 0);
     light[3] = texelFetch(vtkiSenderLight3, texel, 0);
   }
-  vec2 range = single ? vec2(0.0f) : texelFetch(vtkiMeanRange, texel - ivec2(0, vtkiMeanRow), 0).xy;
+  vec2 range = single ? vec2(0.0f) : texelFetch(vtkiMeanRange, vtkiTableTexel(own - vtkiFirstMean), 0).xy;
   int first = int(range.x);
   int count = int(range.y);
   int samples = min(count, VTKI_MEAN_SAMPLES);
@@ -53,15 +59,15 @@ void main()
     vec4 l0 = texelFetch(vtkiSenderLight0, at, 0);
     vec4 l1 = texelFetch(vtkiSenderLight1, at, 0);
     vec4 l2 = texelFetch(vtkiSenderLight2, at, 0);
-    vec4 own = texelFetch(vtkiSenderLight3, at, 0);
-    own.x = max(own.x, 0.02f);
+    vec4 free = texelFetch(vtkiSenderLight3, at, 0);
+    free.x = max(free.x, 0.02f);
     vec3 b[3] = vec3[3](vec3(l0.a, l1.rg), vec3(l1.ba, l2.r), l2.gba);
-    sentA += own.x * l0.rgb + (own.y * b[0] + own.z * b[1] + own.w * b[2]) / 3.0f;
+    sentA += free.x * l0.rgb + (free.y * b[0] + free.z * b[1] + free.w * b[2]) / 3.0f;
     for (int k = 0; k < 3; ++k)
     {
-      sent[k] += own.x * b[k] + own[k + 1] * l0.rgb;
+      sent[k] += free.x * b[k] + free[k + 1] * l0.rgb;
     }
-    open += own;
+    open += free;
   }
   if (!single && samples > 0)
   {
@@ -76,6 +82,9 @@ void main()
     light[2] = vec4(by.b, bz);
     light[3] = open / float(samples);
   }
+  light[0] *= albedo.rgbr;
+  light[1] *= albedo.gbrg;
+  light[2] *= albedo.brgb;
   vec4 pairs[2];
   vtkiPairLight(light, pairs);
   gl_FragData[0] = pairs[0];

@@ -1,10 +1,12 @@
 //VTK::System::Dec
 // A rectangle about the region in which an entry of the tree of spheres counts, an instance each.
 #include "vtkIndirectLibSplat.glsl"
+#include "vtkIndirectLibProxyRegion.glsl"
 #include "vtkIndirectLibTable.glsl"
 
 in vec3 vtkiCorner; // of the square from -1 to 1
-uniform sampler2D vtkiProxyOuter; // as in vtkIndirectProxySum.glsl
+uniform sampler2D vtkiProxyCenter; // as in vtkIndirectProxySum.glsl
+uniform sampler2D vtkiProxyRegion;
 uniform int vtkiFirstProxy;
 uniform mat4 vtkiSceneToClip;
 uniform vec2 vtkiProxyMargin; // of two coarse pixels
@@ -18,16 +20,17 @@ vec4 vtkiClipRow(int i)
 void main()
 {
   vtkiProxyNumber = vtkiFirstProxy + gl_InstanceID;
-  vec4 outer = texelFetch(vtkiProxyOuter, vtkiTableTexel(vtkiProxyNumber), 0);
+  ivec2 at = vtkiTableTexel(vtkiProxyNumber);
+  vtkiRegion whole = vtkiUnpackRegion(texelFetch(vtkiProxyRegion, at, 0));
   vec2 corner = vtkiCorner.xy;
   // What counts all over the scene and beyond covers the view.
-  if (outer.w < 1.0e3f)
+  if (whole.Outer < 1.0e3f)
   {
     vtkiSplat region;
-    region.center = outer.xyz;
-    region.along = outer.w;
+    region.center = texelFetch(vtkiProxyCenter, at, 0).xyz + whole.ToOuter;
+    region.along = whole.Outer;
     region.axis = vec3(0.0f, 0.0f, 1.0f);
-    region.across = outer.w;
+    region.across = whole.Outer;
     vec2 x;
     vec2 y;
     int where = vtkiSplatRange(region, vtkiClipRow(0), vtkiClipRow(3), x);

@@ -3,16 +3,21 @@
 #include "vtkIndirectLibTable.glsl"
 
 uniform sampler2D vtkiProxyCenter; // centre, radius
-uniform sampler2D vtkiProxyOuter;  // centre and radius of the region
-uniform sampler2D vtkiProxyAlbedo; // albedo, share of the disk that is hidden
-uniform sampler2D vtkiProxyInner;  // radius within which others stand for it (0: none do, -1: it is drawn as it is),
-                                   // sender, next entry, first below it
+uniform sampler2D vtkiProxyRegion; // vtkiRegion
+uniform sampler2D vtkiProxyAlbedo; // albedo, sender
 uniform sampler2D vtkiProxyTable;  // zonal logarithms over 1 - cos, a row of them
 uniform int vtkiProxyCount;
 uniform bool vtkiProxyHides;
-uniform sampler2D vtkiSentLight0;  // of senders and means in pairs: irradiance a + b n of each colour, a and b.x; red b.y
-uniform sampler2D vtkiSentLight1;  // and b.z; green, blue; the open share of the half space around n, the same
-uniform sampler2D vtkiSenderPlace;  // place; radius, or the area that a place of a polygon stands for
+// What entries send, and from row vtkiSenderRow on what falls on senders, in pairs: a + b n of each colour, a and b.x;
+// red b.y and b.z; green, blue; the open share of the half space around n, the same.
+uniform sampler2D vtkiSentLight0;
+uniform sampler2D vtkiSentLight1;
+uniform int vtkiSenderRow;
+// From texels to coordinates of entries and of what they send: software samples the nearest texel faster than it
+// fetches one.
+uniform vec2 vtkiEntryScale;
+uniform vec2 vtkiLightScale;
+uniform sampler2D vtkiSenderPlace; // place; radius, or the area that a place of a polygon stands for
 uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: everywhere
 #ifdef VTKI_PROXY_SENDERS
 // Center of the sphere whose light is summed. It hides nothing from itself: its normals' cosines do that, and the half
@@ -23,8 +28,6 @@ bool vtkiAllNormals = false;
 // Whether that place is inside of another sphere, 1; 0 from a quarter of that one's radius on.
 float vtkiOwnBuried = 0.0f;
 #endif
-
-const int VTKI_PROXY_TABLE = 64;
 
 struct vtkiProxySums
 {
@@ -44,11 +47,8 @@ vtkiProxySums vtkiNoProxies()
 vec4 vtkiZonalLog(float sine)
 {
   float share = vtkiProxyRow(sine);
-  float place = share * float(VTKI_PROXY_TABLE - 1);
-  int row = min(int(place), VTKI_PROXY_TABLE - 2);
-  return share *
-    mix(texelFetch(vtkiProxyTable, ivec2(row, 0), 0), texelFetch(vtkiProxyTable, ivec2(row + 1, 0), 0),
-      place - float(row));
+  float place = (share * float(VTKI_PROXY_TABLE - 1) + 0.5f) / float(VTKI_PROXY_TABLE);
+  return share * textureLod(vtkiProxyTable, vec2(place, 0.5f), 0.0f);
 }
 
 // Radiance of a sphere of albedo 1 towards the receiver, in the light that nothing hides from it (Eq 15; with
@@ -76,15 +76,6 @@ vec3 vtkiSphereRadiance(vtkiHarmonics4 y, float sine)
   return max(radiance, vec3(0.0f));
 }
 
-// Two numbers in one, of 8 bits of mantissa each: texels cost more than what is done with them. The first one's
-// exponent is that of the float, which thus is no special one.
-float vtkiPair(float first, float second)
-{
-  uint high = floatBitsToUint(abs(first) < 1.0e-30f ? 1.0e-30f : first) + 0x8000u;
-  uint low = floatBitsToUint(second) + 0x8000u;
-  return uintBitsToFloat((high & 0xffff0000u) | (low >> 16));
-}
-
 vec4 vtkiFirst(vec4 pairs)
 {
   return uintBitsToFloat(floatBitsToUint(pairs) & uvec4(0xffff0000u));
@@ -104,12 +95,12 @@ void vtkiPairLight(vec4 light[4], out vec4 pairs[2])
     vtkiPair(light[3].r, light[3].g), vtkiPair(light[3].b, light[3].a));
 }
 
-// Irradiance a + b n of a sender or of a mean, for a vector n; in the fourth component how open it is there.
-vec4 vtkiSenderIrradiance(int sender, vec3 n)
+// Irradiance a + b n of what an entry sends, for a vector n; in the fourth component how open it is there.
+vec4 vtkiEntryIrradiance(ivec2 at, vec3 n)
 {
-  ivec2 at = vtkiTableTexel(sender);
-  vec4 l0 = texelFetch(vtkiSentLight0, at, 0);
-  vec4 l1 = texelFetch(vtkiSentLight1, at, 0);
+  vec2 place = (vec2(at) + 0.5f) * vtkiLightScale;
+  vec4 l0 = textureLod(vtkiSentLight0, place, 0.0f);
+  vec4 l1 = textureLod(vtkiSentLight1, place, 0.0f);
   vec4 first0 = vtkiFirst(l0);
   vec4 first1 = vtkiFirst(l1);
   vec4 second0 = vtkiSecond(l0);
@@ -118,23 +109,24 @@ vec4 vtkiSenderIrradiance(int sender, vec3 n)
   return max(vec4(e, first1.b + n.x * second1.b + n.y * first1.a + n.z * second1.a), vec4(0.0f, 0.0f, 0.0f, 0.02f));
 }
 
-// Adds an entry of the tree of spheres. Returns the entry that comes next: of those below it, where they count.
+// Adds an entry of the tree of spheres. Returns the entry that comes next: the first below it, which follows it, where
+// those count.
 int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sums)
 {
   ivec2 at = vtkiTableTexel(number);
-  vec4 sphere = texelFetch(vtkiProxyCenter, at, 0);
-  vec4 outer = texelFetch(vtkiProxyOuter, at, 0);
-  vec4 inner = texelFetch(vtkiProxyInner, at, 0);
+  vec2 place = (vec2(at) + 0.5f) * vtkiEntryScale;
+  vec4 sphere = textureLod(vtkiProxyCenter, place, 0.0f);
+  vtkiRegion region = vtkiUnpackRegion(textureLod(vtkiProxyRegion, place, 0.0f));
 #if defined(VTKI_PROXY_SENDERS) && defined(VTKI_PROXY_TREE)
   // Groups of up to twice the angle say as well where it is open, and how bright.
   float share = dot(normal, normal) > 0.0f && !vtkiAllNormals ? 1.0f : 0.5f;
-  outer.w *= share;
-  inner.x *= share;
+  region.Outer *= share;
+  region.Inner *= share;
 #endif
   vec3 toCenter = sphere.xyz - position;
   float d = length(toCenter);
-  float toOuter = length(outer.xyz - position);
-  float weight = vtkiProxyWeight(toOuter, outer.w, d, inner.x);
+  float toOuter = length(toCenter + region.ToOuter);
+  float weight = vtkiProxyWeight(toOuter, region.Outer, d, region.Inner);
   vec3 direction = toCenter / max(d, 1.0e-30f);
   float sine = 0.0f;
   if (weight > 0.0f)
@@ -150,36 +142,35 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
     {
       sine = vtkiProxySine(toCenter, sphere.w, normal, false);
       vtkiOwnBuried =
-        inner.x > 0.0f ? vtkiOwnBuried : max(vtkiOwnBuried, clamp(5.0f - 4.0f * d / sphere.w, 0.0f, 1.0f));
+        region.Inner > 0.0f ? vtkiOwnBuried : max(vtkiOwnBuried, clamp(5.0f - 4.0f * d / sphere.w, 0.0f, 1.0f));
     }
     else if (!own)
 #endif
     {
-      sine = vtkiProxySine(toCenter, sphere.w, normal, inner.x < 0.0f);
+      sine = vtkiProxySine(toCenter, sphere.w, normal, region.Inner < 0.0f);
       weight *= vtkiProxyAbove(dot(direction, normal), sine);
     }
   }
   if (weight > 0.0f && sine > 0.0f)
   {
-    vec4 albedo = texelFetch(vtkiProxyAlbedo, at, 0);
-    vec4 zonal = weight * vtkiZonalShare(vtkiZonalLog(sine), sine, albedo.w) *
+    vec4 zonal = weight * vtkiZonalShare(vtkiZonalLog(sine), sine, region.Share) *
       vec4(3.54490770f, 2.04665341f, 1.58533092f, 1.33984918f);
     vtkiHarmonics4 y = vtkiHarmonics4At(direction);
     sums.hidden.A += y.A * vec4(zonal.x, zonal.y, zonal.y, zonal.y);
     sums.hidden.B += y.B * zonal.z;
     sums.hidden.C += y.C * vec4(zonal.z, zonal.w, zonal.w, zonal.w);
     sums.hidden.D += y.D * zonal.w;
-    weight *= albedo.w;
+    weight *= region.Share;
 #ifdef VTKI_PROXY_LIGHT
     float reach = vtkiProxyLightReach > 0.0f ? vtkiProxyWithin(d, vtkiProxyLightReach * sphere.w) : 1.0f;
 #ifdef VTKI_PROXY_SHADOWED
     // Averaged over the disk, whose mean normal is -d times a length. What is closed towards the receiver is not what
     // it sees: it does not count in the mean of all that hides the sky.
-    vec4 sent = vtkiSenderIrradiance(int(inner.y), (vtkiProxyAverage(sine).y / 0.48860251f) * direction);
+    vec4 sent = vtkiEntryIrradiance(at, (vtkiProxyAverage(sine).y / 0.48860251f) * direction);
     vec3 radiance = sent.rgb;
     reach *= sent.a;
 #elif !defined(VTKI_PROXY_EXACT)
-    vec3 radiance = vtkiSphereRadiance(y, sine);
+    vec3 radiance = vtkiSphereRadiance(y, sine) * texelFetch(vtkiProxyAlbedo, at, 0).rgb;
 #endif
     weight *= reach;
 #ifdef VTKI_PROXY_EXACT
@@ -188,6 +179,7 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
     vec3 radiance = vec3(vtkiProxyExactIrradiance(exact, vtkiProxyLightOf(0), direction, normal),
       vtkiProxyExactIrradiance(exact, vtkiProxyLightOf(1), direction, normal),
       vtkiProxyExactIrradiance(exact, vtkiProxyLightOf(2), direction, normal));
+    radiance *= texelFetch(vtkiProxyAlbedo, at, 0).rgb;
 #else
     float given = weight * vtkiDiskIrradiance(sine, dot(direction, normal));
 #endif
@@ -196,10 +188,15 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
 #else
     float counted = weight * 2.0f * VTKI_PI * vtkiProxyRow(sine);
 #endif
-    sums.sent += vec4(given * albedo.rgb * radiance, counted);
+    sums.sent += vec4(given * radiance, counted);
 #endif
   }
-  return toOuter < outer.w && d < inner.x ? int(inner.w) : int(inner.z);
+  bool above = dot(toCenter, normal) > -region.Bound;
+#ifdef VTKI_PROXY_SENDERS
+  above = above || vtkiAllNormals || !(dot(normal, normal) > 0.0f);
+#endif
+  // What is wholly below the receiver hides nothing from it.
+  return toOuter < region.Outer && d < region.Inner && above ? number + 1 : int(region.Next);
 }
 
 // All entries that count for a receiver, if `lit`.
@@ -250,7 +247,8 @@ vec3 vtkiPolygonRadiance(vec3 position, vec3 normal, vec3 side, int first, int c
     float d2 = max(dot(offset, offset), 1.0e-30f);
     // Where none is above the receiver's plane, all of them by their distance.
     float cosines = max(dot(offset, normal), 0.0f) * abs(dot(offset, side)) / d2 + 1.0e-4f;
-    sum += cosines / (VTKI_PI * d2 + place.w) * vec4(vtkiFirst(texelFetch(vtkiSentLight0, at, 0)).rgb, 1.0f);
+    vec4 light = vtkiFirst(texelFetch(vtkiSentLight0, at + ivec2(0, vtkiSenderRow), 0));
+    sum += cosines / (VTKI_PI * d2 + place.w) * vec4(light.rgb, 1.0f);
   }
   return sum.rgb / max(sum.a, 1.0e-30f);
 }

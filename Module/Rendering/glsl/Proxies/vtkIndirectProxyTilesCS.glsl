@@ -4,13 +4,14 @@
 // of bits for a block of 256 at a time, and sums those in their order.
 //
 // Receivers are every vtkiStep-th pixel, whose light goes to coarse images; with VTKI_PROXY_PIXELS all of them, or
-// with VTKI_PROXY_REST those that no coarse receiver stands for, whose irradiance goes to an image; or with
-// VTKI_PROXY_SENDERS the spheres themselves, 256 in a row, whose irradiance goes to their table.
+// with VTKI_PROXY_REST those of a list, whose light goes to images of tiles' receivers; or with VTKI_PROXY_SENDERS the
+// spheres themselves, 256 in a row, whose irradiance goes to their table.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
 uniform ivec2 vtkiCoarseSize;
 #include "vtkIndirectProxySenders.glsl"
 #ifdef VTKI_PROXY_REST
+#include "vtkIndirectProxyTile.glsl"
 #include "vtkIndirectProxyList.glsl"
 #endif
 
@@ -20,14 +21,17 @@ layout(rgba32f, binding = 0) uniform image2D vtkiLight0;
 layout(rgba32f, binding = 1) uniform image2D vtkiLight1;
 layout(rgba32f, binding = 2) uniform image2D vtkiLight2;
 layout(rgba32f, binding = 3) uniform image2D vtkiLight3;
-#elif defined(VTKI_PROXY_PIXELS)
-layout(rgba32f, binding = 0) uniform image2D vtkiSkyImage;
-layout(rgba32f, binding = 1) uniform image2D vtkiBounceImage;
 #else
+#if defined(VTKI_PROXY_PIXELS) || defined(VTKI_PROXY_REST)
+layout(rgba32f, binding = 4) uniform image2D vtkiSkyImage;
+layout(rgba32f, binding = 5) uniform image2D vtkiBounceImage;
+#endif
+#ifndef VTKI_PROXY_PIXELS
 layout(rgba32f, binding = 0) uniform image2D vtkiCoarseImage0;
 layout(rgba32f, binding = 1) uniform image2D vtkiCoarseImage1;
 layout(rgba32f, binding = 2) uniform image2D vtkiCoarseImage2;
 layout(rgba32f, binding = 3) uniform image2D vtkiCoarseImage3;
+#endif
 #endif
 
 #ifdef VTKI_PROXY_TREE
@@ -69,9 +73,9 @@ vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
     if (entry < vtkiProxyCount)
     {
       ivec2 at = vtkiTableTexel(entry);
-      vec4 outer = texelFetch(vtkiProxyOuter, at, 0);
-      if (vtkiProxyMeetsBox(middle, halfSize, outer.xyz, outer.w, texelFetch(vtkiProxyCenter, at, 0).xyz,
-            texelFetch(vtkiProxyInner, at, 0).x))
+      vec3 center = texelFetch(vtkiProxyCenter, at, 0).xyz;
+      vtkiRegion region = vtkiUnpackRegion(texelFetch(vtkiProxyRegion, at, 0));
+      if (vtkiProxyMeetsBox(middle, halfSize, center + region.ToOuter, region.Outer, center, region.Inner))
       {
         atomicOr(vtkiListed[number >> 5], 1u << uint(number & 31));
       }
@@ -133,9 +137,11 @@ void main()
   ivec2 place = ivec2(gl_GlobalInvocationID.xy);
 #if defined(VTKI_PROXY_REST)
   uint number = gl_WorkGroupID.x * 256u + gl_LocalInvocationIndex;
-  bool inside = number < vtkiCommand.w;
-  uint entry = vtkiEntry[inside ? number : 0u];
-  ivec2 pixel = ivec2(int(entry & 65535u), int(entry >> 16));
+  ivec2 pixel;
+  int slot;
+  bool inside = vtkiFetchEntry(VTKI_PROXY_RECEIVERS, number, pixel, slot);
+  ivec2 tile = pixel / VTKI_PROXY_TILE;
+  place = vtkiSharedTexel(tile, slot);
 #elif defined(VTKI_PROXY_PIXELS)
   ivec2 pixel = min(place, vtkiSize - 1);
   bool inside = place.x < vtkiSize.x && place.y < vtkiSize.y;
@@ -147,8 +153,13 @@ void main()
   bool lit = vtkiFetchReceiver(pixel, receiver) && inside;
   vtkiProxySums sums = vtkiSumTile(receiver.position, receiver.normal, lit);
   vtkiProxyLit result = vtkiResolveProxies(receiver.position, receiver.normal, sums);
-#ifdef VTKI_PROXY_PIXELS
-  if (inside)
+#if defined(VTKI_PROXY_PIXELS) || defined(VTKI_PROXY_REST)
+#ifdef VTKI_PROXY_REST
+  bool alone = slot == VTKI_PROXY_SHARED;
+#else
+  bool alone = true;
+#endif
+  if (inside && alone)
   {
     vec3 sky = lit ? vtkiProxyIrradiance(result.sky, receiver.normal) : vec3(0.0f);
     imageStore(vtkiSkyImage, pixel, vec4(sky, 1.0f));
@@ -156,14 +167,22 @@ void main()
     imageStore(vtkiBounceImage, pixel, vec4(lit ? result.bounce : vec3(0.0f), 1.0f));
 #endif
   }
+  inside = inside && !alone;
+#endif
+#ifndef VTKI_PROXY_PIXELS
+#ifdef VTKI_PROXY_REST
+  ivec2 own = pixel - tile * VTKI_PROXY_TILE;
+  float marked = float(own.y * VTKI_PROXY_TILE + own.x);
 #else
+  float marked = 1.0f;
+#endif
   if (inside)
   {
     imageStore(vtkiCoarseImage0, place, result.sky[0]);
     imageStore(vtkiCoarseImage1, place, result.sky[1]);
     imageStore(vtkiCoarseImage2, place, result.sky[2]);
-#ifdef VTKI_PROXY_LIGHT
-    imageStore(vtkiCoarseImage3, place, vec4(result.bounce, 1.0f));
+#if defined(VTKI_PROXY_LIGHT) || defined(VTKI_PROXY_REST)
+    imageStore(vtkiCoarseImage3, place, vec4(result.bounce, marked));
 #endif
   }
 #endif

@@ -2,9 +2,10 @@
 //VTK::Output::Dec
 // Irradiance of the pixel's own normal by the four coarse receivers around (Eq 11): bilinear, by how far each is from
 // the pixel's plane and the pixel from its, and by normals. Where none of them serves, alpha is -1 and the pixel is
-// summed from scratch: here with VTKI_PROXY_GATHER, else by a list.
+// summed from scratch: here with VTKI_PROXY_GATHER, else there are further receivers.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
+#include "vtkIndirectProxyAlike.glsl"
 
 uniform ivec2 vtkiCoarseSize;
 uniform sampler2D vtkiCoarse0; // of a colour's irradiance a + b n: b, a
@@ -14,18 +15,6 @@ uniform sampler2D vtkiCoarse3; // what proxies send
 
 // Weights together that say nothing.
 const float VTKI_LEAST_WEIGHT = 1.0e-3f;
-// The plane's distance, over that of samples, at which a sample counts half.
-const float VTKI_PROXY_DEPTH = 0.5f;
-
-// What a receiver counts that faces elsewhere: power 8 of the cosine, as irradiance is turned to the pixel's normal.
-float vtkiProxyFacing(float cosine)
-{
-  float c = max(cosine, 0.0f);
-  float c2 = c * c;
-  float c4 = c2 * c2;
-  return c4 * c4;
-}
-
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -48,21 +37,19 @@ void main()
     {
       ivec2 shift = ivec2(i & 1, i >> 1);
       ivec2 at = min(corner + shift, vtkiCoarseSize - 1);
+      vec2 place = (vec2(at) + 0.5f) / vec2(vtkiCoarseSize);
       vtkiReceiver other;
       bool lit = vtkiFetchReceiver(min(at * vtkiStep, vtkiSize - 1), other);
       vec2 w = mix(1.0f - blend, blend, vec2(shift));
-      vec3 offset = other.positionVC - receiver.positionVC;
-      float away = max(abs(dot(offset, receiver.normalVC)), abs(dot(offset, other.normalVC))) /
-        max(VTKI_PROXY_DEPTH * distance, 1.0e-30f);
-      float same = vtkiProxyFacing(dot(receiver.normalVC, other.normalVC)) / (1.0f + away * away * away * away);
+      float same = vtkiProxyAlike(receiver, other, distance);
       // A sample next to the pixel may be the only one.
       float weight = lit ? (w.x * w.y + 1.0e-3f) * same : 0.0f;
       sum += weight;
-      sky[0] += weight * texelFetch(vtkiCoarse0, at, 0);
-      sky[1] += weight * texelFetch(vtkiCoarse1, at, 0);
-      sky[2] += weight * texelFetch(vtkiCoarse2, at, 0);
+      sky[0] += weight * textureLod(vtkiCoarse0, place, 0.0f);
+      sky[1] += weight * textureLod(vtkiCoarse1, place, 0.0f);
+      sky[2] += weight * textureLod(vtkiCoarse2, place, 0.0f);
 #ifdef VTKI_PROXY_LIGHT
-      bounce += weight * texelFetch(vtkiCoarse3, at, 0).rgb;
+      bounce += weight * textureLod(vtkiCoarse3, place, 0.0f).rgb;
 #endif
     }
     float scale = 1.0f / max(sum, 1.0e-30f);

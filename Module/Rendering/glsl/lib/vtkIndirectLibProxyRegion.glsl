@@ -22,6 +22,68 @@ float vtkiProxyWeight(float toOuter, float outer, float toCenter, float inner)
   return inner > 0.0f ? within * (1.0f - vtkiProxyWithin(toCenter, inner)) : within;
 }
 
+/* Two numbers in one, of 8 bits of mantissa each: texels cost more than what is done with them. The first one's
+ * exponent is that of the float, which thus is no special one, or zero. */
+float vtkiPair(float first, float second)
+{
+  uint high = floatBitsToUint(abs(first) < 1.0e-30f && second != 0.0f ? 1.0e-30f : first) + 0x8000u;
+  uint low = floatBitsToUint(second) + 0x8000u;
+  return uintBitsToFloat((high & 0xffff0000u) | (low >> 16u));
+}
+
+float vtkiFirstOf(float pair)
+{
+  return uintBitsToFloat(floatBitsToUint(pair) & 0xffff0000u);
+}
+
+float vtkiSecondOf(float pair)
+{
+  return uintBitsToFloat(floatBitsToUint(pair) << 16u);
+}
+
+/* The least number of a pair that is not below a positive one. */
+float vtkiPairedAbove(float number)
+{
+  return uintBitsToFloat((floatBitsToUint(number) + 0xffffu) & 0xffff0000u);
+}
+
+/* Where an entry of the tree of spheres counts, in one texel. */
+struct vtkiRegion
+{
+  vec3 ToOuter; // from its centre to that of the region
+  float Outer;  // radius of the region
+  float Inner;  // radius about its own centre within which others stand for it; 0: none do, -1: it is drawn as it is
+  float Bound;  // radius about it that it and all below it are within
+  float Share;  // of its disk that is hidden
+  float Next;   // the entry after it and all below it
+};
+
+/* Radii are numbers of pairs, or are rounded to some. The way to the region's centre, no longer than its radius, is
+ * exact to a 500th of that; its bits are those of no special number. */
+vec4 vtkiPackRegion(vtkiRegion region)
+{
+  vec3 way = region.ToOuter / max(region.Outer, 1.0e-30f);
+  uint x = uint(min(max(511.0f * way.x, -511.0f), 511.0f) + 511.5f);
+  uint y = uint(min(max(511.0f * way.y, -511.0f), 511.0f) + 511.5f);
+  uint z = uint(min(max(255.0f * way.z, -255.0f), 255.0f) + 511.5f);
+  return vec4(vtkiPair(region.Outer, region.Inner), vtkiPair(region.Bound, region.Share), region.Next,
+    uintBitsToFloat(x | (y << 10u) | (z << 20u)));
+}
+
+vtkiRegion vtkiUnpackRegion(vec4 texel)
+{
+  vtkiRegion region;
+  region.Outer = vtkiFirstOf(texel.x);
+  region.Inner = vtkiSecondOf(texel.x);
+  region.Bound = vtkiFirstOf(texel.y);
+  region.Share = vtkiSecondOf(texel.y);
+  region.Next = texel.z;
+  uint way = floatBitsToUint(texel.w);
+  region.ToOuter = (vec3(float(way & 1023u), float((way >> 10u) & 1023u), float(way >> 20u)) - 511.0f) *
+    (region.Outer * vec3(1.0f / 511.0f, 1.0f / 511.0f, 1.0f / 255.0f));
+  return region;
+}
+
 /* Squared distances of a box's nearest and farthest place from a point. */
 vec2 vtkiBoxDistances(vec3 middle, vec3 halfSize, vec3 point)
 {

@@ -7,6 +7,9 @@
 // two: a place in it is two bit operations.
 const int VTKI_ROW_LENGTH = 256;
 
+// Zonal logarithms of what spheres leave, over 1 - cos.
+const int VTKI_PROXY_TABLE = 1024;
+
 // Branches of a virtual light, in a table of their own: the first node below it, the nodes below that one, the
 // second node below it, and so on.
 const int VTKI_BRANCHES_PER_NODE = 8;
