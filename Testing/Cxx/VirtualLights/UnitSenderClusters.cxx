@@ -139,6 +139,37 @@ VTK_INDIRECT_TEST(ClustersKeepSidesApart)
 }
 
 // What no surface lies before sends to nobody.
+// Ridges and furrows between them, of which there is half as much again, all facing up: the depth
+// map of a light in a furrow would show little but that.
+VTK_INDIRECT_TEST(ClustersAreSeenFromInFront)
+{
+  std::vector<Clusters::Sender> senders;
+  AddSquare(senders, 40, 1, 0.0, 1.0, glm::vec3(0.5f));
+  for (Clusters::Sender& sender : senders)
+  {
+    sender.Position.z = std::fmod(sender.Position.x, 0.25f) < 0.15f ? -0.2f : 0.0f;
+  }
+  Clusters clusters;
+  clusters.SetSenders(senders);
+  for (const int count : { 1, 2, 4 })
+  {
+    int inFurrows = 0;
+    for (const Clusters::Light& light : clusters.MakeLights({ glm::dvec3(1.0) }, count, 0.0).Tops)
+    {
+      inFurrows += light.Position.z < -0.01 ? 1 : 0;
+    }
+    CheckEqual("lights in furrows of " + std::to_string(count), inFurrows, 0);
+  }
+  // Apart from that a cluster stays in its middle.
+  senders.clear();
+  AddSquare(senders, 40, 1, 0.0, 1.0, glm::vec3(0.5f));
+  clusters.SetSenders(senders);
+  const Clusters::Light whole = clusters.MakeLights({ glm::dvec3(1.0) }, 1, 0.0).Tops.front();
+  CheckAtMost("from the middle of a square",
+    glm::length(whole.Position - glm::dvec3(0.5, 0.5, 0.0)), 1e-6,
+    "its mean is within a texel of its middle one");
+}
+
 VTK_INDIRECT_TEST(ClustersLeaveOutTheOutside)
 {
   // A floor of two sides, and a wall over its middle.
