@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkEnvironmentLight.h"
+#include "vtkLightTreeSampler.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRSMReferencePass.h"
@@ -125,6 +126,49 @@ VTK_INDIRECT_TEST(DepthMapsMakePenumbrae)
   CheckRelative("light under the edge", measured, expected, 0.02,
     "1024 lights, of which a quarter falls on the sender; a texel of a tile is 0.012 across");
   CheckAbsolute("where the penumbra lies, over its width", shift / whole, 0.0, 0.02, "as before");
+}
+
+// A ball on a lit ground: whatever of the ground is above the horizon of a place on it is seen from
+// there, at grazing angles too, as that of a wall that leans over the ground is down to its foot.
+VTK_INDIRECT_TEST(DepthMapsUnderABall)
+{
+  for (const int rows : { 20, 100 })
+  {
+    Scene scene(96, 72);
+    scene.AddQuad({ -2, -2, 0 }, { 2, -2, 0 }, { -2, 2, 0 }, White);
+    scene.AddSphere({ 0, 0, 0.5 }, 0.5, rows, White);
+    scene.AddDirectional({ 0.3, 0.2, -1 });
+    scene.SetEye({ 0, -3, 0.35 }, { 0, 0, 0.35 }, { 0, 0, 1 }, 18, 0.1, 10);
+    vtkNew<vtkLightTreeSampler> tree;
+    scene.Pass->SetSampler(tree);
+    scene.Gather->SetModeToVirtualLights();
+    scene.Gather->InterpolationOff();
+    scene.Render();
+    const Image open = scene.Copy("irradiance");
+    scene.Pass->SetVisibilityToMaps();
+    scene.Render();
+    const Image seen = scene.Copy("irradiance");
+    const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
+    double squares = 0.0;
+    double dark = 0.0;
+    double pixels = 0.0;
+    for (size_t i = 0; i < receivers.size(); ++i)
+    {
+      const double height = receivers[i].Position.z;
+      if (receivers[i].Lit && height > 0.01 && height < 0.5)
+      {
+        const double hidden = 1.0 - seen.Values[3 * i] / open.Values[3 * i];
+        squares += hidden * hidden;
+        dark += hidden > 0.1 ? 1.0 : 0.0;
+        pixels += 1.0;
+      }
+    }
+    const std::string of = " of a ball of " + std::to_string(rows) + " rows";
+    CheckAtLeast("pixels" + of, pixels, 2000.0, "the test's own power");
+    CheckAtMost("what is hidden, RMS," + of, std::sqrt(squares / pixels), 0.04,
+      "measured 0.027 of 20 rows, whose facets hide each other's edges, and 0.008");
+    CheckAtMost("share of pixels that lose a tenth" + of, dark / pixels, 0.02, "0.011 and 0");
+  }
 }
 
 // A frame that has no time for all maps shares what there is; in the end nothing shows that it did.
