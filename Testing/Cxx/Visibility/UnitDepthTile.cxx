@@ -86,8 +86,11 @@ VTK_INDIRECT_TEST(DepthTilePlanes)
     const bool inside = p.z >= border;
     const bool plane = facing < 0.0 && along < 0.0;
     const double held = std::max(p.z, border);
-    const double mine = std::min((1.0 - (inside ? bias : VTKI_TILE_BORDER)) * held,
-      plane ? std::max((facing + bias * held) / along, (1.0 - 2.0 * bias) * facing / along) : held);
+    const double onPlane = plane ? facing / along : 0.0;
+    const double nearer =
+      bias * std::max(held, plane ? std::min(held / -along, 2.0 * onPlane) : 0.0);
+    const double mine =
+      std::min((1.0 - (inside ? bias : VTKI_TILE_BORDER)) * held, plane ? onPlane - nearer : held);
     const bool expected = p.z <= VTKI_TILE_NEAR || stored >= mine;
     ++counts[inside ? 1 : 0][plane ? 1 : 0][expected ? 1 : 0];
     const bool found = vtkiIsSeenInPerspectiveTile(static_cast<float>(1.0 / stored),

@@ -43,17 +43,17 @@ float vtkiTileInverseDepth(float stored)
  * receiver's along the tile's axis; border: the least that the tile holds in its direction, below which the
  * border's texels tell how far to the side the light gets; facing: product of the receiver's normal and the way
  * from the emitter to it; along: and the way to where depth is one on the texel's ray; bias: share of the
- * depth, by which the plane lies nearer along its normal, since a surface bends away from it by as much in a texel that
- * it fills at a grazing angle, but along the ray by no more than twice that. The plane counts where it comes nearer: one
- * that runs away from the emitter does not reach behind
- * what ends the surface. So does a wall that leans over the emitter where the border sees it, above its foot.
- * Without a division. */
+ * depth, by which the plane lies nearer. At grazing angles that is along its normal, since a surface bends away from it
+ * by as much in a texel that it fills, but along the ray by no more than twice as much. The plane counts where it comes
+ * nearer: one that runs away from the emitter does not reach behind what ends the surface. So does a wall that leans
+ * over the emitter where the border sees it, above its foot. Without a division. */
 bool vtkiIsSeenInPerspectiveTile(
   float inverse, float depth, float border, float facing, float along, float bias)
 {
   float held = max(depth, border);
   float least = (1.0f - (depth >= border ? bias : VTKI_TILE_BORDER)) * held;
-  bool onPlane = facing < 0.0f && along <= min(facing + bias * held, (1.0f - 2.0f * bias) * facing) * inverse;
+  float nearer = bias * max(-held * along, min(held, -2.0f * facing));
+  bool onPlane = facing < 0.0f && along <= (facing + nearer) * inverse;
   return depth <= VTKI_TILE_NEAR || least * inverse <= 1.0f || onPlane;
 }
 
