@@ -321,5 +321,6 @@ class Readability(support.DirectoryTest):
         ]
         camera = {"position": [3, 4, 5], "focal_point": [0, 0, 0], "view_angle": 30}
         # Walls that face each other fill what lies between them bounce by bounce. With 1, 2, 3 and
-        # all of them pits are 0.479, 0.496, 0.506 and 0.520 of the whole; VTK's are 0.509.
-        self.check(actors, camera, "light kit", lighter={"full": 1.04})
+        # all of them pits are 0.479, 0.512, 0.523 and 0.535 of the whole, with eight times as many
+        # virtual lights 0.540 in the end; VTK's are 0.509.
+        self.check(actors, camera, "light kit", lighter={"full": 1.07})
