@@ -138,7 +138,6 @@ VTK_INDIRECT_TEST(ClustersKeepSidesApart)
   CheckRelative("light of the lower side", sides[1].x, 0.75, 1e-5, "floats of the senders");
 }
 
-// What no surface lies before sends to nobody.
 // Ridges and furrows between them, of which there is half as much again, all facing up: the depth
 // map of a light in a furrow would show little but that.
 VTK_INDIRECT_TEST(ClustersAreSeenFromInFront)
@@ -170,6 +169,7 @@ VTK_INDIRECT_TEST(ClustersAreSeenFromInFront)
     "its mean is within a texel of its middle one");
 }
 
+// What no surface lies before sends to nobody.
 VTK_INDIRECT_TEST(ClustersLeaveOutTheOutside)
 {
   // A floor of two sides, and a wall over its middle.

@@ -9,6 +9,13 @@
 
 namespace vtkIndirectProxyChannels
 {
+// One of several of the same meaning.
+constexpr vtkIndirectChannel MakeChannel(
+  const char* name, const char* uniform, const char* meaning, const char* unit = "VTK irradiance")
+{
+  return { name, uniform, meaning, GL_RGBA32F, "world", unit };
+}
+
 const vtkIndirectChannel TableChannels[] = {
   { "proxies.table", "vtkiProxyTable", "zonal logarithms of what spheres leave", GL_RGBA32F, "-",
     "-" },
@@ -34,18 +41,13 @@ const vtkIndirectChannel RangesChannels[] = {
   { "proxies.ranges", "vtkiMeanRange", "first sender, number", GL_RG32F, "-", "-" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-#define VTKI_LIGHT_CHANNEL(name, uniform)                                                          \
-  {                                                                                                \
-    name, uniform, "irradiance by normals", GL_RGBA32F, "world", "VTK irradiance"                  \
-  }
 const vtkIndirectChannel SenderLightChannels[] = {
-  VTKI_LIGHT_CHANNEL("proxies.light0", "vtkiSenderLight0"),
-  VTKI_LIGHT_CHANNEL("proxies.light1", "vtkiSenderLight1"),
-  VTKI_LIGHT_CHANNEL("proxies.light2", "vtkiSenderLight2"),
-  VTKI_LIGHT_CHANNEL("proxies.light3", "vtkiSenderLight3"),
+  MakeChannel("proxies.light0", "vtkiSenderLight0", "irradiance by normals"),
+  MakeChannel("proxies.light1", "vtkiSenderLight1", "irradiance by normals"),
+  MakeChannel("proxies.light2", "vtkiSenderLight2", "irradiance by normals"),
+  MakeChannel("proxies.light3", "vtkiSenderLight3", "irradiance by normals"),
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-#undef VTKI_LIGHT_CHANNEL
 const vtkIndirectChannel SentLightChannels[] = {
   { "proxies.sent0", "vtkiSentLight0", "irradiance by normals, in pairs", GL_RGBA32F, "world",
     "two halves of bits each" },
@@ -53,43 +55,30 @@ const vtkIndirectChannel SentLightChannels[] = {
     "two halves of bits each" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-#define VTKI_COARSE_CHANNEL(name, uniform)                                                         \
-  {                                                                                                \
-    name, uniform, "what coarse receivers get", GL_RGBA32F, "world", "VTK irradiance"              \
-  }
 const vtkIndirectChannel CoarseChannels[] = {
-  VTKI_COARSE_CHANNEL("proxies.coarse0", "vtkiCoarse0"),
-  VTKI_COARSE_CHANNEL("proxies.coarse1", "vtkiCoarse1"),
-  VTKI_COARSE_CHANNEL("proxies.coarse2", "vtkiCoarse2"),
-  VTKI_COARSE_CHANNEL("proxies.coarse3", "vtkiCoarse3"),
+  MakeChannel("proxies.coarse0", "vtkiCoarse0", "what coarse receivers get"),
+  MakeChannel("proxies.coarse1", "vtkiCoarse1", "what coarse receivers get"),
+  MakeChannel("proxies.coarse2", "vtkiCoarse2", "what coarse receivers get"),
+  MakeChannel("proxies.coarse3", "vtkiCoarse3", "what coarse receivers get"),
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-#undef VTKI_COARSE_CHANNEL
-#define VTKI_SHARED_CHANNEL(name, uniform)                                                         \
-  {                                                                                                \
-    name, uniform, "what receivers of tiles get", GL_RGBA32F, "world", "VTK irradiance"            \
-  }
 const vtkIndirectChannel SharedChannels[] = {
-  VTKI_SHARED_CHANNEL("proxies.shared0", "vtkiShared0"),
-  VTKI_SHARED_CHANNEL("proxies.shared1", "vtkiShared1"),
-  VTKI_SHARED_CHANNEL("proxies.shared2", "vtkiShared2"),
-  VTKI_SHARED_CHANNEL("proxies.shared3", "vtkiShared3"),
+  MakeChannel("proxies.shared0", "vtkiShared0", "what receivers of tiles get"),
+  MakeChannel("proxies.shared1", "vtkiShared1", "what receivers of tiles get"),
+  MakeChannel("proxies.shared2", "vtkiShared2", "what receivers of tiles get"),
+  MakeChannel("proxies.shared3", "vtkiShared3", "what receivers of tiles get"),
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-#undef VTKI_SHARED_CHANNEL
 const vtkIndirectChannel CountChannels[] = {
   { "proxies.count", "vtkiSharedCount", "receivers of a tile", GL_R32F, "-", "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-#define VTKI_SUM_CHANNEL(name, uniform)                                                            \
-  {                                                                                                \
-    name, uniform, "sums over spheres", GL_RGBA32F, "world", "-"                                   \
-  }
-const vtkIndirectChannel BlendedChannels[] = { VTKI_SUM_CHANNEL("proxies.hidden0", "vtkiHidden0"),
-  VTKI_SUM_CHANNEL("proxies.hidden1", "vtkiHidden1"),
-  VTKI_SUM_CHANNEL("proxies.hidden2", "vtkiHidden2"),
-  VTKI_SUM_CHANNEL("proxies.hidden3", "vtkiHidden3"), VTKI_SUM_CHANNEL("proxies.sent", "vtkiSent"),
+const vtkIndirectChannel BlendedChannels[] = { MakeChannel("proxies.hidden0", "vtkiHidden0",
+                                                 "sums over spheres", "-"),
+  MakeChannel("proxies.hidden1", "vtkiHidden1", "sums over spheres", "-"),
+  MakeChannel("proxies.hidden2", "vtkiHidden2", "sums over spheres", "-"),
+  MakeChannel("proxies.hidden3", "vtkiHidden3", "sums over spheres", "-"),
+  MakeChannel("proxies.sent", "vtkiSent", "sums over spheres", "-"),
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
-#undef VTKI_SUM_CHANNEL
 }
 #endif

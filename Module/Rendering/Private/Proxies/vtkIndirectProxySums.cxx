@@ -23,9 +23,8 @@ namespace
 {
 constexpr int RowLength = vtkIndirectKernels::VTKI_ROW_LENGTH;
 constexpr int TileSize = 16;
-// As in vtkIndirectProxyTile.glsl.
-constexpr int SharedTile = 8;
-constexpr int SharedBlock = 4;
+constexpr int SharedTile = vtkIndirectKernels::VTKI_PROXY_TILE;
+constexpr int SharedBlock = vtkIndirectKernels::VTKI_PROXY_BLOCK;
 // Of images of pixels, beside those of receivers.
 constexpr int PixelUnit = 4;
 // Entries in one draw: long draws stall a desktop.
@@ -80,6 +79,16 @@ void WriteRows(vtkIndirectTarget& target, int channel, std::vector<float>& value
     target.Write(channel, values);
   }
 }
+
+#ifdef GL_COMPUTE_SHADER
+// Whoever comes next samples what was stored, draws over it, adds to it, reads it back or replaces
+// it.
+void FinishImages()
+{
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+#endif
 
 void Append(std::vector<float>& values, const glm::vec3& xyz, float w)
 {
@@ -468,8 +477,7 @@ bool vtkIndirectProxySums::ShareRest(
   this->Rest.Activate(program, "vtkiProxyPixels");
   this->Rest.Dispatch(1);
   this->Rest.Deactivate();
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
-    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  FinishImages();
   this->BindImages(image, 0, false);
   this->Counts.Deactivate();
   this->Shared.Deactivate();
@@ -537,9 +545,7 @@ bool vtkIndirectProxySums::SumInTiles(
     glDispatchCompute(static_cast<GLuint>((size[0] + TileSize - 1) / TileSize),
       static_cast<GLuint>((size[1] + TileSize - 1) / TileSize), 1);
   }
-  // Whoever comes next samples it, draws over it, adds to it, reads it back or replaces it.
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
-    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  FinishImages();
   bind(false);
   this->Deactivate(input);
   return true;

@@ -18,10 +18,9 @@ namespace
 // ends of half a scene.
 constexpr double NormalLength = 0.25;
 
-// How far before its mean a cluster is looked at from, in standard deviations of its places. What
-// is seen of folds, organs and atoms is what lies in front: from their mean, in a furrow, they
-// would send light into the furrow alone. It is about how far the higher one of two random places
-// is.
+// How far before its mean a cluster is looked at from, in standard deviations of its places: about
+// where the higher one of two random places is. What is seen of folds, organs and atoms is what
+// lies in front; from their mean, in a furrow, they would send light into the furrow alone.
 constexpr double Forward = 0.5;
 
 // What is left of a mean normal at least, so that it has a direction.

@@ -36,7 +36,7 @@ void main()
     vec4 sky[3] = vec4[3](vec4(0.0f), vec4(0.0f), vec4(0.0f));
     vec3 bounce = vec3(0.0f);
     float sum = 0.0f;
-    vec2 texel = 0.25f / vec2(last + 1);
+    vec2 texel = 1.0f / vec2(VTKI_PROXY_BLOCK * (last + 1));
     for (int i = 0; i < 4; ++i)
     {
       ivec2 shift = ivec2(i & 1, i >> 1);

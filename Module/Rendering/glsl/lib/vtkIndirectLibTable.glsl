@@ -10,6 +10,11 @@ const int VTKI_ROW_LENGTH = 256;
 // Zonal logarithms of what spheres leave, over 1 - cos.
 const int VTKI_PROXY_TABLE = 1024;
 
+// Pixels that no coarse receiver of sums over spheres stands for share receivers in tiles of so many along an edge, of
+// which each has a block of so many texels.
+const int VTKI_PROXY_TILE = 8;
+const int VTKI_PROXY_BLOCK = 4;
+
 // Branches of a virtual light, in a table of their own: the first node below it, the nodes below that one, the
 // second node below it, and so on.
 const int VTKI_BRANCHES_PER_NODE = 8;
