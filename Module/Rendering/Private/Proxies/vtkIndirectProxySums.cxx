@@ -11,7 +11,6 @@
 #include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Proxies/vtkIndirectProxyChannels.h"
-#include "Proxies/vtkIndirectProxyTable.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkTextureObject.h"
 
@@ -37,49 +36,6 @@ enum ModeType
   SENDERS
 };
 
-// Of a table. Powers of two: numbers that change a little keep the textures.
-int FindRows(size_t entries)
-{
-  int rows = 1;
-  while (static_cast<size_t>(rows) * RowLength < entries)
-  {
-    rows *= 2;
-  }
-  return rows;
-}
-
-// The table with so many entries that the nearest one does: a texel takes longer than what is done
-// with it.
-constexpr int TableLength = vtkIndirectKernels::VTKI_PROXY_TABLE;
-std::vector<float> MakeTable()
-{
-  std::vector<float> values;
-  for (int i = 0; i < TableLength; ++i)
-  {
-    const float place =
-      static_cast<float>(i * (vtkIndirectProxyEntries - 1)) / static_cast<float>(TableLength - 1);
-    const int row = std::min(static_cast<int>(place), vtkIndirectProxyEntries - 2);
-    for (int k = 0; k < 4; ++k)
-    {
-      const float low = vtkIndirectProxyTable[row][k];
-      values.push_back(
-        low + (place - static_cast<float>(row)) * (vtkIndirectProxyTable[row + 1][k] - low));
-    }
-  }
-  return values;
-}
-
-// Fills whole rows of a table.
-void WriteRows(vtkIndirectTarget& target, int channel, std::vector<float>& values)
-{
-  const size_t row = static_cast<size_t>(RowLength) * 4;
-  values.resize((values.size() + row - 1) / row * row, 0.0f);
-  if (!values.empty())
-  {
-    target.Write(channel, values);
-  }
-}
-
 #ifdef GL_COMPUTE_SHADER
 // Whoever comes next samples what was stored, draws over it, adds to it, reads it back or replaces
 // it.
@@ -90,20 +46,11 @@ void FinishImages()
 }
 #endif
 
-void Append(std::vector<float>& values, const glm::vec3& xyz, float w)
-{
-  values.insert(values.end(), { xyz.x, xyz.y, xyz.z, w });
-}
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectProxySums::vtkIndirectProxySums()
-  : Table(TableChannels, false)
-  , Rows(RowsChannels, false)
-  , Blocks(BlocksChannels, false)
-  , Senders(SendersChannels, false)
-  , Ranges(RangesChannels, false)
-  , SenderLight(SenderLightChannels, false)
+  : SenderLight(SenderLightChannels, false)
   , AllLight(SentLightChannels, false)
   , Coarse(CoarseChannels, false)
   , Shared(SharedChannels, false)
@@ -122,112 +69,16 @@ bool vtkIndirectProxySums::UsesTiles()
 bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree,
   const std::vector<vtkIndirectProxyPolygon>& polygons)
 {
-  this->Polygons = vtkIndirectProxyLight::ChoosePolygons(polygons);
   this->Changed = true;
-  const bool begins = this->Table.GetWidth() == 0;
-  const std::vector<vtkIndirectProxyTree::Entry>& entries = tree.GetEntries();
-  const std::vector<vtkIndirectProxyTree::Block>& blocks = tree.GetBlocks();
-  this->NumberOfEntries = static_cast<int>(entries.size());
-  this->NumberOfBlocks = static_cast<int>(blocks.size());
-  this->HasGroups = tree.HasGroups();
-  const int rows = FindRows(entries.size());
-  if (!this->Table.Resize(window, TableLength, 1) || !this->Rows.Resize(window, RowLength, rows) ||
-    !this->Blocks.Resize(window, 2, rows))
-  {
-    this->NumberOfEntries = 0;
-    return false;
-  }
-  if (begins)
-  {
-    this->Table.Write(0, MakeTable());
-  }
-  // Senders of the tree are followed by those of polygons.
-  const int trees = static_cast<int>(tree.GetSenders().size());
-  this->FirstPlace = this->NumberOfSenders = trees;
-  for (const vtkIndirectProxyPolygon& polygon : this->Polygons)
-  {
-    this->NumberOfSenders += 2 *
-      static_cast<int>(vtkIndirectProxyLight::FindPlaces(polygon, this->Polygons.size()).size());
-  }
-  std::vector<float> values[4];
-  for (const vtkIndirectProxyTree::Entry& entry : entries)
-  {
-    Append(values[0], entry.Center, entry.Radius);
-    const glm::vec4 region = vtkIndirectKernels::vtkiPackRegion({ entry.OuterCenter - entry.Center,
-      entry.Outer, entry.Inner, entry.Bound, entry.Share, static_cast<float>(entry.Next) });
-    Append(values[1], glm::vec3(region), region.w);
-    Append(values[2], entry.Albedo, static_cast<float>(entry.Sender));
-  }
-  for (const vtkIndirectProxyTree::Block& block : blocks)
-  {
-    Append(values[3], block.Lower, 0.0f);
-    Append(values[3], block.Upper, 0.0f);
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    WriteRows(this->Rows, i, values[i]);
-  }
-  if (!blocks.empty())
-  {
-    this->Blocks.Write(0, values[3]);
-  }
-  return this->UpdateSenders(window, tree);
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectProxySums::UpdateSenders(
-  vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree)
-{
-  std::vector<float> places;
-  std::vector<float> normals;
-  std::vector<float> ranges;
-  for (const vtkIndirectProxyTree::Sender& sender : tree.GetSenders())
-  {
-    Append(places, sender.Center, sender.Radius);
-    Append(normals, glm::vec3(0.0f), 0.0f);
-  }
-  for (const vtkIndirectProxyTree::Mean& mean : tree.GetMeans())
-  {
-    Append(ranges, glm::vec3(static_cast<float>(mean.First), static_cast<float>(mean.Count), 0.0f),
-      0.0f);
-  }
-  for (const vtkIndirectProxyPolygon& polygon : this->Polygons)
-  {
-    const glm::dvec3 normal = vtkIndirectProxyLight::FindNormal(polygon);
-    const std::vector<glm::dvec3> own =
-      vtkIndirectProxyLight::FindPlaces(polygon, this->Polygons.size());
-    const double area = vtkIndirectProxyLight::FindSize(polygon) / static_cast<double>(own.size());
-    for (const double side : { 1.0, -1.0 })
-    {
-      for (const glm::dvec3& place : own)
-      {
-        Append(places, glm::vec3(place), static_cast<float>(area));
-        Append(normals, glm::vec3(side * normal), 1.0f);
-      }
-    }
-  }
-  const int rows = FindRows(places.size() / 4);
-  // What is read of a texture has been written.
-  ranges.resize(std::max(ranges.size(), size_t(4)), 0.0f);
-  const int meanRows = FindRows(ranges.size() / 4);
-  if (!this->Senders.Resize(window, RowLength, rows) ||
-    !this->Ranges.Resize(window, RowLength, meanRows))
-  {
-    this->NumberOfEntries = 0;
-    return false;
-  }
-  WriteRows(this->Senders, 0, places);
-  WriteRows(this->Senders, 1, normals);
-  WriteRows(this->Ranges, 0, ranges);
-  return true;
+  return this->Tables.Update(window, tree, polygons);
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectProxySums::SetEnvironment(
   vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment)
 {
-  const bool changed =
-    this->Light.Update(window, environment, this->Polygons, this->FirstPlace, this->Changed);
+  const bool changed = this->Light.Update(
+    window, environment, this->Tables.GetPolygons(), this->Tables.GetFirstPlace(), this->Changed);
   this->SendersAreLit = this->SendersAreLit && !changed;
   this->Changed = false;
 }
@@ -241,8 +92,11 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
   {
     return true;
   }
-  if (!this->SenderLight.Resize(window, RowLength, this->Senders.GetHeight()) ||
-    !this->AllLight.Resize(window, RowLength, this->Rows.GetHeight() + this->Senders.GetHeight()))
+  const vtkIndirectTarget& entries = this->Tables.GetEntries();
+  const vtkIndirectTarget& ranges = this->Tables.GetRanges();
+  const int rows = this->Tables.GetSenders().GetHeight();
+  if (!this->SenderLight.Resize(window, RowLength, rows) ||
+    !this->AllLight.Resize(window, RowLength, entries.GetHeight() + rows))
   {
     return false;
   }
@@ -257,9 +111,9 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
   {
     vtkIndirectFullScreenProgram& kernel = i == 0 ? this->Sending : this->Averaging;
     vtkIndirectTarget& target = i == 0 ? this->SenderLight : this->AllLight;
-    kernel.SetDefinitions(i > 0 ? "#define VTKI_PROXY_MEANS\n"
-        : this->HasGroups       ? "#define VTKI_PROXY_TREE\n"
-                                : "");
+    kernel.SetDefinitions(i > 0    ? "#define VTKI_PROXY_MEANS\n"
+        : this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n"
+                                   : "");
     vtkShaderProgram* program = kernel.Use(window);
     if (!program)
     {
@@ -270,13 +124,13 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
     {
       this->Activate(input, program);
     }
-    this->Ranges.Activate(0, program);
+    ranges.Activate(0, program);
     if (i == 1)
     {
-      program->SetUniformi("vtkiSenderRow", this->Rows.GetHeight());
-      program->SetUniformi("vtkiFirstMean", this->FirstPlace);
-      program->SetUniformi("vtkiProxyCount", this->NumberOfEntries);
-      this->Rows.Activate(2, program);
+      program->SetUniformi("vtkiSenderRow", this->Tables.GetEntries().GetHeight());
+      program->SetUniformi("vtkiFirstMean", this->Tables.GetFirstPlace());
+      program->SetUniformi("vtkiProxyCount", this->Tables.GetNumberOfEntries());
+      entries.Activate(2, program);
       for (int k = 0; k < 4; ++k)
       {
         this->SenderLight.Activate(k, program);
@@ -284,8 +138,8 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
     }
     kernel.Draw();
     this->SenderLight.Deactivate();
-    this->Rows.Deactivate();
-    this->Ranges.Deactivate();
+    entries.Deactivate();
+    ranges.Deactivate();
     if (i == 0)
     {
       this->Deactivate(input);
@@ -304,40 +158,17 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
   input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
   program->SetUniform2i("vtkiCoarseSize", this->CoarseSize);
   program->SetUniformi("vtkiStep", input.Step);
-  if (program->IsUniformUsed("vtkiSenderPlace"))
-  {
-    program->SetUniformi("vtkiSenderCount", this->NumberOfSenders);
-    this->Senders.Activate(0, program);
-    this->Senders.Activate(1, program);
-  }
-  if (program->IsUniformUsed("vtkiProxyBlocks"))
-  {
-    this->Blocks.Activate(0, program);
-    program->SetUniformi("vtkiBlockCount", this->NumberOfBlocks);
-  }
   if (program->IsUniformUsed("vtkiSentLight0"))
   {
-    program->SetUniformi("vtkiSenderRow", this->Rows.GetHeight());
+    program->SetUniformi("vtkiSenderRow", this->Tables.GetEntries().GetHeight());
     for (int i = 0; i < this->AllLight.GetNumberOfChannels(); ++i)
     {
       this->AllLight.Activate(i, program);
     }
   }
   this->Light.Activate(program);
-  this->Table.Activate(0, program);
-  for (int i = 0; i < this->Rows.GetNumberOfChannels(); ++i)
-  {
-    this->Rows.Activate(i, program);
-  }
-  const auto scale = [program](const char* name, const vtkIndirectTarget& target)
-  {
-    const float perTexel[2] = { 1.0f / static_cast<float>(RowLength),
-      1.0f / static_cast<float>(std::max(target.GetHeight(), 1)) };
-    program->SetUniform2f(name, perTexel);
-  };
-  scale("vtkiEntryScale", this->Rows);
-  scale("vtkiLightScale", this->AllLight);
-  program->SetUniformi("vtkiProxyCount", this->NumberOfEntries);
+  this->Tables.Activate(program);
+  vtkIndirectProxyTreeTables::SetTexelSize(program, "vtkiLightScale", this->AllLight);
   program->SetUniformi("vtkiProxyHides", input.Hides ? 1 : 0);
   program->SetUniformf("vtkiProxyLightReach", static_cast<float>(input.LightReach));
 }
@@ -346,11 +177,9 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
 void vtkIndirectProxySums::Deactivate(const Input& input) const
 {
   input.Geometry.GetTarget().Deactivate();
-  for (const vtkIndirectTarget* target : { &this->Table, &this->Rows, &this->Blocks, &this->Senders,
-         &this->SenderLight, &this->AllLight })
-  {
-    target->Deactivate();
-  }
+  this->Tables.Deactivate();
+  this->SenderLight.Deactivate();
+  this->AllLight.Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -508,7 +337,7 @@ bool vtkIndirectProxySums::SumInTiles(
 #ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
   this->Tiles[mode].SetDefinitions(definitions +
-    (this->HasGroups ? "#define VTKI_PROXY_TREE\n" : "") +
+    (this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n" : "") +
     (mode == PIXELS ? "#define VTKI_PROXY_PIXELS\n" : "") +
     (mode == REST ? "#define VTKI_PROXY_REST\n" : ""));
   vtkShaderProgram* program = this->Tiles[mode].Use(frame.Window);
@@ -517,8 +346,9 @@ bool vtkIndirectProxySums::SumInTiles(
     return false;
   }
   this->Activate(input, program);
-  const int senders[2] = { (this->NumberOfSenders + RowLength - 1) / RowLength * TileSize,
-    TileSize };
+  const int senders[2] = {
+    (this->Tables.GetNumberOfSenders() + RowLength - 1) / RowLength * TileSize, TileSize
+  };
   const int* const size = mode == COARSE ? this->CoarseSize
     : mode == SENDERS                    ? senders
                                          : frame.Size;
@@ -585,11 +415,11 @@ bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definiti
     glm::vec2(4.0f / static_cast<float>(this->CoarseSize[0]),
       4.0f / static_cast<float>(this->CoarseSize[1])));
   const int attribute = program->FindAttributeArray("vtkiCorner");
-  for (int first = 0; first < this->NumberOfEntries; first += EntriesPerDraw)
+  for (int first = 0; first < this->Tables.GetNumberOfEntries(); first += EntriesPerDraw)
   {
     program->SetUniformi("vtkiFirstProxy", first);
-    this->Mesh.Draw(
-      frame.Window, attribute, true, std::min(EntriesPerDraw, this->NumberOfEntries - first));
+    this->Mesh.Draw(frame.Window, attribute, true,
+      std::min(EntriesPerDraw, this->Tables.GetNumberOfEntries() - first));
     glFlush();
   }
   this->Deactivate(input);
@@ -670,10 +500,10 @@ bool vtkIndirectProxySums::Upsample(
 //------------------------------------------------------------------------------
 size_t vtkIndirectProxySums::GetBytes() const
 {
-  size_t bytes = this->Mesh.GetBytes() + this->Light.GetBytes() + this->Rest.GetBytes();
-  for (const vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
-      &this->AllLight, &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
+  size_t bytes = this->Tables.GetBytes() + this->Mesh.GetBytes() + this->Light.GetBytes() +
+    this->Rest.GetBytes();
+  for (const vtkIndirectTarget* target : { &this->SenderLight, &this->AllLight, &this->Coarse,
+         &this->Shared, &this->Counts, &this->Blended })
   {
     bytes += target->GetBytes();
   }
@@ -683,12 +513,12 @@ size_t vtkIndirectProxySums::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkIndirectProxySums::Release(vtkWindow* window)
 {
-  for (vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges, &this->SenderLight,
-      &this->AllLight, &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
+  for (vtkIndirectTarget* target : { &this->SenderLight, &this->AllLight, &this->Coarse,
+         &this->Shared, &this->Counts, &this->Blended })
   {
     target->Release(window);
   }
+  this->Tables.Release(window);
   this->Light.Release();
   this->Mesh.Release();
   this->Rest.Release();
@@ -703,7 +533,6 @@ void vtkIndirectProxySums::Release(vtkWindow* window)
   this->Resolving.Release();
   this->Sending.Release();
   this->Averaging.Release();
-  this->NumberOfEntries = this->NumberOfBlocks = this->NumberOfSenders = 0;
   this->Changed = true;
   this->SendersAreLit = false;
 }

@@ -10,7 +10,7 @@
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 #include "Proxies/vtkIndirectProxyLight.h"       // for a member
-#include "Proxies/vtkIndirectProxyTree.h"        // for entries
+#include "Proxies/vtkIndirectProxyTreeTables.h"  // for a member
 #include "Splatting/vtkIndirectSplatMesh.h"      // for a member
 
 #include <string> // for texts
@@ -57,7 +57,6 @@ public:
 private:
   void Activate(const Input& input, vtkShaderProgram* program) const;
   void Deactivate(const Input& input) const;
-  bool UpdateSenders(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree);
   bool LightSenders(const Input& input);
   bool SumInTiles(
     const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode);
@@ -69,22 +68,12 @@ private:
   bool Splat(const Input& input, const std::string& definitions);
   bool Upsample(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
 
+  vtkIndirectProxyTreeTables Tables;
   vtkIndirectProxyLight Light;
-  std::vector<vtkIndirectProxyPolygon> Polygons;
   bool Changed = true; // since the light was set
   bool SendersAreLit = false;
-  bool HasGroups = false;
-  int NumberOfEntries = 0;
-  int NumberOfBlocks = 0;
-  int NumberOfSenders = 0;
-  int FirstPlace = 0; // of polygons, by number of senders
   int CoarseSize[2] = { 0, 0 };
-  vtkIndirectTarget Table;  // zonal logarithms
-  vtkIndirectTarget Rows;   // entries
-  vtkIndirectTarget Blocks; // boxes
-  vtkIndirectTarget Senders;
-  vtkIndirectTarget Ranges;      // of means
-  vtkIndirectTarget SenderLight; // what falls on them
+  vtkIndirectTarget SenderLight; // what falls on senders
   vtkIndirectTarget AllLight;    // the same, and means of it, in pairs
   vtkIndirectTarget Coarse;
   vtkIndirectTarget Shared;  // receivers of tiles
