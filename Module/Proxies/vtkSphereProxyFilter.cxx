@@ -293,6 +293,7 @@ bool vtkSphereProxyFilter::MoveSpheres(
   vtkNew<vtkDoubleArray> sizes;
   sizes->SetName("Radius");
   sizes->SetNumberOfTuples(count);
+  vtkIdType wrong = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
     glm::dvec3 places[parents];
@@ -319,9 +320,22 @@ bool vtkSphereProxyFilter::MoveSpheres(
     offsets->GetTuple(i, offset);
     const double spread = spreads->GetComponent(i, 0);
     const double scale = spread > 0.0 ? vtkProxyBinding::GetSpread(places, used) / spread : 1.0;
-    centers->SetPoint(
-      i, center.x + scale * offset[0], center.y + scale * offset[1], center.z + scale * offset[2]);
-    sizes->SetValue(i, radii->GetComponent(i, 0) * scale);
+    const double size = radii->GetComponent(i, 0) * scale;
+    center += scale * glm::dvec3(offset[0], offset[1], offset[2]);
+    if (!std::isfinite(center.x + center.y + center.z + size))
+    {
+      ++wrong;
+      centers->SetPoint(i, spheres->GetPoint(i));
+      sizes->SetValue(i, 0.0);
+      continue;
+    }
+    centers->SetPoint(i, center.x, center.y, center.z);
+    sizes->SetValue(i, size);
+  }
+  if (wrong > 0)
+  {
+    vtkErrorWithObjectMacro(
+      spheres, wrong << " spheres move with points that are not finite; they stay, with radius 0");
   }
   moved->ShallowCopy(spheres);
   moved->SetPoints(centers);

@@ -49,7 +49,7 @@ public:
    * range 1 to 1048576. They are shared by how much the light of each is spread.
    */
   vtkSetClampMacro(NumberOfLights, int, 1, 1048576);
-  vtkGetMacro(NumberOfLights, int);
+  int GetNumberOfLights() override { return this->NumberOfLights; }
   ///@}
 
   void ReleaseGraphicsResources(vtkWindow* window) override;

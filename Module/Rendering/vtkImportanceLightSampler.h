@@ -34,7 +34,7 @@ public:
    * 1048576. Where a headlight is the only light, as many even ones of what the eye sees.
    */
   vtkSetClampMacro(NumberOfLights, int, 1, 1048576);
-  vtkGetMacro(NumberOfLights, int);
+  int GetNumberOfLights() override { return this->NumberOfLights; }
   ///@}
 
   enum WarpingType

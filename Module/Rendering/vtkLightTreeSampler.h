@@ -44,7 +44,7 @@ public:
    * eye sees. Setting it turns AutomaticNumberOfLights off. Default 256, range 1 to 1048576.
    */
   void SetNumberOfLights(int number);
-  vtkGetMacro(NumberOfLights, int);
+  int GetNumberOfLights() override { return this->NumberOfLights; }
   ///@}
 
   ///@{

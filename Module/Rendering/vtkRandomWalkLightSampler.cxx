@@ -151,7 +151,7 @@ bool vtkRandomWalkLightSampler::Walk(const Input& input)
     this->NumberOfVertices > 0 ? this->NumberOfVertices : this->NumberOfLights;
   settings.FirstBounce = this->FirstBounce;
   settings.LastBounce = input.NumberOfBounces;
-  const bool moved = in.Surfaces.Update(input.Frame);
+  const bool moved = in.Surfaces.Update(input.Frame, input.Spheres);
   std::vector<double> key = MakeKey(sources, settings);
   bool same = !moved && key == in.WalkKey;
   bool coarse = false;
@@ -251,6 +251,9 @@ void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
   report.Modelled.emplace_back("random walk",
     std::to_string(in.Walk.GetNumberOfPaths()) + " paths through " +
       std::to_string(in.Surfaces.GetNumberOfTriangles()) + " triangles, " +
+      (in.Surfaces.GetNumberOfSpheres() > 0
+          ? std::to_string(in.Surfaces.GetNumberOfSpheres()) + " spheres, "
+          : std::string()) +
       std::to_string(in.Walk.GetVertices().size()) + " vertices" +
       (this->NumberOfFrames > 1 ? ", frame " + std::to_string(in.NumberOfFrames) + " of " +
             std::to_string(this->NumberOfFrames)

@@ -39,7 +39,7 @@ public:
    * many paths are followed as are expected to have so many. Default 1000, range 1 to 1048576.
    */
   vtkSetClampMacro(NumberOfLights, int, 1, 1048576);
-  vtkGetMacro(NumberOfLights, int);
+  int GetNumberOfLights() override { return this->NumberOfLights; }
   ///@}
 
   ///@{

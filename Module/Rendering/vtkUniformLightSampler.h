@@ -45,7 +45,7 @@ public:
    * it, and its sampling error falls about as one over it.
    */
   vtkSetClampMacro(NumberOfLights, int, 1, 1048576);
-  vtkGetMacro(NumberOfLights, int);
+  int GetNumberOfLights() override { return this->NumberOfLights; }
   ///@}
 
   ///@{

@@ -32,6 +32,7 @@ class vtkMapLightSampler;
 class vtkOpenGLRenderWindow;
 class vtkReflectiveShadowMapPass;
 class vtkWindow;
+struct vtkIndirectBlockingSpheres;
 struct vtkIndirectEmitter;
 struct vtkIndirectFurtherSenders;
 struct vtkIndirectFrame;
@@ -42,6 +43,12 @@ class VTKRENDERINGINDIRECT_EXPORT vtkVirtualLightSampler : public vtkObject
 public:
   vtkTypeMacro(vtkVirtualLightSampler, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Number of virtual lights that it is asked for. Lights of the sky, of area lights and of what
+   * leaves glass are as many, for each of these. Default 256.
+   */
+  virtual int GetNumberOfLights() { return 256; }
 
   /** Number of virtual lights in the last frame. */
   int GetActualNumberOfLights() const;
@@ -61,6 +68,8 @@ public:
     bool Interactive = false;                  // whether the window gives a frame a second or less
     /** What lights surfaces besides the frame's lights: the sky, and area lights. */
     const std::vector<vtkIndirectEmitter>* Emitters = nullptr;
+    /** What the frame's mappers draw as spheres, for samplers that walk; null: nobody looked. */
+    const vtkIndirectBlockingSpheres* Spheres = nullptr;
     /** Senders of later bounces, for samplers that TakeSenders; null: there are none. */
     const vtkIndirectFurtherSenders* Further = nullptr;
   };

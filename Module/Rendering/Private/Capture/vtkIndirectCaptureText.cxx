@@ -24,6 +24,37 @@ bool Contains(const std::string& text, const char* what)
   return text.find(what) != std::string::npos;
 }
 
+// Instances and impostors stand where their data say, in floats, which VTK's mappers do not shift:
+// far from the origin matrices times places are rounded by more than shapes measure, otherwise in
+// each view. What is left of a place within the scene is exact, and so are views of that.
+void CountFromWithin(std::string& vertexShader, bool soft)
+{
+  const std::string glyph = "vec4 vertex = GCMCMatrix * vertexMC;\n";
+  const std::string impostor = "MCVCMatrix * vertexMC";
+  std::string declarations = "uniform vec3 vtkiWithin;\nuniform mat4 vtkiWithinToView;\n";
+  if (Contains(vertexShader, glyph.c_str()) && Contains(vertexShader, "MCDCMatrix * vertex;"))
+  {
+    // The place first: what the source adds is small.
+    ReplaceAll(vertexShader, glyph,
+      glyph +
+        "  mat4 vtkiGlyph = GCMCMatrix;\n"
+        "  vtkiGlyph[3].xyz -= vtkiWithin;\n"
+        "  vec4 vtkiVertex = vtkiGlyph * vertexMC;\n");
+    ReplaceAll(vertexShader, "MCVCMatrix * vertex;", "vtkiWithinToView * vtkiVertex;");
+    ReplaceAll(vertexShader, "MCDCMatrix * vertex;", "vtkiWithinToClip * vtkiVertex;");
+    declarations += "uniform mat4 vtkiWithinToClip;\n";
+  }
+  else if (!soft && Contains(vertexShader, "radiusMC") && Contains(vertexShader, impostor.c_str()))
+  {
+    ReplaceAll(vertexShader, impostor, "vtkiWithinToView * vec4(vertexMC.xyz - vtkiWithin, 1.0)");
+  }
+  else
+  {
+    return;
+  }
+  vtkShaderProgram::Substitute(vertexShader, "void main()", declarations + "void main()", false);
+}
+
 // Edges of faces have a width in pixels: none in a map. VTK draws them within the faces, which up
 // to 9.2 it widens for it.
 void LeaveEdgesOutOfMaps(std::string& geometryShader, std::string& fragmentShader)
@@ -103,8 +134,8 @@ void vtkIndirectCaptureText::Add(
   }
   if (lit)
   {
-    // Derivatives belong in front of anything that may discard. Impostors of spheres and sticks have
-    // discarded what they do not cover, and their normal is that of the surface.
+    // Derivatives belong in front of anything that may discard. Impostors of spheres and sticks
+    // have discarded what they do not cover, and their normal is that of the surface.
     const bool impostor = Contains(fragmentShader, "radiusVCVSOutput") &&
       Contains(fragmentShader, "centerVCVSOutput") && Contains(fragmentShader, "discard");
     visibility = std::string("  vec2 vtkiSlope = ") +
@@ -177,6 +208,7 @@ void vtkIndirectCaptureText::Add(
     declarations += "#define VTKI_SOFT\n";
   }
   LeaveEdgesOutOfMaps(geometryShader, fragmentShader);
+  CountFromWithin(vertexShader, this->Soft);
   // Extensions stand before all but what the preprocessor reads; see vtkIndirectLibAlbedo.glsl.
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
     std::string("//VTK::System::Dec\n") + vtkIndirectShaderLibrary::Extensions, false);
@@ -198,7 +230,7 @@ void vtkIndirectCaptureText::Add(
     const bool physical = lit && pbr && Contains(fragmentShader, "vec3 F0 =") &&
       Contains(fragmentShader, "float roughness =");
     const char* const sends = phong ? "vec4(specularColor, specularPower)\n"
-      : physical                    ? "vec4(F0, -max(roughness, 0.001))\n"
+      : physical                    ? "vec4(F0, roughness > 0.001 ? -roughness : -0.001)\n"
                                     : "vec4(0.0)\n";
     outputs += std::string("#define VTKI_SPECULAR ") +
       (physical && !this->SpecularOfPBR ? "vec4(0.0)\n" : sends) + "#define VTKI_SPECULAR_SENDER " +

@@ -15,7 +15,10 @@
 #include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -30,9 +33,11 @@
 #include "vtkTextureUnitManager.h"
 #include "vtkWeakPointer.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 #include <vector>
 
@@ -127,7 +132,47 @@ struct vtkSurfaceCapturePass::Internals
   std::unordered_map<vtkShaderProgram*, vtkCamera*> ProgramCameras;
   vtkLightCollection* LightsInUse = nullptr; // to be compared only
   vtkCamera* Camera = nullptr;
+  vtkRenderer* Renderer = nullptr;
+  glm::dvec3 SceneCenter{ 0.0 };
+
+  void SetWithin(vtkShaderProgram* program, vtkProp* prop) const;
 };
+
+//------------------------------------------------------------------------------
+// See CountFromWithin in vtkIndirectCaptureText.cxx: places count from the scene's centre, in the
+// data's own coordinates and rounded as these are.
+void vtkSurfaceCapturePass::Internals::SetWithin(vtkShaderProgram* program, vtkProp* prop) const
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* camera = vtkOpenGLCamera::SafeDownCast(this->Renderer->GetActiveCamera());
+  if (!actor || !camera || !program->IsUniformUsed("vtkiWithin"))
+  {
+    return;
+  }
+  const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(actor->GetMatrix());
+  glm::vec3 within(glm::inverse(toWorld) * glm::dvec4(this->SceneCenter, 1.0));
+  if (!std::isfinite(within.x + within.y + within.z))
+  {
+    within = glm::vec3(0.0f);
+  }
+  vtkMatrix4x4* toView;
+  vtkMatrix3x3* normals;
+  vtkMatrix4x4* projection;
+  vtkMatrix4x4* toClip;
+  camera->GetKeyMatrices(this->Renderer, toView, normals, projection, toClip); // transposed
+  const glm::dmat4 fromWithin = glm::translate(toWorld, glm::dvec3(within));
+  const auto set = [&](const char* name, vtkMatrix4x4* matrix)
+  {
+    if (program->IsUniformUsed(name))
+    {
+      const glm::mat4 product(glm::transpose(vtkIndirectFrame::ToGLM(matrix)) * fromWithin);
+      program->SetUniformMatrix4x4(name, const_cast<float*>(glm::value_ptr(product)));
+    }
+  };
+  program->SetUniform3f("vtkiWithin", glm::value_ptr(within));
+  set("vtkiWithinToView", toView);
+  set("vtkiWithinToClip", toClip);
+}
 
 namespace
 {
@@ -284,6 +329,8 @@ void vtkSurfaceCapturePass::BeginEye(const vtkIndirectFrame& frame,
   in.DepthRange[1] = static_cast<float>(frame.Far);
   in.DepthRange[2] = frame.Parallel ? 1.0f : 0.0f;
   in.Camera = frame.Renderer->GetActiveCamera();
+  in.Renderer = frame.Renderer;
+  in.SceneCenter = frame.SceneCenter;
   // Vertices are floats in the data's own coordinates, up to the distance from the origin at which
   // VTK's mappers shift them.
   constexpr double shiftedFrom = 1e3;
@@ -316,6 +363,8 @@ void vtkSurfaceCapturePass::BeginMap(const vtkIndirectFrame& frame, const vtkInd
   in.DepthRange[1] = static_cast<float>(map.Far);
   in.DepthRange[2] = static_cast<float>(in.StageIsParallel);
   in.Camera = frame.Renderer->GetActiveCamera();
+  in.Renderer = frame.Renderer;
+  in.SceneCenter = frame.SceneCenter;
   in.MapLight = glm::vec3(map.Positional ? 1.0 : 0.0, map.TexelWidth, 1.0);
   in.Window = frame.Window;
   in.ReserveUnit();
@@ -457,6 +506,7 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
     in.Stage == 0 && vtkIndirectGeometryChannels::IsAlbedoInLit(in.Channels) ? 1 : 0);
   program->SetUniformf("vtkiSceneScale", in.SceneScale);
   program->SetUniform3f("vtkiDepthRange", in.DepthRange);
+  in.SetWithin(program, prop);
   if (program->IsUniformUsed("vtkiMagnitude"))
   {
     program->SetUniformf("vtkiMagnitude", in.Magnitude);

@@ -7,12 +7,15 @@
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectRoom.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -24,20 +27,44 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
-bool IsFinite(const double bounds[6])
+// Bounds within which no float overflows when it is squared.
+const double LargestBound = std::sqrt(static_cast<double>(std::numeric_limits<float>::max()));
+
+bool IsWithin(const double* values, int count, double most)
 {
-  for (int i = 0; i < 6; ++i)
+  return std::all_of(
+    values, values + count, [most](double value) { return std::abs(value) <= most; });
+}
+
+// Whether few of the points that an actor draws lie beyond these bounds: they are values that a
+// file has in place of none (1e20, 9.97e36), not a scene of that size.
+bool HasFillValues(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  auto* data =
+    mapper && mapper->GetNumberOfInputPorts() > 0 && mapper->GetNumberOfInputConnections(0) > 0
+    ? vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0))
+    : nullptr;
+  vtkIdType beyond = 0;
+  for (vtkIdType i = 0; data && i < data->GetNumberOfPoints(); ++i)
   {
-    if (!std::isfinite(bounds[i]))
-    {
-      return false;
-    }
+    beyond += IsWithin(data->GetPoint(i), 3, LargestBound) ? 0 : 1;
   }
-  return vtkMath::AreBoundsInitialized(bounds) != 0;
+  return data && beyond > 0 && 2 * beyond < data->GetNumberOfPoints();
+}
+
+bool IsFinite(const double bounds[6], vtkProp* prop)
+{
+  return IsWithin(bounds, 6, std::numeric_limits<double>::max()) &&
+    vtkMath::AreBoundsInitialized(bounds) != 0 &&
+    (IsWithin(bounds, 6, LargestBound) || !HasFillValues(prop));
 }
 }
 
@@ -187,9 +214,10 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     return;
   }
   const double* bounds = prop->GetBounds();
-  if (kind.Captured && !(bounds && IsFinite(bounds)))
+  if (kind.Captured && !(bounds && IsFinite(bounds, prop)))
   {
-    this->LeaveOut(prop->GetClassName(), "its bounds are empty or not finite");
+    this->LeaveOut(prop->GetClassName(),
+      "its bounds are empty or not finite, or a few of its points lie beyond 1e19");
     return;
   }
   const bool casts =

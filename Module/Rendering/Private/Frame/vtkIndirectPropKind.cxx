@@ -29,6 +29,7 @@
 #include "vtkTexture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -358,8 +359,10 @@ vtkActor* vtkIndirectPropKind::FindRefractor(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkProperty* property = actor && actor->GetMapper() ? actor->GetProperty() : nullptr;
-  if (!property || property->GetInterpolation() != VTK_PBR || property->GetOpacity() >= 1.0 ||
-    property->GetBaseIOR() <= 1.0 || property->GetRepresentation() != VTK_SURFACE)
+  // What is no number is no glass.
+  if (!property || property->GetInterpolation() != VTK_PBR || !(property->GetOpacity() < 1.0) ||
+    !(property->GetBaseIOR() > 1.0) || !std::isfinite(property->GetBaseIOR()) ||
+    property->GetRepresentation() != VTK_SURFACE)
   {
     return nullptr;
   }

@@ -69,7 +69,7 @@ void vtkIndirectFrameSamplers::Choose(
   }
   if (plan.Refraction)
   {
-    this->Refraction->SetNumberOfLightsOf(sampler);
+    this->Refraction->SetNumberOfLightsOf(own);
     this->Samplers.emplace_back(this->Refraction.Get());
   }
   else
@@ -94,12 +94,22 @@ void vtkIndirectFrameSamplers::Choose(
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectFrameSamplers::Walk() const
+{
+  return this->SendersAreWalked ||
+    std::any_of(this->Samplers.begin(), this->Samplers.end(),
+      [](const auto& sampler) { return sampler->Walks(); });
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectFrameSamplers::Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-  const vtkReflectiveShadowMapPass& maps, const vtkIndirectGeometryBuffer& geometry)
+  const vtkReflectiveShadowMapPass& maps, const vtkIndirectGeometryBuffer& geometry,
+  const vtkIndirectBlockingSpheres* spheres)
 {
   vtkVirtualLightSampler::Input input = { frame, maps, geometry, plan.ErrorTolerance,
     plan.SampledBounces, plan.Interactive,
     plan.SkyBounces || plan.AreaLightsBounce ? &this->Senders->GetEmitters() : nullptr };
+  input.Spheres = spheres;
   input.Further = this->SendersAreWalked ? &this->LaterBounces->UpdateSenders(input) : nullptr;
   return this->Samplers.empty() ||
     this->Lights.Update(input, { this->Samplers.begin(), this->Samplers.end() });

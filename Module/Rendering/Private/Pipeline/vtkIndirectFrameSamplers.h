@@ -24,6 +24,7 @@ class vtkReflectiveShadowMapPass;
 class vtkSurfaceCapturePass;
 class vtkVirtualLightSampler;
 class vtkWindow;
+struct vtkIndirectBlockingSpheres;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
@@ -57,9 +58,15 @@ public:
 
   /** Whether a still frame of the same scene would have more lights than the last one. */
   bool HasMore() const;
-  /** Brings their lights up to date. Returns false, after an error, when one of them cannot. */
+  /** Whether rays look for the scene's surfaces, spheres among them. */
+  bool Walk() const;
+  /**
+   * Brings their lights up to date. Returns false, after an error, when one of them cannot.
+   * spheres: where they Walk.
+   */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-    const vtkReflectiveShadowMapPass& maps, const vtkIndirectGeometryBuffer& geometry);
+    const vtkReflectiveShadowMapPass& maps, const vtkIndirectGeometryBuffer& geometry,
+    const vtkIndirectBlockingSpheres* spheres);
   /** The lights, null where the frame has no sampler. */
   const vtkIndirectVirtualLights* GetLights() const
   {

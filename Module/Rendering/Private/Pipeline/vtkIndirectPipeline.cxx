@@ -281,11 +281,19 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   this->FailedKey.clear();
 
   this->Timer.Begin(vtkIndirectStageTimer::Lights);
-  const bool sampled = this->Samplers.Update(this->Frame, this->Plan, *this->Maps, this->Geometry);
+  const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(this->Plan);
+  const bool walks = this->Samplers.Walk();
+  if (!(needs.TakesSpheres() || walks) || !caching)
+  {
+    this->Blockers.Forget();
+  }
+  const vtkIndirectBlockingSpheres* const spheres =
+    needs.TakesSpheres() || walks ? this->Blockers.Update(this->Frame, this->Estimator) : nullptr;
+  const bool sampled =
+    this->Samplers.Update(this->Frame, this->Plan, *this->Maps, this->Geometry, spheres);
   const vtkIndirectVirtualLights* const lights = this->Samplers.GetLights();
   this->Timer.End(vtkIndirectStageTimer::Lights);
 
-  const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(this->Plan);
   const bool timed = needs.IsAny();
   if (timed)
   {
@@ -296,12 +304,6 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const int most = this->Plan.TilesPerFrame;
   const bool shared = (this->Plan.HasSkyMaps() && !this->Sky.IsComplete()) ||
     (this->Plan.AreaLights && this->Plan.AreaIsShadowed && !this->Area.IsComplete());
-  if (!needs.TakesSpheres() || !caching)
-  {
-    this->Blockers.Forget();
-  }
-  const vtkIndirectBlockingSpheres* const spheres =
-    needs.TakesSpheres() ? this->Blockers.Update(this->Frame, this->Estimator) : nullptr;
   const bool visible = this->Visibility.Update(
     { this->Frame, lights, this->Capture, caching, shared ? most - most / 2 : most, spheres },
     needs);

@@ -12,9 +12,11 @@ const vtkIndirectBlockingSpheres* vtkIndirectSphereBlockers::Update(
     return &this->Result;
   }
   std::vector<glm::dvec4> spheres;
+  std::vector<vtkIndirectBlockingSpheres::Look> looks;
   for (const vtkIndirectProxySphere& sphere : this->Scene.TakeSpheres())
   {
     spheres.emplace_back(sphere.Center, sphere.Radius);
+    looks.push_back({ sphere.Albedo, sphere.PhysicallyBased });
   }
   // A colour may have changed, or what is no sphere.
   if (spheres != this->Result.Spheres)
@@ -22,8 +24,14 @@ const vtkIndirectBlockingSpheres* vtkIndirectSphereBlockers::Update(
     this->Result.Spheres = std::move(spheres);
     ++this->Result.NumberOfUpdates;
   }
+  if (looks != this->Result.Looks)
+  {
+    this->Result.Looks = std::move(looks);
+    ++this->Result.NumberOfLooks;
+  }
   this->Result.What = this->Scene.GetWhat();
   this->Result.Props = this->Scene.GetProps();
+  this->Result.Mappers = this->Scene.GetMappers();
   this->Result.LeftOut = this->Scene.GetLeftOut();
   return &this->Result;
 }
@@ -33,6 +41,8 @@ void vtkIndirectSphereBlockers::Forget()
 {
   this->Scene.Forget();
   const size_t updates = this->Result.NumberOfUpdates;
+  const size_t looks = this->Result.NumberOfLooks;
   this->Result = vtkIndirectBlockingSpheres();
   this->Result.NumberOfUpdates = updates;
+  this->Result.NumberOfLooks = looks;
 }

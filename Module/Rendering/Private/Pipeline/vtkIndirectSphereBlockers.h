@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spheres between senders and receivers, where segments are followed through voxels: what mappers
-// draw as spheres, by the rule by which spheres take the place of the sky's maps
-// (vtkIndirectProxyScene). They cast shadows as any other caster does.
+// Spheres between senders and receivers, where segments are followed through voxels, and for rays
+// that look for surfaces: what mappers draw as spheres, by the rule by which spheres take the place
+// of the sky's maps (vtkIndirectProxyScene). They cast shadows as any other caster does.
 #ifndef vtkIndirectSphereBlockers_h
 #define vtkIndirectSphereBlockers_h
 
-#include "Proxies/vtkIndirectProxyScene.h"    // for a member
-#include "Visibility/vtkIndirectVisibility.h" // for a member
+#include "Proxies/vtkIndirectProxyScene.h"         // for a member
+#include "Visibility/vtkIndirectBlockingSpheres.h" // for a member
 
 class vtkObject;
 struct vtkIndirectFrame;

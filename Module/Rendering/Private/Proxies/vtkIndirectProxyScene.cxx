@@ -2,21 +2,20 @@
 #include "Proxies/vtkIndirectProxyScene.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectMaterial.h"
 #include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Proxies/vtkIndirectProxyActors.h"
-#include "Proxies/vtkIndirectProxyAlbedos.h"
 #include "Proxies/vtkIndirectProxyKinds.h"
 #include "Proxies/vtkIndirectProxySticks.h"
+#include "Visibility/vtkIndirectGlyphs.h"
 #include "vtkActor.h"
-#include "vtkBitArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObject.h"
 #include "vtkOpenGLSphereMapper.h"
@@ -43,22 +42,6 @@ struct SphereAccess : public vtkOpenGLSphereMapper
     return mapper->*(&SphereAccess::ScaleArray);
   }
 };
-struct GlyphAccess : public vtkGlyph3DMapper
-{
-  static vtkDataArray* GetScale(vtkGlyph3DMapper* mapper, vtkDataSet* data)
-  {
-    return (mapper->*(&GlyphAccess::GetScaleArray))(data);
-  }
-  static vtkDataArray* GetMask(vtkGlyph3DMapper* mapper, vtkDataSet* data)
-  {
-    return (mapper->*(&GlyphAccess::GetMaskArray))(data);
-  }
-  static vtkDataArray* GetIndex(vtkGlyph3DMapper* mapper, vtkDataSet* data)
-  {
-    return (mapper->*(&GlyphAccess::GetSourceIndexArray))(data);
-  }
-};
-
 const char* const NoBlockers = "they block no indirect light; the result is too bright";
 
 // Whether a mapper draws spheres or sticks of given radii.
@@ -134,6 +117,7 @@ struct vtkIndirectProxyScene::Part
   vtkMapper* Mapper;
   vtkProp* Prop; // of the renderer
   bool Sends;
+  bool PhysicallyBased;
   glm::dmat4 ToWorld;
   glm::dmat4 ToScene;
   double Scale; // of lengths
@@ -182,6 +166,7 @@ bool vtkIndirectProxyScene::Update(
   this->Spheres.clear();
   this->Polygons.clear();
   this->Props.clear();
+  this->Mappers.clear();
   this->LeftOut.clear();
   this->Exact = this->OfSticks = this->Fitted = this->Wrong = 0;
   this->SceneCenter = frame.SceneCenter;
@@ -197,14 +182,19 @@ bool vtkIndirectProxyScene::Update(
           return;
         }
         const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(matrix);
-        Part part = { actor, actor->GetMapper(), item.Prop, item.Sends, toWorld,
-          frame.ToScene(toWorld),
+        Part part = { actor, actor->GetMapper(), item.Prop, item.Sends,
+          actor->GetProperty()->GetInterpolation() == VTK_PBR, toWorld, frame.ToScene(toWorld),
           frame.SceneScale * std::cbrt(std::abs(glm::determinant(glm::dmat3(toWorld)))) };
         for (int i = 0; i < 3; ++i)
         {
           part.ToScene[i] *= frame.SceneScale;
         }
+        const size_t fromHere = this->Spheres.size();
         this->AddPart(part, given);
+        if (this->Spheres.size() > fromHere)
+        {
+          this->Mappers.push_back(actor->GetMapper());
+        }
       });
     if (this->Spheres.size() > before)
     {
@@ -238,11 +228,12 @@ void vtkIndirectProxyScene::LeaveOut(const std::string& what, const std::string&
 
 //------------------------------------------------------------------------------
 void vtkIndirectProxyScene::Add(
-  const Part& part, const double center[3], double radius, const glm::vec3& albedo, bool exact)
+  const Part& part, const double center[3], double radius, const glm::dvec3& albedo, bool exact)
 {
   const glm::dvec3 place(part.ToScene * glm::dvec4(center[0], center[1], center[2], 1.0));
   const double scaled = radius * part.Scale;
-  if (!(scaled >= 0.0) || !std::isfinite(scaled) || !std::isfinite(place.x + place.y + place.z))
+  // A radius that no float squares is none.
+  if (!(scaled >= 0.0) || !(scaled < 1e18) || !std::isfinite(place.x + place.y + place.z))
   {
     this->WrongProp = this->Wrong++ ? this->WrongProp : part.Prop->GetClassName();
     return;
@@ -252,8 +243,8 @@ void vtkIndirectProxyScene::Add(
     !(this->User == SEGMENTS &&
       IsCutOff(part, glm::dvec3(part.ToWorld * glm::dvec4(center[0], center[1], center[2], 1.0)))))
   {
-    this->Spheres.push_back(
-      { place, std::min(scaled, 1e6), part.Sends ? albedo : glm::vec3(0.0f), exact });
+    this->Spheres.push_back({ place, std::min(scaled, 1e6),
+      part.Sends ? glm::vec3(albedo) : glm::vec3(0.0f), part.PhysicallyBased, exact });
   }
 }
 
@@ -300,9 +291,7 @@ void vtkIndirectProxyScene::AddPart(const Part& part, const Given& given)
   }
   vtkPolyData* spheres = known->second;
   vtkDataArray* radii = spheres->GetPointData()->GetArray("Radius");
-  const double* color = part.Actor->GetProperty()->GetDiffuseColor();
-  const glm::vec3 albedo = vtkIndirectProxyAlbedos::Find(
-    part.Actor->GetProperty(), glm::dvec3(color[0], color[1], color[2]));
+  const glm::dvec3 albedo = vtkIndirectMaterial(part.Actor, part.Mapper, spheres).Get(-1);
   const size_t before = this->Spheres.size();
   for (vtkIdType i = 0; i < spheres->GetNumberOfPoints(); ++i)
   {
@@ -352,11 +341,11 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
     ForDataSets(part.Mapper->GetInputDataObject(0, 0),
       [&](vtkDataSet* data)
       {
-        const vtkIndirectProxyAlbedos albedos(part.Mapper, part.Actor->GetProperty(), data);
+        const vtkIndirectMaterial material(part.Actor, part.Mapper, data);
         vtkIndirectProxySticks::ForEach(part.Mapper, data,
           segments ? vtkIndirectProxySticks::INSIDE : vtkIndirectProxySticks::AVERAGED,
           [&](vtkIdType i, const double place[3], double radius)
-          { this->Add(part, place, radius, albedos.Get(i), false); });
+          { this->Add(part, place, radius, material.Get(i), false); });
       });
     this->OfSticks += this->Spheres.size() - before;
   }
@@ -389,12 +378,12 @@ void vtkIndirectProxyScene::AddPoints(
   const Part& part, vtkDataSet* data, const char* array, double radius)
 {
   vtkDataArray* sizes = array ? data->GetPointData()->GetArray(array) : nullptr;
-  const vtkIndirectProxyAlbedos albedos(part.Mapper, part.Actor->GetProperty(), data);
+  const vtkIndirectMaterial material(part.Actor, part.Mapper, data);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double place[3];
     data->GetPoint(i, place);
-    this->Add(part, place, sizes ? sizes->GetComponent(i, 0) : radius, albedos.Get(i), true);
+    this->Add(part, place, sizes ? sizes->GetComponent(i, 0) : radius, material.Get(i), true);
   }
 }
 
@@ -423,13 +412,13 @@ void vtkIndirectProxyScene::AddGaussians(const Part& part)
       const int component = sizes ? std::min(std::max(mapper->GetScaleArrayComponent(), 0),
                                       sizes->GetNumberOfComponents() - 1)
                                   : 0;
-      const vtkIndirectProxyAlbedos albedos(mapper, part.Actor->GetProperty(), data);
+      const vtkIndirectMaterial material(part.Actor, mapper, data);
       for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
       {
         double place[3];
         data->GetPoint(i, place);
         const double size = sizes ? sizes->GetComponent(i, component) : 1.0;
-        this->Add(part, place, size * mapper->GetScaleFactor(), albedos.Get(i), true);
+        this->Add(part, place, size * mapper->GetScaleFactor(), material.Get(i), true);
       }
     });
 }
@@ -444,80 +433,39 @@ bool vtkIndirectProxyScene::AddGlyphs(const Part& part)
 }
 
 //------------------------------------------------------------------------------
-// As vtkOpenGLGlyph3DMapper scales and places them.
 bool vtkIndirectProxyScene::AddGlyphs(const Part& part, vtkDataSet* data)
 {
   auto* mapper = vtkGlyph3DMapper::SafeDownCast(part.Mapper);
-  const int count = mapper->GetNumberOfInputConnections(1);
   std::vector<const vtkIndirectProxyShapes::Shape*> sources;
-  for (int i = 0; i < count; ++i)
+  bool all = true;
+  for (const std::vector<vtkPolyData*>& source : vtkIndirectGlyphs::FindSources(mapper))
   {
-    vtkPolyData* source = mapper->GetUseSourceTableTree() ? nullptr : mapper->GetSource(i);
-    sources.push_back(source && source->GetNumberOfPoints() > 0
-        ? &this->Shapes.FindBody(part.Prop, source)
-        : nullptr);
+    const bool one = source.size() == 1 && source.front()->GetNumberOfPoints() > 0;
+    all = all && source.size() <= 1;
+    sources.push_back(one ? &this->Shapes.FindBody(part.Prop, source.front()) : nullptr);
   }
   if (sources.empty())
   {
     return false;
   }
-  vtkDataArray* index = mapper->GetSourceIndexing() ? GlyphAccess::GetIndex(mapper, data) : nullptr;
-  vtkDataArray* scale = GlyphAccess::GetScale(mapper, data);
-  auto* mask =
-    mapper->GetMasking() ? vtkBitArray::SafeDownCast(GlyphAccess::GetMask(mapper, data)) : nullptr;
-  const vtkIndirectProxyAlbedos albedos(mapper, part.Actor->GetProperty(), data);
-  const double* range = mapper->GetRange();
-  const double width = range[1] != range[0] ? range[1] - range[0] : 1.0;
-  bool all = true;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    if (mask && mask->GetValue(i) == 0)
+  const vtkIndirectMaterial material(part.Actor, mapper, data);
+  vtkIndirectGlyphs::ForEach(mapper, data, sources.size(),
+    [&](const vtkIndirectGlyphs::Instance& instance)
     {
-      continue;
-    }
-    int number = 0;
-    if (index)
-    {
-      const double value = vtkMath::Norm(index->GetTuple(i), index->GetNumberOfComponents());
-      number =
-        std::min(std::max(static_cast<int>((value - range[0]) * count / width), 0), count - 1);
-    }
-    const vtkIndirectProxyShapes::Shape* source = sources[static_cast<size_t>(number)];
-    if (!source || source->Spheres.size() != 1)
-    {
-      all = all && !source;
-      continue;
-    }
-    glm::dvec3 factors(1.0);
-    if (scale && mapper->GetScaleMode() == vtkGlyph3DMapper::SCALE_BY_MAGNITUDE)
-    {
-      factors = glm::dvec3(vtkMath::Norm(scale->GetTuple(i), scale->GetNumberOfComponents()));
-    }
-    else if (scale && scale->GetNumberOfComponents() == 3 &&
-      mapper->GetScaleMode() == vtkGlyph3DMapper::SCALE_BY_COMPONENTS)
-    {
-      const double* tuple = scale->GetTuple(i);
-      factors = glm::dvec3(tuple[0], tuple[1], tuple[2]);
-    }
-    if (scale && mapper->GetClamping() &&
-      mapper->GetScaleMode() != vtkGlyph3DMapper::NO_DATA_SCALING)
-    {
-      factors = (glm::clamp(factors, range[0], range[1]) - range[0]) / width;
-    }
-    factors = mapper->GetScaling() ? factors * mapper->GetScaleFactor() : glm::dvec3(1.0);
-    double place[3];
-    data->GetPoint(i, place);
-    const vtkIndirectProxySphere& sphere = source->Spheres.front();
-    // A source about another place than its origin is not turned here.
-    for (int k = 0; k < 3; ++k)
-    {
-      place[k] += factors[k] * sphere.Center[k];
-    }
-    // Of an ellipsoid the ball of equal volume. Negative magnitudes there are none.
-    const double volume = factors.x * factors.y * factors.z;
-    this->Add(part, place, std::cbrt(std::abs(volume)) * sphere.Radius, albedos.Get(i),
-      factors.x == factors.y && factors.y == factors.z);
-  }
+      const vtkIndirectProxyShapes::Shape* source = sources[instance.Source];
+      if (!source || source->Spheres.size() != 1)
+      {
+        all = all && !source;
+        return;
+      }
+      const vtkIndirectProxySphere& sphere = source->Spheres.front();
+      const glm::dvec3 place(instance.ToData * glm::dvec4(sphere.Center, 1.0));
+      // Of an ellipsoid the ball of equal volume. Negative magnitudes there are none.
+      const glm::dvec3& factors = instance.Factors;
+      const double volume = factors.x * factors.y * factors.z;
+      this->Add(part, &place[0], std::cbrt(std::abs(volume)) * sphere.Radius,
+        material.Get(instance.Point), factors.x == factors.y && factors.y == factors.z);
+    });
   return all;
 }
 
@@ -547,14 +495,14 @@ void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
   {
     this->LeaveOut("a mesh of " + std::string(part.Prop->GetClassName()), shape.LeftOut);
   }
-  const vtkIndirectProxyAlbedos albedos(part.Mapper, part.Actor->GetProperty(), mesh);
-  const glm::vec3 mean = albedos.GetMean();
+  const vtkIndirectMaterial material(part.Actor, part.Mapper, mesh);
+  const glm::dvec3 mean = material.GetMean();
   const size_t before = this->Spheres.size();
   const bool own = shape.Kind == vtkIndirectProxyShapes::SPHERES;
   for (size_t i = 0; i < shape.Spheres.size(); ++i)
   {
     this->Add(part, &shape.Spheres[i].Center[0], shape.Spheres[i].Radius,
-      own ? albedos.Get(albedos.AreByCell() ? shape.Cells[i] : shape.Points[i]) : mean, own);
+      own ? material.Get(material.IsByCell() ? shape.Cells[i] : shape.Points[i]) : mean, own);
   }
   (own ? this->Exact : this->Fitted) += this->Spheres.size() - before;
   for (const vtkIndirectProxyPolygon& polygon : shape.Polygons)
@@ -564,7 +512,7 @@ void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
     {
       corner = glm::dvec3(part.ToScene * glm::dvec4(corner, 1.0));
     }
-    moved.Albedo = part.Sends ? mean : glm::vec3(0.0f);
+    moved.Albedo = part.Sends ? glm::vec3(mean) : glm::vec3(0.0f);
     this->Polygons.push_back(moved);
   }
 }

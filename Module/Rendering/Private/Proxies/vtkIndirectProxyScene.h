@@ -30,7 +30,7 @@ public:
   enum UserType
   {
     SUMS,    // over what spheres hide and send: meshes too, sticks and ellipsoids in the mean
-    SEGMENTS // spheres as they are drawn, and what lies inside of sticks; no albedos
+    SEGMENTS // and rays: spheres as they are drawn, and what lies inside of sticks
   };
   explicit vtkIndirectProxyScene(UserType user = SUMS)
     : User(user)
@@ -49,6 +49,8 @@ public:
   const std::vector<vtkIndirectProxyPolygon>& GetPolygons() const { return this->Polygons; }
   /** The renderer's props that have such. */
   const std::vector<const vtkProp*>& GetProps() const { return this->Props; }
+  /** Mappers of actors that have such. */
+  const std::vector<const vtkMapper*>& GetMappers() const { return this->Mappers; }
   /** How many spheres of what. */
   std::string GetWhat() const;
   /** What else there is, and what is lost. */
@@ -73,7 +75,7 @@ private:
   void AddMeshes(const Part& part);
   // exact: it is drawn as it is.
   void Add(
-    const Part& part, const double center[3], double radius, const glm::vec3& albedo, bool exact);
+    const Part& part, const double center[3], double radius, const glm::dvec3& albedo, bool exact);
   void LeaveOut(const std::string& what, const std::string& why);
   bool IsOfEllipsoids(const Part& part);
   static bool IsCutOff(const Part& part, const glm::dvec3& place);
@@ -83,6 +85,7 @@ private:
   std::vector<vtkIndirectProxySphere> Spheres;
   std::vector<vtkIndirectProxyPolygon> Polygons;
   std::vector<const vtkProp*> Props;
+  std::vector<const vtkMapper*> Mappers;
   vtkIndirectProxyShapes Shapes;
   vtkIndirectProxyKinds Kinds;
   glm::dvec3 SceneCenter{ 0.0 };

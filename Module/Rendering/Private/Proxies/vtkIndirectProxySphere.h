@@ -11,7 +11,8 @@ struct vtkIndirectProxySphere
   glm::dvec3 Center{ 0.0 };
   double Radius = 0.0;
   glm::vec3 Albedo{ 0.0f };
-  bool Exact = false; // it is drawn as it is; else it stands for a surface nearby
+  bool PhysicallyBased = false; // see vtkIndirectMaterial
+  bool Exact = false;           // it is drawn as it is; else it stands for a surface nearby
 };
 
 struct vtkIndirectProxyPolygon

@@ -15,6 +15,7 @@ public:
   static vtkIndirectAllTexelsSampler* New() { VTK_STANDARD_NEW_BODY(vtkIndirectAllTexelsSampler); }
   vtkTypeMacro(vtkIndirectAllTexelsSampler, vtkMapLightSampler);
 
+  int GetNumberOfLights() override { return VTK_INT_MAX; }
   /** Lights at most, as long as there are two texels along an edge. */
   void SetMostLights(size_t count) { this->MostLights = count; }
 

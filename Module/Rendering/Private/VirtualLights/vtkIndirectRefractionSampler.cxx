@@ -4,10 +4,8 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkActor.h"
-#include "vtkLightTreeSampler.h"
 #include "vtkObjectFactory.h"
 #include "vtkProperty.h"
-#include "vtkUniformLightSampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,11 +36,9 @@ double FindFalloff(const vtkIndirectLight& light, const glm::dvec3& way, double 
 //------------------------------------------------------------------------------
 void vtkIndirectRefractionSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampler)
 {
-  auto* tree = vtkLightTreeSampler::SafeDownCast(sampler);
-  auto* uniform = vtkUniformLightSampler::SafeDownCast(sampler);
-  this->NumberOfLights = tree ? tree->GetNumberOfLights()
-    : uniform                 ? uniform->GetNumberOfLights()
-                              : 256;
+  // All texels are no number for paths through glass.
+  const int number = sampler ? sampler->GetNumberOfLights() : 256;
+  this->NumberOfLights = number == VTK_INT_MAX ? 256 : number;
 }
 
 //------------------------------------------------------------------------------
@@ -139,8 +135,10 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
         (light.Positional ? angle * FindFalloff(light, way, distance) : step * step);
     }
   }
+  // A roughness that is no number is none.
+  const double roughness = actor->GetProperty()->GetRoughness();
   const double base = vtkIndirectKernels::vtkiExponentOfRoughness(
-    static_cast<float>(actor->GetProperty()->GetRoughness()));
+    std::isfinite(roughness) ? static_cast<float>(roughness) : 0.0f);
   const double s = frame.SceneScale;
   for (int j = 0; j < edge; ++j)
   {

@@ -6,12 +6,10 @@
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
-#include "VirtualLights/vtkIndirectAllTexelsSampler.h"
 #include "vtkLightTreeSampler.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkReflectiveShadowMapPass.h"
-#include "vtkUniformLightSampler.h"
 
 #include <algorithm>
 #include <utility>
@@ -61,14 +59,8 @@ vtkIndirectSenderSampler::~vtkIndirectSenderSampler() = default;
 //------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampler)
 {
-  auto* pattern =
-    vtkUniformLightSampler::SafeDownCast(sampler ? sampler->GetViewPattern() : nullptr);
-  auto* tree = vtkLightTreeSampler::SafeDownCast(sampler);
-  this->NumberOfLights = vtkIndirectAllTexelsSampler::SafeDownCast(sampler) ? VTK_INT_MAX
-    : pattern ? pattern->GetNumberOfLights()
-    : tree    ? tree->GetNumberOfLights()
-              : 256;
-  const bool divides = tree != nullptr;
+  this->NumberOfLights = sampler ? sampler->GetNumberOfLights() : 256;
+  const bool divides = vtkLightTreeSampler::SafeDownCast(sampler) != nullptr;
   this->SourceTime += divides != this->Divides ? 1 : 0;
   this->Divides = divides;
 }

@@ -69,6 +69,7 @@ void vtkIndirectOccupancyVolume::Clear(
   this->MeanAlbedo = glm::dvec3(0.0);
   this->NumberOfTriangles = 0;
   this->LeftOut.clear();
+  this->LeftOutColors.clear();
   this->Uploaded = this->DistanceFieldIsCurrent = false;
 }
 
@@ -249,20 +250,28 @@ void vtkIndirectOccupancyVolume::AddProp(const vtkIndirectFrame& frame, vtkProp*
 {
   const size_t before = this->NumberOfTriangles;
   const bool held = vtkIndirectPolygons::Read(frame, prop,
-    [this](const vtkIndirectPolygons& piece)
+    [this, prop](const vtkIndirectPolygons& piece)
     {
       // VTK's PBR divides its diffuse reflection by pi.
-      const double reflected = piece.PhysicallyBased ? 1.0 / vtkMath::Pi() : 1.0;
+      const double reflected = piece.Material.IsPhysicallyBased() ? 1.0 / vtkMath::Pi() : 1.0;
+      const auto leaveOut = [&](const std::string& why)
+      {
+        if (!why.empty())
+        {
+          this->LeftOutColors.push_back({ prop, prop->GetClassName(), why });
+        }
+      };
+      leaveOut(piece.Material.GetLeftOut());
+      leaveOut(piece.Material.HasPattern() ? "each triangle has the mean of its texture" : "");
       for (const vtkIndirectPolygons::Triangle& triangle : piece.Triangles)
       {
         glm::dvec3 corners[3];
-        glm::dvec3 albedo(0.0);
         for (int i = 0; i < 3; ++i)
         {
           corners[i] = piece.Positions[static_cast<size_t>(triangle.Points[i])];
-          albedo += piece.GetAlbedo(triangle.Cell, triangle.Points[i]) / 3.0;
         }
-        this->AddTriangle(corners, reflected * albedo);
+        this->AddTriangle(
+          corners, reflected * piece.Material.FindMean(triangle.Cell, triangle.Points));
       }
     });
   this->AllIsHeld = this->AllIsHeld && held;

@@ -92,6 +92,8 @@ public:
     std::string Why;
   };
   const std::vector<LeftOutProp>& GetLeftOut() const { return this->LeftOut; }
+  /** Props whose triangles have not quite the colours that VTK draws, and why. */
+  const std::vector<LeftOutProp>& GetLeftOutColors() const { return this->LeftOutColors; }
 
   /** Binds the bits for vtkIndirectOccupancy.glsl; pair with Deactivate. */
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
@@ -123,6 +125,7 @@ private:
   mutable std::unique_ptr<vtkIndirectDistanceField> DistanceField;
   mutable bool DistanceFieldIsCurrent = false;
   std::vector<LeftOutProp> LeftOut;
+  std::vector<LeftOutProp> LeftOutColors;
   mutable vtkSmartPointer<vtkTextureObject> Texture;
   mutable bool Uploaded = false;
 };

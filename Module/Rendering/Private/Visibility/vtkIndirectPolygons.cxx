@@ -6,8 +6,9 @@
 #include "vtkAssemblyPath.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeRange.h"
 #include "vtkDataSetMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
@@ -15,9 +16,16 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
 #include "vtkVersionMacros.h"
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 90)
+#include "vtkCompositePolyDataMapper.h"
+using CompositeMapper = vtkCompositePolyDataMapper;
+#else
+#include "vtkCompositePolyDataMapper2.h"
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#endif
 
 #include <algorithm>
 #include <cstring>
@@ -38,6 +46,49 @@ bool DrawsPolygonsAlone(vtkActor* actor, vtkMapper* mapper)
     std::find(std::begin(mappers), std::end(mappers), name) != std::end(mappers) &&
     shaders->GetNumberOfShaderReplacements() == 0 && !shaders->HasVertexShaderCode() &&
     !shaders->HasGeometryShaderCode();
+}
+
+// Others draw something else at the points of their data: glyphs, impostors, splats.
+bool DrawsPolygons(vtkMapper* mapper)
+{
+  return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper")) &&
+    !mapper->IsA("vtkOpenGLSphereMapper") && !mapper->IsA("vtkOpenGLStickMapper") &&
+    !mapper->IsA("vtkPointGaussianMapper");
+}
+
+// The blocks that a composite mapper draws with all else that is opaque, each with what it inherits
+// from those around it.
+template <typename F>
+void AddBlocks(vtkDataObject* object, vtkCompositeDataDisplayAttributes* attributes,
+  vtkIndirectMaterial::Block block, const F& add)
+{
+  if (attributes && attributes->HasBlockVisibility(object))
+  {
+    block.Shown = attributes->GetBlockVisibility(object);
+  }
+  if (attributes && attributes->HasBlockOpacity(object))
+  {
+    block.Opaque = attributes->GetBlockOpacity(object) >= 1.0;
+  }
+  if (attributes && attributes->HasBlockColor(object))
+  {
+    block.HasColor = true;
+    attributes->GetBlockColor(object, &block.Color[0]);
+  }
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(object))
+  {
+    for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+    {
+      AddBlocks(child, attributes, block, add);
+    }
+  }
+  else if (auto* data = vtkPolyData::SafeDownCast(object))
+  {
+    if (block.Shown && block.Opaque)
+    {
+      add(data, block);
+    }
+  }
 }
 }
 
@@ -73,7 +124,7 @@ bool vtkIndirectPolygons::Read(const vtkIndirectFrame& frame, vtkProp* prop, con
     all = all && DrawsPolygonsAlone(actor, mapper);
     const glm::dmat4 toWorld =
       vtkIndirectFrame::ToGLM(node->GetMatrix() ? node->GetMatrix() : actor->GetMatrix());
-    const auto add = [&](vtkPolyData* data)
+    const auto add = [&](vtkPolyData* data, const vtkIndirectMaterial::Block& block)
     {
       if (!data->GetPoints() || data->GetPoints()->GetNumberOfPoints() == 0)
       {
@@ -84,62 +135,74 @@ bool vtkIndirectPolygons::Read(const vtkIndirectFrame& frame, vtkProp* prop, con
       piece.Mapper = mapper;
       piece.Data = data;
       piece.ToWorld = toWorld;
-      piece.Fill(frame);
+      piece.Fill(frame, glm::dmat4(1.0));
+      piece.Material = vtkIndirectMaterial(actor, mapper, data, block);
       all = all && data->GetNumberOfVerts() == 0 && data->GetNumberOfLines() == 0;
       take(piece);
     };
-    vtkDataObject* input = mapper->GetInputDataObject(0, 0);
-    if (auto* data = vtkPolyData::SafeDownCast(input))
+    vtkDataObject* input = DrawsPolygons(mapper) ? mapper->GetInputDataObject(0, 0) : nullptr;
+    if (input)
     {
-      // Glyph mappers have points here and the polygons elsewhere.
-      if (vtkPolyDataMapper::SafeDownCast(mapper))
-      {
-        add(data);
-      }
-    }
-    else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-    {
-      auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-      for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-      {
-        if (auto* leaf = vtkPolyData::SafeDownCast(it->GetCurrentDataObject()))
-        {
-          add(leaf);
-        }
-      }
+      auto* composite = CompositeMapper::SafeDownCast(mapper);
+      AddBlocks(input, composite ? composite->GetCompositeDataDisplayAttributes() : nullptr,
+        vtkIndirectMaterial::Block(), add);
     }
   }
   return all;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame)
+bool vtkIndirectPolygons::Repeat(
+  const vtkIndirectFrame& frame, const std::vector<glm::dmat4>& places, size_t mostTriangles)
+{
+  if (!this->Data->GetPoints() || this->Data->GetPoints()->GetNumberOfPoints() == 0)
+  {
+    return true;
+  }
+  for (const glm::dmat4& place : places)
+  {
+    this->Fill(frame, place);
+    if (this->Triangles.size() > mostTriangles)
+    {
+      this->Positions = {};
+      this->Triangles = {};
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& place)
 {
   vtkPoints* points = this->Data->GetPoints();
-  this->Positions.resize(static_cast<size_t>(points->GetNumberOfPoints()));
-  std::vector<char> shown(this->Positions.size(), 1);
+  const glm::dmat4 toWorld = this->ToWorld * place;
+  const size_t first = this->Positions.size();
+  const size_t added = static_cast<size_t>(points->GetNumberOfPoints());
+  this->Positions.resize(first + added);
+  std::vector<char> shown(added, 1);
   vtkPlaneCollection* planes = this->Mapper->GetClippingPlanes();
-  for (size_t i = 0; i < this->Positions.size(); ++i)
+  for (size_t i = 0; i < added; ++i)
   {
     double p[3];
     points->GetPoint(static_cast<vtkIdType>(i), p);
     const glm::dvec4 local(p[0], p[1], p[2], 1.0);
-    glm::dvec4 world = this->ToWorld * local;
-    this->Positions[i] = (glm::dvec3(world) - frame.SceneCenter) * frame.SceneScale;
+    glm::dvec4 world = toWorld * local;
+    this->Positions[first + i] = (glm::dvec3(world) - frame.SceneCenter) * frame.SceneScale;
     for (int k = 0; planes && k < planes->GetNumberOfItems(); ++k)
     {
       shown[i] = shown[i] && planes->GetItem(k)->EvaluateFunction(&world[0]) >= 0.0;
     }
   }
-  this->FillColors();
 
+  const vtkIdType base = static_cast<vtkIdType>(first);
   auto add = [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
   {
     // A triangle that a plane cuts counts whole: it blocks at most its own length too much.
     if (shown[static_cast<size_t>(a)] || shown[static_cast<size_t>(b)] ||
       shown[static_cast<size_t>(c)])
     {
-      this->Triangles.push_back({ cell, { a, b, c } });
+      this->Triangles.push_back({ cell, { base + a, base + b, base + c } });
     }
   };
   // Cell data count vertices and lines first.
@@ -167,51 +230,4 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame)
       add(cell, ids[i - 2 + odd], ids[i - 1 - odd], ids[i]);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectPolygons::FillColors()
-{
-  vtkProperty* property = this->Actor->GetProperty();
-  this->Diffuse = property->GetDiffuse();
-  if (property->GetInterpolation() == VTK_PBR)
-  {
-    this->PhysicallyBased = true;
-    this->Encoded = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0);
-  }
-  const double* color = property->GetDiffuseColor();
-  this->Color = this->Diffuse * glm::dvec3(color[0], color[1], color[2]);
-  if (!this->Mapper->GetScalarVisibility())
-  {
-    return;
-  }
-  vtkMapper* mapper = this->Mapper;
-  int cellFlag = 0;
-  vtkAbstractArray* scalars =
-    vtkAbstractMapper::GetAbstractScalars(this->Data, mapper->GetScalarMode(),
-      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
-  if (scalars && mapper->GetLookupTable())
-  {
-    this->Colors.TakeReference(mapper->GetLookupTable()->MapScalars(
-      scalars, mapper->GetColorMode(), mapper->GetArrayComponent()));
-    this->ColorsAreOfCells = cellFlag != 0;
-  }
-  if (this->Colors && this->Colors->GetNumberOfComponents() < 3)
-  {
-    this->Colors = nullptr;
-  }
-}
-
-//------------------------------------------------------------------------------
-glm::dvec3 vtkIndirectPolygons::GetAlbedo(vtkIdType cell, vtkIdType point) const
-{
-  const double metallic = this->PhysicallyBased ? this->Actor->GetProperty()->GetMetallic() : 0.0;
-  const vtkIdType at = this->ColorsAreOfCells ? cell : point;
-  if (!this->Colors || at >= this->Colors->GetNumberOfTuples())
-  {
-    return (1.0 - metallic) * this->Color;
-  }
-  const unsigned char* c = this->Colors->GetPointer(at * this->Colors->GetNumberOfComponents());
-  const glm::dvec3 color = this->Diffuse / 255.0 * glm::dvec3(c[0], c[1], c[2]);
-  return (1.0 - metallic) * (this->Encoded ? glm::pow(color, glm::dvec3(2.2)) : color);
 }

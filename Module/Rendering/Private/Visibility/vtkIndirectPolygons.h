@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The polygons that a prop's mappers draw, as triangles that the processor can read: places in
-// scene units, and of which colour VTK draws them. A piece is what one mapper draws of one
-// vtkPolyData.
+// scene units, and of which material VTK draws them. A piece is what one mapper draws of one
+// vtkPolyData; blocks that a composite mapper does not draw, or draws translucent, are not there.
 #ifndef vtkIndirectPolygons_h
 #define vtkIndirectPolygons_h
 
-#include "vtkSmartPointer.h"      // for members
-#include "vtkType.h"              // for ids
-#include "vtkUnsignedCharArray.h" // for members
+#include "Frame/vtkIndirectMaterial.h" // for a member
+#include "vtkType.h"                   // for ids
 
 #include <functional>  // for who takes pieces
 #include <glm/glm.hpp> // for vectors
@@ -36,15 +35,7 @@ public:
   /** Polygons as fans, strips as VTK winds them; those that clipping planes leave out are not here,
    * one that a plane cuts is here as a whole. */
   std::vector<Triangle> Triangles;
-  bool PhysicallyBased = false; // lit by VTK's PBR, which divides by pi
-
-  ///@{
-  /** Reflected by diffusion, of the light that VTK does not divide by pi; by a triangle's corner.
-   */
-  glm::dvec3 GetAlbedo(vtkIdType cell, vtkIdType point) const;
-  bool HasColorsOfPoints() const { return this->Colors && !this->ColorsAreOfCells; }
-  bool HasColorsOfCells() const { return this->Colors && this->ColorsAreOfCells; }
-  ///@}
+  vtkIndirectMaterial Material; // in the numbers of the data's points and cells
 
   using Taker = std::function<void(vtkIndirectPolygons& piece)>;
   /**
@@ -53,16 +44,15 @@ public:
    * the user's own.
    */
   static bool Read(const vtkIndirectFrame& frame, vtkProp* prop, const Taker& take);
+  /**
+   * Fills places and triangles with the data at each of these places of ToWorld, one after the
+   * other. Returns false, with nothing, where there would be more than so many triangles.
+   */
+  bool Repeat(
+    const vtkIndirectFrame& frame, const std::vector<glm::dmat4>& places, size_t mostTriangles);
 
 private:
-  void Fill(const vtkIndirectFrame& frame);
-  void FillColors();
-
-  glm::dvec3 Color{ 0.0 }; // without scalars
-  double Diffuse = 1.0;    // of scalars' colours
-  bool Encoded = false;    // these are, times the coefficient, with gamma 2.2
-  vtkSmartPointer<vtkUnsignedCharArray> Colors;
-  bool ColorsAreOfCells = false;
+  void Fill(const vtkIndirectFrame& frame, const glm::dmat4& place);
 };
 
 #endif

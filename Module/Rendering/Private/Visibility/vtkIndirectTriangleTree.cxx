@@ -1,45 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Visibility/vtkIndirectTriangleTree.h"
 
+#include "Visibility/vtkIndirectBoxTree.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 namespace
 {
-constexpr int Bins = 16;
-// Where splits by area have led so deep, halves by count end it: 31 levels of them hold 2^31.
-constexpr int DeepestByArea = 32;
-constexpr int DeepestOfAll = 64;
-// More triangles than these are split although the heuristic finds no gain.
-constexpr uint32_t LargestLeaf = 8;
 // Of the longest edge of all boxes. Segments are cut to what is in these, so that numbers are no
 // greater than that edge; its rounding to floats, that of the direction, of its inverse and of the
 // two steps of the boxes' test move a face by less than 2^-21 of it.
 constexpr double Padding = 1.0 / (1 << 20);
-
-struct Box
-{
-  glm::dvec3 Lower{ std::numeric_limits<double>::infinity() };
-  glm::dvec3 Upper{ -std::numeric_limits<double>::infinity() };
-
-  void Add(const glm::dvec3& point)
-  {
-    this->Lower = glm::min(this->Lower, point);
-    this->Upper = glm::max(this->Upper, point);
-  }
-  void Add(const Box& other)
-  {
-    this->Lower = glm::min(this->Lower, other.Lower);
-    this->Upper = glm::max(this->Upper, other.Upper);
-  }
-  double HalfArea() const
-  {
-    const glm::dvec3 e = glm::max(this->Upper - this->Lower, glm::dvec3(0.0));
-    return e.x * e.y + e.y * e.z + e.z * e.x;
-  }
-};
 
 // The point of a triangle that is nearest to p, by the regions of its corners, edges and inside.
 glm::dvec3 FindNearestPoint(const glm::dvec3 v[3], const glm::dvec3& p)
@@ -67,165 +41,6 @@ glm::dvec3 FindNearestPoint(const glm::dvec3 v[3], const glm::dvec3& p)
 }
 
 //------------------------------------------------------------------------------
-struct vtkIndirectTriangleTree::Builder
-{
-  struct Job
-  {
-    uint32_t Node;
-    uint32_t Begin;
-    uint32_t End;
-    int Depth;
-  };
-  struct Split
-  {
-    int Axis = -1;
-    int Bin = 0;
-    double Cost = std::numeric_limits<double>::infinity(); // half area times triangles
-    Box Centres;
-  };
-
-  std::vector<Box> Boxes;          // by triangle
-  std::vector<glm::dvec3> Centres; // by triangle
-  std::vector<uint32_t> Order;
-  Box All;
-
-  explicit Builder(const std::vector<Triangle>& triangles)
-    : Boxes(triangles.size())
-    , Centres(triangles.size())
-    , Order(triangles.size())
-  {
-    std::iota(this->Order.begin(), this->Order.end(), 0u);
-    for (size_t i = 0; i < triangles.size(); ++i)
-    {
-      for (const glm::dvec3& corner : triangles[i].Corners)
-      {
-        this->Boxes[i].Add(corner);
-      }
-      this->Centres[i] = 0.5 * (this->Boxes[i].Lower + this->Boxes[i].Upper);
-      this->All.Add(this->Boxes[i]);
-    }
-  }
-
-  int FindBin(const Split& split, int axis, uint32_t triangle) const
-  {
-    const double lower = split.Centres.Lower[axis];
-    const double edge = split.Centres.Upper[axis] - lower;
-    return std::min(
-      static_cast<int>((this->Centres[triangle][axis] - lower) / edge * Bins), Bins - 1);
-  }
-
-  Split FindSplit(uint32_t begin, uint32_t end) const
-  {
-    Split best;
-    for (uint32_t i = begin; i < end; ++i)
-    {
-      best.Centres.Add(this->Centres[this->Order[i]]);
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if (!(best.Centres.Upper[axis] > best.Centres.Lower[axis]))
-      {
-        continue;
-      }
-      Box boxes[Bins];
-      uint32_t counts[Bins] = {};
-      for (uint32_t i = begin; i < end; ++i)
-      {
-        const int bin = this->FindBin(best, axis, this->Order[i]);
-        boxes[bin].Add(this->Boxes[this->Order[i]]);
-        ++counts[bin];
-      }
-      double below[Bins]; // of the bins up to this one
-      Box box;
-      uint32_t count = 0;
-      for (int bin = 0; bin < Bins; ++bin)
-      {
-        box.Add(boxes[bin]);
-        count += counts[bin];
-        below[bin] = count ? count * box.HalfArea() : 0.0;
-      }
-      box = Box();
-      count = 0;
-      for (int bin = Bins - 1; bin > 0; --bin)
-      {
-        box.Add(boxes[bin]);
-        count += counts[bin];
-        const double cost = below[bin - 1] + (count ? count * box.HalfArea() : 0.0);
-        if (count > 0 && count < end - begin && cost < best.Cost)
-        {
-          best.Cost = cost;
-          best.Axis = axis;
-          best.Bin = bin;
-        }
-      }
-    }
-    return best;
-  }
-
-  // Where to part the triangles of a node; `begin` where they are a leaf.
-  uint32_t Part(const Job& job, const Box& box)
-  {
-    const uint32_t count = job.End - job.Begin;
-    if (count <= 1 || job.Depth >= DeepestOfAll - 2)
-    {
-      return job.Begin;
-    }
-    const Split split = this->FindSplit(job.Begin, job.End);
-    // A step down costs about as much as the test of a triangle.
-    const bool gains = split.Axis >= 0 && split.Cost + box.HalfArea() < count * box.HalfArea();
-    if (!gains && count <= LargestLeaf)
-    {
-      return job.Begin;
-    }
-    if (split.Axis < 0 || job.Depth >= DeepestByArea)
-    {
-      return job.Begin + count / 2;
-    }
-    const auto first = this->Order.begin();
-    return static_cast<uint32_t>(
-      std::partition(first + job.Begin, first + job.End,
-        [&](uint32_t triangle) { return this->FindBin(split, split.Axis, triangle) < split.Bin; }) -
-      first);
-  }
-
-  // A tree of two children a node, which lie side by side.
-  struct Part2
-  {
-    Box Bounds;
-    uint32_t First = 0; // child, or triangle of a leaf
-    uint32_t Count = 0; // of a leaf's triangles; 0: no leaf
-  };
-
-  std::vector<Part2> MakeParts()
-  {
-    std::vector<Part2> parts(1);
-    std::vector<Job> jobs = { { 0, 0, static_cast<uint32_t>(this->Order.size()), 0 } };
-    while (!jobs.empty())
-    {
-      const Job job = jobs.back();
-      jobs.pop_back();
-      Part2 part;
-      for (uint32_t i = job.Begin; i < job.End; ++i)
-      {
-        part.Bounds.Add(this->Boxes[this->Order[i]]);
-      }
-      const uint32_t middle = this->Part(job, part.Bounds);
-      const bool leaf = middle == job.Begin;
-      part.First = leaf ? job.Begin : static_cast<uint32_t>(parts.size());
-      part.Count = leaf ? job.End - job.Begin : 0;
-      parts[job.Node] = part;
-      if (!leaf)
-      {
-        jobs.push_back({ part.First, job.Begin, middle, job.Depth + 1 });
-        jobs.push_back({ part.First + 1, middle, job.End, job.Depth + 1 });
-        parts.resize(parts.size() + 2);
-      }
-    }
-    return parts;
-  }
-};
-
-//------------------------------------------------------------------------------
 void vtkIndirectTriangleTree::Clear()
 {
   this->Triangles = {};
@@ -247,6 +62,38 @@ bool vtkIndirectTriangleTree::Add(const glm::dvec3 corners[3])
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectTriangleTree::AddSphere(const glm::dvec3& center, double radius)
+{
+  if (!(radius > 0.0) || !std::isfinite(radius * radius + glm::dot(center, center)))
+  {
+    return false;
+  }
+  this->Triangles.push_back({ { center, glm::dvec3(radius), glm::dvec3(INFINITY) } });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// What hides a ray is what it sees: a sphere's outside.
+bool vtkIndirectTriangleTree::Triangle::MeetsSphere(
+  const glm::dvec3& start, const glm::dvec3& direction, double& distance, double normal[3]) const
+{
+  const glm::dvec3 offset = start - this->Corners[0];
+  const double radius = this->Corners[1].x;
+  const double along = glm::dot(offset, direction);
+  // The square of how far the line passes the center by, without the difference of large squares.
+  const glm::dvec3 beside = offset - along * direction;
+  const double square = radius * radius - glm::dot(beside, beside);
+  if (!(square > 0.0))
+  {
+    return false;
+  }
+  distance = -along - std::sqrt(square);
+  const glm::dvec3 outward = (offset + distance * direction) / radius;
+  std::copy(&outward[0], &outward[0] + 3, normal);
+  return distance > 0.0;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectTriangleTree::Finish(bool numbered)
 {
   this->Nodes.clear();
@@ -255,12 +102,27 @@ void vtkIndirectTriangleTree::Finish(bool numbered)
   {
     return;
   }
-  Builder builder(this->Triangles);
-  const std::vector<Builder::Part2> parts = builder.MakeParts();
-  const glm::dvec3 edges = builder.All.Upper - builder.All.Lower;
+  std::vector<vtkIndirectBoxTree::Box> boxes(this->Triangles.size());
+  for (size_t i = 0; i < boxes.size(); ++i)
+  {
+    const glm::dvec3* const v = this->Triangles[i].Corners;
+    if (this->Triangles[i].IsSphere())
+    {
+      boxes[i].Add(v[0] - v[1].x);
+      boxes[i].Add(v[0] + v[1].x);
+      continue;
+    }
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      boxes[i].Add(v[corner]);
+    }
+  }
+  vtkIndirectBoxTree builder(std::move(boxes));
+  const std::vector<vtkIndirectBoxTree::Part>& parts = builder.GetParts();
+  const glm::dvec3 edges = builder.GetAll().Upper - builder.GetAll().Lower;
   const glm::dvec3 pad(Padding * std::max({ edges.x, edges.y, edges.z }));
-  this->Lower = builder.All.Lower - pad;
-  this->Upper = builder.All.Upper + pad;
+  this->Lower = builder.GetAll().Lower - pad;
+  this->Upper = builder.GetAll().Upper + pad;
   const glm::dvec3 centre = 0.5 * (this->Lower + this->Upper);
 
   // Of each node the greatest of its children is opened until there are enough of them.
@@ -278,7 +140,7 @@ void vtkIndirectTriangleTree::Finish(bool numbered)
       double area = -1.0;
       for (int i = 0; i < count; ++i)
       {
-        const Builder::Part2& part = parts[children[i]];
+        const vtkIndirectBoxTree::Part& part = parts[children[i]];
         if (part.Count == 0 && part.Bounds.HalfArea() > area)
         {
           area = part.Bounds.HalfArea();
@@ -296,7 +158,8 @@ void vtkIndirectTriangleTree::Finish(bool numbered)
     Node node;
     for (int i = 0; i < Width; ++i)
     {
-      const Builder::Part2 part = i < count ? parts[children[i]] : Builder::Part2();
+      const vtkIndirectBoxTree::Part part =
+        i < count ? parts[children[i]] : vtkIndirectBoxTree::Part();
       const glm::dvec3 lower = part.Bounds.Lower - centre - pad;
       const glm::dvec3 upper = part.Bounds.Upper - centre + pad;
       for (int axis = 0; axis < 3; ++axis)
@@ -319,12 +182,12 @@ void vtkIndirectTriangleTree::Finish(bool numbered)
   std::vector<Triangle> sorted(this->Triangles.size());
   for (size_t i = 0; i < sorted.size(); ++i)
   {
-    sorted[i] = this->Triangles[builder.Order[i]];
+    sorted[i] = this->Triangles[builder.GetOrder()[i]];
   }
   this->Triangles = std::move(sorted);
   if (numbered)
   {
-    this->Numbers = std::move(builder.Order);
+    this->Numbers = std::move(builder.GetOrder());
   }
 }
 
@@ -487,7 +350,7 @@ bool vtkIndirectTriangleTree::IsBlocked(const glm::dvec3& start, const glm::dvec
   const Ray ray(start, way);
   const Line line(glm::vec3(start + enter * way - 0.5 * (this->Lower + this->Upper)),
     glm::vec3((leave - enter) * way));
-  uint32_t waiting[(Width - 1) * DeepestOfAll] = { 0 };
+  uint32_t waiting[(Width - 1) * vtkIndirectBoxTree::Deepest] = { 0 };
   int count = 1;
   while (count > 0)
   {
@@ -551,7 +414,7 @@ bool vtkIndirectTriangleTree::FindNearest(
     uint32_t Node;
     float Near;
   };
-  Visit waiting[(Width - 1) * DeepestOfAll] = { { 0, 0.0f } };
+  Visit waiting[(Width - 1) * vtkIndirectBoxTree::Deepest] = { { 0, 0.0f } };
   int count = 1;
   while (count > 0)
   {
@@ -583,11 +446,14 @@ bool vtkIndirectTriangleTree::FindNearest(
       }
       for (uint32_t k = node.First[i]; k < node.First[i] + node.Count[i]; ++k)
       {
+        const Triangle& triangle = this->Triangles[k];
         double weights[3];
-        double determinant;
+        double determinant = 1.0;
         double t;
-        if (this->Numbers[k] == except || !ray.Meets(this->Triangles[k], weights, determinant, t) ||
-          !(t / determinant < least))
+        const bool meets = this->Numbers[k] != except &&
+          (triangle.IsSphere() ? triangle.MeetsSphere(start, direction, t, weights)
+                               : ray.Meets(triangle, weights, determinant, t));
+        if (!meets || !(t / determinant < least))
         {
           continue;
         }
@@ -612,7 +478,7 @@ bool vtkIndirectTriangleTree::FindFacet(
 {
   double least = std::numeric_limits<double>::infinity();
   const glm::dvec3 relative = point - 0.5 * (this->Lower + this->Upper);
-  uint32_t waiting[(Width - 1) * DeepestOfAll] = { 0 };
+  uint32_t waiting[(Width - 1) * vtkIndirectBoxTree::Deepest] = { 0 };
   int count = this->Nodes.empty() ? 0 : 1;
   while (count > 0)
   {

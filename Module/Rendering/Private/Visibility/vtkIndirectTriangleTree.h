@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether a segment meets any of the scene's triangles, which of them a ray meets first, and which
-// of them a point lies on: a tree of boxes (bounding volume hierarchy), split by the surface-area
-// heuristic in bins (Wald 2007, "On fast construction of SAH-based bounding volume hierarchies").
+// of them a point lies on: a tree of boxes (vtkIndirectBoxTree). Spheres may be among the triangles
+// where rays alone are asked for.
 //
 // Corners are kept in double precision, as they were given. The test of a triangle is watertight
 // (Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection"): edges that two triangles
@@ -11,6 +11,7 @@
 #ifndef vtkIndirectTriangleTree_h
 #define vtkIndirectTriangleTree_h
 
+#include <cmath>       // for infinity
 #include <cstdint>     // for indices
 #include <glm/glm.hpp> // for vectors
 #include <vector>      // for triangles
@@ -33,7 +34,8 @@ public:
   {
     uint32_t Triangle = None; // its number among those that were added and not left out
     double Distance = 0.0;    // in the tree's unit
-    double Weights[3];        // of the triangle's corners, in the order in which they were given
+    double Weights[3]; // of the triangle's corners, in the order in which they were given; of
+                       // a sphere the normal
   };
   static constexpr uint32_t None = 0xffffffffu;
 
@@ -43,6 +45,11 @@ public:
    * nothing and is left out: false.
    */
   bool Add(const glm::dvec3 corners[3]);
+  /**
+   * The outside of a sphere, as one more triangle by its number: for FindNearest alone. One without
+   * radius, or whose numbers are not finite, is left out: false.
+   */
+  bool AddSphere(const glm::dvec3& center, double radius);
   /** Makes the tree after the last triangle; numbered: FindNearest is going to be asked. */
   void Finish(bool numbered = false);
 
@@ -77,7 +84,11 @@ public:
 private:
   struct Triangle
   {
-    glm::dvec3 Corners[3];
+    glm::dvec3 Corners[3]; // of a sphere: center, radius, infinity
+
+    bool IsSphere() const { return std::isinf(this->Corners[2].x); }
+    bool MeetsSphere(const glm::dvec3& start, const glm::dvec3& direction, double& distance,
+      double normal[3]) const;
   };
   // Boxes about the tree's centre, side by side in vectors' lanes. Two cache lines.
   static constexpr int Width = 4;
@@ -87,7 +98,6 @@ private:
     uint32_t First[Width];     // child, or triangle of a leaf
     uint32_t Count[Width];     // of a leaf's triangles; 0: no leaf
   };
-  struct Builder;
   struct Line;
   struct Ray;
 

@@ -372,6 +372,17 @@ void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
 {
   report.Bytes += this->GetBytes();
   report.MainMemoryBytes += this->GetMainMemoryBytes();
+  // Where triangles are asked for they send light.
+  for (const vtkIndirectOccupancyVolume::LeftOutProp& entry : this->Volume->GetLeftOutColors())
+  {
+    const vtkIndirectReport::Entries::value_type colors(
+      entry.What + " in later bounces", entry.Why);
+    if (this->Current.Triangles &&
+      std::find(report.LeftOut.begin(), report.LeftOut.end(), colors) == report.LeftOut.end())
+    {
+      report.LeftOut.push_back(colors);
+    }
+  }
   const char* const name = "visibility between sender and receiver";
   if (this->LooksUpMaps())
   {

@@ -5,10 +5,11 @@
 #ifndef vtkIndirectVisibility_h
 #define vtkIndirectVisibility_h
 
-#include "Frame/vtkIndirectEstimate.h"        // for what is needed
-#include "Visibility/vtkIndirectDepthAtlas.h" // for a member
-#include "Visibility/vtkIndirectSphereGrid.h" // for a member
-#include "vtkSmartPointer.h"                  // for a member
+#include "Frame/vtkIndirectEstimate.h"             // for what is needed
+#include "Visibility/vtkIndirectBlockingSpheres.h" // for the input
+#include "Visibility/vtkIndirectDepthAtlas.h"      // for a member
+#include "Visibility/vtkIndirectSphereGrid.h"      // for a member
+#include "vtkSmartPointer.h"                       // for a member
 
 #include <cstddef> // for size_t
 #include <memory>  // for the volume
@@ -26,17 +27,6 @@ class vtkTextureObject;
 class vtkWindow;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
-
-/** What mappers draw as spheres, in place of polygons: it stands between senders and receivers,
- * too. */
-struct vtkIndirectBlockingSpheres
-{
-  std::vector<glm::dvec4> Spheres;                          // center and radius, scene units
-  std::string What;                                         // how many of what
-  std::vector<const vtkProp*> Props;                        // that they are of
-  std::vector<std::pair<std::string, std::string>> LeftOut; // what else is there and blocks nothing
-  size_t NumberOfUpdates = 0;                               // grows when they change
-};
 
 class vtkIndirectVisibility
 {

@@ -6,13 +6,16 @@
     vec3 vtkiAlbedo = max(VTKI_ALBEDO, vec3(0.0f));
     vec3 vtkiNormal = VTKI_NORMAL;
     float vtkiKind = VTKI_KIND;
-    if (!(dot(vtkiNormal, vtkiNormal) > 0.5f))
+    float vtkiDepth = VTKI_DEPTH;
+    if (!(dot(vtkiNormal, vtkiNormal) > 0.5f) || !(abs(vtkiDepth) < 1.0e18f))
     {
-      // A zero or undefined normal: the surface is drawn, and takes no part in indirect light.
+      // A zero or undefined normal, or an impostor whose size is none or overflows when it is squared: the surface is
+      // drawn, and takes no part in indirect light.
       vtkiNormal = vec3(0.0f, 0.0f, 1.0f);
       vtkiKind = VTKI_SURFACE_UNLIT;
+      vtkiDepth = abs(vtkiDepth) < 1.0e18f ? vtkiDepth : 1.0e18f;
     }
-    gl_FragData[1] = vtkiPackSurface(vtkiNormal, VTKI_DEPTH, vtkiKind);
+    gl_FragData[1] = vtkiPackSurface(vtkiNormal, vtkiDepth, vtkiKind);
     if (vtkiStage != 0)
     {
       gl_FragData[0] = vec4(vtkiAlbedo * VTKI_SENDER_SCALE, 1.0f);

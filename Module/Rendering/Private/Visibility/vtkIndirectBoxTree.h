@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes in a tree: parted by the surface-area heuristic in bins (Wald 2007, "On fast construction
+// of SAH-based bounding volume hierarchies").
+#ifndef vtkIndirectBoxTree_h
+#define vtkIndirectBoxTree_h
+
+#include <cstdint>     // for numbers
+#include <glm/glm.hpp> // for places
+#include <limits>      // for empty boxes
+#include <vector>      // for lists
+
+class vtkIndirectBoxTree
+{
+public:
+  struct Box
+  {
+    glm::dvec3 Lower{ std::numeric_limits<double>::infinity() };
+    glm::dvec3 Upper{ -std::numeric_limits<double>::infinity() };
+
+    void Add(const glm::dvec3& point)
+    {
+      this->Lower = glm::min(this->Lower, point);
+      this->Upper = glm::max(this->Upper, point);
+    }
+    void Add(const Box& other)
+    {
+      this->Lower = glm::min(this->Lower, other.Lower);
+      this->Upper = glm::max(this->Upper, other.Upper);
+    }
+    double HalfArea() const
+    {
+      const glm::dvec3 e = glm::max(this->Upper - this->Lower, glm::dvec3(0.0));
+      return e.x * e.y + e.y * e.z + e.z * e.x;
+    }
+  };
+  /** A node; two children lie side by side. */
+  struct Part
+  {
+    Box Bounds;
+    uint32_t First = 0; // child, or place in the order of a leaf's first box
+    uint32_t Count = 0; // of a leaf's boxes; 0: no leaf
+  };
+
+  /** Levels at most. */
+  static constexpr int Deepest = 64;
+
+  explicit vtkIndirectBoxTree(std::vector<Box> boxes);
+
+  /** The first is the root. */
+  const std::vector<Part>& GetParts() const { return this->Parts; }
+  /** Boxes by leaf. */
+  std::vector<uint32_t>& GetOrder() { return this->Order; }
+  const Box& GetAll() const { return this->All; }
+
+private:
+  struct Job
+  {
+    uint32_t Node;
+    uint32_t Begin;
+    uint32_t End;
+    int Depth;
+  };
+  struct Split;
+
+  int FindBin(const Split& split, int axis, uint32_t box) const;
+  Split FindSplit(uint32_t begin, uint32_t end) const;
+  uint32_t Divide(const Job& job, const Box& box);
+  void MakeParts();
+
+  std::vector<Box> Boxes;
+  std::vector<glm::dvec3> Centres;
+  std::vector<uint32_t> Order;
+  std::vector<Part> Parts;
+  Box All;
+};
+#endif

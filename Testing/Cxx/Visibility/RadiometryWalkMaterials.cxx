@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Colours that rays and voxels read of an actor are those that VTK draws into lights' maps: of
+// blocks, of textures, of physically based shading; a shader of the user's own is named.
+#include "Visibility/vtkIndirectOccupancyVolume.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "vtkIndirectIlluminationPass.h"
+#include "vtkIndirectWalkScene.h"
+
+#include "vtkActor.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVersionMacros.h"
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 90)
+#include "vtkCompositePolyDataMapper.h"
+using CompositeMapper = vtkCompositePolyDataMapper;
+#else
+#include "vtkCompositePolyDataMapper2.h"
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#endif
+
+#include <algorithm>
+#include <string>
+
+using namespace vtkIndirectTest;
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> MakeFloor(double x, double width)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(x, 0, 0);
+  plane->SetPoint1(x, 0, 1);
+  plane->SetPoint2(x + width, 0, 0);
+  plane->SetResolution(5, 5);
+  plane->Update();
+  return plane->GetOutput();
+}
+
+// Of four colours in a square, or of one.
+vtkSmartPointer<vtkTexture> MakeTexture(bool plain, bool encoded)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const unsigned char bytes[] = { 200, 40, 90, 60, 220, 30, 130, 130, 250, 250, 180, 20 };
+  for (int i = 0; i < 12; ++i)
+  {
+    static_cast<unsigned char*>(image->GetScalarPointer())[i] = bytes[plain ? i % 3 : i];
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->SetUseSRGBColorSpace(encoded);
+  return texture;
+}
+
+struct FloorScene : WalkScene
+{
+  vtkNew<vtkActor> Actor;
+
+  FloorScene()
+  {
+    this->Renderer->AddActor(this->Actor);
+    this->AddQuad({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.5, 0.5, 0.5 });
+    this->AddSpot({ 0.6, 1.5, 0.7 }, { 0.5, 0, 0.5 }, 50, 1, { 1, 0, 0 });
+    this->SetEye({ 2.2, 1.6, 2.3 }, { 0.4, 0, 0.4 }, { 0, 1, 0 }, 36, 0.5, 6);
+    this->Gather->SpecularTransportOff();
+    this->Actor->GetProperty()->SetColor(0.9, 0.8, 0.7);
+    this->Actor->GetProperty()->SetDiffuse(0.9);
+  }
+  void SetFloor()
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(MakeFloor(0, 1));
+    this->Actor->SetMapper(mapper);
+  }
+};
+}
+
+// One has a colour of its own in place of scalars, one scalars, one is hidden; and those of a block
+// around them.
+VTK_INDIRECT_TEST(WalkBlocks)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    vtkSmartPointer<vtkPolyData> floor = MakeFloor(i / 3.0, 1.0 / 3.0);
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetNumberOfComponents(3);
+    for (vtkIdType k = 0; k < floor->GetNumberOfPoints(); ++k)
+    {
+      colors->InsertNextTuple3(60, 200, static_cast<double>(4 * k));
+    }
+    floor->GetPointData()->SetScalars(colors);
+    blocks->SetBlock(i, floor);
+  }
+  vtkNew<vtkMultiBlockDataSet> all;
+  all->SetBlock(0, blocks);
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  vtkNew<CompositeMapper> mapper;
+  mapper->SetInputDataObject(all);
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  FloorScene scene;
+  scene.Actor->SetMapper(mapper);
+  const double red[3] = { 0.9, 0.1, 0.05 };
+  attributes->SetBlockColor(blocks->GetBlock(0), red);
+  attributes->SetBlockVisibility(blocks->GetBlock(2), false);
+  mapper->Modified();
+  scene.CompareWithMaps("blocks", 1);
+  attributes->SetBlockColor(blocks, red);
+  mapper->Modified();
+  scene.CompareWithMaps("a block of blocks", 1);
+}
+
+VTK_INDIRECT_TEST(WalkTextures)
+{
+  for (int kind = 0; kind < 6; ++kind)
+  {
+    FloorScene scene;
+    scene.SetFloor();
+    vtkProperty* property = scene.Actor->GetProperty();
+    const char* const names[] = { "encoded texture", "two textures", "base colour of PBR",
+      "metal of PBR", "actor's texture under PBR", "encoded base colour of PBR" };
+    if (kind >= 2)
+    {
+      property->SetInterpolationToPBR();
+      property->SetMetallic(kind == 3 ? 0.8 : 0.25);
+    }
+    switch (kind)
+    {
+      case 0:
+        scene.Actor->SetTexture(MakeTexture(false, true));
+        break;
+      case 1:
+      {
+        scene.Actor->SetTexture(MakeTexture(false, false));
+        vtkSmartPointer<vtkTexture> second = MakeTexture(true, false);
+        second->SetBlendingMode(vtkTexture::VTK_TEXTURE_BLENDING_MODE_MODULATE);
+        property->SetTexture("second", second);
+        break;
+      }
+      case 3:
+        property->SetTexture("materialTex", MakeTexture(false, false));
+        break;
+      case 4:
+        scene.Actor->SetTexture(MakeTexture(false, false));
+        break;
+      default:
+        property->SetTexture("albedoTex", MakeTexture(false, kind == 5));
+    }
+    scene.CompareWithMaps(names[kind], 1, 0.025);
+  }
+}
+
+// A mean of its texture is what a triangle sends where it has one colour.
+VTK_INDIRECT_TEST(OccupancyTextures)
+{
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(MakeFloor(0, 1));
+  actor->SetMapper(mapper);
+  actor->SetTexture(MakeTexture(false, false));
+  vtkIndirectFrame frame;
+  vtkIndirectCaster caster;
+  caster.Prop = actor;
+  frame.Casters.push_back(caster);
+  const double bounds[6] = { 0, 1, -0.5, 0.5, 0, 1 };
+  std::copy(bounds, bounds + 6, frame.SceneBounds);
+  vtkIndirectOccupancyVolume volume;
+  volume.Update(frame, 16);
+  const glm::dvec3 mean =
+    glm::dvec3(200 + 60 + 130 + 250, 40 + 220 + 130 + 180, 90 + 30 + 250 + 20) / (4.0 * 255.0);
+  for (int c = 0; c < 3; ++c)
+  {
+    CheckRelative("mean albedo", volume.GetMeanAlbedo()[c], mean[c], 0.05,
+      "a triangle of a fifth of an edge has one sample, of four pixels in all");
+  }
+  CheckEqual("it is said", volume.GetLeftOutColors().size(), size_t(1));
+}
+
+// What a shader does is not known: the report names it, and the property's colour is sent.
+VTK_INDIRECT_TEST(WalkShaderCode)
+{
+  FloorScene scene;
+  scene.SetFloor();
+  scene.Actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", true,
+    "//VTK::Color::Impl\n  diffuseColor = vec3(1.0, 0.0, 0.0);\n", false);
+  scene.UseWalk(1024, 2);
+  const std::string report = scene.Pass->GetReport();
+  Check("the report names it", report.find("shader code of the user's own") != std::string::npos,
+    report);
+}
