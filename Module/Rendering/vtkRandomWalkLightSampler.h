@@ -10,10 +10,10 @@
  * vtkIndirectIlluminationPass::NumberOfBounces, for every estimator that sums virtual lights, and
  * no map is drawn but those that shadows of direct light need.
  *
- * Rays meet the polygons that VTK's mappers draw, lit as VTK lights them: properties, scalars'
- * colours, the actor's texture, interpolated normals, culling. What has no polygons that the
- * processor can read, such as glyphs and impostors, neither stops rays nor sends light of them; the
- * report says so. The tree of triangles is made again only when geometry changes, paths only when
+ * Rays meet the polygons that VTK's mappers draw, glyphs and spheres of impostors, lit as VTK
+ * lights them: properties, scalars' and blocks' colours, textures, interpolated normals, culling.
+ * What has neither polygons that the processor can read nor spheres neither stops rays nor sends
+ * light of them; the report says so. The tree of triangles is made again only when geometry changes, paths only when
  * lights or surfaces do. A light that moves a little moves the virtual lights a little.
  */
 

@@ -41,6 +41,15 @@ class Splatting(unittest.TestCase):
         for name in ("IntensityThreshold", "SplatShape", "FarField", "FarFieldStep"):
             self.assertIn(f"`{name}`", text)
 
+    def test_default_sampler(self) -> None:
+        plain = vtkindirect.vtkIndirectIlluminationPass()
+        for method in ("gather", "splatting", "multiresolution"):
+            indirect = vtkindirect.enable(self.open().renderer, method)
+            self.assertEqual(
+                indirect.GetActiveSampler().GetClassName(),
+                plain.GetActiveSampler().GetClassName(),
+            )
+
     def test_sweep_has_rows(self) -> None:
         rows = [row for row in sweep.load(SWEEP).rows if row.method == "splatting"]
         self.assertGreaterEqual(len(rows), 2)

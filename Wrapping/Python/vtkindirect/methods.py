@@ -38,7 +38,7 @@ _ROWS = (
     Method("off", None, None, "no indirect light: VTK's own image"),
     Method("gather", "vtkRSMGatherPass", "vtkLightTreeSampler", "sum over virtual lights"),
     Method(
-        "splatting", "vtkIndirectSplattingPass", "vtkUniformLightSampler", "virtual lights drawn"
+        "splatting", "vtkIndirectSplattingPass", "vtkLightTreeSampler", "virtual lights drawn"
     ),
     Method(
         "multiresolution",

@@ -168,7 +168,7 @@ bool vtkIndirectProxyScene::Update(
   this->Props.clear();
   this->Mappers.clear();
   this->LeftOut.clear();
-  this->Exact = this->OfSticks = this->Fitted = this->Wrong = 0;
+  this->Exact = this->OfSticks = this->Fitted = this->Wrong = this->Sheets = 0;
   this->SceneCenter = frame.SceneCenter;
   this->SceneScale = frame.SceneScale;
   for (const Drawn& item : drawn)
@@ -213,6 +213,14 @@ bool vtkIndirectProxyScene::Update(
     vtkErrorWithObjectMacro(caller, << wrong);
   }
   this->Said = wrong;
+  if (this->Sheets > 0 && !this->SaidSheets)
+  {
+    vtkWarningWithObjectMacro(caller,
+      << this->Sheets
+      << " meshes are open sheets, for which no spheres stand: they hide no light and send none. "
+         "Other methods take them as they are.");
+  }
+  this->SaidSheets = this->Sheets > 0;
   return true;
 }
 
@@ -491,6 +499,7 @@ void vtkIndirectProxyScene::AddMeshes(const Part& part)
 void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
 {
   const vtkIndirectProxyShapes::Shape& shape = this->Shapes.Find(part.Prop, mesh);
+  this->Sheets += shape.Kind == vtkIndirectProxyShapes::SHEET ? 1 : 0;
   if (!shape.LeftOut.empty())
   {
     this->LeaveOut("a mesh of " + std::string(part.Prop->GetClassName()), shape.LeftOut);

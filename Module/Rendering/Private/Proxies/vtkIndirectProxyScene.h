@@ -94,6 +94,8 @@ private:
   size_t OfSticks = 0; // rows of them, see vtkIndirectProxySticks
   size_t Fitted = 0;   // of meshes
   size_t Wrong = 0;    // radii or places that are not
+  size_t Sheets = 0;   // meshes for which nothing stands
+  bool SaidSheets = false;
   std::string WrongProp;
   std::string Said; // of these, last
   std::vector<std::pair<std::string, std::string>> LeftOut;

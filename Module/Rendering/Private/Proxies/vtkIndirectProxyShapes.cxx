@@ -12,6 +12,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -306,6 +307,60 @@ bool vtkIndirectProxyShapes::FindPolygon(vtkPolyData* mesh, Shape& shape)
 }
 
 //------------------------------------------------------------------------------
+// By its border, of edges that one triangle has: a flat sheet's is at least 3.5 times the root of
+// its area (a disk), that of holes in a body and of cut ends far less.
+bool vtkIndirectProxyShapes::IsSheet(vtkPolyData* mesh)
+{
+  // Points of one place are one.
+  std::map<std::array<double, 3>, vtkIdType> places;
+  std::vector<vtkIdType> merged;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> place;
+    mesh->GetPoint(i, place.data());
+    merged.push_back(places.emplace(place, i).first->second);
+  }
+  std::map<std::pair<vtkIdType, vtkIdType>, int> edges;
+  double area = 0.0;
+  auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    const vtkIdType ids[3] = { merged[static_cast<size_t>(a)], merged[static_cast<size_t>(b)],
+      merged[static_cast<size_t>(c)] };
+    const glm::dvec3 first = GetPoint(mesh, a);
+    area += 0.5 * glm::length(glm::cross(GetPoint(mesh, b) - first, GetPoint(mesh, c) - first));
+    for (int i = 0; i < 3; ++i)
+    {
+      ++edges[std::minmax(ids[i], ids[(i + 1) % 3])];
+    }
+  };
+  const auto forCells = [](vtkCellArray* cells, const auto& call)
+  {
+    auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
+    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+    {
+      vtkIdType size = 0;
+      const vtkIdType* points = nullptr;
+      it->GetCurrentCell(size, points);
+      for (vtkIdType i = 2; i < size; ++i)
+      {
+        call(points, i);
+      }
+    }
+  };
+  forCells(mesh->GetPolys(),
+    [&](const vtkIdType* points, vtkIdType i) { add(points[0], points[i - 1], points[i]); });
+  forCells(mesh->GetStrips(),
+    [&](const vtkIdType* points, vtkIdType i) { add(points[i - 2], points[i - 1], points[i]); });
+  double border = 0.0;
+  for (const auto& [ends, count] : edges)
+  {
+    border +=
+      count == 1 ? glm::length(GetPoint(mesh, ends.first) - GetPoint(mesh, ends.second)) : 0.0;
+  }
+  return border * border > area;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectProxyShapes::Fit(Known& known, vtkPolyData* mesh)
 {
   ++this->NumberOfFits;
@@ -324,6 +379,13 @@ void vtkIndirectProxyShapes::Fit(Known& known, vtkPolyData* mesh)
   if (FindPolygon(mesh, known.Made))
   {
     known.Made.Kind = POLYGON;
+    return;
+  }
+  if (IsSheet(mesh))
+  {
+    known.Made.Kind = SHEET;
+    known.Made.LeftOut =
+      "it is an open sheet, and spheres along it would hide it from itself; it hides no light";
     return;
   }
   auto made = vtkSmartPointer<vtkObject>::Take(vtkObjectFactory::CreateInstance(FilterName));

@@ -40,7 +40,8 @@ public:
     NOTHING,
     SPHERES, // it is made of them
     POLYGON, // it is one
-    FITTED   // by a filter
+    FITTED,  // by a filter
+    SHEET    // for which nothing stands
   };
 
   /** Whether the class that makes spheres of meshes is loaded. */
@@ -60,6 +61,8 @@ public:
   /** The parts of Find: false where the mesh is no such thing. */
   static bool FindSpheres(vtkPolyData* mesh, Shape& shape);
   static bool FindPolygon(vtkPolyData* mesh, Shape& shape);
+  /** Whether a mesh encloses nothing, by the length of its border. */
+  static bool IsSheet(vtkPolyData* mesh);
   ///@}
 
 private:
