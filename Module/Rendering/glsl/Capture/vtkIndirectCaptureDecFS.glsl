@@ -18,6 +18,20 @@ uniform sampler2DArray vtkiShadowMaps; // depths of a texel and its neighbours i
 // From a light: the light whose map is drawn.
 uniform vec3 vtkiMapLight; // 1 if positional, texel size in tangents or scene units, 1 if the prop sends
 
+// Least squared sine of the angle between a facet and the normal that it is shaded by: below it they differ by
+// what derivatives of rounded positions are off by, a few thousandths where a pixel is a ten-thousandth of the way.
+const float VTKI_FACET_SINE2 = 1.0e-5f;
+
+// Unit normal of a facet, on the side of the normal that it is shaded by. facet: cross product of its position's
+// derivatives, zero where it has no area.
+vec3 vtkiFacetNormal(vec3 facet, vec3 normal)
+{
+  vec3 across = cross(facet, normal);
+  float length2 = dot(facet, facet);
+  bool other = dot(across, across) > VTKI_FACET_SINE2 * length2;
+  return other ? facet * (dot(facet, normal) < 0.0f ? -inversesqrt(length2) : inversesqrt(length2)) : normal;
+}
+
 #ifdef VTKI_SHADOWS
 // The depth buffer holds floats just below one; interpolation loses about four of their steps.
 const float VTKI_DEPTH_ROUNDING = 2.4e-7f;
@@ -26,16 +40,6 @@ const float VTKI_DEPTH_ROUNDING = 2.4e-7f;
 const float VTKI_SURFACE_ROUGHNESS = 0.5f;
 // Positions, here and in the map, are off by a few roundings of the numbers that they come from.
 const float VTKI_POSITION_ROUNDING = 4.8e-7f;
-
-// Unit normal of a facet, towards the eye. p: position, scene units; facet: cross product of its
-// derivatives, zero where it has no area.
-vec3 vtkiFacetNormal(vec3 p, vec3 facet, vec3 fallback)
-{
-  float length2 = dot(facet, facet);
-  vec3 n = length2 > 0.0f ? facet * inversesqrt(length2) : fallback;
-  bool away = vtkiDepthRange.z > 0.5f ? n.z < 0.0f : dot(n, p) > 0.0f;
-  return away ? -n : n;
-}
 
 // A light's visibility from a place the eye sees. viewToLight: columns are rows of the matrix from view
 // coordinates to the light's frame in scene units; map: first layer (-1: none), projection, half width,
