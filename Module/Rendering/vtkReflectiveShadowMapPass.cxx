@@ -43,6 +43,7 @@ const vtkIndirectChannel Channels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
+constexpr int SlopeChannel = 2;
 constexpr int ChannelsOfDiffuse = 3;
 
 struct CasterKey
@@ -381,7 +382,8 @@ vtkIndirectShadowMaps vtkReflectiveShadowMapPass::ActivateShadows(vtkOpenGLRende
   }
   shadows.Texels = this->Resolution;
   const bool updated =
-    in.Rows.Update(window, in.Target.ActivateShadow(), this->Resolution, in.Target.GetLayers());
+    in.Rows.Update(window, in.Target.ActivateShadow(), in.Target.Activate(SlopeChannel),
+      this->Resolution, in.Target.GetLayers());
   in.Target.Deactivate();
   shadows.Unit = updated ? in.Rows.Activate() : -1;
   return shadows;

@@ -90,13 +90,15 @@ VTK_INDIRECT_TEST(PackSurface)
     const float depth = static_cast<float>(random.NextMagnitude(1e-18, 1e18));
     for (float kind : kinds)
     {
-      const vec4 packed = vtkiPackSurface(vec3(n), depth, kind);
+      const vec4 packed = vtkiPackSurface(vec3(n), vec3(-n.y, n.z, n.x), depth, kind);
       wrong +=
         vtkiSurfaceKind(packed) != kind || vtkiSurfaceDepth(packed) != depth || packed.w != 1.0f;
-      numbers += !std::isnormal(packed.y);
+      numbers += !std::isnormal(packed.y) + !std::isnormal(packed.z);
       wrong +=
         vtkiSurfaceIsLit(packed) != (kind == VTKI_SURFACE_LINEAR || kind == VTKI_SURFACE_ENCODED);
       worst = std::max(worst, glm::length(glm::dvec3(vtkiSurfaceNormal(packed)) - n));
+      worst = std::max(worst,
+        glm::length(glm::dvec3(vtkiSurfaceFacet(packed)) - glm::dvec3(-n.y, n.z, n.x)));
     }
   }
   CheckEqual("wrong kinds, depths or alphas", wrong, 0);
@@ -109,7 +111,7 @@ VTK_INDIRECT_TEST(PackSurface)
          vec3(0.0f, 0.0f, -1.0f) })
   {
     Check("a normal along an axis is exact",
-      vtkiSurfaceNormal(vtkiPackSurface(axis, 1.0f, VTKI_SURFACE_LINEAR)) == axis);
+      vtkiSurfaceNormal(vtkiPackSurface(axis, axis, 1.0f, VTKI_SURFACE_LINEAR)) == axis);
   }
   CheckEqual("kind of a cleared texel", vtkiSurfaceKind(vec4(0.0f)), VTKI_SURFACE_NONE);
   Check("a cleared texel is not lit", !vtkiSurfaceIsLit(vec4(0.0f)));

@@ -107,19 +107,141 @@ VTK_INDIRECT_TEST(DepthToBufferSlope)
 VTK_INDIRECT_TEST(Tent)
 {
   double centre = 0.0;
-  int equal = 0;
+  double whole = 0.0;
   for (int i = 0; i <= 1000; ++i)
   {
-    const auto fraction = static_cast<float>(i / 1000.0);
-    equal += vtkiTent(1.0f, 1.0f, 1.0f, fraction) != 1.0f;
-    equal += vtkiTent(0.0f, 0.0f, 0.0f, fraction) != 0.0f;
-    // The receiver lies at fraction + 0.5 between the centres of the three texels.
-    const double mean = vtkiTent(0.0f, 1.0f, 2.0f, fraction);
-    centre = std::max(centre, std::abs(mean - (fraction + 0.5)));
+    const auto toCenter = static_cast<float>(i / 1000.0 - 0.5);
+    double sum = 0.0;
+    double mean = 0.0;
+    for (int k = -1; k <= 1; ++k)
+    {
+      const double weight = vtkiShadowWeight(static_cast<float>(k), toCenter);
+      sum += weight;
+      mean += weight * (k + toCenter);
+    }
+    whole = std::max(whole, std::abs(sum - 1.0));
+    centre = std::max(centre, std::abs(mean));
   }
-  CheckEqual("equal values that do not come out exactly", equal, 0);
-  CheckAtMost("centre of the weights against the receiver's place", centre, 1e-6, "rounding");
-  CheckEqual("weight of the middle texel", vtkiTent(0.0f, 1.0f, 0.0f, 0.3f), 0.5);
+  CheckAtMost("sum of the weights, less one", whole, 1e-6, "rounding");
+  CheckAtMost("centre of the weights from the receiver", centre, 1e-6, "rounding");
+  CheckEqual("weight of the middle texel", vtkiShadowWeight(0.0f, 0.3f), 0.5);
+}
+
+VTK_INDIRECT_TEST(PackSlope)
+{
+  Random random(14);
+  double worst = 0.0;
+  int numbers = 0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    const double angle = random.Next(0.0, 6.28);
+    const glm::dvec2 slope =
+      random.NextMagnitude(1e-3, 300.0) * glm::dvec2(std::cos(angle), std::sin(angle));
+    const float packed = vtkiPackSlope(vec2(slope));
+    numbers += !std::isnormal(packed);
+    worst = std::max(worst,
+      glm::length(glm::dvec2(vtkiUnpackSlope(packed)) - slope) / (1.0 + glm::length(slope)));
+  }
+  CheckEqual("codes that are no normal numbers", numbers, 0);
+  // Half a step of both coordinates times the square of one more than the sum of a slope's components, 300 root two.
+  CheckAtMost("error of a packed slope over one more than it", worst,
+    glm::length(glm::dvec2(0.5 / VTKI_CODE_STEPS_X, 0.5 / VTKI_CODE_STEPS_Y)) * 425.3 * 425.3 / 301.0,
+    "half a step");
+}
+
+// A map that looks straight down onto planes: each texel's depth and slope are those of the plane that is nearest
+// at its centre. seen: what a receiver on `plane` finds at a place.
+VTK_INDIRECT_TEST(ShadowVotes)
+{
+  struct Plane
+  {
+    double Depth; // at the origin
+    double Slope;
+    double Begin; // along x, texels
+    double End;
+  };
+  auto look = [](const std::vector<Plane>& planes, int own, double x, double row)
+  {
+    const Plane& mine = planes[own];
+    vtkiShadowPlane receiver;
+    receiver.reference = static_cast<float>(mine.Depth + mine.Slope * x);
+    receiver.gradient = vec2(static_cast<float>(mine.Slope), 0.0f);
+    receiver.rounding = 1e-6f;
+    receiver.bias = 0.5e-3f; // half of a texel's width
+    const glm::dvec2 toCenter(std::round(x) - x, row);
+    vtkiShadowVotes votes = vtkiBeginShadow();
+    for (int i = 0; i < 9; ++i)
+    {
+      const vec2 neighbor = vtkiShadowNeighbor(i);
+      const double there = std::round(x) + neighbor.x;
+      double nearest = 1.0;
+      double slope = 0.0;
+      for (const Plane& plane : planes)
+      {
+        const double depth = plane.Depth + plane.Slope * there;
+        if (there >= plane.Begin && there < plane.End && depth < nearest)
+        {
+          nearest = depth;
+          slope = plane.Slope;
+        }
+      }
+      vtkiVoteOnShadow(receiver, neighbor + vec2(toCenter), static_cast<float>(nearest),
+        vec2(static_cast<float>(slope), 0.0f),
+        vtkiShadowWeight(neighbor.x, static_cast<float>(toCenter.x)) *
+          vtkiShadowWeight(neighbor.y, static_cast<float>(toCenter.y)),
+        i, votes);
+    }
+    return static_cast<double>(vtkiCountShadow(receiver, vec2(toCenter), votes));
+  };
+  // Depths count 1e-3 as the width of a texel. A wall, left, whose foot is at 0.3 on a floor, right.
+  const std::vector<Plane> corner = { { 0.5 - 0.3e-3 * -3.0, -3e-3, -1e9, 0.3 },
+    { 0.5 - 0.3e-3 * 0.5, 0.5e-3, 0.3, 1e9 } };
+  double least = 1.0;
+  for (double x = -3.0; x <= 3.0; x += 0.01)
+  {
+    least = std::min(least, look(corner, x < 0.3 ? 0 : 1, x, 0.2));
+  }
+  CheckEqual("least that is seen where a wall meets a floor", least, 1.0);
+  // A wall whose foot is at 0.3, before a floor that begins there, hides it as long as it is there, to 40.
+  std::vector<Plane> thin = { { 0.5 + 0.3e-3 * 3.0, -3e-3, 0.3, 40.0 },
+    { 0.5 - 0.3e-3 * 0.5, 0.5e-3, 0.3, 1e9 } };
+  for (const bool around : { false, true })
+  {
+    if (around)
+    {
+      thin[1].Begin = -1e9; // the floor is on both sides of the wall
+    }
+    double most = 0.0;
+    for (double x = 0.33; x <= 38.0; x += 0.01)
+    {
+      most = std::max(most, look(thin, 1, x, -0.3));
+    }
+    // Slopes are taken to be off by a hundredth: 0.01 of a texel from the foot.
+    CheckEqual("most light behind a thin wall", most, 0.0);
+  }
+  double lit = 1.0;
+  for (double x = -3.0; x <= 0.29; x += 0.01)
+  {
+    lit = std::min(lit, look(thin, 1, x, -0.3));
+  }
+  CheckEqual("least that is seen before the thin wall", lit, 1.0);
+  // Far from what hides it a shadow's edge is as wide as the tent.
+  const std::vector<Plane> edge = { { 0.4, 0.2e-3, 0.3, 1e9 }, { 0.5, 0.5e-3, -1e9, 1e9 } };
+  CheckEqual("1.6 texels outside", look(edge, 1, 0.3 - 2.1, 0.1), 1.0);
+  CheckEqual("1.6 texels inside", look(edge, 1, 0.3 + 2.1, 0.1), 0.0);
+  CheckAtMost("at the edge, off one half", std::abs(look(edge, 1, 0.3, 0.1) - 0.5), 0.3,
+    "the edge is at a texel's border, half a texel off at most, where the tent has 0.3 of its weight");
+  // Concave facets at right angles, and convex ones.
+  for (const double bend : { 1e-3, -1e-3 })
+  {
+    const std::vector<Plane> bent = { { 0.5, bend, -1e9, 0.2 }, { 0.5 + 0.4 * bend, -bend, 0.2, 1e9 } };
+    double dark = 1.0;
+    for (double x = -3.0; x <= 3.0; x += 0.01)
+    {
+      dark = std::min(dark, look(bent, x < 0.2 ? 0 : 1, x, 0.4));
+    }
+    CheckEqual("least that is seen of two facets", dark, 1.0);
+  }
 }
 
 VTK_INDIRECT_TEST(DepthToBuffer)

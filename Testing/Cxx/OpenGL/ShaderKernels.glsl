@@ -26,18 +26,18 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
   }
   if (kernel == 2)
   {
-    vec4 surface = vtkiPackSurface(a3, a.w, 1.0f + floor(2.99f * b.w));
+    vec4 surface = vtkiPackSurface(a3, a3, a.w, 1.0f + floor(2.99f * b.w));
     vec2 code = vtkiSurfaceCode(surface);
     return vec4(vtkiSurfaceDepth(surface), code.x, code.y, surface.w);
   }
   if (kernel == 3)
   {
-    vec4 surface = vtkiPackSurface(a3, a.w, 1.0f + floor(2.99f * b.w));
+    vec4 surface = vtkiPackSurface(a3, a3, a.w, 1.0f + floor(2.99f * b.w));
     return vec4(vtkiSurfaceNormal(surface), vtkiSurfaceKind(surface));
   }
   if (kernel == 4)
   {
-    return vec4(vtkiSurfaceIsLit(vtkiPackSurface(a3, a.w, 1.0f + floor(2.99f * b.w))) ? 1.0f : 0.0f,
+    return vec4(vtkiSurfaceIsLit(vtkiPackSurface(a3, a3, a.w, 1.0f + floor(2.99f * b.w))) ? 1.0f : 0.0f,
       vtkiSurfaceIsLit(vec4(0.0f)) ? 1.0f : 0.0f, 0.0f, 0.0f);
   }
   if (kernel == 5)
@@ -91,7 +91,7 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
   {
     return vec4(vtkiDepthToBuffer(0.1f + a.w, 0.1f, 1.2f, false),
       vtkiDepthToBuffer(0.1f + a.w, 0.1f, 1.2f, true),
-      vtkiDepthToBufferSlope(0.1f + a.w, 0.1f, 1.2f, false), vtkiTent(b.x, b.y, b.z, a.w));
+      vtkiDepthToBufferSlope(0.1f + a.w, 0.1f, 1.2f, false), vtkiShadowWeight(floor(3.0f * b.x) - 1.0f, a.w));
   }
   if (kernel == 15)
   {

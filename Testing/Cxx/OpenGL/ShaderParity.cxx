@@ -65,7 +65,7 @@ const Kernel Kernels[] = {
   { "vtkiCosineRatio", 1e-5, 1e-6, Rounding },
   { "vtkiVirtualLightWeight", 1e-4, 1e-2, "cosines near zero cancel" },
   { "vtkiPlaneDepthGradient", 1e-5, 1e-3, Rounding },
-  { "vtkiDepthToBuffer, its slope, vtkiTent", 1e-5, 0.1, "depth minus near plane cancels" },
+  { "vtkiDepthToBuffer, its slope, vtkiShadowWeight", 1e-5, 0.1, "depth minus near plane cancels" },
   { "vtkiSameSurface", 0.0, 1.0, "a decision" },
   { "vtkiDiskSample", 1e-4, 0.1, "GPU sine and cosine: 2^-11 is allowed, about 1e-5 usual" },
   { "vtkiDecodeGamma", 1e-4, 1e-3, "GPU pow" },

@@ -138,13 +138,16 @@ void vtkIndirectCaptureText::Add(
     // have discarded what they do not cover, and their normal is that of the surface.
     const bool impostor = Contains(fragmentShader, "radiusVCVSOutput") &&
       Contains(fragmentShader, "centerVCVSOutput") && Contains(fragmentShader, "discard");
+    // Neither lines nor what VTK draws in place of lines and points, tubes and spheres, has facets.
+    const bool analytic = impostor || Contains(fragmentShader, "tubeBasis1") ||
+      Contains(fragmentShader, "ZCalcS") || Contains(fragmentShader, "cross(vec3(fdx.y");
     visibility = std::string("  vec2 vtkiSlope = ") +
       (impostor ? "vtkiNormalSlope(normalVCVSOutput, vertexVC.xyz);\n"
                 : "vtkiDepthSlope(-vertexVC.z * vtkiSceneScale);\n") +
-      (this->Shadows ? "  vec3 vtkiPosition = vertexVC.xyz * vtkiSceneScale;\n"
-                       "  vec3 vtkiFacetNormalVC = vtkiFacetNormal(vtkiPosition,\n"
-                       "    cross(dFdx(vtkiPosition), dFdy(vtkiPosition)), normalVCVSOutput);\n"
-                     : "") +
+      (analytic ? "  vec3 vtkiFacetNormalVC = normalVCVSOutput;\n"
+                : "  vec3 vtkiPosition = vertexVC.xyz * vtkiSceneScale;\n"
+                  "  vec3 vtkiFacetNormalVC = vtkiFacetNormal(\n"
+                  "    cross(dFdx(vtkiPosition), dFdy(vtkiPosition)), normalVCVSOutput);\n") +
       this->LightConstants.GetDeclarations(fragmentShader) + visibility;
   }
   ReplaceAll(fragmentShader, PreLightMarker, visibility);
@@ -197,7 +200,7 @@ void vtkIndirectCaptureText::Add(
   }
   declarations += "#define VTKI_ALBEDO " + albedo + "\n";
   declarations += std::string("#define VTKI_NORMAL ") + (lit ? "normalVCVSOutput" : "vec3(0.0)") +
-    "\n#define VTKI_SLOPE " + (lit ? "vtkiSlope" : "vec2(0.0)") + "\n#define VTKI_KIND " + kind +
+    "\n#define VTKI_FACET " + (lit ? "vtkiFacetNormalVC" : "vec3(0.0)") + "\n#define VTKI_SLOPE " + (lit ? "vtkiSlope" : "vec2(0.0)") + "\n#define VTKI_KIND " + kind +
     "\n#define VTKI_DEPTH " +
     (positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()") +
     // VTK's PBR divides diffuse reflection by pi, its Phong does not.

@@ -25,8 +25,8 @@ namespace
 const vtkIndirectChannel Channels[] = {
   { "geometry.lit", "vtkiLit", "VTK's shading with shadows, premultiplied alpha", GL_RGBA32F,
     "view", "VTK radiance" },
-  { "geometry.surface", "vtkiSurface", "linear depth, octahedral normal and kind", GL_RG32F, "view",
-    "scene units, 1" },
+  { "geometry.surface", "vtkiSurface", "linear depth, octahedral normal and kind, facet's normal",
+    GL_RGBA32F, "view", "scene units, 1" },
   // Only where not all is solid, or something is specular.
   { "geometry.albedo", "vtkiAlbedo", "albedo", GL_R32F, "-", "1" },
   // Only where a material of the scene is specular.

@@ -5,8 +5,8 @@
 // - geometry.lit, RGBA32F: VTK's own shading, each light times its visibility, premultiplied alpha;
 // where all that is drawn is solid and nothing is specular, the bits of the albedo in place of
 // alpha
-// - geometry.surface, RG32F: linear depth in scene units, and in bits the octahedral normal (view
-// coordinates) with the kind of shading
+// - geometry.surface, RGBA32F: linear depth in scene units, in bits the octahedral normal (view
+// coordinates) with the kind of shading, and in bits the octahedral normal of the facet that is drawn
 // - geometry.albedo, R32F: the bits of the albedo (of PBR times 1 - metallic), ten a channel; there
 // only when the lit texels do not hold them
 // - geometry.specular, RGBA16F: specular reflectance of Phong's model and the power of its lobe,

@@ -26,7 +26,7 @@ void vtkIndirectShadowRows::Forget(int layer)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectShadowRows::Update(vtkOpenGLRenderWindow* window, int unit, int texels, int layers)
+bool vtkIndirectShadowRows::Update(vtkOpenGLRenderWindow* window, int unit, int slopes, int texels, int layers)
 {
   if (this->Window != window || this->Texels != texels ||
     static_cast<int>(this->Valid.size()) < layers)
@@ -54,6 +54,7 @@ bool vtkIndirectShadowRows::Update(vtkOpenGLRenderWindow* window, int unit, int 
     return false;
   }
   program->SetUniformi("vtkiShadowMaps", unit);
+  program->SetUniformi("vtkiMapSlope", slopes);
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
   state->vtkglViewport(0, 0, texels, texels);

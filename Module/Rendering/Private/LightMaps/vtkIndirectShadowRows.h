@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depths of light maps as shadow look-ups read them: three neighbours of a row in one texel. Nine
-// depths take three fetches; a fetch of four channels costs little more than one of one.
+// Depths of light maps as shadow look-ups read them: three neighbours of a row in one texel, and the
+// slope of the middle one's surface. Nine depths take three fetches; a fetch of four channels costs
+// little more than one of one.
 #ifndef vtkIndirectShadowRows_h
 #define vtkIndirectShadowRows_h
 
@@ -25,10 +26,10 @@ public:
   void Forget(int layer);
 
   /**
-   * Brings the first layers up to date. unit: where the depths are bound. Returns false, after an
-   * error, when OpenGL refuses.
+   * Brings the first layers up to date. unit, slopes: where the depths and their slopes are bound.
+   * Returns false, after an error, when OpenGL refuses.
    */
-  bool Update(vtkOpenGLRenderWindow* window, int unit, int texels, int layers);
+  bool Update(vtkOpenGLRenderWindow* window, int unit, int slopes, int texels, int layers);
 
   /** Binds the rows and returns the texture unit; pair with Deactivate. */
   int Activate();

@@ -133,9 +133,14 @@ void vtkIndirectLayeredTarget::End()
 //------------------------------------------------------------------------------
 void vtkIndirectLayeredTarget::Activate(int channel, vtkShaderProgram* program)
 {
-  vtkIndirectArrayTexture* texture = this->Textures[channel];
-  texture->Activate();
-  program->SetUniformi(this->Channels[channel].Uniform, texture->GetTextureUnit());
+  program->SetUniformi(this->Channels[channel].Uniform, this->Activate(channel));
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectLayeredTarget::Activate(int channel)
+{
+  this->Textures[channel]->Activate();
+  return this->Textures[channel]->GetTextureUnit();
 }
 
 //------------------------------------------------------------------------------

@@ -40,6 +40,8 @@ public:
 
   /** Binds a channel's array and sets its sampler; pair with Deactivate. */
   void Activate(int channel, vtkShaderProgram* program);
+  /** Texture unit with a channel's array bound; pair with Deactivate. */
+  int Activate(int channel);
   /** Texture unit with the depth array bound; pair with Deactivate. */
   int ActivateShadow();
   void Deactivate();

@@ -18,24 +18,31 @@ uniform sampler2DArray vtkiShadowMaps; // depths of a texel and its neighbours i
 // From a light: the light whose map is drawn.
 uniform vec3 vtkiMapLight; // 1 if positional, texel size in tangents or scene units, 1 if the prop sends
 
+// Least squared sine of the angle between a facet and the normal that it is shaded by: below it they differ by
+// what derivatives of rounded positions are off by, a few thousandths where a pixel is a ten-thousandth of the way.
+const float VTKI_FACET_SINE2 = 1.0e-5f;
+
+// Unit normal of a facet, on the side of the normal that it is shaded by. facet: cross product of its position's
+// derivatives, zero where it has no area.
+vec3 vtkiFacetNormal(vec3 facet, vec3 normal)
+{
+  vec3 across = cross(facet, normal);
+  float length2 = dot(facet, facet);
+  bool other = dot(across, across) > VTKI_FACET_SINE2 * length2;
+  return other ? facet * (dot(facet, normal) < 0.0f ? -inversesqrt(length2) : inversesqrt(length2)) : normal;
+}
+
 #ifdef VTKI_SHADOWS
 // The depth buffer holds floats just below one; interpolation loses about four of their steps.
 const float VTKI_DEPTH_ROUNDING = 2.4e-7f;
 // Facets stand for curved surfaces: a concave one rises over its neighbour's plane by less than this
 // share of a texel over the filter's reach as long as they meet at less than 18 degrees.
 const float VTKI_SURFACE_ROUGHNESS = 0.5f;
+// Shadows whose casters are nearer than so many texels' widths along depth are told by planes: steep ones cross
+// those that are less steep within the texels around a receiver.
+const float VTKI_SHADOW_CONTACT = 16.0f;
 // Positions, here and in the map, are off by a few roundings of the numbers that they come from.
 const float VTKI_POSITION_ROUNDING = 4.8e-7f;
-
-// Unit normal of a facet, towards the eye. p: position, scene units; facet: cross product of its
-// derivatives, zero where it has no area.
-vec3 vtkiFacetNormal(vec3 p, vec3 facet, vec3 fallback)
-{
-  float length2 = dot(facet, facet);
-  vec3 n = length2 > 0.0f ? facet * inversesqrt(length2) : fallback;
-  bool away = vtkiDepthRange.z > 0.5f ? n.z < 0.0f : dot(n, p) > 0.0f;
-  return away ? -n : n;
-}
 
 // A light's visibility from a place the eye sees. viewToLight: columns are rows of the matrix from view
 // coordinates to the light's frame in scene units; map: first layer (-1: none), projection, half width,
@@ -85,36 +92,55 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   {
     gradient = vtkiPlaneDepthGradient(p, n, texel, depthRange.x, depthRange.y, parallel);
   }
-  float offset = VTKI_SURFACE_ROUGHNESS * texel * (parallel ? 1.0f : depth) +
-    VTKI_POSITION_ROUNDING * (vtkiMagnitude + length(p));
-  float reference = vtkiDepthToBuffer(depth, depthRange.x, depthRange.y, parallel);
-  float bias = VTKI_DEPTH_ROUNDING +
-    offset * vtkiDepthToBufferSlope(depth, depthRange.x, depthRange.y, parallel);
-  // Each texel is compared with the plane's own depth at its centre; where the plane runs away from
-  // the light the receiver's depth will do, and does not reach behind what ends the surface.
-  vec2 at = (0.5f * ndc + 0.5f) * map.w - 1.0f;
-  vec2 center = min(floor(at) + 1.0f, vec2(map.w - 1.0f));
-  vec2 fraction = at - (center - 1.0f);
+  vtkiShadowPlane plane;
+  plane.reference = vtkiDepthToBuffer(depth, depthRange.x, depthRange.y, parallel);
+  plane.gradient = gradient.xy;
+  float slope = vtkiDepthToBufferSlope(depth, depthRange.x, depthRange.y, parallel);
+  float rounding = VTKI_DEPTH_ROUNDING +
+    VTKI_POSITION_ROUNDING * (vtkiMagnitude + length(p)) * slope;
+  float length1 = texel * (parallel ? 1.0f : depth) * slope; // of a texel, along depth
+  plane.rounding = rounding;
+  plane.bias = rounding + VTKI_SURFACE_ROUGHNESS * length1;
+  // The texel that the receiver is in, and its eight neighbours; beyond the map is its last row or column.
+  vec2 at = (0.5f * ndc + 0.5f) * map.w - 0.5f;
+  vec2 center = min(floor(at + 0.5f), vec2(map.w - 1.0f));
+  vec2 toCenter = center - at;
+  vec2 last = vec2(map.w - 1.0f);
   float layer = map.x + float(face);
-  float compared = reference - bias;
-  // Places of the three columns from the receiver, in texels; a column beyond the map is its last.
-  vec3 columns =
-    clamp(center.x + vec3(-1.0f, 0.0f, 1.0f), vec3(0.0f), vec3(map.w - 1.0f)) - (at.x + 0.5f);
-  float rows[3];
+  vec3 columns = clamp(center.x + vec3(-1.0f, 0.0f, 1.0f), vec3(0.0f), last.xxx) - at.x;
+  bool lit = true;
+  bool deep = true;
   for (int j = 0; j < 3; ++j)
   {
     // A look-up at a texel's centre is exact, and in software faster than a fetch.
-    float row = clamp(center.y + float(j) - 1.0f, 0.0f, map.w - 1.0f);
+    float row = clamp(center.y + float(j) - 1.0f, 0.0f, last.y);
     vec3 stored =
       textureLod(vtkiShadowMaps, vec3((vec2(center.x, row) + 0.5f) / map.w, layer), 0.0f).rgb;
-    vec3 plane = min(gradient.x * columns + gradient.y * (row - (at.y + 0.5f)), vec3(0.0f));
-    // The map ends with what casts shadows: a receiver behind that is compared with its end, where
-    // nothing is.
-    vec3 lit = vec3(greaterThanEqual(stored, min(compared + plane, vec3(1.0f))));
-    rows[j] = vtkiTent(lit.x, lit.y, lit.z, fraction.x);
+    vec3 there = plane.reference + gradient.x * columns + gradient.y * (row - at.y);
+    lit = lit && all(greaterThanEqual(stored, min(there - plane.bias, vec3(1.0f))));
+    deep = deep &&
+      all(lessThan(stored, min(there, vec3(plane.reference)) - VTKI_SHADOW_CONTACT * length1));
   }
-  float lit = vtkiTent(rows[0], rows[1], rows[2], fraction.y);
-  return mix(1.0f, lit, depthRange.z);
+  // Where texels differ, and at contact, the planes of what they hold decide. Not a branch: OpenGL on the processor
+  // takes both sides of one, and leaves loops that nobody takes.
+  vtkiShadowVotes votes = vtkiBeginShadow();
+  int count = lit || deep ? 0 : 9;
+  for (int i = 0; i < count; ++i)
+  {
+    vec2 neighbor = vtkiShadowNeighbor(i);
+    vec2 place = clamp(center + neighbor, vec2(0.0f), last);
+    vec4 stored = textureLod(vtkiShadowMaps, vec3((place + 0.5f) / map.w, layer), 0.0f);
+    // Inverse depth falls where depth grows.
+    float there = vtkiDepthOfBuffer(stored.g, depthRange.x, depthRange.y);
+    float scale = parallel
+      ? slope
+      : -there * vtkiDepthToBufferSlope(there, depthRange.x, depthRange.y, false);
+    vtkiVoteOnShadow(plane, place - at, stored.g, (texel * scale) * vtkiUnpackSlope(stored.a),
+      vtkiShadowWeight(neighbor.x, toCenter.x) * vtkiShadowWeight(neighbor.y, toCenter.y), i, votes);
+  }
+  float counted = count > 0 ? vtkiCountShadow(plane, toCenter, votes) : 0.0f;
+  float seen = lit ? 1.0f : counted;
+  return mix(1.0f, seen, depthRange.z);
 }
 #endif
 

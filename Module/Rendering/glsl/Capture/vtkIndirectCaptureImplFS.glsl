@@ -1,10 +1,11 @@
-  // The mapper's names are bound to these by vtkSurfaceCapturePass: VTKI_ALBEDO, VTKI_NORMAL,
+  // The mapper's names are bound to these by vtkSurfaceCapturePass: VTKI_ALBEDO, VTKI_NORMAL, VTKI_FACET,
   // VTKI_SLOPE, VTKI_KIND, VTKI_DEPTH, VTKI_SENDER_SCALE; and where something in the scene is specular,
   // VTKI_SPECULAR: the mapper's specular colour and power, of VTK's PBR F0 and minus the roughness; zero where it has
   // none; and VTKI_SPECULAR_SENDER, the same as lights' maps have it.
   {
     vec3 vtkiAlbedo = max(VTKI_ALBEDO, vec3(0.0f));
     vec3 vtkiNormal = VTKI_NORMAL;
+    vec3 vtkiFacet = VTKI_FACET;
     float vtkiKind = VTKI_KIND;
     float vtkiDepth = VTKI_DEPTH;
     if (!(dot(vtkiNormal, vtkiNormal) > 0.5f) || !(abs(vtkiDepth) < 1.0e18f))
@@ -12,10 +13,11 @@
       // A zero or undefined normal, or an impostor whose size is none or overflows when it is squared: the surface is
       // drawn, and takes no part in indirect light.
       vtkiNormal = vec3(0.0f, 0.0f, 1.0f);
+      vtkiFacet = vtkiNormal;
       vtkiKind = VTKI_SURFACE_UNLIT;
       vtkiDepth = abs(vtkiDepth) < 1.0e18f ? vtkiDepth : 1.0e18f;
     }
-    gl_FragData[1] = vtkiPackSurface(vtkiNormal, vtkiDepth, vtkiKind);
+    gl_FragData[1] = vtkiPackSurface(vtkiNormal, vtkiFacet, vtkiDepth, vtkiKind);
     if (vtkiStage != 0)
     {
       gl_FragData[0] = vec4(vtkiAlbedo * VTKI_SENDER_SCALE, 1.0f);

@@ -13,6 +13,8 @@ struct vtkiReceiver
   vec3 normalVC;
   vec3 position; // scene
   vec3 normal;   // scene
+  vec3 facetVC; // normal of the plane that is drawn, see vtkIndirectLibSurface.glsl
+  vec3 facet;   // scene
   float depth;
 };
 
@@ -27,5 +29,7 @@ bool vtkiFetchReceiver(ivec2 pixel, out vtkiReceiver receiver)
   receiver.normalVC = vtkiSurfaceNormal(surface);
   receiver.position = (vtkiViewToScene * vec4(receiver.positionVC, 1.0f)).xyz;
   receiver.normal = mat3(vtkiViewToScene) * receiver.normalVC;
+  receiver.facetVC = vtkiSurfaceFacet(surface);
+  receiver.facet = mat3(vtkiViewToScene) * receiver.facetVC;
   return vtkiSurfaceIsLit(surface);
 }

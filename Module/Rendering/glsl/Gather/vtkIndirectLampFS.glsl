@@ -33,7 +33,7 @@ void main()
 #else
   gl_FragData[0] = vec4(radiance, 1.0f);
 #endif
-  gl_FragData[1] = vtkiPackSurface(vtkiLampNormal, vtkiLampLinearDepth, VTKI_SURFACE_UNLIT);
+  gl_FragData[1] = vtkiPackSurface(vtkiLampNormal, vtkiLampNormal, vtkiLampLinearDepth, VTKI_SURFACE_UNLIT);
   gl_FragData[2] = vec4(black, 0.0f, 0.0f, 1.0f);
   gl_FragData[3] = vec4(0.0f);
 }

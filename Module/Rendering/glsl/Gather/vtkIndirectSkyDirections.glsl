@@ -48,42 +48,6 @@ bool vtkiIsSkySeen(vec2 first, vec2 at, vec2 centre, float depth, float facing, 
 }
 #endif
 
-// Two pixels beside the receiver lie on its facet where their heights over the plane of the shading normal differ
-// by less than this share of the way to the nearer one.
-const float VTKI_SKY_FACET_EDGE = 0.05f;
-// Of the angle between a facet and the normals that are interpolated over it: what is bent more ends there.
-const float VTKI_SKY_FACET_COSINE = 0.9f;
-
-// Along an axis of the image, on the receiver's facet: through both neighbours, or to the one that lies nearer to
-// the plane of the shading normal where an edge is between. ray: of the receiver's pixel; view.
-vec3 vtkiFindTangent(vec2 place, int axis, vec3 ray, vtkiReceiver receiver)
-{
-  float width = 1.0f / float(vtkiSize[axis]);
-  vec2 beside = axis == 0 ? vec2(width, 0.0f) : vec2(0.0f, width);
-  float depthBack = vtkiSurfaceDepth(textureLod(vtkiSurface, place - beside, 0.0f));
-  float depthAhead = vtkiSurfaceDepth(textureLod(vtkiSurface, place + beside, 0.0f));
-  vec3 originStep = (2.0f * width) * vtkiRayOrigin[axis];
-  vec3 rayStep = (2.0f * width) * vtkiRayDirection[axis];
-  vec3 back = (depthBack - receiver.depth) * ray - (originStep + depthBack * rayStep);
-  vec3 ahead = (depthAhead - receiver.depth) * ray + (originStep + depthAhead * rayStep);
-  float heightBack = abs(dot(back, receiver.normalVC));
-  float heightAhead = abs(dot(ahead, receiver.normalVC));
-  float nearer = VTKI_SKY_FACET_EDGE * sqrt(min(dot(back, back), dot(ahead, ahead)));
-  return abs(heightBack - heightAhead) <= nearer ? ahead - back : (heightBack < heightAhead ? -back : ahead);
-}
-
-// The normal of the facet that the receiver lies on, which its shading normal is interpolated over; scene.
-vec3 vtkiFindFacet(ivec2 pixel, vtkiReceiver receiver)
-{
-  vec2 place = (vec2(pixel) + 0.5f) / vec2(vtkiSize);
-  vec3 ray = vtkiRayDirection * vec3(2.0f * place - 1.0f, 1.0f);
-  vec3 facet = normalize(
-    cross(vtkiFindTangent(place, 0, ray, receiver), vtkiFindTangent(place, 1, ray, receiver)));
-  float along = dot(facet, receiver.normalVC);
-  // What is thin has no facet here.
-  return abs(along) > VTKI_SKY_FACET_COSINE ? mat3(vtkiViewToScene) * (sign(along) * facet) : receiver.normal;
-}
-
 // Irradiance, and in the fourth component its sum over the colours if nothing hid it. facet: the normal of the
 // receiver's plane. Directions below that plane, which the shading normal faces still, take no part: of the curved
 // surface that facets stand for they are not hidden.

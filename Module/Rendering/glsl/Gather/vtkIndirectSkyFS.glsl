@@ -43,12 +43,7 @@ void main()
     lit[k] = vtkiFetchReceiver(pixel, receiver);
     position[k] = receiver.position;
     normal[k] = receiver.normal;
-    // Of 256 directions at a pixel it is a small part, of 16 it would be a fourth.
-#if VTKI_SKY_PIXELS > 1
-    facet[k] = vtkiFindFacet(pixel, receiver);
-#else
-    facet[k] = receiver.normal;
-#endif
+    facet[k] = receiver.facet;
     sum[k] = vec4(0.0f);
     any = any || lit[k];
   }

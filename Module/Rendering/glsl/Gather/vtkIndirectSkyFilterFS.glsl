@@ -19,7 +19,8 @@
 uniform int vtkiSkyCount; // of the block's directions
 
 // Of what all directions give, what neighbours must have found between them: of a corner of a surface less than
-// nine sixteenths are within reach, and its pixels have asked all of them still.
+// nine sixteenths are within reach, and its pixels have asked all of them still. All give less where the facet leans away
+// from the normal: a cosine's lobe keeps half of one plus the cosine between the two above the facet's plane.
 const float VTKI_SKY_COVERAGE = 0.55f;
 #endif
 
@@ -69,9 +70,9 @@ vec4 vtkiSumAlong(ivec2 pixel, vtkiReceiver receiver)
   // Height of a neighbour over the receiver's plane: affine in the pixel's offset and in its depth.
   float pixelWidth = 2.0f / float(vtkiSize[VTKI_AXIS]);
   vec3 ndc = vec3(2.0f * (vec2(pixel) + 0.5f) / vec2(vtkiSize) - 1.0f, 1.0f);
-  float along = dot(receiver.normalVC, vtkiRayDirection * ndc);
-  float originStep = dot(receiver.normalVC, vtkiRayOrigin[VTKI_AXIS]) * pixelWidth;
-  float directionStep = dot(receiver.normalVC, vtkiRayDirection[VTKI_AXIS]) * pixelWidth;
+  float along = dot(receiver.facetVC, vtkiRayDirection * ndc);
+  float originStep = dot(receiver.facetVC, vtkiRayOrigin[VTKI_AXIS]) * pixelWidth;
+  float directionStep = dot(receiver.facetVC, vtkiRayDirection[VTKI_AXIS]) * pixelWidth;
   float tolerance = VTKI_INTERPOLATION_DISTANCE * vtkiSampleDistance(receiver.depth);
   vec4 sum = vec4(0.0f);
   for (int i = 1 - VTKI_SKY_STEP; i < VTKI_SKY_STEP; ++i)
@@ -105,12 +106,13 @@ void main()
     vec2(dot(vtkiOpenFlux, receiver.normal), dot(vtkiSummedFlux, receiver.normal));
 #if VTKI_SKY_STEP > 1
   // Thin and small things have too few neighbours: their pixels ask for themselves.
-  bool covered = !lit || sum.w >= VTKI_SKY_COVERAGE * open.g;
+  bool covered = !lit || sum.w >=
+      VTKI_SKY_COVERAGE * open.g * 0.5f * (1.0f + dot(receiver.normal, receiver.facet));
   vec4 own = vec4(0.0f);
   int count = covered ? 0 : vtkiSkyCount;
   for (int i = 0; i < count; ++i)
   {
-    own += vtkiFromSky(vtkiFetchSkyDirection(i), receiver.position, receiver.normal, receiver.normal);
+    own += vtkiFromSky(vtkiFetchSkyDirection(i), receiver.position, receiver.normal, receiver.facet);
   }
   sum = covered ? sum : own;
 #endif

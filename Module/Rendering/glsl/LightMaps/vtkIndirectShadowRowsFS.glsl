@@ -1,8 +1,11 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// A texel's depth in a light's map between those of its neighbours in the row; see
+// A texel's depth in a light's map between those of its neighbours in the row, and the slope of what it holds; see
 // vtkIndirectCaptureDecFS.glsl.
+#include "vtkIndirectLibShadow.glsl"
+
 uniform sampler2DArray vtkiShadowMaps;
+uniform sampler2DArray vtkiMapSlope;
 uniform int vtkiLayer;
 
 void main()
@@ -11,5 +14,6 @@ void main()
   int last = textureSize(vtkiShadowMaps, 0).x - 1;
   gl_FragData[0] = vec4(texelFetch(vtkiShadowMaps, ivec3(max(at.x - 1, 0), at.y, vtkiLayer), 0).r,
     texelFetch(vtkiShadowMaps, ivec3(at, vtkiLayer), 0).r,
-    texelFetch(vtkiShadowMaps, ivec3(min(at.x + 1, last), at.y, vtkiLayer), 0).r, 1.0f);
+    texelFetch(vtkiShadowMaps, ivec3(min(at.x + 1, last), at.y, vtkiLayer), 0).r,
+    vtkiPackSlope(texelFetch(vtkiMapSlope, ivec3(at, vtkiLayer), 0).rg));
 }

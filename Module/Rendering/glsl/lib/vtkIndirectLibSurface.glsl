@@ -1,5 +1,7 @@
-// One pixel of surface in eight bytes: linear depth, and in the bits of one float the unit normal and how the
-// pixel was shaded.
+// One pixel of surface: linear depth, in the bits of one float the unit normal that it is shaded by and how it was
+// shaded, and in those of another the unit normal of its facet, the plane that is drawn. Where normals are
+// interpolated over few triangles the two differ: cosines are those of the one, and what lies before or behind
+// the surface, beside it or on it is told by the other. Images without a third channel lack the facet.
 #ifndef vtkIndirectLibSurface
 #define vtkIndirectLibSurface
 #include "vtkIndirectLibPortable.glsl"
@@ -45,17 +47,21 @@ vec3 vtkiOctahedralDecode(vec2 p)
 const float VTKI_CODE_STEPS_X = 16127.0f;
 const float VTKI_CODE_STEPS_Y = 16383.0f;
 
-/* normal unit; depth along the view axis, scene units (diagonal = 1); kind one of the above, not
- * VTKI_SURFACE_NONE. The third is unused; alpha is 1 because VTK blends opaque geometry: any other value
- * would mix with what lies behind.
- * Bits of the code, from above: two of kind, 15 of x, 15 of y. The least exponent and the greatest, of floats
- * that may be flushed to zero and that are no numbers, are kept clear by x, which begins at 256. */
-vec4 vtkiPackSurface(vec3 normal, float depth, float kind)
+/* Unit normal and kind in the bits of a float, from above: two of kind, 15 of x, 15 of y. The least exponent and the
+ * greatest, of floats that may be flushed to zero and that are no numbers, are kept clear by x, which begins at 256. */
+float vtkiPackNormal(vec3 normal, float kind)
 {
   vec2 p = vtkiOctahedralEncode(normal);
   uint x = uint(VTKI_CODE_STEPS_X * p.x + (VTKI_CODE_STEPS_X + 256.5f));
   uint y = uint(VTKI_CODE_STEPS_Y * p.y + (VTKI_CODE_STEPS_Y + 0.5f));
-  return vec4(depth, uintBitsToFloat((uint(kind) << 30u) | (x << 15u) | y), 0.0f, 1.0f);
+  return uintBitsToFloat((uint(kind) << 30u) | (x << 15u) | y);
+}
+
+/* normal, facet: unit; depth along the view axis, scene units (diagonal = 1); kind one of the above, not
+ * VTKI_SURFACE_NONE. Alpha is 1 because VTK blends opaque geometry: any other value would mix with what lies behind. */
+vec4 vtkiPackSurface(vec3 normal, vec3 facet, float depth, float kind)
+{
+  return vec4(depth, vtkiPackNormal(normal, kind), vtkiPackNormal(facet, VTKI_SURFACE_LINEAR), 1.0f);
 }
 
 float vtkiSurfaceDepth(vec4 surface)
@@ -68,17 +74,27 @@ float vtkiSurfaceKind(vec4 surface)
   return float(floatBitsToUint(surface.y) >> 30u);
 }
 
-/* Octahedral coordinates of the normal, each off by half a step at most. */
-vec2 vtkiSurfaceCode(vec4 surface)
+/* Octahedral coordinates of a packed normal, each off by half a step at most. */
+vec2 vtkiUnpackCode(float bits)
 {
-  uint code = floatBitsToUint(surface.y);
+  uint code = floatBitsToUint(bits);
   return vec2((float((code >> 15u) & 32767u) - 256.0f) * (1.0f / VTKI_CODE_STEPS_X) - 1.0f,
     float(code & 32767u) * (1.0f / VTKI_CODE_STEPS_Y) - 1.0f);
+}
+
+vec2 vtkiSurfaceCode(vec4 surface)
+{
+  return vtkiUnpackCode(surface.y);
 }
 
 vec3 vtkiSurfaceNormal(vec4 surface)
 {
   return vtkiOctahedralDecode(vtkiSurfaceCode(surface));
+}
+
+vec3 vtkiSurfaceFacet(vec4 surface)
+{
+  return vtkiOctahedralDecode(vtkiUnpackCode(surface.z));
 }
 
 /* Kinds by the float that their two bits are the first of: 2 and above, -2 to 0, below -2. */
