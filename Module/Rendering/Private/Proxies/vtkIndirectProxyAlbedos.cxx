@@ -16,11 +16,11 @@ glm::vec3 vtkIndirectProxyAlbedos::Find(vtkProperty* property, const glm::dvec3&
   {
     return glm::vec3(0.0f);
   }
-  if (property->GetInterpolation() == VTK_PBR)
-  {
-    return glm::vec3((1.0 - property->GetMetallic()) * glm::pow(color, glm::dvec3(2.2)));
-  }
-  return glm::vec3(property->GetDiffuse() * color);
+  // As the capture of surfaces clamps it.
+  const glm::dvec3 albedo = property->GetInterpolation() == VTK_PBR
+    ? (1.0 - property->GetMetallic()) * glm::pow(color, glm::dvec3(2.2))
+    : property->GetDiffuse() * color;
+  return glm::vec3(glm::clamp(albedo, glm::dvec3(0.0), glm::dvec3(1.0)));
 }
 
 //------------------------------------------------------------------------------

@@ -207,11 +207,13 @@ glm::dvec3 vtkIndirectPolygons::GetAlbedo(vtkIdType cell, vtkIdType point) const
 {
   const double metallic = this->PhysicallyBased ? this->Actor->GetProperty()->GetMetallic() : 0.0;
   const vtkIdType at = this->ColorsAreOfCells ? cell : point;
-  if (!this->Colors || at >= this->Colors->GetNumberOfTuples())
+  glm::dvec3 color = this->Color;
+  if (this->Colors && at < this->Colors->GetNumberOfTuples())
   {
-    return (1.0 - metallic) * this->Color;
+    const unsigned char* c = this->Colors->GetPointer(at * this->Colors->GetNumberOfComponents());
+    color = this->Diffuse / 255.0 * glm::dvec3(c[0], c[1], c[2]);
+    color = this->Encoded ? glm::pow(color, glm::dvec3(2.2)) : color;
   }
-  const unsigned char* c = this->Colors->GetPointer(at * this->Colors->GetNumberOfComponents());
-  const glm::dvec3 color = this->Diffuse / 255.0 * glm::dvec3(c[0], c[1], c[2]);
-  return (1.0 - metallic) * (this->Encoded ? glm::pow(color, glm::dvec3(2.2)) : color);
+  // As the capture of surfaces clamps it.
+  return glm::clamp((1.0 - metallic) * color, glm::dvec3(0.0), glm::dvec3(1.0));
 }

@@ -260,7 +260,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySur
       if (bounce >= firstBounce)
       {
         vertex.Position = meeting.Position;
-        vertex.Normal = meeting.Normal;
+        vertex.Normal = meeting.FacetNormal;
         vertex.DensityArea = carried;
         vertex.Source = source;
         vertex.Bounce = bounce;
@@ -277,12 +277,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySur
         return;
       }
       carried /= onward;
-      direction = CosineDirection(meeting.Normal, ScrambledPoint(number, dimension + 1u));
-      // What leaves below the facet is hidden by it.
-      if (!(glm::dot(direction, meeting.FacetNormal) > 0.0))
-      {
-        return;
-      }
+      direction = CosineDirection(meeting.FacetNormal, ScrambledPoint(number, dimension + 1u));
       start = meeting.Position + Clearance * meeting.FacetNormal;
       last = meeting.Triangle;
     }

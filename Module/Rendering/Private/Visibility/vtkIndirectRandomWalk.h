@@ -42,7 +42,7 @@ public:
   struct Vertex
   {
     glm::dvec3 Position; // scene units
-    glm::dvec3 Normal;   // unit, by which VTK shades
+    glm::dvec3 Normal;   // of the facet, unit: light leaves by it
     double Area;
     glm::dvec3 DensityArea; // B A, of all colours
     int Source;

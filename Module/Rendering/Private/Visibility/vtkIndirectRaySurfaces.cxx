@@ -424,7 +424,9 @@ void vtkIndirectRaySurfaces::Shade(const Triangle& triangle,
   {
     albedo *= piece.FindTexture(interpolate(piece.Coordinates));
   }
-  meeting.Albedo = IsFinite(albedo) ? glm::max(albedo, glm::dvec3(0.0)) : glm::dvec3(0.0);
+  // As the capture of surfaces clamps it.
+  meeting.Albedo =
+    IsFinite(albedo) ? glm::clamp(albedo, glm::dvec3(0.0), glm::dvec3(1.0)) : glm::dvec3(0.0);
   meeting.PhysicallyBased = piece.Polygons.PhysicallyBased;
 }
 
