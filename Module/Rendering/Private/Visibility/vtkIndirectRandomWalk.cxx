@@ -355,6 +355,31 @@ void vtkIndirectRandomWalk::FindAreas()
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectRandomWalk::FindTail(int lastBounce)
+{
+  int firstBounce = lastBounce;
+  for (const Vertex& vertex : this->Vertices)
+  {
+    firstBounce = std::min(firstBounce, vertex.Bounce);
+  }
+  double all = 0.0;
+  double first = 0.0;
+  double last = 0.0;
+  for (const Vertex& vertex : this->Vertices)
+  {
+    const double light = vertex.DensityArea.x + vertex.DensityArea.y + vertex.DensityArea.z;
+    all += light;
+    first += vertex.Bounce == firstBounce ? light : 0.0;
+    last += vertex.Bounce == lastBounce ? light : 0.0;
+  }
+  // Where nothing is lost there is no end of it; of one bounce nothing is known.
+  const double kept =
+    firstBounce < lastBounce && all > last ? std::min((all - first) / (all - last), 0.999) : 0.0;
+  const double tail = last * kept / (1.0 - kept);
+  this->Tail = all > 0.0 ? tail / (all + tail) : 0.0;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectRandomWalk::Walk(const vtkIndirectRaySurfaces& surfaces,
   const vtkIndirectFrame& frame, const std::vector<Source>& sources, const Settings& settings)
 {
@@ -402,4 +427,5 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectRaySurfaces& surfaces,
     this->NumberOfPaths += paths;
   }
   this->FindAreas();
+  this->FindTail(settings.LastBounce);
 }
