@@ -105,6 +105,13 @@ const std::vector<vtkEnvironmentLight::Cell>& vtkEnvironmentLight::GetCells()
 }
 
 //------------------------------------------------------------------------------
+void vtkEnvironmentLight::GetGreatestRadiance(double radiance[3])
+{
+  this->GetCells();
+  std::copy(this->Greatest, this->Greatest + 3, radiance);
+}
+
+//------------------------------------------------------------------------------
 void vtkEnvironmentLight::MakeCells()
 {
   struct Sum
@@ -115,6 +122,7 @@ void vtkEnvironmentLight::MakeCells()
   std::vector<Sum> sums(static_cast<size_t>(Columns) * Rows);
   vtkImageData* image = this->FindImage();
   const double pi = vtkMath::Pi();
+  glm::dvec3 greatest(0.0);
   auto add = [&](int columns, int rows, auto getRadiance)
   {
     for (int j = 0; j < rows; ++j)
@@ -125,7 +133,9 @@ void vtkEnvironmentLight::MakeCells()
       const int row = std::min(static_cast<int>((j + 0.5) / rows * Rows), Rows - 1);
       for (int i = 0; i < columns; ++i)
       {
-        const glm::dvec3 light = this->Scale * solidAngle * getRadiance(i, j);
+        const glm::dvec3 radiance = this->Scale * getRadiance(i, j);
+        const glm::dvec3 light = solidAngle * radiance;
+        greatest = glm::max(greatest, radiance);
         const double strength = light.x + light.y + light.z;
         if (strength > 0.0)
         {
@@ -157,6 +167,10 @@ void vtkEnvironmentLight::MakeCells()
   {
     const glm::dvec3 radiance(this->Radiance[0], this->Radiance[1], this->Radiance[2]);
     add(Columns, Rows, [&](int, int) { return radiance; });
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Greatest[c] = greatest[c];
   }
   const glm::dmat3 frame = MakeFrame(this->Up, this->Right);
   for (const Sum& sum : sums)

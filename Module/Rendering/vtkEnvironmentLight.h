@@ -66,6 +66,8 @@ public:
    * error.
    */
   const std::vector<Cell>& GetCells();
+  /** Of all directions, each colour by itself. */
+  void GetGreatestRadiance(double radiance[3]);
 #endif
 
 protected:
@@ -82,6 +84,7 @@ private:
   void MakeCells();
 
   std::vector<Cell> Cells;
+  double Greatest[3] = {};
   vtkMTimeType CellsTime = 0; // of what they were made from
 };
 

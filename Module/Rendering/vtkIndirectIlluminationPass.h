@@ -239,10 +239,11 @@ public:
 
   ///@{
   /**
-   * Bounces of indirect light. Default 0: automatic, all that a random walk finds (16 at most;
+   * Bounces of indirect light. Default 0: automatic, all that a random walk finds (128 at most;
    * paths end by themselves where little light is left) for estimators of virtual lights, as long
-   * as no light follows the camera; else 1. Range 0 to 16. Bounces that neither the estimator nor a
-   * walk computes are listed in the report under left_out.
+   * as no light with a map follows the camera; else 1. Range 0 to 16. Bounces that neither the
+   * estimator nor a walk computes are listed in the report under left_out, and how much light a
+   * walk leaves for bounces after its last one.
    */
   vtkIndirectClampMacro(NumberOfBounces, int, 0, 16);
   ///@}

@@ -46,7 +46,7 @@ struct SenderBlock
 {
   double Position[3][Lanes];
   double Normal[3][Lanes];
-  double Spread[Lanes]; // of the surfaces' normals: see vtkiMeanProjection
+  double Spread[Lanes]; // of the surfaces' normals: see vtkiSpreadOfNormals
   double Area[Lanes];
   double DensityArea[3][Lanes];
 };
@@ -57,6 +57,16 @@ struct Receiver
   double Normal[3];
   double ToEye[3];
 };
+
+// vtkiMeanProjection as this receiver sees it, which may face the sender.
+inline double FindProjection(
+  double projected, double normals, double spread, double squaredDistance)
+{
+  const double share = std::min(std::max(1.0 + 2.0 * normals, 0.0), 1.0);
+  const double halfWidth = share * std::sqrt(spread * squaredDistance);
+  const double within = std::max(halfWidth - std::abs(projected), 0.0);
+  return std::max(projected, 0.0) + within * within / (4.0 * std::max(halfWidth, 1e-30));
+}
 
 VTK_INDIRECT_VECTORIZED
 void Sum(const SenderBlock* blocks, size_t count, const Receiver& receiver, double* total)
@@ -74,7 +84,9 @@ void Sum(const SenderBlock* blocks, size_t count, const Receiver& receiver, doub
       const double r2 = x * x + y * y + z * z;
       const double sender = -(s.Normal[0][i] * x + s.Normal[1][i] * y + s.Normal[2][i] * z);
       const double mine = receiver.Normal[0] * x + receiver.Normal[1] * y + receiver.Normal[2] * z;
-      const double projected = 0.5 * (sender + std::sqrt(sender * sender + s.Spread[i] * r2));
+      const double normals = s.Normal[0][i] * receiver.Normal[0] +
+        s.Normal[1][i] * receiver.Normal[1] + s.Normal[2][i] * receiver.Normal[2];
+      const double projected = FindProjection(sender, normals, s.Spread[i], r2);
       const double facing = projected * (mine > 0.0 ? mine : 0.0);
       const double denominator = r2 * (pi * r2 + s.Area[i]);
       const double weight = denominator > 0.0 ? facing / denominator : 0.0;
@@ -110,15 +122,17 @@ void SumLobe(
       double sender = 0.0;
       double mine = 0.0;
       double mirrored = 0.0;
+      double normals = 0.0;
       for (int c = 0; c < 3; ++c)
       {
+        normals += s.Normal[c][i] * n[c];
         l[c] = s.Position[c][i] - receiver.Position[c];
         r2 += l[c] * l[c];
         sender -= s.Normal[c][i] * l[c];
         mine += n[c] * l[c];
         mirrored += (facing * n[c] - v[c]) * l[c];
       }
-      const double projected = 0.5 * (sender + std::sqrt(sender * sender + s.Spread[i] * r2));
+      const double projected = FindProjection(sender, normals, s.Spread[i], r2);
       if (r2 > 0.0 && projected > 0.0 && mine > 0.0 && mirrored > 0.0)
       {
         const double r = std::sqrt(r2);

@@ -258,6 +258,13 @@ void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
       (this->NumberOfFrames > 1 ? ", frame " + std::to_string(in.NumberOfFrames) + " of " +
             std::to_string(this->NumberOfFrames)
                                 : std::string()));
+  // A hundredth is what the walk's noise hides.
+  if (in.Walk.GetTail() > 0.01)
+  {
+    report.LeftOut.emplace_back("bounces beyond the walk's last one",
+      "about " + vtkIndirectReport::Number(std::round(1000.0 * in.Walk.GetTail()) / 10.0) +
+        " % of the light of later bounces; the result is too dark");
+  }
   for (const auto& [what, why] : in.Surfaces.GetLeftOut())
   {
     report.LeftOut.emplace_back(what + " in the random walk", why);

@@ -341,10 +341,15 @@ VTK_INDIRECT_TEST(PlanLimits)
   vtkIndirectCircumstances taking;
   taking.TakesSampler = true;
   plan = vtkIndirectPlan::Make(frame, settings, estimator, taking);
-  CheckEqual("automatic", plan.WalkedBounces, 16);
+  CheckEqual("automatic", plan.WalkedBounces, 128);
   CheckEqual("of which the estimator's", plan.NumberOfBounces, 1);
   plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
   CheckEqual("of an estimator with lights of its own", plan.WalkedBounces, 0);
+  estimator.MaximumNumberOfBounces = 16;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
+  Check("one that computes several where asked says that it was not",
+    plan.NumberOfBounces == 1 && !Find(plan.EstimateLeftOut, "bounces after the first").empty());
+  estimator.MaximumNumberOfBounces = 1;
   vtkIndirectLight following = MakeLight();
   following.FollowsCamera = true;
   plan = vtkIndirectPlan::Make(MakeFrame({ following }), settings, estimator, taking);

@@ -142,6 +142,7 @@ struct vtkIndirectComposite::Internals
     const bool adds = estimate || input.Sky || input.Area;
     program->SetUniformf(
       "vtkiIndirectScale", adds ? static_cast<float>(input.IndirectScale) : 0.0f);
+    vtkIndirectSetUniform(program, "vtkiGreatest", glm::vec3(input.Greatest));
     program->SetUniformf(
       "vtkiIrradianceUnit", estimate ? static_cast<float>(estimate->Unit) : 0.0f);
   }

@@ -17,10 +17,11 @@
 
 #include "vtkIndent.h" // for printing
 
-#include <functional> // for other buffers
-#include <memory>     // for the internals
-#include <ostream>    // for printing
-#include <string>     // for names
+#include <functional>  // for other buffers
+#include <glm/glm.hpp> // for colours
+#include <memory>      // for the internals
+#include <ostream>     // for printing
+#include <string>      // for names
 
 class vtkIndirectGeometryBuffer;
 class vtkIndirectTarget;
@@ -47,6 +48,7 @@ public:
     int SkyBounceChannel;                   // the estimate; of that image
     const vtkIndirectTarget* Area;          // irradiance from area lights
     const vtkIndirectTarget* AreaGlossy;    // what is reflected specularly of these
+    glm::dvec3 Greatest; // irradiance that nothing exceeds, of all but VTK's lights
     double IndirectScale;
     bool DepthCleared; // of the framebuffer that is bound: nothing is drawn there yet
   };

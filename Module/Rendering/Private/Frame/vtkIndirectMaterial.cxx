@@ -270,9 +270,10 @@ double vtkIndirectMaterial::Decode(double value) const
 //------------------------------------------------------------------------------
 glm::dvec3 vtkIndirectMaterial::Finish(const glm::dvec3& color, double metal) const
 {
+  // The capture of surfaces clamps the albedo in the same way.
   const glm::dvec3 albedo = (1.0 - metal * this->Metallic) * color;
   return this->Lit && std::isfinite(albedo.x + albedo.y + albedo.z)
-    ? glm::max(albedo, glm::dvec3(0.0))
+    ? glm::clamp(albedo, glm::dvec3(0.0), glm::dvec3(1.0))
     : glm::dvec3(0.0);
 }
 

@@ -443,6 +443,24 @@ const vtkIndirectEstimate* vtkIndirectPipeline::GetEstimate() const
 }
 
 //------------------------------------------------------------------------------
+// Where all light comes from the sky a receiver sees radiances of the sky and of surfaces, and as no
+// surface reflects more than it gets none of these is greater than the sky's greatest. Lamps have no
+// radiance that bounds what they give.
+glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance() const
+{
+  const std::vector<vtkIndirectLight>& lights = this->Frame.Lights;
+  const bool lamps = this->Plan.AreaLights || this->Plan.OtherSamplers ||
+    std::any_of(lights.begin(), lights.end(),
+      [](const vtkIndirectLight& light) { return light.Color != glm::dvec3(0.0); });
+  glm::dvec3 greatest(1e30);
+  if (this->SkyIsThere && this->Environment && !lamps)
+  {
+    this->Environment->GetGreatestRadiance(&greatest[0]);
+  }
+  return greatest;
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
 {
   const bool maps = this->Plan.Senders == vtkIndirectPlan::MAPS;
@@ -452,7 +470,8 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
   return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr, estimate,
     this->SkyIsThere ? sky : nullptr, summed ? this->SkyEstimate.SkyBounce : nullptr,
     this->SkyEstimate.SkyBounceChannel, this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr,
-    this->AreaIsThere ? this->Area.GetReflected() : nullptr, this->Plan.IndirectScale,
+    this->AreaIsThere ? this->Area.GetReflected() : nullptr, this->FindGreatestIrradiance(),
+    this->Plan.IndirectScale,
     this->TargetIsClear };
 }
 

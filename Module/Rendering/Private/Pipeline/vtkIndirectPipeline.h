@@ -115,6 +115,7 @@ private:
   void ReleaseSkyMaps(vtkWindow* window);
   const vtkIndirectEstimate* GetEstimate() const;
   vtkIndirectComposite::Input MakeCompositeInput() const;
+  glm::dvec3 FindGreatestIrradiance() const;
   bool RenderChannel(const std::string& name);
 
   vtkNew<vtkSurfaceCapturePass> Capture;

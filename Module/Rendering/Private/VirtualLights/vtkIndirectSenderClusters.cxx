@@ -77,17 +77,20 @@ glm::dvec3 FindPlace(const vtkIndirectSenderClusters::Sender& middle, const glm:
 
 // What vtkiFindPatchLight is told of a node. Folded surfaces have more area than their light's
 // variance; where it has more than twice theirs they are strewn, not stretched. A lobe would be
-// seen to be wider than its surface. A node whose depth map is drawn from its place can go forward,
-// away from the surface; branches have none.
-void MakePatch(vtkIndirectSenderClusters::Light& light, bool hasMap)
+// seen to be wider than its surface. A node can go forward, away from its surface; behind that its
+// depth map would be drawn within the body, and it would light the other side of a sheet. What is
+// brighter than the surface around it, as texels and paths that fall together by chance are, is
+// blunter than its size, or a contact would see it as a bright spot. radiosity: of that surface.
+void MakePatch(vtkIndirectSenderClusters::Light& light, double radiosity)
 {
+  if (radiosity > 0.0)
+  {
+    light.BluntArea = std::max(light.BluntArea, Sum(light.DensityArea) / radiosity);
+  }
   const double most = Sum(light.LobeDensityArea) > 0.0 ? 1.0 : 2.0;
   light.Area = std::min(most * light.Area, light.Stretched);
-  if (!hasMap || light.Shift > 0.0)
-  {
-    light.Position += light.Shift * light.Normal;
-    light.Shift = 0.0;
-  }
+  light.Position += std::max(light.Shift, 0.0) * light.Normal;
+  light.Shift = 0.0;
 }
 
 // How much light each map has, over the mean of those that have any, in powers of four.
@@ -375,12 +378,53 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
     // behind it on a ball: what the covariance of normals and places adds to the mean of the
     // weights.
     const double bend = -0.5 * turned / total;
+    this->CloseBowl(cluster, strengths, light);
     const double length = glm::length(light.Normal);
     const glm::dvec3 unit = light.Normal / length;
     light.Shift = (glm::dot(unit, place - light.Position) + bend) / length;
   }
   this->AddLobe(cluster, strengths, light);
   return light;
+}
+
+//------------------------------------------------------------------------------
+// In a bowl no place sees another from behind: what differs between its normals spreads no light to
+// behind its mean plane, and it sends the light of its opening. So as far as normals turn towards
+// each other the mean normal is as long as one normal, and the light that much less. On a ball, and
+// where places and normals have nothing to do with each other, it stays as it is; so does what is
+// more than half a sphere, which is seen from within.
+void vtkIndirectSenderClusters::CloseBowl(
+  const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const
+{
+  const glm::dvec3 place(cluster.Mean[0], cluster.Mean[1], cluster.Mean[2]);
+  // Sums of what is sent, times the following.
+  double turned = 0.0; // how far normals turn from their mean, times places along that
+  double turns = 0.0;  // squares of these
+  double places = 0.0;
+  for (size_t i = cluster.Begin; i < cluster.End; ++i)
+  {
+    const Sender& sender = this->Senders[this->Entries[i].Sender];
+    const glm::dvec3& strength = strengths[static_cast<size_t>(sender.Map)];
+    const double all = Sum(strength * glm::dvec3(sender.Reflected)) +
+      Sum(strength * glm::dvec3(sender.LobeReflected));
+    const glm::dvec3 turn = glm::dvec3(sender.Normal) - light.Normal;
+    const double turn2 = glm::dot(turn, turn);
+    if (turn2 > 0.0)
+    {
+      const double along = glm::dot(turn, glm::dvec3(sender.Position) - place);
+      turned += all * along;
+      turns += all * turn2;
+      places += all * along * along / turn2;
+    }
+  }
+  const double both = std::sqrt(turns * places);
+  const double square = glm::dot(light.Normal, light.Normal);
+  const double open = std::min(std::max(4.0 * std::sqrt(square) - 1.0, 0.0), 1.0);
+  const double closed = both > 0.0 ? open * std::min(std::max(-turned / both, 0.0), 1.0) : 0.0;
+  const double length = std::sqrt((1.0 - closed) * square + closed);
+  const double share = std::sqrt(square) / length;
+  light.Normal /= share;
+  light.DensityArea *= share;
 }
 
 //------------------------------------------------------------------------------
@@ -442,8 +486,8 @@ double vtkIndirectSenderClusters::FindReach(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSenderClusters::MakeBranches(
-  size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all)
+void vtkIndirectSenderClusters::MakeBranches(size_t top, double radiosity,
+  const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all)
 {
   constexpr size_t perNode = vtkIndirectKernels::VTKI_BRANCHES_PER_NODE;
   const size_t first = top * vtkIndirectKernels::VTKI_BRANCHES;
@@ -453,7 +497,7 @@ void vtkIndirectSenderClusters::MakeBranches(
   {
     Light child = this->MakeLight(children[i], strengths);
     child.Reach = FindReach(child, children[i], limit);
-    MakePatch(child, false);
+    MakePatch(child, radiosity);
     const size_t family = first + i * (perNode + 1);
     all[family] = child;
     if (child.Reach > 0.0)
@@ -464,7 +508,7 @@ void vtkIndirectSenderClusters::MakeBranches(
       for (size_t k = 0; k < leaves.size(); ++k)
       {
         Light leaf = this->MakeLight(leaves[k], strengths);
-        MakePatch(leaf, false);
+        MakePatch(leaf, radiosity);
         blunt += Sum(leaf.DensityArea) * leaf.BluntArea;
         all[family + 1 + k] = leaf;
       }
@@ -497,6 +541,7 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
     divided = divided || cluster.End - cluster.Begin > 1;
   }
   const double limit = divided ? error * FindMeanIrradiance(this->Senders, lights.Tops) : 0.0;
+  std::vector<double> radiosities(lights.Tops.size(), 0.0);
   for (size_t i = 0; i < lights.Tops.size(); ++i)
   {
     Light& light = lights.Tops[i];
@@ -504,7 +549,8 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
     light.Reach = FindReach(light, cluster, limit);
     if (limit > 0.0)
     {
-      MakePatch(light, true);
+      radiosities[i] = Sum(light.DensityArea) / light.Area;
+      MakePatch(light, 0.0);
     }
     light.Normal = limit > 0.0 ? light.Normal : glm::dvec3(this->Senders[cluster.Middle].Normal);
   }
@@ -520,7 +566,8 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
         {
           if (lights.Tops[static_cast<size_t>(i)].Reach > 0.0)
           {
-            this->MakeBranches(static_cast<size_t>(i), strengths, limit, lights.Branches);
+            const auto top = static_cast<size_t>(i);
+            this->MakeBranches(top, radiosities[top], strengths, limit, lights.Branches);
           }
         }
       });

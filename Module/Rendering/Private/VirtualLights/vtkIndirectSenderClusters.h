@@ -125,11 +125,13 @@ private:
   std::vector<Cluster> Divide(size_t begin, size_t end, size_t least, size_t most);
   void DivideAll(const std::vector<double>& weights, int count, bool divides);
   Light MakeLight(const Cluster& cluster, const std::vector<glm::dvec3>& strengths) const;
+  void CloseBowl(
+    const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const;
   void AddLobe(
     const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const;
   static double FindReach(const Light& light, const Cluster& cluster, double limit);
-  void MakeBranches(
-    size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all);
+  void MakeBranches(size_t top, double radiosity, const std::vector<glm::dvec3>& strengths,
+    double limit, std::vector<Light>& all);
 
   std::vector<Sender> Senders;
   std::vector<double> Weights; // of maps

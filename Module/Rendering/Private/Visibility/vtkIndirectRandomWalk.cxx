@@ -260,7 +260,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySur
       if (bounce >= firstBounce)
       {
         vertex.Position = meeting.Position;
-        vertex.Normal = meeting.Normal;
+        vertex.Normal = meeting.FacetNormal;
         vertex.DensityArea = carried;
         vertex.Source = source;
         vertex.Bounce = bounce;
@@ -277,12 +277,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySur
         return;
       }
       carried /= onward;
-      direction = CosineDirection(meeting.Normal, ScrambledPoint(number, dimension + 1u));
-      // What leaves below the facet is hidden by it.
-      if (!(glm::dot(direction, meeting.FacetNormal) > 0.0))
-      {
-        return;
-      }
+      direction = CosineDirection(meeting.FacetNormal, ScrambledPoint(number, dimension + 1u));
       start = meeting.Position + Clearance * meeting.FacetNormal;
       last = meeting.Triangle;
     }
@@ -360,6 +355,31 @@ void vtkIndirectRandomWalk::FindAreas()
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectRandomWalk::FindTail(int lastBounce)
+{
+  int firstBounce = lastBounce;
+  for (const Vertex& vertex : this->Vertices)
+  {
+    firstBounce = std::min(firstBounce, vertex.Bounce);
+  }
+  double all = 0.0;
+  double first = 0.0;
+  double last = 0.0;
+  for (const Vertex& vertex : this->Vertices)
+  {
+    const double light = vertex.DensityArea.x + vertex.DensityArea.y + vertex.DensityArea.z;
+    all += light;
+    first += vertex.Bounce == firstBounce ? light : 0.0;
+    last += vertex.Bounce == lastBounce ? light : 0.0;
+  }
+  // Where nothing is lost there is no end of it; of one bounce nothing is known.
+  const double kept =
+    firstBounce < lastBounce && all > last ? std::min((all - first) / (all - last), 0.999) : 0.0;
+  const double tail = last * kept / (1.0 - kept);
+  this->Tail = all > 0.0 ? tail / (all + tail) : 0.0;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectRandomWalk::Walk(const vtkIndirectRaySurfaces& surfaces,
   const vtkIndirectFrame& frame, const std::vector<Source>& sources, const Settings& settings)
 {
@@ -407,4 +427,5 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectRaySurfaces& surfaces,
     this->NumberOfPaths += paths;
   }
   this->FindAreas();
+  this->FindTail(settings.LastBounce);
 }

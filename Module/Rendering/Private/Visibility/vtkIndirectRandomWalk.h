@@ -42,7 +42,7 @@ public:
   struct Vertex
   {
     glm::dvec3 Position; // scene units
-    glm::dvec3 Normal;   // unit, by which VTK shades
+    glm::dvec3 Normal;   // of the facet, unit: light leaves by it
     double Area;
     glm::dvec3 DensityArea; // B A, of all colours
     int Source;
@@ -65,6 +65,11 @@ public:
 
   const std::vector<Vertex>& GetVertices() const { return this->Vertices; }
   size_t GetNumberOfPaths() const { return this->NumberOfPaths; }
+  /**
+   * The share of all light of the walk's bounces, and of those after its last one, that the latter
+   * have: about, as if each reflected as much of the one before it as the walk's did on the mean.
+   */
+  double GetTail() const { return this->Tail; }
 
 private:
   class Emission;
@@ -73,9 +78,11 @@ private:
   List Trace(const vtkIndirectRaySurfaces& surfaces, const Emission& emission, int source,
     size_t paths, int firstBounce, int lastBounce) const;
   void FindAreas();
+  void FindTail(int lastBounce);
 
   List Vertices;
   size_t NumberOfPaths = 0;
+  double Tail = 0.0;
 };
 
 #endif

@@ -3,7 +3,8 @@
   // VTKI_SPECULAR: the mapper's specular colour and power, of VTK's PBR F0 and minus the roughness; zero where it has
   // none; and VTKI_SPECULAR_SENDER, the same as lights' maps have it.
   {
-    vec3 vtkiAlbedo = max(VTKI_ALBEDO, vec3(0.0f));
+    // VTK clamps the picture, so colours may be anything; no surface reflects more than it gets.
+    vec3 vtkiAlbedo = clamp(VTKI_ALBEDO, vec3(0.0f), vec3(1.0f));
     vec3 vtkiNormal = VTKI_NORMAL;
     vec3 vtkiFacet = VTKI_FACET;
     float vtkiKind = VTKI_KIND;

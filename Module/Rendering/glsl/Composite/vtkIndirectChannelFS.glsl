@@ -3,6 +3,7 @@
 // One channel of the frame as floats, in world units and world coordinates; background 0.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectAlbedo.glsl"
+#include "vtkIndirectBounded.glsl"
 #include "vtkIndirectLibChannel.glsl"
 #include "vtkIndirectLibColor.glsl"
 #include VTKI_GATHER
@@ -53,6 +54,7 @@ void main()
 #ifdef VTKI_AREA
   area = lit ? texelFetch(vtkiArea, pixel, 0).rgb : vec3(0.0f);
 #endif
+  bounce = vtkiBoundBounce(bounce, sky + area);
   vec3 irradiance = bounce + sky + area;
   vec4 specular = vec4(0.0f);
   vec3 glossy = vec3(0.0f);

@@ -9,6 +9,7 @@
 // irradiance is.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectAlbedo.glsl"
+#include "vtkIndirectBounded.glsl"
 #include "vtkIndirectLibColor.glsl"
 #include VTKI_GATHER
 
@@ -60,17 +61,19 @@ void main()
   // Estimators write zero where nothing is lit.
   if (vtkiIndirectScale > 0.0f)
   {
-    vec3 indirect = albedo *
-      vtkiFetchIrradiance(position) * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
+    vec3 bounce = vtkiFetchIrradiance(position) * vtkiIrradianceUnit;
+    vec3 irradiance = vec3(0.0f);
 #ifdef VTKI_SKY
-    indirect += albedo * textureLod(vtkiSky, pixel, 0.0f).rgb * (vtkiIndirectScale * lit.a);
+    irradiance += textureLod(vtkiSky, pixel, 0.0f).rgb;
 #endif
 #ifdef VTKI_SKY_BOUNCE
-    indirect += albedo * textureLod(vtkiSkyBounce, pixel, 0.0f).rgb * (vtkiIndirectScale * lit.a);
+    bounce += textureLod(vtkiSkyBounce, pixel, 0.0f).rgb;
 #endif
 #ifdef VTKI_AREA
-    indirect += albedo * textureLod(vtkiArea, pixel, 0.0f).rgb * (vtkiIndirectScale * lit.a);
+    irradiance += textureLod(vtkiArea, pixel, 0.0f).rgb;
 #endif
+    irradiance += vtkiBoundBounce(bounce, irradiance);
+    vec3 indirect = albedo * irradiance * (vtkiIndirectScale * lit.a);
 #ifdef VTKI_AREA_GLOSSY
     indirect += textureLod(vtkiAreaGlossy, pixel, 0.0f).rgb * (vtkiIndirectScale * lit.a);
 #endif

@@ -59,6 +59,16 @@ float vtkiMapFacetCosine(vec4 map, vec2 slope, vec3 p)
   return max(cosine, max(length(p) * texelSize, VTKI_COSINE_MIN));
 }
 
+// The facet's normal, from the same slope. A surface sends light by it: by shading normals the facets of one side
+// of a sheet would see the other side. Where the slope says nothing it is the shading normal.
+vec3 vtkiMapFacetNormal(vec4 map, vec2 slope, vec3 p, vec3 shading)
+{
+  vec2 tangent = p.z < 0.0f ? p.xy / -p.z : vec2(0.0f);
+  vec3 normal = int(map.x + 0.5f) == VTKI_MAP_PARALLEL ? vec3(slope, 1.0f) : vec3(-slope, 1.0f - dot(slope, tangent));
+  float squared = dot(normal, normal);
+  return squared > 0.0f && squared < 1.0e12f ? normal * inversesqrt(squared) : shading;
+}
+
 // Albedo times the ratio of the cosines at the shading and the facet's normal.
 vec3 vtkiMapReflectance(int layer, ivec2 texel, vec4 map, vec4 surface, vec3 p, float facetCosine)
 {
@@ -111,7 +121,8 @@ bool vtkiVirtualLightFromTexel(int layer, ivec2 texel, out vtkiVirtualLight ligh
   float cosine = vtkiMapFacetCosine(map, slope, p);
   vec3 reflectance = vtkiMapReflectance(layer, texel, map, surface, p, cosine);
   light.position = vtkiTransformRows(layer, VTKI_MAP_TO_SCENE, vec4(p, 1.0f));
-  light.normal = vtkiTransformRows(layer, VTKI_MAP_TO_SCENE, vec4(vtkiSurfaceNormal(surface), 0.0f));
+  light.normal = vtkiTransformRows(
+    layer, VTKI_MAP_TO_SCENE, vec4(vtkiMapFacetNormal(map, slope, p, vtkiSurfaceNormal(surface)), 0.0f));
   light.area = footprint * (parallel ? 1.0f : dot(p, p)) / cosine;
   light.reflected = reflectance * (vtkiMapFalloff(layer, map, p) * footprint);
   light.densityArea = light.reflected * power.rgb;

@@ -133,8 +133,23 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
     // Where some of the pixels show nothing the centre may lie beyond the others' depths, and must
     // still lie on the plane: behind it is what lights the other side.
     // (Depths of a parallel projection may be negative.)
-    depth = vtkiPlaneDepth(normal, position, origin, direction, min(0.5f * nearest, 2.0f * nearest),
-      max(0.5f * farthest, 2.0f * farthest));
+    float lower = min(0.5f * nearest, 2.0f * nearest);
+    float upper = max(0.5f * farthest, 2.0f * farthest);
+    depth = vtkiPlaneDepth(normal, position, origin, direction, lower, upper);
+    // The mean of places on a curved surface lies behind that, too: a sample stands before all children, and before
+    // their tangent planes where these meet its ray.
+    vec3 middle = origin + depth * direction;
+    float before = dot(normal, children.position[first] - middle);
+    for (int i = 0; i < 4; ++i)
+    {
+      if (children.present[i])
+      {
+        vec3 way = children.position[i] - middle;
+        float tangent = dot(children.normal[i], way) / max(dot(children.normal[i], normal), 0.5f);
+        before = max(before, max(dot(normal, way), tangent));
+      }
+    }
+    depth = vtkiPlaneDepth(normal, middle + before * normal, origin, direction, lower, upper);
   }
   float state = VTKI_SUBSPLAT_WHOLE;
   if (mixed || everywhere || forced || children.split)

@@ -45,7 +45,7 @@ float vtkiGlossyWeight(
   float mirrored = r > 0.0f ? min(dot(mirror, toSender) / r, 1.0f) : 0.0f;
   bool sees = mirrored > 0.0f && dot(normalR, toSender) > 0.0f;
   float lobe = sees ? pow(mirrored, power) : 0.0f;
-  return vtkiMeanLightStrength(toSender, normalS, area) * r * lobe;
+  return vtkiMeanLightStrength(toSender, normalS, normalR, area) * r * lobe;
 }
 
 /* Where a light is against the horizon of a patch of surface: 1 above all of it, -1 below, where it has

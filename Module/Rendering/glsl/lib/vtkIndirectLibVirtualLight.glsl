@@ -30,29 +30,50 @@ float vtkiVirtualLightStrength(vec3 toSender, vec3 normalS, float area)
   return denominator > 0.0f ? projectedS / denominator : 0.0f;
 }
 
-/* What normals of this mean add to a squared cosine's place below: 2 / pi times the variance along one direction,
- * which is half of what a mean of length less than one leaves; of that, what rounding leaves is nothing. */
+/* Square of the half width over which cosines spread where normals have this mean: three times their variance along one
+ * direction, which is half of what a mean of length less than one leaves; of that, what rounding leaves is nothing. */
 float vtkiSpreadOfNormals(vec3 mean)
 {
-  return max(1.0f - dot(mean, mean) - 1.0e-4f, 0.0f) / VTKI_PI;
+  return 1.5f * max(1.0f - dot(mean, mean) - 1.0e-4f, 0.0f);
+}
+
+/* The mean of max(cosine, 0) over cosines that are evenly spread about one of them. Lengths may stand for cosines. */
+float vtkiMeanOfSpread(float projected, float halfWidth)
+{
+  float within = max(halfWidth - abs(projected), 0.0f);
+  return max(projected, 0.0f) + within * within / (4.0f * max(halfWidth, 1.0e-30f));
 }
 
 /* The mean of max(dot(normal, -toSender), 0) over normals whose mean is normalS: exact where all are alike, and where
- * cosines are normally distributed about zero; in between it is too large, by a tenth of their spread at most.
- * toSender as above, r2 its square. */
+ * cosines are evenly spread, as on a bent patch. Behind all of these nothing arrives. toSender as above, r2 its
+ * square. */
 float vtkiMeanProjection(vec3 toSender, vec3 normalS, float r2)
 {
-  float projected = -dot(normalS, toSender);
-  return 0.5f * (projected + sqrt(projected * projected + vtkiSpreadOfNormals(normalS) * r2));
+  return vtkiMeanOfSpread(-dot(normalS, toSender), sqrt(vtkiSpreadOfNormals(normalS) * r2));
+}
+
+/* How much of the spread counts to a receiver: none where that faces the sender, since one that a surface is seen by
+ * behind its mean plane and faces it is the other side of the same sheet. */
+float vtkiShareOfSpread(vec3 normalS, vec3 normalR)
+{
+  return min(max(1.0f + 2.0f * dot(normalS, normalR), 0.0f), 1.0f);
 }
 
 /* vtkiVirtualLightStrength of a light that stands for surfaces whose mean normal is normalS. */
-float vtkiMeanLightStrength(vec3 toSender, vec3 normalS, float area)
+float vtkiMeanLightStrength(vec3 toSender, vec3 normalS, vec3 normalR, float area)
 {
   float r2 = dot(toSender, toSender);
+  float halfWidth = vtkiShareOfSpread(normalS, normalR) * sqrt(vtkiSpreadOfNormals(normalS) * r2);
   float denominator = r2 * (VTKI_PI * r2 + area);
-  return denominator > 0.0f ? vtkiMeanProjection(toSender, normalS, r2) / denominator : 0.0f;
+  return denominator > 0.0f ? vtkiMeanOfSpread(-dot(normalS, toSender), halfWidth) / denominator : 0.0f;
 }
+
+/* What faces a flat patch gets 9.8 times at most. */
+const float VTKI_PATCH_RISE = 16.0f;
+
+/* Sine of the angle between a receiver's normal and its facet's: facets that stand for curved surfaces meet at less
+ * than 16 degrees. */
+const float VTKI_PATCH_FACET = 0.14f;
 
 /* A light that stands for a patch of a surface, to receivers that may be near to it. */
 struct vtkiPatchLight
@@ -76,17 +97,20 @@ struct vtkiPatchLight
  * the same in the first order.
  *   Nothing arrives behind the patch: so that this is no step, it is blunt from a tenth of b on. Receivers that do not
  * face it, as pixels on a crease, see it so from a thousandth on; those that do may be the other side of a thin sheet.
- * Where normals differ some light arrives behind it too (too bright there). */
+ * Where normals differ receivers that do not face it get light behind it, too. A patch whose middle lies behind the
+ * receiver gives nothing, and one just before it no more than VTKI_PATCH_RISE times what its height over the receiver
+ * alone would: the back of a bowl is before its mean plane. To receivers that face it this is the height over their
+ * facet, which may look the other way than they do: too dark by the square of VTKI_PATCH_FACET between two planes. */
 vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float bluntArea)
 {
   float r2 = dot(toSender, toSender);
-  float height = vtkiMeanProjection(toSender, normalS, r2);
+  float across = vtkiShareOfSpread(normalS, normalR);
+  float towards = -dot(normalS, toSender);
+  float height = vtkiMeanOfSpread(towards, across * sqrt(vtkiSpreadOfNormals(normalS) * r2));
   float height2 = height * height;
   float added2 = bluntArea * bluntArea / max(bluntArea + height2, 1.0e-30f);
   float blunt2 = height2 + added2;
-  float across = min(max(1.0f + 2.0f * dot(normalS, normalR), 0.0f), 1.0f);
-  float before = max(-dot(normalS, toSender), 0.0f);
-  float depth = min(sqrt(blunt2) - height, 10.0f * height + across * (1000.0f * before));
+  float depth = min(sqrt(blunt2) - height, 10.0f * height + across * (1000.0f * max(towards, 0.0f)));
   float over = 1.0f / max(r2 + added2, 1.0e-18f);
   float v = area / 3.0f * over;
   float t = v * over * blunt2;
@@ -95,6 +119,10 @@ vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, flo
   vtkiPatchLight light;
   light.toPlace = along * (1.0f + v) * toSender - (v * along * height + (1.0f + 2.0f * v) * core * depth) * normalS;
   light.strength = over * over / (VTKI_PI * (1.0f + t) * (1.0f + 2.0f * t));
+  float given = dot(normalR, light.toPlace);
+  float lift = dot(normalR, toSender) - VTKI_PATCH_FACET * (1.0f - across) * sqrt(r2);
+  float most = VTKI_PATCH_RISE * along * max(lift, 0.0f);
+  light.strength *= given > most ? most / given : 1.0f;
   return light;
 }
 
