@@ -8,6 +8,8 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 vtkStandardNewMacro(vtkAreaLight);
 
@@ -59,6 +61,50 @@ double vtkAreaLight::GetArea() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkAreaLight::ShinesInto(const double center[3], double size)
+{
+  if (!this->Switch)
+  {
+    return false;
+  }
+  const glm::dvec3 middle(center[0], center[1], center[2]);
+  const glm::dvec3 origin(this->Origin[0], this->Origin[1], this->Origin[2]);
+  const glm::dvec3 point1(this->Point1[0], this->Point1[1], this->Point1[2]);
+  const glm::dvec3 point2(this->Point2[0], this->Point2[1], this->Point2[2]);
+  const glm::dvec3 farthest = glm::max(
+    glm::abs(origin - middle), glm::max(glm::abs(point1 - middle), glm::abs(point2 - middle)));
+  const double shortest = std::min(glm::length(point1 - origin), glm::length(point2 - origin));
+  std::string why;
+  // Beyond these floats do not hold the squares of areas and the fourth powers of distances.
+  if (!std::isfinite(glm::dot(farthest, glm::dvec3(1.0))))
+  {
+    why = "a corner is not finite";
+  }
+  else if (std::max({ farthest.x, farthest.y, farthest.z }) > 1e9 * size)
+  {
+    why = "a corner is farther away than a thousand million times the size of the scene";
+  }
+  else if (!(this->GetArea() > 0.0))
+  {
+    return false;
+  }
+  else if (shortest < 1e-9 * size)
+  {
+    why = "an edge is shorter than a thousand millionth of the size of the scene";
+  }
+  const vtkMTimeType time = this->GetMTime();
+  if (!why.empty() && this->FaultTime != time)
+  {
+    vtkErrorMacro("The area light with its corner at (" << origin.x << ", " << origin.y << ", "
+                                                        << origin.z << ") is off: " << why << ".");
+    this->FaultTime = time;
+  }
+  int columns;
+  int rows;
+  return why.empty() && !this->GetRadiances(columns, rows).empty();
+}
+
+//------------------------------------------------------------------------------
 void vtkAreaLight::GetMeanRadiance(double radiance[3])
 {
   int columns;
@@ -80,12 +126,23 @@ const std::vector<float>& vtkAreaLight::GetRadiances(int& columns, int& rows)
     std::fill(this->Mean, this->Mean + 3, 0.0);
     if (image && !vtkIndirectRadianceImage::CanRead(image))
     {
-      vtkErrorMacro("The area light's image is not used: it must be of one slice, with point "
-                    "scalars. The light is off.");
+      vtkErrorMacro("The area light's image is not used: it must be of one slice, with a scalar "
+                    "for each point. The light is off.");
     }
     else
     {
       this->ReadRadiances();
+    }
+    if (!std::all_of(this->Radiances.begin(), this->Radiances.end(),
+          [](float value) { return value <= vtkIndirectRadianceImage::MostRadiance; }))
+    {
+      vtkErrorMacro("The area light's radiance is not used: with its scale it is beyond "
+        << vtkIndirectRadianceImage::MostRadiance << ". The light is off.");
+      this->Radiances.clear();
+      this->Columns = this->Rows = 0;
+    }
+    if (!this->Radiances.empty())
+    {
       for (size_t i = 0; i < this->Radiances.size(); ++i)
       {
         this->Mean[i % 3] += this->Radiances[i];

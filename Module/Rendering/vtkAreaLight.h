@@ -97,6 +97,14 @@ public:
    * at Origin first. Without an image there is one. Empty after an error.
    */
   const std::vector<float>& GetRadiances(int& columns, int& rows); // three floats each
+
+  /**
+   * Whether it is on and can be computed with in a scene of this centre and size: its corners are
+   * finite and no farther away than 1e9 sizes, its edges no shorter than 1e-9 of them, and its
+   * radiance can be read. Otherwise one error says why, until the light changes; a light without
+   * area is off without a word.
+   */
+  bool ShinesInto(const double center[3], double size);
 #endif
 
 protected:
@@ -121,6 +129,7 @@ private:
   int Columns = 0;
   int Rows = 0;
   vtkMTimeType RadiancesTime = 0; // of what they were read from
+  vtkMTimeType FaultTime = 0;     // when an error said why it is off
 };
 
 #endif

@@ -7,6 +7,7 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
 
 vtkStandardNewMacro(vtkAreaLightSampler);
 
@@ -93,7 +94,7 @@ bool vtkAreaLightSampler::Update(const Input& input)
   std::vector<vtkIndirectAreaClusters::Emitter> emitters;
   for (const auto& light : this->Lights)
   {
-    if (!light->GetSwitch())
+    if (!light->ShinesInto(glm::value_ptr(frame.SceneCenter), 1.0 / frame.SceneScale))
     {
       continue;
     }

@@ -6,7 +6,8 @@
  * Values are radiances in VTK's units: a surface that sees one radiance in all of its hemisphere
  * has the irradiance E = radiance. Images of bytes are divided by 255; with Encoded on, or where a
  * texture says so, values are decoded. Values that are negative or not finite count as zero, and
- * one warning tells how many there were.
+ * one warning tells how many there were. An image of fewer scalars than points, or radiances beyond
+ * 1e18, are one error, and no light.
  *
  * @sa vtkEnvironmentLight vtkAreaLight
  */

@@ -66,8 +66,13 @@ void vtkEnvironmentLight::PrintSelf(ostream& os, vtkIndent indent)
 void vtkEnvironmentLight::GetRadianceFrom(const double direction[3], double radiance[3])
 {
   glm::dvec3 result(this->Radiance[0], this->Radiance[1], this->Radiance[2]);
-  vtkImageData* image = this->FindImage();
-  if (image && vtkIndirectRadianceImage::CanRead(image))
+  if (this->GetCells().empty())
+  {
+    // The image cannot be read, which was said, or nothing sends light.
+    std::fill(radiance, radiance + 3, 0.0);
+    return;
+  }
+  if (vtkImageData* image = this->FindImage())
   {
     vtkIndirectRadianceImage pixels(image, this->IsEncoded());
     const glm::dvec3 d = glm::transpose(MakeFrame(this->Up, this->Right)) *
@@ -96,11 +101,23 @@ const std::vector<vtkEnvironmentLight::Cell>& vtkEnvironmentLight::GetCells()
   this->Cells.clear();
   if (image && !vtkIndirectRadianceImage::CanRead(image))
   {
-    vtkErrorMacro("The environment's image is not used: it must be of one slice, with point "
-                  "scalars. No light comes from it.");
+    vtkErrorMacro("The environment's image is not used: it must be of one slice, with a scalar "
+                  "for each point. No light comes from it.");
     return this->Cells;
   }
   this->MakeCells();
+  const bool bounded = std::all_of(this->Cells.begin(), this->Cells.end(),
+    [](const Cell& cell)
+    {
+      return std::max({ cell.Light[0], cell.Light[1], cell.Light[2] }) <=
+        vtkIndirectRadianceImage::MostRadiance;
+    });
+  if (!bounded)
+  {
+    vtkErrorMacro("The environment's radiance is not used: with its scale it is beyond "
+      << vtkIndirectRadianceImage::MostRadiance << ". No light comes from it.");
+    this->Cells.clear();
+  }
   return this->Cells;
 }
 

@@ -197,9 +197,10 @@ void vtkIndirectIlluminationPass::BorrowEstimator(vtkIndirectEstimatorPass* esti
 //------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::AddSampler(vtkVirtualLightSampler* sampler)
 {
-  if (sampler)
+  auto& samplers = this->Internal->Pipeline.Samplers.Others;
+  if (sampler && std::find(samplers.begin(), samplers.end(), sampler) == samplers.end())
   {
-    this->Internal->Pipeline.Samplers.Others.emplace_back(sampler);
+    samplers.emplace_back(sampler);
     this->Modified();
   }
 }

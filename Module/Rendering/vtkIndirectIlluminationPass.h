@@ -376,7 +376,8 @@ public:
   ///@{
   /**
    * Further samplers, whose virtual lights are summed besides those of the frame's sampler: a frame
-   * with one needs no vtkLight. For passes that bring light of their own.
+   * with one needs no vtkLight. For passes that bring light of their own. One that is there already
+   * is not added again.
    */
   void AddSampler(vtkVirtualLightSampler* sampler);
   void RemoveSampler(vtkVirtualLightSampler* sampler);
@@ -391,7 +392,7 @@ public:
    * vtkMeshSimplificationFilter::GetMaximumDistance gives it. The picture and lights' own maps
    * always have the mesh itself, and so has an actor with textures, clipping planes or shaders of
    * its own. Levels go when the input of the actor's mapper, or its points or cells, change. The
-   * level is copied; it has triangles alone. In a map it lies behind what it stands for by its
+   * level is copied; it has triangles alone; one that is added again takes its own place. In a map it lies behind what it stands for by its
    * distance, so that nothing hides itself; what it hides within twice that is left bright.
    */
   void AddCoarseLevel(vtkProp* actor, vtkPolyData* level, double error);

@@ -46,6 +46,24 @@ const vtkIndirectChannel Channels[] = {
 constexpr int SlopeChannel = 2;
 constexpr int ChannelsOfDiffuse = 3;
 
+// Of all maps together, texels, of about 40 bytes with shadows: 1.3 GB. A light that is alone has
+// what the user asks for.
+constexpr double MostTexelsOfAll = 32.0 * 1024.0 * 1024.0;
+constexpr int MostFacesOfLight = 6;
+constexpr int LeastTexels = 16;
+
+// As many as are asked for, or a half, a quarter and so on where there are many layers.
+int FindTexels(int resolution, int layers)
+{
+  int texels = resolution;
+  while (layers > MostFacesOfLight && texels / 2 >= LeastTexels &&
+    1.0 * layers * texels * texels > MostTexelsOfAll)
+  {
+    texels /= 2;
+  }
+  return texels;
+}
+
 struct CasterKey
 {
   vtkProp* Prop;
@@ -136,7 +154,20 @@ void vtkReflectiveShadowMapPass::AddToReport(vtkIndirectReport& report) const
     const vtkIndirectLightMap& map = this->GetMap(i);
     report.Modelled.emplace_back("light " + std::to_string(map.Light.Index),
       std::string(names[map.Projection]) + ", " + std::to_string(map.NumberOfFaces) + " of " +
-        std::to_string(this->Resolution) + " texels squared");
+        std::to_string(this->GetTexels()) + " texels squared");
+  }
+  if (this->GetTexels() < this->Resolution)
+  {
+    report.LeftOut.emplace_back("light maps of " + std::to_string(this->Resolution) + " texels",
+      "for " + std::to_string(this->GetNumberOfLayers()) + " of them there is no memory; they have " +
+        std::to_string(this->GetTexels()));
+  }
+  if (this->LightsTooMany > 0)
+  {
+    report.LeftOut.emplace_back("shadows and indirect light of " +
+        std::to_string(this->LightsTooMany) + " lights",
+      "this OpenGL holds no more than " + std::to_string(this->GetNumberOfLayers()) +
+        " faces of light maps");
   }
 }
 
@@ -165,6 +196,9 @@ bool vtkReflectiveShadowMapPass::Update(
   Internals& in = *this->Internal;
   in.NumberOfMaps = 0;
   in.NumberOfLayers = 0;
+  int mostLayers = 0;
+  frame.Window->GetState()->vtkglGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &mostLayers);
+  int tooMany = 0;
   for (const int index : plan.MapLights)
   {
     const vtkIndirectLight& light = frame.Lights[index];
@@ -172,11 +206,24 @@ bool vtkReflectiveShadowMapPass::Update(
     {
       in.Maps.emplace_back(new vtkIndirectLightMap);
     }
-    vtkIndirectLightMap& map = *in.Maps[in.NumberOfMaps++];
+    vtkIndirectLightMap& map = *in.Maps[in.NumberOfMaps];
     map.Fit(frame, light);
+    if (in.NumberOfLayers + map.NumberOfFaces > mostLayers)
+    {
+      ++tooMany;
+      continue;
+    }
+    ++in.NumberOfMaps;
     map.FirstLayer = in.NumberOfLayers;
     in.NumberOfLayers += map.NumberOfFaces;
   }
+  if (tooMany != this->LightsTooMany && tooMany > 0)
+  {
+    vtkErrorMacro(<< tooMany << " light(s) have no map, and cast neither shadows nor indirect "
+                  << "light: this OpenGL holds " << mostLayers << " faces of maps.");
+  }
+  this->LightsTooMany = tooMany;
+  this->Texels = FindTexels(this->Resolution, in.NumberOfLayers);
   if (in.NumberOfMaps == 0)
   {
     return true;
@@ -190,7 +237,7 @@ bool vtkReflectiveShadowMapPass::Update(
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   bool lost = false;
   in.Target.SetNumberOfChannels(ChannelsOfDiffuse + (this->Specular ? 1 : 0));
-  if (!in.Target.Resize(frame.Window, this->Resolution, in.NumberOfLayers, lost))
+  if (!in.Target.Resize(frame.Window, this->Texels, in.NumberOfLayers, lost))
   {
     in.NumberOfMaps = in.NumberOfLayers = 0;
     return false;
@@ -213,7 +260,7 @@ bool vtkReflectiveShadowMapPass::Update(
       key.Map = mapKey;
       for (const vtkIndirectCaster& caster : frame.Casters)
       {
-        if (map.CanHold(face, caster.Bounds, this->Resolution))
+        if (map.CanHold(face, caster.Bounds, this->Texels))
         {
           key.Casters.push_back({ caster.Prop, caster.RedrawMTime, caster.SendsLight });
         }
@@ -249,7 +296,7 @@ void vtkReflectiveShadowMapPass::DrawFace(
   vtkCamera*& active = vtkIndirectRendererAccess::Camera(frame.Renderer);
   vtkCamera* const eye = active;
   active = map.GetCamera(face, frame.Parallel);
-  capture->BeginMap(frame, map.GetView(this->Resolution));
+  capture->BeginMap(frame, map.GetView(this->Texels));
   for (const CasterKey& caster : in.Faces[map.FirstLayer + face].Casters)
   {
     capture->BeginCaster(caster.SendsLight);
@@ -287,7 +334,7 @@ void vtkReflectiveShadowMapPass::UpdateTable(const vtkIndirectFrame& frame)
       const double s = frame.SceneScale;
       const bool cone = light.Positional && light.ConeAngle < 90.0;
       row[VTKI_MAP_SHAPE] =
-        glm::vec4(map.Projection, map.HalfWidth, this->Resolution, light.Exponent);
+        glm::vec4(map.Projection, map.HalfWidth, this->Texels, light.Exponent);
       row[VTKI_MAP_LIGHT] = glm::vec4(glm::vec3(light.Color), light.Index);
       // Distances reach the shader in scene units: c + l (d'/s) + q (d'/s)^2.
       row[VTKI_MAP_FALLOFF] =
@@ -380,10 +427,10 @@ vtkIndirectShadowMaps vtkReflectiveShadowMapPass::ActivateShadows(vtkOpenGLRende
   {
     shadows.Maps.push_back(in.Maps[i]->GetShadowMap());
   }
-  shadows.Texels = this->Resolution;
+  shadows.Texels = this->Texels;
   const bool updated =
     in.Rows.Update(window, in.Target.ActivateShadow(), in.Target.Activate(SlopeChannel),
-      this->Resolution, in.Target.GetLayers());
+      this->Texels, in.Target.GetLayers());
   in.Target.Deactivate();
   shadows.Unit = updated ? in.Rows.Activate() : -1;
   return shadows;

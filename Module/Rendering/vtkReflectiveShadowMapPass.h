@@ -89,10 +89,10 @@ public:
   {
     return this->NumberOfFacesDrawn;
   }
-  /** Texels along an edge: Resolution. */
+  /** Texels along an edge in the last frame: Resolution, or less where lights are many. */
   int GetTexels() const
   {
-    return this->Resolution;
+    return this->Texels > 0 ? this->Texels : this->Resolution;
   }
   int GetNumberOfLayers() const;
   /** Grows whenever the content of a map, or the table below, has changed. */
@@ -117,6 +117,8 @@ protected:
   ~vtkReflectiveShadowMapPass() override;
 
   int Resolution = 512;
+  int Texels = 0;         // of the last frame
+  int LightsTooMany = 0;  // of the last frame, which have no map
   bool Specular = false;
   vtkIdType NumberOfFacesDrawn = 0;
   vtkTimeStamp ContentTime;

@@ -3,7 +3,8 @@
 #ifndef BlockersMaps_h
 #define BlockersMaps_h
 
-#include "BlockersScene.h" // for places
+#include "BlockersScene.h"                  // for places
+#include "Visibility/vtkIndirectDepthTile.h" // for tiles
 
 #include <glm/glm.hpp> // for vectors
 #include <vector>      // for texels
@@ -11,7 +12,8 @@
 class BlockersMaps
 {
 public:
-  static constexpr int Texels = 128; // along an edge of a map, as in the library
+  static constexpr int Texels = 128; // across a map, as in the library
+  static constexpr int Rows = 160;   // with the strips
 
   void Draw(const BlockersScene& scene);
   /** The look-up of vtkIndirectDepthTiles.glsl, by the same kernels. */
@@ -20,17 +22,12 @@ public:
   std::vector<float> GetAtlas(int columns) const;
 
 private:
-  struct Tile
-  {
-    glm::vec3 Right;
-    glm::vec3 Up;
-    glm::vec3 Axis;
-    glm::vec3 Place;
-  };
+  static void DrawMesh(
+    const BlockersScene& scene, const vtkIndirectDepthTile& tile, int number, float* texels);
+  static void DrawSpheres(
+    const BlockersScene& scene, const vtkIndirectDepthTile& tile, int number, float* texels);
 
-  void DrawSpheres(const BlockersScene& scene, const Tile& tile, float* texels) const;
-
-  std::vector<Tile> Tiles;
+  std::vector<vtkIndirectDepthTile> Tiles;
   std::vector<float> Inverse; // of the depth, by tile
 };
 

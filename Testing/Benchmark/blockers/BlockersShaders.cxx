@@ -104,7 +104,7 @@ void MeasureShaders(const std::string& name, const BlockersScene& scene,
   const auto lightTexture = Upload(window, lights, count, 2, 4);
   const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
   const auto mapTexture = Upload(window, maps.GetAtlas(columns), columns * BlockersMaps::Texels,
-    columns * BlockersMaps::Texels, 1);
+    columns * BlockersMaps::Rows, 1);
 
   vtkIndirectTarget target(Channels, false);
   target.Resize(window, Edge, Edge);

@@ -154,6 +154,32 @@ VTK_INDIRECT_TEST(AreaShadowsOfBoxes)
   }
 }
 
+// A lamp that is turned so far away from a box that both the box and the ground behind it see the
+// lamp from 75 to 89 degrees off its normal.
+VTK_INDIRECT_TEST(AreaShadowsAtGrazingAngles)
+{
+  for (const double degrees : { 60.0, 75.0, 80.0, 85.0, 89.0 })
+  {
+    ShadowScene scene(2.0);
+    const glm::dvec3 middle(-2.0, 0.0, 2.5);
+    const glm::dvec3 way = glm::normalize(glm::dvec3(0.0, 0.0, 0.2) - middle);
+    const glm::dvec3 across(0.0, 1.0, 0.0);
+    const glm::dvec3 above = glm::cross(way, across);
+    const double angle = glm::radians(degrees);
+    const glm::dvec3 up = std::cos(angle) * above - std::sin(angle) * way;
+    // Its normal is up to the side of the box: cos(angle) way + sin(angle) above.
+    const double edge = 0.6;
+    const glm::dvec3 normal = std::cos(angle) * way + std::sin(angle) * above;
+    const glm::dvec3 other = glm::cross(normal, up);
+    scene.AddLamp({ middle - 0.5 * edge * (up + other), edge * up, edge * other, 50.0 });
+    scene.AddOccluder({ -0.3, -0.3, 0.0 }, { 0.1, 0.3, 0.6 });
+    scene.Finish();
+    CompareLight(
+      scene, "area", OnFloor, [&](const auto& r) { return scene.Sum(r); },
+      { 5e-3, 0.03, "1024 points" }, std::to_string(static_cast<int>(degrees)) + " degrees");
+  }
+}
+
 // A small bright lamp far away and a large dim one that is near give about the same; each one's
 // shadow has the other's light, in frames that stand still and in moving ones.
 VTK_INDIRECT_TEST(AreaShadowsOfUnlikeLamps)

@@ -270,7 +270,7 @@ VTK_INDIRECT_TEST(MapTexelCenters)
             center.y <= upper.y);
       }
     }
-    const bool keeps = vtkIndirectFootprint::HasTexelCenter(lower, upper, texels);
+    const bool keeps = vtkIndirectFootprint::HasTexelCenter(lower, upper, glm::dvec2(texels));
     missed += holds && !keeps;
     held += holds;
     kept += keeps;

@@ -128,6 +128,39 @@ VTK_INDIRECT_TEST(DepthMapsMakePenumbrae)
   CheckAbsolute("where the penumbra lies, over its width", shift / whole, 0.0, 0.02, "as before");
 }
 
+// A lit place on a ground, a wall that sees it from beyond 72 degrees off its normal, and between
+// them a sheet that hides it from parts of the wall.
+VTK_INDIRECT_TEST(DepthMapsReachTheHorizon)
+{
+  Scene scene(64, 48);
+  scene.AddQuad({ -0.4, -0.4, 0 }, { 0.4, -0.4, 0 }, { -0.4, 0.4, 0 }, White);
+  scene.AddQuad({ 1.4, -0.6, -0.05 }, { 1.4, 0.6, -0.05 }, { 1.4, -0.6, 0.4 }, White);
+  scene.AddQuad({ 0.8, -0.25, 0.03 }, { 0.8, 0.15, 0.03 }, { 0.8, -0.25, 0.12 }, White);
+  scene.AddSpot({ 0, 0, 3 }, { 0, 0, 0 }, 4.0, 0.0, { 1, 1, 0 });
+  scene.Sampler->SetNumberOfLights(256);
+  scene.SetEye({ 0.9, 0, 0.18 }, { 1.4, 0, 0.18 }, { 0, 0, 1 }, 50, 0.01, 10);
+  vtkNew<vtkRSMReferencePass> reference;
+  reference->SetModeToVirtualLights();
+  scene.Pass->SetEstimator(reference);
+  scene.Render();
+  const Image open = scene.Copy("irradiance");
+  reference->SetVisibilityToExact();
+  scene.Render();
+  const Image exact = scene.Copy("irradiance");
+  const Image normal = scene.Copy("normal");
+  const double without = FindRelativeError(open, exact, normal);
+  CheckAtLeast("RMS error of no visibility over the mean", without, 0.2, "the test's own power");
+  scene.Gather->SetModeToVirtualLights();
+  scene.Gather->InterpolationOff();
+  scene.Pass->SetEstimator(scene.Gather);
+  scene.Pass->SetVisibilityToMaps();
+  scene.Render();
+  const Image gathered = scene.Copy("irradiance");
+  CheckAtMost("that of maps over it", FindRelativeError(gathered, exact, normal) / without, 0.15,
+    "one tap a light, texels of 1.2 degrees");
+  CheckRelative("mean with maps", gathered.Mean(), exact.Mean(), 0.02, "to either side");
+}
+
 // A ball on a lit ground: whatever of the ground is above the horizon of a place on it is seen from
 // there, at grazing angles too, as that of a wall that leans over the ground is down to its foot.
 VTK_INDIRECT_TEST(DepthMapsUnderABall)

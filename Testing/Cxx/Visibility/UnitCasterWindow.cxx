@@ -96,7 +96,7 @@ VTK_INDIRECT_TEST(CasterWindowFits)
   Check("it is new", window.Update(MakeFrame(actors), lamp), "there was none");
   Check("and stays", !window.Update(MakeFrame(actors), lamp), "nothing has changed");
   vtkIndirectDepthTile tile = vtkIndirectDepthTile::FromPlace({ 0, 0, 2 }, { 0, 0, -1 });
-  window.Fit(tile);
+  window.Fit({ &tile });
   // The top of the box is the nearest: 1.5 away; 0.1 and 0.4 to the sides.
   const glm::dvec3 across = tile.Right * tile.HalfWidth.x + tile.Up * tile.HalfWidth.y;
   CheckRelative("half its width", std::abs(across.x), 0.1 / 1.5, 0.03, "a margin");
@@ -110,6 +110,38 @@ VTK_INDIRECT_TEST(CasterWindowFits)
   Check("something below the table changes it", window.Update(MakeFrame(actors), lamp),
     "the table hides that");
   vtkIndirectDepthTile whole = vtkIndirectDepthTile::FromPlace({ 0, 0, 2 }, { 0, 0, -1 });
-  window.Fit(whole);
+  window.Fit({ &whole });
   CheckAtLeast("then it holds the table", whole.HalfWidth.x, 2.4, "half of 10 over 2");
+}
+
+// A lamp that a box sees at 85 degrees from its normal, and from a place beside it at 50: the box
+// is in a strip of both together, and in the view ahead of the second one.
+VTK_INDIRECT_TEST(CasterWindowFitsStrips)
+{
+  const double far[6] = { 5.9, 6.1, -0.2, 0.2, -0.6, -0.4 };
+  const std::vector<vtkSmartPointer<vtkActor>> actors = { MakeBox(far) };
+  vtkIndirectCasterWindow window;
+  window.Update(MakeFrame(actors), { { 0, 0, 0 }, { 5.5, 0, 0 } });
+  vtkIndirectDepthTile first = vtkIndirectDepthTile::FromPlace({ 0, 0, 0 }, { 0, 0, -1 });
+  vtkIndirectDepthTile second = vtkIndirectDepthTile::FromPlace({ 5.5, 0, 0 }, { 0, 0, -1 });
+  window.Fit({ &first, &second });
+  int strips = 0;
+  for (int k = 1; k < vtkIndirectDepthTile::NumberOfViews; ++k)
+  {
+    const vtkIndirectDepthTile view = first.GetView(k);
+    if (view.HalfWidth.x > 0.0)
+    {
+      ++strips;
+      Check("the strip looks to the box", view.Forward.x > 0.99);
+      CheckAtMost("it holds the box alone: its width", view.HalfWidth.x, 0.2 / 5.9 * 1.1, "a margin");
+      CheckAtLeast("and its width", view.HalfWidth.x, 0.2 / 5.9, "all of it");
+      CheckAtLeast("its upper end", view.Middle.y + view.HalfWidth.y, 0.6 / 5.9, "all of it");
+      CheckAtMost("its lower end", view.Middle.y - view.HalfWidth.y, 0.4 / 6.1, "all of it");
+      CheckAtMost("it begins before the box", view.Near, 5.9, "what hides is drawn");
+    }
+  }
+  CheckEqual("strips that hold something", strips, 1);
+  Check("of both places one", first.Strips == second.Strips);
+  CheckAtLeast("the second place sees the box ahead", second.HalfWidth.x + second.HalfWidth.y, 0.2,
+    "half of 0.6 and of 0.2 over half a unit");
 }

@@ -66,12 +66,12 @@ VTK_INDIRECT_TEST(DepthTileDepths)
   CheckAtMost("depths come back from the buffer", worst, 1.3e-4, "steps of a float times 2048");
 }
 
-// A receiver is seen where what is stored is not nearer than its plane there, or than itself:
-// nearer to the emitter's horizon than the tile reaches, than its distance to the side; in doubles.
+// A receiver is seen where what is stored is not nearer than its plane there, or than itself, in
+// doubles.
 VTK_INDIRECT_TEST(DepthTilePlanes)
 {
   Random random(11);
-  int counts[2][2][2] = {}; // inside the tile's border, in front of the plane, seen
+  int counts[2][2] = {}; // in front of the plane, seen
   int wrong = 0;
   for (int i = 0; i < 40000; ++i)
   {
@@ -80,37 +80,101 @@ VTK_INDIRECT_TEST(DepthTilePlanes)
     const glm::dvec3 ray(random.Next(-3.0, 3.0), random.Next(-3.0, 3.0), 1.0);
     const double bias = random.Next(0.0, 0.02);
     const double stored = random.Next(0.01, 1.0);
-    const double border = std::max(std::abs(p.x), std::abs(p.y)) / VTKI_TILE_TANGENT;
     const double facing = glm::dot(n, p);
     const double along = glm::dot(n, ray);
-    const bool inside = p.z >= border;
     const bool plane = facing < 0.0 && along < 0.0;
-    const double held = std::max(p.z, border);
     const double onPlane = plane ? facing / along : 0.0;
     const double nearer =
-      bias * std::max(held, plane ? std::min(held / -along, 2.0 * onPlane) : 0.0);
-    const double mine =
-      std::min((1.0 - (inside ? bias : VTKI_TILE_BORDER)) * held, plane ? onPlane - nearer : held);
+      bias * std::max(p.z, plane ? std::min(p.z / -along, 2.0 * onPlane) : 0.0);
+    const double mine = std::min((1.0 - bias) * p.z, plane ? onPlane - nearer : p.z);
     const bool expected = p.z <= VTKI_TILE_NEAR || stored >= mine;
-    ++counts[inside ? 1 : 0][plane ? 1 : 0][expected ? 1 : 0];
+    ++counts[plane ? 1 : 0][expected ? 1 : 0];
     const bool found = vtkiIsSeenInPerspectiveTile(static_cast<float>(1.0 / stored),
-      static_cast<float>(p.z), static_cast<float>(border), static_cast<float>(facing),
-      static_cast<float>(along), static_cast<float>(bias));
+      static_cast<float>(p.z), static_cast<float>(facing), static_cast<float>(along),
+      static_cast<float>(bias));
     // Where a float may round to either side it does not count.
     wrong += found != expected && std::abs(stored - mine) > 1e-5 && std::abs(facing) > 1e-5 &&
         std::abs(along) > 1e-5
       ? 1
       : 0;
   }
-  for (const auto& inside : counts)
+  for (const auto& plane : counts)
   {
-    for (const auto& plane : inside)
-    {
-      Check(
-        "there are such that are seen and such that are hidden", plane[0] > 100 && plane[1] > 100);
-    }
+    Check(
+      "there are such that are seen and such that are hidden", plane[0] > 100 && plane[1] > 100);
   }
   CheckEqual("receivers that are seen and should not be, or the other way round", wrong, 0);
+}
+
+// The five views of a tile hold all of the half space that its emitter faces, each receiver is
+// looked up in the view, and at the place in it, where what hides it is drawn.
+VTK_INDIRECT_TEST(DepthTileHoldsAHalfSpace)
+{
+  Random random(23);
+  vtkIndirectFrame frame;
+  frame.SceneScale = 0.5;
+  frame.SceneCenter = glm::dvec3(3.0, -2.0, 5.0);
+  int counts[vtkIndirectDepthTile::NumberOfViews] = {};
+  double worst = 0.0;
+  double outermost = 0.0;
+  int unseen = 0;
+  int wrongDepths = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const glm::dvec3 place(random.Next(-0.2, 0.2), random.Next(-0.2, 0.2), random.Next(-0.2, 0.2));
+    const vtkIndirectDepthTile tile =
+      vtkIndirectDepthTile::FromPlace(place, random.NextDirection());
+    glm::dvec3 way = random.NextDirection();
+    // Half of them within eighteen degrees of the horizon.
+    const double height = glm::dot(way, tile.Forward);
+    way += ((i % 2 ? std::abs(height) : 0.3 * std::abs(height)) - height) * tile.Forward;
+    way *= random.Next(0.01, 0.5);
+    const glm::dvec3 away(
+      glm::dot(way, tile.Right), glm::dot(way, tile.Up), glm::dot(way, tile.Forward));
+    const vtkiTileView found =
+      vtkiFindTileView(glm::vec3(away), glm::vec3(0.0f, 0.0f, 1.0f), VTKI_TILE_TANGENT);
+    const int number = found.strip + 1;
+    ++counts[number];
+    const vtkIndirectDepthTile view = tile.GetView(number);
+    const glm::dvec3 world = (place + way) / frame.SceneScale + frame.SceneCenter;
+    const glm::dvec4 clip = view.GetWorldToClip(frame) * glm::dvec4(world, 1.0);
+    const glm::dvec2 drawn(clip.x / clip.w, clip.y / clip.w);
+    const glm::dvec2 looked =
+      (glm::dvec2(found.away) / static_cast<double>(found.away.z) - view.Middle) / view.HalfWidth;
+    worst = std::max({ worst, std::abs(drawn.x - looked.x), std::abs(drawn.y - looked.y) });
+    outermost = std::max({ outermost, std::abs(drawn.x), std::abs(drawn.y) });
+    wrongDepths += std::abs(found.away.z - glm::dot(way, view.Forward)) > 1e-6 ? 1 : 0;
+    double bounds[6];
+    for (int k = 0; k < 6; ++k)
+    {
+      bounds[k] = world[k / 2] + (k % 2 ? 0.05 : -0.05);
+    }
+    unseen += (tile.FindViews(frame, bounds, 128) >> number) & 1u ? 0 : 1;
+  }
+  for (const int count : counts)
+  {
+    CheckAtLeast("receivers in each view", count, 200, "the test's own power");
+  }
+  CheckAtMost("from where one is drawn to where it is looked up", worst, 1e-4, "floats");
+  CheckAtMost("none is outside of its view", outermost, 1.0 + 1e-5, "floats");
+  CheckEqual("depths that are not those along the view", wrongDepths, 0);
+  CheckEqual("boxes about receivers that are not drawn there", unseen, 0);
+  // No two views share a texel of the tile.
+  constexpr int texels = 128;
+  std::vector<int> uses(static_cast<size_t>(texels) * texels * 5 / 4, 0);
+  for (int number = 0; number < vtkIndirectDepthTile::NumberOfViews; ++number)
+  {
+    const glm::ivec2 first = vtkIndirectDepthTile::GetPlaceOfView(number, texels, true);
+    const glm::ivec2 size = vtkIndirectDepthTile::GetSizeOfView(number, texels);
+    for (int y = first.y; y < first.y + size.y; ++y)
+    {
+      for (int x = first.x; x < first.x + size.x; ++x)
+      {
+        ++uses.at(static_cast<size_t>(y * texels + x));
+      }
+    }
+  }
+  Check("views fill a tile", std::all_of(uses.begin(), uses.end(), [](int n) { return n == 1; }));
 }
 
 VTK_INDIRECT_TEST(DepthTileOfADirection)

@@ -51,18 +51,24 @@ bool vtkIndirectCoarseLevels::IsCurrent(const Entry& entry)
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectCoarseLevels::DiscardBuffers(Level& level)
+{
+  for (auto* buffer : { &level.PositionBuffer, &level.IndexBuffer })
+  {
+    if (*buffer)
+    {
+      this->Unused.push_back(*buffer);
+      *buffer = nullptr;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectCoarseLevels::DiscardBuffers(Entry& entry)
 {
   for (const auto& level : entry.Levels)
   {
-    for (auto* buffer : { &level->PositionBuffer, &level->IndexBuffer })
-    {
-      if (*buffer)
-      {
-        this->Unused.push_back(*buffer);
-        *buffer = nullptr;
-      }
-    }
+    this->DiscardBuffers(*level);
   }
 }
 
@@ -92,6 +98,7 @@ std::string vtkIndirectCoarseLevels::Add(vtkProp* prop, vtkPolyData* mesh, doubl
   }
   auto level = std::make_unique<Level>();
   level->Error = error;
+  level->Source = mesh;
   double middle[3];
   mesh->GetCenter(middle);
   level->Middle = { middle[0], middle[1], middle[2] };
@@ -143,6 +150,13 @@ std::string vtkIndirectCoarseLevels::Add(vtkProp* prop, vtkPolyData* mesh, doubl
   vtkTimeStamp now;
   now.Modified();
   found->Time = now.GetMTime();
+  const auto same = std::find_if(found->Levels.begin(), found->Levels.end(),
+    [mesh](const auto& other) { return other->Source == mesh; });
+  if (same != found->Levels.end())
+  {
+    this->DiscardBuffers(**same);
+    found->Levels.erase(same);
+  }
   found->Levels.push_back(std::move(level));
   std::stable_sort(found->Levels.begin(), found->Levels.end(),
     [](const auto& a, const auto& b) { return a->Indices.size() < b->Indices.size(); });

@@ -37,6 +37,7 @@ public:
     std::vector<unsigned int> Indices;
     glm::dvec3 Middle{ 0.0 };
     double Error = 0.0; // in the mesh's lengths
+    vtkWeakPointer<vtkPolyData> Source;
     vtkSmartPointer<vtkOpenGLBufferObject> PositionBuffer;
     vtkSmartPointer<vtkOpenGLBufferObject> IndexBuffer;
   };
@@ -77,6 +78,7 @@ private:
 
   static bool IsCurrent(const Entry& entry);
   void Discard(Entry& entry);
+  void DiscardBuffers(Level& level);
   void DiscardBuffers(Entry& entry);
 };
 

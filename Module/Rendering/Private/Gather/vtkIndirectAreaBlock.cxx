@@ -12,7 +12,7 @@
 
 namespace
 {
-constexpr size_t RowsOfLamp = 9;
+constexpr size_t RowsOfLamp = 19;
 constexpr size_t RowsOfPoint = 5;
 
 glm::vec4 Row(const glm::dvec3& v, double w)
@@ -64,12 +64,17 @@ void vtkIndirectAreaBlock::Update(vtkOpenGLRenderWindow* window, const vtkIndire
       glm::vec3 up;
       vtkIndirectKernels::vtkiFrameAlong(
         glm::vec3(side == 0 ? lamp.Normal : -lamp.Normal), up, right);
-      const glm::dvec2 range = maps ? 1.0 / maps->GetRange(first + i, side) : glm::dvec2(0.0);
+      const glm::dvec4 range = maps ? maps->GetRange(first + i, side) : glm::dvec4(0.0);
       rows[2 * i + side] = glm::vec4(right, static_cast<float>(range.x));
       rows[2 * n + 2 * i + side] = glm::vec4(up, static_cast<float>(range.y));
+      rows[4 * n + 2 * i + side] = glm::vec4(glm::dvec4(range.z, range.w, 0.0, 0.0));
+      for (size_t k = 0; maps && k < 4; ++k)
+      {
+        rows[6 * n + 4 * (2 * i + side) + k] = maps->GetStripWindow(first + i, side, k);
+      }
       for (size_t k = 0; k < this->Points; ++k)
       {
-        glm::vec4* row = rows + 4 * n + i * this->Points + k;
+        glm::vec4* row = rows + 14 * n + i * this->Points + k;
         row[side * all] = glm::vec4(-1.0f);
         row[(2 + side) * all] = glm::vec4(1.0f, 1.0f, 0.0f, 0.0f);
         if (maps && k < points)

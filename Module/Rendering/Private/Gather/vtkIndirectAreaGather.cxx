@@ -245,6 +245,14 @@ void vtkIndirectAreaGather::AddToReport(vtkIndirectReport& report) const
   report.Modelled.emplace_back("light of area lights", what);
   const int missing = this->Visible ? this->Maps.GetAtlas().GetNumberOfMissingTiles() : 0;
   const int stale = this->Visible ? this->Maps.GetAtlas().GetNumberOfStaleTiles() - missing : 0;
+  const int tooMany = this->Visible ? this->Maps.GetAtlas().GetNumberOfTilesTooMany() : 0;
+  if (tooMany > 0)
+  {
+    report.LeftOut.emplace_back("depth maps of " + std::to_string(tooMany) +
+        " points of area lights",
+      "there is no memory for so many; other points of a light stand for them, and nothing hides a "
+      "light that has none");
+  }
   if (missing > 0)
   {
     report.LeftOut.emplace_back(

@@ -29,6 +29,7 @@ const vtkIndirectChannel TableChannels[] = {
 };
 constexpr size_t MostPoints = vtkIndirectAreaLamps::MostPoints;
 constexpr size_t RowsOfPoint = 5; // of the block
+constexpr size_t RowsOfSides = 10;
 }
 
 //------------------------------------------------------------------------------
@@ -76,7 +77,7 @@ void vtkIndirectAreaLobes::SetPoints(const Input& input, vtkShaderProgram* progr
   const vtkIndirectAreaMaps& maps = *input.Maps;
   const std::vector<vtkIndirectAreaLamps::Point>& points = maps.GetPoints(number);
   const size_t count = std::min(points.size(), input.Points);
-  std::vector<glm::vec4> block(RowsOfPoint * MostPoints, glm::vec4(0.0f));
+  std::vector<glm::vec4> block(RowsOfPoint * MostPoints + RowsOfSides, glm::vec4(0.0f));
   for (size_t k = 0; k < count; ++k)
   {
     const vtkIndirectAreaLamps::Point& point = points[k];
@@ -86,11 +87,18 @@ void vtkIndirectAreaLobes::SetPoints(const Input& input, vtkShaderProgram* progr
     block[3 * MostPoints + k] = maps.GetWindow(point, 0);
     block[4 * MostPoints + k] = maps.GetWindow(point, 1);
   }
+  glm::vec4* const sides = &block[RowsOfPoint * MostPoints];
+  for (size_t side = 0; side < 2; ++side)
+  {
+    sides[side] = glm::vec4(maps.GetRange(number, side));
+    for (size_t strip = 0; strip < 4; ++strip)
+    {
+      sides[2 + 4 * side + strip] = maps.GetStripWindow(number, side, strip);
+    }
+  }
   this->Block.Update(input.Frame.Window, block.data(), block.size() * sizeof(glm::vec4));
   this->Block.Activate(program);
   program->SetUniformi("vtkiAreaCount", static_cast<int>(count));
-  vtkIndirectSetUniform(program, "vtkiAreaFrontRange", glm::vec2(1.0 / maps.GetRange(number, 0)));
-  vtkIndirectSetUniform(program, "vtkiAreaBackRange", glm::vec2(1.0 / maps.GetRange(number, 1)));
 }
 
 //------------------------------------------------------------------------------

@@ -2,13 +2,13 @@
 #include "Gather/vtkIndirectAreaMaps.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectKernels.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace
 {
-// Of all maps of a round: 16 MB.
+// Of all maps of a round, without strips: 16 MB.
 constexpr int MostTexels = 2048;
 constexpr int TexelsOfFew = 256;
 constexpr int TexelsOfMany = 128;
@@ -17,12 +17,13 @@ constexpr int TexelsOfMany = 128;
 //------------------------------------------------------------------------------
 int vtkIndirectAreaMaps::GetTexels(const vtkIndirectAreaLamps& lamps)
 {
-  int count = 0;
+  double count = 0.0;
   for (const auto& lamp : lamps.Get())
   {
-    count += lamps.GetNumberOfPoints() * (lamp->TwoSided ? 2 : 1);
+    count += lamps.GetNumberOfPoints() * (lamp->TwoSided ? 2.0 : 1.0);
   }
-  return count * TexelsOfFew * TexelsOfFew <= MostTexels * MostTexels ? TexelsOfFew : TexelsOfMany;
+  return count * TexelsOfFew * TexelsOfFew <= 1.0 * MostTexels * MostTexels ? TexelsOfFew
+                                                                            : TexelsOfMany;
 }
 
 //------------------------------------------------------------------------------
@@ -33,36 +34,26 @@ void vtkIndirectAreaMaps::MakeEmitters(const vtkIndirectAreaLamps& lamps)
   {
     const vtkIndirectAreaLamps::Lamp& lamp = *lamps.Get()[i];
     Made& made = this->Lamps[i];
-    for (size_t side = 0; side < 2; ++side)
+    const size_t sides = lamp.TwoSided ? 2 : 1;
+    const size_t first = this->Emitters.size();
+    this->Emitters.resize(first + sides * made.Points.size());
+    for (size_t side = 0; side < sides; ++side)
     {
-      glm::dvec2& range = made.Ranges[side];
-      range = glm::dvec2(std::numeric_limits<double>::infinity(), 0.0);
+      std::vector<vtkIndirectDepthTile*> tiles;
       for (size_t k = 0; k < made.Points.size(); ++k)
       {
         vtkIndirectAreaLamps::Point& point = made.Points[k];
-        point.Tiles[side] = -1;
-        if (side == 0 || lamp.TwoSided)
-        {
-          point.Tiles[side] = static_cast<int>(this->Emitters.size());
-          vtkIndirectDepthAtlas::Emitter emitter;
-          emitter.Tile = vtkIndirectDepthTile::FromPlace(
-            lamp.GetPlace(point), side == 0 ? lamp.Normal : -lamp.Normal);
-          made.Window.Fit(emitter.Tile);
-          range.x = std::min(range.x, emitter.Tile.Near);
-          range.y = std::max(range.y, emitter.Tile.Far);
-          emitter.Turn = k;
-          this->Emitters.push_back(emitter);
-        }
+        const size_t number = first + side * made.Points.size() + k;
+        point.Tiles[0] = static_cast<int>(first + k);
+        point.Tiles[1] = lamp.TwoSided ? static_cast<int>(first + made.Points.size() + k) : -1;
+        vtkIndirectDepthAtlas::Emitter& emitter = this->Emitters[number];
+        emitter.Tile = vtkIndirectDepthTile::FromPlace(
+          lamp.GetPlace(point), side == 0 ? lamp.Normal : -lamp.Normal);
+        emitter.Turn = k;
+        tiles.push_back(&emitter.Tile);
       }
-    }
-    for (const vtkIndirectAreaLamps::Point& point : made.Points)
-    {
-      for (size_t side = 0; side < 2 && point.Tiles[side] >= 0; ++side)
-      {
-        vtkIndirectDepthTile& tile = this->Emitters[static_cast<size_t>(point.Tiles[side])].Tile;
-        tile.Near = made.Ranges[side].x;
-        tile.Far = made.Ranges[side].y;
-      }
+      made.Window.Fit(tiles);
+      made.Views[side] = *tiles.front();
     }
   }
 }
@@ -111,13 +102,9 @@ glm::vec2 vtkIndirectAreaMaps::GetMiddle(
   const vtkIndirectAreaLamps::Point& point, size_t side) const
 {
   const int tile = point.Tiles[side];
-  if (tile < 0 || !this->Atlas.HasTile(static_cast<size_t>(tile)))
-  {
-    return glm::vec2(-1.0f);
-  }
-  const int columns = this->Atlas.GetNumberOfColumns();
-  return (glm::vec2(tile % columns, tile / columns) + 0.5f) /
-    glm::vec2(columns, this->Atlas.GetNumberOfRows());
+  return tile >= 0 && this->Atlas.HasTile(static_cast<size_t>(tile))
+    ? glm::vec2(this->Atlas.GetMiddle(tile))
+    : glm::vec2(-1.0f);
 }
 
 //------------------------------------------------------------------------------
@@ -131,6 +118,24 @@ glm::vec4 vtkIndirectAreaMaps::GetWindow(
   }
   const vtkIndirectDepthTile& drawn = this->Atlas.GetTile(static_cast<size_t>(tile));
   return glm::vec4(glm::dvec4(1.0 / drawn.HalfWidth, -drawn.Middle / drawn.HalfWidth));
+}
+
+//------------------------------------------------------------------------------
+glm::vec4 vtkIndirectAreaMaps::GetStripWindow(size_t lamp, size_t side, size_t strip) const
+{
+  const vtkIndirectDepthTile::Strip& drawn = this->Lamps[lamp].Views[side].Strips[strip];
+  // Where nothing hides anything all places are outside.
+  return drawn.HalfWidth.x > 0.0
+    ? glm::vec4(glm::dvec4(1.0 / drawn.HalfWidth, -drawn.Middle / drawn.HalfWidth))
+    : glm::vec4(1e-6f, 1e-6f, 2.0f, 2.0f);
+}
+
+//------------------------------------------------------------------------------
+glm::dvec4 vtkIndirectAreaMaps::GetRange(size_t lamp, size_t side) const
+{
+  const vtkIndirectDepthTile& view = this->Lamps[lamp].Views[side];
+  const glm::dvec4 range(view.Near, view.Far, view.StripNear, view.StripFar);
+  return 1.0 / glm::max(range, glm::dvec4(vtkIndirectKernels::VTKI_WINDOW_NEAR));
 }
 
 //------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ struct vtkIndirectFrame;
 class vtkIndirectAreaMaps
 {
 public:
-  /** Texels along an edge of a map. */
+  /** Texels that are wanted along an edge of a map. */
   static int GetTexels(const vtkIndirectAreaLamps& lamps);
 
   /**
@@ -42,11 +42,10 @@ public:
   /** From tangents to places in that map from -1 to 1: factors, and what is added. */
   glm::vec4 GetWindow(const vtkIndirectAreaLamps::Point& point, size_t side) const;
 
-  /** Where the maps of a side of a lamp begin and end, along its normal. */
-  const glm::dvec2& GetRange(size_t lamp, size_t side) const
-  {
-    return this->Lamps[lamp].Ranges[side];
-  }
+  /** The same of a strip, for all points of a lamp. */
+  glm::vec4 GetStripWindow(size_t lamp, size_t side, size_t strip) const;
+  /** One over the depths at which maps of a side of a lamp begin and end, and strips of them. */
+  glm::dvec4 GetRange(size_t lamp, size_t side) const;
 
   const vtkIndirectDepthAtlas& GetAtlas() const { return this->Atlas; }
   void Release(vtkWindow* window);
@@ -60,7 +59,7 @@ private:
     glm::dvec3 Corner{ 0.0 };
     std::vector<vtkIndirectAreaLamps::Point> Points;
     vtkIndirectCasterWindow Window;
-    glm::dvec2 Ranges[2] = { glm::dvec2(1.0), glm::dvec2(1.0) };
+    vtkIndirectDepthTile Views[2]; // of each side, for strips and depths
   };
 
   void MakeEmitters(const vtkIndirectAreaLamps& lamps);
@@ -68,7 +67,7 @@ private:
   std::vector<Made> Lamps;
   int Round = -1;
   std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
-  vtkIndirectDepthAtlas Atlas;
+  vtkIndirectDepthAtlas Atlas{ true };
   size_t ContentTime = 0;
 };
 

@@ -208,7 +208,7 @@ std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
 {
   using namespace vtkIndirectKernels;
   std::vector<glm::vec4> block(size * RowsPerDirection, glm::vec4(0.0f));
-  const double texels = group.Texels;
+  const double texels = group.Atlas.GetTexels() > 0 ? group.Atlas.GetTexels() : group.Texels;
   const size_t columns = static_cast<size_t>(std::max(1, group.Atlas.GetNumberOfColumns()));
   for (size_t k = 0; k < size && first + k < terms.size(); ++k)
   {
@@ -534,7 +534,7 @@ void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
     if (this->Visible && counts[i] > 0)
     {
       maps += (maps.empty() ? "; depth maps: " : ", ") + std::to_string(counts[i]) + " of " +
-        std::to_string(this->Groups[i].Texels) + " texels squared";
+        std::to_string(this->Groups[i].Atlas.GetTexels()) + " texels squared";
     }
   }
   std::string what = std::to_string(this->Summed.size()) + " directions";

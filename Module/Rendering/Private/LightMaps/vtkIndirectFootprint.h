@@ -27,18 +27,19 @@ public:
   }
 
   /**
-   * Whether an image of so many texels along an edge can hold anything of it: not all corners lie
+   * Whether an image of so many texels along its edges can hold anything of it: not all corners lie
    * on one outer side, and it is not so small that it lies between the texels' centres.
    */
-  bool IsHeld(int texels) const
+  bool IsHeld(const glm::dvec2& texels) const
   {
     return this->OutsideAll == 0 &&
       (!this->Ahead || HasTexelCenter(this->Lower, this->Upper, texels));
   }
 
   /** Whether there is a texel's centre between two corners of a rectangle, from -1 to 1, of an
-   * image of so many texels along an edge. */
-  static bool HasTexelCenter(const glm::dvec2& lower, const glm::dvec2& upper, int texels)
+   * image of so many texels along its edges. */
+  static bool HasTexelCenter(
+    const glm::dvec2& lower, const glm::dvec2& upper, const glm::dvec2& texels)
   {
     // OpenGL places corners at steps of 1/256 of a texel or less, and matrices are rounded.
     constexpr double margin = 1.0 / 16.0;

@@ -248,7 +248,7 @@ bool vtkIndirectLightMap::CanHold(int face, const double bounds[6], int texels) 
       this->HalfWidth * (this->Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL ? 1.0 : -p.z);
     footprint.Add(glm::dvec2(p), glm::dvec2(w), p.z > 0.0);
   }
-  return footprint.IsHeld(texels);
+  return footprint.IsHeld(glm::dvec2(texels));
 }
 
 //------------------------------------------------------------------------------

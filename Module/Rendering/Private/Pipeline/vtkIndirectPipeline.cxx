@@ -9,6 +9,7 @@
 #include "Frame/vtkIndirectReport.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
+#include "vtkAreaLight.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -51,10 +52,19 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   this->Frame.ReplacedLights = request.ReplacedLights;
   vtkIndirectCircumstances circumstances = request.Circumstances;
   circumstances.NumberOfOtherEmitters = static_cast<int>(this->Samplers.Others.size());
-  circumstances.AreaLightIrradiance =
-    vtkIndirectEmitters::FindIrradiance(this->AreaLights, glm::value_ptr(this->Frame.SceneCenter));
+  this->UsableAreaLights.clear();
+  for (const auto& light : this->AreaLights)
+  {
+    if (!light->GetSwitch() ||
+      light->ShinesInto(glm::value_ptr(this->Frame.SceneCenter), 1.0 / this->Frame.SceneScale))
+    {
+      this->UsableAreaLights.push_back(light);
+    }
+  }
+  circumstances.AreaLightIrradiance = vtkIndirectEmitters::FindIrradiance(
+    this->UsableAreaLights, glm::value_ptr(this->Frame.SceneCenter));
   circumstances.AreaLights = circumstances.AreaLightIrradiance > 0.0;
-  circumstances.VisibleAreaLights = vtkIndirectVisibleLamps::Count(this->AreaLights);
+  circumstances.VisibleAreaLights = vtkIndirectVisibleLamps::Count(this->UsableAreaLights);
   this->Environment =
     request.Environment ? request.Environment : this->ImageLight.Find(this->Frame.Renderer);
   circumstances.EnvironmentIrradiance = this->Environment ? SumIrradiance(this->Environment) : 0.0;
@@ -167,7 +177,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     this->Penumbra.Deactivate();
   }
   drawn = drawn && !this->IsRedirected() &&
-    this->VisibleLamps.Draw(this->Frame, this->AreaLights, this->Geometry);
+    this->VisibleLamps.Draw(this->Frame, this->UsableAreaLights, this->Geometry);
   this->Timer.End(vtkIndirectStageTimer::Geometry);
   this->Capture->Detach();
   return drawn && !this->IsRedirected();
@@ -195,7 +205,7 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
     }
     if (this->Plan.AreaLightsBounce)
     {
-      vtkIndirectEmitters::AddAreaLights(emitters, this->AreaLights);
+      vtkIndirectEmitters::AddAreaLights(emitters, this->UsableAreaLights);
     }
     return emitters;
   };
@@ -412,7 +422,7 @@ vtkMTimeType vtkIndirectPipeline::GetAreaTime() const
 bool vtkIndirectPipeline::UpdateArea(const Request& request)
 {
   const vtkIndirectAreaGather::Input input = { this->Frame, this->Plan, this->Geometry,
-    this->Capture, this->AreaLights };
+    this->Capture, this->UsableAreaLights };
   this->Timer.Begin(vtkIndirectStageTimer::Visibility);
   const bool updated = this->Area.Update(input, std::max(this->TilesLeft, 0));
   this->Timer.End(vtkIndirectStageTimer::Visibility);
@@ -562,7 +572,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   if (!this->BuffersAreThere)
   {
     report.Modelled.emplace_back("the delegate alone", this->WhyNoBuffers);
-    if (vtkIndirectVisibleLamps::Count(this->AreaLights) > 0)
+    if (vtkIndirectVisibleLamps::Count(this->UsableAreaLights) > 0)
     {
       report.LeftOut.emplace_back("area lights that are seen", this->WhyNoBuffers);
     }

@@ -139,6 +139,7 @@ private:
   vtkIndirectPlan Plan;
   vtkWeakPointer<vtkRenderer> Renderer; // guards Frame's pointers
   vtkEnvironmentLight* Environment = nullptr;
+  std::vector<vtkSmartPointer<vtkAreaLight>> UsableAreaLights; // or off
   bool BuffersAreThere = false;
   bool IrradianceIsThere = false;
   bool SkyIsThere = false;

@@ -6,12 +6,17 @@
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <utility>
 
 namespace
 {
 // Those of pieces follow: there are fewer directions of the sky.
 constexpr int FirstPiece = 1024;
 constexpr int MostPiecesPerEdge = 2;
+constexpr size_t MostPieces = vtkIndirectEmitters::MostPieces;
 
 glm::dvec3 ToVector(const double v[3])
 {
@@ -44,6 +49,104 @@ glm::dvec3 FindRadiance(vtkAreaLight* light, int x, int y, int pieces)
   }
   return sum;
 }
+
+// A part of a list, and the greatest extent of it: of places, or of directions, of which a turn
+// counts as much as a way through all places.
+struct Part
+{
+  std::vector<size_t> Members;
+  int Axis = 0;
+  double Extent = 0.0;
+};
+
+double GetCoordinate(const vtkIndirectLight& light, int axis, double size)
+{
+  return axis < 3 ? light.PositionWC[axis] : 0.5 * size * light.DirectionWC[axis - 3];
+}
+
+void Measure(Part& part, const vtkIndirectEmitters::List& list, double size)
+{
+  part.Extent = 0.0;
+  for (int axis = 0; axis < 6; ++axis)
+  {
+    double lower = std::numeric_limits<double>::infinity();
+    double upper = -lower;
+    for (const size_t i : part.Members)
+    {
+      const double place = GetCoordinate(list[i].Light, axis, size);
+      lower = std::min(lower, place);
+      upper = std::max(upper, place);
+    }
+    if (upper - lower > part.Extent)
+    {
+      part.Extent = upper - lower;
+      part.Axis = axis;
+    }
+  }
+}
+
+// Where there are more than so many, those that are near each other and send the same way are one,
+// at the place of the middle one of them. What a list is parted by does not depend on how strong
+// they are, so that lights whose images change stay where they are.
+void JoinAlike(vtkIndirectEmitters::List& list, size_t most)
+{
+  if (list.size() <= most)
+  {
+    return;
+  }
+  Part whole;
+  whole.Members.resize(list.size());
+  std::iota(whole.Members.begin(), whole.Members.end(), size_t(0));
+  Measure(whole, list, 0.0);
+  const double size = whole.Extent;
+  Measure(whole, list, size);
+  std::vector<Part> parts = { whole };
+  while (parts.size() < most)
+  {
+    const auto widest = std::max_element(parts.begin(), parts.end(),
+      [](const Part& a, const Part& b) { return a.Extent < b.Extent; });
+    if (widest->Extent <= 0.0)
+    {
+      break;
+    }
+    std::vector<size_t>& members = widest->Members;
+    const int axis = widest->Axis;
+    const auto middle = members.begin() + static_cast<std::ptrdiff_t>(members.size() / 2);
+    std::nth_element(members.begin(), middle, members.end(),
+      [&](size_t a, size_t b)
+      {
+        const double x = GetCoordinate(list[a].Light, axis, size);
+        const double y = GetCoordinate(list[b].Light, axis, size);
+        return x < y || (x == y && a < b);
+      });
+    Part other;
+    other.Members.assign(middle, members.end());
+    members.erase(middle, members.end());
+    Measure(*widest, list, size);
+    Measure(other, list, size);
+    parts.push_back(other);
+  }
+  vtkIndirectEmitters::List joined;
+  for (const Part& part : parts)
+  {
+    glm::dvec3 mean(0.0);
+    glm::dvec3 strength(0.0);
+    for (const size_t i : part.Members)
+    {
+      mean += list[i].Light.PositionWC / static_cast<double>(part.Members.size());
+      strength += list[i].Strength;
+    }
+    const size_t nearest = *std::min_element(part.Members.begin(), part.Members.end(),
+      [&](size_t a, size_t b)
+      {
+        return glm::distance(list[a].Light.PositionWC, mean) <
+          glm::distance(list[b].Light.PositionWC, mean);
+      });
+    joined.push_back(list[nearest]);
+    joined.back().Strength = strength;
+  }
+  list = std::move(joined);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -68,6 +171,7 @@ void vtkIndirectEmitters::AddAreaLights(
 {
   const int count = static_cast<int>(lights.size());
   const int pieces = count > 4 ? 1 : MostPiecesPerEdge;
+  List all;
   for (int number = 0; number < count; ++number)
   {
     vtkAreaLight* light = lights[static_cast<size_t>(number)];
@@ -87,11 +191,6 @@ void vtkIndirectEmitters::AddAreaLights(
       {
         const int x = i % pieces;
         const int y = i / pieces;
-        const glm::dvec3 radiance = FindRadiance(light, x, y, pieces);
-        if (radiance == glm::dvec3(0.0))
-        {
-          continue;
-        }
         vtkIndirectEmitter emitter;
         emitter.Number =
           FirstPiece + ((2 * number + side) * MostPiecesPerEdge + y) * MostPiecesPerEdge + x;
@@ -103,11 +202,14 @@ void vtkIndirectEmitters::AddAreaLights(
         emitter.Light.Attenuation = { area / vtkMath::Pi(), 0.0, 1.0 };
         emitter.Light.ConeAngle = 89.9;
         emitter.Light.Exponent = 1.0;
-        emitter.Strength = radiance * (area / vtkMath::Pi());
-        emitters.push_back(emitter);
+        emitter.Strength = FindRadiance(light, x, y, pieces) * (area / vtkMath::Pi());
+        all.push_back(emitter);
       }
     }
   }
+  JoinAlike(all, MostPieces);
+  std::copy_if(all.begin(), all.end(), std::back_inserter(emitters),
+    [](const vtkIndirectEmitter& emitter) { return emitter.Strength != glm::dvec3(0.0); });
 }
 
 //------------------------------------------------------------------------------

@@ -29,10 +29,14 @@ using List = std::vector<vtkIndirectEmitter>;
 /** Directions of the sky's groups (vtkIndirectSkyGroups), those that send light. */
 void AddSky(List& emitters, vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment);
 
+/** Pieces of area lights: each has a map of five faces. */
+constexpr size_t MostPieces = 64;
+
 /**
  * Pieces of area lights, 2 x 2 of each, or one where there are more than four: spots that send by
  * the cosine, of which a surface gets what it gets from a disk of the piece's area. They stay where
- * they are, also while an image changes.
+ * they are, also while an image changes. Where there would be more than MostPieces, those that are
+ * near each other and face alike are one.
  */
 void AddAreaLights(List& emitters, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
 

@@ -10,8 +10,10 @@
 //------------------------------------------------------------------------------
 bool vtkIndirectRadianceImage::CanRead(vtkImageData* image)
 {
-  return image->GetDimensions()[2] == 1 && image->GetPointData()->GetScalars() &&
-    image->GetNumberOfPoints() > 0;
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  return image->GetDimensions()[2] == 1 && image->GetNumberOfPoints() > 0 && values &&
+    values->GetNumberOfComponents() > 0 &&
+    values->GetNumberOfTuples() >= image->GetNumberOfPoints();
 }
 
 //------------------------------------------------------------------------------

@@ -13,7 +13,10 @@ class vtkImageData;
 class vtkIndirectRadianceImage
 {
 public:
-  /** Whether it is one slice with point scalars. */
+  /** Sums of squares of greater radiances, and of images of such, are no longer floats. */
+  static constexpr double MostRadiance = 1e18;
+
+  /** Whether it is one slice with a scalar, of one component or more, for each of its points. */
   static bool CanRead(vtkImageData* image);
 
   /** Of an image that it can read. encoded: values are decoded by sRGB's transfer function. */

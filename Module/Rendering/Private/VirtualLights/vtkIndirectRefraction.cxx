@@ -36,6 +36,10 @@ void vtkIndirectRefraction::SetBody(vtkActor* actor)
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(polygons->GetNumberOfPoints());
   vtkDataArray* given = polygons->GetPointData()->GetNormals();
+  // One that is too short, or of other vectors, says nothing.
+  const bool whole = given && given->GetNumberOfComponents() == 3 &&
+    given->GetNumberOfTuples() >= polygons->GetNumberOfPoints();
+  given = whole ? given : nullptr;
   vtkNew<vtkFloatArray> normals;
   normals->SetNumberOfComponents(3);
   glm::dmat3 turn(1.0);

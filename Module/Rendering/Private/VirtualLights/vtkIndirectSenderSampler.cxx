@@ -21,7 +21,7 @@ namespace
 // Along an edge of a map. See Documentation/methods/reflective-shadow-maps.md.
 constexpr int TexelsOfMaps = 64;
 // Maps of directions without light go when there are more than this.
-constexpr size_t MostMaps = 64;
+constexpr size_t MostMaps = vtkIndirectEmitters::MostPieces;
 
 bool AreSame(const vtkIndirectCaster& a, const vtkIndirectCaster& b)
 {

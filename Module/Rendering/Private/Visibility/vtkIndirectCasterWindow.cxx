@@ -3,7 +3,6 @@
 
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "Visibility/vtkIndirectDepthTile.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
@@ -197,35 +196,33 @@ bool vtkIndirectCasterWindow::Update(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCasterWindow::Fit(vtkIndirectDepthTile& tile) const
+// What a view that looks at most so far to its sides shows of boxes, in tangents; empty where
+// nothing of them is there.
+vtkIndirectCasterWindow::Part vtkIndirectCasterWindow::FindPart(
+  const vtkIndirectDepthTile& view, const glm::dvec2& least, const glm::dvec2& most) const
 {
-  const double limit = vtkIndirectKernels::VTKI_WINDOW_TANGENT;
-  tile.Near = vtkIndirectKernels::VTKI_WINDOW_NEAR;
-  double nearest = std::numeric_limits<double>::infinity();
-  glm::dvec2 lower(std::numeric_limits<double>::infinity());
-  glm::dvec2 upper = -lower;
+  const double nearPlane = vtkIndirectKernels::VTKI_WINDOW_NEAR;
+  Part all;
   for (const Box& box : this->Boxes)
   {
-    glm::dvec2 boxLower(std::numeric_limits<double>::infinity());
-    glm::dvec2 boxUpper = -boxLower;
-    double boxNearest = std::numeric_limits<double>::infinity();
+    Part part;
     std::array<glm::dvec3, 8> seen;
     for (size_t i = 0; i < 8; ++i)
     {
-      const glm::dvec3 d = box[i] - tile.Place;
+      const glm::dvec3 d = box[i] - view.Place;
       seen[i] =
-        glm::dvec3(glm::dot(d, tile.Right), glm::dot(d, tile.Up), glm::dot(d, tile.Forward));
+        glm::dvec3(glm::dot(d, view.Right), glm::dot(d, view.Up), glm::dot(d, view.Forward));
     }
     auto add = [&](const glm::dvec3& p)
     {
       const glm::dvec2 tangents = glm::dvec2(p) / p.z;
-      boxLower = glm::min(boxLower, tangents);
-      boxUpper = glm::max(boxUpper, tangents);
-      boxNearest = std::min(boxNearest, p.z);
+      part.Lower = glm::min(part.Lower, tangents);
+      part.Upper = glm::max(part.Upper, tangents);
+      part.Nearest = std::min(part.Nearest, p.z);
     };
     for (size_t i = 0; i < 8; ++i)
     {
-      if (seen[i].z >= tile.Near)
+      if (seen[i].z >= nearPlane)
       {
         add(seen[i]);
       }
@@ -234,39 +231,88 @@ void vtkIndirectCasterWindow::Fit(vtkIndirectDepthTile& tile) const
       {
         const glm::dvec3& a = seen[i];
         const glm::dvec3& b = seen[i ^ bit];
-        if (a.z < tile.Near && b.z > tile.Near)
+        if (a.z < nearPlane && b.z > nearPlane)
         {
-          add(glm::mix(a, b, (tile.Near - a.z) / (b.z - a.z)));
+          add(glm::mix(a, b, (nearPlane - a.z) / (b.z - a.z)));
         }
       }
     }
-    const bool held = boxLower.x <= limit && boxLower.y <= limit && boxUpper.x >= -limit &&
-      boxUpper.y >= -limit && boxLower.x <= boxUpper.x;
+    // What only touches the view's border, such as the wall that a light is in, is not in it.
+    constexpr double touch = 1e-6;
+    const bool held = part.Lower.x < most.x - touch && part.Lower.y < most.y - touch &&
+      part.Upper.x > least.x + touch && part.Upper.y > least.y + touch && !part.IsEmpty();
     if (held)
     {
-      lower = glm::min(lower, boxLower);
-      upper = glm::max(upper, boxUpper);
-      nearest = std::min(nearest, boxNearest);
+      all.Add(part);
     }
   }
-  if (!(lower.x <= upper.x))
-  {
-    // Nothing hides anything: any view will do.
-    lower = upper = glm::dvec2(0.0);
-  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectDepthTile::Strip vtkIndirectCasterWindow::ToWindow(
+  const Part& part, const glm::dvec2& least, const glm::dvec2& most)
+{
   // A margin keeps the outermost from falling on the edge; what is thin has an extent, too.
   constexpr double margin = 0.005;
-  const glm::dvec2 room = glm::max(margin * (upper - lower), glm::dvec2(1e-3));
-  lower = glm::max(lower - room, glm::dvec2(-limit));
-  upper = glm::min(upper + room, glm::dvec2(limit));
-  double farthest = 2.0 * tile.Near;
-  for (const glm::dvec3& corner : this->All)
+  const glm::dvec2 room = glm::max(margin * (part.Upper - part.Lower), glm::dvec2(1e-3));
+  const glm::dvec2 lower = glm::max(part.Lower - room, least);
+  const glm::dvec2 upper = glm::min(part.Upper + room, most);
+  return { 0.5 * (upper - lower), 0.5 * (lower + upper) };
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCasterWindow::Fit(std::vector<vtkIndirectDepthTile*> tiles) const
+{
+  const double limit = vtkIndirectKernels::VTKI_WINDOW_TANGENT;
+  const double nearPlane = vtkIndirectKernels::VTKI_WINDOW_NEAR;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const glm::dvec2 most(limit);
+  const glm::dvec2 leastOfStrip(-1.0, 0.0);
+  const glm::dvec2 mostOfStrip(1.0, 1.0 / limit);
+  double nearest = none;
+  double farthest = 2.0 * nearPlane;
+  double nearestOfStrips = none;
+  double farthestOfStrips = 2.0 * nearPlane;
+  std::array<Part, 4> parts;
+  for (vtkIndirectDepthTile* tile : tiles)
   {
-    farthest = std::max(farthest, glm::dot(corner - tile.Place, tile.Forward));
+    Part ahead = this->FindPart(tile->GetView(0), -most, most);
+    nearest = std::min(nearest, ahead.Nearest);
+    if (ahead.IsEmpty())
+    {
+      // Nothing hides anything: any view will do.
+      ahead.Lower = ahead.Upper = glm::dvec2(0.0);
+    }
+    const vtkIndirectDepthTile::Strip window = ToWindow(ahead, -most, most);
+    tile->HalfWidth = window.HalfWidth;
+    tile->Middle = window.Middle;
+    for (const glm::dvec3& corner : this->All)
+    {
+      farthest = std::max(farthest, glm::dot(corner - tile->Place, tile->Forward));
+      farthestOfStrips = std::max(farthestOfStrips, glm::length(corner - tile->Place));
+    }
+    for (size_t k = 0; k < parts.size(); ++k)
+    {
+      const Part part =
+        this->FindPart(tile->GetView(static_cast<int>(k) + 1), leastOfStrip, mostOfStrip);
+      parts[k].Add(part);
+      nearestOfStrips = std::min(nearestOfStrips, part.Nearest);
+    }
   }
-  tile.Far = 1.01 * farthest;
   // Half of it, for what is rounded.
-  tile.Near = std::max(std::min(0.5 * nearest, 0.5 * tile.Far), tile.Near);
-  tile.Middle = 0.5 * (lower + upper);
-  tile.HalfWidth = 0.5 * (upper - lower);
+  auto begin = [nearPlane](double place, double end)
+  { return std::max(std::min(0.5 * place, 0.5 * end), nearPlane); };
+  for (vtkIndirectDepthTile* tile : tiles)
+  {
+    tile->Far = 1.01 * farthest;
+    tile->Near = begin(nearest, tile->Far);
+    tile->StripFar = 1.01 * farthestOfStrips;
+    tile->StripNear = begin(nearestOfStrips, tile->StripFar);
+    for (size_t k = 0; k < parts.size(); ++k)
+    {
+      tile->Strips[k] = parts[k].IsEmpty() ? vtkIndirectDepthTile::Strip()
+                                           : ToWindow(parts[k], leastOfStrip, mostOfStrip);
+    }
+  }
 }

@@ -5,13 +5,15 @@
 #ifndef vtkIndirectCasterWindow_h
 #define vtkIndirectCasterWindow_h
 
+#include "Visibility/vtkIndirectDepthTile.h" // for views
+
 #include <glm/glm.hpp> // for corners
 
 #include <array>  // for boxes
+#include <limits> // for what is empty
 #include <vector> // for boxes
 
 class vtkProp;
-struct vtkIndirectDepthTile;
 struct vtkIndirectFrame;
 
 class vtkIndirectCasterWindow
@@ -25,10 +27,10 @@ public:
   bool Update(const vtkIndirectFrame& frame, const std::vector<glm::dvec3>& corners);
 
   /**
-   * Narrows the view of a perspective tile to what can hide its place. It begins there and ends
-   * behind all casters.
+   * Narrows the views of perspective tiles of one axis to what can hide their places: that ahead
+   * for each, strips and depths for all together. They begin there and end behind all casters.
    */
-  void Fit(vtkIndirectDepthTile& tile) const;
+  void Fit(std::vector<vtkIndirectDepthTile*> tiles) const;
 
   /**
    * Whether a prop is a polygonal mesh of few points that is flat, or closed and convex: it hides
@@ -38,6 +40,27 @@ public:
 
 private:
   using Box = std::array<glm::dvec3, 8>;
+
+  // What a view shows of boxes.
+  struct Part
+  {
+    glm::dvec2 Lower{ std::numeric_limits<double>::infinity() }; // tangents
+    glm::dvec2 Upper{ -std::numeric_limits<double>::infinity() };
+    double Nearest = std::numeric_limits<double>::infinity(); // scene units
+
+    bool IsEmpty() const { return !(this->Lower.x <= this->Upper.x); }
+    void Add(const Part& other)
+    {
+      this->Lower = glm::min(this->Lower, other.Lower);
+      this->Upper = glm::max(this->Upper, other.Upper);
+      this->Nearest = glm::min(this->Nearest, other.Nearest);
+    }
+  };
+
+  Part FindPart(
+    const vtkIndirectDepthTile& view, const glm::dvec2& least, const glm::dvec2& most) const;
+  static vtkIndirectDepthTile::Strip ToWindow(
+    const Part& part, const glm::dvec2& least, const glm::dvec2& most);
 
   std::vector<Box> Boxes; // scene units
   Box All;                // around all casters

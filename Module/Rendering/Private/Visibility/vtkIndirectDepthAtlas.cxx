@@ -8,6 +8,7 @@
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectRendererAccess.h"
+#include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -24,8 +25,11 @@ namespace
 {
 const vtkIndirectChannel NoChannels[] = { { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
 
-// Of the atlas, texels; of a texture OpenGL may allow less.
+// Of the atlas, texels along an edge, and of all of it: 256 MB; of a texture OpenGL may allow less.
 constexpr int MostTexels = 16384;
+constexpr double MostOfAll = 64.0 * 1024.0 * 1024.0;
+// Where there are too many tiles for it they have fewer texels, but so many.
+constexpr int LeastTexels = 16;
 
 // Drawn however little time there is: the first ones together, because fewer stand for all others
 // too badly.
@@ -41,8 +45,9 @@ constexpr size_t TrianglesOfBatch = 1 << 17;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectDepthAtlas::vtkIndirectDepthAtlas()
-  : Depths(NoChannels, true)
+vtkIndirectDepthAtlas::vtkIndirectDepthAtlas(bool strips)
+  : Strips(strips)
+  , Depths(NoChannels, true)
   , Camera(vtkSmartPointer<vtkOpenGLCamera>::New())
 {
 }
@@ -118,12 +123,12 @@ void vtkIndirectDepthAtlas::ForgetWhatChanged(const vtkIndirectFrame& frame)
 //------------------------------------------------------------------------------
 // Those to draw now.
 std::vector<int> vtkIndirectDepthAtlas::ChooseTiles(
-  const std::vector<Emitter>& emitters, size_t most)
+  const std::vector<Emitter>& emitters, size_t count, size_t most)
 {
-  this->Drawn.resize(emitters.size());
+  this->Drawn.resize(count);
   std::vector<int> missing;
   std::vector<int> stale;
-  for (size_t i = 0; i < emitters.size(); ++i)
+  for (size_t i = 0; i < count; ++i)
   {
     Drawing& drawing = this->Drawn[i];
     const vtkIndirectDepthTile& tile = emitters[i].Tile;
@@ -171,13 +176,21 @@ std::vector<int> vtkIndirectDepthAtlas::ChooseTiles(
 
 //------------------------------------------------------------------------------
 bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-  const std::vector<Emitter>& emitters, int texels, bool caching, int most)
+  const std::vector<Emitter>& emitters, int texels, bool caching, int tilesPerFrame)
 {
-  const int count = static_cast<int>(emitters.size());
+  const int edge = std::min(vtkTextureObject::GetMaximumTextureSize(frame.Window), MostTexels);
+  const int fitting = this->FindTexels(emitters.size(), texels, edge);
+  if (fitting != this->Texels)
+  {
+    this->Forget();
+    this->Texels = fitting;
+  }
+  const glm::ivec2 size = this->GetTileSize(this->Texels);
+  const int most = this->CountMostTiles(fitting, edge);
+  const int count = static_cast<int>(std::min(emitters.size(), static_cast<size_t>(most)));
   // In as few columns as there can be: rows of a tile that follow each other in memory are what
   // processors' caches like.
-  const int height = std::min(vtkTextureObject::GetMaximumTextureSize(frame.Window), MostTexels);
-  const int mostRows = std::max(1, height / texels);
+  const int mostRows = std::max(1, edge / size.y);
   const int columns = std::max(1, (count + mostRows - 1) / mostRows);
   const int rows = std::max(1, (count + columns - 1) / columns);
   vtkOpenGLState* state = frame.Window->GetState();
@@ -186,20 +199,21 @@ bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapt
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  if (!caching || texels != this->Texels || columns != this->Columns || rows != this->Rows)
+  if (!caching || columns != this->Columns || rows != this->Rows)
   {
     this->Forget();
   }
-  this->Texels = texels;
   this->Columns = columns;
   this->Rows = rows;
-  if (!this->Depths.Resize(frame.Window, columns * texels, rows * texels))
+  if (!this->Depths.Resize(frame.Window, columns * size.x, rows * size.y))
   {
     this->Forget();
     return false;
   }
   this->ForgetWhatChanged(frame);
-  const std::vector<int> stale = this->ChooseTiles(emitters, static_cast<size_t>(most));
+  this->NumberOfTilesTooMany = static_cast<int>(emitters.size()) - count;
+  const std::vector<int> stale = this->ChooseTiles(
+    emitters, static_cast<size_t>(count), static_cast<size_t>(tilesPerFrame));
   if (stale.empty())
   {
     return true;
@@ -209,47 +223,109 @@ bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapt
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDisable(GL_BLEND);
-  for (const int tile : stale)
-  {
-    this->Use(frame, tile);
-    this->Depths.ClearDepth();
-  }
-  const std::vector<const vtkIndirectCaster*> others = this->DrawPlain(frame, stale);
+  const std::vector<View> views = this->Clear(frame, stale);
+  const std::vector<const vtkIndirectCaster*> others = this->DrawPlain(frame, views);
   if (!others.empty())
   {
-    this->DrawOthers(frame, capture, stale, others);
+    this->DrawOthers(frame, capture, views, others);
   }
   this->Depths.End();
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDepthAtlas::Use(const vtkIndirectFrame& frame, int tile)
+glm::ivec2 vtkIndirectDepthAtlas::GetTileSize(int texels) const
 {
-  vtkOpenGLState* state = frame.Window->GetState();
-  const int x = tile % this->Columns * this->Texels;
-  const int y = tile / this->Columns * this->Texels;
-  state->vtkglViewport(x, y, this->Texels, this->Texels);
-  state->vtkglScissor(x, y, this->Texels, this->Texels);
+  const float strips = this->Strips ? vtkIndirectKernels::VTKI_TILE_STRIPS : 0.0f;
+  return glm::ivec2(texels, texels + static_cast<int>(strips * static_cast<float>(texels)));
 }
 
 //------------------------------------------------------------------------------
-// Prop by prop, all tiles of one. Returns those that only their mappers can draw.
-std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
+// Tiles of so many texels in a texture of that edge, and in the memory that there is.
+int vtkIndirectDepthAtlas::CountMostTiles(int texels, int edge) const
+{
+  const glm::ivec2 size = this->GetTileSize(texels);
+  return std::max(1,
+    std::min((edge / size.x) * (edge / size.y),
+      static_cast<int>(MostOfAll / (static_cast<double>(size.x) * size.y))));
+}
+
+//------------------------------------------------------------------------------
+// So many as are wanted, or fewer, so that all tiles have room.
+int vtkIndirectDepthAtlas::FindTexels(size_t count, int texels, int edge) const
+{
+  while (texels / 2 >= LeastTexels && count > static_cast<size_t>(this->CountMostTiles(texels, edge)))
+  {
+    texels /= 2;
+  }
+  return texels;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec2 vtkIndirectDepthAtlas::GetMiddle(int tile) const
+{
+  const glm::dvec2 size(this->GetTileSize(this->Texels));
+  const glm::dvec2 inTile(0.5, 1.0 - 0.5 * size.x / size.y);
+  return (glm::dvec2(tile % this->Columns, tile / this->Columns) + inTile) /
+    glm::dvec2(this->Columns, this->Rows);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthAtlas::Use(const vtkIndirectFrame& frame, int tile, int view)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
+  const glm::ivec2 first =
+    glm::ivec2(tile % this->Columns, tile / this->Columns) * this->GetTileSize(this->Texels) +
+    vtkIndirectDepthTile::GetPlaceOfView(view, this->Texels, this->Strips);
+  const glm::ivec2 size = vtkIndirectDepthTile::GetSizeOfView(view, this->Texels);
+  state->vtkglViewport(first.x, first.y, size.x, size.y);
+  state->vtkglScissor(first.x, first.y, size.x, size.y);
+}
+
+//------------------------------------------------------------------------------
+// Returns what is to be drawn into tiles, which are empty then.
+std::vector<vtkIndirectDepthAtlas::View> vtkIndirectDepthAtlas::Clear(
   const vtkIndirectFrame& frame, const std::vector<int>& tiles)
 {
-  // A tile, and how far a level is off in it, in world units.
-  struct View
+  std::vector<View> views;
+  for (const int number : tiles)
   {
-    size_t Tile;
+    const vtkIndirectDepthTile& tile = this->Drawn[static_cast<size_t>(number)].Tile;
+    for (int k = 0; k < (this->Strips ? vtkIndirectDepthTile::NumberOfViews : 1); ++k)
+    {
+      if (k == 0 || tile.Strips[static_cast<size_t>(k - 1)].HalfWidth.x > 0.0)
+      {
+        View view = { number, k, tile.GetView(k), {} };
+        view.ToClip = view.Camera.GetWorldToClip(frame);
+        views.push_back(view);
+        this->Use(frame, number, k);
+        this->Depths.ClearDepth();
+      }
+    }
+  }
+  return views;
+}
+
+//------------------------------------------------------------------------------
+// Of the tile that a view is of.
+unsigned int vtkIndirectDepthAtlas::FindViews(
+  const vtkIndirectFrame& frame, const View& view, const double bounds[6])
+{
+  return this->Drawn[static_cast<size_t>(view.Tile)].Tile.FindViews(frame, bounds, this->Texels);
+}
+
+//------------------------------------------------------------------------------
+// Prop by prop, all views of one. Returns those that only their mappers can draw.
+std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
+  const vtkIndirectFrame& frame, const std::vector<View>& views)
+{
+  // A view, and how far a level is off in it, in world units.
+  struct Look
+  {
+    const View* Of;
     double Error;
   };
   std::vector<const vtkIndirectCaster*> others;
-  std::vector<glm::dmat4> toClip;
-  for (const int tile : tiles)
-  {
-    toClip.push_back(this->Drawn[static_cast<size_t>(tile)].Tile.GetWorldToClip(frame));
-  }
   size_t triangles = 0; // of the batch
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
@@ -259,48 +335,51 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
       continue;
     }
     // By what is drawn of it, in the order of tiles: its buffers are set up once for each.
-    std::map<vtkIndirectCoarseLevels::Level*, std::vector<View>> views;
+    std::map<vtkIndirectCoarseLevels::Level*, std::vector<Look>> looks;
     const bool hasLevels = frame.Levels && frame.Levels->Has(caster.Prop);
-    for (size_t i = 0; i < tiles.size(); ++i)
+    unsigned int seen = 0;
+    for (const View& view : views)
     {
-      const vtkIndirectDepthTile& tile = this->Drawn[static_cast<size_t>(tiles[i])].Tile;
-      if (tile.CanSee(frame, caster.Bounds, this->Texels))
+      // Views of a tile follow each other, that ahead first.
+      seen = view.Number == 0 ? this->FindViews(frame, view, caster.Bounds) : seen;
+      if ((seen >> view.Number) & 1u)
       {
-        View view = { i, 0.0 };
+        Look look = { &view, 0.0 };
         vtkIndirectCoarseLevels::Level* level = nullptr;
         if (hasLevels)
         {
-          const double texel = tile.FindTexelAt(frame, caster.Bounds, this->Texels);
-          level = frame.Levels->Find(caster.Prop, MostErrorOfLevels * texel, view.Error);
+          const double texel = view.Camera.FindTexelAt(frame, caster.Bounds,
+            glm::dvec2(vtkIndirectDepthTile::GetSizeOfView(view.Number, this->Texels)));
+          level = frame.Levels->Find(caster.Prop, MostErrorOfLevels * texel, look.Error);
         }
-        views[level].push_back(view);
+        looks[level].push_back(look);
       }
     }
     bool failed = false;
-    for (const auto& [level, list] : views)
+    for (const auto& [level, list] : looks)
     {
       if (!this->Drawer.Begin(frame.Window, caster.Prop, level))
       {
         failed = true;
         break;
       }
-      for (const View& view : list)
+      for (const Look& look : list)
       {
-        const vtkIndirectDepthTile& tile = this->Drawn[static_cast<size_t>(tiles[view.Tile])].Tile;
-        this->Use(frame, tiles[view.Tile]);
+        const View& view = *look.Of;
+        this->Use(frame, view.Tile, view.Number);
         if (level)
         {
           // What it stands for must not hide itself: it lies behind by its distance. What a slope
           // makes of that, look-ups allow for by what it makes of a texel; glPolygonOffset would
           // say the same and doubles the time of software rasterizers.
           const size_t drawn = this->Drawer.Draw(
-            toClip[view.Tile] * glm::translate(glm::dmat4(1.0), tile.Forward * view.Error));
+            view.ToClip * glm::translate(glm::dmat4(1.0), view.Camera.Forward * look.Error));
           frame.Levels->Count(drawn, this->Drawer.CountTriangles());
           triangles += drawn;
         }
         else
         {
-          triangles += this->Drawer.Draw(toClip[view.Tile]);
+          triangles += this->Drawer.Draw(view.ToClip);
         }
         if (triangles >= TrianglesOfBatch)
         {
@@ -320,7 +399,7 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
 
 //------------------------------------------------------------------------------
 void vtkIndirectDepthAtlas::DrawOthers(const vtkIndirectFrame& frame,
-  vtkSurfaceCapturePass* capture, const std::vector<int>& tiles,
+  vtkSurfaceCapturePass* capture, const std::vector<View>& views,
   const std::vector<const vtkIndirectCaster*>& casters)
 {
   vtkCamera*& active = vtkIndirectRendererAccess::Camera(frame.Renderer);
@@ -328,16 +407,18 @@ void vtkIndirectDepthAtlas::DrawOthers(const vtkIndirectFrame& frame,
   active = this->Camera;
   const vtkIndirectDarkLight dark(frame);
   capture->Attach(frame);
-  for (const int number : tiles)
+  for (const View& view : views)
   {
-    const vtkIndirectDepthTile& tile = this->Drawn[static_cast<size_t>(number)].Tile;
-    this->Use(frame, number);
+    const vtkIndirectDepthTile& tile = view.Camera;
+    this->Use(frame, view.Tile, view.Number);
     tile.SetUp(this->Camera, frame);
-    const double width = 2.0 * std::max(tile.HalfWidth.x, tile.HalfWidth.y) / this->Texels;
-    capture->BeginMap(frame, { !tile.Parallel, tile.Parallel, tile.Near, tile.Far, width });
+    const glm::dvec2 widths = 2.0 * tile.HalfWidth /
+      glm::dvec2(vtkIndirectDepthTile::GetSizeOfView(view.Number, this->Texels));
+    capture->BeginMap(frame,
+      { !tile.Parallel, tile.Parallel, tile.Near, tile.Far, std::max(widths.x, widths.y) });
     for (const vtkIndirectCaster* caster : casters)
     {
-      if (tile.CanSee(frame, caster->Bounds, this->Texels))
+      if ((this->FindViews(frame, view, caster->Bounds) >> view.Number) & 1u)
       {
         capture->BeginCaster(false);
         caster->Prop->RenderOpaqueGeometry(frame.Renderer);

@@ -24,7 +24,8 @@ struct vtkIndirectCaster;
 class vtkIndirectDepthAtlas
 {
 public:
-  vtkIndirectDepthAtlas();
+  /** strips: whether tiles have them, below the view ahead. */
+  explicit vtkIndirectDepthAtlas(bool strips = false);
   ~vtkIndirectDepthAtlas();
 
   /**
@@ -39,14 +40,17 @@ public:
   };
 
   /**
-   * Brings tiles of these emitters up to date, each of so many texels along an edge, and not more
-   * of them than `most`, but one, and four where there are none: first those that have none, then
+   * Brings tiles of these emitters up to date, of so many texels along an edge, or a half, a
+   * quarter and so on where there are so many that 256 MB, or OpenGL's largest texture, do not hold
+   * them. Not more of them are drawn than `tilesPerFrame`, but one, and four where there are none:
+   * first those that have none, then
    * those that have waited longest. Of a direction that is fitted to another scene, what was drawn
    * before is kept until then. Without caching nothing is kept. Returns false, after an error, when
    * OpenGL refuses.
    */
   bool Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-    const std::vector<Emitter>& emitters, int texels, bool caching, int most = 1 << 30);
+    const std::vector<Emitter>& emitters, int texels, bool caching,
+    int tilesPerFrame = 1 << 30);
 
   /** Says that nothing of it is to be kept. */
   void Forget() { this->Drawn.clear(); }
@@ -63,6 +67,8 @@ public:
   int GetNumberOfMissingTiles() const { return this->NumberOfMissingTiles; }
   int GetNumberOfStaleTiles() const { return this->NumberOfStaleTiles; }
   ///@}
+  /** Emitters, the last ones, for which there is no room however few texels tiles have. */
+  int GetNumberOfTilesTooMany() const { return this->NumberOfTilesTooMany; }
 
   /** Binds the depths and sets vtkiDepthTiles and vtkiTileShape; pair. */
   void Activate(vtkShaderProgram* program) const;
@@ -72,6 +78,8 @@ public:
   int GetTexels() const { return this->Texels; }
   int GetNumberOfColumns() const { return this->Columns; }
   int GetNumberOfRows() const { return this->Rows; }
+  /** Where the middle of a tile's view ahead is, from 0 to 1. */
+  glm::dvec2 GetMiddle(int tile) const;
   /** How many were drawn, since construction. */
   size_t GetNumberOfTilesDrawn() const { return this->NumberOfTilesDrawn; }
   size_t GetBytes() const { return this->Depths.GetBytes(); }
@@ -99,13 +107,28 @@ private:
   };
 
   void ForgetWhatChanged(const vtkIndirectFrame& frame);
-  std::vector<int> ChooseTiles(const std::vector<Emitter>& emitters, size_t most);
-  void Use(const vtkIndirectFrame& frame, int tile);
-  std::vector<const vtkIndirectCaster*> DrawPlain(
-    const vtkIndirectFrame& frame, const std::vector<int>& tiles);
-  void DrawOthers(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-    const std::vector<int>& tiles, const std::vector<const vtkIndirectCaster*>& casters);
+  std::vector<int> ChooseTiles(const std::vector<Emitter>& emitters, size_t count, size_t most);
+  int CountMostTiles(int texels, int edge) const;
+  int FindTexels(size_t count, int texels, int edge) const;
+  // One of a tile's views, to be drawn.
+  struct View
+  {
+    int Tile;
+    int Number;
+    vtkIndirectDepthTile Camera;
+    glm::dmat4 ToClip;
+  };
 
+  glm::ivec2 GetTileSize(int texels) const;
+  void Use(const vtkIndirectFrame& frame, int tile, int view);
+  std::vector<View> Clear(const vtkIndirectFrame& frame, const std::vector<int>& tiles);
+  unsigned int FindViews(const vtkIndirectFrame& frame, const View& view, const double bounds[6]);
+  std::vector<const vtkIndirectCaster*> DrawPlain(
+    const vtkIndirectFrame& frame, const std::vector<View>& views);
+  void DrawOthers(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
+    const std::vector<View>& views, const std::vector<const vtkIndirectCaster*>& casters);
+
+  const bool Strips;
   vtkIndirectTarget Depths;
   vtkIndirectDepthDrawer Drawer;
   vtkSmartPointer<vtkOpenGLCamera> Camera;
@@ -118,6 +141,7 @@ private:
   int Rows = 0;
   int NumberOfMissingTiles = 0;
   int NumberOfStaleTiles = 0;
+  int NumberOfTilesTooMany = 0;
   size_t NumberOfTilesDrawn = 0;
 };
 

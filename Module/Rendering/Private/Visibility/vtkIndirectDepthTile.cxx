@@ -111,9 +111,48 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromPlace(
   // Seen along the normal, the second axis is to the right of the first one.
   FrameAlong(normal, tile.Up, tile.Right);
   tile.HalfWidth = glm::dvec2(VTKI_TILE_TANGENT);
-  tile.Near = VTKI_TILE_NEAR;
-  tile.Far = VTKI_TILE_FAR;
+  tile.Near = tile.StripNear = VTKI_TILE_NEAR;
+  tile.Far = tile.StripFar = VTKI_TILE_FAR;
+  const double height = 1.0 / VTKI_TILE_TANGENT;
+  tile.Strips.fill({ glm::dvec2(1.0, 0.5 * height), glm::dvec2(0.0, 0.5 * height) });
   return tile;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectDepthTile vtkIndirectDepthTile::GetView(int view) const
+{
+  vtkIndirectDepthTile tile = *this;
+  tile.Strips.fill({});
+  if (view > 0)
+  {
+    const Strip& strip = this->Strips[static_cast<size_t>(view - 1)];
+    const glm::dvec3 axis = view < 3 ? this->Right : this->Up;
+    tile.Forward = view % 2 == 1 ? axis : -axis;
+    tile.Up = this->Forward;
+    tile.Right = glm::cross(tile.Forward, tile.Up);
+    tile.HalfWidth = strip.HalfWidth;
+    tile.Middle = strip.Middle;
+    tile.Near = this->StripNear;
+    tile.Far = this->StripFar;
+  }
+  return tile;
+}
+
+//------------------------------------------------------------------------------
+glm::ivec2 vtkIndirectDepthTile::GetSizeOfView(int view, int texels)
+{
+  const glm::vec2 half =
+    vtkIndirectKernels::vtkiHalfOfView(view - 1, static_cast<float>(texels));
+  return glm::ivec2(2.0f * half);
+}
+
+//------------------------------------------------------------------------------
+glm::ivec2 vtkIndirectDepthTile::GetPlaceOfView(int view, int texels, bool strips)
+{
+  using namespace vtkIndirectKernels;
+  const float edge = static_cast<float>(texels);
+  const glm::vec2 middle(0.5f * edge, (strips ? 0.5f + VTKI_TILE_STRIPS : 0.5f) * edge);
+  return glm::ivec2(middle + vtkiPlaceOfView(view - 1, edge) - vtkiHalfOfView(view - 1, edge));
 }
 
 //------------------------------------------------------------------------------
@@ -168,25 +207,54 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromUnits(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectDepthTile::CanSee(
+unsigned int vtkIndirectDepthTile::FindViews(
   const vtkIndirectFrame& frame, const double bounds[6], int texels) const
 {
+  std::array<glm::dvec3, 8> corners;
   vtkIndirectFootprint footprint;
+  bool within = true; // the view ahead, at its widest
+  bool behind = true;
+  const double limit = vtkIndirectKernels::VTKI_TILE_TANGENT;
   for (int i = 0; i < 8; ++i)
   {
     const glm::dvec3 d = ToScene(frame, bounds, i) - this->Place;
-    const double z = glm::dot(d, this->Forward);
-    footprint.Add(glm::dvec2(glm::dot(d, this->Right), glm::dot(d, this->Up)) - this->Middle * z,
-      this->HalfWidth * (this->Parallel ? 1.0 : z), z < this->Near);
+    const glm::dvec3 p(
+      glm::dot(d, this->Right), glm::dot(d, this->Up), glm::dot(d, this->Forward));
+    corners[static_cast<size_t>(i)] = p;
+    footprint.Add(glm::dvec2(p) - this->Middle * p.z,
+      this->HalfWidth * (this->Parallel ? 1.0 : p.z), p.z < this->Near);
+    within = within && std::max(std::abs(p.x), std::abs(p.y)) < limit * p.z;
+    behind = behind && p.z <= 0.0;
   }
-  return footprint.IsHeld(texels);
+  unsigned int views = footprint.IsHeld(glm::dvec2(texels)) ? 1u : 0u;
+  for (int view = 1; view < NumberOfViews && !within && !behind; ++view)
+  {
+    const Strip& strip = this->Strips[static_cast<size_t>(view - 1)];
+    if (strip.HalfWidth.x <= 0.0)
+    {
+      continue;
+    }
+    // The axes of GetView.
+    const int to = view < 3 ? 0 : 1;
+    const double sign = view % 2 == 1 ? 1.0 : -1.0;
+    vtkIndirectFootprint beside;
+    for (const glm::dvec3& p : corners)
+    {
+      const double depth = sign * p[to];
+      const glm::dvec2 place((to == 0 ? sign : -sign) * p[1 - to], p.z);
+      beside.Add(place - strip.Middle * depth, strip.HalfWidth * depth, depth < this->StripNear);
+    }
+    views |= beside.IsHeld(glm::dvec2(GetSizeOfView(view, texels))) ? 1u << view : 0u;
+  }
+  return views;
 }
 
 //------------------------------------------------------------------------------
 double vtkIndirectDepthTile::FindTexelAt(
-  const vtkIndirectFrame& frame, const double bounds[6], int texels) const
+  const vtkIndirectFrame& frame, const double bounds[6], const glm::dvec2& texels) const
 {
-  const double width = 2.0 * std::min(this->HalfWidth.x, this->HalfWidth.y) / texels;
+  const glm::dvec2 widths = 2.0 * this->HalfWidth / texels;
+  const double width = std::min(widths.x, widths.y);
   if (this->Parallel)
   {
     return width / frame.SceneScale;
@@ -241,5 +309,7 @@ bool vtkIndirectDepthTile::operator==(const vtkIndirectDepthTile& other) const
 {
   return this->Parallel == other.Parallel && this->Place == other.Place &&
     this->Forward == other.Forward && this->HalfWidth == other.HalfWidth &&
-    this->Middle == other.Middle && this->Near == other.Near && this->Far == other.Far;
+    this->Middle == other.Middle && this->Near == other.Near && this->Far == other.Far &&
+    this->Strips == other.Strips && this->StripNear == other.StripNear &&
+    this->StripFar == other.StripFar;
 }

@@ -3,6 +3,7 @@
 #ifndef vtkIndirectDepthTile_h
 #define vtkIndirectDepthTile_h
 
+#include <array>       // for strips
 #include <glm/glm.hpp> // for the camera
 
 class vtkOpenGLCamera;
@@ -20,7 +21,37 @@ struct vtkIndirectDepthTile
   double Near = 0.0;           // scene units along Forward
   double Far = 1.0;
 
-  /** The tile of a place that sends light along its normal, as shaders look it up. */
+  /** What a strip shows, in tangents along its own axes; nothing where it has no width. */
+  struct Strip
+  {
+    glm::dvec2 HalfWidth{ 0.0 };
+    glm::dvec2 Middle{ 0.0 };
+    bool operator==(const Strip& other) const
+    {
+      return this->HalfWidth == other.HalfWidth && this->Middle == other.Middle;
+    }
+  };
+  /**
+   * Of a perspective tile, what lies beside the view ahead down to the emitter's horizon: to the
+   * right, left, up and down, from -1 to 1 across.
+   */
+  std::array<Strip, 4> Strips;
+  double StripNear = 0.0; // scene units along a strip's axis
+  double StripFar = 1.0;
+
+  ///@{
+  /**
+   * The views of a tile: ahead, and four strips, each a tile of its own. Where they lie in the
+   * atlas, in texels from the tile's lower left corner, if the view ahead has so many along an
+   * edge. See vtkiFindTileView.
+   */
+  static constexpr int NumberOfViews = 5;
+  vtkIndirectDepthTile GetView(int view) const;
+  static glm::ivec2 GetSizeOfView(int view, int texels);
+  static glm::ivec2 GetPlaceOfView(int view, int texels, bool strips);
+  ///@}
+
+  /** The tile of a place that sends light along its normal, as shaders look it up, with strips. */
   static vtkIndirectDepthTile FromPlace(const glm::dvec3& place, const glm::dvec3& normal);
   /**
    * The tile of light that comes from a direction, fitted to what casts shadows. Where a caster
@@ -34,12 +65,23 @@ struct vtkIndirectDepthTile
   vtkIndirectDepthTile FromUnits(
     double scale, const glm::dvec3& center, const vtkIndirectFrame& frame) const;
 
-  /** Whether it can see any of these bounds, in world coordinates, and with so many texels along an
-   * edge holds anything of them: they do not lie between the texels' centres. */
-  bool CanSee(const vtkIndirectFrame& frame, const double bounds[6], int texels) const;
+  /**
+   * Which of the views can see any of these bounds, in world coordinates, and with so many texels
+   * along an edge of the view ahead hold anything of them, which does not lie between the texels'
+   * centres: a bit for each.
+   */
+  unsigned int FindViews(
+    const vtkIndirectFrame& frame, const double bounds[6], int texels) const;
+  /** Whether any of them does. */
+  bool CanSee(const vtkIndirectFrame& frame, const double bounds[6], int texels) const
+  {
+    return this->FindViews(frame, bounds, texels) != 0;
+  }
 
-  /** A texel's width, in world units, where these bounds are nearest to the emitter. */
-  double FindTexelAt(const vtkIndirectFrame& frame, const double bounds[6], int texels) const;
+  /** A texel's width, in world units, where these bounds are nearest to the emitter: of the view
+   * ahead, of so many texels. */
+  double FindTexelAt(
+    const vtkIndirectFrame& frame, const double bounds[6], const glm::dvec2& texels) const;
 
   /** From world to clip coordinates. */
   glm::dmat4 GetWorldToClip(const vtkIndirectFrame& frame) const;

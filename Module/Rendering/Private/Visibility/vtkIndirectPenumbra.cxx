@@ -289,6 +289,7 @@ bool vtkIndirectPenumbra::Update(const vtkIndirectFrame& frame,
   constexpr int step = 16; // so that a light that moves does not change it in every frame
   this->Texels = step * std::max(1, static_cast<int>(wanted / step));
   const bool drawn = this->Atlas.Update(frame, capture, this->Emitters, this->Texels, caching);
+  this->Texels = this->Atlas.GetTexels();
   // It detaches the capture where mappers had to draw.
   capture->Attach(frame);
   return drawn && this->JoinTexels(frame);

@@ -411,10 +411,6 @@ void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
           " depth maps",
         "further frames draw them again");
     }
-    report.LeftOut.emplace_back("what stands between near the horizon of senders",
-      "a map ends 72 degrees from the sender's normal; what its border sees decides over the 8 % "
-      "of "
-      "the light beyond");
     return;
   }
   this->AddSegmentsToReport(report, name);

@@ -130,7 +130,7 @@ private:
   double StepsOfSpheres = 0.0; // of a segment, in the mean
   bool SpheresAreTooMany = false;
   // Depth maps of virtual lights, a tile each for as many as the memory allows.
-  vtkIndirectDepthAtlas Maps;
+  vtkIndirectDepthAtlas Maps{ true };
   std::vector<vtkIndirectDepthAtlas::Emitter> Lights;   // all
   std::vector<vtkIndirectDepthAtlas::Emitter> Emitters; // those with a tile
   size_t Stride = 1;                                    // from one of them to the next

@@ -26,6 +26,8 @@ layout(std140) uniform vtkiAreaBlock
   // Of the depth maps of its front, and of those of its back; one over the depths at which they begin and end.
   vec4 vtkiAreaRight[2 * VTKI_AREA_LAMPS];
   vec4 vtkiAreaUp[2 * VTKI_AREA_LAMPS];
+  vec4 vtkiAreaStripRange[2 * VTKI_AREA_LAMPS]; // the same depths of the maps' strips
+  vec4 vtkiAreaStrips[8 * VTKI_AREA_LAMPS];     // windows of these, of vtkiIsSeenInWindow
   // By lamps: places along these axes, from the corner; the middle of the tile, or -1 where there is none.
   vec4 vtkiAreaFront[VTKI_AREA_LAMPS * VTKI_AREA_POINTS];
   vec4 vtkiAreaBack[VTKI_AREA_LAMPS * VTKI_AREA_POINTS];
@@ -88,6 +90,7 @@ void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen,
     vec3 normal = vec3(
       dot(right, receiver.normal), dot(up, receiver.normal), dot(axis, receiver.normal));
     float area = vtkiAreaNormal[i].w;
+    int side = 2 * i + (front ? 0 : 1);
     for (int k = first; k < first + count; ++k)
     {
       int row = i * VTKI_AREA_POINTS + k;
@@ -96,8 +99,12 @@ void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen,
       // The disk of vtkiVirtualLightWeight.
       float r2 = max(dot(away, away), 1.0e-30f);
       float weight = place.z * max(-dot(normal, away), 0.0f) / (r2 * (VTKI_PI * r2 + area));
+      vtkiTileView view = vtkiFindTileView(away, normal, VTKI_WINDOW_TANGENT);
+      bool ahead = view.strip < 0;
       vec4 window = front ? vtkiAreaFrontWindow[row] : vtkiAreaBackWindow[row];
-      bool visible = vtkiIsSeenInWindow(point.zw, window, range, away, normal);
+      window = ahead ? window : vtkiAreaStrips[4 * side + max(view.strip, 0)];
+      bool visible = vtkiIsSeenInWindow(
+        point.zw, view, window, ahead ? range : vtkiAreaStripRange[side].xy);
       vec3 given = lit && point.z >= 0.0f ? weight * vtkiAreaSent[row].rgb : vec3(0.0f);
       all += given;
       seen += visible ? given : vec3(0.0f);

@@ -42,10 +42,11 @@ layout(std140) uniform vtkiAreaLobeBlock
   vec4 vtkiAreaMiddles[VTKI_AREA_POINTS];     // of the tiles of the front and the back, or -1 where there is none
   vec4 vtkiAreaFrontWindow[VTKI_AREA_POINTS]; // of vtkiIsSeenInWindow
   vec4 vtkiAreaBackWindow[VTKI_AREA_POINTS];
+  // Of the front and the back: one over the depths at which maps begin and end, and strips of them; windows of these.
+  vec4 vtkiAreaRange[2];
+  vec4 vtkiAreaStrips[8];
 };
 uniform int vtkiAreaCount;
-uniform vec2 vtkiAreaFrontRange; // one over the depths at which maps begin and end
-uniform vec2 vtkiAreaBackRange;
 #endif
 
 #ifdef VTKI_AREA_IMAGE
@@ -105,7 +106,8 @@ void main()
   vec3 upward;
   vec3 right;
   vtkiFrameAlong(axis, upward, right);
-  vec2 range = front ? vtkiAreaFrontRange : vtkiAreaBackRange;
+  int side = front ? 0 : 1;
+  vec4 range = vtkiAreaRange[side];
   vec3 normal = vec3(dot(right, receiver.normal), dot(upward, receiver.normal), dot(axis, receiver.normal));
   vec3 all = vec3(0.0f);
   vec3 seen = vec3(0.0f);
@@ -121,9 +123,12 @@ void main()
     vec3 sent = weight.rgb *
       vtkiPointWeight(vtkiTransformWay(transform, place.xyz - receiver.position), height,
         area / float(vtkiAreaCount));
-    bool visible = there &&
-      vtkiIsSeenInWindow(
-        middle, window, range, vec3(dot(right, way), dot(upward, way), dot(axis, way)), normal);
+    vtkiTileView view = vtkiFindTileView(
+      vec3(dot(right, way), dot(upward, way), dot(axis, way)), normal, VTKI_WINDOW_TANGENT);
+    bool ahead = view.strip < 0;
+    window = ahead ? window : vtkiAreaStrips[4 * side + max(view.strip, 0)];
+    bool visible =
+      there && vtkiIsSeenInWindow(middle, view, window, ahead ? range.xy : range.zw);
     all += there ? sent : vec3(0.0f);
     seen += visible ? sent : vec3(0.0f);
   }

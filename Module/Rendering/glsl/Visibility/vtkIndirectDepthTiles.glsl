@@ -11,7 +11,7 @@ struct vtkiTile
   vec3 up;
   vec3 axis;   // the emitter's, unit
   vec3 place;  // the emitter's
-  vec2 middle; // of the tile, in the atlas
+  vec2 middle; // of the tile's view ahead, in the atlas
 };
 
 vtkiTile vtkiMakeTile(int number, vec3 place, vec3 axis)
@@ -21,27 +21,47 @@ vtkiTile vtkiMakeTile(int number, vec3 place, vec3 axis)
   tile.axis = axis;
   tile.place = place;
   float row = floor((float(number) + 0.5f) / vtkiTileShape.x);
-  tile.middle = (vec2(float(number) - row * vtkiTileShape.x, row) + 0.5f) / vtkiTileShape.xy;
+  const vec2 inTile = vec2(0.5f, (0.5f + VTKI_TILE_STRIPS) / (1.0f + VTKI_TILE_STRIPS));
+  tile.middle = (vec2(float(number) - row * vtkiTileShape.x, row) + inTile) / vtkiTileShape.xy;
   return tile;
 }
 
-// Nearer to the emitter's horizon than its tile reaches, what the tile's border sees in the same azimuth
-// tells how far to the side the light gets. middle: of the tile; away, normal: the way from the emitter to the
-// receiver and its normal, along the tile's axes right, up and that of the emitter.
-bool vtkiIsSeenAlongTile(vec2 middle, vec3 away, vec3 normal)
+// middle: of the view ahead in the atlas; window: tangents times xy and zw more are places in the view, from -1 to 1;
+// tangents: the same of places; range: one over the depths at which the view begins and ends; nearest: the least depth
+// that is looked up.
+bool vtkiIsSeenInView(
+  vec2 middle, vtkiTileView view, vec4 window, vec4 tangents, vec2 range, float nearest)
 {
   float texels = vtkiTileShape.z;
-  float border = max(abs(away.x), abs(away.y)) * (1.0f / VTKI_TILE_TANGENT);
-  // Texels from the middle; within the tile, rounding included.
-  float scale = (0.499995f / VTKI_TILE_TANGENT) * texels / max(max(away.z, border), VTKI_TILE_NEAR);
-  vec2 at = floor(away.xy * scale) + 0.5f;
-  vec2 tangents = at * (2.0f * VTKI_TILE_TANGENT / texels);
+  vec2 halfSize = vtkiHalfOfView(view.strip, texels);
+  vec2 place = view.away.xy / max(view.away.z, nearest) * window.xy + window.zw;
+  // A place on the border of what the view may show is within, rounding included.
+  bool outside = max(abs(place.x), abs(place.y)) > 1.0001f;
+  // Texels from the middle; within the view, rounding included.
+  vec2 at = floor(clamp(place, -0.99999f, 0.99999f) * halfSize) + 0.5f;
+  vec2 ray = at / halfSize * tangents.xy + tangents.zw;
   // A look-up at a texel's centre is exact, and in software faster than a fetch.
-  float inverse = vtkiTileInverseDepth(
-    textureLod(vtkiDepthTiles, middle + at / (vtkiTileShape.xy * texels), 0.0f).r);
-  float along = dot(normal.xy, tangents) + normal.z;
-  return vtkiIsSeenInPerspectiveTile(
-    inverse, away.z, border, dot(normal, away), along, VTKI_TILE_ROUGHNESS * 2.0f * VTKI_TILE_TANGENT / texels);
+  vec2 size = vtkiTileShape.xy * vec2(texels, (1.0f + VTKI_TILE_STRIPS) * texels);
+  float stored =
+    textureLod(vtkiDepthTiles, middle + (vtkiPlaceOfView(view.strip, texels) + at) / size, 0.0f).r;
+  float inverse = range.x - stored * (range.x - range.y);
+  float along = dot(view.normal.xy, ray) + view.normal.z;
+  float bias = VTKI_TILE_ROUGHNESS * max(tangents.x / halfSize.x, tangents.y / halfSize.y);
+  return outside || stored >= 1.0f ||
+    vtkiIsSeenInPerspectiveTile(inverse, view.away.z, dot(view.normal, view.away), along, bias);
+}
+
+// middle: of the tile's view ahead; away, normal: the way from the emitter to the receiver and its normal, along the
+// tile's axes right, up and that of the emitter.
+bool vtkiIsSeenAlongTile(vec2 middle, vec3 away, vec3 normal)
+{
+  const float limit = VTKI_TILE_TANGENT;
+  vtkiTileView view = vtkiFindTileView(away, normal, limit);
+  bool ahead = view.strip < 0;
+  vec4 window = ahead ? vec4(1.0f / limit, 1.0f / limit, 0.0f, 0.0f) : vec4(1.0f, 2.0f * limit, 0.0f, -1.0f);
+  vec4 tangents = ahead ? vec4(limit, limit, 0.0f, 0.0f) : vec4(1.0f, 0.5f / limit, 0.0f, 0.5f / limit);
+  const vec2 range = vec2(1.0f / VTKI_TILE_NEAR, 1.0f / VTKI_TILE_FAR);
+  return vtkiIsSeenInView(middle, view, window, tangents, range, VTKI_TILE_NEAR);
 }
 
 bool vtkiIsSeenInTile(vtkiTile tile, vec3 position, vec3 normal)
