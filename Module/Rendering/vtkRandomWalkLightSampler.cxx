@@ -274,7 +274,7 @@ void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkRandomWalkLightSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

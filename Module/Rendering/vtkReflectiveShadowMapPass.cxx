@@ -12,6 +12,7 @@
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "LightMaps/vtkIndirectLobeTable.h"
 #include "LightMaps/vtkIndirectShadowRows.h"
+#include "OpenGL/vtkIndirectContextGuard.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectLayeredTarget.h"
 #include "vtkNew.h"
@@ -67,11 +68,11 @@ int FindTexels(int resolution, int layers)
 struct CasterKey
 {
   vtkProp* Prop;
-  vtkMTimeType RedrawMTime;
+  vtkTypeUInt64 Revision;
   bool SendsLight;
   bool operator==(const CasterKey& other) const
   {
-    return this->Prop == other.Prop && this->RedrawMTime == other.RedrawMTime &&
+    return this->Prop == other.Prop && this->Revision == other.Revision &&
       this->SendsLight == other.SendsLight;
   }
 };
@@ -96,11 +97,14 @@ struct vtkReflectiveShadowMapPass::Internals
   std::vector<float> Table;
   vtkSmartPointer<vtkTextureObject> TableTexture;
   vtkSmartPointer<vtkTextureObject> FresnelTexture; // where senders have lobes
+  vtkNew<vtkIndirectContextGuard> Guard;
 };
 
 vtkReflectiveShadowMapPass::vtkReflectiveShadowMapPass()
   : Internal(new Internals)
 {
+  this->Internal->Guard->Release = [this](vtkWindow* window)
+  { this->ReleaseGraphicsResources(window); };
 }
 
 vtkReflectiveShadowMapPass::~vtkReflectiveShadowMapPass() = default;
@@ -194,6 +198,7 @@ bool vtkReflectiveShadowMapPass::Update(
   const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture)
 {
   Internals& in = *this->Internal;
+  in.Guard->SetContext(frame.Window);
   in.NumberOfMaps = 0;
   in.NumberOfLayers = 0;
   int mostLayers = 0;
@@ -262,7 +267,7 @@ bool vtkReflectiveShadowMapPass::Update(
       {
         if (map.CanHold(face, caster.Bounds, this->Texels))
         {
-          key.Casters.push_back({ caster.Prop, caster.RedrawMTime, caster.SendsLight });
+          key.Casters.push_back({ caster.Prop, caster.Revision, caster.SendsLight });
         }
       }
       FaceKey& last = in.Faces[map.FirstLayer + face];
@@ -454,11 +459,11 @@ void vtkReflectiveShadowMapPass::Deactivate() const
 //------------------------------------------------------------------------------
 void vtkReflectiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  Internals& in = *this->Internal;
+  if (!window || !in.Guard->CanBeOf(window))
   {
     return;
   }
-  Internals& in = *this->Internal;
   in.Target.Release(window);
   in.Rows.Release(window);
   in.Faces.clear();

@@ -6,6 +6,7 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectRevision.h"
 #include "vtkImageData.h"
 #include "vtkMapLightSampler.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -51,6 +52,15 @@ void vtkIndirectFrameSamplers::Choose(
   const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkVirtualLightSampler* own)
 {
   this->Samplers.clear();
+  // Others may have had those of users in another window.
+  if (own)
+  {
+    own->HoldContext(frame.Window);
+  }
+  for (const auto& other : this->Others)
+  {
+    other->HoldContext(frame.Window);
+  }
   vtkVirtualLightSampler* sampler = own;
   this->Senders->SetNumberOfLightsOf(sampler);
   if (sampler && plan.Senders == vtkIndirectPlan::EYE)
@@ -128,7 +138,7 @@ void vtkIndirectFrameSamplers::AppendTo(std::vector<double>& key) const
 {
   for (const auto& sampler : this->Others)
   {
-    key.push_back(static_cast<double>(sampler->GetMTime()));
+    vtkIndirectRevision::AppendTo(key, sampler);
   }
   key.push_back(static_cast<double>(this->Senders->GetSourceTime()));
 }
@@ -143,6 +153,10 @@ bool vtkIndirectFrameSamplers::IsTable(const std::string& name)
 std::string vtkIndirectFrameSamplers::Copy(
   const vtkIndirectFrame& frame, const std::string& name, vtkImageData* image)
 {
+  if (!this->Samplers.empty() && !this->Lights.AreThere())
+  {
+    return "another pass has used a sampler of the last frame since";
+  }
   const bool lights = name == "lights";
   const bool branches = name == "branches";
   if (this->Samplers.empty() ||

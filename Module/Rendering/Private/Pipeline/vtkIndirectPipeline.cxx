@@ -7,6 +7,7 @@
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Frame/vtkIndirectLightScope.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectRevision.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkAreaLight.h"
@@ -18,7 +19,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <cstdint>
 
 namespace
 {
@@ -32,6 +32,12 @@ double SumIrradiance(vtkEnvironmentLight* environment)
   }
   return std::max({ sum.x, sum.y, sum.z }) / vtkMath::Pi();
 }
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectPipeline::vtkIndirectPipeline()
+{
+  this->Identity.Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -193,9 +199,12 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
   }
   this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
   vtkEnvironmentLight* const sky = this->Plan.SkyBounces ? this->Environment : nullptr;
-  const std::vector<double> source = { static_cast<double>(reinterpret_cast<uintptr_t>(sky)),
-    sky ? static_cast<double>(sky->GetMTime()) : 0.0,
-    this->Plan.AreaLightsBounce ? static_cast<double>(this->GetAreaTime()) : -1.0 };
+  std::vector<double> source;
+  vtkIndirectRevision::AppendTo(source, sky);
+  if (this->Plan.AreaLightsBounce)
+  {
+    this->AppendAreaLights(source);
+  }
   const auto makeEmitters = [&]
   {
     vtkIndirectEmitters::List emitters;
@@ -220,6 +229,13 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
 {
   this->BuffersAreThere = true;
   this->TargetIsClear = clear;
+  this->FrameKey = this->MakeFrameKey();
+  this->Estimator->HoldContext(this->Frame.Window, this->Identity.GetMTime());
+  if (!this->IsEstimateThere())
+  {
+    this->EstimateKey.clear();
+    this->SkyKey.clear();
+  }
   this->Samplers.Choose(
     this->Frame, this->Plan, this->Estimator->ChooseSampler(request.Sampler, this->Plan));
   this->TilesLeft = this->Plan.TilesPerFrame;
@@ -231,6 +247,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
   }
   this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
   this->AreaIsThere = this->Plan.AreaLights && this->UpdateArea(request);
+  this->EstimateTime = this->Estimator->GetEstimateTime();
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
   const bool composed = this->Composite.Composite(this->MakeCompositeInput());
   if (composed && this->Plan.Antialiasing)
@@ -245,8 +262,12 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
 std::vector<double> vtkIndirectPipeline::MakeFrameKey() const
 {
   std::vector<double> key = this->Plan.MakeKey(this->Frame);
+  this->Levels.AppendTo(key);
   // Receivers that a lamp hides get nothing.
-  key.push_back(this->Plan.VisibleAreaLights > 0 ? static_cast<double>(this->GetAreaTime()) : -1.0);
+  if (this->Plan.VisibleAreaLights > 0)
+  {
+    this->AppendAreaLights(key);
+  }
   return key;
 }
 
@@ -254,9 +275,9 @@ std::vector<double> vtkIndirectPipeline::MakeFrameKey() const
 // What the irradiance depends on.
 std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) const
 {
-  std::vector<double> key = this->MakeFrameKey();
-  key.push_back(static_cast<double>(this->Estimator->GetMTime()));
-  key.push_back(static_cast<double>(users->GetMTime()));
+  std::vector<double> key = this->FrameKey;
+  vtkIndirectRevision::AppendTo(key, this->Estimator);
+  vtkIndirectRevision::AppendTo(key, users);
   this->Samplers.AppendTo(key);
   key.push_back(static_cast<double>(
     this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0));
@@ -326,8 +347,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
     lights, this->Visibility, still && !more && this->Visibility.GetNumberOfTilesDrawn() == tiles,
     this->Timer };
-  this->Estimator->HoldContext(this->Frame.Window);
-  this->Estimate = sampled && visible ? this->Estimator->Estimate(input) : vtkIndirectEstimate();
+  this->Estimate =
+    sampled && visible ? this->Estimator->MakeEstimate(input) : vtkIndirectEstimate();
   if (this->Estimate.State == vtkIndirectEstimate::FAILED)
   {
     this->FailedKey = key;
@@ -360,9 +381,9 @@ bool vtkIndirectPipeline::UpdateSky(const Request& request)
     this->Spheres->SetIndirectLight(this->Plan.SpheresBounceSky ? vtkProxyAccumulationPass::SHADOWED
                                                                 : vtkProxyAccumulationPass::OFF);
   }
-  std::vector<double> key = this->MakeFrameKey();
-  key.push_back(static_cast<double>(summer->GetMTime()));
-  key.push_back(static_cast<double>(this->Environment->GetMTime()));
+  std::vector<double> key = this->FrameKey;
+  vtkIndirectRevision::AppendTo(key, summer);
+  vtkIndirectRevision::AppendTo(key, this->Environment);
   const bool failed = this->SkyEstimate.State == vtkIndirectEstimate::FAILED;
   if (key == this->SkyKey && (failed || request.Settings.Caching))
   {
@@ -370,8 +391,8 @@ bool vtkIndirectPipeline::UpdateSky(const Request& request)
   }
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
     nullptr, this->Visibility, false, this->Timer, this->Environment };
-  summer->HoldContext(this->Frame.Window);
-  this->SkyEstimate = summer->Estimate(input);
+  summer->HoldContext(this->Frame.Window, this->Identity.GetMTime());
+  this->SkyEstimate = summer->MakeEstimate(input);
   this->SkyKey = std::move(key);
   this->NumberOfEstimates += summer == this->Estimator ? 1 : 0;
   return this->SkyEstimate.State != vtkIndirectEstimate::FAILED;
@@ -387,7 +408,7 @@ bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
   const bool visible = this->Sky.UpdateMaps(input, this->TilesLeft);
   this->TilesLeft -= static_cast<int>(this->Sky.GetNumberOfTilesDrawn() - tiles);
   this->Timer.End(vtkIndirectStageTimer::Visibility);
-  std::vector<double> key = this->MakeFrameKey();
+  std::vector<double> key = this->FrameKey;
   key.push_back(static_cast<double>(this->Sky.GetContentTime()));
   key.push_back(this->Plan.NumberOfSkyDirections);
   key.push_back(this->Plan.SkyBlock);
@@ -408,14 +429,12 @@ bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-vtkMTimeType vtkIndirectPipeline::GetAreaTime() const
+void vtkIndirectPipeline::AppendAreaLights(std::vector<double>& key) const
 {
-  vtkMTimeType time = this->AreaLights.size();
   for (const auto& light : this->AreaLights)
   {
-    time = std::max(time, light->GetMTime());
+    vtkIndirectRevision::AppendTo(key, light);
   }
-  return time;
 }
 
 //------------------------------------------------------------------------------
@@ -426,7 +445,7 @@ bool vtkIndirectPipeline::UpdateArea(const Request& request)
   this->Timer.Begin(vtkIndirectStageTimer::Visibility);
   const bool updated = this->Area.Update(input, std::max(this->TilesLeft, 0));
   this->Timer.End(vtkIndirectStageTimer::Visibility);
-  std::vector<double> key = this->MakeFrameKey();
+  std::vector<double> key = this->FrameKey;
   key.push_back(static_cast<double>(this->Area.GetContentTime()));
   key.push_back(this->Plan.Interactive ? 1.0 : 0.0);
   const bool same = request.Settings.Caching && key == this->AreaKey;
@@ -446,10 +465,17 @@ bool vtkIndirectPipeline::UpdateArea(const Request& request)
 }
 
 //------------------------------------------------------------------------------
+// Whether the estimator has done nothing else since the last frame.
+bool vtkIndirectPipeline::IsEstimateThere() const
+{
+  return this->Estimator && this->Estimator->GetEstimateTime() == this->EstimateTime;
+}
+
+//------------------------------------------------------------------------------
 // The last frame's, null where there is none.
 const vtkIndirectEstimate* vtkIndirectPipeline::GetEstimate() const
 {
-  return this->IrradianceIsThere && this->Estimator ? &this->Estimate : nullptr;
+  return this->IrradianceIsThere && this->IsEstimateThere() ? &this->Estimate : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -475,10 +501,12 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
 {
   const bool maps = this->Plan.Senders == vtkIndirectPlan::MAPS;
   const vtkIndirectEstimate* const estimate = this->GetEstimate();
-  const bool summed = this->SkyIsThere && this->GetSkySummer();
+  const vtkIndirectEstimatorPass* const summer = this->GetSkySummer();
+  const bool there = this->SkyIsThere && (summer != this->Estimator || this->IsEstimateThere());
+  const bool summed = there && summer;
   const vtkIndirectTarget* const sky = summed ? this->SkyEstimate.Sky : &this->Sky.GetIrradiance();
   return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr, estimate,
-    this->SkyIsThere ? sky : nullptr, summed ? this->SkyEstimate.SkyBounce : nullptr,
+    there ? sky : nullptr, summed ? this->SkyEstimate.SkyBounce : nullptr,
     this->SkyEstimate.SkyBounceChannel, this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr,
     this->AreaIsThere ? this->Area.GetReflected() : nullptr, this->FindGreatestIrradiance(),
     this->Plan.IndirectScale,
@@ -531,8 +559,8 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
   this->Frame.Window->MakeCurrent();
   if (vtkIndirectFrameSamplers::IsTable(name))
   {
-    return this->GetEstimate() ? this->Samplers.Copy(this->Frame, name, image)
-                               : "the last frame used no virtual lights";
+    return this->IrradianceIsThere ? this->Samplers.Copy(this->Frame, name, image)
+                                   : "the last frame used no virtual lights";
   }
   if (this->RenderChannel(name))
   {
@@ -543,7 +571,9 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
   int channel = 0;
   if (!vtkIndirectComposite::ParseMapChannel(name, map, channel))
   {
-    return "the last frame computed no indirect light";
+    return this->IrradianceIsThere && !this->IsEstimateThere()
+      ? "another pass has used its estimator since"
+      : "the last frame computed no indirect light";
   }
   return this->Plan.Senders == vtkIndirectPlan::EYE
     ? "a single headlight is read from the geometry buffer and has no map"

@@ -34,6 +34,7 @@
 #include "vtkProxyAccumulationPass.h"               // for members
 #include "vtkReflectiveShadowMapPass.h"             // for members
 #include "vtkSmartPointer.h"                        // for members
+#include "vtkTimeStamp.h"                           // for members
 #include "vtkWeakPointer.h"                         // for members
 
 #include <string> // for names
@@ -59,6 +60,8 @@ public:
     /** The renderer's own lights where others have taken their place; else null. */
     vtkLightCollection* ReplacedLights = nullptr;
   };
+
+  vtkIndirectPipeline();
 
   /** Reads the scene and plans the frame; nothing of the last one can be read from here on. */
   void Prepare(const vtkRenderState* s, const Request& request);
@@ -110,9 +113,10 @@ private:
   bool UpdateSkyMaps(const Request& request);
   vtkIndirectEstimatorPass* GetSkySummer() const;
   bool UpdateArea(const Request& request);
-  vtkMTimeType GetAreaTime() const;
+  void AppendAreaLights(std::vector<double>& key) const;
   bool UpdateSenderMaps();
   void ReleaseSkyMaps(vtkWindow* window);
+  bool IsEstimateThere() const;
   const vtkIndirectEstimate* GetEstimate() const;
   vtkIndirectComposite::Input MakeCompositeInput() const;
   glm::dvec3 FindGreatestIrradiance() const;
@@ -152,9 +156,12 @@ private:
   // What made its irradiance: its buffers stay readable when the pass is given others.
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkIndirectEstimatorPass> HeldEstimator;
+  vtkMTimeType EstimateTime = 0;    // of the estimator, at the frame's end
+  vtkTimeStamp Identity;            // whose estimator it is
   bool TargetIsClear = false;       // of what the frame is drawn into
   vtkIndirectReport::Entries Paths; // in force
 
+  std::vector<double> FrameKey; // what all light of the frame depends on
   // What the irradiance was computed from; empty when there is none.
   std::vector<double> EstimateKey;
   std::vector<double> SkyKey;

@@ -25,7 +25,7 @@ constexpr size_t MostMaps = vtkIndirectEmitters::MostPieces;
 
 bool AreSame(const vtkIndirectCaster& a, const vtkIndirectCaster& b)
 {
-  return a.Prop == b.Prop && a.RedrawMTime == b.RedrawMTime && a.SendsLight == b.SendsLight &&
+  return a.Prop == b.Prop && a.Revision == b.Revision && a.SendsLight == b.SendsLight &&
     std::equal(a.Bounds, a.Bounds + 6, b.Bounds);
 }
 
@@ -231,7 +231,7 @@ void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

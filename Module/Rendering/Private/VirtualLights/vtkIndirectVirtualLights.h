@@ -5,10 +5,12 @@
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectTarget.h"            // for members
+#include "vtkTimeStamp.h"                        // for a member
 #include "vtkVirtualLightSampler.h"              // for its input
 
-#include <string> // for definitions
-#include <vector> // for samplers
+#include <string>  // for definitions
+#include <utility> // for contents
+#include <vector>  // for samplers
 
 class vtkImageData;
 
@@ -26,6 +28,9 @@ public:
    */
   bool Update(const Input& input, const Samplers& samplers);
 
+  /** Whether the samplers' lights are still those of the last update. */
+  bool AreThere() const;
+
   int GetNumberOfLights() const { return this->NumberOfLights; }
   int GetNumberOfRows() const;
   /** Whether some lights may be directions. */
@@ -41,7 +46,8 @@ public:
   const vtkIndirectTarget* GetLobes() const { return this->CurrentLobes; }
   /** Whether receivers that are near to a light sum what is below it (vtkIndirectBranches.glsl). */
   bool HasBranches() const { return this->CurrentBranches != nullptr; }
-  vtkMTimeType GetContentTime() const { return this->ContentTime; }
+  /** Grows whenever the lights have changed, or the samplers that they are of. */
+  vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
   const vtkIndirectTarget& GetTable() const { return *this->Current; }
 
   ///@{
@@ -100,8 +106,9 @@ private:
   const vtkIndirectTarget* CurrentLobes = nullptr;
   int NumberOfLights = 0;
   bool WithDirections = false;
-  vtkMTimeType ContentTime = 0; // the latest of the samplers'
-  std::vector<vtkMTimeType> JoinedTimes;
+  std::vector<std::pair<vtkVirtualLightSampler*, vtkMTimeType>> Contents; // of the last update
+  vtkTimeStamp ContentTime;
+  vtkMTimeType JoinedTime = 0; // of the contents that the joined tables have; 0: none
 };
 
 #endif

@@ -2,11 +2,13 @@
 #include "Visibility/vtkIndirectRayPiece.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectRevision.h"
 #include "Visibility/vtkIndirectGlyphs.h"
 #include "vtkActor.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -144,18 +146,16 @@ bool vtkIndirectRayPiece::FindNormal(
 //------------------------------------------------------------------------------
 void vtkIndirectRayPiece::AppendShape(std::vector<double>& key) const
 {
-  const auto add = [&key](vtkDataSet* data)
-  {
-    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(data)));
-    key.push_back(data ? static_cast<double>(data->GetMTime()) : 0.0);
-  };
-  add(this->Polygons.Data);
-  add(this->Places);
+  vtkIndirectRevision::AppendTo(key, this->Polygons.Data);
+  vtkIndirectRevision::AppendTo(key, this->Places);
   key.push_back(static_cast<double>(this->Polygons.Triangles.size()));
   // A glyph mapper's settings place its glyphs.
-  key.push_back(this->Places ? static_cast<double>(this->Polygons.Mapper->GetMTime()) : 0.0);
+  vtkIndirectRevision::AppendTo(key, this->Places ? this->Polygons.Mapper : nullptr);
   vtkPlaneCollection* planes = this->Polygons.Mapper->GetClippingPlanes();
-  key.push_back(planes ? static_cast<double>(planes->GetMTime()) : 0.0);
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    vtkIndirectRevision::AppendTo(key, planes->GetItem(i));
+  }
   for (int column = 0; column < 4; ++column)
   {
     for (int row = 0; row < 3; ++row)

@@ -70,7 +70,7 @@ bool vtkIndirectRaySurfaces::Update(
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
     key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(caster.Prop)));
-    key.push_back(static_cast<double>(caster.RedrawMTime));
+    key.push_back(static_cast<double>(caster.Revision));
     key.push_back(caster.SendsLight ? 1.0 : 0.0);
   }
   // Splats may be drawn as spheres, and are no casters.
