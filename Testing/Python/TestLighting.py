@@ -29,6 +29,14 @@ def headlight(**properties: Any) -> vtkLight:
     return light
 
 
+def camera_light() -> vtkLight:
+    light = vtkLight()
+    light.SetLightTypeToCameraLight()
+    light.SetPosition(0.5, 0.5, 1.0)
+    light.SetIntensity(0.6)
+    return light
+
+
 def lit_by(*found: vtkLight, automatic: bool = True) -> vtkRenderer:
     renderer = vtkRenderer()
     renderer.SetAutomaticLightCreation(automatic)
@@ -55,28 +63,36 @@ class Choice(unittest.TestCase):
         self.assertEqual(chosen[0], preset, chosen)
         self.assertIn(why, chosen[1])
 
-    def test_nobody_has_chosen(self) -> None:
+    def test_nobody_has_placed_lights(self) -> None:
         self.check(lit_by(), "full", "the headlight that VTK gives it")
         self.check(lit_by(headlight(Switch=False)), "full", "the headlight that VTK gives it")
-        self.check(lit_by(headlight()), "full", "VTK's own headlight")
-        self.check(lit_by_kit(), "full", "light kit")
-        self.check(lit_by_kit(switched_off=2), "full", "light kit")
+        follow = "follow its camera"
+        self.check(lit_by(headlight()), "full", follow)
+        self.check(lit_by(headlight(), automatic=False), "full", follow)
+        self.check(lit_by(headlight(Intensity=0.5)), "full", follow)
+        self.check(lit_by(headlight(DiffuseColor=(1, 0.5, 0.5))), "full", follow)
+        self.check(lit_by(headlight(), headlight()), "full", follow)
+        self.check(lit_by_kit(), "full", follow)
+        self.check(lit_by_kit(switched_off=2), "full", follow)
+        fewer = lit_by_kit()
+        fewer.RemoveLight(fewer.GetLights().GetItemAsObject(4))
+        self.check(fewer, "full", follow)
+        more = lit_by_kit()
+        more.AddLight(headlight())
+        self.check(more, "full", follow)
+        self.check(lit_by(*(camera_light() for _ in range(3))), "full", follow)
 
     def test_somebody_has(self) -> None:
         placed = "somebody has placed"
-        self.check(lit_by(headlight(), automatic=False), "scene", placed)
-        self.check(lit_by(headlight(Intensity=0.5)), "scene", placed)
-        self.check(lit_by(headlight(DiffuseColor=(1, 0.5, 0.5))), "scene", placed)
         self.check(lit_by(headlight(Positional=True)), "scene", placed)
         self.check(lit_by(vtkLight()), "scene", placed)
-        self.check(lit_by(headlight(), headlight()), "scene", placed)
+        self.check(lit_by(headlight(), vtkLight()), "scene", placed)
+        self.check(lit_by(headlight(Intensity=0.0)), "scene", "adds no light")
+        self.check(lit_by(headlight(), headlight(Intensity=-0.5)), "scene", "adds no light")
         self.check(lit_by(automatic=False), "scene", "is to have none")
         more = lit_by_kit()
         more.AddLight(vtkLight())
         self.check(more, "scene", placed)
-        fewer = lit_by_kit()
-        fewer.RemoveLight(fewer.GetLights().GetItemAsObject(4))
-        self.check(fewer, "scene", placed)
 
     def test_environment(self) -> None:
         self.check(lit_by(), "scene", "an environment is set", environment=object())
@@ -219,7 +235,7 @@ class PyVista(unittest.TestCase):
 
         if not vtkindirect.has_display():
             vtkindirect.use_headless()
-        for kind, preset in (("light kit", "FULL"), ("three lights", "SCENE"), ("none", "SCENE")):
+        for kind, preset in (("light kit", "FULL"), ("three lights", "FULL"), ("none", "SCENE")):
             with self.subTest(kind=kind):
                 plotter = pyvista.Plotter(off_screen=True, window_size=(32, 32), lighting=kind)
                 self.addCleanup(plotter.close)
