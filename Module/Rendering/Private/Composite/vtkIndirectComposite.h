@@ -49,6 +49,7 @@ public:
     const vtkIndirectTarget* AreaGlossy;    // what is reflected specularly of these
     double IndirectScale;
     bool DepthCleared; // of the framebuffer that is bound: nothing is drawn there yet
+    bool DepthDrawn;   // there: the depth of the frame's opaque props is there already
   };
 
   /** Index of a channel of the frame, or -1. */

@@ -341,6 +341,12 @@ vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectPropKind::IsFlat(vtkProp* prop)
+{
+  return prop->IsA("vtkActor2D") && !prop->IsA("vtkCaptionActor2D");
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkIndirectPropKind::FindTime(vtkProp* prop)
 {
   if (vtkAssembly::SafeDownCast(prop) || vtkPropAssembly::SafeDownCast(prop))

@@ -39,6 +39,10 @@ struct vtkIndirectPropKind
 
   static vtkIndirectPropKind Find(vtkProp* prop);
 
+  /** Whether a prop is drawn on the picture and has nothing in space: no caption, which has a line
+   * there. */
+  static bool IsFlat(vtkProp* prop);
+
   /**
    * When what it draws has changed last: VTK's redraw time does not know of data that are no
    * vtkDataSet, such as a vtkMolecule. VTK modifies what is in an assembly whenever it draws it, so

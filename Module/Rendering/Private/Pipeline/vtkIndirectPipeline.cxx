@@ -168,6 +168,10 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   }
   drawn = drawn && !this->IsRedirected() &&
     this->VisibleLamps.Draw(this->Frame, this->AreaLights, this->Geometry);
+  this->TargetIsClear = request.DepthCleared;
+  this->DepthIsDrawn = drawn && !this->IsRedirected() && request.DepthCleared &&
+    request.DepthOfSamples && this->Plan.VisibleAreaLights == 0 &&
+    this->Geometry.DrawDepthOfSamples(s, this->Frame, this->Capture);
   this->Timer.End(vtkIndirectStageTimer::Geometry);
   this->Capture->Detach();
   return drawn && !this->IsRedirected();
@@ -206,10 +210,9 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
+void vtkIndirectPipeline::DrawLight(const Request& request)
 {
   this->BuffersAreThere = true;
-  this->TargetIsClear = clear;
   this->Samplers.Choose(
     this->Frame, this->Plan, this->Estimator->ChooseSampler(request.Sampler, this->Plan));
   this->TilesLeft = this->Plan.TilesPerFrame;
@@ -451,7 +454,7 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
     this->SkyIsThere ? sky : nullptr, summed ? this->SkyEstimate.SkyBounce : nullptr,
     this->SkyEstimate.SkyBounceChannel, this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr,
     this->AreaIsThere ? this->Area.GetReflected() : nullptr, this->Plan.IndirectScale,
-    this->TargetIsClear };
+    this->TargetIsClear, this->DepthIsDrawn };
 }
 
 //------------------------------------------------------------------------------

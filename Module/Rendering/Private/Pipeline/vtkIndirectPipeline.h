@@ -58,6 +58,8 @@ public:
     vtkEnvironmentLight* Environment = nullptr;
     /** The renderer's own lights where others have taken their place; else null. */
     vtkLightCollection* ReplacedLights = nullptr;
+    bool DepthOfSamples = false; // props may be drawn once more, for their depth
+    bool DepthCleared = false;   // of the framebuffer that is bound: nothing is drawn there yet
   };
 
   /** Reads the scene and plans the frame; nothing of the last one can be read from here on. */
@@ -73,10 +75,9 @@ public:
   int GetNumberOfRenderedProps() const { return this->Geometry.GetNumberOfRenderedProps(); }
 
   /**
-   * Then the light, and the picture into the framebuffer that is bound; clear: nothing is drawn
-   * there yet.
+   * Then the light, and the picture into the framebuffer that is bound.
    */
-  void DrawLight(const Request& request, bool clear);
+  void DrawLight(const Request& request);
   /** Shows a channel in place of the picture; false for one that the frame does not have. */
   bool ShowChannel(const std::string& name);
 
@@ -151,6 +152,7 @@ private:
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkIndirectEstimatorPass> HeldEstimator;
   bool TargetIsClear = false;       // of what the frame is drawn into
+  bool DepthIsDrawn = false;        // into that, sample by sample
   vtkIndirectReport::Entries Paths; // in force
 
   // What the irradiance was computed from; empty when there is none.

@@ -12,7 +12,8 @@
       vtkiNormal = vec3(0.0f, 0.0f, 1.0f);
       vtkiKind = VTKI_SURFACE_UNLIT;
     }
-    gl_FragData[1] = vtkiPackSurface(vtkiNormal, VTKI_DEPTH, vtkiKind);
+    gl_FragData[1] = vtkiKind == VTKI_SURFACE_UNLIT ? vtkiPackUnlit(VTKI_DEPTH, vtkiNumber)
+                                                    : vtkiPackSurface(vtkiNormal, VTKI_DEPTH, vtkiKind);
     if (vtkiStage != 0)
     {
       gl_FragData[0] = vec4(vtkiAlbedo * VTKI_SENDER_SCALE, 1.0f);
