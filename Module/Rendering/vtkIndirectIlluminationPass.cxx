@@ -9,12 +9,14 @@
 #include "Frame/vtkIndirectLightScope.h"
 #include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectSwitches.h"
 #include "Frame/vtkIndirectView.h"
 #include "OpenGL/vtkIndirectContextGuard.h"
 #include "Pipeline/vtkIndirectLighting.h"
 #include "Pipeline/vtkIndirectPipeline.h"
 #include "vtkAreaLight.h"
 #include "vtkEnvironmentLight.h"
+#include "vtkHiddenLineRemovalPass.h"
 #include "vtkImageData.h"
 #include "vtkIndirectEstimatorPass.h"
 #include "vtkLight.h"
@@ -96,6 +98,16 @@ struct vtkIndirectIlluminationPass::Internals
   vtkIndirectPipeline Pipeline;
   vtkIndirectLighting Lighting;
   vtkNew<vtkSequencePass> DefaultDelegate;
+  vtkNew<vtkHiddenLineRemovalPass> HiddenLines; // in its place where the renderer removes them
+  vtkIndirectSwitches Switches;
+  std::string RefusedAround; // why, as an error has said
+
+  vtkRenderPass* FindDelegate(const vtkRenderState* s, vtkRenderPass* users)
+  {
+    return users                                   ? users
+      : vtkIndirectSwitches::RemovesHiddenLines(s) ? static_cast<vtkRenderPass*>(this->HiddenLines)
+                                                   : this->DefaultDelegate;
+  }
   vtkIndirectDelegateGuard Delegate;
   vtkIndirectEstimatorPass* Borrowed = nullptr;
   vtkIndirectView View;
@@ -345,8 +357,8 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
 
   in.Pipeline.Timer.BeginFrame(window);
-  const bool clear = in.View.Begin(s);
   vtkIndirectPipeline::Request request;
+  request.DepthCleared = in.View.Begin(s);
   request.Settings = this->Settings;
   request.Circumstances.OwnDelegate = this->DelegatePass != nullptr;
   request.Circumstances.FrameSeconds = 1.0 / std::max(window->GetDesiredUpdateRate(), 1e-9);
@@ -356,10 +368,17 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   {
     request.Circumstances.DelegateIsRefused = vtkIndirectDelegateGuard::Why;
   }
+  const std::string around = vtkIndirectSwitches::FindRefusal(s);
+  if (!around.empty())
+  {
+    request.Circumstances.DelegateIsRefused = around;
+  }
+  this->Say(s, around);
   request.Estimator = this->GetActiveEstimator();
   request.HoldEstimator = request.Estimator != in.Borrowed;
   request.Sampler = this->GetActiveSampler();
-  request.Delegate = this->DelegatePass ? this->DelegatePass : in.DefaultDelegate.Get();
+  request.Delegate = in.FindDelegate(s, this->DelegatePass);
+  request.DepthOfSamples = request.Delegate == in.DefaultDelegate;
   in.Lighting.Update(renderer, this->Settings, this->Environment);
   request.Environment = in.Lighting.GetEnvironment();
   // What the delegate draws alone has the renderer's lights.
@@ -385,9 +404,10 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   if (why.empty())
   {
     this->NumberOfRenderedProps += in.Pipeline.GetNumberOfRenderedProps();
-    in.Pipeline.DrawLight(request, clear);
+    in.Pipeline.DrawLight(request);
     this->ShowDebugView();
     lights.reset();
+    this->NumberOfRenderedProps += vtkIndirectView::RenderFlat(s);
   }
   else
   {
@@ -410,10 +430,29 @@ void vtkIndirectIlluminationPass::RenderDelegate(const vtkRenderState* s, const 
   Internals& in = *this->Internal;
   in.Pipeline.Forget(why);
   in.Pipeline.Timer.Begin(vtkIndirectStageTimer::Delegate);
-  vtkRenderPass* delegate = this->DelegatePass ? this->DelegatePass : in.DefaultDelegate;
+  vtkRenderPass* delegate = in.FindDelegate(s, this->DelegatePass);
   delegate->Render(s);
   this->NumberOfRenderedProps += delegate->GetNumberOfRenderedProps();
   in.Pipeline.Timer.End(vtkIndirectStageTimer::Delegate);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::Say(const vtkRenderState* s, const std::string& around)
+{
+  Internals& in = *this->Internal;
+  if (!around.empty() && around != in.RefusedAround)
+  {
+    vtkErrorMacro(<< around << ": the picture is without indirect light.");
+  }
+  in.RefusedAround = around;
+  in.Switches.Update(s, this->DelegatePass != nullptr);
+  for (const auto& entry : in.Switches.GetLeftOut())
+  {
+    if (in.Switches.IsNew(entry.first))
+    {
+      vtkWarningMacro("Left out: " << entry.first << ": " << entry.second << ".");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -503,6 +542,8 @@ std::string vtkIndirectIlluminationPass::GetReport()
     { "IndirectScale", this->Settings.IndirectScale }, { "ErrorTolerance", tolerance },
     { "Caching", this->Settings.Caching } };
   in.Pipeline.AddToReport(report);
+  report.LeftOut.insert(
+    report.LeftOut.end(), in.Switches.GetLeftOut().begin(), in.Switches.GetLeftOut().end());
   if (in.Pipeline.HasBuffers())
   {
     in.Lighting.AddToReport(report);
@@ -537,5 +578,6 @@ void vtkIndirectIlluminationPass::LetGo(vtkWindow* window)
   release(this->DelegatePass);
   in.Pipeline.Release(window);
   in.DefaultDelegate->ReleaseGraphicsResources(window);
+  in.HiddenLines->ReleaseGraphicsResources(window);
   in.View.Release(window);
 }

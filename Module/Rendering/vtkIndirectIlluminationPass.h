@@ -425,6 +425,8 @@ private:
   vtkIndirectEstimatorPass* GetFrameEstimator(); // of the last frame, without one of the next
   void RenderDelegate(const vtkRenderState* s, const std::string& why);
   void RefuseDelegate(const std::string& reason);
+  // What of the renderer's switches and of the passes around is not done, once.
+  void Say(const vtkRenderState* s, const std::string& around);
   std::string GetChannelNames();
 
   struct Internals;

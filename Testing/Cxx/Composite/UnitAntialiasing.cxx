@@ -3,6 +3,7 @@
 #include "vtkIndirectTestUtilities.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
+#include "vtkMath.h"
 
 #include <algorithm>
 #include <array>
@@ -221,4 +222,110 @@ VTK_INDIRECT_TEST(AntialiasingDiagonals)
   const double mean = Integrate(-0.5, 0.5, [](double h) { return vtkiAreaBelow(float(h), 1.0f); });
   const vec2 unknown = vtkiDiagonalAreas(15, 15, 0.0f, 0.0f, 1);
   CheckAbsolute("a line that is anywhere", unknown.x, mean, 1e-6, "rounding");
+}
+
+VTK_INDIRECT_TEST(AntialiasingLeaps)
+{
+  // What the depth buffer has of heights in a row.
+  auto leaps = [](const std::array<double, 4>& heights)
+  {
+    vec4 depth(0.0f);
+    for (int i = 0; i < 4; ++i)
+    {
+      depth[i] = static_cast<float>(heights[static_cast<size_t>(i)]);
+    }
+    return vtkiIsDepthLeap(depth);
+  };
+  Random random(11);
+  int planes = 0;
+  int steps = 0;
+  int bends = 0;
+  int waves = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double slope = random.Next(-2e-3, 2e-3);
+    const double first = random.Next(0.2, 0.9);
+    auto noise = [&random] { return random.Next(-0.5, 0.5) * VTKI_DEPTH_ROUNDING; };
+    std::array<double, 4> plane{};
+    for (size_t k = 0; k < 4; ++k)
+    {
+      plane[k] = first + slope * static_cast<double>(k) + noise();
+    }
+    planes += leaps(plane);
+    // Another surface, four times as far away as the slope and rounding take it.
+    const double step = 4.0 * std::abs(slope) + 4e-6;
+    steps += !leaps({ plane[0], plane[1], plane[2] + step, plane[3] + step });
+    // A roof, seen from either side.
+    const double other = random.Next(-2e-3, 2e-3);
+    bends += leaps({ first - slope, first, first + slope, first + slope + other });
+    const double length = random.Next(6.2, 40.0);
+    const double phase = random.Next(0.0, 7.0);
+    auto wave = [&](double x)
+    { return 0.5 + 1e-3 * std::sin(phase + 2.0 * vtkMath::Pi() * x / length); };
+    waves += leaps({ wave(0), wave(1), wave(2), wave(3) });
+  }
+  CheckEqual("planes with a leap", planes, 0);
+  CheckEqual("steps without one", steps, 0);
+  CheckEqual("bends with one", bends, 0);
+  CheckEqual("waves of more than six pixels with one", waves, 0);
+  CheckEqual("a thing of one pixel has sides", leaps({ 0.5, 0.4, 0.5, 0.5 }), true);
+  CheckEqual("of two pixels beside nothing nothing is known", leaps({ 1.0, 0.4, 0.5, 1.0 }), false);
+}
+
+VTK_INDIRECT_TEST(AntialiasingCreases)
+{
+  auto encode = [](double angle)
+  { return vtkiOctahedralEncode(vec3(float(std::sin(angle)), 0.0f, float(std::cos(angle)))); };
+  int bent = 0;
+  // Rows through the middle of a ball and across a tube, up to the outline.
+  for (double radius = 5.0; radius < 200.0; radius *= 1.1)
+  {
+    for (double x = -radius + 0.5; x + 1.0 < radius; x += 0.5)
+    {
+      vec2 code[4];
+      bool known[4];
+      for (int k = 0; k < 4; ++k)
+      {
+        const double sine = (x + k - 1.0) / radius;
+        known[k] = std::abs(sine) <= 1.0;
+        code[k] = encode(std::asin(std::max(-1.0, std::min(1.0, sine))));
+      }
+      bent += known[2] && vtkiIsCrease(code[0], code[1], code[2], code[3], known[0], known[3]);
+    }
+  }
+  CheckEqual("creases of what is round", bent, 0);
+  CheckEqual("an edge of a cube",
+    vtkiIsCrease(encode(-0.8), encode(-0.8), encode(0.8), encode(0.8), true, true), true);
+  CheckEqual("one that light cannot show",
+    vtkiIsCrease(encode(0.0), encode(0.0), encode(0.04), encode(0.04), true, true), false);
+  CheckEqual("of two pixels alone nothing is known",
+    vtkiIsCrease(encode(0.0), encode(-0.8), encode(0.8), encode(0.0), false, false), false);
+}
+
+VTK_INDIRECT_TEST(AntialiasingOutlines)
+{
+  const vec4 flat(0.5f);
+  const vec4 lit = vtkiPackSurface(vec3(0.0f, 0.0f, 1.0f), 1.0f, VTKI_SURFACE_LINEAR);
+  const vec4 encoded = vtkiPackSurface(vec3(0.0f, 0.0f, 1.0f), 1.0f, VTKI_SURFACE_ENCODED);
+  const vec4 one = vtkiPackUnlit(1.0f, 7);
+  const vec4 other = vtkiPackUnlit(1.0f, 8);
+  const vec4 none(0.0f);
+  CheckEqual("one surface", vtkiIsOutline(flat, lit, lit, lit, lit), false);
+  CheckEqual("one prop", vtkiIsOutline(flat, one, one, one, one), false);
+  CheckEqual("what has no surface", vtkiIsOutline(flat, none, none, none, none), false);
+  CheckEqual("two props", vtkiIsOutline(flat, one, one, other, other), true);
+  CheckEqual("two kinds", vtkiIsOutline(flat, lit, lit, encoded, encoded), true);
+  CheckEqual("lit and not", vtkiIsOutline(flat, one, one, lit, lit), true);
+  CheckEqual(
+    "the background", vtkiIsOutline(vec4(0.5f, 0.5f, 1.0f, 1.0f), lit, lit, none, none), true);
+  CheckEqual("nothing but background", vtkiIsOutline(vec4(1.0f), none, none, none, none), false);
+  int wrong = 0;
+  for (int number = 0; number < 32768; ++number)
+  {
+    const vec4 packed = vtkiPackUnlit(0.25f, number);
+    wrong += vtkiSurfaceKind(packed) != VTKI_SURFACE_UNLIT || vtkiSurfaceIsLit(packed) ||
+      !std::isfinite(packed.y) || vtkiSurfaceDepth(packed) != 0.25f ||
+      vtkiSurfaceCode(packed) == vtkiSurfaceCode(vtkiPackUnlit(0.25f, number + 1));
+  }
+  CheckEqual("numbers that are not told apart", wrong, 0);
 }

@@ -240,6 +240,84 @@ VTK_INDIRECT_TEST(LightRigKit)
   }
 }
 
+// Of white, concave parts that reflect all of what falls on them stay within what white leaves to
+// plain VTK's brightness, and convex ones are no darker than is promised.
+VTK_INDIRECT_TEST(LightRigHeadroom)
+{
+  const std::vector<std::vector<vtkIndirectLamp>> lights = { {},
+    { { { 0, 0, 1 }, glm::dvec3(0.25) },
+      { vtkIndirectLightRig::FromAngles(50, 10), glm::dvec3(0.75) },
+      { vtkIndirectLightRig::FromAngles(-75, 0), glm::dvec3(0.25) },
+      { vtkIndirectLightRig::FromAngles(0, 110), glm::dvec3(0.21) },
+      { vtkIndirectLightRig::FromAngles(0, -110), glm::dvec3(0.21) } } };
+  for (const auto& lamps : lights)
+  {
+    const std::vector<vtkIndirectLamp> own =
+      lamps.empty() ? std::vector<vtkIndirectLamp>{ { { 0, 0, 1 }, glm::dvec3(1.0) } } : lamps;
+    double plain = 0.0;
+    double all = 0.0;
+    for (const vtkIndirectLamp& lamp : own)
+    {
+      plain += vtkIndirectLightRig::GetIrradianceOfBall(lamp);
+      all += lamp.Color.x;
+    }
+    // The brightest of many directions.
+    double most = 0.0;
+    Random random(3);
+    for (int i = 0; i < 100000; ++i)
+    {
+      const glm::dvec3 normal = random.NextDirection();
+      double sum = 0.0;
+      for (const vtkIndirectLamp& lamp : own)
+      {
+        sum += lamp.Color.x * std::max(glm::dot(normal, lamp.Direction), 0.0);
+      }
+      most = std::max(most, sum);
+    }
+    CheckRelative("the most of all directions", vtkIndirectLightRig::FindMostIrradiance(own), most,
+      1e-3, "directions a degree apart, of a cosine");
+    for (const auto& [preset, title] : Presets)
+    {
+      const bool sky = preset == vtkIndirectLightingSoft || preset == vtkIndirectLightingGentle;
+      const double before =
+        vtkIndirectLightRig::Make(preset, lamps, { 0.0, 0.0 }).GetIrradianceOfBall() / plain;
+      for (double albedo : { 0.3, 0.6, 0.9, 1.0 })
+      {
+        const std::string name = std::string(title) + ", albedo " + std::to_string(albedo);
+        const vtkIndirectLightRig rig =
+          vtkIndirectLightRig::Make(preset, lamps, { albedo, albedo });
+        // What is kept is there of every lamp, of the key what its shadows leave.
+        double kept = rig.Key.Color.x * (1.0 - rig.KeyShadow);
+        for (const vtkIndirectLamp& fill : rig.Fills)
+        {
+          kept += fill.Color.x;
+        }
+        double given = 0.0; // of the preset's own that comes from the viewer, without a shadow
+        if (!sky && !lamps.empty())
+        {
+          // As much of the headlight as of each lobe.
+          const auto& lobe = rig.Lobes.at(0).Lamp;
+          const auto same = std::find_if(own.begin(), own.end(),
+            [&](const vtkIndirectLamp& lamp) { return lamp.Direction == lobe.Direction; });
+          given = 0.25 * lobe.Color.x / same->Color.x;
+        }
+        kept = (kept - given) / all;
+        const double total = rig.GetIrradianceOfBall() / plain;
+        const double strength = total - kept;
+        const double gain = 1.0 / (1.0 - (sky ? 0.4 : 0.6) * albedo);
+        if (albedo >= 0.9)
+        {
+          CheckAtMost(name + ", what is concave", kept + strength * gain,
+            std::max(1.0 / (albedo * most), 1.0) + 1e-3, "white, and the directions above");
+        }
+        CheckAtLeast(name + ", what is convex", total, 0.92 - 1e-9, "the promise");
+        CheckAtMost(
+          name + ", no brighter than of unknown albedo", total, before + 1e-9, "rounding");
+      }
+    }
+  }
+}
+
 // All that is dark changes maps when it turns, and no direction is so bright that it is drawn by
 // itself: skies have neither.
 VTK_INDIRECT_TEST(LightRigSkies)

@@ -74,7 +74,7 @@ def _add_lighting_argument(parser: argparse.ArgumentParser) -> None:
         "--lighting",
         metavar="NAME",
         help=f"what lights the scene: {', '.join(lighting.NAMES)} (default: auto, which is full "
-        "where nobody has chosen the lights, else scene)",
+        "where all lights follow the camera, else scene)",
     )
 
 

@@ -16,10 +16,6 @@ NAMES = (AUTO, *PRESETS)
 
 PROPERTY = "Lighting"
 
-# vtkLightKit has a headlight and, of lights that stand still beside the camera, a key, a fill and
-# two at the back; so has PyVista's.
-_KIT = {"headlight": 1, "camera": 4}
-
 
 def check(name: str) -> str:
     """Return the name of a lighting that is known."""
@@ -41,21 +37,17 @@ def _lights(renderer: vtkRenderer) -> list[vtkLight]:
     return [light for light in lights if light.GetSwitch()]
 
 
-def _is_as_made_by_vtk(light: vtkLight) -> bool:
-    """Whether a light is as the one that VTK makes for a renderer without any."""
-    return (
-        bool(light.LightTypeIsHeadlight())
-        and not light.GetPositional()
-        and light.GetIntensity() == 1.0
-        and tuple(light.GetDiffuseColor()) == (1.0, 1.0, 1.0)
-    )
+def _follows_camera(light: vtkLight) -> bool:
+    """Whether a light stands still beside the camera and lights all that it sees.
+
+    One with a place, a cone or falloff does not: somebody has aimed it.
+    """
+    return not light.LightTypeIsSceneLight() and not light.GetPositional()
 
 
-def _is_kit(lights: list[vtkLight]) -> bool:
-    if any(light.GetPositional() or light.LightTypeIsSceneLight() for light in lights):
-        return False
-    headlights = sum(1 for light in lights if light.LightTypeIsHeadlight())
-    return {"headlight": headlights, "camera": len(lights) - headlights} == _KIT
+def _shines(light: vtkLight) -> bool:
+    """Whether a light adds something."""
+    return light.GetIntensity() > 0.0 and max(light.GetDiffuseColor()) > 0.0
 
 
 def _has_image_light(renderer: vtkRenderer) -> bool:
@@ -71,8 +63,9 @@ def choose(
 ) -> tuple[str, str]:
     """Return the preset that "auto" stands for, and why.
 
-    That is "full" where nobody has chosen the renderer's lights, else "scene". `environment` is the
-    pass's, or None, and `area_lights` how many it has.
+    That is "full" where nobody has placed lights in the scene: where it has none but those that
+    follow the camera, however many; else "scene". `environment` is the pass's, or None, and
+    `area_lights` how many it has.
     """
     if environment is not None:
         return "scene", "an environment is set"
@@ -81,13 +74,12 @@ def choose(
     if _has_image_light(renderer):
         return "scene", "the renderer has image-based lighting"
     lights = _lights(renderer)
-    automatic = bool(renderer.GetAutomaticLightCreation())
     if not lights:
-        if automatic:
+        if renderer.GetAutomaticLightCreation():
             return "full", "the renderer has no light but the headlight that VTK gives it"
         return "scene", "the renderer has no light and is to have none"
-    if len(lights) == 1 and automatic and _is_as_made_by_vtk(lights[0]):
-        return "full", "the renderer has no light but VTK's own headlight"
-    if _is_kit(lights):
-        return "full", "the renderer has no light but those of a light kit"
-    return "scene", "somebody has placed the renderer's lights"
+    if not all(_follows_camera(light) for light in lights):
+        return "scene", "somebody has placed the renderer's lights"
+    if not all(_shines(light) for light in lights):
+        return "scene", "a light of the renderer adds no light"
+    return "full", "all lights of the renderer follow its camera"

@@ -329,9 +329,10 @@ def enable(
     from which the renderer was loaded.
 
     `lighting` is one of "auto", "scene" (the renderer's lights as they are), "soft", "full",
-    "gentle" and "studio". "auto", which a new pass gets, is "full" where nobody has chosen the
-    renderer's lights: where it has VTK's own headlight alone, or a light kit; and "scene" where
-    somebody has placed lights or set an environment. `report` says which, and why.
+    "gentle" and "studio". "auto", which a new pass gets, is "full" where nobody has placed lights
+    in the scene: where all of the renderer's lights follow its camera, as VTK's headlight, light
+    kits and PyVista's three lights do; and "scene" where somebody has placed some or set an
+    environment. `report` says which, and why.
 
     Calling again changes the method and the settings that are given and keeps the others, where the
     method has them. After an error everything is as it was.

@@ -8,6 +8,7 @@
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectRendererAccess.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectPaths.h"
@@ -18,6 +19,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
 
+#include <algorithm>
 #include <unordered_set>
 
 namespace
@@ -106,6 +108,8 @@ bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirec
 
   vtkRenderState s2(s->GetRenderer());
   std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  // These come once the picture is there: they may look up what hides their places.
+  props.erase(std::remove_if(props.begin(), props.end(), vtkIndirectPropKind::IsFlat), props.end());
   // Where all is solid there are none.
   const StandIns standIns =
     this->HasAlbedoInLit() ? StandIns() : ReplaceColorOnly(frame, capture, props);
@@ -131,6 +135,35 @@ bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirec
   const bool complete = !clearAfter || this->Clear(frame.Window, true);
   this->Target->End();
   return complete;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectGeometryBuffer::DrawDepthOfSamples(
+  const vtkRenderState* s, const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture)
+{
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  if (samples < 2)
+  {
+    return false;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  std::vector<vtkProp*> props = frame.Captured;
+  props.insert(props.end(), frame.ColorOnly.begin(), frame.ColorOnly.end());
+  vtkRenderState s2(s->GetRenderer());
+  s2.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  capture->BeginDepth();
+  capture->Render(&s2);
+  capture->EndStage();
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -53,6 +53,15 @@ public:
    */
   bool DrawMore(const vtkIndirectFrame& frame, const std::function<bool()>& draw);
 
+  /**
+   * Where the framebuffer that is bound has several samples a pixel, and nothing is drawn there
+   * yet: draws the depth of the opaque props into it, as VTK does, while they are attached. Whoever
+   * looks depths up then finds VTK's own, not those of pixels' centres. Returns whether it has
+   * drawn.
+   */
+  bool DrawDepthOfSamples(
+    const vtkRenderState* s, const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture);
+
   const vtkIndirectTarget& GetTarget() const { return *this->Target; }
   /** Whether the lit texels of the last frame hold the albedo, and there is no channel for it. */
   bool HasAlbedoInLit() const { return IsAlbedoInLit(this->NumberOfChannels); }

@@ -49,8 +49,15 @@ struct vtkSurfaceCapturePass::Internals
 {
   std::vector<vtkWeakPointer<vtkProp>> Attached;
 
+  enum StageType
+  {
+    Eye,
+    Map,
+    Depth
+  };
+
   // Uniforms of the current stage.
-  int Stage = 0;
+  int Stage = Eye;
   int Channels = 0; // of the geometry buffer
   float SceneScale = 1.0f;
   float Magnitude = 0.0f;
@@ -62,6 +69,17 @@ struct vtkSurfaceCapturePass::Internals
   bool OwnsUnit = false;
   int TileUnit = -1;
   bool OwnsTileUnit = false;
+
+  // Props by the order in which the eye's stage has drawn them: what has no normal is told apart by
+  // these numbers.
+  std::unordered_map<vtkProp*, int> Numbers;
+
+  // Two numbers a prop: lines and points that are drawn onto faces are shapes of their own.
+  int FindNumber(vtkProp* prop, bool triangles)
+  {
+    const int next = static_cast<int>(this->Numbers.size());
+    return 2 * this->Numbers.emplace(prop, next).first->second + (triangles ? 1 : 0);
+  }
 
   // The geometry buffer.
   vtkOpenGLFramebufferObject* Framebuffer = nullptr;
@@ -314,10 +332,11 @@ void vtkSurfaceCapturePass::BeginEye(const vtkIndirectFrame& frame,
   const vtkIndirectShadowMaps* shadows, vtkOpenGLFramebufferObject* framebuffer, int channels)
 {
   Internals& in = *this->Internal;
-  in.Stage = 0;
+  in.Stage = Internals::Eye;
   in.Channels = channels;
   in.Framebuffer = framebuffer;
   in.Redirected = false;
+  in.Numbers.clear();
   in.Window = frame.Window;
   // Where all is solid there is nothing that writes colour alone.
   in.UseChannels(vtkIndirectGeometryChannels::Lit,
@@ -353,10 +372,17 @@ void vtkSurfaceCapturePass::BeginEye(const vtkIndirectFrame& frame,
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::BeginDepth()
+{
+  this->Internal->Stage = Internals::Depth;
+  this->Internal->ReserveUnit();
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceCapturePass::BeginMap(const vtkIndirectFrame& frame, const vtkIndirectMapView& map)
 {
   Internals& in = *this->Internal;
-  in.Stage = 1;
+  in.Stage = Internals::Map;
   in.SceneScale = static_cast<float>(frame.SceneScale);
   in.StageIsParallel = map.Parallel ? 1 : 0;
   in.DepthRange[0] = static_cast<float>(map.Near);
@@ -400,13 +426,13 @@ void vtkSurfaceCapturePass::BeginCaster(bool sendsLight)
 void vtkSurfaceCapturePass::EndStage()
 {
   Internals& in = *this->Internal;
-  if (in.Stage == 0)
+  if (in.Stage == Internals::Eye)
   {
     in.Blending = nullptr;
     in.UseChannels(vtkIndirectGeometryChannels::Lit, in.Channels);
     in.Framebuffer = nullptr;
   }
-  else
+  else if (in.Stage == Internals::Map)
   {
     in.UseMap(true, true);
   }
@@ -426,7 +452,7 @@ void vtkSurfaceCapturePass::EndStage()
 void vtkSurfaceCapturePass::Render(const vtkRenderState* s)
 {
   this->NumberOfRenderedProps = 0;
-  if (this->DelegatePass && this->Internal->Stage == 0)
+  if (this->DelegatePass && this->Internal->Stage == Internals::Eye)
   {
     this->DelegatePass->Render(s);
     this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
@@ -501,9 +527,15 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   {
     return true;
   }
-  program->SetUniformi("vtkiStage", in.Stage);
+  program->SetUniformi("vtkiStage", in.Stage == Internals::Map ? 1 : 0);
   program->SetUniformi("vtkiAlbedoInAlpha",
-    in.Stage == 0 && vtkIndirectGeometryChannels::IsAlbedoInLit(in.Channels) ? 1 : 0);
+    in.Stage == Internals::Eye && vtkIndirectGeometryChannels::IsAlbedoInLit(in.Channels) ? 1 : 0);
+  const bool triangles = MapperPrimitive::IsTriangles(mapper, prop);
+  if (program->IsUniformUsed("vtkiNumber"))
+  {
+    program->SetUniformi(
+      "vtkiNumber", in.Stage == Internals::Eye ? in.FindNumber(prop, triangles) : 0);
+  }
   program->SetUniformf("vtkiSceneScale", in.SceneScale);
   program->SetUniform3f("vtkiDepthRange", in.DepthRange);
   in.SetWithin(program, prop);
@@ -533,16 +565,15 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
     program->SetUniformi("vtkiPenumbraTiles", in.TileUnit);
   }
   // Whatever has switched blending since the stage began must not mix bits.
-  if (in.Stage == 0)
+  if (in.Stage == Internals::Eye)
   {
     in.Lights.SetUniforms(program); // a map holds surfaces, whatever shines on them
     this->UseEyeChannels(prop);
   }
-  else
+  else if (in.Stage == Internals::Map)
   {
     in.Window->GetState()->vtkglDisable(GL_BLEND);
     program->SetUniform3f("vtkiMapLight", glm::value_ptr(in.MapLight));
-    const bool triangles = MapperPrimitive::IsTriangles(mapper, prop);
     in.UseMap(triangles, triangles);
   }
 

@@ -135,6 +135,11 @@ public:
     NoSurface // zero to the surface
   };
   void DrawChannel(UnattachedChannel channel);
+  /**
+   * Next stage, after that of the eye: the same once more into the framebuffer that is bound, whose
+   * colours are masked.
+   */
+  void BeginDepth();
   /** Before each prop that is drawn into a map; whether it sends light too. */
   void BeginCaster(bool sendsLight);
   /** Next stage: one face of a light's map. */

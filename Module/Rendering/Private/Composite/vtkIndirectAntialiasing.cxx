@@ -29,6 +29,12 @@ const vtkIndirectChannel Pictures[][2] = {
     { nullptr, nullptr, nullptr, 0, nullptr, nullptr } },
 };
 
+const vtkIndirectChannel ContrastChannels[] = {
+  { "antialiasing.contrasts", "vtkiContrasts", "contrasts with the left and the lower neighbour",
+    GL_RGBA8, "view", "1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
 const vtkIndirectChannel EdgeChannels[] = {
   { "antialiasing.edges", "vtkiEdges", "edges of rows and columns, 32 in a word", GL_RGBA32UI, "-",
     "bits" },
@@ -36,7 +42,8 @@ const vtkIndirectChannel EdgeChannels[] = {
 };
 
 const vtkIndirectChannel TileChannels[] = {
-  { "antialiasing.tiles", "vtkiTiles", "1 where a tile has edges", GL_R32F, "-", "1" },
+  { "antialiasing.tiles", "vtkiTiles", "1 where a tile has contrasts, then edges", GL_R32F, "-",
+    "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
@@ -50,6 +57,11 @@ struct vtkIndirectAntialiasing::Internals
 {
   std::unique_ptr<vtkIndirectTarget> Picture;
   unsigned int Format = 0; // of OpenGL, of the picture
+  vtkIndirectTarget Contrasts{ ContrastChannels, false };
+  vtkIndirectFullScreenProgram FindContrasts{ "vtkIndirectContrastFS.glsl" };
+  vtkIndirectFullScreenProgram FindContrastTiles{ "vtkIndirectContrastTilesFS.glsl" };
+  vtkIndirectPointProgram KeepOutlines{ "vtkIndirectEdgePointVS.glsl",
+    "vtkIndirectOutlinePointFS.glsl" };
   vtkIndirectTarget Edges{ EdgeChannels, false };
   vtkIndirectFullScreenProgram FindEdges{ "vtkIndirectEdgesFS.glsl" };
   vtkIndirectTarget Tiles{ TileChannels, false };
@@ -58,7 +70,29 @@ struct vtkIndirectAntialiasing::Internals
 
   bool Refused = false; // something has been, and an error has said so
 
+  // What the stages of a frame share.
+  int Rows = 0; // of the edges' image, before those of columns
+  int TileCount[2] = { 0, 0 };
+  std::string Definitions;
+
   bool Apply(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
+  bool FindOutlines(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
+  bool FindEdgeWords(const vtkIndirectFrame& frame);
+  bool BlendEdges(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
+
+  // Of a point for each tile.
+  void SetTileUniforms(
+    vtkShaderProgram* program, const vtkIndirectFrame& frame, const int origin[2])
+  {
+    this->Tiles.Activate(0, program);
+    program->SetUniform2i("vtkiTileCount", this->TileCount);
+    const int edgeSize[2] = { this->Edges.GetWidth(), this->Edges.GetHeight() };
+    program->SetUniform2i("vtkiEdgeSize", edgeSize);
+    program->SetUniform2i("vtkiSize", frame.Size);
+    program->SetUniform2i("vtkiOrigin", origin);
+    program->SetUniformi("vtkiRows", this->Rows);
+  }
+
   // A copy of the frame's part of the framebuffer that is bound for drawing.
   bool Copy(const vtkIndirectFrame& frame)
   {
@@ -100,48 +134,118 @@ void vtkIndirectAntialiasing::Apply(
 bool vtkIndirectAntialiasing::Internals::Apply(
   const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
 {
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglViewport viewport(frame.Window->GetState());
   const int words = (std::max(frame.Size[0], frame.Size[1]) + 31) / 32 + 2;
-  const int rows = frame.Size[1] + 1;
-  const int tiles[2] = { (frame.Size[0] + Tile - 1) / Tile, (frame.Size[1] + Tile - 1) / Tile };
-  if (!this->Copy(frame) || !this->Edges.Resize(frame.Window, words, rows + frame.Size[0] + 1) ||
-    !this->Tiles.Resize(frame.Window, tiles[0], tiles[1]))
+  this->Rows = frame.Size[1] + 1;
+  for (int i = 0; i < 2; ++i)
+  {
+    this->TileCount[i] = (frame.Size[i] + Tile - 1) / Tile;
+  }
+  if (!this->Copy(frame) || !this->Contrasts.Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
+    !this->Edges.Resize(frame.Window, words, this->Rows + frame.Size[0] + 1) ||
+    !this->Tiles.Resize(frame.Window, this->TileCount[0], this->TileCount[1]))
   {
     return false;
   }
-  const std::string definitions = this->Format == GL_RGBA8 ? "" : "#define VTKI_FLOATS\n";
+  this->Definitions = this->Format == GL_RGBA8 ? "" : "#define VTKI_FLOATS\n";
+  return this->FindOutlines(frame, geometry) && this->FindEdgeWords(frame) &&
+    this->BlendEdges(frame, geometry);
+}
+
+//------------------------------------------------------------------------------
+// Contrasts that are seen, then those among them that are no outlines multiplied by zero: what the
+// scene is made of is looked at in tiles with a contrast alone.
+bool vtkIndirectAntialiasing::Internals::FindOutlines(
+  const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  vtkIndirectFullScreenState kernelState(frame.Window);
+  vtkShaderProgram* program = this->FindContrasts.Use(frame.Window, this->Definitions);
+  if (!program)
   {
-    vtkOpenGLState::ScopedglScissor scissor(state);
-    vtkIndirectFullScreenState kernelState(frame.Window);
-    vtkShaderProgram* program = this->FindEdges.Use(frame.Window, definitions);
-    if (!program)
-    {
-      return false;
-    }
-    this->Edges.Begin();
-    this->Picture->Activate(0, program);
-    program->SetUniform2i("vtkiSize", frame.Size);
-    program->SetUniformi("vtkiRows", rows);
-    this->FindEdges.Draw();
-    this->Picture->Deactivate();
-    this->Edges.End();
-    program = this->FindTiles.Use(frame.Window);
-    if (!program)
-    {
-      return false;
-    }
-    this->Tiles.Begin();
-    this->Edges.Activate(0, program);
-    program->SetUniformi("vtkiRows", rows);
-    program->SetUniformi("vtkiTile", Tile);
-    this->FindTiles.Draw();
-    this->Edges.Deactivate();
-    this->Tiles.End();
+    return false;
   }
+  this->Contrasts.Begin();
+  this->Picture->Activate(0, program);
+  program->SetUniform2i("vtkiSize", frame.Size);
+  this->FindContrasts.Draw();
+  this->Picture->Deactivate();
+  this->Contrasts.End();
+  program = this->FindContrastTiles.Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  this->Tiles.Begin();
+  this->Contrasts.Activate(0, program);
+  program->SetUniform2i("vtkiSize", frame.Size);
+  program->SetUniformi("vtkiTile", Tile);
+  this->FindContrastTiles.Draw();
+  this->Contrasts.Deactivate();
+  this->Tiles.End();
+  program = this->KeepOutlines.Use(frame.Window, "");
+  if (!program)
+  {
+    return false;
+  }
+  this->Contrasts.Begin();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ZERO);
+  // All tiles: the last may reach over the image.
+  state->vtkglViewport(0, 0, this->TileCount[0] * Tile, this->TileCount[1] * Tile);
+  geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
+  geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  const int origin[2] = { 0, 0 };
+  this->SetTileUniforms(program, frame, origin);
+  this->KeepOutlines.Draw(this->TileCount[0] * this->TileCount[1], Tile);
+  this->Tiles.Deactivate();
+  geometry.GetTarget().Deactivate();
+  this->Contrasts.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAntialiasing::Internals::FindEdgeWords(const vtkIndirectFrame& frame)
+{
+  vtkOpenGLState::ScopedglScissor scissor(frame.Window->GetState());
+  vtkIndirectFullScreenState kernelState(frame.Window);
+  vtkShaderProgram* program = this->FindEdges.Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  this->Edges.Begin();
+  this->Contrasts.Activate(0, program);
+  program->SetUniform2i("vtkiSize", frame.Size);
+  program->SetUniformi("vtkiRows", this->Rows);
+  this->FindEdges.Draw();
+  this->Contrasts.Deactivate();
+  this->Edges.End();
+  program = this->FindTiles.Use(frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  this->Tiles.Begin();
+  this->Edges.Activate(0, program);
+  program->SetUniformi("vtkiRows", this->Rows);
+  program->SetUniformi("vtkiTile", Tile);
+  this->FindTiles.Draw();
+  this->Edges.Deactivate();
+  this->Tiles.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAntialiasing::Internals::BlendEdges(
+  const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkShaderProgram* program = this->Blend.Use(frame.Window, definitions);
+  vtkShaderProgram* program = this->Blend.Use(frame.Window, this->Definitions);
   if (!program)
   {
     return false;
@@ -150,18 +254,13 @@ bool vtkIndirectAntialiasing::Internals::Apply(
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_BLEND);
   // All tiles; the scissor of the frame leaves out what is not the frame's.
-  state->vtkglViewport(frame.Origin[0], frame.Origin[1], tiles[0] * Tile, tiles[1] * Tile);
+  state->vtkglViewport(
+    frame.Origin[0], frame.Origin[1], this->TileCount[0] * Tile, this->TileCount[1] * Tile);
   this->Picture->Activate(0, program);
   geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
   this->Edges.Activate(0, program);
-  this->Tiles.Activate(0, program);
-  program->SetUniform2i("vtkiTileCount", tiles);
-  const int edgeSize[2] = { this->Edges.GetWidth(), this->Edges.GetHeight() };
-  program->SetUniform2i("vtkiEdgeSize", edgeSize);
-  program->SetUniform2i("vtkiSize", frame.Size);
-  program->SetUniform2i("vtkiOrigin", frame.Origin);
-  program->SetUniformi("vtkiRows", rows);
-  this->Blend.Draw(tiles[0] * tiles[1], Tile);
+  this->SetTileUniforms(program, frame, frame.Origin);
+  this->Blend.Draw(this->TileCount[0] * this->TileCount[1], Tile);
   this->Tiles.Deactivate();
   geometry.GetTarget().Deactivate();
   this->Edges.Deactivate();
@@ -173,7 +272,8 @@ bool vtkIndirectAntialiasing::Internals::Apply(
 size_t vtkIndirectAntialiasing::GetBytes() const
 {
   const Internals& in = *this->Internal;
-  return in.Edges.GetBytes() + in.Tiles.GetBytes() + (in.Picture ? in.Picture->GetBytes() : 0);
+  return in.Contrasts.GetBytes() + in.Edges.GetBytes() + in.Tiles.GetBytes() +
+    (in.Picture ? in.Picture->GetBytes() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -186,6 +286,10 @@ void vtkIndirectAntialiasing::Release(vtkWindow* window)
     in.Picture->Release(window);
     in.Picture = nullptr;
   }
+  in.Contrasts.Release(window);
+  in.FindContrasts.Release();
+  in.FindContrastTiles.Release();
+  in.KeepOutlines.Release();
   in.Edges.Release(window);
   in.FindEdges.Release();
   in.Tiles.Release(window);

@@ -2,9 +2,9 @@
 // Antialiased edges: morphological antialiasing of the picture that has been composed.
 //
 // Reshetov 2009, "Morphological antialiasing"; Jimenez, Echevarria, Sousa, Gutierrez 2012, "SMAA:
-// Enhanced subpixel morphological antialiasing". Edges are where neighbours differ as they are
-// shown, the background included, and one of them is this frame's own. Their runs are found in
-// words of 32 bits, and areas are computed rather than looked up. Pixels without an edge are not
+// Enhanced subpixel morphological antialiasing". Edges are where a surface ends, at the background,
+// at another or at a crease, and is seen to: data on a surface stays as it is. Their runs are found
+// in words of 32 bits, and areas are computed rather than looked up. Pixels without an edge are not
 // written, and depth is not either.
 
 #ifndef vtkIndirectAntialiasing_h

@@ -273,9 +273,10 @@ bool vtkIndirectComposite::Composite(const Input& input)
   vtkIndirectFullScreenProgram& kernel = in.Composite[encoded];
   // Where nothing has been drawn before, copying depth is cheaper than testing and writing each
   // pixel's.
-  const bool copied = input.DepthCleared &&
-    vtkIndirectPaths::Get(vtkIndirectPaths::Depth) == vtkIndirectPaths::DepthByCopy &&
-    input.Geometry.GetTarget().CopyDepth(frame.Origin);
+  const bool copied = input.DepthDrawn ||
+    (input.DepthCleared &&
+      vtkIndirectPaths::Get(vtkIndirectPaths::Depth) == vtkIndirectPaths::DepthByCopy &&
+      input.Geometry.GetTarget().CopyDepth(frame.Origin));
   vtkShaderProgram* program = Internals::Use(kernel, input,
     std::string(encoded ? "#define VTKI_ENCODED\n" : "") +
       (copied ? "#define VTKI_DEPTH_COPIED\n" : ""));

@@ -51,6 +51,7 @@ public:
     glm::dvec3 Greatest; // irradiance that nothing exceeds, of all but VTK's lights
     double IndirectScale;
     bool DepthCleared; // of the framebuffer that is bound: nothing is drawn there yet
+    bool DepthDrawn;   // there: the depth of the frame's opaque props is there already
   };
 
   /** Index of a channel of the frame, or -1. */

@@ -160,7 +160,7 @@ void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room)
       this->LeaveOut(prop->GetClassName(), "volumes neither send nor receive indirect light");
       continue;
     }
-    if (prop->IsA("vtkActor2D") && !prop->IsA("vtkCaptionActor2D")) // that has a line in space
+    if (vtkIndirectPropKind::IsFlat(prop))
     {
       continue;
     }

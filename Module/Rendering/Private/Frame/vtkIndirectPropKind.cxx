@@ -279,6 +279,12 @@ vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectPropKind::IsFlat(vtkProp* prop)
+{
+  return prop->IsA("vtkActor2D") && !prop->IsA("vtkCaptionActor2D");
+}
+
+//------------------------------------------------------------------------------
 vtkActor* vtkIndirectPropKind::FindRefractor(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);

@@ -37,6 +37,10 @@ struct vtkIndirectPropKind
 
   static vtkIndirectPropKind Find(vtkProp* prop);
 
+  /** Whether a prop is drawn on the picture and has nothing in space: no caption, which has a line
+   * there. */
+  static bool IsFlat(vtkProp* prop);
+
   /**
    * The actor that a prop is if it refracts light, else null: with VTK's PBR, a BaseIOR above one,
    * an opacity below one, and polygons that the processor can read.

@@ -3,6 +3,7 @@
 
 #include "Frame/vtkIndirectView.h"
 
+#include "Frame/vtkIndirectPropKind.h"
 #include "vtkCamera.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkLightsPass.h"
@@ -90,6 +91,20 @@ std::string vtkIndirectView::FindAntialiasing(const vtkRenderState* s, bool rema
     pass = around ? around->GetDelegatePass() : nullptr;
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectView::RenderFlat(const vtkRenderState* s)
+{
+  int drawn = 0;
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = s->GetPropArray()[i];
+    const bool asked = !s->GetRequiredKeys() || prop->HasKeys(s->GetRequiredKeys());
+    drawn +=
+      asked && vtkIndirectPropKind::IsFlat(prop) ? prop->RenderOpaqueGeometry(s->GetRenderer()) : 0;
+  }
+  return drawn;
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,12 @@ public:
   static std::string FindAntialiasing(const vtkRenderState* s, bool remaining);
 
   /**
+   * What opaque props on the picture do where VTK draws opaque ones: labels choose by the depth
+   * what is seen of their places. Returns how many props were drawn.
+   */
+  static int RenderFlat(const vtkRenderState* s);
+
+  /**
    * Translucent props, FXAA when the renderer asks for it, volumes and overlays, as
    * vtkOpenGLRenderer::UpdateGeometry. Returns how many props were drawn.
    */

@@ -4,15 +4,21 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectLightKeys.h"
 #include "Frame/vtkIndirectReport.h"
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
+#include "vtkDataSet.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkIndirectSettings.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -34,6 +40,16 @@ glm::dmat3 FindAxes(vtkCamera* camera)
   const glm::dvec3 right = glm::normalize(axes[0] - glm::dot(axes[0], up) * up);
   const glm::dvec3 back = glm::cross(right, up);
   return std::isfinite(glm::dot(back, back)) ? glm::dmat3(right, up, back) : glm::dmat3(1.0);
+}
+
+bool HasColorsOfData(vtkMapper* mapper)
+{
+  int ofCells = 0;
+  vtkDataSet* data = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  return mapper->GetScalarVisibility() &&
+    (!data ||
+      vtkAbstractMapper::GetScalars(data, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
+        mapper->GetArrayId(), mapper->GetArrayName(), ofCells));
 }
 
 std::string Count(size_t count, const std::string& thing)
@@ -82,7 +98,7 @@ void vtkIndirectLighting::Update(
   {
     this->NumberOfReplaced += light->GetSwitch() ? 1 : 0;
   }
-  this->SetRig(settings.Lighting, CollectLamps(renderer));
+  this->SetRig(settings.Lighting, CollectLamps(renderer), FindAlbedo(renderer));
   this->Turn(renderer);
   if (!users)
   {
@@ -131,9 +147,38 @@ std::vector<vtkIndirectLamp> vtkIndirectLighting::CollectLamps(vtkRenderer* rend
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLighting::SetRig(int preset, const std::vector<vtkIndirectLamp>& lamps)
+// Of actors that have one colour, the lightest: data and textures have colours of all kinds, which
+// bounce less than their brightest.
+vtkIndirectRigAlbedo vtkIndirectLighting::FindAlbedo(vtkRenderer* renderer)
 {
-  std::vector<double> key = { static_cast<double>(preset) };
+  vtkIndirectRigAlbedo albedo;
+  vtkCollectionSimpleIterator it;
+  vtkActorCollection* actors = renderer->GetActors();
+  actors->InitTraversal(it);
+  while (vtkActor* actor = actors->GetNextActor(it))
+  {
+    vtkMapper* mapper = actor->GetMapper();
+    vtkProperty* property = actor->GetProperty();
+    if (!actor->GetVisibility() || !mapper || !property->GetLighting() || actor->GetTexture() ||
+      property->GetNumberOfTextures() > 0 || HasColorsOfData(mapper))
+    {
+      continue;
+    }
+    const bool physical = property->GetInterpolation() == VTK_PBR;
+    const double scale = physical ? 1.0 - property->GetMetallic() : property->GetDiffuse();
+    const double* color = property->GetDiffuseColor();
+    albedo.Brightest =
+      std::max(albedo.Brightest, scale * std::max({ color[0], color[1], color[2] }));
+    albedo.Mean = std::max(albedo.Mean, scale * (color[0] + color[1] + color[2]) / 3.0);
+  }
+  return albedo;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLighting::SetRig(
+  int preset, const std::vector<vtkIndirectLamp>& lamps, const vtkIndirectRigAlbedo& albedo)
+{
+  std::vector<double> key = { static_cast<double>(preset), albedo.Brightest, albedo.Mean };
   for (const vtkIndirectLamp& lamp : lamps)
   {
     key.insert(key.end(), &lamp.Direction.x, &lamp.Direction.x + 3);
@@ -144,7 +189,7 @@ void vtkIndirectLighting::SetRig(int preset, const std::vector<vtkIndirectLamp>&
     return;
   }
   this->RigKey = std::move(key);
-  this->Rig = vtkIndirectLightRig::Make(preset, lamps);
+  this->Rig = vtkIndirectLightRig::Make(preset, lamps, albedo);
 
   // As vtkEnvironmentLight has it: the middle ahead, which is -z; bottom row first.
   vtkNew<vtkImageData> image;

@@ -41,7 +41,9 @@ public:
 
 private:
   static std::vector<vtkIndirectLamp> CollectLamps(vtkRenderer* renderer);
-  void SetRig(int preset, const std::vector<vtkIndirectLamp>& lamps);
+  static vtkIndirectRigAlbedo FindAlbedo(vtkRenderer* renderer);
+  void SetRig(
+    int preset, const std::vector<vtkIndirectLamp>& lamps, const vtkIndirectRigAlbedo& albedo);
   void AddLight(const vtkIndirectLamp& lamp, bool fill);
   void Turn(vtkRenderer* renderer);
 

@@ -184,6 +184,10 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   }
   drawn = drawn && !this->IsRedirected() &&
     this->VisibleLamps.Draw(this->Frame, this->UsableAreaLights, this->Geometry);
+  this->TargetIsClear = request.DepthCleared;
+  this->DepthIsDrawn = drawn && !this->IsRedirected() && request.DepthCleared &&
+    request.DepthOfSamples && this->Plan.VisibleAreaLights == 0 &&
+    this->Geometry.DrawDepthOfSamples(s, this->Frame, this->Capture);
   this->Timer.End(vtkIndirectStageTimer::Geometry);
   this->Capture->Detach();
   return drawn && !this->IsRedirected();
@@ -225,10 +229,9 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
+void vtkIndirectPipeline::DrawLight(const Request& request)
 {
   this->BuffersAreThere = true;
-  this->TargetIsClear = clear;
   this->FrameKey = this->MakeFrameKey();
   this->Estimator->HoldContext(this->Frame.Window, this->Identity.GetMTime());
   if (!this->IsEstimateThere())
@@ -509,8 +512,7 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
     there ? sky : nullptr, summed ? this->SkyEstimate.SkyBounce : nullptr,
     this->SkyEstimate.SkyBounceChannel, this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr,
     this->AreaIsThere ? this->Area.GetReflected() : nullptr, this->FindGreatestIrradiance(),
-    this->Plan.IndirectScale,
-    this->TargetIsClear };
+    this->Plan.IndirectScale, this->TargetIsClear, this->DepthIsDrawn };
 }
 
 //------------------------------------------------------------------------------

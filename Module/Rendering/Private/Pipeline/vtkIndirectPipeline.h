@@ -59,6 +59,8 @@ public:
     vtkEnvironmentLight* Environment = nullptr;
     /** The renderer's own lights where others have taken their place; else null. */
     vtkLightCollection* ReplacedLights = nullptr;
+    bool DepthOfSamples = false; // props may be drawn once more, for their depth
+    bool DepthCleared = false;   // of the framebuffer that is bound: nothing is drawn there yet
   };
 
   vtkIndirectPipeline();
@@ -76,10 +78,9 @@ public:
   int GetNumberOfRenderedProps() const { return this->Geometry.GetNumberOfRenderedProps(); }
 
   /**
-   * Then the light, and the picture into the framebuffer that is bound; clear: nothing is drawn
-   * there yet.
+   * Then the light, and the picture into the framebuffer that is bound.
    */
-  void DrawLight(const Request& request, bool clear);
+  void DrawLight(const Request& request);
   /** Shows a channel in place of the picture; false for one that the frame does not have. */
   bool ShowChannel(const std::string& name);
 
@@ -159,6 +160,7 @@ private:
   vtkMTimeType EstimateTime = 0;    // of the estimator, at the frame's end
   vtkTimeStamp Identity;            // whose estimator it is
   bool TargetIsClear = false;       // of what the frame is drawn into
+  bool DepthIsDrawn = false;        // into that, sample by sample
   vtkIndirectReport::Entries Paths; // in force
 
   std::vector<double> FrameKey; // what all light of the frame depends on

@@ -20,15 +20,25 @@ struct Balance
   // What objects receive of the rest, from each other's surfaces too, over what they would if
   // nothing hid any of it: near the middle of what readability.py shows.
   double Openness;
+  // The share of a concave part's hemispheres in which its surfaces see each other: above those of
+  // trays, corners, bowls and rooms of white, whose brightest surfaces have 2.4 times as much of a
+  // key and lobes as falls on them, and 1.5 times as much of a sky that does not reach where they
+  // see each other.
+  double Facing;
 };
 
 // Light from a kit, the renderer's or that of full: 0.61 (isosurfaces) to 0.99 (a part on a table).
 // With 0.5 a quadric in a kit would be 12 % darker than plain VTK's.
-constexpr Balance OfKit = { 0.6, 0.83 };
+constexpr Balance OfKit = { 0.6, 0.83, 0.6 };
+constexpr Balance OfSkyFromKit = { 0.6, 0.83, 0.4 };
 
 // Light from around the viewer: 0.74 (a molecule) to 0.97 (a part on a table). What the camera sees
 // is open to where the camera is, so that less varies, and less has to be kept.
-constexpr Balance OfSkyAtViewer = { 0.4, 0.86 };
+constexpr Balance OfSkyAtViewer = { 0.4, 0.86, 0.4 };
+
+// What is convex has no bounces: so much darker than in plain VTK it may become, for what is
+// concave not to burn out. Brightness is within 10 % of VTK's then, whatever the shape.
+constexpr double Dimming = 0.08;
 
 // Half of a lobe's radiance lies within 33 degrees of its middle: several of the directions that a
 // sky is summed over, so that none of them is seen by itself.
@@ -127,6 +137,34 @@ void Scale(vtkIndirectLightRig& rig, double factor)
   }
 }
 
+// The share of the renderer's lights that gives way to others, and their strength.
+struct Exchange
+{
+  double Share;
+  double Strength;
+};
+
+Exchange FindExchange(
+  const Balance& balance, double share, const vtkIndirectRigAlbedo& albedo, double most)
+{
+  Exchange found = { share, share / balance.Openness };
+  const double gain = 1.0 / (1.0 - std::min(albedo.Mean, 1.0) * balance.Facing);
+  const double brightest = albedo.Brightest * most;
+  if (brightest <= 0.0)
+  {
+    return found;
+  }
+  // What plain VTK clips itself has no room, and needs none.
+  const double room = std::max(1.0 / brightest - 1.0, 0.0);
+  if (found.Strength * (gain - 1.0) > room + Dimming)
+  {
+    found.Strength = (room + Dimming) / (gain - 1.0);
+  }
+  found.Share = std::min(share, found.Strength + Dimming);
+  found.Strength = std::min(found.Strength, (room + found.Share) / gain);
+  return found;
+}
+
 // Adds a share of the lamps as they are. What is in the same place becomes one light.
 void Keep(vtkIndirectLightRig& rig, const std::vector<vtkIndirectLamp>& lamps, double share)
 {
@@ -213,7 +251,33 @@ double vtkIndirectLightRig::GetIrradianceOfBall() const
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectLightRig vtkIndirectLightRig::Make(int preset, std::vector<vtkIndirectLamp> lamps)
+double vtkIndirectLightRig::FindMostIrradiance(const std::vector<vtkIndirectLamp>& lamps)
+{
+  // A surface that has most faces the sum of the lamps that it sees, weighted by what they give:
+  // from each lamp's direction on, turning to that sum never loses, and few turns settle it.
+  double most = 0.0;
+  for (const vtkIndirectLamp& first : lamps)
+  {
+    glm::dvec3 normal = first.Direction;
+    for (int turn = 0; turn < 16; ++turn)
+    {
+      glm::dvec3 sum(0.0);
+      for (const vtkIndirectLamp& lamp : lamps)
+      {
+        sum += glm::dot(lamp.Direction, normal) > 0.0 ? GetMean(lamp.Color) * lamp.Direction
+                                                      : glm::dvec3(0.0);
+      }
+      const double length = glm::length(sum);
+      most = std::max(most, length);
+      normal = length > 0.0 ? sum / length : normal;
+    }
+  }
+  return most;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectLightRig vtkIndirectLightRig::Make(
+  int preset, std::vector<vtkIndirectLamp> lamps, const vtkIndirectRigAlbedo& albedo)
 {
   if (lamps.empty())
   {
@@ -222,8 +286,9 @@ vtkIndirectLightRig vtkIndirectLightRig::Make(int preset, std::vector<vtkIndirec
   const bool headlight = std::all_of(lamps.begin(), lamps.end(), IsHeadlight);
   const bool gentle = preset == vtkIndirectLightingGentle;
   const bool sky = gentle || preset == vtkIndirectLightingSoft;
-  const Balance balance = sky && headlight ? OfSkyAtViewer : OfKit;
-  const double rest = (gentle ? 0.5 : 1.0) * (1.0 - balance.Kept);
+  const Balance balance = !sky ? OfKit : headlight ? OfSkyAtViewer : OfSkyFromKit;
+  const Exchange rest = FindExchange(
+    balance, (gentle ? 0.5 : 1.0) * (1.0 - balance.Kept), albedo, FindMostIrradiance(lamps));
   vtkIndirectLightRig rig;
   if (sky)
   {
@@ -250,7 +315,7 @@ vtkIndirectLightRig vtkIndirectLightRig::Make(int preset, std::vector<vtkIndirec
   }
   rig.Ambient = glm::max(rig.Ambient, glm::dvec3(Everywhere * plain));
   const double own = rig.GetIrradianceOfBall();
-  Scale(rig, own > 0.0 ? rest / balance.Openness * plain / own : 0.0);
-  Keep(rig, lamps, 1.0 - rest);
+  Scale(rig, own > 0.0 ? rest.Strength * plain / own : 0.0);
+  Keep(rig, lamps, 1.0 - rest.Share);
   return rig;
 }

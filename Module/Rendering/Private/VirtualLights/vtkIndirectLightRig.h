@@ -10,6 +10,12 @@
 // for every direction that surfaces can have. So a preset keeps a share of the renderer's own
 // lights, as VTK draws them, which nothing hides; and the light that takes the place of the rest
 // comes from where it came from, and gives a ball as much as it gave.
+//
+// Surfaces reflect the light that takes the place, and nothing of what is kept. Of albedo a, a
+// concave part whose surfaces see each other in a share F of their hemispheres has G = 1 / (1 - a
+// F) of what falls on it, all bounces taken together. What is nearly white has no room for that. So
+// where s stands for a share r, 1 - r + s G may not be more than white leaves to what plain VTK
+// draws: 1 / (a P), with P the most that the renderer's lights give any surface.
 #ifndef vtkIndirectLightRig_h
 #define vtkIndirectLightRig_h
 
@@ -21,6 +27,13 @@ struct vtkIndirectLamp
 {
   glm::dvec3 Direction{ 0.0, 0.0, 1.0 }; // to the light, unit
   glm::dvec3 Color{ 0.0 };               // VTK irradiance of a surface that faces it
+};
+
+/** Of the surfaces that a rig lights, as far as their colours are known; zero: not at all. */
+struct vtkIndirectRigAlbedo
+{
+  double Brightest = 0.0; // of all channels, which may become white
+  double Mean = 0.0;      // of red, green and blue, of the lightest: what bounces
 };
 
 struct vtkIndirectLightRig
@@ -51,7 +64,10 @@ struct vtkIndirectLightRig
    * The rig of a preset (vtkIndirectLightingType). lamps: the renderer's own lights that follow its
    * camera; none stands for a headlight of strength 1, as VTK makes it.
    */
-  static vtkIndirectLightRig Make(int preset, std::vector<vtkIndirectLamp> lamps);
+  static vtkIndirectLightRig Make(int preset, std::vector<vtkIndirectLamp> lamps,
+    const vtkIndirectRigAlbedo& albedo = vtkIndirectRigAlbedo());
+  /** The most that lamps give a surface, whatever it faces. */
+  static double FindMostIrradiance(const std::vector<vtkIndirectLamp>& lamps);
   /** Angles in degrees, as vtkLight::SetDirectionAngle has them. */
   static glm::dvec3 FromAngles(double elevation, double azimuth);
 };

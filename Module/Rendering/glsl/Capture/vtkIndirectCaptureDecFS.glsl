@@ -7,6 +7,7 @@
 
 uniform int vtkiStage;          // 0: from the eye, 1: from a light
 uniform int vtkiAlbedoInAlpha;          // 1: alpha is one wherever the eye sees something, and makes room
+uniform int vtkiNumber;         // of what is drawn: a prop's faces, or its lines and points
 uniform float vtkiSceneScale;   // scene units per world unit
 uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel projection
 
@@ -33,8 +34,6 @@ vec3 vtkiFacetNormal(vec3 facet, vec3 normal)
 }
 
 #ifdef VTKI_SHADOWS
-// The depth buffer holds floats just below one; interpolation loses about four of their steps.
-const float VTKI_DEPTH_ROUNDING = 2.4e-7f;
 // Facets stand for curved surfaces: a concave one rises over its neighbour's plane by less than this
 // share of a texel over the filter's reach as long as they meet at less than 18 degrees.
 const float VTKI_SURFACE_ROUGHNESS = 0.5f;

@@ -18,7 +18,9 @@
       vtkiKind = VTKI_SURFACE_UNLIT;
       vtkiDepth = abs(vtkiDepth) < 1.0e18f ? vtkiDepth : 1.0e18f;
     }
-    gl_FragData[1] = vtkiPackSurface(vtkiNormal, vtkiFacet, vtkiDepth, vtkiKind);
+    gl_FragData[1] = vtkiKind == VTKI_SURFACE_UNLIT
+      ? vtkiPackUnlit(vtkiDepth, vtkiNumber)
+      : vtkiPackSurface(vtkiNormal, vtkiFacet, vtkiDepth, vtkiKind);
     if (vtkiStage != 0)
     {
       gl_FragData[0] = vec4(vtkiAlbedo * VTKI_SENDER_SCALE, 1.0f);

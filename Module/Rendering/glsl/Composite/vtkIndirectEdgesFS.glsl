@@ -1,15 +1,25 @@
 //VTK::System::Dec
-// Edges of the picture as bits: 32 positions of a line in a texel. The lines are the picture's rows, and below
+// Outlines of the picture as bits: 32 positions of a line in a texel. The lines are the picture's rows, and below
 // them (in the image above, from row vtkiRows on) its columns. A word on either side is left empty, so that
 // whoever reads runs needs no borders; pixels beyond the picture equal those of its border.
 // r: edges of this line. g, b: crossing edges of the line before and of this one. See
 // vtkIndirectLibAntialiasing.glsl.
-#include "vtkIndirectShown.glsl"
+#include "vtkIndirectLibAntialiasing.glsl"
 
+uniform sampler2D vtkiContrasts; // at outlines, with the pixel to the left and with the one below
 uniform ivec2 vtkiSize;
 uniform int vtkiRows;
 
 out uvec4 vtkiEdges;
+
+// Of a pixel: contrast with the position before, and with the line before.
+vec2 vtkiFetchContrasts(vec2 place, bool columns)
+{
+  vec2 contrasts = textureLod(vtkiContrasts, place, 0.0f).rg;
+  // Beyond the picture what is read is that of its border, where only outlines across it go on.
+  contrasts *= vec2(lessThan(place, vec2(1.0f)));
+  return columns ? contrasts.gr : contrasts;
+}
 
 void main()
 {
@@ -21,8 +31,6 @@ void main()
   vec2 across = columns ? vec2(texel.x, 0.0f) : vec2(0.0f, texel.y);
   vec2 begin = (first + 0.5f) * along + line * across;
 
-  vec4 before = vtkiShown(begin - along);
-  vec4 beforeBelow = vtkiShown(begin - along - across);
   float edge = 0.0f;      // of the position before
   float strongest = 0.0f; // crossing edge at its beginning
   uint edges = 0u;
@@ -32,10 +40,9 @@ void main()
   for (int i = 0; i <= 32; ++i)
   {
     vec2 place = begin + float(i) * along;
-    vec4 here = vtkiShown(place);
-    vec4 below = vtkiShown(place - across);
-    float side = vtkiContrast(here, before);
-    float sideBelow = vtkiContrast(below, beforeBelow);
+    vec2 here = vtkiFetchContrasts(place, columns);
+    float side = here.x;
+    float sideBelow = vtkiFetchContrasts(place - across, columns).x;
     float next = max(side, sideBelow);
     bool isEdge = i > 0 && edge >= VTKI_EDGE_CONTRAST &&
       edge * VTKI_EDGE_DOMINANCE >= max(strongest, next);
@@ -45,10 +52,8 @@ void main()
     crossingBelow |= sideBelow >= VTKI_EDGE_CONTRAST ? bit : 0u;
     bit = i == 31 ? 0u : bit << 1u;
     edges |= isEdge && i == 32 ? 0x80000000u : 0u;
-    edge = vtkiContrast(here, below);
+    edge = here.y;
     strongest = next;
-    before = here;
-    beforeBelow = below;
   }
   vtkiEdges = uvec4(edges, crossingBelow, crossing, 0u);
 }

@@ -2,6 +2,9 @@
 // row of equal steps between pixels is made of is drawn anew as a line, and each pixel gets the share of its
 // neighbour's colour that the line cuts off.
 //
+// An outline is where surfaces end: vtkiIsOutline. Colours only say how clearly it is seen. Steps of colour
+// within a surface are data.
+//
 // Edges are bits, 32 positions of a row in a word, so that the ends of a run are found by arithmetic and not
 // step by step. "Line" is a row of pixels, "position" the place along it; the same holds of columns. An edge of
 // line l and position s lies between pixels (s, l - 1) and (s, l); a crossing edge of line l at position s
@@ -9,13 +12,13 @@
 #ifndef vtkIndirectLibAntialiasing
 #define vtkIndirectLibAntialiasing
 #include "vtkIndirectLibPortable.glsl"
+#include "vtkIndirectLibSurface.glsl"
 
 /* Contrast from which there is an edge, and from which its pixels are blended in full: the eye sees steps of
  * 5 %, and a ramp keeps an edge whose contrast passes the first from flashing up. */
 const float VTKI_EDGE_CONTRAST = 0.05f;
 const float VTKI_EDGE_FULL_CONTRAST = 0.1f;
-/* An edge is dropped where one that it meets has so many times its contrast: textures and shading that end at an
- * outline. */
+/* An edge is dropped where one that it meets has so many times its contrast: creases that end at an outline. */
 const float VTKI_EDGE_DOMINANCE = 4.0f;
 /* How far the ends of a run are searched for on either side, positions. */
 const int VTKI_EDGE_REACH = 31;
@@ -23,6 +26,61 @@ const int VTKI_EDGE_REACH = 31;
  * tells more of the outline than runs do, which have up to two positions there. */
 const int VTKI_DIAGONAL_REACH = 15;
 const int VTKI_DIAGONAL_LENGTH = 3;
+
+/* Whether depth leaps between the middle two of four pixels in a row. Depth of the depth buffer is affine on a
+ * plane, so that a plane's step is that of the pixels on either side of it. A curved surface has steps of both
+ * signs' slopes in a row; where it winds, the step between may be the largest, up to twice a neighbour's for
+ * waves of six pixels. What is thin steps there and back again: what a step of the other sign says is only
+ * taken where both sides have one. */
+bool vtkiIsDepthLeap(vec4 depth)
+{
+  float step = abs(depth.z - depth.y);
+  float turn = depth.z < depth.y ? -1.0f : 1.0f;
+  bool hasBefore = depth.x < 1.0f;
+  bool hasBehind = depth.w < 1.0f;
+  float before = turn * (depth.y - depth.x);
+  float behind = turn * (depth.w - depth.z);
+  before = hasBefore ? before : behind;
+  behind = hasBehind ? behind : before;
+  float most = max(min(abs(before), abs(behind)), max(before, behind));
+  // Two roundings of the step and twice two of a neighbour's.
+  return (hasBefore || hasBehind) && step > 2.0f * most + 6.0f * VTKI_DEPTH_ROUNDING;
+}
+
+/* Whether normals turn at once between the middle two of four pixels, which are lit: by more than on either side,
+ * and so far that light may show it. Where a surface is bent evenly, up to the outline of a ball of five pixels,
+ * the turn from pixel to pixel grows to 1.4 times at most. */
+bool vtkiIsCrease(vec2 code0, vec2 code1, vec2 code2, vec2 code3, bool hasBefore, bool hasBehind)
+{
+  vec3 n1 = vtkiOctahedralDecode(code1);
+  vec3 n2 = vtkiOctahedralDecode(code2);
+  vec3 turn = n2 - n1;
+  vec3 before = n1 - vtkiOctahedralDecode(code0);
+  vec3 behind = vtkiOctahedralDecode(code3) - n2;
+  // Squares: a factor of two is one of four. A cosine changes by no more than the chord between the normals.
+  float most = max(hasBefore ? dot(before, before) : 0.0f, hasBehind ? dot(behind, behind) : 0.0f);
+  return (hasBefore || hasBehind) &&
+    dot(turn, turn) > max(4.0f * most, VTKI_EDGE_CONTRAST * VTKI_EDGE_CONTRAST);
+}
+
+/* Whether a surface ends between the middle two of four pixels in a row: at the background, at another kind of
+ * surface, at another prop that is not lit, where depth leaps, or at a crease. surface0 to surface3: texels of the
+ * geometry buffer. */
+bool vtkiIsOutline(vec4 depth, vec4 surface0, vec4 surface1, vec4 surface2, vec4 surface3)
+{
+  bool drawn = depth.y < 1.0f;
+  bool both = drawn && depth.z < 1.0f;
+  float kind = vtkiSurfaceKind(surface1);
+  bool alike = kind == vtkiSurfaceKind(surface2);
+  vec2 code1 = vtkiSurfaceCode(surface1);
+  vec2 code2 = vtkiSurfaceCode(surface2);
+  bool lit = vtkiSurfaceIsLit(surface1);
+  bool crease = lit
+    ? vtkiIsCrease(vtkiSurfaceCode(surface0), code1, code2, vtkiSurfaceCode(surface3),
+        depth.x < 1.0f && vtkiSurfaceIsLit(surface0), depth.w < 1.0f && vtkiSurfaceIsLit(surface3))
+    : code1 != code2;
+  return both ? !alike || crease || vtkiIsDepthLeap(depth) : drawn || depth.z < 1.0f;
+}
 
 /* The greatest difference of a channel, of colours as they are shown. */
 float vtkiContrast(vec4 a, vec4 b)

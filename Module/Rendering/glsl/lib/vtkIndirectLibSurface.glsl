@@ -10,7 +10,10 @@
 const float VTKI_SURFACE_NONE = 0.0f;
 const float VTKI_SURFACE_LINEAR = 1.0f;  // lit; the pixel holds linear colour
 const float VTKI_SURFACE_ENCODED = 2.0f; // lit by VTK's PBR; the pixel is encoded with gamma 2.2
-const float VTKI_SURFACE_UNLIT = 3.0f;   // drawn without lighting; has no normal
+const float VTKI_SURFACE_UNLIT = 3.0f;   // drawn without lighting; has no normal, but its prop's number
+
+// The depth buffer holds floats just below one; interpolation loses about four of their steps.
+const float VTKI_DEPTH_ROUNDING = 2.4e-7f;
 
 float vtkiSignNotZero(float v)
 {
@@ -62,6 +65,15 @@ float vtkiPackNormal(vec3 normal, float kind)
 vec4 vtkiPackSurface(vec3 normal, vec3 facet, float depth, float kind)
 {
   return vec4(depth, vtkiPackNormal(normal, kind), vtkiPackNormal(facet, VTKI_SURFACE_LINEAR), 1.0f);
+}
+
+/* An unlit surface. number: of what draws it; in place of a normal, in the bits of y, from that of one towards
+ * the eye on. Props that are 32768 apart have the same. */
+vec4 vtkiPackUnlit(float depth, int number)
+{
+  uint x = uint(VTKI_CODE_STEPS_X + 256.5f);
+  uint y = (uint(VTKI_CODE_STEPS_Y + 0.5f) + uint(number)) & 32767u;
+  return vec4(depth, uintBitsToFloat((uint(VTKI_SURFACE_UNLIT) << 30u) | (x << 15u) | y), 0.0f, 1.0f);
 }
 
 float vtkiSurfaceDepth(vec4 surface)

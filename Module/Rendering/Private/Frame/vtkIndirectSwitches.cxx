@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/vtkIndirectSwitches.h"
+
+#include "vtkHiddenLineRemovalPass.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSwitches::RemovesHiddenLines(const vtkRenderState* s)
+{
+  return s->GetRenderer()->GetUseHiddenLineRemoval() &&
+    vtkHiddenLineRemovalPass::WireframePropsExist(s->GetPropArray(), s->GetPropArrayCount());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectSwitches::FindRefusal(const vtkRenderState* s)
+{
+  static const struct
+  {
+    const char* Pass;
+    const char* Why;
+  } refused[] = { { "vtkSSAOPass",
+                    " reads positions and normals that mappers draw into its own images" },
+    { "vtkOutlineGlowPass", " draws the props that it is given as a mask" } };
+  for (vtkRenderPass* pass = s->GetRenderer()->GetPass(); pass;)
+  {
+    for (const auto& entry : refused)
+    {
+      if (pass->IsA(entry.Pass))
+      {
+        return std::string(entry.Pass) + " around the pass" + entry.Why;
+      }
+    }
+    auto* around = vtkImageProcessingPass::SafeDownCast(pass);
+    pass = around ? around->GetDelegatePass() : nullptr;
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSwitches::Update(const vtkRenderState* s, bool ownDelegate)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  this->LeftOut.clear();
+  if (ownDelegate && RemovesHiddenLines(s))
+  {
+    this->LeftOut.emplace_back("hidden-line removal of the renderer",
+      "DelegatePass draws the lines; a vtkHiddenLineRemovalPass in it removes hidden ones");
+  }
+  if (renderer->GetUseSSAO())
+  {
+    this->LeftOut.emplace_back("UseSSAO of the renderer",
+      "what surfaces hide from each other is in the light of the sky and of lights");
+  }
+  if (renderer->GetUseShadows())
+  {
+    this->LeftOut.emplace_back(
+      "UseShadows of the renderer", "the pass has shadows of its own, property Shadows");
+  }
+  vtkTexture* environment =
+    renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
+  if (environment && environment->GetCubeMap())
+  {
+    this->LeftOut.emplace_back("light of the renderer's environment texture",
+      "it is a cube map; an image of latitudes and longitudes lights surfaces, with shadows");
+  }
+  std::set<std::string> still;
+  for (const auto& entry : this->LeftOut)
+  {
+    if (this->Said.count(entry.first) > 0)
+    {
+      still.insert(entry.first);
+    }
+  }
+  this->Said = still;
+}

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What else of a renderer VTK sees to: depth that others look up, hidden lines, and what is said of
+// switches and passes around that have no effect.
+#include "vtkIndirectContractReport.h"
+#include "vtkIndirectContractUtilities.h"
+
+#include "vtkActor2D.h"
+#include "vtkActorCollection.h"
+#include "vtkImageData.h"
+#include "vtkLabeledDataMapper.h"
+#include "vtkLightsPass.h"
+#include "vtkOpaquePass.h"
+#include "vtkOutlineGlowPass.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkSSAOPass.h"
+#include "vtkSelectVisiblePoints.h"
+#include "vtkSequencePass.h"
+#include "vtkSphereSource.h"
+#include "vtkTexture.h"
+
+using namespace contract;
+
+namespace
+{
+// Two balls, one before the other, at angles that leave no pixel's depth flat.
+struct Balls : View
+{
+  vtkNew<vtkIndirectIlluminationPass> Pass;
+
+  explicit Balls(bool withPass, int samples = 0)
+    : View(90, 70)
+  {
+    this->Window->SetMultiSamples(samples);
+    this->Renderer->SetBackground(0.1, 0.1, 0.3);
+    this->Renderer->AddActor(MakeSphere({ 0, 0, 0 }, 0.6));
+    this->Renderer->AddActor(MakeSphere({ 0.4, 0.2, -1.2 }, 0.7));
+    this->Renderer->AddLight(MakeLight(LightKind::Directional, { 1, 2, 3 }, { 0, 0, 0 }));
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(0.3, 0.5, 4);
+    camera->SetFocalPoint(0, 0, 0);
+    camera->SetClippingRange(1, 10);
+    if (withPass)
+    {
+      this->Renderer->SetPass(this->Pass);
+    }
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+// Whoever reads the depth buffer finds what VTK draws, of windows with several samples that of the
+// sample which is read.
+VTK_INDIRECT_TEST(DepthIsOfVTK)
+{
+  for (int samples : { 0, 4 })
+  {
+    Balls plain(false, samples);
+    Balls with(true, samples);
+    plain.Grab();
+    with.Grab();
+    const std::vector<float> expected = GrabDepth(plain.Window);
+    const std::vector<float> depth = GrabDepth(with.Window);
+    size_t differ = 0;
+    for (size_t i = 0; i < expected.size(); ++i)
+    {
+      differ += expected[i] != depth[i] ? 1 : 0;
+    }
+    CONTRACT_CHECK(differ == 0, samples << " samples: " << differ << " depths differ");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Labels are where their points are seen: the mapper of labels brings its input up to date where
+// VTK draws opaque props, the points look the depth up.
+VTK_INDIRECT_TEST(LabelsOfWhatIsSeen)
+{
+  auto count = [](bool withPass)
+  {
+    Balls view(withPass);
+    vtkNew<vtkSphereSource> source; // of as many points in front as behind
+    source->SetRadius(0.61);
+    source->SetThetaResolution(8);
+    source->SetPhiResolution(8);
+    vtkNew<vtkSelectVisiblePoints> visible;
+    visible->SetInputConnection(source->GetOutputPort());
+    visible->SetRenderer(view.Renderer);
+    vtkNew<vtkLabeledDataMapper> mapper;
+    mapper->SetInputConnection(visible->GetOutputPort());
+    vtkNew<vtkActor2D> labels;
+    labels->SetMapper(mapper);
+    view.Renderer->AddViewProp(labels);
+    view.Grab();
+    // The points choose anew when the renderer has changed; VTK shows the choice of its first
+    // frame.
+    view.Renderer->Modified();
+    view.Grab();
+    return visible->GetOutput()->GetNumberOfPoints();
+  };
+  const vtkIdType plain = count(false);
+  const vtkIdType with = count(true);
+  std::cout << plain << " labels in plain VTK, " << with << " with the pass\n";
+  CONTRACT_CHECK(plain > 10 && plain < 40, "the test's own power: " << plain);
+  CONTRACT_CHECK(with == plain, with << " labels in place of " << plain);
+}
+
+//------------------------------------------------------------------------------
+VTK_INDIRECT_TEST(HiddenLinesAreRemoved)
+{
+  auto grab = [](bool withPass, bool remove, std::string* report = nullptr)
+  {
+    Balls view(withPass);
+    view.Pass->AntialiasingOff();
+    vtkActorCollection* actors = view.Renderer->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor())
+    {
+      actor->GetProperty()->SetRepresentationToWireframe();
+      actor->GetProperty()->LightingOff();
+    }
+    // Something that casts shadows, too.
+    auto floor =
+      MakeQuad({ -1.5, -0.9, 0.5 }, { 1.5, -0.9, 0.5 }, { -1.5, -0.9, -2.0 }, { 0.5, 0.5, 0.5 });
+    floor->GetProperty()->LightingOff();
+    view.Renderer->AddActor(floor);
+    view.Renderer->SetUseHiddenLineRemoval(remove);
+    const Pixels image = view.Grab();
+    if (report)
+    {
+      *report = view.Pass->GetReport();
+    }
+    return image;
+  };
+  const Pixels plain = grab(false, true);
+  const Pixels with = grab(true, true);
+  CONTRACT_CHECK(Compare(grab(false, false), plain).Pixels > 100, "the test's own power");
+  const Difference difference = Compare(plain, with);
+  CONTRACT_CHECK(difference.Max == 0.0, difference);
+
+  // A delegate of the user's draws as it does, and that is said.
+  Balls view(true);
+  view.Renderer->GetActors()->GetLastActor()->GetProperty()->SetRepresentationToWireframe();
+  view.Renderer->UseHiddenLineRemovalOn();
+  vtkNew<vtkLightsPass> lights;
+  vtkNew<vtkOpaquePass> opaque;
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(lights);
+  passes->AddItem(opaque);
+  vtkNew<vtkSequencePass> delegate;
+  delegate->SetPasses(passes);
+  view.Pass->SetDelegatePass(delegate);
+  ExpectedErrors errors;
+  view.Grab();
+  view.Grab();
+  CONTRACT_CHECK(errors.GetCount() == 1, errors.GetText());
+  CONTRACT_CHECK(
+    !Report(view.Pass).FindReason("left_out", "hidden-line removal of the renderer").empty(),
+    view.Pass->GetReport());
+}
+
+//------------------------------------------------------------------------------
+// Switches that ask for what the pass does not do are named, once.
+VTK_INDIRECT_TEST(SwitchesAreNamed)
+{
+  auto check = [](const std::string& what, const std::string& named, auto setUp)
+  {
+    Balls view(true);
+    setUp(view.Renderer);
+    ExpectedErrors errors;
+    view.Grab();
+    view.Grab();
+    CONTRACT_CHECK(errors.GetCount() == 1, what << ": " << errors.GetText());
+    CONTRACT_CHECK(errors.GetText().find(named) != std::string::npos, errors.GetText());
+    CONTRACT_CHECK(!Report(view.Pass).FindReason("left_out", named).empty(), named);
+  };
+  check("UseSSAO", "UseSSAO of the renderer", [](vtkRenderer* renderer) { renderer->UseSSAOOn(); });
+  check("UseShadows", "UseShadows of the renderer",
+    [](vtkRenderer* renderer) { renderer->UseShadowsOn(); });
+  check("a cube map", "light of the renderer's environment texture",
+    [](vtkRenderer* renderer)
+    {
+      vtkNew<vtkTexture> texture;
+      texture->CubeMapOn();
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(4, 4, 1);
+      image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+      image->GetPointData()->GetScalars()->Fill(128.0);
+      for (int i = 0; i < 6; ++i)
+      {
+        texture->SetInputDataObject(i, image);
+      }
+      renderer->UseImageBasedLightingOn();
+      renderer->SetEnvironmentTexture(texture);
+    });
+}
+
+//------------------------------------------------------------------------------
+// Passes around that need what VTK's mappers draw for them: their picture as it is without this
+// pass.
+VTK_INDIRECT_TEST(PassesAroundAreRefused)
+{
+  auto check = [](vtkImageProcessingPass* around)
+  {
+    Balls plain(false);
+    vtkNew<vtkRenderStepsPass> steps;
+    around->SetDelegatePass(steps);
+    plain.Renderer->SetPass(around);
+    const Pixels expected = plain.Grab();
+    around->ReleaseGraphicsResources(plain.Window);
+    plain.Renderer->SetPass(nullptr);
+
+    Balls view(true);
+    around->SetDelegatePass(view.Pass);
+    view.Renderer->SetPass(around);
+    ExpectedErrors errors;
+    view.Grab();
+    const Difference difference = Compare(expected, view.Grab());
+    const std::string name = around->GetClassName();
+    CONTRACT_CHECK(errors.GetCount() == 1, name << ": " << errors.GetText());
+    CONTRACT_CHECK(errors.GetText().find(name) != std::string::npos, errors.GetText());
+    CONTRACT_CHECK(Report(view.Pass).FindReason("modelled", "the delegate alone").find(name) == 0,
+      view.Pass->GetReport());
+    CONTRACT_CHECK(difference.Max == 0.0, name << ": " << difference);
+    around->ReleaseGraphicsResources(view.Window);
+    view.Renderer->SetPass(nullptr);
+  };
+  vtkNew<vtkSSAOPass> occlusion;
+  occlusion->SetRadius(0.5);
+  occlusion->SetBias(0.01);
+  check(occlusion);
+  vtkNew<vtkOutlineGlowPass> glow;
+  check(glow);
+}
