@@ -24,6 +24,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

@@ -24,6 +24,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -62,6 +63,12 @@ glm::dmat4 vtkIndirectFrame::ToGLM(vtkMatrix4x4* matrix)
     }
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectFrame::FindDiagonal(const vtkBoundingBox& box)
+{
+  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -166,7 +173,7 @@ void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room)
   {
     box.GetBounds(this->SceneBounds);
     box.GetCenter(&this->SceneCenter[0]);
-    const double diagonal = box.GetDiagonalLength();
+    const double diagonal = FindDiagonal(box);
     // A scene of one point has no length of its own.
     this->SceneScale = diagonal > 0.0 ? 1.0 / diagonal : 1.0;
   }
