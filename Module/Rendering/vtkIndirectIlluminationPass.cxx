@@ -361,7 +361,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   request.DepthCleared = in.View.Begin(s);
   request.Settings = this->Settings;
   request.Circumstances.OwnDelegate = this->DelegatePass != nullptr;
-  request.Circumstances.FrameSeconds = 1.0 / std::max(window->GetDesiredUpdateRate(), 1e-9);
+  request.Circumstances.UpdateRate = window->GetDesiredUpdateRate();
   request.Circumstances.OtherAntialiasing =
     vtkIndirectView::FindAntialiasing(s, this->Settings.RemainingGeometry);
   if (in.Delegate.IsRefused(this->DelegatePass))

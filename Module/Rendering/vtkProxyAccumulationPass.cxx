@@ -25,6 +25,7 @@
 #include "vtkProp.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkProxyAccumulationPass);

@@ -14,6 +14,7 @@
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkUniformLightSampler.h"
 
+#include <algorithm>
 #include <set>
 
 using namespace contract;

@@ -12,6 +12,7 @@
 #include "vtkRadianceHintsPass.h"
 #include "vtkUniformLightSampler.h"
 
+#include <algorithm>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>

@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 

@@ -16,6 +16,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+#include <algorithm>
+
 namespace vtkIndirectTest
 {
 vtkStandardNewMacro(PyramidReader);

@@ -7,6 +7,7 @@
 
 #ifndef _WIN32
 #include <csignal>
+#include <cstdlib>
 #include <sys/resource.h>
 #endif
 

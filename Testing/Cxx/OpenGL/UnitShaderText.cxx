@@ -5,6 +5,7 @@
 #include "OpenGL/vtkIndirectShaderTable.h"
 #include "vtkIndirectTestUtilities.h"
 
+#include <algorithm>
 #include <regex>
 #include <sstream>
 

@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>

@@ -8,6 +8,7 @@
 #include "vtkPolyData.h"        // for meshes
 #include "vtkSmartPointer.h"    // for meshes
 
+#include <cstdint>     // for bits
 #include <functional>  // for deformations
 #include <glm/glm.hpp> // for vectors
 #include <string>      // for names

@@ -9,6 +9,7 @@
 #include "vtkPoints.h"
 #include "vtkSphereProxyFilter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

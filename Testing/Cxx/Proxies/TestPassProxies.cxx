@@ -19,6 +19,7 @@
 #include "vtkProxyAccumulationPass.h"
 #include "vtkSphereSource.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

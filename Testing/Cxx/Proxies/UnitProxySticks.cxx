@@ -5,6 +5,7 @@
 #include "Proxies/vtkIndirectProxySticks.h"
 #include "vtkMath.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

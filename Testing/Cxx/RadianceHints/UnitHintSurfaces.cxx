@@ -6,6 +6,7 @@
 #include "vtkIndirectTestUtilities.h"
 #include "vtkIndirectVoxelPatch.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace vtkIndirectTest;

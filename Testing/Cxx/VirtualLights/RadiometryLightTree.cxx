@@ -10,6 +10,7 @@
 #include "vtkRSMGatherPass.h"
 #include "vtkUniformLightSampler.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace vtkIndirectTest;

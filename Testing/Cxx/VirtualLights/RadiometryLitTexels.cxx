@@ -8,6 +8,7 @@
 #include "vtkRSMGatherPass.h"
 #include "vtkUniformLightSampler.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace vtkIndirectTest;

@@ -11,6 +11,7 @@
 #include "vtkRSMReferencePass.h"
 #include "vtkUniformLightSampler.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 

@@ -14,6 +14,7 @@
 #include "vtkSphereSource.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace vtkIndirectTest;
 

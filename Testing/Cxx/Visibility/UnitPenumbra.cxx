@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace vtkIndirectTest;
 using namespace vtkIndirectKernels;

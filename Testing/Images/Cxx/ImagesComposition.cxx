@@ -21,6 +21,8 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
+
 using namespace contract;
 
 namespace

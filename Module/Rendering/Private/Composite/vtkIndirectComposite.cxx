@@ -15,6 +15,8 @@
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+
 namespace
 {
 const vtkIndirectChannel ImageChannels[] = {

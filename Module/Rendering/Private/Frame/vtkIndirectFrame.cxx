@@ -93,6 +93,12 @@ glm::dmat4 vtkIndirectFrame::ToGLM(vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
+double vtkIndirectFrame::FindDiagonal(const vtkBoundingBox& box)
+{
+  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectFrame::Build(const vtkRenderState* state, vtkIndirectRoom* room)
 {
   this->Renderer = state->GetRenderer();
@@ -194,7 +200,7 @@ void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room)
   {
     box.GetBounds(this->SceneBounds);
     box.GetCenter(&this->SceneCenter[0]);
-    const double diagonal = box.GetDiagonalLength();
+    const double diagonal = FindDiagonal(box);
     // A scene of one point has no length of its own.
     this->SceneScale = diagonal > 0.0 ? 1.0 / diagonal : 1.0;
   }

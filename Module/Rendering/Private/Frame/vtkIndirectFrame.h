@@ -131,6 +131,9 @@ struct vtkIndirectFrame
   void AddToReport(vtkIndirectReport& report) const;
 
   static glm::dmat4 ToGLM(vtkMatrix4x4* matrix);
+  /** Length of a box's diagonal, 0 of an empty box. VTK's own answer is infinity then, and ends the
+   * program where VTK was built with assertions. */
+  static double FindDiagonal(const vtkBoundingBox& box);
 
 private:
   void LeaveOut(const std::string& what, const std::string& why);

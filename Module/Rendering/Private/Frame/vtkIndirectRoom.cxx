@@ -35,7 +35,7 @@ void vtkIndirectRoom::Give(std::vector<vtkIndirectCaster>& casters)
   vtkBoundingBox all = exact;
   all.AddBox(before);
   all.GetBounds(scene);
-  const double room = ShareOfRoom * exact.GetDiagonalLength();
+  const double room = ShareOfRoom * vtkIndirectFrame::FindDiagonal(exact);
   std::unordered_map<vtkProp*, Box> boxes;
   vtkBoundingBox wide;
   for (const vtkIndirectCaster& caster : casters)
@@ -64,7 +64,8 @@ void vtkIndirectRoom::Give(std::vector<vtkIndirectCaster>& casters)
     wide.AddBounds(box.data());
   }
   this->Boxes = std::move(boxes);
-  const bool fills = exact.GetDiagonalLength() >= LeastFilled * wide.GetDiagonalLength();
+  const bool fills =
+    vtkIndirectFrame::FindDiagonal(exact) >= LeastFilled * vtkIndirectFrame::FindDiagonal(wide);
   for (vtkIndirectCaster& caster : casters)
   {
     Box& box = this->Boxes[caster.Prop];

@@ -8,6 +8,7 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace vtkIndirectKernels;
 

@@ -8,6 +8,7 @@
 #include "vtkOpenGLCamera.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 

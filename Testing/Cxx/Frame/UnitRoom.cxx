@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Room that props have to move in, and scenes that have none.
+#include "vtkIndirectTestUtilities.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectRoom.h"
+#include "vtkActor.h"
+#include "vtkBoundingBox.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <vector>
+
+using namespace vtkIndirectTest;
+
+// VTK says infinity of an empty box, or ends the program, as its version goes.
+VTK_INDIRECT_TEST(RoomOfNothing)
+{
+  CheckEqual("the diagonal of an empty box", vtkIndirectFrame::FindDiagonal(vtkBoundingBox()), 0.0);
+  CheckEqual("of a point", vtkIndirectFrame::FindDiagonal({ 1.0, 1.0, 2.0, 2.0, 3.0, 3.0 }), 0.0);
+  CheckEqual("of a box", vtkIndirectFrame::FindDiagonal({ 0.0, 1.0, 0.0, 2.0, 0.0, 2.0 }), 3.0);
+
+  vtkIndirectRoom room;
+  std::vector<vtkIndirectCaster> nothing;
+  room.Give(nothing);
+  Check("a scene that is empty", nothing.empty());
+
+  vtkNew<vtkActor> actor;
+  const double bounds[6] = { 0.0, 1.0, 0.0, 2.0, 0.0, 2.0 };
+  std::vector<vtkIndirectCaster> one(1);
+  one[0].Prop = actor;
+  std::copy(bounds, bounds + 6, one[0].Bounds);
+  room.Give(one);
+  Check("what comes has its bounds", one[0].HasRoom && std::equal(bounds, bounds + 6, one[0].Room));
+  room.Give(nothing);
+  one[0].HasRoom = false;
+  std::fill(one[0].Room, one[0].Room + 6, 7.0);
+  room.Give(one);
+  Check("and when it was away", one[0].HasRoom && std::equal(bounds, bounds + 6, one[0].Room));
+}
