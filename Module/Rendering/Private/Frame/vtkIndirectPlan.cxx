@@ -27,6 +27,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.IndirectScale = settings.IndirectScale;
   plan.FrameSeconds = circumstances.FrameSeconds;
   plan.Interactive = circumstances.FrameSeconds <= InteractiveSeconds;
+  plan.WaitsForMaps = settings.MapsFirst && settings.Caching && !plan.Interactive;
   double triangles = 0.0;
   for (const vtkIndirectCaster& caster : frame.Casters)
   {

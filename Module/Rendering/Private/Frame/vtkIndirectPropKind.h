@@ -5,6 +5,8 @@
 
 #include "vtkType.h" // for times
 
+#include <string> // for descriptions
+
 class vtkActor;
 class vtkProp;
 
@@ -38,6 +40,14 @@ struct vtkIndirectPropKind
   double DepthTriangles = 0.0;
 
   static vtkIndirectPropKind Find(vtkProp* prop);
+
+  /**
+   * What tells a prop from others of its class: its name in quotes, if it has one, and the classes
+   * of its mapper and of what makes its data. Empty where there is none of these.
+   */
+  static std::string Describe(vtkProp* prop);
+  /** Its class, with that in parentheses. */
+  static std::string GetFullName(vtkProp* prop);
 
   /**
    * When what it draws has changed last: VTK's redraw time does not know of data that are no

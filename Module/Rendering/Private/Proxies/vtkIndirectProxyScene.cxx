@@ -244,7 +244,7 @@ void vtkIndirectProxyScene::Add(
   const double scaled = radius * part.Scale;
   if (!(scaled >= 0.0) || !std::isfinite(scaled) || !std::isfinite(place.x + place.y + place.z))
   {
-    this->WrongProp = this->Wrong++ ? this->WrongProp : part.Prop->GetClassName();
+    this->WrongProp = this->Wrong++ ? this->WrongProp : vtkIndirectPropKind::GetFullName(part.Prop);
     return;
   }
   // Of the scene's diagonal; a smaller one hides nothing.
@@ -545,7 +545,7 @@ void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
   const vtkIndirectProxyShapes::Shape& shape = this->Shapes.Find(part.Prop, mesh);
   if (!shape.LeftOut.empty())
   {
-    this->LeaveOut("a mesh of " + std::string(part.Prop->GetClassName()), shape.LeftOut);
+    this->LeaveOut("a mesh of " + vtkIndirectPropKind::GetFullName(part.Prop), shape.LeftOut);
   }
   const vtkIndirectProxyAlbedos albedos(part.Mapper, part.Actor->GetProperty(), mesh);
   const glm::vec3 mean = albedos.GetMean();

@@ -2,6 +2,7 @@
 #include "Visibility/vtkIndirectRaySurfaces.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPropKind.h"
 #include "Visibility/vtkIndirectPolygons.h"
 #include "vtkActor.h"
 #include "vtkCellData.h"
@@ -319,7 +320,7 @@ void vtkIndirectRaySurfaces::Read(const vtkIndirectFrame& frame, std::vector<dou
       });
     if (triangles == 0)
     {
-      this->LeftOut.emplace_back(caster.Prop->GetClassName(),
+      this->LeftOut.emplace_back(vtkIndirectPropKind::GetFullName(caster.Prop),
         "its mapper has no polygons that the processor can read; rays pass through it");
     }
   }
