@@ -52,7 +52,8 @@ def find_faults(root: Path) -> list[str]:
     except FileNotFoundError:  # no git: a copy of the sources
         return faults
     held = listed.stdout.decode().split("\0") if listed.returncode == 0 else []
-    return faults + [f"git holds {path}, which a program made" for path in held if MADE.search(path)]
+    made = filter(MADE.search, held)
+    return faults + [f"git holds {path}, which a program made" for path in made]
 
 
 def main() -> int:
