@@ -6,12 +6,11 @@
 
 Atoms move in every frame, and with the method "proxies" that costs no more than if they stood: the
 light of the sky is summed over them as spheres, without maps. Writes moving_molecule.png, six
-frames side by side. The files are by default those of Testing/Data, where make_modes.py says what
-the motion is.
+frames side by side. The files are by default those that vtkindirect was installed or built with;
+Testing/Data/make_modes.py of the sources says what the motion is.
 """
 
 import sys
-from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -24,13 +23,18 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLSphereMapper
 
 import vtkindirect
-from vtkindirect import images
+from vtkindirect import images, locations
 
-DATA = Path(__file__).resolve().parents[2] / "Testing" / "Data"
-protein, modes = sys.argv[1:3] if len(sys.argv) > 2 else (
-    DATA / "protein_1tii.pdb",
-    DATA / "protein_1tii_modes.npz",
-)
+if len(sys.argv) not in (1, 3):
+    sys.exit("usage: moving_molecule.py [PROTEIN.pdb MODES.npz]")
+try:
+    protein, modes = sys.argv[1:] or (
+        locations.data_file("protein_1tii.pdb"),
+        locations.data_file("protein_1tii_modes.npz"),
+    )
+    motion = np.load(modes)
+except (vtkindirect.IndirectError, OSError, ValueError) as error:
+    sys.exit(f"moving_molecule.py: {error}; name PROTEIN.pdb and MODES.npz")
 FRAMES = 6
 SWING = 3.0  # Angstroms, root mean square, of the slowest mode
 
@@ -38,10 +42,11 @@ reader = vtkPDBReader()
 reader.SetFileName(str(protein))
 reader.Update()
 read = reader.GetOutput()
+if read.GetNumberOfPoints() == 0:
+    sys.exit(f"moving_molecule.py: {protein} holds no atoms")
 kept = vtk_to_numpy(read.GetPointData().GetArray("ishetatm")) == 0
 rest = vtk_to_numpy(read.GetPoints().GetData())[kept].astype(np.float32)
 radii = vtk_to_numpy(read.GetPointData().GetArray("radius")).reshape(len(kept), -1)[kept, 0]
-motion = np.load(modes)
 
 
 def place(phase):

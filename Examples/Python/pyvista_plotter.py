@@ -2,7 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A PyVista plotter with indirect light. Needs PyVista; writes pyvista_plotter.png."""
 
-import pyvista
+import sys
+
+try:
+    import pyvista
+except ImportError as error:
+    sys.exit(f"pyvista_plotter.py: needs PyVista (python3 -m pip install pyvista): {error}")
 
 import vtkindirect
 

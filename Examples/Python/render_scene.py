@@ -9,7 +9,12 @@ import sys
 
 import vtkindirect
 
-scene = vtkindirect.load_scene(sys.argv[1])
+if len(sys.argv) != 2:
+    sys.exit("usage: render_scene.py SCENE_OR_DATA")
+try:
+    scene = vtkindirect.load_scene(sys.argv[1])
+except vtkindirect.IndirectError as error:
+    sys.exit(f"render_scene.py: {error}")
 window = scene.make_window()
 vtkindirect.enable(scene.renderer, "gather", number_of_lights=512)
 window.Render()

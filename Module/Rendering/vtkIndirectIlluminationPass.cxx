@@ -69,6 +69,12 @@ vtkInformationIntegerKey* vtkIndirectIlluminationPass::SENDS_LIGHT()
 }
 
 //------------------------------------------------------------------------------
+vtkInformationStringKey* vtkIndirectIlluminationPass::NAME()
+{
+  return vtkIndirectPropKeys::Name();
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::SetLightRadius(vtkLight* light, double radius)
 {
   SetLightSize(light, vtkIndirectLightKeys::Radius(), radius, VTK_DOUBLE_MAX);
@@ -163,6 +169,7 @@ void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IndirectScale: " << this->Settings.IndirectScale << "\n";
   os << indent << "ErrorTolerance: " << this->Settings.ErrorTolerance << "\n";
   os << indent << "Caching: " << flag(this->Settings.Caching) << "\n";
+  os << indent << "MapsFirst: " << flag(this->Settings.MapsFirst) << "\n";
   os << indent << "SpheresInMotion: " << flag(this->Settings.SpheresInMotion) << "\n";
   os << indent << "RemainingGeometry: " << flag(this->Settings.RemainingGeometry) << "\n";
   os << indent << "DebugView: \"" << this->DebugView << "\"\n";

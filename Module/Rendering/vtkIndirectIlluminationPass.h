@@ -13,8 +13,9 @@
  * map, because the eye sees what it lights. GetReport says what was decided.
  *
  * Units: VTK's. Radiance is physical; irradiance and light strength are physical divided by pi.
- * With IndirectScale 1 the result agrees with a path tracer's single diffuse bounce without
- * visibility between sender and receiver unless the estimator has Occupancy on.
+ * With IndirectScale 1 and nothing else set the result agrees with a path tracer's diffuse bounces:
+ * all of them, hidden by depth maps of the virtual lights (NumberOfBounces, Visibility), with lobes
+ * of specular senders in the first. A light that follows the camera has one bounce.
  *
  * Multisampling has no effect on what this pass draws: its targets are float textures. Edges are
  * antialiased by their shapes instead (Antialiasing). vtkSSAAPass around the pass samples more.
@@ -39,6 +40,7 @@ class vtkAreaLight;
 class vtkEnvironmentLight;
 class vtkImageData;
 class vtkInformationIntegerKey;
+class vtkInformationStringKey;
 class vtkIndirectEstimatorPass;
 class vtkLight;
 class vtkPolyData;
@@ -279,6 +281,18 @@ public:
 
   ///@{
   /**
+   * Whether still frames without all their depth maps draw further ones alone: irradiance and light
+   * of the sky are summed in the first frame that has them all, once. Default off: every frame sums
+   * with the maps that there are. For a picture that is only looked at when it is complete: render
+   * while the report's tiles_left is above 0. Until then the report names what waits under
+   * left_out. Frames of a camera that moves, frames without Caching, and area lights, whose sums
+   * take the maps of one round after another, do not wait.
+   */
+  vtkIndirectFlagMacro(MapsFirst);
+  ///@}
+
+  ///@{
+  /**
    * Whether frames of moving spheres take the sky, and what is reflected of it, from spheres in
    * place of depth maps and virtual lights, as vtkProxyAccumulationPass does; lights of the
    * renderer keep their estimator. From the second frame on end in which atoms
@@ -372,6 +386,13 @@ public:
   static vtkInformationIntegerKey* CASTS_SHADOWS();
   static vtkInformationIntegerKey* SENDS_LIGHT();
   ///@}
+
+  /**
+   * A property key of a prop: the name by which the report and errors call it, such as that of the
+   * file that it shows. Default: none; with VTK 9.3 and later vtkObject::SetObjectName gives one,
+   * too. Props without a name are told apart by the classes of their mapper and its source.
+   */
+  static vtkInformationStringKey* NAME();
 
   ///@{
   /**

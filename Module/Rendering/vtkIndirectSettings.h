@@ -80,6 +80,7 @@ struct vtkIndirectSettings
   double IndirectScale = 1.0;
   double ErrorTolerance = 0.0;
   bool Caching = true;
+  bool MapsFirst = false;
   bool SpheresInMotion = true;
   bool RemainingGeometry = true;
 };

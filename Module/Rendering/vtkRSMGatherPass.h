@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRSMGatherPass
- * @brief One bounce of light from diffuse senders, summed at each pixel over senders in the lights'
- * maps
+ * @brief Light summed at each pixel over senders: virtual lights of all bounces, or texels of the
+ * lights' maps
  *
  * Equation: E(x) = sum over senders p of B_p A_p cosS cosR / (pi r^2 + A_p), the disk kernel in
  * place of equation (1) of Dachsbacher and Stamminger 2005, "Reflective shadow maps". B_p A_p comes
@@ -19,9 +19,10 @@
  * Receivers with a specular coefficient also reflect the same senders in their lobes, summed at
  * each of their pixels with and without interpolation; see SpecularTransport.
  *
- * Approximations: no visibility between sender and receiver unless Occupancy is on (bias >= 0), one
- * bounce (<= 0), diffuse senders (<= 0); the kernel is low where r^2 < A, by about -0.6 / sqrt(N)
- * for walls that meet.
+ * Approximations: virtual lights are hidden by depth maps or voxels (Visibility of the pass), whose
+ * resolution decides; texels by voxels alone, with Occupancy, else by nothing (bias >= 0), and
+ * theirs is one bounce (<= 0). Senders of later bounces are diffuse (<= 0). The kernel is low where
+ * r^2 < A, by about -0.6 / sqrt(N) for walls that meet; not so lights of a tree.
  *
  * Interpolation (section 5.2 of the paper): the sum is taken at every InterpolationStep-th pixel
  * and interpolated where three of the four around lie on the same surface; other pixels sum for

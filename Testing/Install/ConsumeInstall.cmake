@@ -67,6 +67,9 @@ run("look for what is not there" "${CMAKE_COMMAND}"
   "-DVTK_DIR=${VTK_DIR}" "-DCMAKE_PREFIX_PATH=${prefix}")
 
 if (PYTHON)
+  foreach (file IN ITEMS py.typed __init__.pyi vtkRenderingIndirect.pyi)
+    require_file("${prefix}/${PYTHON_PATH}/vtkindirect/${file}")
+  endforeach ()
   run("import the Python package" "${CMAKE_COMMAND}" -E env
     "PYTHONPATH=${prefix}/${PYTHON_PATH}" "${PYTHON}" -c "
 import os, vtkindirect

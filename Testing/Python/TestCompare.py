@@ -233,6 +233,15 @@ class Command(DirectoryTest):
         names = {path.name for path in (self.directory / "report").iterdir()}
         self.assertEqual(names, {"rows.csv", "rows.json"})
         self.assertIn("left out: R2, because there is no stored reference", self.said)
+        lines = [line.split() for line in self.said.splitlines()]
+        self.assertEqual(
+            lines[0], ["scene", "label", "frame_ms", "indirect_ms", "nrmse_r1", "bias_r1"]
+        )
+        self.assertEqual([line[1] for line in lines[1:5]], ["vtk", "reference", "gather", "gather"])
+        self.assertEqual(float(lines[2][-2]), 0.0)
+        self.assertAlmostEqual(
+            float(lines[4][-2]), float(rows["gather NumberOfLights=1024"]["nrmse_r1"]), places=3
+        )
 
     @unittest.skipUnless(wrapped.has("vtkOpenEXRWriter"), "vtkIndirectOpenEXR was not built")
     def test_reference_is_a_file_or_its_directory(self) -> None:

@@ -63,6 +63,7 @@ class Problem(unittest.TestCase):
     def test_another_build_of_the_same_version(self) -> None:
         text = self.problem("9.1.0", VTK_LIBRARY="libvtkCommonCore-none.so.1")
         self.assertIn("another VTK 9.1.0 than this Python has", text)
+        self.assertIn("or build vtkindirect with VTK 9.1.0", text)
         self.assertIn("libvtkCommonCore-none.so.1", text)
 
     def test_this_build_fits(self) -> None:

@@ -53,8 +53,17 @@ class Component(unittest.TestCase):
         with mock.patch.dict(sys.modules, {"pyvista": None}):
             self.assertFalse(load(None).register())
         old = types.ModuleType("pyvista")
+        old.BasePlotter = type("BasePlotter", (), {})
+        old.__version__ = "0.46.4"
         with mock.patch.dict(sys.modules, {"pyvista": old}):
             self.assertFalse(load(old).register())
+            plotter = old.BasePlotter()
+            self.assertFalse(hasattr(plotter, "indirect"))
+            with self.assertRaisesRegex(
+                AttributeError, "needs PyVista 0.48 or later, and this is 0.46.4: call "
+                r"vtkindirect.enable\(plotter\)"
+            ):
+                plotter.indirect.enable()
 
     def test_entry_point_names_the_module(self) -> None:
         text = (support.SOURCE / "Wrapping" / "Python" / "entry_points.txt").read_text()

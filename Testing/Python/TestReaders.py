@@ -383,8 +383,15 @@ class DataAsScene(support.DirectoryTest):
         scene = load_scene(support.DATA / "room_vis.vtp")
         self.assertEqual(scene.name, "room_vis")
         self.assertEqual(len(scene.lights), 5)
-        self.assertEqual(scene.notes, [])
+        self.assertEqual(scene.notes, [])  # the file has colours of its own
         self.assertTrue(scene.actors["room_vis"].GetMapper().GetScalarVisibility())
+
+    def test_reports_call_it_by_its_file(self) -> None:
+        from vtkindirect import wrapped
+
+        (actor,) = load_scene(support.DATA / "room_vis.vtp").actors.values()
+        key = wrapped.get("vtkIndirectIlluminationPass").NAME()
+        self.assertEqual(actor.GetPropertyKeys().Get(key), "room_vis.vtp")
 
     def test_images_are_contoured(self) -> None:
         scene = load_scene(support.DATA / "brain_mri_colin27_ch2bet.nii.gz")

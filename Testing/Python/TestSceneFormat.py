@@ -149,7 +149,7 @@ MISTAKES = [
     (
         ["actors", 0, "pipeline"],
         [{"contour": {"array": "t", "value": 1}}],
-        "actors[0].pipeline[0].contour.array: no array 't' on points",
+        "actors[0].pipeline[0].contour.array: no array 't'; known: ",
     ),
     (
         ["actors", 0, "scalars"],

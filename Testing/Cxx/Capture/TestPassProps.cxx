@@ -8,6 +8,8 @@
 #include "vtkBillboardTextActor3D.h"
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkOutlineSource.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
@@ -283,6 +285,47 @@ VTK_INDIRECT_TEST(PropsLeftOut)
   const std::string why =
     contract::Report(room.Pass).FindReason("left_out", "vtkOpenGLActor, 3 props");
   CONTRACT_CHECK(why.find("translucent geometry") == 0, why);
+}
+
+//------------------------------------------------------------------------------
+// Props of one class are told apart in the report: by a name, else by mapper and source.
+VTK_INDIRECT_TEST(PropsNames)
+{
+  Room room;
+  auto entry = [&]
+  {
+    const contract::Report report(room.Pass);
+    for (int i = 0; report.Has("left_out." + std::to_string(i)); ++i)
+    {
+      const std::string what = report.Get("left_out." + std::to_string(i) + ".what");
+      if (what.find("vtkOpenGLActor") == 0)
+      {
+        return what;
+      }
+    }
+    return std::string();
+  };
+  const char* const names[] = { nullptr, "head.vtp", "tail.vtp", "fin.vtp" };
+  const std::string from = "vtkOpenGLPolyDataMapper of vtkSphereSource";
+  const std::string expected[] = { "vtkOpenGLActor (" + from + ")",
+    "vtkOpenGLActor, 2 props (" + from + "; 'head.vtp', " + from + ")",
+    "vtkOpenGLActor, 3 props (" + from + "; 'head.vtp', " + from + "; 'tail.vtp', " + from + ")",
+    "vtkOpenGLActor, 4 props (" + from + "; 'head.vtp', " + from + "; 'tail.vtp', " + from +
+      "; and others)" };
+  for (int i = 0; i < 4; ++i)
+  {
+    auto glass = MakeSphere({ 0.3 + 0.1 * i, 0.7, 0.5 }, 0.05);
+    glass->GetProperty()->SetOpacity(0.5);
+    if (names[i])
+    {
+      vtkNew<vtkInformation> keys;
+      keys->Set(vtkIndirectIlluminationPass::NAME(), names[i]);
+      glass->SetPropertyKeys(keys);
+    }
+    room.GetRenderer()->AddActor(glass);
+    room.Grab(true);
+    CONTRACT_CHECK(entry() == expected[i], entry());
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -341,10 +341,11 @@ VTK_INDIRECT_TEST(ReportLocaleOfStreams)
 
 VTK_INDIRECT_TEST(ReportLocaleOfC)
 {
-  // From Debian's package locales, where the system has none compiled.
-  const std::string folder = "locales";
-  const std::string make = "mkdir -p " + folder + " && localedef --no-archive -f UTF-8 -i de_DE " +
-    folder + "/de_DE.UTF-8 >/dev/null 2>&1";
+  // From Debian's package locales, where the system has none compiled. In the build tree, from
+  // whichever folder the test is started.
+  const std::string folder = VTK_INDIRECT_TEST_FOLDER "/locales";
+  const std::string make = "mkdir -p '" + folder +
+    "' && localedef --no-archive -f UTF-8 -i de_DE '" + folder + "/de_DE.UTF-8' >/dev/null 2>&1";
   if (!std::setlocale(LC_ALL, "de_DE.UTF-8"))
   {
     const bool made = std::system(make.c_str()) == 0;

@@ -81,7 +81,8 @@ std::string Report::FindReason(const std::string& list, const std::string& what)
   for (int i = 0; this->Has(list + "." + std::to_string(i)); ++i)
   {
     const std::string entry = list + "." + std::to_string(i);
-    if (this->Get(entry + ".what") == what)
+    const std::string name = this->Get(entry + ".what");
+    if (name == what || (name.compare(0, what.size() + 2, what + " (") == 0 && name.back() == ')'))
     {
       return this->Get(entry + ".why");
     }

@@ -28,8 +28,10 @@ public:
   std::string Get(const std::string& path) const;
   /** The same as a number; NaN when it is none. */
   double GetNumber(const std::string& path) const;
-  /** The reason of what a list (`modelled`, `left_out`) has under a name; empty when it is not
-   * there. */
+  /**
+   * The reason of what a list (`modelled`, `left_out`) has under a name, maybe with which props
+   * these are after it in parentheses; empty when it is not there.
+   */
   std::string FindReason(const std::string& list, const std::string& what) const;
 
 private:

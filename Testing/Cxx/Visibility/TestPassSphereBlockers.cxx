@@ -84,8 +84,9 @@ VTK_INDIRECT_TEST(SphereBlockersWrongRadii)
     view.Renderer->GetActiveCamera()->Azimuth(1.0);
     view.Grab();
     CONTRACT_CHECK(errors.GetCount() == 1, errors.GetCount() << " errors: " << errors.GetText());
-    CONTRACT_CHECK(errors.GetText().find("2 spheres of vtkOpenGLActor have radii that are negative "
-                                         "or not finite") != std::string::npos,
+    CONTRACT_CHECK(errors.GetText().find(
+                     "2 spheres of vtkOpenGLActor (vtkOpenGLSphereMapper of vtkPolyData) have "
+                     "radii that are negative or not finite") != std::string::npos,
       errors.GetText());
   }
   CONTRACT_CHECK(

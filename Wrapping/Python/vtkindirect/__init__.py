@@ -21,7 +21,12 @@ import importlib
 import sys
 from typing import Any
 
-from vtkindirect import compatibility as _compatibility
+if sys.argv[:1] == ["-m"]:  # `python3 -m vtkindirect` imports the package before its __main__
+    from vtkindirect import interrupts as _interrupts
+
+    _interrupts.end_program()
+
+from vtkindirect import compatibility as _compatibility  # noqa: E402
 
 _compatibility.check()  # before anything below loads the libraries
 

@@ -4,8 +4,10 @@
 import sys
 
 try:
+    from vtkindirect import interrupts
     from vtkindirect.cli import main
 except ImportError as error:  # such as a package that is missing
     sys.exit(f"vtk-indirect: error: {error}")
 
+interrupts.end_program()
 sys.exit(main())

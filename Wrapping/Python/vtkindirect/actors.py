@@ -26,6 +26,14 @@ RADIUS = "Radius"
 """Point data of points that are shown as spheres."""
 
 
+def what(values: Values) -> str:
+    """Return what an actor of a scene file shows: its file, or its source by its name."""
+    if values.get("file") is not None:
+        return Path(values["file"]).name
+    source = values.get("source")
+    return source if isinstance(source, str) else next(iter(source or {}), "")
+
+
 def _geometry(values: Values, path: str, directory: Path, read: Read) -> vtkPolyData:
     """Read or make the geometry of an actor and take it through its pipeline."""
     if values["source"] is not None:
@@ -110,11 +118,18 @@ def _show_scalars(
 ) -> None:
     """Colour by an array: bytes of three components as they are, anything else by a map."""
     found = arrays.find(surface, scalars["array"], member(path, "array"))
+    if not _is_direct(found) and not arrays.finite(found.array):
+        raise fail(member(path, "array"), f"array '{found.name}' has values that are not finite")
+    _show_found(mapper, found, scalars, path)
+
+
+def _show_found(
+    mapper: vtkPolyDataMapper, found: arrays.Found, scalars: Values, path: str
+) -> None:
+    """Colour by an array that is there; `scalars` has the map and maybe the range."""
     _show_direct(mapper, found)
     if _is_direct(found):
         return
-    if not arrays.finite(found.array):
-        raise fail(member(path, "array"), f"array '{found.name}' has values that are not finite")
     distinct: list[float] = []
     if colormaps.is_categorical(scalars["map"]):
         distinct = np.unique(found.numbers()).tolist()
@@ -127,7 +142,9 @@ def _show_scalars(
     if span[0] == span[1]:
         span[1] = span[0] + max(1.0, abs(span[0]))
     mapper.SetColorModeToMapScalars()
-    mapper.SetLookupTable(colormaps.lookup_table(scalars["map"], span, distinct))
+    table = colormaps.lookup_table(scalars["map"], span, distinct)
+    table.SetNanColor(*colormaps.MISSING, 1.0)
+    mapper.SetLookupTable(table)
     mapper.UseLookupTableScalarRangeOn()
 
 
@@ -179,6 +196,26 @@ def color_by_category(actor: vtkActor, name: str) -> None:
     """Colour an actor by an array of a few values, a colour for each."""
     mapper = actor.GetMapper()
     _show_scalars(mapper, mapper.GetInput(), {"array": name, "map": "tab10"}, "")
+
+
+def color_by_default(actor: vtkActor) -> arrays.Found | None:
+    """Colour an actor as ParaView and PyVista do by default; returns the array, or None.
+
+    By `arrays.default`, with the map `colormaps.DEFAULT` over all its values, of vectors over their
+    lengths. An array with one value says nothing, and the actor stays white.
+    """
+    mapper = actor.GetMapper()
+    found = arrays.default(mapper.GetInput())
+    if found is None:
+        return None
+    vectors = found.array.GetNumberOfComponents() > 1
+    low, high = found.array.GetFiniteRange(-1 if vectors else 0)
+    if not _is_direct(found) and not low < high:
+        return None
+    _show_found(mapper, found, {"map": colormaps.DEFAULT, "range": (low, high)}, "")
+    if vectors and not _is_direct(found):
+        mapper.GetLookupTable().SetVectorModeToMagnitude()
+    return found
 
 
 def build(values: Values, path: str, directory: Path, read: Read) -> vtkActor:

@@ -33,8 +33,11 @@ class Found:
 
     @property
     def span(self) -> tuple[float, float]:
-        """Smallest and greatest value of the first component."""
-        return self.array.GetRange(0)
+        """Smallest and greatest value of the first component; missing ones (NaN) do not count.
+
+        Where all are missing the first is greater than the second.
+        """
+        return self.array.GetFiniteRange(0)
 
     def numbers(self) -> np.ndarray:
         """The values as a NumPy array that shares memory with VTK's."""
@@ -77,6 +80,36 @@ def find(data: vtkDataSet, name: str | None, path: str, on_cells: bool = True) -
     place = "" if on_cells else " on points"
     some = ", ".join(known) if known else "none"
     raise fail(path, f"no array '{name}'{place}{suggestion(name, known)}; known: {some}")
+
+
+def default(data: vtkDataSet) -> Found | None:
+    """Return the array that data are shown by when nobody has named one, or None.
+
+    The active scalars, those on points first, else the first array that is nothing of VTK's own;
+    among others one with a single component comes first.
+    """
+    sets = (data.GetPointData(), True), (data.GetCellData(), False)
+    for attributes, on_points in sets:
+        if isinstance(attributes.GetScalars(), vtkDataArray) and attributes.GetScalars().GetName():
+            return Found(attributes.GetScalars(), on_points)
+    known = []
+    for attributes, on_points in sets:
+        special = (
+            attributes.GetNormals(),
+            attributes.GetTCoords(),
+            attributes.GetTangents(),
+            attributes.GetGlobalIds(),
+            attributes.GetPedigreeIds(),
+        )
+        names_of_special = {one.GetName() for one in special if one is not None}
+        for index in range(attributes.GetNumberOfArrays()):
+            array = attributes.GetArray(index)
+            if array is None or not array.GetName():
+                continue
+            if not array.GetName().startswith("vtk") and array.GetName() not in names_of_special:
+                known.append(Found(array, on_points))
+    known.sort(key=lambda found: found.array.GetNumberOfComponents() > 1)
+    return known[0] if known else None
 
 
 def finite(array: vtkDataArray | None) -> bool:

@@ -8,6 +8,7 @@ time is one line and exit code 1. Nothing is written unless everything went well
 from __future__ import annotations
 
 import argparse
+import contextlib
 import json
 import os
 import re
@@ -15,12 +16,13 @@ import sys
 import warnings
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import numpy as np
 
 from vtkindirect import (
     compare,
+    console,
     demo,
     frames,
     images,
@@ -29,6 +31,7 @@ from vtkindirect import (
     methods,
     settings,
     windows,
+    working,
     wrapped,
 )
 from vtkindirect.errors import RenderError, UsageError, unknown
@@ -45,6 +48,9 @@ class _Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         raise UsageError(message)
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        console.say(message.rstrip("\n"))
 
 
 def _size(text: str) -> tuple[int, int]:
@@ -202,8 +208,13 @@ def _load(path: str) -> Scene:
             bars.append(Progress(f"loading {Path(path).name}", total))
         bars[0].step(name)
 
+    def show(what: str) -> None:
+        for bar in bars:
+            bar.show(what)
+
     try:
-        scene = load_scene(path, step)
+        with working.listening(show):
+            scene = load_scene(path, step)
     finally:
         for bar in bars:
             bar.close()
@@ -213,7 +224,8 @@ def _load(path: str) -> Scene:
 
 
 def _note(text: str) -> None:
-    print(f"{PROGRAM}: note: {text}", file=sys.stderr)
+    with contextlib.suppress(OSError):  # standard error is full or closed
+        print(f"{PROGRAM}: note: {text}", file=sys.stderr, flush=True)
 
 
 def _note_warning(message: Warning | str, *_: object) -> None:
@@ -249,6 +261,16 @@ def _picture(scene: Scene, buffer: str, job: Job, linear: bool) -> np.ndarray:
     return images.copy_buffer(scene.renderer, buffer)
 
 
+def _check_places(outputs: list[Path], scene: str) -> None:
+    """Raise when a file is named twice, or is the one that the scene comes from."""
+    places = [images.target_of(path) for path in outputs]
+    for place in places:
+        if places.count(place) > 1:
+            raise UsageError(f"{place}: is named twice as an output")
+        if place == images.target_of(Path(scene)):
+            raise UsageError(f"{place}: is the input, it cannot be the output too")
+
+
 def _render(arguments: argparse.Namespace) -> None:
     job = _job(arguments, arguments.frames)
     images.check_buffer(arguments.buffer)
@@ -261,12 +283,8 @@ def _render(arguments: argparse.Namespace) -> None:
     report_path = None
     if arguments.report:
         report_path = images.check_output(arguments.report, (".json",))
-    places = [os.path.abspath(path) for path in (*outputs, report_path) if path is not None]
-    for place in places:
-        if places.count(place) > 1:
-            raise UsageError(f"{place}: is named twice as an output")
-        if place == os.path.abspath(arguments.scene):
-            raise UsageError(f"{place}: is the input, it cannot be the output too")
+    written = [path for path in (*outputs, report_path) if path is not None]
+    _check_places(written, arguments.scene)
 
     scene = _load(arguments.scene)
     window = frames.open_window(scene, arguments.size)
@@ -280,14 +298,17 @@ def _render(arguments: argparse.Namespace) -> None:
             if entry["what"] == frames.NO_INDIRECT_LIGHT:
                 _note(f"no indirect light: {entry['why']}")
     pictures = [
-        _picture(scene, arguments.buffer, job, path.suffix.lower() == ".exr") for path in outputs
+        _picture(scene, arguments.buffer, job, images.ending(path, images.FORMATS) == ".exr")
+        for path in outputs
     ]
     for path, values in zip(outputs, pictures):
         images.write_image(path, values, arguments.full)
     if report_path is not None:
         images.write_text(report_path, json.dumps(report, indent=2) + "\n")
-    for path in places:
-        print(path)
+    # Where standard output has one of them, it has nothing else.
+    if not any(map(images.is_stdout, written)):
+        for path in written:
+            console.say(os.path.abspath(path))
 
 
 def _view(arguments: argparse.Namespace) -> None:
@@ -315,7 +336,7 @@ def _demo(arguments: argparse.Namespace) -> None:
         scene = _load(str(locations.demo_scene(name)))
         with Progress(f"{name} ({index + 1} of {len(names)})", steps) as bar:
             line = demo.run(scene, directory, arguments.size, bar.step, arguments.lighting)
-        print(line, flush=True)
+        console.say(line)
 
 
 def _versions() -> str:
@@ -334,7 +355,7 @@ Comparison = Callable[[argparse.Namespace, Callable[[str], Scene]], None]
 def _dispatch(words: Sequence[str], comparison: Comparison) -> None:
     arguments = commands()[PROGRAM].parse_args(words)
     if arguments.version:
-        print(_versions())
+        console.say(_versions())
     elif arguments.command is None:
         raise UsageError("a command is needed: render, view, demo or compare (see --help)")
     elif arguments.command == "compare":
@@ -356,9 +377,6 @@ def main(words: Sequence[str] | None = None, comparison: Comparison = compare.ru
         code, text = 1, str(error)
     except KeyboardInterrupt:
         code, text = 130, "interrupted"
-    except BrokenPipeError:
-        sys.stdout = None  # type: ignore[assignment]
-        return 1
     except MemoryError:
         code, text = 1, "out of memory"
     except Exception as error:  # a defect of this program; still one line
@@ -367,5 +385,6 @@ def main(words: Sequence[str] | None = None, comparison: Comparison = compare.ru
         code, text = 1, f"internal error: {type(error).__name__}: {error}"
     else:
         return 0
-    print(f"{PROGRAM}: error: {' '.join(text.split())}", file=sys.stderr)
+    with contextlib.suppress(OSError):
+        print(f"{PROGRAM}: error: {' '.join(text.split())}", file=sys.stderr, flush=True)
     return code

@@ -16,6 +16,12 @@ from vtkindirect.errors import suggestion
 VIVID = "1a6bff ffb400 19c832 ff6e9b 00c8d2 c81ee6 ff2a1a 96dc14"
 """Colours that stay apart when a scene is dim, for categories."""
 
+DEFAULT = "viridis"
+"""The map of data that nobody has chosen colours for: Matplotlib's and PyVista's default."""
+
+MISSING = (0.66, 0.66, 0.66)
+"""Where a value is missing (NaN): grey, which no map between two colours has."""
+
 _MOST_CATEGORIES = 20
 """A map of Matplotlib's with no more colours than this is for categories; others have 256."""
 

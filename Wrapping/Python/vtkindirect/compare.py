@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkVersion
 
-from vtkindirect import frames, images, lighting, locations, methods, references, sweep
+from vtkindirect import console, frames, images, lighting, locations, methods, references, sweep
 from vtkindirect.errors import IndirectError, UsageError
 from vtkindirect.frames import Job
 from vtkindirect.metrics import MetricError
@@ -159,6 +159,10 @@ class Run:
             "vtk": vtkVersion.GetVTKVersion(),
         }
         self._references: References | Exception | None = None
+        self.show: Callable[[str], None] = lambda _what: None
+
+    def _show(self, what: str, _left: int = 0) -> None:
+        self.show(what)
 
     def references(self) -> References:
         """References of the scene, made on first use; what made them fail once fails again."""
@@ -191,7 +195,7 @@ class Run:
         job = Job(
             row.method, row.sampler, dict(row.settings), self.count, row.pace, lighting=light
         )
-        return _times(frames.render(self.scene, self.scene.render_window, job))
+        return _times(frames.render(self.scene, self.scene.render_window, job, self._show))
 
     def nothing(self, row: Row) -> Result:
         """The frame without any pass, and the error of leaving indirect light out."""
@@ -379,19 +383,43 @@ def write(results: list[Result], directory: Path) -> list[Path]:
     return [directory / "rows.json", directory / "rows.csv"]
 
 
+def _cell(value: Any) -> str:
+    return f"{value:.4g}" if isinstance(value, float) else "" if value is None else str(value)
+
+
+def text_table(results: list[Result]) -> str:
+    """Return results for people: of each row its times and the errors that it has."""
+    errors = sorted({name for row in results for name in row if name.startswith("nrmse_")})
+    biases = [name.replace("nrmse", "bias") for name in errors]
+    names = ["scene", "label", "frame_ms", "indirect_ms", *sum(zip(errors, biases), ()), "error"]
+    if not any(row["error"] for row in results):
+        names.remove("error")
+    lines = [names, *([_cell(row.get(name)) for name in names] for row in results)]
+    widths = [max(len(line[i]) for line in lines) for i in range(len(names))]
+    left = ("scene", "label", "error")
+    return "\n".join(
+        "  ".join(
+            cell.ljust(width) if name in left else cell.rjust(width)
+            for name, cell, width in zip(names, line, widths)
+        ).rstrip()
+        for line in lines
+    )
+
+
 def say(results: list[Result], written: list[Path]) -> None:
-    """Print the files, what is left out and why, and which rows failed."""
+    """Print the table, its files, what is left out and why, and which rows failed."""
+    console.say(text_table(results))
     for path in written:
-        print(path)
+        console.say(str(path))
     missing: dict[str, list[str]] = {}
     for result in results:
         for name, why in result["missing"].items():
             missing.setdefault(f"left out: {name}, because {why}", []).append(result["scene"])
     for sentence, scenes in missing.items():
-        print(f"{sentence} ({', '.join(dict.fromkeys(scenes))})")
+        console.say(f"{sentence} ({', '.join(dict.fromkeys(scenes))})")
     for result in results:
         if result["error"]:
-            print(f"failed: {result['scene']}, {result['label']}: {result['error']}")
+            console.say(f"failed: {result['scene']}, {result['label']}: {result['error']}")
 
 
 def _whole_program(option: str) -> Any:
@@ -427,5 +455,6 @@ def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
             )
             if what.flicker:
                 one.missing["flicker"] = f"{PROGRAM} of the project's sources measures it"
+            one.show = bar.show
             results += one.run(what.rows, bar.step)
     say(results, write(results, directory))

@@ -25,6 +25,20 @@ def _is_loaded(library: str) -> bool:
     return True
 
 
+def _remedy(configuration: Any, version: str, place: str) -> str:
+    """Return what to do about another VTK that comes first."""
+    packaged = {"site-packages", "dist-packages"} & set(place.split(os.sep))
+    own = f"VTK {configuration.VTK} (Debian: python3-vtk9)"
+    if packaged and not place.startswith("/usr/lib/"):
+        first = (
+            "take PyPI's out of the way (python3 -m pip uninstall vtk; a virtual environment needs "
+            f"--system-site-packages) and use {own}"
+        )
+    else:
+        first = f"start the Python that has {own}"
+    return f"{first}, or build vtkindirect with VTK {version}"
+
+
 def problem(configuration: Any, vtk: ModuleType) -> str | None:
     """Return why libraries that were built with a configuration cannot be loaded, or None.
 
@@ -46,13 +60,13 @@ def problem(configuration: Any, vtk: ModuleType) -> str | None:
     if configuration.VTK != version:
         return (
             f"it was built for VTK {configuration.VTK}, and this Python has VTK {version} "
-            f"({place}); it needs exactly its own version"
+            f"({place}); it needs exactly its own version: {_remedy(configuration, version, place)}"
         )
     library = configuration.VTK_LIBRARY
     if library and not _is_loaded(library):
         return (
             f"it was built for another VTK {configuration.VTK} than this Python has ({place}), "
-            f"which does not use {library}"
+            f"which does not use {library}: {_remedy(configuration, version, place)}"
         )
     return None
 

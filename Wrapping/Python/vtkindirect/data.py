@@ -46,7 +46,7 @@ from vtkmodules.vtkIOXML import (
     vtkXMLUnstructuredGridReader,
 )
 
-from vtkindirect import messages, wrapped
+from vtkindirect import messages, working, wrapped
 from vtkindirect.errors import UsageError
 
 
@@ -245,6 +245,12 @@ def is_molecule(path: Path) -> bool:
     return row is not None and row.make is vtkPDBReader
 
 
+def up_axis(path: Path) -> str:
+    """Return which axis points up in a kind of file: y by glTF's specification and OBJ's habit."""
+    row = reader_for(path)
+    return "y" if row is not None and row.make in (vtkGLTFReader, vtkOBJReader) else "z"
+
+
 def readable(path: Path) -> None:
     """Raise `UsageError` unless `path` is a file with something in it that may be read."""
     if not path.exists():
@@ -304,7 +310,8 @@ def _read_with(
     reader.UpdateInformation()
     if not said.errors:
         _check_memory(reader)
-        reader.Update()
+        with working.watching(reader):
+            reader.Update()
     said.promote(_SAID_AS_WARNINGS)
     data = None
     if not said.errors and not reader.GetErrorCode():

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -63,7 +62,7 @@ def run(
     scene: Scene,
     directory: Path,
     size: tuple[int, int] | None,
-    step: Callable[[str], None] = lambda _what: None,
+    step: frames.Step = frames.no_step,
     lighting: str | None = None,
 ) -> str:
     """Render a scene twice and write its files; returns the line that tells of them.

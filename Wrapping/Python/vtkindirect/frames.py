@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import statistics
 import time
 from collections.abc import Callable, Iterator
@@ -165,22 +166,46 @@ def _steps(scene: Scene, window: vtkRenderWindow, job: Job, filling: Filling) ->
         window.SetDesiredUpdateRate(rate)
 
 
+@contextlib.contextmanager
+def _maps_first(indirect: Any, on: bool) -> Iterator[None]:
+    """Let light wait for its depth maps, and give the pass its own setting back."""
+    if not on:
+        yield
+        return
+    before = indirect.GetMapsFirst()
+    indirect.MapsFirstOn()
+    try:
+        yield
+    finally:
+        indirect.SetMapsFirst(before)
+
+
+Step = Callable[..., None]
+"""Called with what begins and, maybe, the number of steps that will follow at least."""
+
+
+def no_step(_what: str, _left: int = 0) -> None:
+    """Take the place of a bar."""
+
+
 def render(
     scene: Scene,
     window: vtkRenderWindow,
     job: Job,
-    step: Callable[[str], None] = lambda _what: None,
+    step: Step = no_step,
 ) -> dict[str, Any]:
     """Render a scene in its window; returns the report, in the form ``vtkindirect.report/1``.
 
-    `step` is called before each frame. An error that VTK reports while rendering, such as a shader
-    that does not compile, is a `RenderError`. Several frames are those of a camera that turns in a
+    `step` is called before each frame, with what it is and how many will follow at least. An error
+    that VTK reports while rendering, such as a shader that does not compile, is a `RenderError`.
+    Several frames are those of a camera that turns in a
     scene that stands still, by so little that no pixel changes, and ends where it was. ``wall_ms``
     is the time of a frame, ``processor_ms`` the processor time that all threads of this process
     spend meanwhile: those of a renderer that draws on the processor among them. Those frames that
     make what is kept are apart (``first_ms``, ``warm_up_frames``): depth maps are all there before
     a frame is measured, where `MOST_FILLING_FRAMES` suffice for them. A single frame is rendered
-    again until then, and ``wall_ms`` is the time of all of it.
+    again until then, with light in the last of them (``MapsFirst``), and ``wall_ms`` is the time of
+    all of it.
     """
     values = dict(job.settings)
     if job.lighting is not None:
@@ -191,8 +216,10 @@ def render(
     first: float | None = None
     warm_up_frames = tiles = new_tiles = 0
     keeps = indirect is not None and indirect.GetCaching()
+    # A single frame is a picture to look at: its time is that until no depth map is missing.
+    fills = keeps and job.frames == 1 and job.pace is None
     steps = _steps(scene, window, job, lambda: keeps and new_tiles > 0)
-    with contextlib.closing(steps), messages.capture() as said:
+    with contextlib.closing(steps), _maps_first(indirect, fills), messages.capture() as said:
         for warm_up in steps:
             if indirect is not None:
                 indirect.SetTiming(not warm_up)
@@ -210,15 +237,13 @@ def render(
                 processor.append(spent)
             if said.errors:
                 raise RenderError(f"rendering failed: {said.first_error()}")
-        # A single frame is a picture to look at: its time is that until no depth map is missing.
-        while (
-            job.frames == 1
-            and job.pace is None
-            and warm_up_frames < MOST_FILLING_FRAMES
-            and keeps
-            and tiles_left(indirect) > 0
-        ):
+        while fills and warm_up_frames < MOST_FILLING_FRAMES and tiles_left(indirect) > 0:
             warm_up_frames += 1
+            if warm_up_frames == MOST_FILLING_FRAMES:  # with light, whatever is missing still
+                indirect.MapsFirstOff()
+            left, now = tiles_left(indirect), tiles_drawn(indirect)
+            step(f"{left} depth maps to draw", math.ceil(left / max(now - tiles, 1)) - 1)
+            tiles = now
             spent = time.process_time()
             times[0] += timed_render(window)
             processor[0] += 1000.0 * (time.process_time() - spent)
@@ -261,6 +286,7 @@ def render(
 def open_window(scene: Scene, size: tuple[int, int] | None) -> vtkRenderWindow:
     """Return a started window of a scene that is never shown."""
     size = size or scene.size
+    scene.fit(size)
     window = windows.render_window((1, 1), offscreen=True)
     windows.start(window)
     windows.check_size(window, size)

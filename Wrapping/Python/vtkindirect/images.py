@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import os
 import re
+import stat
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -21,7 +22,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
-from vtkindirect import messages, methods, wrapped
+from vtkindirect import interrupts, messages, methods, wrapped
 from vtkindirect.errors import RenderError, UsageError, check_text, unknown
 
 FINAL = "final"
@@ -111,14 +112,49 @@ def window_floats(window: vtkRenderWindow) -> np.ndarray:
 # Files --------------------------------------------------------------------------------------------
 
 
+def is_stream(path: Path) -> bool:
+    """Whether a path is written to as it goes: a pipe, a device such as /dev/null, a terminal."""
+    try:
+        mode = path.stat().st_mode
+    except OSError:
+        return False
+    return is_stdout(path) or not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
+
+
+def is_stdout(path: Path) -> bool:
+    """Whether a path is what standard output goes to, such as /dev/stdout."""
+    try:
+        return os.path.samestat(path.stat(), os.fstat(1))
+    except OSError:
+        return False
+
+
+def ending(path: Path, formats: tuple[str, ...]) -> str:
+    """Return which of the formats a file is written in: by its name, of a stream else the first."""
+    found = path.suffix.lower()
+    return formats[0] if is_stream(path) and found not in formats else found
+
+
+def target_of(path: Path) -> Path:
+    """Return the file that a path stands for: of a link what it points to, there or not."""
+    return Path(os.path.realpath(path))
+
+
 def check_output(path: str | os.PathLike[str], formats: tuple[str, ...]) -> Path:
-    """Return the path of a file that can be written; raises `UsageError` when it cannot."""
+    """Return the path of a file that can be written; raises `UsageError` when it cannot.
+
+    Where it is a link its target is written. A pipe or a device may have any name.
+    """
     path = Path(path)
-    if path.suffix.lower() not in formats:
+    if ending(path, formats) not in formats:
         raise UsageError(f"{path}: the file name must end in {' or '.join(formats)}")
-    if path.suffix.lower() == ".exr" and not wrapped.has("vtkOpenEXRWriter"):
+    if ending(path, formats) == ".exr" and not wrapped.has("vtkOpenEXRWriter"):
         raise UsageError(f"{path}: {wrapped.explain('vtkOpenEXRWriter')}")
-    check_directory(path.parent)
+    target = target_of(path)
+    if target.is_symlink():
+        raise UsageError(f"{path}: is a link that leads back to itself")
+    if not is_stream(path):
+        check_directory(target.parent if path.is_symlink() else path.parent)
     if path.is_dir():
         raise UsageError(f"{path}: is a directory")
     if path.exists() and not os.access(path, os.W_OK):
@@ -139,22 +175,60 @@ def check_directory(path: Path) -> None:
         raise UsageError(f"{path}: cannot be written: {error.strerror}") from None
 
 
+_unfinished: set[Path] = set()
+
+
+def _remove_unfinished() -> None:
+    for path in list(_unfinished):
+        path.unlink(missing_ok=True)
+
+
+interrupts.before_end(_remove_unfinished)
+
+
 @contextmanager
 def complete_file(path: Path) -> Iterator[Path]:
-    """Give the name of a temporary file beside `path` that becomes `path` when all went well."""
-    handle, name = tempfile.mkstemp(prefix=f".{path.stem}-", suffix=path.suffix, dir=path.parent)
-    os.close(handle)
+    """Give the name of a temporary file that becomes `path` when all went well.
+
+    It is beside the file that `path` stands for, which keeps its permissions. What is in it goes
+    into a stream as a whole.
+    """
+    try:
+        stream = is_stream(path)
+        target = target_of(path)
+        handle, name = tempfile.mkstemp(
+            prefix=f".{path.stem}-",
+            suffix=path.suffix,
+            dir=None if stream else target.parent,
+        )
+        os.close(handle)
+    except OSError as error:
+        raise RenderError(f"{path}: cannot be written: {error.strerror or error}") from None
     temporary = Path(name)
+    _unfinished.add(temporary)
     try:
         yield temporary
+        if stream:
+            with _open_stream(path) as file:
+                file.write(temporary.read_bytes())
+            return
         mask = os.umask(0)
         os.umask(mask)
-        temporary.chmod(0o666 & ~mask)
-        temporary.replace(path)
+        mode = stat.S_IMODE(target.stat().st_mode) if target.exists() else 0o666 & ~mask
+        temporary.chmod(mode)
+        temporary.replace(target)
     except OSError as error:
         raise RenderError(f"{path}: cannot be written: {error.strerror or error}") from None
     finally:
         temporary.unlink(missing_ok=True)
+        _unfinished.discard(temporary)
+
+
+def _open_stream(path: Path) -> BinaryIO:
+    """Open a stream for writing; standard output may be what no path opens, such as a socket."""
+    if is_stdout(path):
+        return os.fdopen(os.dup(1), "wb")
+    return path.open("wb")
 
 
 def _as_image(values: np.ndarray) -> vtkImageData:
@@ -200,8 +274,8 @@ def write_text(path: Path, text: str) -> None:
 
 
 def write_image(path: Path, values: np.ndarray, full: bool = False) -> None:
-    """Write an image in the format that the file name says."""
-    if path.suffix.lower() == ".exr":
+    """Write an image in the format that the file name says; into a stream without one as PNG."""
+    if ending(path, FORMATS) == ".exr":
         write_exr(path, values, full)
     else:
         write_png(path, values)

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkWindowedSincPolyDataFilter
 from vtkmodules.vtkFiltersGeneral import vtkDiscreteFlyingEdges3D
 
-from vtkindirect import arrays, normals
+from vtkindirect import arrays, normals, working
 
 NAME = "label"
 
@@ -139,6 +139,7 @@ def surface(image: vtkImageData, found: arrays.Found, labels: Labels) -> vtkPoly
     whole = grid(image, found)
     every = vtkAppendPolyData()
     for value in labels.values:
+        working.say(f"label {value:g}")
         inside = whole == value
         part, first = box(inside)
         # With a margin of 0 surfaces are closed, at the image's border as well.

@@ -25,6 +25,14 @@ def scene_directory() -> Path:
     return (Path(__file__).resolve().parent / _configuration.SCENES).resolve()
 
 
+def data_file(name: str) -> Path:
+    """Return a data file of the demonstrations and examples; raises where it is not there."""
+    path = scene_directory().parent / "Data" / name
+    if not path.is_file():
+        raise UsageError(f"{path}: no such file")
+    return path
+
+
 def demo_scene(name: str) -> Path:
     """Return the scene file of a demonstration."""
     return scene_directory() / f"{name}.json"

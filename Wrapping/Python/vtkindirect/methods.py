@@ -17,7 +17,7 @@ from typing import Any
 from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from vtkindirect import area_lights, chain, environments, widgets, wrapped
+from vtkindirect import area_lights, chain, environments, names, widgets, wrapped
 from vtkindirect import lighting as lightings
 from vtkindirect import settings as properties
 from vtkindirect.errors import UsageError, check_text, unknown
@@ -110,6 +110,7 @@ class _Record:
     woven: chain.Woven | None = None
     renderer: vtkWeakReference = field(default_factory=vtkWeakReference)
     observers: list[int] = field(default_factory=list)
+    names: tuple[str, ...] = ()  # of PyVista's actors
 
 
 # By the address of the C++ renderer: a Python object for it may come and go.
@@ -188,6 +189,7 @@ def _start(renderer: vtkRenderer) -> None:
     record = _records.get(renderer.__this__)
     if record is not None:
         _light(renderer, record)
+        record.names = names.take_pyvistas(renderer, record.names)
     widgets.leave_out_of_maps(renderer)
 
 
@@ -298,7 +300,14 @@ def _explain_owner(name: str, method: Method, sampler: Any) -> None:
             )
 
 
-KEEP: Any = object()
+class _Keep:
+    """A default that says what it is, to readers of signatures too."""
+
+    def __repr__(self) -> str:
+        return "KEEP"
+
+
+KEEP: Any = _Keep()
 """The environment or lighting that is there already: the pass's, or for a new pass the renderer's
 environment and the lighting "auto"."""
 

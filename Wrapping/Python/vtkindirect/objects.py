@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet, vtkIm
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkDataSetSurfaceFilter
 
-from vtkindirect import arrays, messages, settings
+from vtkindirect import arrays, messages, settings, working
 from vtkindirect.errors import UsageError, suggestion
 from vtkindirect.schema import fail, member
 
@@ -172,7 +172,7 @@ def surface_of(data: vtkDataSet, path: str) -> vtkPolyData:
 
 def output_of(algorithm: vtkAlgorithm, path: str) -> Any:
     """Return what an algorithm makes; what it reports is the error."""
-    with messages.capture() as said:
+    with messages.capture() as said, working.watching(algorithm):
         algorithm.Update()
         result = algorithm.GetOutputDataObject(0)
         if isinstance(result, vtkCompositeDataSet):

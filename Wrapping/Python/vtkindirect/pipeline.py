@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkPointSet,
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
 
-from vtkindirect import arrays, labels, normals, objects
+from vtkindirect import arrays, labels, normals, objects, voxels
 from vtkindirect.objects import ARRAY, surface_of
 from vtkindirect.schema import check, fail, member, optional
 
@@ -151,8 +151,17 @@ def _array(data: vtkDataSet, values: Values, path: str, key: str, on_cells: bool
     values[key] = arrays.find(data, values[key], member(path, key), on_cells)
 
 
+def _at_points(data: vtkDataSet, values: Values, path: str, key: str) -> vtkDataSet:
+    """Replace the name of an array, maybe none, by the array at points; returns data with it."""
+    known = arrays.names(data, on_cells=False)
+    on_cells = values[key] not in known if values[key] is not None else not known
+    found = arrays.find(data, values[key], member(path, key), on_cells)
+    data, values[key] = voxels.at_points(data, found)
+    return data
+
+
 def _contour(data: vtkDataSet, values: Values, path: str) -> vtkDataSet:
-    _array(data, values, path, "array")
+    data = _at_points(data, values, path, "array")
     if not isinstance(values["value"], list):
         values["value"] = [values["value"]]
     low, high = values["array"].span
@@ -168,8 +177,7 @@ def _contour(data: vtkDataSet, values: Values, path: str) -> vtkDataSet:
 
 
 def _label_mask(data: vtkDataSet, values: Values, path: str) -> vtkImageData:
-    image = _image(data, path)
-    _array(image, values, path, "array")
+    image = _image(_at_points(_image(data, path), values, path, "array"), path)
     found = values["array"]
     if found.array.GetNumberOfComponents() != 1:
         raise fail(member(path, "array"), "must have one component")
@@ -237,7 +245,7 @@ def _glyph_spheres(data: vtkDataSet, values: Values, path: str) -> vtkDataSet:
 
 
 def _stream_tracer(data: vtkDataSet, values: Values, path: str) -> vtkDataSet:
-    _array(data, values, path, "vectors")
+    data = _at_points(data, values, path, "vectors")
     found = values["vectors"]
     if found.array.GetNumberOfComponents() != 3:
         raise fail(member(path, "vectors"), f"array '{found.name}' has no three components")
@@ -268,7 +276,7 @@ def _seed_positions(seeds: Values) -> list[list[float]]:
 
 
 def _warp_scalar(data: vtkDataSet, values: Values, path: str) -> vtkDataSet:
-    _array(data, values, path, "array")
+    data = _at_points(data, values, path, "array")
     values["along"] = values["normal"] is not None
     return data
 
@@ -332,7 +340,9 @@ def _short(name: str, values: Values, data: vtkDataSet, path: str) -> vtkDataSet
         data = objects.apply(kind, properties, data, path)
     if name in _NEW_NORMALS:
         return normals.anew(data, normals.has(before))
-    if name == "contour" and isinstance(before, vtkImageData):
+    if name == "contour":
+        data = voxels.without_missing(surface_of(data, path))
+    if name == "contour" and data.GetNumberOfPoints() > 0 and isinstance(before, vtkImageData):
         return normals.mend(data)
     if name == "threshold" and isinstance(before, vtkPolyData):
         return surface_of(data, path)

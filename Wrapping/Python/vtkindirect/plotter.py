@@ -52,15 +52,30 @@ class IndirectComponent:
         self._renderers.clear()
 
 
+def _explain(_plotter: Any) -> Any:
+    import pyvista
+
+    raise AttributeError(
+        f"plotter.{NAME} needs PyVista 0.48 or later, and this is {pyvista.__version__}: call "
+        "vtkindirect.enable(plotter), and vtkindirect.disable, report and copy_buffer likewise"
+    )
+
+
 def register() -> bool:
-    """Register the component with PyVista; returns whether there is a PyVista that has them."""
+    """Register the component with PyVista; returns whether there is a PyVista that has them.
+
+    Plotters of an earlier one say what to call in its place.
+    """
     try:
         import pyvista
     except ImportError:
         return False
+    there = NAME in vars(pyvista.BasePlotter)
     if not hasattr(pyvista, "register_plotter_component"):
+        if not there:
+            setattr(pyvista.BasePlotter, NAME, property(_explain))
         return False
-    if getattr(pyvista.BasePlotter, NAME, None) is None:
+    if not there:
         pyvista.register_plotter_component(NAME)(IndirectComponent)
     return True
 

@@ -2,7 +2,7 @@
 """Scenes: what a scene file says, checked and turned into a renderer.
 
 A scene file is one JSON object of the format ``vtkindirect.scene/1``. A data file is a scene too:
-its surface, seen from the front, lit by VTK's light kit.
+its surface, seen from a side that shows it, in colours of its values, lit by VTK's light kit.
 """
 
 from __future__ import annotations
@@ -12,6 +12,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkDataSet, vtkImageData
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -30,9 +32,12 @@ from vtkindirect import (
     environments,
     labels,
     lights,
+    names,
     objects,
     pipeline,
     schema,
+    views,
+    voxels,
     windows,
 )
 from vtkindirect.errors import SceneError, UsageError, check_text
@@ -66,6 +71,8 @@ class Scene:
         self.actors: dict[str, vtkActor] = {}
         self.notes: list[str] = []
         self.render_window: vtkRenderWindow | None = None
+        self._outline: tuple[np.ndarray, np.ndarray, str] | None = None
+        self._placed = 0  # when the camera was, for data files
 
     @property
     def lights(self) -> list[vtkLight]:
@@ -88,13 +95,37 @@ class Scene:
         """xmin, xmax, ymin, ymax, zmin, zmax of the visible actors, in scene units."""
         return self.renderer.ComputeVisiblePropBounds()
 
-    def add_actor(self, name: str | None, actor: vtkActor) -> None:
-        """Add an actor to the renderer under a name that is not taken."""
+    def add_actor(self, name: str | None, actor: vtkActor, called: str = "") -> None:
+        """Add an actor to the renderer under a name that is not taken.
+
+        `called` is what reports call it, by default its name.
+        """
+        names.give(actor, called or name or "")
         name = name or f"actor {len(self.actors)}"
         while name in self.actors:
             name += "'"
         self.actors[name] = actor
         self.renderer.AddViewProp(actor)
+
+    def view_data(self, outline: np.ndarray, up: str) -> None:
+        """Look at data from a side that shows them; `outline` are points that lie farthest out."""
+        self._outline = outline, views.direction(outline, up), up
+        self._placed = self.renderer.GetActiveCamera().GetMTime()
+        self.fit(self.size)
+
+    def fit(self, size: tuple[int, int]) -> None:
+        """Bring the camera as near as a picture of a size has room for what a data file shows.
+
+        The camera of a scene file stays where the file has it, and one that somebody has moved
+        since where it is.
+        """
+        camera = self.renderer.GetActiveCamera()
+        if self._outline is None or camera.GetMTime() != self._placed:
+            return
+        outline, toward, up = self._outline
+        views.place(camera, outline, toward, up, size[0] / size[1])
+        self.renderer.ResetCameraClippingRange()
+        self._placed = camera.GetMTime()
 
     def make_window(
         self, size: tuple[int, int] | None = None, offscreen: bool | None = True
@@ -105,6 +136,7 @@ class Scene:
         shown even when there is a display. The scene leaves the window that it was in.
         """
         window = windows.render_window(size or self.size, offscreen=offscreen)
+        self.fit(size or self.size)
         window.SetWindowName(self.name)
         self.move_to(window)
         return window
@@ -154,9 +186,10 @@ def _from_document(path: Path, progress: Callable[[int, str], None]) -> Scene:
         return known[place]
 
     for index, actor in enumerate(values["actors"]):
-        progress(len(values["actors"]), actor.get("name", f"actor {index}"))
+        called = actor.get("name") or actors.what(actor)
+        progress(len(values["actors"]), called)
         built = actors.build(actor, f"actors[{index}]", path.parent, read)
-        scene.add_actor(actor.get("name"), built)
+        scene.add_actor(actor.get("name"), built, called)
     _check_extent(scene)
     _set_camera(scene.renderer.GetActiveCamera(), values["camera"])
     if "clipping_range" in values["camera"]:
@@ -166,29 +199,57 @@ def _from_document(path: Path, progress: Callable[[int, str], None]) -> Scene:
     return scene
 
 
+def _slice(scene: Scene, image: vtkImageData) -> vtkActor:
+    """Show an image of one layer of points as it is, in colours."""
+    surface = objects.apply("vtkImageDataGeometryFilter", {}, image, "")
+    return _colored(scene, actors.show_surface(surface))
+
+
 def _actor_of_image(scene: Scene, held: vtkImageData) -> vtkActor:
     """Show the surfaces of an image's labels, or where its values are half of their range."""
-    found = arrays.find(held, None, "", on_cells=False)
-    known = labels.find(held, found)
+    found = arrays.default(held)
+    if found is None:
+        raise SceneError("the image has no values to show, neither at points nor at cells")
+    image, found = voxels.at_points(held, found)
+    if min(image.GetDimensions()) < 2:
+        return _slice(scene, held)
+    known = labels.find(image, found)
     if known is not None:
         count = len(known.values)
         scene.notes.append(
             f"'{found.name}' holds labels: {count} surfaces, none of {known.background:g}, a "
             "little smoothed, in colours by their order; a scene file can say others"
         )
-        actor = actors.show_surface(labels.surface(held, found, known))
+        actor = actors.show_surface(labels.surface(image, found, known))
         actors.color_by_category(actor, labels.NAME)
         return actor
     low, high = found.span
-    if not low < high:
+    if not low <= high:
+        raise SceneError(f"array '{found.name}' has no values, all of them are missing (NaN)")
+    if low == high:
         raise SceneError(f"array '{found.name}' is constant, there is no iso-surface")
     value = 0.5 * (low + high)
+    missing = voxels.number_missing(found)
     scene.notes.append(
-        f"contour of '{found.name}' at {value:g}, half of its range {low:g} to {high:g}; "
-        "a scene file can say another value"
+        f"contour of '{found.name}' at {value:g}, half of its range {low:g} to {high:g}"
+        + (f", without {missing} missing values (NaN)" if missing else "")
+        + "; a scene file can say another value"
     )
     steps = [{"contour": {"array": found.name, "value": value}}]
-    return actors.show_surface(pipeline.done(held, steps))
+    return actors.show_surface(pipeline.done(image, steps))
+
+
+def _colored(scene: Scene, actor: vtkActor) -> vtkActor:
+    """Colour an actor by what its data hold, and say so."""
+    for name in (actors.DIRECT_COLORS, "rgb_colors"):
+        found = actors.direct_colors(actor.GetMapper().GetInput(), name)
+        if found is not None:
+            actors.color_by(actor, found)
+            return actor
+    found = actors.color_by_default(actor)
+    if found is not None:
+        scene.notes.append(f"coloured by '{found.name}'; a scene file can say other colours")
+    return actor
 
 
 def _actor_of_file(scene: Scene) -> vtkActor:
@@ -201,13 +262,7 @@ def _actor_of_file(scene: Scene) -> vtkActor:
         spheres = {"radius": 1.0, "scale_by": "radius", "resolution": 12}
         scene.notes.append("atoms are shown as spheres of their van der Waals radius")
         surface = pipeline.done(surface, [{"glyph_spheres": spheres}])
-    actor = actors.show_surface(surface)
-    for name in (actors.DIRECT_COLORS, "rgb_colors"):
-        found = actors.direct_colors(surface, name)
-        if found is not None:
-            actors.color_by(actor, found)
-            break
-    return actor
+    return _colored(scene, actors.show_surface(surface))
 
 
 def _from_data(path: Path, progress: Callable[[int, str], None]) -> Scene:
@@ -221,10 +276,10 @@ def _from_data(path: Path, progress: Callable[[int, str], None]) -> Scene:
             "a scene file can show them as spheres"
         )
     actors.check_finite(surface, "")
-    scene.add_actor(scene.name, actor)
+    scene.add_actor(scene.name, actor, path.name)
     _check_extent(scene)
     lights.add_light_kit(scene.renderer)
-    scene.renderer.ResetCamera()
+    scene.view_data(views.extremes(vtk_to_numpy(surface.GetPoints().GetData())), data.up_axis(path))
     return scene
 
 

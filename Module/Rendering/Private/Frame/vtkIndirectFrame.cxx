@@ -34,6 +34,9 @@
 
 namespace
 {
+// Props of an entry of the report that are told apart; a scene may have thousands.
+constexpr size_t MostNamed = 3;
+
 // Bounds within which no float overflows when it is squared.
 const double LargestBound = std::sqrt(static_cast<double>(std::numeric_limits<float>::max()));
 
@@ -124,17 +127,23 @@ void vtkIndirectFrame::Build(const vtkRenderState* state, vtkIndirectRoom* room)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrame::LeaveOut(const std::string& what, const std::string& why)
+void vtkIndirectFrame::LeaveOut(vtkProp* prop, const std::string& why)
 {
-  for (LeftOutEntry& entry : this->LeftOut)
+  const std::string what = prop->GetClassName();
+  const std::string which = vtkIndirectPropKind::Describe(prop);
+  auto entry = std::find_if(this->LeftOut.begin(), this->LeftOut.end(),
+    [&](const LeftOutEntry& known) { return known.What == what && known.Why == why; });
+  if (entry == this->LeftOut.end())
   {
-    if (entry.What == what && entry.Why == why)
-    {
-      ++entry.Count;
-      return;
-    }
+    entry = this->LeftOut.insert(entry, { what, why, 0, {} });
   }
-  this->LeftOut.push_back({ what, why, 1 });
+  ++entry->Count;
+  std::vector<std::string>& named = entry->Which;
+  if (named.size() <= MostNamed && !which.empty() &&
+    std::find(named.begin(), named.end(), which) == named.end())
+  {
+    named.push_back(which);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -163,7 +172,7 @@ void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room)
     // Neither draws anything opaque, though both say that they may.
     if (prop->IsA("vtkVolume"))
     {
-      this->LeaveOut(prop->GetClassName(), "volumes neither send nor receive indirect light");
+      this->LeaveOut(prop, "volumes neither send nor receive indirect light");
       continue;
     }
     if (vtkIndirectPropKind::IsFlat(prop))
@@ -177,7 +186,7 @@ void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room)
       {
         this->Refractors.push_back(refractor);
       }
-      this->LeaveOut(prop->GetClassName(),
+      this->LeaveOut(prop,
         refractor
           ? "glass casts no shadows and receives no indirect light"
           : "translucent geometry casts no shadows, and neither sends nor receives indirect light");
@@ -223,8 +232,8 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
   const double* bounds = prop->GetBounds();
   if (kind.Captured && !(bounds && IsFinite(bounds, prop)))
   {
-    this->LeaveOut(prop->GetClassName(),
-      "its bounds are empty or not finite, or a few of its points lie beyond 1e19");
+    this->LeaveOut(
+      prop, "its bounds are empty or not finite, or a few of its points lie beyond 1e19");
     return;
   }
   const bool casts =
@@ -243,7 +252,7 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     this->Casters.push_back(caster);
     return;
   }
-  this->LeaveOut(prop->GetClassName(),
+  this->LeaveOut(prop,
     kind.NoCaster ? kind.NoCaster
                   : "its property key CASTS_SHADOWS is 0: it sends no light either");
   this->AllSendLight = this->AllSendLight && kind.NoCaster != nullptr;
@@ -386,8 +395,13 @@ void vtkIndirectFrame::AddToReport(vtkIndirectReport& report) const
 {
   for (const LeftOutEntry& entry : this->LeftOut)
   {
-    report.LeftOut.emplace_back(
-      entry.Count > 1 ? entry.What + ", " + std::to_string(entry.Count) + " props" : entry.What,
-      entry.Why);
+    std::string what = entry.What;
+    what += entry.Count > 1 ? ", " + std::to_string(entry.Count) + " props" : "";
+    for (size_t i = 0; i < entry.Which.size(); ++i)
+    {
+      what += (i == 0 ? " (" : "; ") + (i < MostNamed ? entry.Which[i] : "and others");
+    }
+    what += entry.Which.empty() ? "" : ")";
+    report.LeftOut.emplace_back(what, entry.Why);
   }
 }

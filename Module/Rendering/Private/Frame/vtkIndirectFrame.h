@@ -102,6 +102,7 @@ struct vtkIndirectFrame
     std::string What;
     std::string Why;
     int Count;
+    std::vector<std::string> Which; // the first that differ
   };
   std::vector<LeftOutEntry> LeftOut;
 
@@ -136,7 +137,7 @@ struct vtkIndirectFrame
   static double FindDiagonal(const vtkBoundingBox& box);
 
 private:
-  void LeaveOut(const std::string& what, const std::string& why);
+  void LeaveOut(vtkProp* prop, const std::string& why);
   void CollectProps(vtkIndirectRoom* room);
   void AddOpaque(vtkProp* prop, vtkBoundingBox& box);
   void CollectLights();

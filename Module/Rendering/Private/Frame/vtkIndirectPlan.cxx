@@ -27,6 +27,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.ErrorTolerance = settings.ErrorTolerance;
   plan.IndirectScale = settings.IndirectScale;
   plan.Interactive = IsInteractive(circumstances.UpdateRate);
+  plan.WaitsForMaps = settings.MapsFirst && settings.Caching && !plan.Interactive;
   double triangles = 0.0;
   for (const vtkIndirectCaster& caster : frame.Casters)
   {

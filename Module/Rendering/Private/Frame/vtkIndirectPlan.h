@@ -131,6 +131,7 @@ struct vtkIndirectPlan
   static bool IsInteractive(double updateRate) { return updateRate >= 1.0; }
   bool Interactive = false;
   ///@}
+  bool WaitsForMaps = false;   // sums begin when no depth map is missing
   int TilesPerFrame = 1 << 30; // depth maps of virtual lights and of the sky to draw at most
   int NumberOfBounces = 1;     // those that the estimator computes
   int SampledBounces = 1;      // that samplers which know several make lights of

@@ -3,6 +3,7 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationStringKey.h"
 #include "vtkProp.h"
 
 //------------------------------------------------------------------------------
@@ -18,6 +19,14 @@ vtkInformationIntegerKey* vtkIndirectPropKeys::SendsLight()
 {
   static vtkInformationIntegerKey* const key =
     vtkInformationIntegerKey::MakeKey("SENDS_LIGHT", "vtkIndirectIlluminationPass");
+  return key;
+}
+
+//------------------------------------------------------------------------------
+vtkInformationStringKey* vtkIndirectPropKeys::Name()
+{
+  static vtkInformationStringKey* const key =
+    vtkInformationStringKey::MakeKey("NAME", "vtkIndirectIlluminationPass");
   return key;
 }
 

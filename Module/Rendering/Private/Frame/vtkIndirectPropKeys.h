@@ -5,12 +5,14 @@
 #define vtkIndirectPropKeys_h
 
 class vtkInformationIntegerKey;
+class vtkInformationStringKey;
 class vtkProp;
 
 namespace vtkIndirectPropKeys
 {
 vtkInformationIntegerKey* CastsShadows();
 vtkInformationIntegerKey* SendsLight();
+vtkInformationStringKey* Name();
 /** What a key of a prop says; `otherwise` where it is not set. */
 bool IsSet(vtkProp* prop, vtkInformationIntegerKey* key, bool otherwise = true);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/vtkIndirectPropKind.h"
 
+#include "Frame/vtkIndirectPropKeys.h"
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkCellArray.h"
@@ -9,6 +11,7 @@
 #include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkLODProp3D.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderPass.h"
@@ -23,6 +26,8 @@
 #include "vtkShaderProperty.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
+#include "vtkVersion.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -234,6 +239,53 @@ bool IsCaptured(vtkProp* part)
   // Of images that are stacked, only the stack has keys.
   return part->IsA("vtkImageSlice") && !part->IsA("vtkImageStack");
 }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectPropKind::Describe(vtkProp* prop)
+{
+  std::string name;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  name = prop->GetObjectName();
+#endif
+  vtkInformation* keys = prop->GetPropertyKeys();
+  if (keys && keys->Has(vtkIndirectPropKeys::Name()))
+  {
+    name = keys->Get(vtkIndirectPropKeys::Name());
+  }
+  std::string text = name.empty() ? "" : "'" + name + "'";
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* volume = vtkVolume::SafeDownCast(prop);
+  vtkAlgorithm* mapper = nullptr;
+  if (actor)
+  {
+    mapper = actor->GetMapper();
+  }
+  else if (volume)
+  {
+    mapper = volume->GetMapper();
+  }
+  if (!mapper)
+  {
+    return text;
+  }
+  text += (text.empty() ? "" : ", ") + std::string(mapper->GetClassName());
+  if (mapper->GetNumberOfInputPorts() > 0 && mapper->GetNumberOfInputConnections(0) > 0)
+  {
+    // Data that were set without a pipeline come from a producer that says nothing.
+    vtkAlgorithm* source = mapper->GetInputAlgorithm(0, 0);
+    vtkObject* data = mapper->GetInputDataObject(0, 0);
+    vtkObject* named = source && !source->IsA("vtkTrivialProducer") ? source : data;
+    text += named ? " of " + std::string(named->GetClassName()) : "";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectPropKind::GetFullName(vtkProp* prop)
+{
+  const std::string which = vtkIndirectPropKind::Describe(prop);
+  return prop->GetClassName() + (which.empty() ? "" : " (" + which + ")");
 }
 
 //------------------------------------------------------------------------------

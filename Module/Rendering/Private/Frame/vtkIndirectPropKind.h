@@ -3,6 +3,8 @@
 #ifndef vtkIndirectPropKind_h
 #define vtkIndirectPropKind_h
 
+#include <string> // for descriptions
+
 class vtkActor;
 class vtkProp;
 
@@ -40,6 +42,14 @@ struct vtkIndirectPropKind
   /** Whether a prop is drawn on the picture and has nothing in space: no caption, which has a line
    * there. */
   static bool IsFlat(vtkProp* prop);
+
+  /**
+   * What tells a prop from others of its class: its name in quotes, if it has one, and the classes
+   * of its mapper and of what makes its data. Empty where there is none of these.
+   */
+  static std::string Describe(vtkProp* prop);
+  /** Its class, with that in parentheses. */
+  static std::string GetFullName(vtkProp* prop);
 
   /**
    * The actor that a prop is if it refracts light, else null: with VTK's PBR, a BaseIOR above one,

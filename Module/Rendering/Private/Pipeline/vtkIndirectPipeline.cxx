@@ -22,6 +22,8 @@
 
 namespace
 {
+const char* const WhyItWaits = "MapsFirst: its depth maps are not all there yet";
+
 // What falls on a surface that all of an environment's light reaches at a right angle.
 double SumIrradiance(vtkEnvironmentLight* environment)
 {
@@ -46,6 +48,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   this->Renderer = s->GetRenderer();
   this->BuffersAreThere = this->IrradianceIsThere = false;
   this->SkyIsThere = this->AreaIsThere = false;
+  this->IrradianceWaits = this->SkyWaits = false;
   this->Estimator = request.Estimator;
   this->HeldEstimator = request.HoldEstimator ? request.Estimator : nullptr;
   this->Frame = vtkIndirectFrame();
@@ -346,6 +349,12 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   {
     this->Timer.End(vtkIndirectStageTimer::Visibility);
   }
+  this->IrradianceWaits =
+    visible && this->Plan.WaitsForMaps && this->Visibility.GetNumberOfTilesLeft() > 0;
+  if (this->IrradianceWaits)
+  {
+    return false;
+  }
 
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
     lights, this->Visibility, still && !more && this->Visibility.GetNumberOfTilesDrawn() == tiles,
@@ -421,6 +430,11 @@ bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
     return true;
   }
   this->SkyKey.clear();
+  this->SkyWaits = visible && this->Plan.WaitsForMaps && !this->Sky.IsComplete();
+  if (this->SkyWaits)
+  {
+    return false;
+  }
   this->Timer.Begin(vtkIndirectStageTimer::Sky);
   const bool summed = visible && this->Sky.Sum(input);
   this->Timer.End(vtkIndirectStageTimer::Sky);
@@ -596,8 +610,11 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
         this->Penumbra.GetNumberOfTilesDrawn()) },
     { "sky_tiles_drawn", static_cast<long long>(this->Sky.GetNumberOfTilesDrawn()) },
     { "tiles_left",
-      (this->IrradianceIsThere ? this->Visibility.GetNumberOfTilesLeft() : 0) +
-        (this->SkyIsThere && this->Plan.HasSkyMaps() ? this->Sky.GetNumberOfTilesLeft() : 0) +
+      (this->IrradianceIsThere || this->IrradianceWaits ? this->Visibility.GetNumberOfTilesLeft()
+                                                        : 0) +
+        ((this->SkyIsThere && this->Plan.HasSkyMaps()) || this->SkyWaits
+            ? this->Sky.GetNumberOfTilesLeft()
+            : 0) +
         (this->AreaIsThere ? this->Area.GetNumberOfTilesLeft() : 0) },
     { "estimates", this->NumberOfEstimates } };
   this->Frame.AddToReport(report);
@@ -636,7 +653,8 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   }
   else if (this->Plan.Irradiance)
   {
-    report.LeftOut.emplace_back("indirect light", "its estimator had an error");
+    report.LeftOut.emplace_back(
+      "indirect light", this->IrradianceWaits ? WhyItWaits : "its estimator had an error");
   }
   vtkIndirectEstimatorPass* const summer = this->Plan.Sky ? this->GetSkySummer() : nullptr;
   if (this->SkyIsThere && summer)
@@ -655,9 +673,10 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   {
     this->Sky.AddToReport(report);
   }
-  else if (summer)
+  else if (summer || this->SkyWaits)
   {
-    report.LeftOut.emplace_back("light from the sky", "what sums it had an error");
+    report.LeftOut.emplace_back(
+      "light from the sky", this->SkyWaits ? WhyItWaits : "what sums it had an error");
   }
   if (this->AreaIsThere)
   {

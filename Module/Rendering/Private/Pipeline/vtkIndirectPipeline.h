@@ -148,6 +148,8 @@ private:
   bool BuffersAreThere = false;
   bool IrradianceIsThere = false;
   bool SkyIsThere = false;
+  bool IrradianceWaits = false; // for its depth maps
+  bool SkyWaits = false;
   bool AreaIsThere = false;
   long long NumberOfEstimates = 0;
   int TilesLeft = 0; // depth maps that the frame may draw still

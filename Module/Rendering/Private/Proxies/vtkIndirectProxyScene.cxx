@@ -243,7 +243,7 @@ void vtkIndirectProxyScene::Add(
   // A radius that no float squares is none.
   if (!(scaled >= 0.0) || !(scaled < 1e18) || !std::isfinite(place.x + place.y + place.z))
   {
-    this->WrongProp = this->Wrong++ ? this->WrongProp : part.Prop->GetClassName();
+    this->WrongProp = this->Wrong++ ? this->WrongProp : vtkIndirectPropKind::GetFullName(part.Prop);
     return;
   }
   // Of the scene's diagonal; a smaller one hides nothing.
@@ -502,7 +502,7 @@ void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
   this->Sheets += shape.Kind == vtkIndirectProxyShapes::SHEET ? 1 : 0;
   if (!shape.LeftOut.empty())
   {
-    this->LeaveOut("a mesh of " + std::string(part.Prop->GetClassName()), shape.LeftOut);
+    this->LeaveOut("a mesh of " + vtkIndirectPropKind::GetFullName(part.Prop), shape.LeftOut);
   }
   const vtkIndirectMaterial material(part.Actor, part.Mapper, mesh);
   const glm::dvec3 mean = material.GetMean();

@@ -3,6 +3,7 @@
 
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 
+#include "Frame/vtkIndirectPropKind.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectPolygons.h"
@@ -277,7 +278,7 @@ void vtkIndirectOccupancyVolume::AddProp(const vtkIndirectFrame& frame, vtkProp*
   this->AllIsHeld = this->AllIsHeld && held;
   if (this->NumberOfTriangles == before)
   {
-    this->LeftOut.push_back({ prop, prop->GetClassName(),
+    this->LeftOut.push_back({ prop, vtkIndirectPropKind::GetFullName(prop),
       "its mapper has no polygons that the processor can read; it blocks no indirect light" });
   }
 }

@@ -2,6 +2,7 @@
 #include "Visibility/vtkIndirectRaySurfaces.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPropKind.h"
 #include "Visibility/vtkIndirectRayPiece.h"
 #include "vtkActor.h"
 #include "vtkAssemblyPath.h"
@@ -141,7 +142,7 @@ void vtkIndirectRaySurfaces::Read(const vtkIndirectFrame& frame,
       {
         if (!taken.Material.GetLeftOut().empty())
         {
-          this->LeaveOut(caster.Prop->GetClassName(), taken.Material.GetLeftOut());
+          this->LeaveOut(vtkIndirectPropKind::GetFullName(caster.Prop), taken.Material.GetLeftOut());
         }
         this->Pieces.push_back(std::make_unique<vtkIndirectRayPiece>(std::move(taken)));
         this->Pieces.back()->Sends = caster.SendsLight;
@@ -158,7 +159,7 @@ void vtkIndirectRaySurfaces::Read(const vtkIndirectFrame& frame,
       { met = met || IsOfSpheres(spheres, actor->GetMapper()); });
     if (!met)
     {
-      this->LeaveOut(caster.Prop->GetClassName(),
+      this->LeaveOut(vtkIndirectPropKind::GetFullName(caster.Prop),
         "its mapper has no polygons that the processor can read; rays pass through it");
     }
   }
@@ -202,7 +203,7 @@ void vtkIndirectRaySurfaces::ReadGlyphs(const vtkIndirectFrame& frame,
           piece->Sends = caster.SendsLight;
           if (!piece->GetPolygons().Material.GetLeftOut().empty())
           {
-            this->LeaveOut(caster.Prop->GetClassName(), piece->GetPolygons().Material.GetLeftOut());
+            this->LeaveOut(vtkIndirectPropKind::GetFullName(caster.Prop), piece->GetPolygons().Material.GetLeftOut());
           }
           this->Pieces.push_back(std::move(piece));
         });
