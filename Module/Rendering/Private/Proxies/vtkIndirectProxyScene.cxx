@@ -2,6 +2,7 @@
 #include "Proxies/vtkIndirectProxyScene.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectMaterial.h"
 #include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectReport.h"
