@@ -56,7 +56,8 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   {
     this->Room.Forget();
   }
-  this->Frame.Build(s, &this->Room);
+  const bool interactive = vtkIndirectPlan::IsInteractive(request.Circumstances.UpdateRate);
+  this->Frame.Build(s, &this->Room, interactive);
   this->Levels.Update(this->Frame);
   this->Frame.ReplacedLights = request.ReplacedLights;
   vtkIndirectCircumstances circumstances = request.Circumstances;
@@ -80,8 +81,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.Environment = circumstances.EnvironmentIrradiance > 0.0;
   if (circumstances.Environment && request.Settings.Caching && request.Settings.SpheresInMotion)
   {
-    this->SphereMotion.Update(
-      this->Frame, this->Environment, vtkIndirectPlan::IsInteractive(circumstances.UpdateRate));
+    this->SphereMotion.Update(this->Frame, this->Environment, interactive);
     circumstances.SpheresMove = this->SphereMotion.GetWhat();
     circumstances.SpheresFail = this->SphereMotion.GetWhyNot();
   }
