@@ -304,7 +304,7 @@ VTK_INDIRECT_TEST(LightRigHeadroom)
         kept = (kept - given) / all;
         const double total = rig.GetIrradianceOfBall() / plain;
         const double strength = total - kept;
-        const double gain = 1.0 / (1.0 - (sky ? 0.4 : 0.6) * albedo);
+        const double gain = 1.0 / (1.0 - (sky ? 0.4 : 0.5) * albedo);
         if (albedo >= 0.9)
         {
           CheckAtMost(name + ", what is concave", kept + strength * gain,

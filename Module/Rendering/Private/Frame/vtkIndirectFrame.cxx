@@ -309,7 +309,10 @@ void vtkIndirectFrame::CollectLights()
     entry.Size = entry.Positional ? vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Radius())
                                   : vtkMath::RadiansFromDegrees(vtkIndirectLightKeys::Get(
                                       light, vtkIndirectLightKeys::Angle()));
-    entry.Fill = vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Fill()) > 0.0;
+    const double fill = vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Fill());
+    entry.Fill = fill >= 1.0;
+    // Nothing is reflected of the share of a light that nothing hides.
+    entry.Color *= entry.Fill ? 1.0 : 1.0 - fill;
     this->Lights.push_back(entry);
   }
 }

@@ -12,7 +12,7 @@ namespace vtkIndirectLightKeys
 {
 vtkInformationDoubleKey* Radius(); // world units
 vtkInformationDoubleKey* Angle();  // degrees
-vtkInformationDoubleKey* Fill();   // 1: see vtkIndirectLight; of lights of presets alone
+vtkInformationDoubleKey* Fill();   // share; 1: see vtkIndirectLight; of presets alone
 
 /** What a key says of a light; 0 where nobody has set it. */
 double Get(vtkLight* light, vtkInformationDoubleKey* key);

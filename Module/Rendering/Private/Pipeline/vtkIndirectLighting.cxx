@@ -237,7 +237,8 @@ void vtkIndirectLighting::AddLight(const vtkIndirectLamp& lamp, bool fill)
   {
     light->SetLightTypeToSceneLight();
   }
-  vtkIndirectLightKeys::Set(light, vtkIndirectLightKeys::Fill(), fill ? 1.0 : 0.0, 1.0);
+  vtkIndirectLightKeys::Set(
+    light, vtkIndirectLightKeys::Fill(), fill ? 1.0 : 1.0 - this->Rig.KeyShadow, 1.0);
   light->SetShadowAttenuation(fill ? 0.0 : this->Rig.KeyShadow);
   this->Lights->AddItem(light);
   this->Directions.push_back(lamp.Direction);

@@ -20,16 +20,15 @@ struct Balance
   // What objects receive of the rest, from each other's surfaces too, over what they would if
   // nothing hid any of it: near the middle of what readability.py shows.
   double Openness;
-  // The share of a concave part's hemispheres in which its surfaces see each other: above those of
-  // trays, corners, bowls and rooms of white, whose brightest surfaces have 2.4 times as much of a
-  // key and lobes as falls on them, and 1.5 times as much of a sky that does not reach where they
-  // see each other.
+  // The share of a concave part's hemispheres in which its surfaces see each other. Faces at a right
+  // angle do in half of theirs at most, of a key that falls on both. A sky reaches less of what sees
+  // other surfaces: 0.35 stands for the brightest pixels of white trays, corners, bowls and rooms.
   double Facing;
 };
 
 // Light from a kit, the renderer's or that of full: 0.61 (isosurfaces) to 0.99 (a part on a table).
 // With 0.5 a quadric in a kit would be 12 % darker than plain VTK's.
-constexpr Balance OfKit = { 0.6, 0.83, 0.6 };
+constexpr Balance OfKit = { 0.6, 0.83, 0.5 };
 constexpr Balance OfSkyFromKit = { 0.6, 0.83, 0.4 };
 
 // Light from around the viewer: 0.74 (a molecule) to 0.97 (a part on a table). What the camera sees
