@@ -87,6 +87,8 @@ void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen,
     vec3 place = vec3(dot(right, from), dot(up, from), abs(height));
     vec3 normal = vec3(
       dot(right, receiver.normal), dot(up, receiver.normal), dot(axis, receiver.normal));
+    vec3 facet =
+      vec3(dot(right, receiver.facet), dot(up, receiver.facet), dot(axis, receiver.facet));
     float area = vtkiAreaNormal[i].w;
     for (int k = first; k < first + count; ++k)
     {
@@ -97,8 +99,9 @@ void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen,
       float r2 = max(dot(away, away), 1.0e-30f);
       float weight = place.z * max(-dot(normal, away), 0.0f) / (r2 * (VTKI_PI * r2 + area));
       vec4 window = front ? vtkiAreaFrontWindow[row] : vtkiAreaBackWindow[row];
-      bool visible = vtkiIsSeenInWindow(point.zw, window, range, away, normal);
-      vec3 given = lit && point.z >= 0.0f ? weight * vtkiAreaSent[row].rgb : vec3(0.0f);
+      bool visible = vtkiIsSeenInWindow(point.zw, window, range, away, facet);
+      // Points below the facet that the normal faces still take no part, as directions of the sky.
+      vec3 given = lit && point.z >= 0.0f && dot(facet, away) < 0.0f ? weight * vtkiAreaSent[row].rgb : vec3(0.0f);
       all += given;
       seen += visible ? given : vec3(0.0f);
     }

@@ -106,7 +106,7 @@ void main()
   vec3 right;
   vtkiFrameAlong(axis, upward, right);
   vec2 range = front ? vtkiAreaFrontRange : vtkiAreaBackRange;
-  vec3 normal = vec3(dot(right, receiver.normal), dot(upward, receiver.normal), dot(axis, receiver.normal));
+  vec3 facet = vec3(dot(right, receiver.facet), dot(upward, receiver.facet), dot(axis, receiver.facet));
   vec3 all = vec3(0.0f);
   vec3 seen = vec3(0.0f);
   int count = asked ? vtkiAreaCount : 0;
@@ -117,13 +117,13 @@ void main()
     vec2 middle = front ? vtkiAreaMiddles[i].xy : vtkiAreaMiddles[i].zw;
     vec4 window = front ? vtkiAreaFrontWindow[i] : vtkiAreaBackWindow[i];
     vec3 way = receiver.position - place.xyz;
-    bool there = middle.x >= 0.0f && dot(receiver.normal, way) < 0.0f;
+    bool there = middle.x >= 0.0f && dot(receiver.normal, way) < 0.0f && dot(receiver.facet, way) < 0.0f;
     vec3 sent = weight.rgb *
       vtkiPointWeight(vtkiTransformWay(transform, place.xyz - receiver.position), height,
         area / float(vtkiAreaCount));
     bool visible = there &&
       vtkiIsSeenInWindow(
-        middle, window, range, vec3(dot(right, way), dot(upward, way), dot(axis, way)), normal);
+        middle, window, range, vec3(dot(right, way), dot(upward, way), dot(axis, way)), facet);
     all += there ? sent : vec3(0.0f);
     seen += visible ? sent : vec3(0.0f);
   }

@@ -16,11 +16,11 @@ vec3 vtkiTexelPosition(ivec2 texel, float depth)
 
 // The sum over the lights as stored; the vector in view coordinates, where receivers' normals are.
 void vtkiEvaluateStored(
-  vec3 positionVC, vec3 normalVC, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
+  vec3 positionVC, vec3 normalVC, vec3 facetVC, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
 {
   vec3 position = (vtkiViewToScene * vec4(positionVC, 1.0f)).xyz;
-  vtkiEvaluateSubsplat(
-    position, mat3(vtkiViewToScene) * normalVC, wanted, irradiance, vectorIrradiance);
+  vtkiEvaluateSubsplat(position, mat3(vtkiViewToScene) * normalVC, mat3(vtkiViewToScene) * facetVC, wanted,
+    irradiance, vectorIrradiance);
   irradiance *= vtkiStorageScale;
   vectorIrradiance = (vectorIrradiance * mat3(vtkiViewToScene)) * vtkiStorageScale;
 }
