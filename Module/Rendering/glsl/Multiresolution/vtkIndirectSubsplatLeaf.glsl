@@ -1,12 +1,7 @@
 // What is evaluated under a split texel: with VTKI_PIXELS a pixel, else a texel of a level.
 #include "vtkIndirectSubsplatTexel.glsl"
 
-#ifdef VTKI_PIXELS
-uniform sampler2D vtkiSurface;
-#endif
-
-// Position, normal and that of the facet in scene units and coordinates. A texel of a level that is not split lies on
-// one plane with its pixels: its normal is that of the facet. Returns whether there is something to evaluate.
+// Position, normal and that of the facet in scene units and coordinates. Returns whether there is something to evaluate.
 bool vtkiFetchLeaf(ivec2 texel, out vec3 position, out vec3 normal, out vec3 facet)
 {
   ivec2 inside = min(texel, vtkiLevelSize - 1);
@@ -21,7 +16,7 @@ bool vtkiFetchLeaf(ivec2 texel, out vec3 position, out vec3 normal, out vec3 fac
   vec4 surface = texelFetch(vtkiLevelSurface, inside, 0);
   vec3 positionVC = vtkiTexelPosition(texel, surface.z);
   vec3 normalVC = vtkiOctahedralDecode(surface.xy);
-  vec3 facetVC = normalVC;
+  vec3 facetVC = vtkiTexelFacet(inside, normalVC);
   bool leaf = vtkiSubsplatIsSample(surface.w);
 #endif
   position = (vtkiViewToScene * vec4(positionVC, 1.0f)).xyz;

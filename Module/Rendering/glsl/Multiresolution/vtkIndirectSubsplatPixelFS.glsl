@@ -5,7 +5,6 @@
 #include "vtkIndirectSubsplatTexel.glsl"
 #include "vtkIndirectSubsplatInterpolate.glsl"
 
-uniform sampler2D vtkiSurface;
 uniform bool vtkiSplits; // whether pixels are the finest level
 uniform bool vtkiCorrectNormals;
 

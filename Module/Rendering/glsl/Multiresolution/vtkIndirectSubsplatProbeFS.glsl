@@ -7,8 +7,6 @@
 // near.
 #include "vtkIndirectSubsplatTexel.glsl"
 
-uniform sampler2D vtkiSurface;
-
 struct vtkiProbeSums
 {
   float sum;
