@@ -91,12 +91,12 @@ class Scene:
 
 
 def wrinkle(smooth: np.ndarray, reach: int = 2) -> np.ndarray:
-    """How far each pixel is from the median of those around it, over that."""
+    """How far each pixel is from the median of those around it, over that or a tenth of the most."""
     padded = np.pad(smooth, reach, mode="edge")
     width = 2 * reach + 1
     around = np.lib.stride_tricks.sliding_window_view(padded, (width, width))
     middle = np.median(around.reshape(*smooth.shape, -1), -1)
-    return np.abs(smooth / np.maximum(middle, 1e-6) - 1.0)
+    return np.abs(smooth - middle) / np.maximum(middle, 0.1 * np.nanmax(smooth))
 
 
 class Contact(unittest.TestCase):
