@@ -160,16 +160,23 @@ VTK_INDIRECT_TEST(ShadowVotes)
     double Begin; // along x, texels
     double End;
   };
-  auto look = [](const std::vector<Plane>& planes, int own, double x, double row)
+  auto weight = [](const vec2& neighbor, const glm::dvec2& toCenter)
+  {
+    return vtkiShadowWeight(neighbor.x, static_cast<float>(toCenter.x)) *
+      vtkiShadowWeight(neighbor.y, static_cast<float>(toCenter.y));
+  };
+  auto look = [&weight](const std::vector<Plane>& planes, int own, double x, double row)
   {
     const Plane& mine = planes[own];
     vtkiShadowPlane receiver;
     receiver.reference = static_cast<float>(mine.Depth + mine.Slope * x);
     receiver.gradient = vec2(static_cast<float>(mine.Slope), 0.0f);
+    receiver.texel = 1e-3f;
     receiver.rounding = 1e-6f;
     receiver.bias = 0.5e-3f; // half of a texel's width
     const glm::dvec2 toCenter(std::round(x) - x, row);
     vtkiShadowVotes votes = vtkiBeginShadow();
+    float depths[9];
     for (int i = 0; i < 9; ++i)
     {
       const vec2 neighbor = vtkiShadowNeighbor(i);
@@ -185,13 +192,19 @@ VTK_INDIRECT_TEST(ShadowVotes)
           slope = plane.Slope;
         }
       }
-      vtkiVoteOnShadow(receiver, neighbor + vec2(toCenter), static_cast<float>(nearest),
-        vec2(static_cast<float>(slope), 0.0f),
-        vtkiShadowWeight(neighbor.x, static_cast<float>(toCenter.x)) *
-          vtkiShadowWeight(neighbor.y, static_cast<float>(toCenter.y)),
-        i, votes);
+      depths[i] = static_cast<float>(nearest);
+      vtkiVoteOnShadow(receiver, neighbor + vec2(toCenter), depths[i],
+        vec2(static_cast<float>(slope), 0.0f), weight(neighbor, toCenter), i, votes);
     }
-    return static_cast<double>(vtkiCountShadow(receiver, vec2(toCenter), votes));
+    float seen = 0.0f;
+    for (int i = 0; i < 9; ++i)
+    {
+      const vec2 neighbor = vtkiShadowNeighbor(i);
+      const bool counts =
+        vtkiCountsForShadow(receiver, neighbor + vec2(toCenter), depths[i], i, votes);
+      seen += counts ? weight(neighbor, toCenter) : 0.0f;
+    }
+    return static_cast<double>(vtkiShareOfShadow(seen, votes));
   };
   // Depths count 1e-3 as the width of a texel. A wall, left, whose foot is at 0.3 on a floor, right.
   const std::vector<Plane> corner = { { 0.5 - 0.3e-3 * -3.0, -3e-3, -1e9, 0.3 },

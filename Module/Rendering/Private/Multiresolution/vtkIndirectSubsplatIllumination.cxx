@@ -128,9 +128,18 @@ void vtkIndirectSubsplatIllumination::SetUniforms(vtkShaderProgram* program, con
 const vtkIndirectTarget& vtkIndirectSubsplatIllumination::ActivateSurface(
   vtkShaderProgram* program, const Work& work) const
 {
-  const vtkIndirectTarget& surface =
-    work.Number == 0 ? work.In.Geometry.GetTarget() : work.Pyramid.GetSurface(work.Number);
-  surface.Activate(work.Number == 0 ? vtkIndirectGeometryBuffer::Surface : 0, program);
+  const vtkIndirectTarget& pixels = work.In.Geometry.GetTarget();
+  if (work.Number == 0)
+  {
+    pixels.Activate(vtkIndirectGeometryBuffer::Surface, program);
+    return pixels;
+  }
+  if (program->IsUniformUsed("vtkiSurface"))
+  {
+    pixels.Activate(vtkIndirectGeometryBuffer::Surface, program); // facets
+  }
+  const vtkIndirectTarget& surface = work.Pyramid.GetSurface(work.Number);
+  surface.Activate(0, program);
   return surface;
 }
 
@@ -178,6 +187,7 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
     coarserSurface.Deactivate();
     coarser.Deactivate();
     surface.Deactivate();
+    work.In.Geometry.GetTarget().Deactivate();
     work.Lights.Deactivate();
     work.In.Visibility.Deactivate();
   }
@@ -222,6 +232,7 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
     glBindImageTexture(i, 0, 0, GL_FALSE, 0, GL_READ_WRITE, format);
   }
   surface.Deactivate();
+  work.In.Geometry.GetTarget().Deactivate();
   work.Lights.Deactivate();
   work.In.Visibility.Deactivate();
   return true;
@@ -266,6 +277,7 @@ bool vtkIndirectSubsplatIllumination::SplatPoints(const Work& work)
       lists.GetOffset(work.Number), points, work.Lights.GetNumberOfLights());
   }
   surface.Deactivate();
+  work.In.Geometry.GetTarget().Deactivate();
   work.Lights.Deactivate();
   work.In.Visibility.Deactivate();
   state->vtkglDisable(GL_BLEND);

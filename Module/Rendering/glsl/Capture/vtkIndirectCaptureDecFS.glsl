@@ -98,6 +98,7 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   float rounding = VTKI_DEPTH_ROUNDING +
     VTKI_POSITION_ROUNDING * (vtkiMagnitude + length(p)) * slope;
   float length1 = texel * (parallel ? 1.0f : depth) * slope; // of a texel, along depth
+  plane.texel = length1;
   plane.rounding = rounding;
   plane.bias = rounding + VTKI_SURFACE_ROUGHNESS * length1;
   // The texel that the receiver is in, and its eight neighbours; beyond the map is its last row or column.
@@ -137,8 +138,17 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
     vtkiVoteOnShadow(plane, place - at, stored.g, (texel * scale) * vtkiUnpackSlope(stored.a),
       vtkiShadowWeight(neighbor.x, toCenter.x) * vtkiShadowWeight(neighbor.y, toCenter.y), i, votes);
   }
-  float counted = count > 0 ? vtkiCountShadow(plane, toCenter, votes) : 0.0f;
-  float seen = lit ? 1.0f : counted;
+  float counted = 0.0f;
+  for (int i = 0; i < count; ++i)
+  {
+    vec2 neighbor = vtkiShadowNeighbor(i);
+    vec2 place = clamp(center + neighbor, vec2(0.0f), last);
+    float stored = textureLod(vtkiShadowMaps, vec3((place + 0.5f) / map.w, layer), 0.0f).g;
+    counted += vtkiCountsForShadow(plane, place - at, stored, i, votes)
+      ? vtkiShadowWeight(neighbor.x, toCenter.x) * vtkiShadowWeight(neighbor.y, toCenter.y)
+      : 0.0f;
+  }
+  float seen = lit ? 1.0f : vtkiShareOfShadow(counted, votes) * (count > 0 ? 1.0f : 0.0f);
   return mix(1.0f, seen, depthRange.z);
 }
 #endif

@@ -89,6 +89,8 @@ void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen,
     vec3 place = vec3(dot(right, from), dot(up, from), abs(height));
     vec3 normal = vec3(
       dot(right, receiver.normal), dot(up, receiver.normal), dot(axis, receiver.normal));
+    vec3 facet =
+      vec3(dot(right, receiver.facet), dot(up, receiver.facet), dot(axis, receiver.facet));
     float area = vtkiAreaNormal[i].w;
     int side = 2 * i + (front ? 0 : 1);
     for (int k = first; k < first + count; ++k)
@@ -99,13 +101,15 @@ void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen,
       // The disk of vtkiVirtualLightWeight.
       float r2 = max(dot(away, away), 1.0e-30f);
       float weight = place.z * max(-dot(normal, away), 0.0f) / (r2 * (VTKI_PI * r2 + area));
-      vtkiTileView view = vtkiFindTileView(away, normal, VTKI_WINDOW_TANGENT);
+      vtkiTileView view = vtkiFindTileView(away, facet, VTKI_WINDOW_TANGENT);
       bool ahead = view.strip < 0;
       vec4 window = front ? vtkiAreaFrontWindow[row] : vtkiAreaBackWindow[row];
       window = ahead ? window : vtkiAreaStrips[4 * side + max(view.strip, 0)];
       bool visible = vtkiIsSeenInWindow(
         point.zw, view, window, ahead ? range : vtkiAreaStripRange[side].xy);
-      vec3 given = lit && point.z >= 0.0f ? weight * vtkiAreaSent[row].rgb : vec3(0.0f);
+      // Points below the facet that the normal faces still take no part, as directions of the sky.
+      vec3 given =
+        lit && point.z >= 0.0f && dot(facet, away) < 0.0f ? weight * vtkiAreaSent[row].rgb : vec3(0.0f);
       all += given;
       seen += visible ? given : vec3(0.0f);
     }

@@ -108,7 +108,7 @@ void main()
   vtkiFrameAlong(axis, upward, right);
   int side = front ? 0 : 1;
   vec4 range = vtkiAreaRange[side];
-  vec3 normal = vec3(dot(right, receiver.normal), dot(upward, receiver.normal), dot(axis, receiver.normal));
+  vec3 facet = vec3(dot(right, receiver.facet), dot(upward, receiver.facet), dot(axis, receiver.facet));
   vec3 all = vec3(0.0f);
   vec3 seen = vec3(0.0f);
   int count = asked ? vtkiAreaCount : 0;
@@ -119,12 +119,12 @@ void main()
     vec2 middle = front ? vtkiAreaMiddles[i].xy : vtkiAreaMiddles[i].zw;
     vec4 window = front ? vtkiAreaFrontWindow[i] : vtkiAreaBackWindow[i];
     vec3 way = receiver.position - place.xyz;
-    bool there = middle.x >= 0.0f && dot(receiver.normal, way) < 0.0f;
+    bool there = middle.x >= 0.0f && dot(receiver.normal, way) < 0.0f && dot(receiver.facet, way) < 0.0f;
     vec3 sent = weight.rgb *
       vtkiPointWeight(vtkiTransformWay(transform, place.xyz - receiver.position), height,
         area / float(vtkiAreaCount));
     vtkiTileView view = vtkiFindTileView(
-      vec3(dot(right, way), dot(upward, way), dot(axis, way)), normal, VTKI_WINDOW_TANGENT);
+      vec3(dot(right, way), dot(upward, way), dot(axis, way)), facet, VTKI_WINDOW_TANGENT);
     bool ahead = view.strip < 0;
     window = ahead ? window : vtkiAreaStrips[4 * side + max(view.strip, 0)];
     bool visible =

@@ -11,6 +11,6 @@ void main()
   float front;
   gl_FragData[0] = vtkiFindOpen(receiver, lit, front);
   gl_FragData[1] =
-    lit ? vec4(receiver.normalVC, dot(receiver.normalVC, receiver.positionVC)) : vec4(0.0f);
+    lit ? vec4(receiver.facetVC, dot(receiver.facetVC, receiver.positionVC)) : vec4(0.0f);
   gl_FragData[2] = vec4(front);
 }

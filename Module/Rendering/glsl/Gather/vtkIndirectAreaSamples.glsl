@@ -22,11 +22,11 @@ float vtkiPixelWidth(float depth)
   return length(dx) * (2.0f / float(vtkiSize.x));
 }
 
-// Whether a surface, its normal and its height along it, is that of a receiver. cosine: least of the normals.
+// Whether a surface, its facet's normal and its height along it, is that of a receiver. cosine: least of the normals.
 bool vtkiIsOnPlane(vec4 plane, vtkiReceiver receiver, float tolerance, float cosine)
 {
   return abs(dot(plane.xyz, receiver.positionVC) - plane.w) <= tolerance &&
-    dot(plane.xyz, receiver.normalVC) >= cosine;
+    dot(plane.xyz, receiver.facetVC) >= cosine;
 }
 
 // Where a pixel is between samples that are so many pixels apart, but the last ones, which are at the border.

@@ -26,6 +26,7 @@ vec3 vtkiFindShare(ivec2 pixel, vtkiReceiver receiver, vec4 plane, float width, 
     // Beside thin things the block's pixel asks for others.
     probe.position = same ? probe.position : receiver.position;
     probe.normal = same ? probe.normal : receiver.normal;
+    probe.facet = same ? probe.facet : receiver.facet;
     vtkiAddShares(k * (VTKI_AREA_POINTS / 4), VTKI_AREA_POINTS / 4, probe, seen, all);
   }
   return vtkiShareOf(seen, all);
@@ -37,7 +38,7 @@ void main()
   ivec2 pixel = min(VTKI_AREA_BLOCK * ivec2(gl_FragCoord.xy), vtkiSize - 1);
   vtkiReceiver receiver;
   bool lit = vtkiFetchReceiver(pixel, receiver);
-  vec4 plane = lit ? vec4(receiver.normalVC, dot(receiver.normalVC, receiver.positionVC)) : vec4(0.0f);
+  vec4 plane = lit ? vec4(receiver.facetVC, dot(receiver.facetVC, receiver.positionVC)) : vec4(0.0f);
   float width = vtkiPixelWidth(receiver.depth);
   float tolerance = VTKI_INTERPOLATION_DISTANCE * width;
   ivec2 cell = pixel / VTKI_AREA_STEP;

@@ -26,8 +26,9 @@ void vtkiInterpolateCoarse(
     ivec2 at = min(corner + shift, vtkiCoarseSize - 1);
     vtkiReceiver other;
     bool lit = vtkiFetchReceiver(min(at * vtkiStep, vtkiSize - 1), other);
-    if (lit && vtkiSameSurface(other.positionVC - receiver.positionVC, receiver.normalVC,
-                 other.normalVC, VTKI_INTERPOLATION_COSINE, tolerance))
+    if (lit && dot(receiver.normalVC, other.normalVC) >= VTKI_INTERPOLATION_COSINE &&
+      vtkiSameSurface(other.positionVC - receiver.positionVC, receiver.facetVC, other.facetVC,
+        VTKI_INTERPOLATION_COSINE, tolerance))
     {
       vec2 w = mix(1.0f - blend, blend, vec2(shift));
       sum += w.x * w.y * textureLod(vtkiCoarse, (vec2(at) + 0.5f) / vec2(vtkiCoarseSize), 0.0f).rgb;

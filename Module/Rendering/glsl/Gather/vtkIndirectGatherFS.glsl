@@ -13,7 +13,7 @@ void main()
   vec3 irradiance = vec3(0.0f);
   if (vtkiFetchReceiver(pixel, receiver))
   {
-    irradiance = vtkiGather(receiver.position, receiver.normal);
+    irradiance = vtkiGather(receiver.position, receiver.normal, receiver.facet);
   }
   gl_FragData[0] = vec4(irradiance, 1.0f);
 }

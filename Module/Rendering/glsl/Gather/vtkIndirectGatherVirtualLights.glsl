@@ -77,12 +77,12 @@ void vtkiAddBelow(vec3 position, vec3 normal, int light, inout vec3 irradiance)
 }
 #endif
 
-vec3 vtkiGather(vec3 position, vec3 normal)
+vec3 vtkiGather(vec3 position, vec3 normal, vec3 facet)
 {
   vec3 total = vec3(0.0f);
   vec3 open = position;
 #ifdef VTKI_VISIBILITY
-  open = vtkiOpenPlace(position, normal);
+  open = vtkiOpenPlace(position, normal, facet);
 #endif
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y; ++row)
   {

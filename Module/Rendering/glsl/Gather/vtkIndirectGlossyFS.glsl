@@ -24,7 +24,7 @@ void main()
   // Powers below zero are roughnesses of VTK's PBR, which area lights alone know.
   if (lit && specular.a >= 0.0f && max(max(specular.r, specular.g), specular.b) > 0.0f)
   {
-    sum = vtkiGather(receiver.position, receiver.normal);
+    sum = vtkiGather(receiver.position, receiver.normal, receiver.facet);
   }
   gl_FragData[0] = vec4(sum * vtkiStorageScale, 1.0f);
 }

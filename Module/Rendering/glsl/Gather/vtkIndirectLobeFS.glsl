@@ -89,7 +89,7 @@ void main()
   float variation = 0.0f;
   if (wanted)
   {
-    vtkiLobeSum sums = vtkiSumLobes(receiver.position, receiver.normal, radius);
+    vtkiLobeSum sums = vtkiSumLobes(receiver.position, receiver.normal, receiver.facet, radius);
     light = sums.light;
     variation = sums.variation;
   }

@@ -59,14 +59,21 @@ float vtkiMapFacetCosine(vec4 map, vec2 slope, vec3 p)
   return max(cosine, max(length(p) * texelSize, VTKI_COSINE_MIN));
 }
 
-// The facet's normal, from the same slope. A surface sends light by it: by shading normals the facets of one side
-// of a sheet would see the other side. Where the slope says nothing it is the shading normal.
-vec3 vtkiMapFacetNormal(vec4 map, vec2 slope, vec3 p, vec3 shading)
+// Least sine, squared, of the angle between a facet and the normal that it is shaded by: slopes of eleven bits are
+// off by less.
+const float VTKI_MAP_FACET_SINE2 = 1.0e-5f;
+
+// Normal of the facet that a texel sees, in the face's view coordinates: what sends, whatever normal it is lit by. See
+// vtkiMapFacetCosine.
+vec3 vtkiMapFacet(vec4 map, vec4 surface, vec2 slope, vec3 p)
 {
   vec2 tangent = p.z < 0.0f ? p.xy / -p.z : vec2(0.0f);
-  vec3 normal = int(map.x + 0.5f) == VTKI_MAP_PARALLEL ? vec3(slope, 1.0f) : vec3(-slope, 1.0f - dot(slope, tangent));
-  float squared = dot(normal, normal);
-  return squared > 0.0f && squared < 1.0e12f ? normal * inversesqrt(squared) : shading;
+  vec3 facet = int(map.x + 0.5f) == VTKI_MAP_PARALLEL ? vec3(slope, 1.0f)
+                                                      : vec3(-slope, 1.0f - dot(slope, tangent));
+  facet *= inversesqrt(max(dot(facet, facet), 1.0e-30f));
+  vec3 normal = vtkiSurfaceNormal(surface);
+  vec3 across = cross(facet, normal);
+  return dot(across, across) > VTKI_MAP_FACET_SINE2 ? facet : normal;
 }
 
 // Albedo times the ratio of the cosines at the shading and the facet's normal.
@@ -121,8 +128,7 @@ bool vtkiVirtualLightFromTexel(int layer, ivec2 texel, out vtkiVirtualLight ligh
   float cosine = vtkiMapFacetCosine(map, slope, p);
   vec3 reflectance = vtkiMapReflectance(layer, texel, map, surface, p, cosine);
   light.position = vtkiTransformRows(layer, VTKI_MAP_TO_SCENE, vec4(p, 1.0f));
-  light.normal = vtkiTransformRows(
-    layer, VTKI_MAP_TO_SCENE, vec4(vtkiMapFacetNormal(map, slope, p, vtkiSurfaceNormal(surface)), 0.0f));
+  light.normal = vtkiTransformRows(layer, VTKI_MAP_TO_SCENE, vec4(vtkiMapFacet(map, surface, slope, p), 0.0f));
   light.area = footprint * (parallel ? 1.0f : dot(p, p)) / cosine;
   light.reflected = reflectance * (vtkiMapFalloff(layer, map, p) * footprint);
   light.densityArea = light.reflected * power.rgb;

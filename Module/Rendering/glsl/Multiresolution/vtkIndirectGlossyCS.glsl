@@ -66,7 +66,7 @@ bool vtkiSeesLight(vtkiPoint point, int light, vec4 sender, vec3 senderNormal)
 {
 #ifdef VTKI_VISIBILITY
   return vtkiIsSenderVisible(
-    light, point.position, point.position, point.normal, sender, senderNormal, true);
+    light, vtkiOpenPlace(point.position, point.normal, point.normal), point.position, point.normal, sender, senderNormal, true);
 #else
   return true;
 #endif

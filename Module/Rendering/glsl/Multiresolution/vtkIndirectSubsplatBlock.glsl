@@ -34,10 +34,11 @@ void vtkiEvaluateChild(ivec2 block, int child, bool exists)
   ivec2 texel = 2 * block + ivec2(child & 1, child >> 1);
   vec3 position;
   vec3 normal;
-  bool wanted = vtkiFetchLeaf(texel, position, normal) && exists;
+  vec3 facet;
+  bool wanted = vtkiFetchLeaf(texel, position, normal, facet) && exists;
   vec3 irradiance;
   vec3 vectorIrradiance;
-  vtkiEvaluateSubsplat(position, normal, wanted, irradiance, vectorIrradiance);
+  vtkiEvaluateSubsplat(position, normal, facet, wanted, irradiance, vectorIrradiance);
   if (wanted)
   {
     vtkiStoreLeaf(texel, normal, irradiance, vectorIrradiance);
@@ -58,7 +59,7 @@ void vtkiEvaluateChild(ivec2 block, int child, bool exists)
 
 // How much each receiver sees of a light.
 void vtkiFindShares(int light, vec4 sender, vec4 senderNormal, vec3 position[4 * VTKI_BLOCKS],
-  vec3 normal[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, out float share[4 * VTKI_BLOCKS])
+  vec3 normal[4 * VTKI_BLOCKS], vec3 facet[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, out float share[4 * VTKI_BLOCKS])
 {
 #ifdef VTKI_SHARES_LOOKS
   vtkiTile tile = vtkiFetchTile(light, sender.xyz, senderNormal.xyz);
@@ -81,8 +82,8 @@ void vtkiFindShares(int light, vec4 sender, vec4 senderNormal, vec3 position[4 *
   {
     share[i] = 1.0f;
 #ifdef VTKI_VISIBILITY
-    share[i] = vtkiIsSenderVisible(light, position[i], position[i], normal[i], sender, senderNormal.xyz, true)
-      ? 1.0f : 0.0f;
+    share[i] = vtkiIsSenderVisible(light, vtkiOpenPlace(position[i], normal[i], facet[i]), position[i], normal[i], sender,
+      senderNormal.xyz, true) ? 1.0f : 0.0f;
 #endif
   }
 #endif
@@ -90,11 +91,11 @@ void vtkiFindShares(int light, vec4 sender, vec4 senderNormal, vec3 position[4 *
 
 // What all blocks get of a light as a whole. Returns whether some of them are near to it.
 bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, vec3 position[4 * VTKI_BLOCKS],
-  vec3 normal[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, inout vec3 irradiance[4 * VTKI_BLOCKS],
+  vec3 normal[4 * VTKI_BLOCKS], vec3 facet[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, inout vec3 irradiance[4 * VTKI_BLOCKS],
   inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
 {
   float share[4 * VTKI_BLOCKS];
-  vtkiFindShares(light, sender, senderNormal, position, normal VTKI_WITH_LOOKS, share);
+  vtkiFindShares(light, sender, senderNormal, position, normal, facet VTKI_WITH_LOOKS, share);
   float nearest = 0.0f;
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
@@ -113,7 +114,7 @@ bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, ve
 #ifdef VTKI_DIVIDED
 // What all blocks get of what is below a light.
 void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS],
-  vec3 normal[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, inout vec3 irradiance[4 * VTKI_BLOCKS],
+  vec3 normal[4 * VTKI_BLOCKS], vec3 facet[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, inout vec3 irradiance[4 * VTKI_BLOCKS],
   inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
 {
   vec4 sender;
@@ -121,7 +122,7 @@ void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS],
   vec3 density;
   vtkiFetchLight(light, sender, senderNormal, density);
   float share[4 * VTKI_BLOCKS];
-  vtkiFindShares(vtkiFirstLight + light, sender, senderNormal, position, normal VTKI_WITH_LOOKS, share);
+  vtkiFindShares(vtkiFirstLight + light, sender, senderNormal, position, normal, facet VTKI_WITH_LOOKS, share);
   float below[4 * VTKI_BLOCKS];
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
@@ -155,13 +156,14 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
 {
   vec3 position[4 * VTKI_BLOCKS];
   vec3 normal[4 * VTKI_BLOCKS];
+  vec3 facet[4 * VTKI_BLOCKS];
   vec3 irradiance[4 * VTKI_BLOCKS];
   vec3 vectorIrradiance[4 * VTKI_BLOCKS];
   bool wanted[4 * VTKI_BLOCKS];
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
     ivec2 texel = 2 * blocks[i >> 2] + ivec2(i & 1, (i >> 1) & 1);
-    wanted[i] = vtkiFetchLeaf(texel, position[i], normal[i]) && exists[i >> 2];
+    wanted[i] = vtkiFetchLeaf(texel, position[i], normal[i], facet[i]) && exists[i >> 2];
     irradiance[i] = vec3(0.0f);
     vectorIrradiance[i] = vec3(0.0f);
   }
@@ -175,7 +177,7 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     for (int i = 0; i < 4; ++i)
     {
       positions[i] = position[4 * block + i];
-      normals[i] = normal[4 * block + i];
+      normals[i] = facet[4 * block + i];
       leaves[i] = wanted[4 * block + i];
     }
     looks[block] = vtkiMakeLooks(positions, normals, leaves);
@@ -194,7 +196,7 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     for (int light = first; light < endOfBlock; ++light)
     {
       bool isNear = vtkiAddToBlocks(vtkiFirstLight + light, vtkiBlockPosition[light], vtkiBlockNormal[light],
-        vtkiBlockDensity[light].rgb, position, normal VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
+        vtkiBlockDensity[light].rgb, position, normal, facet VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
 #ifdef VTKI_DIVIDED
       vtkiKeepNear(near, light - first, isNear);
 #endif
@@ -206,7 +208,7 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
       vec3 density;
       vtkiFetchLight(light, sender, senderNormal, density);
       bool isNear = vtkiAddToBlocks(vtkiFirstLight + light, sender, senderNormal, density, position,
-        normal VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
+        normal, facet VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
 #ifdef VTKI_DIVIDED
       vtkiKeepNear(near, light - first, isNear);
 #endif
@@ -215,7 +217,7 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     while (vtkiHasNear(near))
     {
       vtkiAddBranchesToBlocks(
-        first + vtkiTakeNear(near), position, normal VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
+        first + vtkiTakeNear(near), position, normal, facet VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
     }
 #endif
   }

@@ -1,12 +1,8 @@
 // What is evaluated under a split texel: with VTKI_PIXELS a pixel, else a texel of a level.
 #include "vtkIndirectSubsplatTexel.glsl"
 
-#ifdef VTKI_PIXELS
-uniform sampler2D vtkiSurface;
-#endif
-
-// Position and normal in scene units and coordinates. Returns whether there is something to evaluate.
-bool vtkiFetchLeaf(ivec2 texel, out vec3 position, out vec3 normal)
+// Position, normal and that of the facet in scene units and coordinates. Returns whether there is something to evaluate.
+bool vtkiFetchLeaf(ivec2 texel, out vec3 position, out vec3 normal, out vec3 facet)
 {
   ivec2 inside = min(texel, vtkiLevelSize - 1);
 #ifdef VTKI_PIXELS
@@ -14,14 +10,17 @@ bool vtkiFetchLeaf(ivec2 texel, out vec3 position, out vec3 normal)
   vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vec2(vtkiSize) - 1.0f;
   vec3 positionVC = vtkiReconstruct(ndc, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
   vec3 normalVC = vtkiSurfaceNormal(surface);
+  vec3 facetVC = vtkiSurfaceFacet(surface);
   bool leaf = vtkiSurfaceIsLit(surface);
 #else
   vec4 surface = texelFetch(vtkiLevelSurface, inside, 0);
   vec3 positionVC = vtkiTexelPosition(texel, surface.z);
   vec3 normalVC = vtkiOctahedralDecode(surface.xy);
+  vec3 facetVC = vtkiTexelFacet(inside, normalVC);
   bool leaf = vtkiSubsplatIsSample(surface.w);
 #endif
   position = (vtkiViewToScene * vec4(positionVC, 1.0f)).xyz;
   normal = mat3(vtkiViewToScene) * normalVC;
+  facet = mat3(vtkiViewToScene) * facetVC;
   return leaf && texel == inside;
 }

@@ -8,7 +8,7 @@
 #ifdef VTKI_VISIBILITY
 #include "vtkIndirectVisibility.glsl"
 #else
-vec3 vtkiOpenPlace(vec3 position, vec3 normal)
+vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet)
 {
   return position;
 }
@@ -111,11 +111,11 @@ void vtkiAddWholeLight(vec3 position, vec3 normal, vec3 open, int light, vec4 se
 
 // Irradiance, and the luminance of the vector irradiance; zero, and no work, where not wanted.
 void vtkiEvaluateSubsplat(
-  vec3 position, vec3 normal, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
+  vec3 position, vec3 normal, vec3 facet, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
 {
   irradiance = vec3(0.0f);
   vectorIrradiance = vec3(0.0f);
-  vec3 open = vtkiOpenPlace(position, normal);
+  vec3 open = vtkiOpenPlace(position, normal, facet);
   int count = wanted ? vtkiLightCount : 0;
 #ifdef VTKI_DIVIDED
   const int atOnce = VTKI_NEAR_LIGHTS;

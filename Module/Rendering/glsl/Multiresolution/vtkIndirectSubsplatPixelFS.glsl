@@ -5,7 +5,6 @@
 #include "vtkIndirectSubsplatTexel.glsl"
 #include "vtkIndirectSubsplatInterpolate.glsl"
 
-uniform sampler2D vtkiSurface;
 uniform bool vtkiSplits; // whether pixels are the finest level
 uniform bool vtkiCorrectNormals;
 
@@ -32,7 +31,7 @@ void main()
   bool evaluate = (vtkiSplits && split) || !interpolated;
   vec3 evaluated;
   vec3 evaluatedVector;
-  vtkiEvaluateStored(position, normal, evaluate, evaluated, evaluatedVector);
+  vtkiEvaluateStored(position, normal, vtkiSurfaceFacet(surface), evaluate, evaluated, evaluatedVector);
   irradiance = evaluate ? evaluated : irradiance;
 #else
   irradiance = vtkiSplits && split ? vec3(0.0f) : irradiance;

@@ -13,14 +13,15 @@ void main()
     2 * ivec2(int(vtkiSplitTexel & 0xffffu), int(vtkiSplitTexel >> 16)) + vtkiChild;
   vec3 position;
   vec3 normal;
-  bool leaf = vtkiFetchLeaf(texel, position, normal);
+  vec3 facet;
+  bool leaf = vtkiFetchLeaf(texel, position, normal, facet);
   vec4 sender;
   vec4 senderNormal;
   vec3 density;
   vtkiFetchLight(gl_InstanceID, sender, senderNormal, density);
   vec3 irradiance = vec3(0.0f);
   vec3 vectorIrradiance = vec3(0.0f);
-  vtkiAddWholeLight(position, normal, vtkiOpenPlace(position, normal), vtkiFirstLight + gl_InstanceID, sender,
+  vtkiAddWholeLight(position, normal, vtkiOpenPlace(position, normal, facet), vtkiFirstLight + gl_InstanceID, sender,
     senderNormal, density, irradiance, vectorIrradiance);
 #ifdef VTKI_PIXELS
   vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vec2(vtkiSize) - 1.0f;

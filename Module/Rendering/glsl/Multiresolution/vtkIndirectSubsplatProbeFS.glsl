@@ -7,8 +7,6 @@
 // near.
 #include "vtkIndirectSubsplatTexel.glsl"
 
-uniform sampler2D vtkiSurface;
-
 struct vtkiProbeSums
 {
   float sum;
@@ -49,7 +47,7 @@ void main()
   position = (vtkiViewToScene * vec4(position, 1.0f)).xyz;
   vec3 normal = mat3(vtkiViewToScene) * vtkiSurfaceNormal(surface);
   bool lit = vtkiSurfaceIsLit(surface);
-  vec3 open = vtkiOpenPlace(position, normal);
+  vec3 open = vtkiOpenPlace(position, normal, mat3(vtkiViewToScene) * vtkiSurfaceFacet(surface));
   vtkiProbeSums sums = vtkiProbeSums(
     0.0f, 0.0f, 1.0f, 0.0f, vec4(position, 1.0f), vec4(0.0f, 0.0f, 1.0f, 0.0f));
   int count = lit ? vtkiBlockCount : 0;

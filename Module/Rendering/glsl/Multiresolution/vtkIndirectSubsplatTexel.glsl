@@ -1,7 +1,9 @@
 // A texel of a level and what is written for it.
 #include "vtkIndirectSubsplatPlane.glsl"
 #include "vtkIndirectSubsplatLights.glsl"
+#include "vtkIndirectLibInterpolation.glsl"
 
+uniform sampler2D vtkiSurface; // of pixels
 uniform sampler2D vtkiLevelSurface;
 uniform ivec2 vtkiLevelSize;
 uniform float vtkiEdge; // pixels along a texel's edge
@@ -14,13 +16,23 @@ vec3 vtkiTexelPosition(ivec2 texel, float depth)
   return vtkiReconstruct(center, depth, vtkiRayOrigin, vtkiRayDirection);
 }
 
+// The facet's normal in the middle of a texel, where that is of the texel's surface; levels hold mean normals alone.
+vec3 vtkiTexelFacet(ivec2 texel, vec3 normalVC)
+{
+  vec2 center = vtkiSubsplatCenter(vec2(texel), vtkiEdge, vec2(vtkiSize));
+  vec4 surface = textureLod(vtkiSurface, 0.5f * center + 0.5f, 0.0f);
+  bool same = vtkiSurfaceIsLit(surface) &&
+    dot(vtkiSurfaceNormal(surface), normalVC) >= VTKI_INTERPOLATION_COSINE;
+  return same ? vtkiSurfaceFacet(surface) : normalVC;
+}
+
 // The sum over the lights as stored; the vector in view coordinates, where receivers' normals are.
 void vtkiEvaluateStored(
-  vec3 positionVC, vec3 normalVC, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
+  vec3 positionVC, vec3 normalVC, vec3 facetVC, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
 {
   vec3 position = (vtkiViewToScene * vec4(positionVC, 1.0f)).xyz;
-  vtkiEvaluateSubsplat(
-    position, mat3(vtkiViewToScene) * normalVC, wanted, irradiance, vectorIrradiance);
+  vtkiEvaluateSubsplat(position, mat3(vtkiViewToScene) * normalVC, mat3(vtkiViewToScene) * facetVC, wanted,
+    irradiance, vectorIrradiance);
   irradiance *= vtkiStorageScale;
   vectorIrradiance = (vectorIrradiance * mat3(vtkiViewToScene)) * vtkiStorageScale;
 }

@@ -8,10 +8,10 @@ struct vtkiFarField
   vec3 vector;     // luminance of the vector irradiance of what is cut off
 };
 
-vtkiFarField vtkiSumFarField(vec3 position, vec3 normal, int first, int end)
+vtkiFarField vtkiSumFarField(vec3 position, vec3 normal, vec3 facet, int first, int end)
 {
   float low = vtkiSplatLow();
-  vec3 open = vtkiSplatOpenPlace(position, normal);
+  vec3 open = vtkiSplatOpenPlace(position, normal, facet);
   vtkiFarField sum = vtkiFarField(vec3(0.0f), 0.0f, vec3(0.0f));
   for (int light = first; light < end; ++light)
   {

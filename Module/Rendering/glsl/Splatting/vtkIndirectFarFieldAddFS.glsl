@@ -67,7 +67,7 @@ void main()
 #ifndef VTKI_SPLAT_MANY
     else
     {
-      left = vtkiSumFarField(receiver.position, receiver.normal, 0, vtkiLightCount).irradiance;
+      left = vtkiSumFarField(receiver.position, receiver.normal, receiver.facet, 0, vtkiLightCount).irradiance;
     }
 #endif
   }

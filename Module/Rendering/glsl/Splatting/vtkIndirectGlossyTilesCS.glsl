@@ -124,7 +124,7 @@ void main()
   vec3 open = receiver.position;
   if (wanted)
   {
-    open = vtkiSplatOpenPlace(receiver.position, receiver.normal);
+    open = vtkiSplatOpenPlace(receiver.position, receiver.normal, receiver.facet);
   }
   vec3 total = vec3(0.0f);
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y && any; ++row)

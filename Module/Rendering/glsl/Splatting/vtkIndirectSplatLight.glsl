@@ -89,10 +89,10 @@ vec3 vtkiSplatSender(
   return irradiance;
 }
 
-vec3 vtkiSplatOpenPlace(vec3 position, vec3 normal)
+vec3 vtkiSplatOpenPlace(vec3 position, vec3 normal, vec3 facet)
 {
 #ifdef VTKI_VISIBILITY
-  return vtkiOpenPlace(position, normal);
+  return vtkiOpenPlace(position, normal, facet);
 #else
   return position;
 #endif

@@ -35,7 +35,7 @@ void main()
   vec3 open = receiver.position;
   if (lit)
   {
-    open = vtkiSplatOpenPlace(receiver.position, receiver.normal);
+    open = vtkiSplatOpenPlace(receiver.position, receiver.normal, receiver.facet);
   }
   vec4 total = vec4(0.0f);
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y && any; ++row)

@@ -14,7 +14,7 @@ float vtkiAccessibility(int layer, ivec2 texel)
     return 1.0f;
   }
   vec3 p = vtkiMapPosition(map, texel, vtkiSurfaceDepth(surface));
-  vec3 normal = vtkiSurfaceNormal(surface);
+  vec3 normal = vtkiMapFacet(map, surface, texelFetch(vtkiMapSlope, ivec3(texel, layer), 0).rg, p);
   bool parallel = int(map.x + 0.5f) == VTKI_MAP_PARALLEL;
   float texelLength = 2.0f * map.y / map.z * (parallel ? 1.0f : vtkiSurfaceDepth(surface));
   int edge = int(map.z + 0.5f);

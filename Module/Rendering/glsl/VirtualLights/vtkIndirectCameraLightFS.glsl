@@ -28,7 +28,8 @@ void main()
   {
     vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vtkiSize - 1.0f;
     vec3 p = vtkiReconstruct(ndc, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
-    normal = vtkiSurfaceNormal(surface);
+    // The facet sends, lit by the normal.
+    normal = vtkiSurfaceFacet(surface);
     // Edge vectors of the pixel on the plane at this depth: its area there, whatever the projection.
     vec3 dx = (vtkiRayOrigin[0] + vtkiSurfaceDepth(surface) * vtkiRayDirection[0]) * (2.0f / vtkiSize.x);
     vec3 dy = (vtkiRayOrigin[1] + vtkiSurfaceDepth(surface) * vtkiRayDirection[1]) * (2.0f / vtkiSize.y);
@@ -41,7 +42,7 @@ void main()
     float encoded = vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED ? 1.0f / VTKI_PI : 1.0f;
     position = (vtkiViewToScene * vec4(p, 1.0f)).xyz;
     densityArea = vtkiFetchAlbedo(texel) * vtkiLightColor *
-      (max(dot(normal, vtkiToLight), 0.0f) * covered * encoded);
+      (max(dot(vtkiSurfaceNormal(surface), vtkiToLight), 0.0f) * covered * encoded);
     area = covered;
     normal = mat3(vtkiViewToScene) * normal;
   }

@@ -4,9 +4,10 @@
 #ifdef VTKI_DEPTH_TILES
 #include "vtkIndirectDepthTiles.glsl"
 
-vec3 vtkiOpenPlace(vec3 position, vec3 normal)
+// What look-ups ask of a receiver beside its place: the normal of its facet, which is what maps hold.
+vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet)
 {
-  return position;
+  return facet;
 }
 
 #ifdef VTKI_SHARED_TILES
@@ -33,11 +34,11 @@ vtkiTile vtkiFetchTile(int light, vec3 place, vec3 axis)
 #endif
 }
 
-// A direction has no tile.
+// A direction has no tile. facet: see vtkiOpenPlace.
 bool vtkiIsSenderVisible(
-  int light, vec3 start, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
+  int light, vec3 facet, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
 {
-  return vtkiIsSeenInTile(vtkiFetchTile(light, sender.xyz, senderNormal), position, normal) ||
+  return vtkiIsSeenInTile(vtkiFetchTile(light, sender.xyz, senderNormal), position, facet) ||
     sender.w < 0.0f;
 }
 #else
@@ -139,6 +140,11 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal)
   return position;
 }
 #endif
+
+vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet)
+{
+  return vtkiOpenPlace(position, normal);
+}
 
 // Whether nothing stands between two surfaces. start: the receiver's open place; voxelEnd, sphereEnd: the sender's
 // place, as voxels and spheres are asked.

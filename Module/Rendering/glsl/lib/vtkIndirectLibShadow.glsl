@@ -63,22 +63,29 @@ vec2 vtkiUnpackSlope(float bits)
   return p / max(1.0f - abs(p.x) - abs(p.y), 1.0e-5f);
 }
 
-/* A receiver as its map sees it: the depth that would be stored, its plane's change of that over a texel, and what
- * stored depths may be nearer by and still be the receiver's own surface: on its plane, by rounding alone; on a surface
- * that its facets stand for, by the bias. */
+// Surfaces that meet at less than this angle's cosine are facets of one: what of their planes lies before a
+// receiver by no more than they are apart tells nothing, since others may lie between them.
+const float VTKI_SHADOW_FACET_COSINE = 0.7f;
+
+/* A receiver as its map sees it: the depth that would be stored, its plane's change of that over a texel, a texel's
+ * width along depth, and what stored depths may be nearer by and still be the receiver's own surface: on its
+ * plane, by rounding alone; on a surface that its facets stand for, by the bias. */
 struct vtkiShadowPlane
 {
   float reference;
   vec2 gradient;
+  float texel;
   float rounding;
   float bias;
 };
 
-/* What texels around a receiver say: the weights of those that see it and of those from which it is hidden; and of
- * what hides it, at the texel of the greatest weight, the plane: its depth at the receiver, its change over a texel. */
+/* What texels around a receiver say: the weights of those from which it is hidden; whether something hides it
+ * whose plane comes out of the receiver's beside it; of what hides it, at the texel of the greatest weight, the plane: its
+ * depth at the receiver, its change over a texel; and which of the texels see it. */
 struct vtkiShadowVotes
 {
   float hidden;
+  bool contact;
   float most;
   float depth;
   vec2 gradient;
@@ -89,6 +96,7 @@ vtkiShadowVotes vtkiBeginShadow()
 {
   vtkiShadowVotes votes;
   votes.hidden = 0.0f;
+  votes.contact = false;
   votes.most = 0.0f;
   votes.depth = 1.0f;
   votes.gradient = vec2(0.0f);
@@ -115,7 +123,8 @@ float vtkiShadowWeight(float offset, float toCenter)
  * receiver at the receiver's place. Of one smooth surface never both hold: what bends away from the light lies behind the
  * receiver's plane, and the plane of what bends towards the light passes behind the receiver. Where only the first
  * holds the two planes meet between the texel and the receiver, as at the foot of a wall: what a map sees beyond
- * that line tells nothing of the receiver. */
+ * that line tells nothing of the receiver. Where they meet as near on the receiver's other side, as behind a thin wall, the
+ * texel tells that the receiver is hidden only if none sees it. */
 void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 gradient, float weight, int number,
   VTKI_INOUT(vtkiShadowVotes) votes)
 {
@@ -126,29 +135,38 @@ void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 
   // Slopes are rounded to a hundredth at most.
   float rounding = receiver.rounding + 0.01f * (abs(gradient.x) + abs(gradient.y));
   bool hides = before && depthThere < receiver.reference - rounding;
+  bool contact = 2.0f * (receiver.reference - depthThere) < plane - stored;
+  vec2 own = receiver.gradient / receiver.texel;
+  vec2 other = gradient / receiver.texel;
+  float product = 1.0f + own.x * other.x + own.y * other.y;
+  float lengths2 = (1.0f + own.x * own.x + own.y * own.y) * (1.0f + other.x * other.x + other.y * other.y);
+  bool alike = product > 0.0f &&
+    product * product > VTKI_SHADOW_FACET_COSINE * VTKI_SHADOW_FACET_COSINE * lengths2;
+  hides = hides && !(contact && alike);
   votes.seen |= before ? 0 : (1 << number);
-  votes.hidden += hides ? weight : 0.0f;
+  votes.hidden += hides && !contact ? weight : 0.0f;
+  votes.contact = votes.contact || (hides && contact);
   bool first = hides && weight > votes.most;
   votes.most = first ? weight : votes.most;
   votes.depth = first ? depthThere : votes.depth;
   votes.gradient = first ? gradient : votes.gradient;
 }
 
-/* Share of the light. Texels beyond the line where what hides the receiver meets the receiver's plane, as
- * those on the other side of a thin wall, do not count. toCenter: to the middle texel's centre. */
-float vtkiCountShadow(vtkiShadowPlane receiver, vec2 toCenter, vtkiShadowVotes votes)
+/* Whether a texel that sees the receiver counts, by its number. Not beyond the line where what hides the receiver meets
+ * the receiver's plane, as on the other side of a thin wall, nor where it holds that itself. */
+bool vtkiCountsForShadow(
+  vtkiShadowPlane receiver, vec2 offset, float stored, int number, vtkiShadowVotes votes)
 {
-  float seen = 0.0f;
-  for (int i = 0; i < 9; ++i)
-  {
-    vec2 neighbor = vtkiShadowNeighbor(i);
-    vec2 offset = neighbor + toCenter;
-    float height = receiver.reference - votes.depth +
-      (receiver.gradient.x - votes.gradient.x) * offset.x + (receiver.gradient.y - votes.gradient.y) * offset.y;
-    bool counts = ((votes.seen >> i) & 1) == 1 && (votes.most == 0.0f || height > receiver.bias);
-    seen += counts ? vtkiShadowWeight(neighbor.x, toCenter.x) * vtkiShadowWeight(neighbor.y, toCenter.y) : 0.0f;
-  }
+  float plane = receiver.reference + receiver.gradient.x * offset.x + receiver.gradient.y * offset.y;
+  float before = votes.depth + votes.gradient.x * offset.x + votes.gradient.y * offset.y;
+  bool beside = plane - before > receiver.rounding && stored > 0.5f * (plane + before);
+  return ((votes.seen >> number) & 1) == 1 && (votes.most == 0.0f || beside);
+}
+
+/* Share of the light; seen: the weights of texels that count. */
+float vtkiShareOfShadow(float seen, vtkiShadowVotes votes)
+{
   float counted = seen + votes.hidden;
-  return counted > 0.0f ? seen / counted : 1.0f;
+  return counted > 0.0f ? seen / counted : (votes.contact ? 0.0f : 1.0f);
 }
 #endif

@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Light and shadow where surfaces meet, and on few triangles with interpolated normals, against rays."""
+
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
+
+import support  # noqa: F401
+import vtkindirect
+
+TEXELS = 512
+"""Along an edge of a light's map, by default."""
+
+
+def mesh(points, faces, smooth=False) -> vtkActor:
+    data = vtkPolyData()
+    places = vtkPoints()
+    places.SetData(numpy_to_vtk(np.asarray(points, np.float32), deep=1))
+    cells = vtkCellArray()
+    for face in faces:
+        cells.InsertNextCell(len(face), face)
+    data.SetPoints(places)
+    data.SetPolys(cells)
+    if smooth:
+        normals = vtkPolyDataNormals()
+        normals.SetInputData(data)
+        normals.SplittingOff()
+        normals.Update()
+        data = normals.GetOutput()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def cube(smooth: bool, center=(0.0, 0.0, 0.0)) -> vtkActor:
+    corners = [[(i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5] for i in range(8)]
+    faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    return mesh(np.add(corners, center), faces, smooth)
+
+
+class Scene:
+    """What a camera sees of actors under a sun."""
+
+    def __init__(self, case, actors, sun, position, focal, size=(240, 180), up=(0, 0, 1), **settings):
+        self.renderer = vtkRenderer()
+        self.renderer.AutomaticLightCreationOff()
+        for actor in actors:
+            self.renderer.AddActor(actor)
+        if sun is not None:
+            light = vtkLight()
+            light.SetLightTypeToSceneLight()
+            light.SetPosition(*sun)
+            self.renderer.AddLight(light)
+        self.window = vtkindirect.render_window(size, offscreen=True)
+        self.window.AddRenderer(self.renderer)
+        self.window.SetDesiredUpdateRate(1e-4)
+        case.addCleanup(self.window.Finalize)
+        camera = self.renderer.GetActiveCamera()
+        camera.SetPosition(*position)
+        camera.SetFocalPoint(*focal)
+        camera.SetViewUp(*up)
+        self.renderer.ResetCameraClippingRange()
+        self.indirect = vtkindirect.enable(
+            self.renderer, lighting="scene", antialiasing=False, **settings
+        )
+
+    def read(self, name: str) -> np.ndarray:
+        return np.array(vtkindirect.copy_buffer(self.renderer, name))
+
+    def places(self) -> np.ndarray:
+        """Where each pixel's surface is; rows from below."""
+        depth = self.read("depth")[:, :, :1]
+        camera = self.renderer.GetActiveCamera()
+        height, width = depth.shape[:2]
+        tangent = np.tan(np.radians(camera.GetViewAngle() / 2.0))
+        y, x = np.mgrid[:height, :width]
+        ahead = np.array(camera.GetDirectionOfProjection())
+        right = np.cross(ahead, camera.GetViewUp())
+        right /= np.linalg.norm(right)
+        across = ((x + 0.5) / width * 2.0 - 1.0)[..., None] * tangent * width / height
+        above = ((y + 0.5) / height * 2.0 - 1.0)[..., None] * tangent
+        way = ahead + across * right + above * np.cross(right, ahead)
+        return np.where(depth > 0.0, np.array(camera.GetPosition()) + depth * way, np.nan)
+
+
+def wrinkle(smooth: np.ndarray, reach: int = 2) -> np.ndarray:
+    """How far each pixel is from the median of those around it, over that or a tenth of the most."""
+    padded = np.pad(smooth, reach, mode="edge")
+    width = 2 * reach + 1
+    around = np.lib.stride_tricks.sliding_window_view(padded, (width, width))
+    middle = np.median(around.reshape(*smooth.shape, -1), -1)
+    return np.abs(smooth - middle) / np.maximum(middle, 0.1 * np.nanmax(smooth))
+
+
+class Contact(unittest.TestCase):
+    def test_no_light_gets_under_a_thin_wall(self) -> None:
+        # A wall at x = 1 on a floor at y = 0, the sun behind it, seen from before it.
+        floor_ends = {"at the wall": 1.0, "beyond it": 2.0}
+        for name, end in floor_ends.items():
+            with self.subTest(floor=name):
+                floor = mesh([[-1, 0, 1], [end, 0, 1], [end, 0, -1], [-1, 0, -1]], [[0, 1, 2, 3]])
+                wall = mesh([[1, 0, -1], [1, 0, 1], [1, 2, 1], [1, 2, -1]], [[0, 1, 2, 3]])
+                sun = np.array([1.4, 5.0, 1.0])
+                scene = Scene(
+                    self, [floor, wall], sun, (-0.2, 1.5, 3.0), (0.7, 0.0, 0.0), (400, 300), (0, 1, 0)
+                )
+                scene.window.Render()
+                place = scene.places()
+                steps = (1.0 - place[..., 0]) / sun[0]
+                meets = place + steps[..., None] * sun
+                # The map sees the scene's sphere at most: width of a texel across the light.
+                texel = 2.0 * np.linalg.norm([0.5 * (end + 1.0), 1.0, 1.0]) / TEXELS
+                # Look-ups reach one and a half; what they are wide on the wall: over the cosine of the
+                # light to it, and of its height.
+                margin = 1.5 * texel / (sun[0] / np.linalg.norm(sun))
+                hidden = (
+                    (np.abs(place[..., 1]) < 1e-3)
+                    & (steps > 0.0)
+                    & (meets[..., 1] < 2.0 - margin)
+                    & (np.abs(meets[..., 2]) < 1.0 - margin)
+                    & (place[..., 0] < 1.0 - 0.1 * texel)
+                )
+                foot = hidden & (place[..., 0] > 0.97)
+                lit = scene.read("direct").max(-1) > 0.05
+                print(f"floor {name}: hidden {hidden.sum()}, lit {(lit & hidden).sum()}; "
+                      f"at the foot {foot.sum()}, lit {(lit & foot).sum()}")
+                self.assertGreater(foot.sum(), 200)
+                self.assertEqual((lit & hidden).sum(), 0)
+
+    def test_a_wall_is_lit_down_to_its_foot(self) -> None:
+        floor = mesh([[-1, 0, 2], [1, 0, 2], [1, 0, 0], [-1, 0, 0]], [[0, 1, 2, 3]])
+        wall = mesh([[-1, 0, 0], [1, 0, 0], [1, 2, 0], [-1, 2, 0]], [[0, 1, 2, 3]])
+        for sun in ([0.6, 2.0, 1.0], [-0.3, 1.0, 3.0], [1.0, 5.0, 0.4]):
+            with self.subTest(sun=sun):
+                scene = Scene(
+                    self, [floor, wall], sun, (0.3, 0.6, 1.4), (0.1, 0.05, 0.0), (400, 300), (0, 1, 0)
+                )
+                scene.window.Render()
+                place = scene.places()
+                way = np.array(sun) / np.linalg.norm(sun)
+                direct = scene.read("direct").max(-1)
+                worst = 1.0
+                for axis in (1, 2):
+                    on = (
+                        (np.abs(place[..., axis]) < 1e-3)
+                        & (place[..., 3 - axis] > 2e-3)
+                        & (np.abs(place[..., 0]) < 0.9)
+                    )
+                    worst = min(worst, (direct[on] / way[axis]).min())
+                print(f"sun {sun}: least share of the light {worst:.3f}")
+                # Nothing hides either. Bytes of colour: half a step of them.
+                self.assertGreater(worst, 0.99)
+
+    def test_folds_of_few_triangles_do_not_hide_themselves(self) -> None:
+        # Waves with facets of up to 35 degrees, from above: the sun reaches all of them.
+        count = 24
+        x, y = np.meshgrid(np.linspace(-1, 1, count), np.linspace(-1, 1, count), indexing="ij")
+        z = 0.11 * np.sin(7.0 * x + 2.0 * y) * np.cos(6.0 * y - 1.5 * x)
+        points = np.stack([x, y, z], -1).reshape(-1, 3)
+        faces = []
+        for i in range(count - 1):
+            for j in range(count - 1):
+                a = i * count + j
+                faces += [[a, a + count, a + count + 1], [a, a + count + 1, a + 1]]
+        fold = mesh(points, faces, smooth=True)
+        scene = Scene(self, [fold], (0.1, 0.05, 1.0), (0.4, -1.2, 1.6), (0.0, 0.0, 0.0), (320, 240))
+        scene.window.Render()
+        hidden = scene.read("direct").max(-1)
+        scene.indirect.SetShadows(False)
+        scene.window.Render()
+        free = scene.read("direct").max(-1)
+        scene.indirect.SetShadows(True)
+        seen = free > 0.05
+        share = hidden[seen] / free[seen]
+        print(f"least share {share.min():.3f}, pixels below 0.99: {(share < 0.99).sum()}")
+        self.assertGreater(seen.sum(), 20000)
+        self.assertEqual((share < 0.99).sum(), 0)
+
+    def test_the_sky_is_smooth_on_a_cube_of_eight_points(self) -> None:
+        scene = Scene(self, [cube(True)], (0.3, -2.0, 1.0), (1.0, -3.2, 1.4), (0, 0, 0), (200, 200))
+        sky = vtkindirect.vtkEnvironmentLight()
+        sky.SetRadiance(1.0, 1.0, 1.0)
+        scene.indirect.SetEnvironment(sky)
+        self.finish(scene)
+        place = scene.places()
+        self.check_smooth(scene.read("sky").mean(-1), place, "sky")
+
+    def test_bounces_are_smooth_on_a_cube_of_eight_points(self) -> None:
+        floor = mesh([[-2, -2, -0.6], [2, -2, -0.6], [2, 2, -0.6], [-2, 2, -0.6]], [[0, 1, 2, 3]])
+        scene = Scene(
+            self, [cube(True), floor], (0.6, -2.0, 2.0), (1.0, -3.2, 1.0), (0, 0, 0), (200, 200)
+        )
+        self.finish(scene)
+        self.check_smooth(scene.read("irradiance").mean(-1), scene.places(), "bounces")
+
+    def finish(self, scene: Scene) -> None:
+        scene.window.Render()
+        for _ in range(40):
+            counters = vtkindirect.report(scene.renderer)["counters"]
+            if not counters.get("tiles_left"):
+                break
+            scene.window.Render()
+
+    def check_smooth(self, light: np.ndarray, place: np.ndarray, name: str) -> None:
+        """Light on faces, away from their edges, strays from that around it nowhere by much."""
+        face = np.zeros(light.shape, bool)
+        for axis in range(3):
+            others = np.delete(place, axis, -1)
+            face |= (np.abs(np.abs(place[..., axis]) - 0.5) < 1e-3) & (
+                np.abs(others).max(-1) < 0.42
+            )
+        rough = wrinkle(light)[face]
+        print(f"{name}: pixels {face.sum()}, off by 4 % {(rough > 0.04).sum()}, most {rough.max():.3f}")
+        self.assertGreater(face.sum(), 4000)
+        # In a thousandth: where look-ups of few texels meet the edge of what they see.
+        self.assertLess((rough > 0.04).sum(), 1e-3 * face.sum() + 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
