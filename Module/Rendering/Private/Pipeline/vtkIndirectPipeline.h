@@ -110,6 +110,7 @@ private:
   bool UpdateSkyMaps(const Request& request);
   vtkIndirectEstimatorPass* GetSkySummer() const;
   bool UpdateArea(const Request& request);
+  void AddCoarseMapsToReport(vtkIndirectReport& report) const;
   vtkMTimeType GetAreaTime() const;
   bool UpdateSenderMaps();
   void ReleaseSkyMaps(vtkWindow* window);

@@ -79,7 +79,7 @@ private:
   {
     glm::dvec3 Corners[3];
   };
-  // Boxes about the tree's centre, side by side in vectors' lanes. Two cache lines.
+  // Boxes about the tree's origin, side by side in vectors' lanes. Two cache lines.
   static constexpr int Width = 4;
   struct alignas(64) Node
   {
@@ -98,6 +98,7 @@ private:
   std::vector<Node> Nodes;
   glm::dvec3 Lower{ 0.0 }; // of all boxes
   glm::dvec3 Upper{ 0.0 };
+  glm::dvec3 Origin{ 0.0 }; // where most triangles are
 };
 
 #endif
