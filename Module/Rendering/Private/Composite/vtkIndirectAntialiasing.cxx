@@ -9,6 +9,7 @@
 #include "OpenGL/vtkIndirectPointProgram.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
+#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <string>
@@ -69,6 +70,7 @@ struct vtkIndirectAntialiasing::Internals
   vtkIndirectPointProgram Blend{ "vtkIndirectEdgePointVS.glsl", "vtkIndirectEdgePointFS.glsl" };
 
   bool Refused = false; // something has been, and an error has said so
+  std::string WhyNot;   // of the last frame
 
   // What the stages of a frame share.
   int Rows = 0; // of the edges' image, before those of columns
@@ -127,7 +129,29 @@ void vtkIndirectAntialiasing::Apply(
   const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
 {
   Internals& in = *this->Internal;
+  // Lines of both directions lie below each other in one image.
+  const int lines = frame.Size[0] + frame.Size[1] + 2;
+  const int most = vtkTextureObject::GetMaximumTextureSize(frame.Window);
+  if (lines > most)
+  {
+    const std::string why = "width and height of the picture are " +
+      std::to_string(frame.Size[0]) + " and " + std::to_string(frame.Size[1]) +
+      " pixels; together they may be " + std::to_string(most - 2) + " with this OpenGL";
+    if (why != in.WhyNot)
+    {
+      vtkErrorWithObjectMacro(frame.Window, "Edges are not antialiased: " << why << ".");
+    }
+    in.WhyNot = why;
+    return;
+  }
   in.Refused = in.Refused || !in.Apply(frame, geometry);
+  in.WhyNot = in.Refused ? "this OpenGL refuses what it takes" : "";
+}
+
+//------------------------------------------------------------------------------
+const std::string& vtkIndirectAntialiasing::GetWhyNot() const
+{
+  return this->Internal->WhyNot;
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 
 #include <cstddef> // for size_t
 #include <memory>  // for the internals
+#include <string> // for a reason
 
 class vtkIndirectGeometryBuffer;
 class vtkWindow;
@@ -29,6 +30,8 @@ public:
    * nothing is tried again before Release.
    */
   void Apply(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
+  /** Why the last frame's edges are left as they are; empty where they are not. */
+  const std::string& GetWhyNot() const;
 
   size_t GetBytes() const;
   void Release(vtkWindow* window);

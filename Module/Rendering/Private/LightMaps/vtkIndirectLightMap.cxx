@@ -252,6 +252,15 @@ bool vtkIndirectLightMap::CanHold(int face, const double bounds[6], int texels) 
 }
 
 //------------------------------------------------------------------------------
+double vtkIndirectLightMap::FindTexelAt(const glm::dvec3& place, int texels) const
+{
+  const double width = 2.0 * this->HalfWidth / texels;
+  return this->Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL
+    ? width / this->SceneScale
+    : width * glm::distance(place, glm::dvec3(this->LightToWorld[3]));
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectMapView vtkIndirectLightMap::GetView(int texels) const
 {
   return { this->Light.Positional, this->Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL,

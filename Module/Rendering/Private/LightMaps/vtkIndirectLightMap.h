@@ -53,6 +53,9 @@ public:
   vtkIndirectShadowMap GetShadowMap() const;
   ///@}
 
+  /** A texel's width across the light, in world units, at a place, of so many along an edge. */
+  double FindTexelAt(const glm::dvec3& place, int texels) const;
+
   /** All numbers that what is drawn depends on, besides the scene and the resolution. */
   std::vector<double> GetKey() const;
 

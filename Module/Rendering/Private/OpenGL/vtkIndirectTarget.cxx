@@ -133,6 +133,17 @@ bool vtkIndirectTarget::Resize(
   {
     this->Release(this->Window);
   }
+  const int most = vtkTextureObject::GetMaximumTextureSize(window);
+  if (width > most || height > most)
+  {
+    vtkErrorWithObjectMacro(window,
+      "Indirect illumination needs an image of "
+        << width << " x " << height << " pixels ("
+        << this->Channels[0].Name << "); this OpenGL has images of " << most
+        << " pixels along an edge at most.");
+    this->Release(this->Window);
+    return false;
+  }
   this->Window = window;
   this->Width = width;
   this->Height = height;

@@ -8,9 +8,11 @@
 #include "Frame/vtkIndirectLightScope.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectRevision.h"
+#include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkAreaLight.h"
+#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -19,6 +21,8 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 namespace
 {
@@ -446,6 +450,39 @@ bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
 }
 
 //------------------------------------------------------------------------------
+// Maps hold all that casts shadows, however little of it the eye sees.
+void vtkIndirectPipeline::AddCoarseMapsToReport(vtkIndirectReport& report) const
+{
+  // Of the picture's height: shadows' edges are seen to be wider.
+  constexpr double coarse = 0.01;
+  vtkCamera* camera = this->Renderer ? this->Renderer->GetActiveCamera() : nullptr;
+  double worst = 0.0;
+  int count = 0;
+  for (int i = 0; camera && this->Plan.Shadows && i < this->Maps->GetNumberOfMaps(); ++i)
+  {
+    double focal[3];
+    camera->GetFocalPoint(focal);
+    const double seen = camera->GetParallelProjection()
+      ? 2.0 * camera->GetParallelScale()
+      : 2.0 * camera->GetDistance() *
+        std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+    const double texel = this->Maps->GetMap(i).FindTexelAt(
+      { focal[0], focal[1], focal[2] }, this->Maps->GetTexels());
+    const double share = seen > 0.0 ? texel / seen : 0.0;
+    count += share > coarse ? 1 : 0;
+    worst = std::max(worst, share);
+  }
+  if (count > 0)
+  {
+    char share[32];
+    std::snprintf(share, sizeof(share), "%.3g", 100.0 * worst);
+    report.LeftOut.emplace_back("fine shadows of " + std::to_string(count) + " lights",
+      std::string("a texel of a light's map is up to ") + share +
+        " % of the height of what is seen at the focal point; what is smaller casts no shadow");
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectPipeline::AppendAreaLights(std::vector<double>& key) const
 {
   for (const auto& light : this->AreaLights)
@@ -634,10 +671,15 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     this->Sky.GetBytes() + this->Area.GetBytes() + this->VisibleLamps.GetBytes();
   add(report.Modelled, this->Plan.Modelled);
   add(report.LeftOut, this->Plan.LeftOut);
+  if (this->Plan.Antialiasing && !this->Antialiasing.GetWhyNot().empty())
+  {
+    report.LeftOut.emplace_back("antialiased edges", this->Antialiasing.GetWhyNot());
+  }
   if (this->Plan.Senders != vtkIndirectPlan::EYE)
   {
     this->Maps->AddToReport(report);
     this->Penumbra.AddToReport(report);
+    this->AddCoarseMapsToReport(report);
   }
   if (this->GetEstimate())
   {

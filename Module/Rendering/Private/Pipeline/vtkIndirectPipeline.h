@@ -115,6 +115,7 @@ private:
   vtkIndirectEstimatorPass* GetSkySummer() const;
   bool UpdateArea(const Request& request);
   void AppendAreaLights(std::vector<double>& key) const;
+  void AddCoarseMapsToReport(vtkIndirectReport& report) const;
   bool UpdateSenderMaps();
   void ReleaseSkyMaps(vtkWindow* window);
   bool IsEstimateThere() const;

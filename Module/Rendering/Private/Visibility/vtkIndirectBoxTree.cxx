@@ -2,6 +2,7 @@
 #include "Visibility/vtkIndirectBoxTree.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <utility>
 
@@ -36,6 +37,22 @@ vtkIndirectBoxTree::vtkIndirectBoxTree(std::vector<Box> boxes)
     this->All.Add(this->Boxes[i]);
   }
   this->MakeParts();
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkIndirectBoxTree::FindMiddle() const
+{
+  glm::dvec3 middle(0.0);
+  std::vector<double> places(this->Centres.size());
+  for (int axis = 0; axis < 3 && !places.empty(); ++axis)
+  {
+    std::transform(this->Centres.begin(), this->Centres.end(), places.begin(),
+      [axis](const glm::dvec3& centre) { return centre[axis]; });
+    const auto half = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
+    std::nth_element(places.begin(), half, places.end());
+    middle[axis] = *half;
+  }
+  return middle;
 }
 
 //------------------------------------------------------------------------------

@@ -51,6 +51,8 @@ public:
   /** Boxes by leaf. */
   std::vector<uint32_t>& GetOrder() { return this->Order; }
   const Box& GetAll() const { return this->All; }
+  /** Where most boxes are: on each axis, the median of their centres. */
+  glm::dvec3 FindMiddle() const;
 
 private:
   struct Job

@@ -3,16 +3,14 @@
 
 #include "VirtualLights/vtkIndirectSamplePattern.h"
 #include "Visibility/vtkIndirectRaySurfaces.h"
-#include "vtkIdList.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkStaticPointLocator.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
 
 namespace
 {
@@ -71,6 +69,104 @@ glm::dvec3 CosineDirection(const glm::dvec3& normal, const glm::dvec2& at)
   return glm::normalize(
     p.x * u + p.y * v + std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p))) * normal);
 }
+
+//------------------------------------------------------------------------------
+// Points, halved again and again at their middle one along the axis that they extend farthest
+// along: as quick whether or not a few of them lie a million times farther away than the others.
+class PointTree
+{
+public:
+  using Found = std::vector<std::pair<double, uint32_t>>; // squared distance, point
+
+  explicit PointTree(std::vector<glm::dvec3> points)
+    : Points(std::move(points))
+    , Order(this->Points.size())
+    , Axes(this->Points.size(), 0)
+  {
+    std::iota(this->Order.begin(), this->Order.end(), 0u);
+    this->Part(0, this->Order.size());
+  }
+
+  // The nearest ones to a place, so many, the nearest first.
+  void FindNearest(const glm::dvec3& place, size_t count, Found& found) const
+  {
+    found.clear();
+    this->Find(0, this->Order.size(), place, count, found);
+    std::sort_heap(found.begin(), found.end());
+  }
+
+private:
+  static constexpr size_t LargestLeaf = 8;
+
+  void Part(size_t begin, size_t end)
+  {
+    if (end - begin <= LargestLeaf)
+    {
+      return;
+    }
+    glm::dvec3 lower = this->Points[this->Order[begin]];
+    glm::dvec3 upper = lower;
+    for (size_t i = begin; i < end; ++i)
+    {
+      lower = glm::min(lower, this->Points[this->Order[i]]);
+      upper = glm::max(upper, this->Points[this->Order[i]]);
+    }
+    const glm::dvec3 size = upper - lower;
+    const int axis =
+      size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+    const size_t middle = begin + (end - begin) / 2;
+    const auto first = this->Order.begin();
+    std::nth_element(first + static_cast<std::ptrdiff_t>(begin),
+      first + static_cast<std::ptrdiff_t>(middle), first + static_cast<std::ptrdiff_t>(end),
+      [&](uint32_t a, uint32_t b)
+      {
+        const double x = this->Points[a][axis];
+        const double y = this->Points[b][axis];
+        return x < y || (x == y && a < b);
+      });
+    this->Axes[middle] = static_cast<unsigned char>(axis);
+    this->Part(begin, middle);
+    this->Part(middle + 1, end);
+  }
+
+  void Take(size_t i, const glm::dvec3& place, size_t count, Found& found) const
+  {
+    const glm::dvec3 apart = this->Points[this->Order[i]] - place;
+    found.emplace_back(glm::dot(apart, apart), this->Order[i]);
+    std::push_heap(found.begin(), found.end());
+    if (found.size() > count)
+    {
+      std::pop_heap(found.begin(), found.end());
+      found.pop_back();
+    }
+  }
+
+  void Find(size_t begin, size_t end, const glm::dvec3& place, size_t count, Found& found) const
+  {
+    if (end - begin <= LargestLeaf)
+    {
+      for (size_t i = begin; i < end; ++i)
+      {
+        this->Take(i, place, count, found);
+      }
+      return;
+    }
+    const size_t middle = begin + (end - begin) / 2;
+    const int axis = this->Axes[middle];
+    const double beyond = place[axis] - this->Points[this->Order[middle]][axis];
+    this->Take(middle, place, count, found);
+    const bool above = beyond > 0.0;
+    this->Find(above ? middle + 1 : begin, above ? end : middle, place, count, found);
+    if (found.size() < count || beyond * beyond < found.front().first)
+    {
+      this->Find(above ? begin : middle + 1, above ? middle : end, place, count, found);
+    }
+  }
+
+  std::vector<glm::dvec3> Points;
+  std::vector<uint32_t> Order;
+  std::vector<unsigned char> Axes; // of the middle of a part
+};
 }
 
 //------------------------------------------------------------------------------
@@ -308,39 +404,34 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySur
 void vtkIndirectRandomWalk::FindAreas()
 {
   std::vector<size_t> members;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
+  std::vector<glm::dvec3> places;
   for (size_t i = 0; i < this->Vertices.size(); ++i)
   {
     if (this->Vertices[i].Bounce > 1)
     {
       members.push_back(i);
-      points->InsertNextPoint(&this->Vertices[i].Position[0]);
+      places.push_back(this->Vertices[i].Position);
     }
   }
   if (members.empty())
   {
     return;
   }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(data);
-  locator->BuildLocator();
+  const PointTree tree(std::move(places));
   vtkSMPTools::For(0, static_cast<vtkIdType>(members.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
-      vtkNew<vtkIdList> nearest;
+      PointTree::Found nearest;
       for (vtkIdType i = begin; i < end; ++i)
       {
         Vertex& vertex = this->Vertices[members[static_cast<size_t>(i)]];
         // Twice as many, of which some lie around a corner.
-        locator->FindClosestNPoints(2 * Neighbors, &vertex.Position[0], nearest);
+        tree.FindNearest(vertex.Position, 2 * Neighbors, nearest);
         int alike = 0;
         double farthest = 0.0;
-        for (vtkIdType k = 0; k < nearest->GetNumberOfIds() && alike < Neighbors; ++k)
+        for (size_t k = 0; k < nearest.size() && alike < Neighbors; ++k)
         {
-          const Vertex& other = this->Vertices[members[static_cast<size_t>(nearest->GetId(k))]];
+          const Vertex& other = this->Vertices[members[nearest[k].second]];
           if (glm::dot(other.Normal, vertex.Normal) > 0.5)
           {
             ++alike;

@@ -5,14 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
 namespace
 {
-// Of the longest edge of all boxes. Segments are cut to what is in these, so that numbers are no
-// greater than that edge; its rounding to floats, that of the direction, of its inverse and of the
-// two steps of the boxes' test move a face by less than 2^-21 of it.
+// Share of the greatest coordinate of a box, and of that of a segment's begin, about the tree's origin: its
+// rounding to floats, that of the direction, of its inverse and of the two steps of the boxes' test
+// move a face by less than 2^-21 of both. So what is small has small boxes near the origin, however
+// far something else reaches.
 constexpr double Padding = 1.0 / (1 << 20);
 
 // The point of a triangle that is nearest to p, by the regions of its corners, edges and inside.
@@ -120,10 +122,10 @@ void vtkIndirectTriangleTree::Finish(bool numbered)
   vtkIndirectBoxTree builder(std::move(boxes));
   const std::vector<vtkIndirectBoxTree::Part>& parts = builder.GetParts();
   const glm::dvec3 edges = builder.GetAll().Upper - builder.GetAll().Lower;
-  const glm::dvec3 pad(Padding * std::max({ edges.x, edges.y, edges.z }));
-  this->Lower = builder.GetAll().Lower - pad;
-  this->Upper = builder.GetAll().Upper + pad;
-  const glm::dvec3 centre = 0.5 * (this->Lower + this->Upper);
+  const glm::dvec3 padOfAll(Padding * std::max({ edges.x, edges.y, edges.z }));
+  this->Lower = builder.GetAll().Lower - padOfAll;
+  this->Upper = builder.GetAll().Upper + padOfAll;
+  this->Origin = builder.FindMiddle();
 
   // Of each node the greatest of its children is opened until there are enough of them.
   std::vector<std::pair<uint32_t, uint32_t>> jobs = { { 0, 0 } }; // node, part
@@ -160,8 +162,12 @@ void vtkIndirectTriangleTree::Finish(bool numbered)
     {
       const vtkIndirectBoxTree::Part part =
         i < count ? parts[children[i]] : vtkIndirectBoxTree::Part();
-      const glm::dvec3 lower = part.Bounds.Lower - centre - pad;
-      const glm::dvec3 upper = part.Bounds.Upper - centre + pad;
+      const glm::dvec3 farthest = glm::max(
+        glm::abs(part.Bounds.Lower - this->Origin), glm::abs(part.Bounds.Upper - this->Origin));
+      const glm::dvec3 pad(
+        i < count ? Padding * std::max({ farthest.x, farthest.y, farthest.z }) : 0.0);
+      const glm::dvec3 lower = part.Bounds.Lower - this->Origin - pad;
+      const glm::dvec3 upper = part.Bounds.Upper - this->Origin + pad;
       for (int axis = 0; axis < 3; ++axis)
       {
         node.Bounds[0][axis][i] = static_cast<float>(lower[axis]);
@@ -254,20 +260,25 @@ struct vtkIndirectTriangleTree::Ray
 };
 
 //------------------------------------------------------------------------------
-// The segment about the tree's centre, and what the test of boxes needs of it.
+// The segment about the tree's origin, and what the test of boxes needs of it.
 struct vtkIndirectTriangleTree::Line
 {
-  glm::vec3 From;
+  glm::vec3 FromNear; // the begin, moved to where boxes begin sooner, and end later
+  glm::vec3 FromFar;
   glm::vec3 Inverse;
   int Sign[3];
 
-  Line(const glm::vec3& from, const glm::vec3& along)
-    : From(from)
-    , Inverse(1.0f / along)
+  Line(const glm::dvec3& from, const glm::vec3& along)
+    : Inverse(1.0f / along)
   {
+    const glm::dvec3 size = glm::abs(from);
+    const double slack = Padding * std::max({ size.x, size.y, size.z });
     for (int axis = 0; axis < 3; ++axis)
     {
       this->Sign[axis] = std::signbit(this->Inverse[axis]);
+      const double on = this->Sign[axis] ? -slack : slack;
+      this->FromNear[axis] = static_cast<float>(from[axis] + on);
+      this->FromFar[axis] = static_cast<float>(from[axis] - on);
     }
   }
 
@@ -279,13 +290,14 @@ struct vtkIndirectTriangleTree::Line
     __m128 leave = _mm_set1_ps(1.0f);
     for (int axis = 0; axis < 3; ++axis)
     {
-      const __m128 from = _mm_set1_ps(this->From[axis]);
+      const __m128 fromNear = _mm_set1_ps(this->FromNear[axis]);
+      const __m128 fromFar = _mm_set1_ps(this->FromFar[axis]);
       const __m128 inverse = _mm_set1_ps(this->Inverse[axis]);
       const float* const lower = node.Bounds[this->Sign[axis]][axis];
       const float* const upper = node.Bounds[1 - this->Sign[axis]][axis];
       // Of a NaN and a number these take their second argument.
-      enter = _mm_max_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(lower), from), inverse), enter);
-      leave = _mm_min_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(upper), from), inverse), leave);
+      enter = _mm_max_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(lower), fromNear), inverse), enter);
+      leave = _mm_min_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(upper), fromFar), inverse), leave);
     }
     _mm_storeu_ps(near, enter);
     return static_cast<unsigned int>(_mm_movemask_ps(_mm_cmple_ps(enter, leave)));
@@ -302,8 +314,8 @@ struct vtkIndirectTriangleTree::Line
       const float* const upper = node.Bounds[1 - this->Sign[axis]][axis];
       for (int i = 0; i < Width; ++i)
       {
-        const float a = (lower[i] - this->From[axis]) * this->Inverse[axis];
-        const float b = (upper[i] - this->From[axis]) * this->Inverse[axis];
+        const float a = (lower[i] - this->FromNear[axis]) * this->Inverse[axis];
+        const float b = (upper[i] - this->FromFar[axis]) * this->Inverse[axis];
         near[i] = a > near[i] ? a : near[i];
         far[i] = b < far[i] ? b : far[i];
       }
@@ -348,8 +360,7 @@ bool vtkIndirectTriangleTree::IsBlocked(const glm::dvec3& start, const glm::dvec
     return false;
   }
   const Ray ray(start, way);
-  const Line line(glm::vec3(start + enter * way - 0.5 * (this->Lower + this->Upper)),
-    glm::vec3((leave - enter) * way));
+  const Line line(start + enter * way - this->Origin, glm::vec3((leave - enter) * way));
   uint32_t waiting[(Width - 1) * vtkIndirectBoxTree::Deepest] = { 0 };
   int count = 1;
   while (count > 0)
@@ -405,8 +416,7 @@ bool vtkIndirectTriangleTree::FindNearest(
   // Boxes are asked with a segment that ends where the ray leaves that of all.
   const double length = leave - enter;
   const Ray ray(start, direction);
-  const Line line(glm::vec3(start + enter * direction - 0.5 * (this->Lower + this->Upper)),
-    glm::vec3(length * direction));
+  const Line line(start + enter * direction - this->Origin, glm::vec3(length * direction));
   double least = std::numeric_limits<double>::infinity();
   float limit = 1.0f;
   struct Visit
@@ -477,7 +487,7 @@ bool vtkIndirectTriangleTree::FindFacet(
   const glm::dvec3& point, const glm::dvec3& normal, double reach, Facet& facet) const
 {
   double least = std::numeric_limits<double>::infinity();
-  const glm::dvec3 relative = point - 0.5 * (this->Lower + this->Upper);
+  const glm::dvec3 relative = point - this->Origin;
   uint32_t waiting[(Width - 1) * vtkIndirectBoxTree::Deepest] = { 0 };
   int count = this->Nodes.empty() ? 0 : 1;
   while (count > 0)

@@ -90,7 +90,7 @@ private:
     bool MeetsSphere(const glm::dvec3& start, const glm::dvec3& direction, double& distance,
       double normal[3]) const;
   };
-  // Boxes about the tree's centre, side by side in vectors' lanes. Two cache lines.
+  // Boxes about the tree's origin, side by side in vectors' lanes. Two cache lines.
   static constexpr int Width = 4;
   struct alignas(64) Node
   {
@@ -108,6 +108,7 @@ private:
   std::vector<Node> Nodes;
   glm::dvec3 Lower{ 0.0 }; // of all boxes
   glm::dvec3 Upper{ 0.0 };
+  glm::dvec3 Origin{ 0.0 }; // where most triangles are
 };
 
 #endif
