@@ -40,9 +40,9 @@ class Views(support.DirectoryTest):
         """The data fill the picture but for the margins, in one direction, and are all in it."""
         scene.fit(size)
         reach = np.abs(projected(scene, size)).max(axis=0)
-        # Half of the picture is 1; the outline is exact to a thousandth (views.extremes).
-        self.assertLess(reach.max(), 1.0 - 2.0 * views.MARGIN + 2e-3)
-        self.assertGreater(reach.max(), 1.0 - 2.0 * views.MARGIN - 2e-3)
+        # Half of the picture is 1; the outline is exact to 0.0084 of its radius (views.extremes).
+        self.assertLess(reach.max(), 1.0 - 2.0 * views.MARGIN + 0.01)
+        self.assertGreater(reach.max(), 1.0 - 2.0 * views.MARGIN - 0.01)
 
     def plane(self, normal) -> vtkPlaneSource:
         plane = vtkPlaneSource()
@@ -98,9 +98,9 @@ class Views(support.DirectoryTest):
         points = support.noise((50_000, 3)) - 0.5
         points /= np.linalg.norm(points, axis=1)[:, None]
         few = views.extremes(points)
-        self.assertLess(len(few), 1001)
+        self.assertLess(len(few), 257)
         for toward in itertools.product((-1.0, 0.3, 1.0), repeat=3):
-            self.assertGreater((few @ toward).max() / np.linalg.norm(toward), 1.0 - 3e-3)
+            self.assertGreater((few @ toward).max() / np.linalg.norm(toward), 1.0 - 0.0084 - 3e-3)
 
     def test_closed_form_of_the_distance(self) -> None:
         # A square of 2 in the plane z = 0: its corners are on the margin at 1 / tangent.

@@ -135,6 +135,16 @@ VTK_INDIRECT_TEST(PlanSenders)
   Check("no shadows", !plan.Shadows);
   Check("no irradiance",
     !plan.Irradiance && Find(plan.LeftOut, "indirect light") == "no light emits anything");
+  // Points under a sky receive its light, and nothing sends any on.
+  vtkIndirectFrame points = MakeFrame({ MakeLight() });
+  points.Casters.clear();
+  points.NumberOfOtherReceivers = 1;
+  vtkIndirectCircumstances sky;
+  sky.Environment = true;
+  sky.EnvironmentIrradiance = 1.0;
+  plan = vtkIndirectPlan::Make(points, {}, {}, sky);
+  Check("nothing that sends light",
+    !plan.Irradiance && Find(plan.LeftOut, "indirect light") == "no surface sends light");
 
   plan = make(MakeFrame({ MakeHeadlight() }));
   CheckEqual("senders of a headlight", plan.Senders, vtkIndirectPlan::EYE);

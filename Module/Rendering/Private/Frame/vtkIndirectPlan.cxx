@@ -76,6 +76,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.WhyNoIrradiance = settings.IndirectScale == 0.0 ? "IndirectScale is 0"
     : sent || sentBesides                              ? ""
     : estimator.SumsSky                                ? "there is no environment"
+    : frame.Casters.empty()                            ? "no surface sends light"
                                                        : "no light emits anything";
   plan.Irradiance = plan.WhyNoIrradiance.empty() && sent;
   plan.Specular = settings.IndirectScale > 0.0 && estimator.ComputesGlossy &&
