@@ -349,7 +349,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   vtkIndirectPipeline::Request request;
   request.Settings = this->Settings;
   request.Circumstances.OwnDelegate = this->DelegatePass != nullptr;
-  request.Circumstances.FrameSeconds = 1.0 / std::max(window->GetDesiredUpdateRate(), 1e-9);
+  request.Circumstances.UpdateRate = window->GetDesiredUpdateRate();
   request.Circumstances.OtherAntialiasing =
     vtkIndirectView::FindAntialiasing(s, this->Settings.RemainingGeometry);
   if (in.Delegate.IsRefused(this->DelegatePass))

@@ -183,10 +183,10 @@ public:
    * (vtkIndirectEstimatorPass::OccupancyResolution), for all estimators, and, for all but radiance
    * hints, spheres that mappers draw as such, as they are. MAPS: a depth map of each
    * virtual light, drawn by VTK's mappers and kept while the camera moves, for estimators that sum
-   * virtual lights; others take voxels. A frame draws as many as it has time for, those of the
-   * environment included (vtkRenderWindow::SetDesiredUpdateRate; a second and a half in a still
-   * picture); until all are there lights share them, as directions of the environment do, and the
-   * report says so. AUTO (default): voxels where the estimator's Occupancy is on, else maps where
+   * virtual lights; others take voxels. A frame draws as many as the rate that the window asks
+   * for leaves it (vtkRenderWindow::SetDesiredUpdateRate), those of the environment included. That
+   * is a count of maps, props and triangles, so that a busy machine draws the same picture; until
+   * all are there lights share them, as directions of the environment do, and the report says so. AUTO (default): voxels where the estimator's Occupancy is on, else maps where
    * the estimator can take them, else none.
    */
   vtkIndirectClampMacro(Visibility, int, AUTO, MAPS);

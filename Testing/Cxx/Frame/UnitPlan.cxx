@@ -252,26 +252,29 @@ VTK_INDIRECT_TEST(PlanVisibility)
   CheckEqual("which cannot be", visibility(), vtkIndirectVisibilityVoxels);
 }
 
-// How many maps a frame has time for.
+// How many maps a frame draws.
 VTK_INDIRECT_TEST(PlanTiles)
 {
-  const double still = 10000.0;
-  const double moving = 1.0 / 15.0;
-  auto tiles = [](double triangles, double seconds)
-  { return vtkIndirectPlan::FindTilesPerFrame(triangles, 1.0, seconds); };
+  const double still = 0.0001;
+  const double moving = 15.0;
+  auto tiles = [](double triangles, double rate)
+  { return vtkIndirectPlan::FindTilesPerFrame(triangles, 1.0, rate); };
   CheckAtLeast("of 100,000 triangles, still", tiles(1e5, still), 256, "one a light by default");
   CheckEqual("of ever so many, still", tiles(1e9, still), 64);
   CheckEqual("of ever so many, moving", tiles(1e9, moving), 4);
-  CheckAtLeast("of few, moving", tiles(1e3, moving), 64, "0.35 ms each, half of 67 ms");
+  CheckAtLeast("of few, moving", tiles(1e3, moving), 64, "100e6 / 45 over 20e3 + 200 + 3e3");
   Check("more props, fewer tiles",
     vtkIndirectPlan::FindTilesPerFrame(1e3, 1000.0, moving) < tiles(1e3, moving));
-  Check("more time, more tiles", tiles(1e5, 0.5) > tiles(1e5, 0.25));
+  Check("a lower rate, more tiles", tiles(1e5, 2.0) > tiles(1e5, 4.0));
+  CheckEqual("as many as a still picture has", tiles(1e5, 0.33), tiles(1e5, still));
+  CheckEqual("and where no rate is asked for", tiles(1e5, 0.0), tiles(1e5, still));
+  Check("a second is waited for", vtkIndirectPlan::IsInteractive(1.0));
   vtkIndirectFrame frame = MakeFrame({ MakeLight() });
   frame.Casters[0].Triangles = 1e9;
   vtkIndirectCircumstances circumstances;
   vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, {}, {}, circumstances);
-  Check("a window that has all time", !plan.Interactive && plan.TilesPerFrame == 64);
-  circumstances.FrameSeconds = moving;
+  Check("a window that waits", !plan.Interactive && plan.TilesPerFrame == 64);
+  circumstances.UpdateRate = moving;
   plan = vtkIndirectPlan::Make(frame, {}, {}, circumstances);
   Check("one in which a camera turns", plan.Interactive && plan.TilesPerFrame == 4);
 }
@@ -557,7 +560,7 @@ VTK_INDIRECT_TEST(PlanSkyDirections)
     settings.ErrorTolerance = one.Tolerance;
     for (const bool moving : { false, true })
     {
-      circumstances.FrameSeconds = moving ? 1.0 / 15.0 : 10000.0;
+      circumstances.UpdateRate = moving ? 15.0 : 0.0001;
       const vtkIndirectPlan plan =
         vtkIndirectPlan::Make(MakeFrame({}), settings, {}, circumstances);
       Check(name + ": a sky", plan.Sky);

@@ -25,15 +25,14 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.Caching = settings.Caching;
   plan.ErrorTolerance = settings.ErrorTolerance;
   plan.IndirectScale = settings.IndirectScale;
-  plan.FrameSeconds = circumstances.FrameSeconds;
-  plan.Interactive = circumstances.FrameSeconds <= InteractiveSeconds;
+  plan.Interactive = IsInteractive(circumstances.UpdateRate);
   double triangles = 0.0;
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
     triangles += caster.Triangles;
   }
   plan.TilesPerFrame = FindTilesPerFrame(
-    triangles, static_cast<double>(frame.Casters.size()), circumstances.FrameSeconds);
+    triangles, static_cast<double>(frame.Casters.size()), circumstances.UpdateRate);
   plan.NumberOfBounces =
     std::min(std::max(settings.NumberOfBounces, 1), estimator.MaximumNumberOfBounces);
   const int emitters = static_cast<int>(frame.Lights.size()) + circumstances.NumberOfOtherEmitters +
@@ -472,18 +471,20 @@ int vtkIndirectPlan::FindGridEdge(double tolerance)
 }
 
 //------------------------------------------------------------------------------
-// A still picture has a second and a half for maps, a moving one half of its time. What one takes
-// was measured on two cores in software (72,000 to 448,000 triangles); a GPU is faster. However
-// few a still picture has time for, 64 are enough to begin with: others share them.
-int vtkIndirectPlan::FindTilesPerFrame(double triangles, double props, double seconds)
+// How much work a frame may do for maps is a number, and nothing is measured. It is counted in
+// thirds of a triangle: what a map, a prop and a triangle took on two cores in software (72,000 to
+// 448,000 triangles) was 0.3 ms, 3 us and 45 ns. A still picture's work then took a second and a
+// half, a moving one's half of what the rate leaves a frame; a GPU is faster. However much work a
+// map is, a still picture draws 64 to begin with: others share them.
+int vtkIndirectPlan::FindTilesPerFrame(double triangles, double props, double updateRate)
 {
-  constexpr double perTile = 0.3e-3;
-  constexpr double perProp = 3e-6;
-  constexpr double perTriangle = 45e-9;
-  constexpr double still = 1.5;
-  const double time = std::min(0.5 * seconds, still);
-  const double tiles = time / (perTile + perProp * props + perTriangle * triangles);
-  const double least = seconds > 1.0 ? 64.0 : 4.0;
+  constexpr double perTile = 20e3;
+  constexpr double perProp = 200.0;
+  constexpr double perTriangle = 3.0;
+  constexpr double still = 100e6;
+  const double work = still / std::max(3.0 * updateRate, 1.0);
+  const double tiles = work / (perTile + perProp * props + perTriangle * triangles);
+  const double least = IsInteractive(updateRate) ? 4.0 : 64.0;
   return static_cast<int>(std::min(std::max(tiles, least), 1e6));
 }
 

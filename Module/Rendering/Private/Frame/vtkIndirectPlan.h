@@ -59,8 +59,10 @@ struct vtkIndirectCircumstances
   ///@}
   bool ImageBasedLighting = false; // VTK adds that of the renderer's texture, which nothing hides
   std::string OtherAntialiasing;   // what antialiases the picture after the pass; empty: nothing
-  /** What the window gives a frame: 1 / DesiredUpdateRate, by default that of a still picture. */
-  double FrameSeconds = 10000.0;
+  /** Frames a second that the window asks for: vtkRenderWindow's DesiredUpdateRate, by default that
+   * of a still picture. Whoever uses the window sets it. How long frames take is never asked: a
+   * busy machine draws what an idle one draws. */
+  double UpdateRate = 0.0001;
 };
 
 struct vtkIndirectPlan
@@ -124,10 +126,9 @@ struct vtkIndirectPlan
   bool AreaSpecular = false;     // receivers reflect them specularly, too
   int VisibleAreaLights = 0;     // that are drawn
   ///@{
-  /** The time that there is for the frame; whether another is awaited, as while a camera turns: who
-   * asks for a picture a second or more is not waiting for this one alone. */
-  static constexpr double InteractiveSeconds = 1.0;
-  double FrameSeconds = 10000.0;
+  /** Whether another frame is awaited, as while a camera turns: who asks for a picture a second or
+   * more is not waiting for this one alone. */
+  static bool IsInteractive(double updateRate) { return updateRate >= 1.0; }
   bool Interactive = false;
   ///@}
   int TilesPerFrame = 1 << 30; // depth maps of virtual lights and of the sky to draw at most
@@ -175,8 +176,9 @@ struct vtkIndirectPlan
   static int FindGridEdge(double tolerance);
   ///@}
 
-  /** Depth maps of so many triangles in so many props that a frame of so many seconds draws. */
-  static int FindTilesPerFrame(double triangles, double props, double seconds);
+  /** Depth maps of so many triangles in so many props that a frame draws of which the window asks
+   * for so many a second. */
+  static int FindTilesPerFrame(double triangles, double props, double updateRate);
   /**
    * Directions of the sky for an error tolerance, 16, 64, 256 (also for 0, where none is asked for)
    * or 1024. RMS error over the mean of 256 that are each seen or not, of exact visibility: 0.035,

@@ -61,8 +61,8 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.Environment = circumstances.EnvironmentIrradiance > 0.0;
   if (circumstances.Environment && request.Settings.Caching && request.Settings.SpheresInMotion)
   {
-    this->SphereMotion.Update(this->Frame, this->Environment,
-      circumstances.FrameSeconds <= vtkIndirectPlan::InteractiveSeconds);
+    this->SphereMotion.Update(
+      this->Frame, this->Environment, vtkIndirectPlan::IsInteractive(circumstances.UpdateRate));
     circumstances.SpheresMove = this->SphereMotion.GetWhat();
     circumstances.SpheresFail = this->SphereMotion.GetWhyNot();
   }
@@ -292,7 +292,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
     this->Timer.Begin(vtkIndirectStageTimer::Visibility);
   }
   const size_t tiles = this->Visibility.GetNumberOfTilesDrawn();
-  // The sky's maps share the frame's time.
+  // The sky's maps share the frame's work.
   const int most = this->Plan.TilesPerFrame;
   const bool shared = (this->Plan.HasSkyMaps() && !this->Sky.IsComplete()) ||
     (this->Plan.AreaLights && this->Plan.AreaIsShadowed && !this->Area.IsComplete());

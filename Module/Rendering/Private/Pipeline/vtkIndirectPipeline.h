@@ -143,7 +143,7 @@ private:
   bool SkyIsThere = false;
   bool AreaIsThere = false;
   long long NumberOfEstimates = 0;
-  int TilesLeft = 0; // depth maps that the frame has time for still
+  int TilesLeft = 0; // depth maps that the frame may draw still
   std::string WhyNoBuffers = "no frame has been rendered yet";
   vtkIndirectEstimate Estimate;
   vtkIndirectEstimate SkyEstimate; // of who sums the sky without maps

@@ -138,7 +138,7 @@ void vtkIndirectVisibility::ReadEmitters(const vtkIndirectVirtualLights& lights)
   {
     this->Emitters.push_back(this->Lights[i]);
   }
-  // Numbers with their bits reversed are spread over all lights, however few there is time for.
+  // Numbers with their bits reversed are spread over all lights, however few a frame draws.
   for (size_t bit = 1; bit < this->Emitters.size(); bit *= 2)
   {
     for (size_t i = 0; i < this->Emitters.size(); ++i)
