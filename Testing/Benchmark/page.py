@@ -149,7 +149,7 @@ _OF_PACES = (
     f"is measured: first ms is the very first frame, in which they are made. moving: the camera "
     f"turns by {frames.TURN:g} degrees a frame and the window asks for "
     f"{frames.INTERACTIVE_RATE:g} frames a second; still: it turns likewise, and each frame has "
-    f"all the time of one that stands; standing: the image after {frames.STANDING_SECONDS:g} s "
+    f"all the work of one that stands; standing: the image after {frames.STANDING_FRAMES} frames "
     f"without a change, and the median of the frames meanwhile. The error is the last frame's."
 )
 

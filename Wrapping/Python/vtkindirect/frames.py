@@ -28,7 +28,7 @@ PACES = ("moving", "still", "standing")
 
 moving: it turns around its focal point, at the rate that VTK asks for while somebody drags.
 still: it turns likewise, and each frame is rendered as one of a camera that stands.
-standing: it has turned and stands; the image is that of `STANDING_SECONDS` later.
+standing: it has turned and stands; the image is that of `STANDING_FRAMES` later.
 In all of them what is kept between frames is there before any is measured, and the last frame has
 the camera where the scene has it.
 """
@@ -38,7 +38,9 @@ TURN = 0.5
 """Degrees between frames of a camera that turns: a few pixels of a picture of usual size."""
 TINY_TURN = 1e-6
 """The same of a camera that turns by so little that no pixel changes."""
-STANDING_SECONDS = 2.0
+STANDING_FRAMES = 40
+"""As many as two seconds have of frames of 50 ms. Frames are counted, not seconds, so that a busy
+machine shows the same image."""
 MOST_FILLING_FRAMES = 64
 """Frames to wait for depth maps, which arrive over several: of lights that turn with the camera
 they never are all there."""
@@ -109,17 +111,13 @@ def _never() -> bool:
     return False
 
 
-def _stand(seconds: float, least: int, filling: Filling = _never) -> Iterator[None]:
-    """Yield before each frame of a camera that stands for so many seconds, and so many frames.
+def _stand(least: int, filling: Filling = _never) -> Iterator[None]:
+    """Yield before each of so many frames of a camera that stands.
 
-    At most for `MOST_FILLING_FRAMES` more it goes on while frames draw depth maps.
+    Until there are `MOST_FILLING_FRAMES` it goes on while frames draw depth maps.
     """
-    begin, count = time.perf_counter(), 0
-    while (
-        count < least
-        or time.perf_counter() - begin < seconds
-        or (count < MOST_FILLING_FRAMES and filling())
-    ):
+    count = 0
+    while count < least or (count < MOST_FILLING_FRAMES and filling()):
         yield
         count += 1
 
@@ -144,19 +142,19 @@ def _steps(scene: Scene, window: vtkRenderWindow, job: Job, filling: Filling) ->
         if job.pace is not None:
             turn(job.frames + 1)
             window.SetDesiredUpdateRate(STILL_RATE)
-            for _ in _stand(STANDING_SECONDS, 2, filling):
+            for _ in _stand(STANDING_FRAMES, filling):
                 yield True
             turn(job.frames)
             window.SetDesiredUpdateRate(STILL_RATE if job.pace == "still" else INTERACTIVE_RATE)
             yield True
         elif job.frames > 1:
             turn(job.frames)
-            for _ in _stand(0.0, 1, filling):
+            for _ in _stand(1, filling):
                 yield True
         if job.pace == "standing":
             turn(0)
             window.SetDesiredUpdateRate(STILL_RATE)
-            for _ in _stand(STANDING_SECONDS, 2):
+            for _ in _stand(STANDING_FRAMES):
                 yield False
         else:
             for left in reversed(range(job.frames)):
