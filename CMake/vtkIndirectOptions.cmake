@@ -44,6 +44,10 @@ endif ()
 
 if (BUILD_TESTING)
   set(VTK_INDIRECT_TESTS_WANTED WANT)
+  # Only a test that hangs may end by the clock, however busy the machine is.
+  set(VTK_INDIRECT_TEST_TIMEOUT 1500 CACHE STRING
+    "Seconds after which a test counts as one that would never end")
+  mark_as_advanced(VTK_INDIRECT_TEST_TIMEOUT)
   enable_testing()
 else ()
   set(VTK_INDIRECT_TESTS_WANTED OFF)

@@ -79,10 +79,9 @@ def commit(directory: Path) -> str:
             ["git", "-C", str(directory), "rev-parse", "--short=12", "HEAD"],
             capture_output=True,
             text=True,
-            timeout=10,
             check=False,
         )
-    except (OSError, subprocess.TimeoutExpired):
+    except OSError:
         return ""
     return done.stdout.strip() if done.returncode == 0 else ""
 

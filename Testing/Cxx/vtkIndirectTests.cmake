@@ -1,16 +1,13 @@
 # Finds the tests of C++ sources by their macro, so that no list of them is kept by hand.
 #
-# vtk_indirect_add_tests(<program> PREFIX <prefix> LABEL <label> SOURCES <file>... [TIMEOUT <seconds>]
+# vtk_indirect_add_tests(<program> PREFIX <prefix> LABEL <label> SOURCES <file>...
 #   [ARGUMENT <folder>] [FAIL_ON <regular expression>...] [ENVIRONMENT <variable>=<value>...])
 # Adds <prefix>.<name> for each VTK_INDIRECT_TEST(<name>) at the beginning of a line of the sources. The
 # test runs in a process of its own. <prefix>.Found fails when the program has others than those.
 # ARGUMENT: each test gets a folder of its own name in it.
 function (vtk_indirect_add_tests program)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PREFIX;LABEL;TIMEOUT;ARGUMENT"
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PREFIX;LABEL;ARGUMENT"
     "SOURCES;FAIL_ON;ENVIRONMENT")
-  if (NOT arg_TIMEOUT)
-    set(arg_TIMEOUT 120)
-  endif ()
   set(names)
   foreach (source IN LISTS arg_SOURCES)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
@@ -32,7 +29,7 @@ function (vtk_indirect_add_tests program)
   list(TRANSFORM names PREPEND "${arg_PREFIX}.")
   set_tests_properties(${names} "${arg_PREFIX}.Found" PROPERTIES
     LABELS "${arg_LABEL}"
-    TIMEOUT "${arg_TIMEOUT}"
+    TIMEOUT "${VTK_INDIRECT_TEST_TIMEOUT}"
     SKIP_RETURN_CODE 125
     FAIL_REGULAR_EXPRESSION "${failures}"
     # No test may find a display.

@@ -39,7 +39,7 @@ class Garbage(unittest.TestCase):
                 said = subprocess.run(
                     [PROGRAMS / program, test],
                     env={**os.environ, "LD_PRELOAD": str(LIBRARY)},
-                    capture_output=True, text=True, timeout=120, check=False,
+                    capture_output=True, text=True, check=False,
                 )
                 if said.returncode == SKIPPED:
                     self.skipTest(said.stdout.strip().splitlines()[-1])

@@ -43,7 +43,7 @@ def dump(folder: Path) -> None:
         }
         subprocess.run(
             [PROGRAMS / program, test],
-            env=environment, capture_output=True, timeout=120, check=False,
+            env=environment, capture_output=True, check=False,
         )
 
 

@@ -85,7 +85,6 @@ class Import(support.DirectoryTest):
             [sys.executable, "-B", "-c", code],
             capture_output=True,
             text=True,
-            timeout=120,
             env={**os.environ, "PYTHONPATH": path},
             check=False,
         )
@@ -125,7 +124,6 @@ class Import(support.DirectoryTest):
             [sys.executable, "-B", program, "--version"],
             capture_output=True,
             text=True,
-            timeout=60,
             env={**os.environ, "PYTHONPATH": str(place)},
             check=False,
         )

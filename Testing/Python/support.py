@@ -89,7 +89,6 @@ def command_line(*words: Any, **environment: str) -> subprocess.CompletedProcess
         [sys.executable, "-B", "-m", "vtkindirect", *map(str, words)],
         capture_output=True,
         text=True,
-        timeout=240,
         env={**os.environ, **environment},
         check=False,
     )

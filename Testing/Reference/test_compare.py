@@ -141,7 +141,7 @@ class Traced(unittest.TestCase):
             def run() -> dict[str, dict[str, str]]:
                 done = subprocess.run(
                     [sys.executable, "-B", comparison.__file__, *map(str, words)],
-                    env=os.environ, capture_output=True, text=True, timeout=600, check=False,
+                    env=os.environ, capture_output=True, text=True, check=False,
                 )  # fmt: skip
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertNotIn("left out", done.stdout)

@@ -30,6 +30,9 @@ PROGRAM = os.environ.get("VTK_INDIRECT_CARD_BENCHMARK", "")
 SIZE = (256, 256)
 """That of the scene's reference, so that pixels coincide."""
 PART = "cornell_box-256x256"
+MORE_AND_MORE = (9, 36, 90)
+"""Seconds given to a run that must begin before they are over. One of them is enough on a machine
+that is ever so busy; none decides what a test finds."""
 
 
 def why_not() -> str | None:
@@ -69,7 +72,7 @@ class Card(unittest.TestCase):
     def gpu(cls, *words: str, **environment: str) -> subprocess.CompletedProcess:
         return subprocess.run(
             [PROGRAM, *words, "--pack", cls.pack],
-            capture_output=True, text=True, check=False, timeout=250,
+            capture_output=True, text=True, check=False,
             env={**os.environ, **environment},
         )
 
@@ -195,41 +198,58 @@ class Card(unittest.TestCase):
         # Two ends when it may: no duration decides what the second run finds.
         self.stand_in("TestPassContract", f'echo >>"{marks}/$1"\n'
                       f'while [ "$1" = Two ] && ! [ -e "{marks}/go" ]; do sleep 0.1; done\nexit 0')
-        results = self.results()
-        said = self.gpu("run", "contract", "--output", str(results), "--seconds", "12")
-        self.assertEqual(said.returncode, 3, said.stdout + said.stderr)
+        # One must have had its time, however busy the machine is.
+        for seconds in MORE_AND_MORE:
+            results = self.results()
+            (marks / "One").unlink(missing_ok=True)
+            said = self.gpu("run", "contract", "--output", str(results), "--seconds", str(seconds))
+            self.assertEqual(said.returncode, 3, said.stdout + said.stderr)
+            if self.unit(results, "contract", "One")["status"] == "passed":
+                break
         self.assertIn("run it again", said.stdout)
         self.assertEqual(self.unit(results, "contract", "Two")["status"], "not run")
         (marks / "go").touch()
-        said = self.gpu("run", "contract", "--output", str(results), "--seconds", "200")
+        said = self.gpu("run", "contract", "--output", str(results), "--seconds", "100000")
         self.assertEqual(self.unit(results, "contract", "Two")["status"], "passed")
         # What was done is not done again.
         self.assertEqual((marks / "One").read_text().count("\n"), 1)
 
     def test_nothing_stays_behind(self) -> None:
         marks = self.results()
-        self.stand_in("TestPassContract", f'echo $$ >"{marks}/$1"\nexec sleep 60')
+        self.stand_in("TestPassContract", f'echo $$ >"{marks}/$1"\nexec sleep 100000')
         results = self.results()
+
+        def has_begun() -> bool:
+            return (marks / "One").exists() and bool((marks / "One").read_text().strip())
+
+        def is_there(process: int) -> bool:
+            # Where nobody asks how it ended, a process that has ended is still listed.
+            try:
+                status = Path(f"/proc/{process}/stat").read_text(encoding="utf-8")
+            except OSError:
+                return False
+            return status.rpartition(")")[2].split()[0] not in ("X", "Z")
+
         for stop in ("time", "signal"):
-            words = ["run", "contract:One", "--output", str(results), "--pack", str(self.pack)]
-            with subprocess.Popen(
-                [PROGRAM, *words, "--seconds", "9" if stop == "time" else "60"],
-                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-            ) as program:
-                while not (marks / "One").exists() or not (marks / "One").read_text().strip():
-                    time.sleep(0.05)
-                    self.assertIsNone(program.poll())
-                if stop == "signal":
-                    program.terminate()
-                program.wait(timeout=30)
+            # It must have begun when time runs out, however busy the machine is.
+            for seconds in MORE_AND_MORE if stop == "time" else (100000,):
+                words = ["run", "contract:One", "--output", str(results), "--pack", str(self.pack)]
+                with subprocess.Popen(
+                    [PROGRAM, *words, "--seconds", str(seconds)],
+                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                ) as program:
+                    while stop == "signal" and not has_begun():
+                        time.sleep(0.05)
+                        self.assertIsNone(program.poll())
+                    if stop == "signal":
+                        program.terminate()
+                    program.wait()
+                if has_begun():
+                    break
             process = int((marks / "One").read_text())
             (marks / "One").unlink()
-            with self.subTest(stop=stop):
-                time.sleep(0.2)  # until the kernel has ended it
-                status = Path(f"/proc/{process}/stat")
-                # Where nobody asks how it ended, a process that has ended is still listed.
-                state = status.read_text().rpartition(")")[2].split()[0] if status.exists() else "X"
-                self.assertIn(state, ("X", "Z"))
+            while is_there(process):  # the kernel ends it in its own time; ctest ends this
+                time.sleep(0.05)
 
     def test_no_opengl(self) -> None:
         results = self.results()
