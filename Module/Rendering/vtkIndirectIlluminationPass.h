@@ -389,7 +389,7 @@ public:
 
   /**
    * A property key of a prop: the name by which the report and errors call it, such as that of the
-   * file that it shows. Default: none; with VTK 9.3 and later vtkObject::SetObjectName gives one,
+   * file that it shows. Default: none; with VTK 9.2 and later vtkObject::SetObjectName gives one,
    * too. Props without a name are told apart by the classes of their mapper and its source.
    */
   static vtkInformationStringKey* NAME();

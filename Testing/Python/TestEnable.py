@@ -2,13 +2,14 @@
 """Switching indirect light on and off: what was there comes back, nothing is left behind."""
 
 import gc
+import types
 import unittest
 
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
 import vtkindirect
-from vtkindirect import UsageError, methods, wrapped
+from vtkindirect import UsageError, methods, names, wrapped
 from vtkindirect import settings as properties
 
 
@@ -254,3 +255,20 @@ class Enable(unittest.TestCase):
             vtkindirect.report(self.renderer)
         with self.assertRaisesRegex(UsageError, "indirect light is off"):
             vtkindirect.copy_buffer(self.renderer, "final")
+
+
+class Names(unittest.TestCase):
+    def test_those_that_users_gave_pyvistas_meshes(self) -> None:
+        skull, other = vtkActor(), vtkActor()
+        renderer = types.SimpleNamespace(actors={"skull": skull, "PolyData(Addr=00A0)": other})
+        known = names.take_pyvistas(renderer, ())
+        self.assertEqual(known, ("skull", "PolyData(Addr=00A0)"))
+        key = wrapped.get("vtkIndirectIlluminationPass").NAME()
+        self.assertEqual(skull.GetPropertyKeys().Get(key), "skull")
+        self.assertIsNone(other.GetPropertyKeys())
+        # Nothing is looked at while the names are the same, and others than PyVista's have none.
+        skull.SetPropertyKeys(None)
+        self.assertEqual(names.take_pyvistas(renderer, known), known)
+        self.assertIsNone(skull.GetPropertyKeys())
+        self.assertEqual(names.take_pyvistas(vtkRenderer(), ()), ())
+

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Rendered pictures: indirect light is where it must be, reports say what they must say."""
 
+import json
+import tempfile
 import unittest
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -115,6 +118,31 @@ class Render(unittest.TestCase):
         self.assertLess(errors["default"], 0.05)
         self.assertLess(errors["default"], errors["half"])
         self.assertLess(errors["half"], 0.13)  # what is below lights is narrower than 2 x 2 pixels
+
+    def test_a_picture_has_all_its_maps_and_one_sum(self) -> None:
+        """Of a ball of so many triangles that a frame has time for 64 depth maps of 100."""
+        document = support.small_scene()
+        document["actors"].append(
+            {"source": "sphere", "center": [0.5, 0.3, 0.5], "radius": 0.3, "resolution": 450}
+        )
+        document["lights"][0]["attenuation"] = [1, 0, 0]
+        with tempfile.TemporaryDirectory() as directory:
+            path = Path(directory) / "ball.json"
+            path.write_text(json.dumps(document))
+            scene = load_scene(path)
+        window = frames.open_window(scene, (32, 24))
+        self.addCleanup(window.Finalize)
+        window.SetDesiredUpdateRate(0.9)  # still, with little time
+        heard: list[tuple[str, int]] = []
+        settings = {"NumberOfLights": 100, "NumberOfBounces": 1}
+        job = Job("gather", "uniform", settings)
+        report = frames.render(scene, window, job, lambda what, left=0: heard.append((what, left)))
+        counters = report["counters"]
+        self.assertEqual((counters["tiles_left"], counters["estimates"]), (0, 1))
+        self.assertEqual(heard[0], ("frame 1 of 1", 0))
+        self.assertEqual(heard[1:], [("36 depth maps to draw", 0)])
+        self.assertNotIn("indirect light", [entry["what"] for entry in report["left_out"]])
+        self.assertFalse(vtkindirect.pass_of(scene.renderer).GetMapsFirst())
 
     def test_off(self) -> None:
         scene, report = self.render("cornell_box", method="off", frames=2, size=(100, 60))

@@ -147,6 +147,9 @@ class Module:
         for key, value in members.items():
             if isinstance(value, int):
                 body.append(f"{INDENT}{key}: {type(value).__name__}")
+            elif not callable(value):  # properties, which newer versions of VTK have
+                self.typing.add("Any")
+                body.append(f"{INDENT}{key}: Any")
         for key, value in members.items():
             if callable(value) and not isinstance(value, type):
                 body += [INDENT + line for line in self._method(key, value.__doc__ or "")]

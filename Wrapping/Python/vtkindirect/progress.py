@@ -28,14 +28,20 @@ class Progress(tqdm):
             total=total, desc=label, leave=False, disable=None, mininterval=0, dynamic_ncols=True
         )
         self._shown = 0.0
+        self._begun = 0
         _open.add(self)
 
     def step(self, what: str = "", left: int = 0) -> None:
-        """Say that one more step begins, before `left` others at least; `what` is shown, too."""
+        """Say that one more step begins, before `left` others at least; `what` is shown, too.
+
+        The bar counts those that are done.
+        """
+        self._begun += 1
         self.set_postfix_str(what, refresh=False)
         if self.total is not None:
-            self.total = max(self.total, self.n + 1 + left)
-        self.update()
+            self.total = max(self.total, self._begun + left)
+        self.update(self._begun - 1 - self.n)
+        self.refresh()
 
     def show(self, what: str) -> None:
         """Show what is being done in this step; not more often than eyes can follow."""

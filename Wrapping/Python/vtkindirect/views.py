@@ -38,14 +38,16 @@ def extremes(points: np.ndarray) -> np.ndarray:
     index = np.arange(_DIRECTIONS) + 0.5
     height, angle = 1.0 - 2.0 * index / _DIRECTIONS, math.pi * (1.0 + math.sqrt(5.0)) * index
     ring = np.sqrt(1.0 - height**2)
-    directions = np.stack((ring * np.cos(angle), ring * np.sin(angle), height))
-    centered = np.asarray(points, float) - np.mean(points, axis=0, dtype=float)
+    # In single precision: twice as fast, and what is lost is a millionth of the size.
+    directions = np.stack((ring * np.cos(angle), ring * np.sin(angle), height), axis=1)
+    directions = directions.astype(np.float32)
+    centered = (points - np.mean(points, axis=0, dtype=float)).astype(np.float32)
     best = np.full(_DIRECTIONS, -np.inf)
     which = np.zeros(_DIRECTIONS, int)
-    for start in range(0, len(centered), 20_000):  # 40 MB at once
-        values = centered[start : start + 20_000] @ directions
-        first = values.argmax(axis=0)
-        value = values[first, np.arange(_DIRECTIONS)]
+    for start in range(0, len(centered), 20_000):  # 20 MB at once
+        values = directions @ centered[start : start + 20_000].T
+        first = values.argmax(axis=1)
+        value = values[np.arange(_DIRECTIONS), first]
         which[value > best] = first[value > best] + start
         best = np.maximum(best, value)
     return np.asarray(points, float)[np.unique(which)]

@@ -245,7 +245,7 @@ bool IsCaptured(vtkProp* part)
 std::string vtkIndirectPropKind::Describe(vtkProp* prop)
 {
   std::string name;
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
   name = prop->GetObjectName();
 #endif
   vtkInformation* keys = prop->GetPropertyKeys();
