@@ -135,7 +135,8 @@ VTK_INDIRECT_TEST(CasterWindowFitsStrips)
     {
       ++strips;
       Check("the strip looks to the box", view.Forward.x > 0.99);
-      CheckAtMost("it holds the box alone: its width", view.HalfWidth.x, 0.2 / 5.9 * 1.1, "a margin");
+      CheckAtMost(
+        "it holds the box alone: its width", view.HalfWidth.x, 0.2 / 5.9 * 1.1, "a margin");
       CheckAtLeast("and its width", view.HalfWidth.x, 0.2 / 5.9, "all of it");
       CheckAtLeast("its upper end", view.Middle.y + view.HalfWidth.y, 0.6 / 5.9, "all of it");
       CheckAtMost("its lower end", view.Middle.y - view.HalfWidth.y, 0.4 / 6.1, "all of it");

@@ -15,10 +15,10 @@ constexpr int DeepestByArea = 32;
 constexpr int DeepestOfAll = 64;
 // More triangles than these are split although the heuristic finds no gain.
 constexpr uint32_t LargestLeaf = 8;
-// Of the greatest coordinate of a box, and of that of a segment's begin, about the tree's origin: its
-// rounding to floats, that of the direction, of its inverse and of the two steps of the boxes' test
-// move a face by less than 2^-21 of both. So what is small has small boxes near the origin, however
-// far something else reaches.
+// Of the greatest coordinate of a box, and of that of a segment's begin, about the tree's origin:
+// its rounding to floats, that of the direction, of its inverse and of the two steps of the boxes'
+// test move a face by less than 2^-21 of both. So what is small has small boxes near the origin,
+// however far something else reaches.
 constexpr double Padding = 1.0 / (1 << 20);
 
 struct Box
