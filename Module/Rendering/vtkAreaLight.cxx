@@ -86,7 +86,7 @@ bool vtkAreaLight::ShinesInto(const double center[3], double size)
   }
   else if (!(this->GetArea() > 0.0))
   {
-    return false;
+    why = "its corners span no area";
   }
   else if (shortest < 1e-9 * size)
   {

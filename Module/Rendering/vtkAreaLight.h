@@ -100,9 +100,8 @@ public:
 
   /**
    * Whether it is on and can be computed with in a scene of this centre and size: its corners are
-   * finite and no farther away than 1e9 sizes, its edges no shorter than 1e-9 of them, and its
-   * radiance can be read. Otherwise one error says why, until the light changes; a light without
-   * area is off without a word.
+   * finite, no farther away than 1e9 sizes and span an area, its edges are no shorter than 1e-9 of
+   * them, and its radiance can be read. Otherwise one error says why, until the light changes.
    */
   bool ShinesInto(const double center[3], double size);
 #endif

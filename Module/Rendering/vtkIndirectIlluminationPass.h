@@ -413,8 +413,9 @@ public:
    * vtkMeshSimplificationFilter::GetMaximumDistance gives it. The picture and lights' own maps
    * always have the mesh itself, and so has an actor with textures, clipping planes or shaders of
    * its own. Levels go when the input of the actor's mapper, or its points or cells, change. The
-   * level is copied; it has triangles alone; one that is added again takes its own place. In a map it lies behind what it stands for by its
-   * distance, so that nothing hides itself; what it hides within twice that is left bright.
+   * level is copied; it has triangles alone; one that is added again takes its own place. In a map
+   * it lies behind what it stands for by its distance, so that nothing hides itself; what it hides
+   * within twice that is left bright.
    */
   void AddCoarseLevel(vtkProp* actor, vtkPolyData* level, double error);
   void RemoveCoarseLevels(vtkProp* actor);

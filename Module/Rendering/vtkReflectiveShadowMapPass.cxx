@@ -164,13 +164,13 @@ void vtkReflectiveShadowMapPass::AddToReport(vtkIndirectReport& report) const
   if (this->GetTexels() < this->Resolution)
   {
     report.LeftOut.emplace_back("light maps of " + std::to_string(this->Resolution) + " texels",
-      "for " + std::to_string(this->GetNumberOfLayers()) + " of them there is no memory; they have " +
-        std::to_string(this->GetTexels()));
+      "for " + std::to_string(this->GetNumberOfLayers()) +
+        " of them there is no memory; they have " + std::to_string(this->GetTexels()));
   }
   if (this->LightsTooMany > 0)
   {
-    report.LeftOut.emplace_back("shadows and indirect light of " +
-        std::to_string(this->LightsTooMany) + " lights",
+    report.LeftOut.emplace_back(
+      "shadows and indirect light of " + std::to_string(this->LightsTooMany) + " lights",
       "this OpenGL holds no more than " + std::to_string(this->GetNumberOfLayers()) +
         " faces of light maps");
   }
@@ -339,8 +339,7 @@ void vtkReflectiveShadowMapPass::UpdateTable(const vtkIndirectFrame& frame)
       const vtkIndirectLight& light = map.Light;
       const double s = frame.SceneScale;
       const bool cone = light.Positional && light.ConeAngle < 90.0;
-      row[VTKI_MAP_SHAPE] =
-        glm::vec4(map.Projection, map.HalfWidth, this->Texels, light.Exponent);
+      row[VTKI_MAP_SHAPE] = glm::vec4(map.Projection, map.HalfWidth, this->Texels, light.Exponent);
       row[VTKI_MAP_LIGHT] = glm::vec4(glm::vec3(light.Color), light.Index);
       // Distances reach the shader in scene units: c + l (d'/s) + q (d'/s)^2.
       row[VTKI_MAP_FALLOFF] =

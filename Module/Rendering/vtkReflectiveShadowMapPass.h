@@ -51,7 +51,9 @@ public:
   ///@{
   /**
    * Texels along an edge of a map. Default 512, range 1 to 16384; OpenGL's own limit is reported as
-   * an error when a frame is drawn.
+   * an error when a frame is drawn. Where all faces of all maps, more than six, would have more than
+   * 32 million texels (1.3 GB with shadows: 128 faces of 512) they have a half, a quarter and so on
+   * along an edge, and the report says so.
    */
   vtkSetClampMacro(Resolution, int, 1, 16384);
   vtkGetMacro(Resolution, int);
@@ -117,8 +119,8 @@ protected:
   ~vtkReflectiveShadowMapPass() override;
 
   int Resolution = 512;
-  int Texels = 0;         // of the last frame
-  int LightsTooMany = 0;  // of the last frame, which have no map
+  int Texels = 0;        // of the last frame
+  int LightsTooMany = 0; // of the last frame, which have no map
   bool Specular = false;
   vtkIdType NumberOfFacesDrawn = 0;
   vtkTimeStamp ContentTime;

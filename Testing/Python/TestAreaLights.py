@@ -7,6 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+
 import support
 import vtkindirect
 from vtkindirect import images, lighting, load_scene, wrapped
@@ -96,6 +101,113 @@ class Scenes(support.DirectoryTest):
         # Set up anew it is not added twice.
         self.assertIs(vtkindirect.enable(scene, "gather"), indirect)
         self.assertEqual(indirect.GetNumberOfAreaLights(), 1)
+        window.Finalize()
+
+    def errors_of(self, action: Any) -> list[str]:
+        """Return the errors that VTK prints meanwhile, a line each."""
+        window = vtkStringOutputWindow()
+        before = vtkOutputWindow.GetInstance()
+        vtkOutputWindow.SetInstance(window)
+        try:
+            action()
+        finally:
+            vtkOutputWindow.SetInstance(before)
+        return [line for line in window.GetOutput().splitlines() if "vtkAreaLight (" in line]
+
+    def test_short_images(self) -> None:
+        # Five scalars for 64 x 64 points: more are not read, and the light is off.
+        image = vtkImageData()
+        image.SetDimensions(64, 64, 1)
+        scalars = vtkFloatArray()
+        scalars.SetNumberOfComponents(3)
+        scalars.SetNumberOfTuples(5)
+        scalars.Fill(1.0)
+        image.GetPointData().SetScalars(scalars)
+        for light in (wrapped.get("vtkAreaLight")(), wrapped.get("vtkEnvironmentLight")()):
+            light.AddObserver("ErrorEvent", lambda *_: None)
+            light.SetImage(image)
+            found = [-1.0, -1.0, -1.0]
+            if light.IsA("vtkAreaLight"):
+                light.GetMeanRadiance(found)
+            else:
+                light.GetRadianceFrom((0.0, 1.0, 0.0), found)
+            self.assertEqual(found, [0.0, 0.0, 0.0])
+
+    def test_what_floats_do_not_hold(self) -> None:
+        # One light cannot be computed with: an error names it, and the other shines as if alone.
+        far = {**LAMP, "origin": [-1e20, -1e20, 1], "point1": [-1e20, 1e20, 1]}
+        small = {**LAMP, "origin": [0, 0, 1], "point1": [0, 1e-20, 1], "point2": [1e-20, 0, 1]}
+        scene = self.load(LAMP)
+        window = scene.make_window()
+        vtkindirect.enable(scene)
+        window.Render()
+        alone = images.copy_buffer(scene.renderer, "area").copy()
+        window.Finalize()
+        nan = {**LAMP, "z": float("nan")}
+        for other in (far, small, {**LAMP, "radiance": [1e300, 1, 1]}, nan):
+            z = other.pop("z", None)
+            scene = self.load(LAMP, other)
+            if z is not None:
+                scene.area_lights[1].SetOrigin(-0.5, -0.5, z)
+            window = scene.make_window()
+            vtkindirect.enable(scene)
+            errors = self.errors_of(window.Render)
+            self.assertEqual(len(errors), 1, (other, errors))
+            self.assertEqual(self.errors_of(window.Render), [], other)
+            area = images.copy_buffer(scene.renderer, "area")
+            self.assertTrue(np.array_equal(area, alone), other)
+            window.Finalize()
+
+    def test_many(self) -> None:
+        # As bright, directly and reflected, as one light of the same size and place.
+        edge = 15
+        panels = [
+            {
+                **LAMP,
+                "origin": [-0.5 + x / edge, -0.5 + y / edge, 1],
+                "point1": [-0.5 + x / edge, -0.5 + (y + 1) / edge, 1],
+                "point2": [-0.5 + (x + 1) / edge, -0.5 + y / edge, 1],
+            }
+            for x in range(edge)
+            for y in range(edge)
+        ]
+        means = []
+        for lamps in ([LAMP], panels):
+            scene = self.load(*lamps)
+            wall = vtkPlaneSource()
+            wall.SetOrigin(-2, 2, 0)
+            wall.SetPoint1(2, 2, 0)
+            wall.SetPoint2(-2, 2, 2)
+            mapper = vtkPolyDataMapper()
+            mapper.SetInputConnection(wall.GetOutputPort())
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            scene.renderer.AddActor(actor)
+            window = scene.make_window()
+            vtkindirect.enable(scene)
+            window.Render()
+            means.append(
+                [images.copy_buffer(scene.renderer, name).mean() for name in ("area", "bounce")]
+            )
+            window.Finalize()
+        self.assertTrue(np.allclose(means[1][0], means[0][0], rtol=0.01), means)
+        # Virtual lights are other clusters: 128 of them leave a few hundredths.
+        self.assertTrue(np.allclose(means[1][1], means[0][1], rtol=0.1), means)
+
+    def test_added_twice(self) -> None:
+        scene = self.load(LAMP)
+        window = scene.make_window()
+        indirect = vtkindirect.enable(scene)
+        sampler = wrapped.get("vtkAreaLightSampler")()
+        sampler.AddLight(scene.area_lights[0])
+        indirect.AddSampler(sampler)
+        window.Render()
+        once = images.copy_buffer(scene.renderer, "irradiance").copy()
+        indirect.AddSampler(sampler)
+        indirect.AddAreaLight(scene.area_lights[0])
+        window.Render()
+        self.assertTrue(np.array_equal(images.copy_buffer(scene.renderer, "irradiance"), once))
+        self.assertGreater(once.mean(), 0.0)
         window.Finalize()
 
 

@@ -8,9 +8,10 @@ import unittest
 import warnings
 from unittest import mock
 
-from vtkmodules.vtkCommonCore import vtkOutputWindow
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
+import support
 import vtkindirect
 from vtkindirect import RenderError, UsageError, cli, windows, wrapped
 
@@ -60,6 +61,33 @@ class Windows(unittest.TestCase):
             with mock.patch.object(windows, "_headless", return_value=None):
                 with self.assertRaisesRegex(RenderError, "no way to render without one"):
                     vtkindirect.render_window()
+
+    @unittest.skipUnless(HAVE_HEADLESS, NO_HEADLESS)
+    def test_wide(self) -> None:
+        # Lines of both directions do not fit into one image of OpenGL's: one error, and a picture.
+        scene = vtkindirect.load_scene(support.SCENES / "cornell_box.json")
+        window = vtkindirect.render_window((16381, 4), offscreen=True)
+        window.AddRenderer(scene.renderer)
+        indirect = vtkindirect.enable(scene)
+        output = vtkStringOutputWindow()
+        before = vtkOutputWindow.GetInstance()
+        vtkOutputWindow.SetInstance(output)
+        try:
+            window.Render()
+            window.Render()
+        finally:
+            vtkOutputWindow.SetInstance(before)
+        if window.GetSize() != (16381, 4):
+            self.skipTest("this OpenGL's windows are smaller")
+        found = vtkindirect.report(indirect)
+        why = [e["why"] for e in found["left_out"] if e["what"] == "antialiased edges"]
+        if not why:
+            self.skipTest("this OpenGL's images are larger")
+        self.assertEqual(output.GetOutput().count("ERROR"), 1, output.GetOutput())
+        self.assertIn("16381 and 4 pixels", why[0])
+        self.assertNotIn("antialiased edges", [e["what"] for e in found["modelled"]])
+        self.assertGreater(vtkindirect.copy_buffer(scene.renderer, "final").mean(), 0.0)
+        window.Finalize()
 
     @unittest.skipUnless(HAVE_HEADLESS, NO_HEADLESS)
     def test_headless(self) -> None:

@@ -3,7 +3,7 @@
 #ifndef BlockersMaps_h
 #define BlockersMaps_h
 
-#include "BlockersScene.h"                  // for places
+#include "BlockersScene.h"                   // for places
 #include "Visibility/vtkIndirectDepthTile.h" // for tiles
 
 #include <glm/glm.hpp> // for vectors

@@ -120,7 +120,9 @@ VTK_INDIRECT_TEST(CasterWindowFits)
 VTK_INDIRECT_TEST(CasterWindowFitsStrips)
 {
   const double far[6] = { 5.9, 6.1, -0.2, 0.2, -0.6, -0.4 };
-  const std::vector<vtkSmartPointer<vtkActor>> actors = { MakeBox(far) };
+  // Which the first one hides from the lamp.
+  const double behind[6] = { 7, 8, -1, 1, -0.7, -0.5 };
+  const std::vector<vtkSmartPointer<vtkActor>> actors = { MakeBox(far), MakeBox(behind) };
   vtkIndirectCasterWindow window;
   window.Update(MakeFrame(actors), { { 0, 0, 0 }, { 5.5, 0, 0 } });
   vtkIndirectDepthTile first = vtkIndirectDepthTile::FromPlace({ 0, 0, 0 }, { 0, 0, -1 });
@@ -134,7 +136,8 @@ VTK_INDIRECT_TEST(CasterWindowFitsStrips)
     {
       ++strips;
       Check("the strip looks to the box", view.Forward.x > 0.99);
-      CheckAtMost("it holds the box alone: its width", view.HalfWidth.x, 0.2 / 5.9 * 1.1, "a margin");
+      CheckAtMost(
+        "it holds the box alone: its width", view.HalfWidth.x, 0.2 / 5.9 * 1.1, "a margin");
       CheckAtLeast("and its width", view.HalfWidth.x, 0.2 / 5.9, "all of it");
       CheckAtLeast("its upper end", view.Middle.y + view.HalfWidth.y, 0.6 / 5.9, "all of it");
       CheckAtMost("its lower end", view.Middle.y - view.HalfWidth.y, 0.4 / 6.1, "all of it");

@@ -84,14 +84,13 @@ VTK_INDIRECT_TEST(DepthTilePlanes)
     const double along = glm::dot(n, ray);
     const bool plane = facing < 0.0 && along < 0.0;
     const double onPlane = plane ? facing / along : 0.0;
-    const double nearer =
-      bias * std::max(p.z, plane ? std::min(p.z / -along, 2.0 * onPlane) : 0.0);
+    const double nearer = bias * std::max(p.z, plane ? std::min(p.z / -along, 2.0 * onPlane) : 0.0);
     const double mine = std::min((1.0 - bias) * p.z, plane ? onPlane - nearer : p.z);
     const bool expected = p.z <= VTKI_TILE_NEAR || stored >= mine;
     ++counts[plane ? 1 : 0][expected ? 1 : 0];
-    const bool found = vtkiIsSeenInPerspectiveTile(static_cast<float>(1.0 / stored),
-      static_cast<float>(p.z), static_cast<float>(facing), static_cast<float>(along),
-      static_cast<float>(bias));
+    const bool found =
+      vtkiIsSeenInPerspectiveTile(static_cast<float>(1.0 / stored), static_cast<float>(p.z),
+        static_cast<float>(facing), static_cast<float>(along), static_cast<float>(bias));
     // Where a float may round to either side it does not count.
     wrong += found != expected && std::abs(stored - mine) > 1e-5 && std::abs(facing) > 1e-5 &&
         std::abs(along) > 1e-5

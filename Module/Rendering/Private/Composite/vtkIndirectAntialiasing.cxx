@@ -134,9 +134,9 @@ void vtkIndirectAntialiasing::Apply(
   const int most = vtkTextureObject::GetMaximumTextureSize(frame.Window);
   if (lines > most)
   {
-    const std::string why = "width and height of the picture are " +
-      std::to_string(frame.Size[0]) + " and " + std::to_string(frame.Size[1]) +
-      " pixels; together they may be " + std::to_string(most - 2) + " with this OpenGL";
+    const std::string why = "width and height of the picture are " + std::to_string(frame.Size[0]) +
+      " and " + std::to_string(frame.Size[1]) + " pixels; together they may be " +
+      std::to_string(most - 2) + " with this OpenGL";
     if (why != in.WhyNot)
     {
       vtkErrorWithObjectMacro(frame.Window, "Edges are not antialiased: " << why << ".");

@@ -12,7 +12,7 @@
 
 #include <cstddef> // for size_t
 #include <memory>  // for the internals
-#include <string> // for a reason
+#include <string>  // for a reason
 
 class vtkIndirectGeometryBuffer;
 class vtkWindow;

@@ -248,8 +248,8 @@ void vtkIndirectAreaGather::AddToReport(vtkIndirectReport& report) const
   const int tooMany = this->Visible ? this->Maps.GetAtlas().GetNumberOfTilesTooMany() : 0;
   if (tooMany > 0)
   {
-    report.LeftOut.emplace_back("depth maps of " + std::to_string(tooMany) +
-        " points of area lights",
+    report.LeftOut.emplace_back(
+      "depth maps of " + std::to_string(tooMany) + " points of area lights",
       "there is no memory for so many; other points of a light stand for them, and nothing hides a "
       "light that has none");
   }

@@ -138,9 +138,8 @@ bool vtkIndirectTarget::Resize(
   {
     vtkErrorWithObjectMacro(window,
       "Indirect illumination needs an image of "
-        << width << " x " << height << " pixels ("
-        << this->Channels[0].Name << "); this OpenGL has images of " << most
-        << " pixels along an edge at most.");
+        << width << " x " << height << " pixels (" << this->Channels[0].Name
+        << "); this OpenGL has images of " << most << " pixels along an edge at most.");
     this->Release(this->Window);
     return false;
   }

@@ -462,12 +462,11 @@ void vtkIndirectPipeline::AddCoarseMapsToReport(vtkIndirectReport& report) const
   {
     double focal[3];
     camera->GetFocalPoint(focal);
-    const double seen = camera->GetParallelProjection()
-      ? 2.0 * camera->GetParallelScale()
-      : 2.0 * camera->GetDistance() *
+    const double seen = camera->GetParallelProjection() ? 2.0 * camera->GetParallelScale()
+                                                        : 2.0 * camera->GetDistance() *
         std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-    const double texel = this->Maps->GetMap(i).FindTexelAt(
-      { focal[0], focal[1], focal[2] }, this->Maps->GetTexels());
+    const double texel =
+      this->Maps->GetMap(i).FindTexelAt({ focal[0], focal[1], focal[2] }, this->Maps->GetTexels());
     const double share = seen > 0.0 ? texel / seen : 0.0;
     count += share > coarse ? 1 : 0;
     worst = std::max(worst, share);
@@ -673,7 +672,11 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   add(report.LeftOut, this->Plan.LeftOut);
   if (this->Plan.Antialiasing && !this->Antialiasing.GetWhyNot().empty())
   {
-    report.LeftOut.emplace_back("antialiased edges", this->Antialiasing.GetWhyNot());
+    const std::string name = "antialiased edges";
+    report.Modelled.erase(std::remove_if(report.Modelled.begin(), report.Modelled.end(),
+                            [&](const auto& entry) { return entry.first == name; }),
+      report.Modelled.end());
+    report.LeftOut.emplace_back(name, this->Antialiasing.GetWhyNot());
   }
   if (this->Plan.Senders != vtkIndirectPlan::EYE)
   {

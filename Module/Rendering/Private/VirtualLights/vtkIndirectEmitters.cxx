@@ -103,8 +103,8 @@ void JoinAlike(vtkIndirectEmitters::List& list, size_t most)
   std::vector<Part> parts = { whole };
   while (parts.size() < most)
   {
-    const auto widest = std::max_element(parts.begin(), parts.end(),
-      [](const Part& a, const Part& b) { return a.Extent < b.Extent; });
+    const auto widest = std::max_element(
+      parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.Extent < b.Extent; });
     if (widest->Extent <= 0.0)
     {
       break;

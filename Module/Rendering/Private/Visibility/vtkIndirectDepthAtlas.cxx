@@ -212,8 +212,8 @@ bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapt
   }
   this->ForgetWhatChanged(frame);
   this->NumberOfTilesTooMany = static_cast<int>(emitters.size()) - count;
-  const std::vector<int> stale = this->ChooseTiles(
-    emitters, static_cast<size_t>(count), static_cast<size_t>(tilesPerFrame));
+  const std::vector<int> stale =
+    this->ChooseTiles(emitters, static_cast<size_t>(count), static_cast<size_t>(tilesPerFrame));
   if (stale.empty())
   {
     return true;
@@ -254,7 +254,8 @@ int vtkIndirectDepthAtlas::CountMostTiles(int texels, int edge) const
 // So many as are wanted, or fewer, so that all tiles have room.
 int vtkIndirectDepthAtlas::FindTexels(size_t count, int texels, int edge) const
 {
-  while (texels / 2 >= LeastTexels && count > static_cast<size_t>(this->CountMostTiles(texels, edge)))
+  while (
+    texels / 2 >= LeastTexels && count > static_cast<size_t>(this->CountMostTiles(texels, edge)))
   {
     texels /= 2;
   }
@@ -414,8 +415,8 @@ void vtkIndirectDepthAtlas::DrawOthers(const vtkIndirectFrame& frame,
     tile.SetUp(this->Camera, frame);
     const glm::dvec2 widths = 2.0 * tile.HalfWidth /
       glm::dvec2(vtkIndirectDepthTile::GetSizeOfView(view.Number, this->Texels));
-    capture->BeginMap(frame,
-      { !tile.Parallel, tile.Parallel, tile.Near, tile.Far, std::max(widths.x, widths.y) });
+    capture->BeginMap(
+      frame, { !tile.Parallel, tile.Parallel, tile.Near, tile.Far, std::max(widths.x, widths.y) });
     for (const vtkIndirectCaster* caster : casters)
     {
       if ((this->FindViews(frame, view, caster->Bounds) >> view.Number) & 1u)

@@ -49,8 +49,7 @@ public:
    * OpenGL refuses.
    */
   bool Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-    const std::vector<Emitter>& emitters, int texels, bool caching,
-    int tilesPerFrame = 1 << 30);
+    const std::vector<Emitter>& emitters, int texels, bool caching, int tilesPerFrame = 1 << 30);
 
   /** Says that nothing of it is to be kept. */
   void Forget() { this->Drawn.clear(); }

@@ -142,8 +142,7 @@ vtkIndirectDepthTile vtkIndirectDepthTile::GetView(int view) const
 //------------------------------------------------------------------------------
 glm::ivec2 vtkIndirectDepthTile::GetSizeOfView(int view, int texels)
 {
-  const glm::vec2 half =
-    vtkIndirectKernels::vtkiHalfOfView(view - 1, static_cast<float>(texels));
+  const glm::vec2 half = vtkIndirectKernels::vtkiHalfOfView(view - 1, static_cast<float>(texels));
   return glm::ivec2(2.0f * half);
 }
 
@@ -219,8 +218,7 @@ unsigned int vtkIndirectDepthTile::FindViews(
   for (int i = 0; i < 8; ++i)
   {
     const glm::dvec3 d = ToScene(frame, bounds, i) - this->Place;
-    const glm::dvec3 p(
-      glm::dot(d, this->Right), glm::dot(d, this->Up), glm::dot(d, this->Forward));
+    const glm::dvec3 p(glm::dot(d, this->Right), glm::dot(d, this->Up), glm::dot(d, this->Forward));
     corners[static_cast<size_t>(i)] = p;
     footprint.Add(glm::dvec2(p) - this->Middle * p.z,
       this->HalfWidth * (this->Parallel ? 1.0 : p.z), p.z < this->Near);

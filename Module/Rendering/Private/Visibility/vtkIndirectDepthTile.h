@@ -70,8 +70,7 @@ struct vtkIndirectDepthTile
    * along an edge of the view ahead hold anything of them, which does not lie between the texels'
    * centres: a bit for each.
    */
-  unsigned int FindViews(
-    const vtkIndirectFrame& frame, const double bounds[6], int texels) const;
+  unsigned int FindViews(const vtkIndirectFrame& frame, const double bounds[6], int texels) const;
   /** Whether any of them does. */
   bool CanSee(const vtkIndirectFrame& frame, const double bounds[6], int texels) const
   {

@@ -112,8 +112,7 @@ private:
       upper = glm::max(upper, this->Points[this->Order[i]]);
     }
     const glm::dvec3 size = upper - lower;
-    const int axis =
-      size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+    const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
     const size_t middle = begin + (end - begin) / 2;
     const auto first = this->Order.begin();
     std::nth_element(first + static_cast<std::ptrdiff_t>(begin),

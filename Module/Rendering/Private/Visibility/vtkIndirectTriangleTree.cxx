@@ -11,10 +11,10 @@
 
 namespace
 {
-// Share of the greatest coordinate of a box, and of that of a segment's begin, about the tree's origin: its
-// rounding to floats, that of the direction, of its inverse and of the two steps of the boxes' test
-// move a face by less than 2^-21 of both. So what is small has small boxes near the origin, however
-// far something else reaches.
+// Share of the greatest coordinate of a box, and of that of a segment's begin, about the tree's
+// origin: its rounding to floats, that of the direction, of its inverse and of the two steps of the
+// boxes' test move a face by less than 2^-21 of both. So what is small has small boxes near the
+// origin, however far something else reaches.
 constexpr double Padding = 1.0 / (1 << 20);
 
 // The point of a triangle that is nearest to p, by the regions of its corners, edges and inside.
