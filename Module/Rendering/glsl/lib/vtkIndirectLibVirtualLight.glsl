@@ -71,9 +71,9 @@ float vtkiMeanLightStrength(vec3 toSender, vec3 normalS, vec3 normalR, float are
 /* What faces a flat patch gets 9.8 times at most. */
 const float VTKI_PATCH_RISE = 16.0f;
 
-/* Sine of the angle between a receiver's normal and its facet's: facets that stand for curved surfaces meet at less
- * than 16 degrees. */
-const float VTKI_PATCH_FACET = 0.14f;
+/* Sine of the angle between a receiver's normal and its facet's, where facets meet at 8 degrees. With more, planes that
+ * face each other nearer than patches are wide would lose light. */
+const float VTKI_PATCH_FACET = 0.07f;
 
 /* A light that stands for a patch of a surface, to receivers that may be near to it. */
 struct vtkiPatchLight
