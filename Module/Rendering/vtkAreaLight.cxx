@@ -3,6 +3,7 @@
 
 #include "VirtualLights/vtkIndirectRadianceImage.h"
 #include "vtkImageData.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkObjectFactory.h"
 
 #include <glm/glm.hpp>
@@ -10,6 +11,7 @@
 #include <algorithm>
 
 vtkStandardNewMacro(vtkAreaLight);
+vtkInformationKeyRestrictedMacro(vtkAreaLight, AREA_LIGHTS, ObjectBase, "vtkCollection");
 
 namespace
 {
