@@ -3,6 +3,7 @@
 
 #include "VirtualLights/vtkIndirectRadianceImage.h"
 #include "vtkImageData.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkObjectFactory.h"
 
 #include <glm/glm.hpp>
@@ -12,6 +13,7 @@
 #include <string>
 
 vtkStandardNewMacro(vtkAreaLight);
+vtkInformationKeyRestrictedMacro(vtkAreaLight, AREA_LIGHTS, ObjectBase, "vtkCollection");
 
 namespace
 {

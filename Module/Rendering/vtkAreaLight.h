@@ -31,12 +31,21 @@
 
 #include <vector> // for the radiances
 
+class vtkInformationObjectBaseKey;
+
 class VTKRENDERINGINDIRECT_EXPORT vtkAreaLight : public vtkEmitter
 {
 public:
   static vtkAreaLight* New();
   vtkTypeMacro(vtkAreaLight, vtkEmitter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Where a renderer keeps its area lights, a vtkCollection, until somebody switches a pass on:
+   * under this key of vtkRenderer::GetInformation. Python's vtkindirect.enable gives them to the
+   * pass.
+   */
+  static vtkInformationObjectBaseKey* AREA_LIGHTS();
 
   ///@{
   /** A corner, in world coordinates. Default (-0.5, -0.5, 0). */

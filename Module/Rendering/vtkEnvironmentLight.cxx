@@ -3,6 +3,7 @@
 
 #include "VirtualLights/vtkIndirectRadianceImage.h"
 #include "vtkImageData.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
@@ -12,6 +13,8 @@
 #include <cmath>
 
 vtkStandardNewMacro(vtkEnvironmentLight);
+vtkInformationKeyRestrictedMacro(
+  vtkEnvironmentLight, ENVIRONMENT, ObjectBase, "vtkEnvironmentLight");
 
 namespace
 {

@@ -25,6 +25,8 @@
 
 #include <vector> // for the cells
 
+class vtkInformationObjectBaseKey;
+
 class VTKRENDERINGINDIRECT_EXPORT vtkEnvironmentLight : public vtkEmitter
 {
 public:
@@ -52,6 +54,12 @@ public:
   /** Radiance from a direction in world coordinates, of any length: of the image's nearest pixel.
    */
   void GetRadianceFrom(const double direction[3], double radiance[3]);
+
+  /**
+   * Where a renderer keeps its environment until somebody switches a pass on: under this key of
+   * vtkRenderer::GetInformation. Python's vtkindirect.enable gives it to the pass.
+   */
+  static vtkInformationObjectBaseKey* ENVIRONMENT();
 
 #ifndef __VTK_WRAP__
   /** A piece of the sky: what it sends, and from where. */

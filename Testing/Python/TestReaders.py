@@ -252,12 +252,17 @@ class Readers(support.DirectoryTest):
             "blank lines": f"\n{ATOM}   \n{ATOM}\n\n",
             "not ASCII": f"REMARK \N{LATIN SMALL LETTER A WITH DIAERESIS}\n" + ATOM * 2,
             "no number": ATOM + ATOM.replace("A   1", "A****"),
+            "zeros": "\0\0\n" + ATOM * 2,
+            "long lines": 2 * (ATOM.rstrip().ljust(81) + "ATOM\n"),
+            "blanks in them": 2 * (ATOM.rstrip().ljust(200) + "x\n"),
             "structures": ATOM + "HELIX    1   A SER A    4\nSHEET\n" + ATOM,
         }.items():
             with self.subTest(name=name):
                 read = data.read(self.write("a.pdb", text.encode()))
                 self.assertEqual(read.GetNumberOfPoints(), 2)
                 self.assertAlmostEqual(read.GetPoint(1)[1], 6.134, places=5)
+        lost = self.write("a.pdb", b"atom\n" + ATOM.encode())
+        self.assert_refused(lost, "line 1 is an atom without position")
         latin = self.write("a.pdb", (ATOM + "REMARK \xe4\n" + ATOM).encode("latin-1"))
         self.assertEqual(data.read(latin).GetNumberOfPoints(), 2)
 

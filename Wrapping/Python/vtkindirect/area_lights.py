@@ -9,28 +9,29 @@ from __future__ import annotations
 
 from typing import Any
 
-from vtkmodules.vtkCommonCore import vtkCollection, vtkInformationObjectBaseKey
+from vtkmodules.vtkCommonCore import vtkCollection
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from vtkindirect import environments, wrapped
 
 CLASS = "vtkAreaLight"
 
-_KEY = vtkInformationObjectBaseKey.MakeKey("AREA_LIGHTS", "vtkindirect")
-
 
 def attach(renderer: vtkRenderer, light: Any) -> None:
     """Add a vtkAreaLight to those of a renderer."""
-    lights = renderer.GetInformation().Get(_KEY)
+    key = wrapped.get(CLASS).AREA_LIGHTS()
+    lights = renderer.GetInformation().Get(key)
     if lights is None:
         lights = vtkCollection()
-        renderer.GetInformation().Set(_KEY, lights)
+        renderer.GetInformation().Set(key, lights)
     lights.AddItem(light)
 
 
 def attached(renderer: vtkRenderer) -> list[Any]:
     """Return the vtkAreaLights of a renderer."""
-    lights = renderer.GetInformation().Get(_KEY)
+    if not wrapped.has(CLASS):
+        return []
+    lights = renderer.GetInformation().Get(wrapped.get(CLASS).AREA_LIGHTS())
     if lights is None:
         return []
     return [lights.GetItemAsObject(i) for i in range(lights.GetNumberOfItems())]
@@ -38,7 +39,8 @@ def attached(renderer: vtkRenderer) -> list[Any]:
 
 def detach_all(renderer: vtkRenderer) -> None:
     """Take those of a renderer away; a pass that has them keeps them."""
-    renderer.GetInformation().Remove(_KEY)
+    if wrapped.has(CLASS):
+        renderer.GetInformation().Remove(wrapped.get(CLASS).AREA_LIGHTS())
 
 
 def build(values: dict[str, Any]) -> Any:

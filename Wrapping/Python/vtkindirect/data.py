@@ -121,13 +121,15 @@ def _check_ply(path: Path) -> None:
 def _tidied_pdb(path: Path) -> bytes:
     """Return the text without what newer versions of VTK's reader end the whole program for.
 
-    That is blank lines, carriage returns, what is not ASCII, and residues without a number; an atom
-    without a position cannot be mended.
+    That is blank lines, carriage returns, what is not ASCII or controls something, what stands
+    after the 80 columns of a line, which the reader takes for another line, and residues without a
+    number; an atom without a position cannot be mended.
     """
     tidied = []
     text = path.read_text("utf-8", "replace").encode("ascii", "replace")
-    for number, line in enumerate(text.splitlines(), 1):
-        record = line.split()[:1]
+    for number, whole_line in enumerate(_CONTROLS.sub(b"?", text).splitlines(), 1):
+        line = whole_line[:80]
+        record = line.upper().split()[:1]
         if record in _ATOMS and not _have_numbers(line, _POSITION, _DECIMAL):
             raise _Damaged(f"line {number} is an atom without position")
         if record in _ATOMS and not _have_numbers(line, _RESIDUE, _INTEGER):
@@ -146,6 +148,7 @@ _STRUCTURES = {
     b"HELIX": (slice(21, 25), slice(33, 37)),
     b"SHEET": (slice(22, 26), slice(33, 37)),
 }
+_CONTROLS = re.compile(rb"[^\t\n\r -~]")
 _DECIMAL = re.compile(rb" *[-+]?(\d+\.?\d*|\.\d+) *")
 _INTEGER = re.compile(rb" *[-+]?\d+ *")
 

@@ -13,12 +13,7 @@ import reprlib
 from collections.abc import Sequence
 from typing import Any
 
-from vtkmodules.vtkCommonCore import (
-    VTK_DOUBLE,
-    VTK_FLOAT,
-    VTK_UNSIGNED_CHAR,
-    vtkInformationObjectBaseKey,
-)
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkImagingCore import vtkImageShiftScale
 from vtkmodules.vtkRenderingCore import vtkRenderer
@@ -28,17 +23,17 @@ from vtkindirect.errors import UsageError
 
 CLASS = "vtkEnvironmentLight"
 
-_KEY = vtkInformationObjectBaseKey.MakeKey("ENVIRONMENT", "vtkindirect")
-
 
 def attach(renderer: vtkRenderer, light: Any) -> None:
     """Make a vtkEnvironmentLight that of a renderer; None takes it away."""
-    renderer.GetInformation().Set(_KEY, light)
+    renderer.GetInformation().Set(wrapped.get(CLASS).ENVIRONMENT(), light)
 
 
 def attached(renderer: vtkRenderer) -> Any:
     """Return the vtkEnvironmentLight of a renderer, or None."""
-    return renderer.GetInformation().Get(_KEY)
+    if not wrapped.has(CLASS):
+        return None
+    return renderer.GetInformation().Get(wrapped.get(CLASS).ENVIRONMENT())
 
 
 def read_picture(path: str | os.PathLike[str]) -> vtkImageData:
