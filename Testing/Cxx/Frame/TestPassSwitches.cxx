@@ -12,6 +12,7 @@
 #include "vtkOutlineGlowPass.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPolyDataMapper2D.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
@@ -71,14 +72,26 @@ struct Balls : View
 }
 
 //------------------------------------------------------------------------------
-// Whoever reads the depth buffer finds what VTK draws, of windows with several samples that of the
-// sample which is read.
+// Whoever reads the depth buffer finds what VTK draws; where something in the scene does, in
+// windows with several samples, too, that of the sample which is read.
 VTK_INDIRECT_TEST(DepthIsOfVTK)
 {
   for (int samples : { 0, 4 })
   {
     Balls plain(false, samples);
     Balls with(true, samples);
+    for (Balls* view : { &plain, &with })
+    {
+      vtkNew<vtkSphereSource> source;
+      vtkNew<vtkSelectVisiblePoints> visible;
+      visible->SetInputConnection(source->GetOutputPort());
+      visible->SetRenderer(view->Renderer);
+      vtkNew<vtkPolyDataMapper2D> mapper;
+      mapper->SetInputConnection(visible->GetOutputPort());
+      vtkNew<vtkActor2D> points;
+      points->SetMapper(mapper);
+      view->Renderer->AddViewProp(points);
+    }
     plain.Grab();
     with.Grab();
     const std::vector<float> expected = GrabDepth(plain.Window);

@@ -1,17 +1,70 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/vtkIndirectSwitches.h"
 
+#include "vtkActor.h"
+#include "vtkActor2D.h"
+#include "vtkAlgorithm.h"
 #include "vtkHiddenLineRemovalPass.h"
 #include "vtkImageProcessingPass.h"
+#include "vtkMapper.h"
+#include "vtkMapper2D.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
+
+namespace
+{
+// known: what has been looked at.
+bool ComesFromVisiblePoints(vtkAlgorithm* algorithm, std::set<vtkAlgorithm*>& known)
+{
+  if (algorithm->IsA("vtkSelectVisiblePoints"))
+  {
+    return true;
+  }
+  if (!known.insert(algorithm).second)
+  {
+    return false;
+  }
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkAlgorithm* source = algorithm->GetInputAlgorithm(port, i);
+      if (source && ComesFromVisiblePoints(source, known))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+}
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSwitches::RemovesHiddenLines(const vtkRenderState* s)
 {
   return s->GetRenderer()->GetUseHiddenLineRemoval() &&
     vtkHiddenLineRemovalPass::WireframePropsExist(s->GetPropArray(), s->GetPropArrayCount());
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSwitches::LooksDepthUp(const vtkRenderState* s)
+{
+  std::set<vtkAlgorithm*> known;
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = s->GetPropArray()[i];
+    auto* flat = vtkActor2D::SafeDownCast(prop);
+    auto* actor = vtkActor::SafeDownCast(prop);
+    vtkAlgorithm* const mapper = flat ? static_cast<vtkAlgorithm*>(flat->GetMapper())
+      : actor                         ? actor->GetMapper()
+                                      : nullptr;
+    if (mapper && ComesFromVisiblePoints(mapper, known))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,11 @@ public:
   /** Whether the renderer removes hidden lines, and there are lines to remove. */
   static bool RemovesHiddenLines(const vtkRenderState* s);
   /**
+   * Whether something in the scene is drawn where the depth buffer says that it is seen, as labels
+   * of a vtkSelectVisiblePoints are.
+   */
+  static bool LooksDepthUp(const vtkRenderState* s);
+  /**
    * Why surfaces cannot be had under the passes that the renderer's chain of passes begins with;
    * empty where they can.
    */

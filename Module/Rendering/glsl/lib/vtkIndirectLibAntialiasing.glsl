@@ -27,11 +27,16 @@ const int VTKI_EDGE_REACH = 31;
 const int VTKI_DIAGONAL_REACH = 15;
 const int VTKI_DIAGONAL_LENGTH = 3;
 
-/* Whether depth leaps between the middle two of four pixels in a row. Depth of the depth buffer is affine on a
- * plane, so that a plane's step is that of the pixels on either side of it. A curved surface has steps of both
- * signs' slopes in a row; where it winds, the step between may be the largest, up to twice a neighbour's for
- * waves of six pixels. What is thin steps there and back again: what a step of the other sign says is only
- * taken where both sides have one. */
+/* A step of depth or of the normal from pixel to pixel is an outline where it is so many times those beside it.
+ * On what is round, steps grow towards its outline, next to which depth and angle go with the root of the distance:
+ * by 1 / (sqrt(2) - 1) = 2.42 at most. */
+const float VTKI_OUTLINE_RATIO = 2.5f;
+
+/* Whether depth leaps between the middle two of four pixels in a row: depths of the depth buffer; 1 where nothing is
+ * drawn, and beyond the picture. They are affine on a plane, so that a plane's step is that of the pixels on either
+ * side. On what is bent to one side the step lies between its neighbours'; where it winds it may be the largest,
+ * within the ratio for waves of six pixels. What is thin steps there and back again: what a step of the other sign
+ * says is only taken where both sides have one. */
 bool vtkiIsDepthLeap(vec4 depth)
 {
   float step = abs(depth.z - depth.y);
@@ -43,13 +48,13 @@ bool vtkiIsDepthLeap(vec4 depth)
   before = hasBefore ? before : behind;
   behind = hasBehind ? behind : before;
   float most = max(min(abs(before), abs(behind)), max(before, behind));
-  // Two roundings of the step and twice two of a neighbour's.
-  return (hasBefore || hasBehind) && step > 2.0f * most + 6.0f * VTKI_DEPTH_ROUNDING;
+  // Two roundings of the step, and as many of a neighbour's for each time.
+  return (hasBefore || hasBehind) &&
+    step > VTKI_OUTLINE_RATIO * most + (2.0f + 2.0f * VTKI_OUTLINE_RATIO) * VTKI_DEPTH_ROUNDING;
 }
 
 /* Whether normals turn at once between the middle two of four pixels, which are lit: by more than on either side,
- * and so far that light may show it. Where a surface is bent evenly, up to the outline of a ball of five pixels,
- * the turn from pixel to pixel grows to 1.4 times at most. */
+ * and so far that light may show it. */
 bool vtkiIsCrease(vec2 code0, vec2 code1, vec2 code2, vec2 code3, bool hasBefore, bool hasBehind)
 {
   vec3 n1 = vtkiOctahedralDecode(code1);
@@ -57,10 +62,11 @@ bool vtkiIsCrease(vec2 code0, vec2 code1, vec2 code2, vec2 code3, bool hasBefore
   vec3 turn = n2 - n1;
   vec3 before = n1 - vtkiOctahedralDecode(code0);
   vec3 behind = vtkiOctahedralDecode(code3) - n2;
-  // Squares: a factor of two is one of four. A cosine changes by no more than the chord between the normals.
+  // Squares of all. A cosine changes by no more than the chord between the normals.
   float most = max(hasBefore ? dot(before, before) : 0.0f, hasBehind ? dot(behind, behind) : 0.0f);
   return (hasBefore || hasBehind) &&
-    dot(turn, turn) > max(4.0f * most, VTKI_EDGE_CONTRAST * VTKI_EDGE_CONTRAST);
+    dot(turn, turn) >
+      max(VTKI_OUTLINE_RATIO * VTKI_OUTLINE_RATIO * most, VTKI_EDGE_CONTRAST * VTKI_EDGE_CONTRAST);
 }
 
 /* Whether a surface ends between the middle two of four pixels in a row: at the background, at another kind of
