@@ -334,8 +334,9 @@ bool vtkSphereProxyFilter::MoveSpheres(
   }
   if (wrong > 0)
   {
-    vtkErrorWithObjectMacro(
-      spheres, wrong << " spheres move with points that are not finite; they stay, with radius 0");
+    vtkErrorWithObjectMacro(spheres, << wrong
+                                     << " spheres move with points that are not finite; they stay, "
+                                        "with radius 0");
   }
   moved->ShallowCopy(spheres);
   moved->SetPoints(centers);

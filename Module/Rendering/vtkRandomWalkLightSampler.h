@@ -13,8 +13,9 @@
  * Rays meet the polygons that VTK's mappers draw, glyphs and spheres of impostors, lit as VTK
  * lights them: properties, scalars' and blocks' colours, textures, interpolated normals, culling.
  * What has neither polygons that the processor can read nor spheres neither stops rays nor sends
- * light of them; the report says so. The tree of triangles is made again only when geometry changes, paths only when
- * lights or surfaces do. A light that moves a little moves the virtual lights a little.
+ * light of them; the report says so. The tree of triangles is made again only when geometry
+ * changes, paths only when lights or surfaces do. A light that moves a little moves the virtual
+ * lights a little.
  */
 
 #ifndef vtkRandomWalkLightSampler_h

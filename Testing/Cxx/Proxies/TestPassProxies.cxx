@@ -16,6 +16,8 @@
 #include "vtkPointGaussianMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkProxyAccumulationPass.h"
 #include "vtkSphereSource.h"
 
@@ -246,6 +248,33 @@ VTK_INDIRECT_TEST(ProxiesWrongInput)
   pass->SetProxies(actor, data);
   CONTRACT_CHECK(errors.GetCount() == 2, errors.GetText());
   CONTRACT_CHECK(!pass->GetProxies(actor), "wrong spheres are kept");
+}
+
+//------------------------------------------------------------------------------
+// No spheres stand for an open sheet: it hides nothing, and one warning says so.
+VTK_INDIRECT_TEST(ProxiesRefuseSheets)
+{
+  ProxyView view;
+  vtkNew<vtkSphereSource> bowl;
+  bowl->SetCenter(0.5, 0.3, 0.5);
+  bowl->SetRadius(0.2);
+  bowl->SetThetaResolution(24);
+  bowl->SetPhiResolution(12);
+  bowl->SetEndPhi(90.0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(bowl->GetOutputPort());
+  vtkSmartPointer<vtkActor> actor = view.Add(mapper);
+  {
+    ExpectedErrors errors;
+    view.Grab();
+    actor->GetProperty()->SetColor(0.5, 0.6, 0.7);
+    view.Grab();
+    CONTRACT_CHECK(errors.GetCount() == 1, errors.GetText());
+    CONTRACT_CHECK(errors.GetText().find("open sheets") != std::string::npos, errors.GetText());
+  }
+  CONTRACT_CHECK(view.Proxies->GetNumberOfSpheres() == 0, view.Proxies->GetNumberOfSpheres());
+  CONTRACT_CHECK(Report(view.GetPass()).FindReason("left_out", "a mesh of vtkOpenGLActor") != "",
+    "the report does not say so");
 }
 
 //------------------------------------------------------------------------------

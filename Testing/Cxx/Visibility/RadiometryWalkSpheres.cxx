@@ -124,8 +124,7 @@ VTK_INDIRECT_TEST(WalkFurnaceOfSpheres)
     for (int c = 0; c < 3; ++c)
     {
       CheckRelative(std::to_string(bounces) + " bounces", flux[c], 4.0 * vtkMath::Pi() * sum[c],
-        0.01,
-        "whether a path goes on is chance for all but its brightest colour");
+        0.01, "whether a path goes on is chance for all but its brightest colour");
     }
   }
 }
@@ -195,6 +194,7 @@ VTK_INDIRECT_TEST(WalkGlyphsBesideMeshes)
   mapper->SetSourceIndexArray("kind");
   mapper->SetRange(0.0, 10.0); // by which nothing is chosen
   mapper->SetScaleArray("size");
+  mapper->SetScaleModeToScaleByMagnitude();
   mapper->SetOrientationArray("way");
   mapper->ScalarVisibilityOff();
   vtkNew<vtkActor> actor;
@@ -215,5 +215,6 @@ VTK_INDIRECT_TEST(WalkGlyphsBesideMeshes)
     const glm::dvec3 off = 0.2 * size * (i % 2 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1));
     meshes.AddSphere(Places[i] + off, 0.5 * size, 12, { 0.8, 0.6, 0.2 });
   }
+  scene.CompareWithMaps("glyphs as VTK draws them", 1);
   Compare("glyphs", scene, meshes, 0.01, "colours are bytes; a ball's poles lie otherwise");
 }

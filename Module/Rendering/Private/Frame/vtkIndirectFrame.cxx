@@ -46,9 +46,10 @@ bool IsWithin(const double* values, int count, double most)
     values, values + count, [most](double value) { return std::abs(value) <= most; });
 }
 
-// Whether few of the points that an actor draws lie beyond these bounds: they are values that a
-// file has in place of none (1e20, 9.97e36), not a scene of that size.
-bool HasFillValues(vtkProp* prop)
+// Bounds of an actor without few points that lie beyond these: they are values that a file has in
+// place of none (1e20, 9.97e36), not a scene of that size. VTK leaves infinite ones out by itself.
+// False where there are no such points, or not few.
+bool FindBoundsOfMost(vtkProp* prop, double bounds[6])
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
@@ -56,19 +57,39 @@ bool HasFillValues(vtkProp* prop)
     mapper && mapper->GetNumberOfInputPorts() > 0 && mapper->GetNumberOfInputConnections(0) > 0
     ? vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0))
     : nullptr;
-  vtkIdType beyond = 0;
-  for (vtkIdType i = 0; data && i < data->GetNumberOfPoints(); ++i)
+  if (!data)
   {
-    beyond += IsWithin(data->GetPoint(i), 3, LargestBound) ? 0 : 1;
+    return false;
   }
-  return data && beyond > 0 && 2 * beyond < data->GetNumberOfPoints();
+  const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(actor->GetMatrix());
+  vtkBoundingBox box;
+  vtkIdType beyond = 0;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    data->GetPoint(i, p);
+    const glm::dvec3 world(toWorld * glm::dvec4(p[0], p[1], p[2], 1.0));
+    if (IsWithin(&world[0], 3, LargestBound))
+    {
+      box.AddPoint(world.x, world.y, world.z);
+    }
+    else
+    {
+      ++beyond;
+    }
+  }
+  if (beyond == 0 || 2 * beyond >= data->GetNumberOfPoints())
+  {
+    return false;
+  }
+  box.GetBounds(bounds);
+  return true;
 }
 
-bool IsFinite(const double bounds[6], vtkProp* prop)
+bool IsFinite(const double bounds[6])
 {
   return IsWithin(bounds, 6, std::numeric_limits<double>::max()) &&
-    vtkMath::AreBoundsInitialized(bounds) != 0 &&
-    (IsWithin(bounds, 6, LargestBound) || !HasFillValues(prop));
+    vtkMath::AreBoundsInitialized(bounds) != 0;
 }
 }
 
@@ -240,10 +261,15 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     return;
   }
   const double* bounds = prop->GetBounds();
-  if (kind.Captured && !(bounds && IsFinite(bounds, prop)))
+  double most[6];
+  if (kind.Captured && bounds && !IsWithin(bounds, 6, LargestBound) && FindBoundsOfMost(prop, most))
   {
-    this->LeaveOut(
-      prop, "its bounds are empty or not finite, or a few of its points lie beyond 1e19");
+    bounds = most;
+    this->LeaveOut(prop, "a few of its points lie beyond 1e19: faces at these");
+  }
+  if (kind.Captured && !(bounds && IsFinite(bounds)))
+  {
+    this->LeaveOut(prop, "its bounds are empty or not finite");
     return;
   }
   const bool casts =

@@ -42,7 +42,9 @@ const char* const ColorAlone =
 const char* const Turns = "turns to the camera: casts no shadow and sends no light";
 const char* const LinesOrPoints =
   "lines and points are sized in pixels, so they neither cast shadows nor send light";
-const char* const Splats = "splats have no surface: in maps they cast no shadows and send no light";
+const char* const Splats =
+  "splats have no surface: in maps they cast no shadows and send no light, "
+  "and they receive no indirect light";
 
 // Whether a mapper is VTK's own for polygons, not a class derived from it.
 bool IsPlain(vtkMapper* mapper)

@@ -181,6 +181,7 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& 
   const size_t added = static_cast<size_t>(points->GetNumberOfPoints());
   this->Positions.resize(first + added);
   std::vector<char> shown(added, 1);
+  std::vector<char> there(added, 1);
   vtkPlaneCollection* planes = this->Mapper->GetClippingPlanes();
   for (size_t i = 0; i < added; ++i)
   {
@@ -189,6 +190,8 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& 
     const glm::dvec4 local(p[0], p[1], p[2], 1.0);
     glm::dvec4 world = toWorld * local;
     this->Positions[first + i] = (glm::dvec3(world) - frame.SceneCenter) * frame.SceneScale;
+    // What casts lies in the scene's bounds, of size one; points beyond are no places.
+    there[i] = glm::length(this->Positions[first + i]) <= 1e3;
     for (int k = 0; planes && k < planes->GetNumberOfItems(); ++k)
     {
       shown[i] = shown[i] && planes->GetItem(k)->EvaluateFunction(&world[0]) >= 0.0;
@@ -199,8 +202,10 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& 
   auto add = [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
   {
     // A triangle that a plane cuts counts whole: it blocks at most its own length too much.
-    if (shown[static_cast<size_t>(a)] || shown[static_cast<size_t>(b)] ||
-      shown[static_cast<size_t>(c)])
+    if ((shown[static_cast<size_t>(a)] || shown[static_cast<size_t>(b)] ||
+          shown[static_cast<size_t>(c)]) &&
+      there[static_cast<size_t>(a)] && there[static_cast<size_t>(b)] &&
+      there[static_cast<size_t>(c)])
     {
       this->Triangles.push_back({ cell, { base + a, base + b, base + c } });
     }
