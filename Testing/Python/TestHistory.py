@@ -6,7 +6,7 @@ import unittest
 import numpy as np
 import support
 from TestStale import make_actor, make_area, make_ball, make_room
-from vtkmodules.vtkFiltersSources import vtkPointSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkRenderer
 
 import vtkindirect
@@ -36,13 +36,15 @@ def turned(renderer: vtkRenderer, ball: vtkActor) -> None:
 
 
 def make_balls() -> vtkActor:
-    points = vtkPointSource()
-    points.SetNumberOfPoints(12)
+    points = vtkSphereSource()
+    points.SetThetaResolution(4)
+    points.SetPhiResolution(4)
     points.SetCenter(0, 0.5, 0)
     points.SetRadius(0.4)
     mapper = vtkGlyph3DMapper()
     mapper.SetInputConnection(points.GetOutputPort())
-    mapper.SetSourceConnection(vtkSphereSource().GetOutputPort())
+    source = vtkSphereSource()
+    mapper.SetSourceConnection(source.GetOutputPort())
     mapper.SetScaleFactor(0.25)
     balls = vtkActor()
     balls.SetMapper(mapper)

@@ -26,7 +26,8 @@ constexpr size_t MostMaps = vtkIndirectEmitters::MostPieces;
 bool AreSame(const vtkIndirectCaster& a, const vtkIndirectCaster& b)
 {
   return a.Prop == b.Prop && a.Revision == b.Revision && a.SendsLight == b.SendsLight &&
-    std::equal(a.Bounds, a.Bounds + 6, b.Bounds);
+    std::equal(a.Bounds, a.Bounds + 6, b.Bounds) &&
+    std::equal(a.GetFit(), a.GetFit() + 6, b.GetFit()); // what maps are fitted to
 }
 
 vtkIndirectEmitters::List::iterator Find(vtkIndirectEmitters::List& emitters, int number)
