@@ -7,7 +7,9 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSphereProxyFilter.h"
+#include "vtkSphereSource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -404,6 +406,36 @@ VTK_INDIRECT_TEST(SphereProxiesSame)
     Check("bitwise the same", same);
     first = spheres;
   }
+}
+
+// Points that have moved to nowhere take none of the other spheres with them.
+VTK_INDIRECT_TEST(SphereProxiesMovedToNowhere)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(16);
+  source->SetPhiResolution(16);
+  vtkNew<vtkSphereProxyFilter> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetNumberOfSpheres(12);
+  filter->Update();
+  vtkNew<vtkPolyData> points;
+  points->DeepCopy(source->GetOutput());
+  points->GetPoints()->SetPoint(9, 0.1, std::numeric_limits<double>::quiet_NaN(), 0.2);
+  vtkNew<vtkPolyData> moved;
+  vtkObject::GlobalWarningDisplayOff();
+  const bool done = vtkSphereProxyFilter::MoveSpheres(filter->GetOutput(), points, moved);
+  vtkObject::GlobalWarningDisplayOn();
+  Check("it moves them", done && moved->GetNumberOfPoints() > 0);
+  auto* radii = vtkDataArray::SafeDownCast(moved->GetPointData()->GetAbstractArray("Radius"));
+  int without = 0;
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    moved->GetPoint(i, p);
+    Check("finite", std::isfinite(p[0] + p[1] + p[2] + radii->GetComponent(i, 0)));
+    without += radii->GetComponent(i, 0) == 0.0 ? 1 : 0;
+  }
+  Check("few have no radius", without < moved->GetNumberOfPoints() / 2);
 }
 
 VTK_INDIRECT_TEST(SphereProxiesHardInput)
