@@ -295,7 +295,7 @@ VTK_INDIRECT_TEST(DepthMapsAreBounded)
   const Image open = scene.Copy("irradiance");
   scene.Pass->SetVisibilityToMaps();
   scene.Render();
-  CheckAtMost("maps", scene.ReadReport("tiles_drawn"), 1024.0, "64 MB");
+  CheckAtMost("maps", scene.ReadReport("tiles_drawn"), 1024.0, "80 MB");
   const Image seen = scene.Copy("irradiance");
   vtkNew<vtkRSMReferencePass> reference;
   reference->SetModeToVirtualLights();
