@@ -136,7 +136,8 @@ VTK_INDIRECT_TEST(WalkFurnace)
     scene.Sampler->SetNumberOfLights(1024);
     scene.Render();
     CheckRelative(own ? "of a tree" : "beside even lights", scene.Copy("bounce").Mean(), sum.x,
-      0.025, "clusters of 8192 vertices, even lights' kernels; 0.002 of it what bowls do not spread");
+      0.025,
+      "clusters of 8192 vertices, even lights' kernels; 0.002 of it what bowls do not spread");
   }
   scene.Pass->SetEstimator(splatting);
   scene.Render();

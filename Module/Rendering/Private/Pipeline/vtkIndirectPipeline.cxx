@@ -441,9 +441,9 @@ const vtkIndirectEstimate* vtkIndirectPipeline::GetEstimate() const
 }
 
 //------------------------------------------------------------------------------
-// Where all light comes from the sky a receiver sees radiances of the sky and of surfaces, and as no
-// surface reflects more than it gets none of these is greater than the sky's greatest. Lamps have no
-// radiance that bounds what they give.
+// Where all light comes from the sky a receiver sees radiances of the sky and of surfaces, and as
+// no surface reflects more than it gets none of these is greater than the sky's greatest. Lamps
+// have no radiance that bounds what they give.
 glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance() const
 {
   const std::vector<vtkIndirectLight>& lights = this->Frame.Lights;
@@ -469,8 +469,7 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
     this->SkyIsThere ? sky : nullptr, summed ? this->SkyEstimate.SkyBounce : nullptr,
     this->SkyEstimate.SkyBounceChannel, this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr,
     this->AreaIsThere ? this->Area.GetReflected() : nullptr, this->FindGreatestIrradiance(),
-    this->Plan.IndirectScale,
-    this->TargetIsClear };
+    this->Plan.IndirectScale, this->TargetIsClear };
 }
 
 //------------------------------------------------------------------------------
