@@ -60,7 +60,7 @@ class RandomWalk(unittest.TestCase):
                 if not report["counters"]["tiles_left"]:
                     break
             modelled = [entry["what"] for entry in report["modelled"]]
-            self.assertIn("bounces 2 to 128", modelled)
+            self.assertIn("bounces 2 to 16", modelled)
             irradiance = images.copy_buffer(loaded.renderer, "irradiance")
             found = metrics.compare(irradiance, expected, references.mask(loaded))
             self.assertLess(found.relmse, relmse, name)

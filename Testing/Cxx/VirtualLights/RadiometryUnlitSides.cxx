@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What no light can reach stays dark, and nothing gets more light than there is: the backs of curved
-// sheets, surfaces of colours beyond one, crevices under a uniform sky.
+// What no light can reach stays dark, and nothing gets more light than there is: the backs of
+// curved sheets, surfaces of colours beyond one, crevices under a uniform sky.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -9,13 +9,15 @@
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
-#include "vtkPolyDataNormals.h"
-#include "vtkProperty.h"
-
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRSMGatherPass.h"
+#include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <initializer_list>
@@ -96,9 +98,13 @@ VTK_INDIRECT_TEST(BallsKeepTheirLight)
   scene.AddPoint({ 0.3, 0.2, 0.1 }, { 0, 0, 1 });
   CheckUnlit(
     "a ball with a lamp in it", scene,
-    [&] { scene.SetEye({ 0, 1, 4 }, { 0, 0, 0 }, { 0, 1, 0 }, 30, 0.1, 10); },
-    [&] { scene.SetEye({ 0, 0, 0.5 }, { 0, 0, -1 }, { 0, 1, 0 }, 60, 0.01, 10); }, 1e-4,
-    "facets of 11 degrees meet at less than what receivers allow for; before 0.4");
+    [&] {
+      scene.SetEye({ 0, 1, 4 }, { 0, 0, 0 }, { 0, 1, 0 }, 30, 0.1, 10);
+    },
+    [&] {
+      scene.SetEye({ 0, 0, 0.5 }, { 0, 0, -1 }, { 0, 1, 0 }, 60, 0.01, 10);
+    },
+    1e-4, "facets of 11 degrees meet at less than what receivers allow for; before 0.4");
 }
 
 VTK_INDIRECT_TEST(BowlsKeepTheirLight)
@@ -112,23 +118,34 @@ VTK_INDIRECT_TEST(BowlsKeepTheirLight)
     scene.AddDirectional({ 0.2, 0.1, -1 });
     CheckUnlit(
       sign > 0.0 ? "a dome" : "a bowl", scene,
-      [&] { scene.SetEye({ 0.3, 0.2, -4 }, { 0, 0, 0 }, { 0, 1, 0 }, 30, 0.1, 10); },
-      [&] { scene.SetEye({ 0.3, 0.2, 4 }, { 0, 0, 0 }, { 0, 1, 0 }, 30, 0.1, 10); }, 1e-3,
-      "beside a bounce that itself is a hundredth of the light; before 0.1 to 1");
+      [&] {
+        scene.SetEye({ 0.3, 0.2, -4 }, { 0, 0, 0 }, { 0, 1, 0 }, 30, 0.1, 10);
+      },
+      [&] {
+        scene.SetEye({ 0.3, 0.2, 4 }, { 0, 0, 0 }, { 0, 1, 0 }, 30, 0.1, 10);
+      },
+      1e-3, "beside a bounce that itself is a hundredth of the light; before 0.1 to 1");
   }
 }
 
 VTK_INDIRECT_TEST(HillsAreDarkFromBelow)
 {
   Scene scene(96, 72);
-  const auto sheet = MakeSheet(
-    64, [](double x, double y) { return 0.12 * std::sin(6.0 * x) * std::cos(6.0 * y); });
+  const auto sheet =
+    MakeSheet(64, [](double x, double y) { return 0.12 * std::sin(6.0 * x) * std::cos(6.0 * y); });
   scene.AddSource(sheet, { 0.8, 0.8, 0.8 });
   scene.AddDirectional({ 0.4, 0.2, -1 });
+  // Hilltops do shine onto the undersides of others, were there nothing between.
+  scene.Pass->SetVisibility(vtkIndirectIlluminationPass::AUTO);
   CheckUnlit(
-    "hills", scene, [&] { scene.SetEye({ 0.5, 1.5, -4 }, { 0, 0, 0 }, { 0, 1, 0 }, 30, 0.1, 10); },
-    [&] { scene.SetEye({ 0.5, 1.5, 4 }, { 0, 0, 0 }, { 0, 1, 0 }, 30, 0.1, 10); }, 0.06,
-    "clusters of hilltops reach beyond their rims, measured 0.04 with nothing hidden");
+    "hills", scene,
+    [&] {
+      scene.SetEye({ 0.5, 1.5, -4 }, { 0, 0, 0 }, { 0, 1, 0 }, 30, 0.1, 10);
+    },
+    [&] {
+      scene.SetEye({ 0.5, 1.5, 4 }, { 0, 0, 0 }, { 0, 1, 0 }, 30, 0.1, 10);
+    },
+    0.06, "clusters of hilltops reach beyond their rims, measured 0.04 with nothing hidden");
 }
 
 VTK_INDIRECT_TEST(ColoursBeyondOneReflectNoMore)

@@ -214,7 +214,8 @@ VTK_INDIRECT_TEST(PatchesOfPlanes)
   const vec3 along(0.0f, 1.0f, 0.0f);
   const char* rest =
     "0.03 where patches end beside the receiver, measured; 0.005 beyond 200 of them";
-  const char* facing = "0.113 of patches nearer than half of their sides, measured; 0.09 but for VTKI_PATCH_FACET";
+  const char* facing =
+    "0.113 of patches nearer than half of their sides, measured; 0.09 but for VTKI_PATCH_FACET";
   for (const float height : { 0.05f, 0.2f, 0.5f, 1.0f, 2.0f })
   {
     const std::string at = " at " + std::to_string(height);
@@ -225,8 +226,8 @@ VTK_INDIRECT_TEST(PatchesOfPlanes)
       // Receivers that face it and are nearer may be on the other side of a sheet.
       if (height > 0.1f)
       {
-        CheckRelative(
-          "a plane" + at, sum(vec3(place, place, height), -normal, -rows, patch), 1.0, 0.12, facing);
+        CheckRelative("a plane" + at, sum(vec3(place, place, height), -normal, -rows, patch), 1.0,
+          0.12, facing);
       }
     }
   }

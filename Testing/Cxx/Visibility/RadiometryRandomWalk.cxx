@@ -80,11 +80,12 @@ VTK_INDIRECT_TEST(WalkFurnace)
     scene.Sampler->SetNumberOfLights(1024);
     scene.Render();
     CheckRelative(own ? "of a tree" : "beside even lights", scene.Copy("bounce").Mean(), sum.x,
-      0.02, "clusters of 8192 vertices, even lights' kernels");
+      0.025,
+      "clusters of 8192 vertices, even lights' kernels; 0.002 of it what bowls do not spread");
   }
   scene.Pass->SetEstimator(splatting);
   scene.Render();
-  CheckRelative("multiresolution", scene.Copy("bounce").Mean(), sum.x, 0.02, "the same");
+  CheckRelative("multiresolution", scene.Copy("bounce").Mean(), sum.x, 0.025, "the same");
   scene.Pass->SetEstimator(nullptr);
 }
 

@@ -193,8 +193,9 @@ void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
     if (sent && estimator.MaximumNumberOfBounces > 1)
     {
       this->EstimateLeftOut.emplace_back("bounces after the first",
-        "NumberOfBounces is automatic, which is one for " + estimator.Name + "; it computes up to " +
-          std::to_string(estimator.MaximumNumberOfBounces) + " where asked; the result is too dark");
+        "NumberOfBounces is automatic, which is one for " + estimator.Name +
+          "; it computes up to " + std::to_string(estimator.MaximumNumberOfBounces) +
+          " where asked; the result is too dark");
     }
   }
   if (this->SampledBounces > estimator.MaximumNumberOfBounces && walks &&

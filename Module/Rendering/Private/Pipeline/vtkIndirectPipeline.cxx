@@ -532,9 +532,9 @@ const vtkIndirectEstimate* vtkIndirectPipeline::GetEstimate() const
 }
 
 //------------------------------------------------------------------------------
-// Where all light comes from the sky a receiver sees radiances of the sky and of surfaces, and as no
-// surface reflects more than it gets none of these is greater than the sky's greatest. Lamps have no
-// radiance that bounds what they give.
+// Where all light comes from the sky a receiver sees radiances of the sky and of surfaces, and as
+// no surface reflects more than it gets none of these is greater than the sky's greatest. Lamps
+// have no radiance that bounds what they give.
 glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance() const
 {
   const std::vector<vtkIndirectLight>& lights = this->Frame.Lights;
