@@ -371,7 +371,7 @@ class Empty(support.DirectoryTest):
 
     def test_no_triangles(self) -> None:
         header = b"a solid without triangles".ljust(80) + bytes(4)
-        self.assert_nothing(self.write("none.stl", header), "cannot be read")
+        self.assert_nothing(self.write("none.stl", header), "(cannot be read|it holds no points)")
         self.assert_nothing(self.write("some.stl", header + bytes(50)), "points but no cells")
 
     def test_missing_points_are_damage(self) -> None:
