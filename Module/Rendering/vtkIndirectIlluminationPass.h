@@ -203,9 +203,9 @@ public:
    * Whether edges of the opaque props are antialiased: where surfaces end, against whatever lies
    * behind, not where data on a surface does. Default on. Off, or where the renderer's FXAA,
    * vtkOpenGLFXAAPass or vtkSSAAPass takes its place, pixels are as they were shaded, bitwise.
-   * Buffers of CopyBuffer and depth are not filtered. Reshetov 2009, Jimenez et al. 2012 (SMAA): steps of an outline that are
-   * up to 63 pixels long are replaced by the line that they stand for; what is thinner than a pixel
-   * stays broken, for which vtkSSAAPass is there.
+   * Buffers of CopyBuffer and depth are not filtered. Reshetov 2009, Jimenez et al. 2012 (SMAA):
+   * steps of an outline that are up to 63 pixels long are replaced by the line that they stand for;
+   * what is thinner than a pixel stays broken, for which vtkSSAAPass is there.
    */
   vtkIndirectFlagMacro(Antialiasing);
   ///@}
