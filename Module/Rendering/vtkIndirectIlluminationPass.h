@@ -17,8 +17,9 @@
  * all of them, hidden by depth maps of the virtual lights (NumberOfBounces, Visibility), with lobes
  * of specular senders in the first. A light that follows the camera has one bounce.
  *
- * Multisampling has no effect on what this pass draws: its targets are float textures. Edges are
- * antialiased by their shapes instead (Antialiasing). vtkSSAAPass around the pass samples more.
+ * Multisampling has no effect on the colours that this pass draws: its targets are float textures.
+ * Edges are antialiased by their shapes instead (Antialiasing). vtkSSAAPass around the pass samples
+ * more. Depth of several samples is VTK's own where something in the scene looks it up.
  *
  * @code
  * vtkNew<vtkIndirectIlluminationPass> pass;
@@ -114,7 +115,8 @@ public:
    * draw the props into the framebuffer that it is given: of a pass that draws them into one of its
    * own, such as vtkSSAOPass or vtkShadowMapPass, no surfaces can be had, and after one error only
    * its picture is shown. Passes that process images (vtkSSAAPass, vtkToneMappingPass and others)
-   * take this pass as their delegate.
+   * take this pass as their delegate; under vtkSSAOPass and vtkOutlineGlowPass, which need what
+   * VTK's mappers draw for them, the picture is theirs alone, after one error.
    */
   virtual void SetDelegatePass(vtkRenderPass* delegate);
   vtkGetObjectMacro(DelegatePass, vtkRenderPass);
@@ -200,12 +202,12 @@ public:
 
   ///@{
   /**
-   * Whether edges of the picture of the opaque props are antialiased, silhouettes against whatever
-   * lies behind included. Default on. Off, or where the renderer's FXAA, vtkOpenGLFXAAPass or
-   * vtkSSAAPass takes its place, pixels are as they were shaded, bitwise. Buffers of CopyBuffer and
-   * depth are not filtered. Reshetov 2009, Jimenez et al. 2012 (SMAA): steps of an outline that are
-   * up to 63 pixels long are replaced by the line that they stand for; what is thinner than a pixel
-   * stays broken, for which vtkSSAAPass is there.
+   * Whether edges of the opaque props are antialiased: where surfaces end, against whatever lies
+   * behind, not where data on a surface does. Default on. Off, or where the renderer's FXAA,
+   * vtkOpenGLFXAAPass or vtkSSAAPass takes its place, pixels are as they were shaded, bitwise.
+   * Buffers of CopyBuffer and depth are not filtered. Reshetov 2009, Jimenez et al. 2012 (SMAA):
+   * steps of an outline that are up to 63 pixels long are replaced by the line that they stand for;
+   * what is thinner than a pixel stays broken, for which vtkSSAAPass is there.
    */
   vtkIndirectFlagMacro(Antialiasing);
   ///@}
