@@ -103,8 +103,8 @@ void vtkIndirectCaptureText::Add(
   }
   if (lit)
   {
-    // Derivatives belong in front of anything that may discard. Impostors of spheres and sticks have
-    // discarded what they do not cover, and their normal is that of the surface.
+    // Derivatives belong in front of anything that may discard. Impostors of spheres and sticks
+    // have discarded what they do not cover, and their normal is that of the surface.
     const bool impostor = Contains(fragmentShader, "radiusVCVSOutput") &&
       Contains(fragmentShader, "centerVCVSOutput") && Contains(fragmentShader, "discard");
     // Neither lines nor what VTK draws in place of lines and points, tubes and spheres, has facets.
@@ -169,8 +169,8 @@ void vtkIndirectCaptureText::Add(
   }
   declarations += "#define VTKI_ALBEDO " + albedo + "\n";
   declarations += std::string("#define VTKI_NORMAL ") + (lit ? "normalVCVSOutput" : "vec3(0.0)") +
-    "\n#define VTKI_FACET " + (lit ? "vtkiFacetNormalVC" : "vec3(0.0)") + "\n#define VTKI_SLOPE " + (lit ? "vtkiSlope" : "vec2(0.0)") + "\n#define VTKI_KIND " + kind +
-    "\n#define VTKI_DEPTH " +
+    "\n#define VTKI_FACET " + (lit ? "vtkiFacetNormalVC" : "vec3(0.0)") + "\n#define VTKI_SLOPE " +
+    (lit ? "vtkiSlope" : "vec2(0.0)") + "\n#define VTKI_KIND " + kind + "\n#define VTKI_DEPTH " +
     (positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()") +
     // VTK's PBR divides diffuse reflection by pi, its Phong does not.
     "\n#define VTKI_SENDER_SCALE " +
