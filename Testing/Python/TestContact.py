@@ -211,7 +211,7 @@ class Contact(unittest.TestCase):
     def check_smooth(
         self, light: np.ndarray, place: np.ndarray, name: str, most: float
     ) -> None:
-        """Light on faces, away from their edges, strays from that around it by 4 % in few pixels."""
+        """Light on faces, away from edges, strays from that around it by 4 % in few pixels."""
         face = np.zeros(light.shape, bool)
         for axis in range(3):
             others = np.delete(place, axis, -1)
