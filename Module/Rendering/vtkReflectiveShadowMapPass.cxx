@@ -433,9 +433,8 @@ vtkIndirectShadowMaps vtkReflectiveShadowMapPass::ActivateShadows(vtkOpenGLRende
     shadows.Maps.push_back(in.Maps[i]->GetShadowMap());
   }
   shadows.Texels = this->Texels;
-  const bool updated =
-    in.Rows.Update(window, in.Target.ActivateShadow(), in.Target.Activate(SlopeChannel),
-      this->Texels, in.Target.GetLayers());
+  const bool updated = in.Rows.Update(window, in.Target.ActivateShadow(),
+    in.Target.Activate(SlopeChannel), this->Texels, in.Target.GetLayers());
   in.Target.Deactivate();
   shadows.Unit = updated ? in.Rows.Activate() : -1;
   return shadows;

@@ -97,8 +97,8 @@ VTK_INDIRECT_TEST(PackSurface)
       wrong +=
         vtkiSurfaceIsLit(packed) != (kind == VTKI_SURFACE_LINEAR || kind == VTKI_SURFACE_ENCODED);
       worst = std::max(worst, glm::length(glm::dvec3(vtkiSurfaceNormal(packed)) - n));
-      worst = std::max(worst,
-        glm::length(glm::dvec3(vtkiSurfaceFacet(packed)) - glm::dvec3(-n.y, n.z, n.x)));
+      worst = std::max(
+        worst, glm::length(glm::dvec3(vtkiSurfaceFacet(packed)) - glm::dvec3(-n.y, n.z, n.x)));
     }
   }
   CheckEqual("wrong kinds, depths or alphas", wrong, 0);

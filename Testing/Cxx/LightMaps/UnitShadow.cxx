@@ -139,18 +139,20 @@ VTK_INDIRECT_TEST(PackSlope)
       random.NextMagnitude(1e-3, 300.0) * glm::dvec2(std::cos(angle), std::sin(angle));
     const float packed = vtkiPackSlope(vec2(slope));
     numbers += !std::isnormal(packed);
-    worst = std::max(worst,
-      glm::length(glm::dvec2(vtkiUnpackSlope(packed)) - slope) / (1.0 + glm::length(slope)));
+    worst = std::max(
+      worst, glm::length(glm::dvec2(vtkiUnpackSlope(packed)) - slope) / (1.0 + glm::length(slope)));
   }
   CheckEqual("codes that are no normal numbers", numbers, 0);
-  // Half a step of both coordinates times the square of one more than the sum of a slope's components, 300 root two.
+  // Half a step of both coordinates times the square of one more than the sum of a slope's
+  // components, 300 root two.
   CheckAtMost("error of a packed slope over one more than it", worst,
-    glm::length(glm::dvec2(0.5 / VTKI_CODE_STEPS_X, 0.5 / VTKI_CODE_STEPS_Y)) * 425.3 * 425.3 / 301.0,
+    glm::length(glm::dvec2(0.5 / VTKI_CODE_STEPS_X, 0.5 / VTKI_CODE_STEPS_Y)) * 425.3 * 425.3 /
+      301.0,
     "half a step");
 }
 
-// A map that looks straight down onto planes: each texel's depth and slope are those of the plane that is nearest
-// at its centre. seen: what a receiver on `plane` finds at a place.
+// A map that looks straight down onto planes: each texel's depth and slope are those of the plane
+// that is nearest at its centre. seen: what a receiver on `plane` finds at a place.
 VTK_INDIRECT_TEST(ShadowVotes)
 {
   struct Plane
@@ -206,7 +208,8 @@ VTK_INDIRECT_TEST(ShadowVotes)
     }
     return static_cast<double>(vtkiShareOfShadow(seen, votes));
   };
-  // Depths count 1e-3 as the width of a texel. A wall, left, whose foot is at 0.3 on a floor, right.
+  // Depths count 1e-3 as the width of a texel. A wall, left, whose foot is at 0.3 on a floor,
+  // right.
   const std::vector<Plane> corner = { { 0.5 - 0.3e-3 * -3.0, -3e-3, -1e9, 0.3 },
     { 0.5 - 0.3e-3 * 0.5, 0.5e-3, 0.3, 1e9 } };
   double least = 1.0;
@@ -215,7 +218,8 @@ VTK_INDIRECT_TEST(ShadowVotes)
     least = std::min(least, look(corner, x < 0.3 ? 0 : 1, x, 0.2));
   }
   CheckEqual("least that is seen where a wall meets a floor", least, 1.0);
-  // A wall whose foot is at 0.3, before a floor that begins there, hides it as long as it is there, to 40.
+  // A wall whose foot is at 0.3, before a floor that begins there, hides it as long as it is there,
+  // to 40.
   std::vector<Plane> thin = { { 0.5 + 0.3e-3 * 3.0, -3e-3, 0.3, 40.0 },
     { 0.5 - 0.3e-3 * 0.5, 0.5e-3, 0.3, 1e9 } };
   for (const bool around : { false, true })
@@ -243,11 +247,13 @@ VTK_INDIRECT_TEST(ShadowVotes)
   CheckEqual("1.6 texels outside", look(edge, 1, 0.3 - 2.1, 0.1), 1.0);
   CheckEqual("1.6 texels inside", look(edge, 1, 0.3 + 2.1, 0.1), 0.0);
   CheckAtMost("at the edge, off one half", std::abs(look(edge, 1, 0.3, 0.1) - 0.5), 0.3,
-    "the edge is at a texel's border, half a texel off at most, where the tent has 0.3 of its weight");
+    "the edge is at a texel's border, half a texel off at most, where the tent has 0.3 of its "
+    "weight");
   // Concave facets at right angles, and convex ones.
   for (const double bend : { 1e-3, -1e-3 })
   {
-    const std::vector<Plane> bent = { { 0.5, bend, -1e9, 0.2 }, { 0.5 + 0.4 * bend, -bend, 0.2, 1e9 } };
+    const std::vector<Plane> bent = { { 0.5, bend, -1e9, 0.2 },
+      { 0.5 + 0.4 * bend, -bend, 0.2, 1e9 } };
     double dark = 1.0;
     for (double x = -3.0; x <= 3.0; x += 0.01)
     {

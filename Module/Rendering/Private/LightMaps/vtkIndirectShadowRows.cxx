@@ -26,7 +26,8 @@ void vtkIndirectShadowRows::Forget(int layer)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectShadowRows::Update(vtkOpenGLRenderWindow* window, int unit, int slopes, int texels, int layers)
+bool vtkIndirectShadowRows::Update(
+  vtkOpenGLRenderWindow* window, int unit, int slopes, int texels, int layers)
 {
   if (this->Window != window || this->Texels != texels ||
     static_cast<int>(this->Valid.size()) < layers)

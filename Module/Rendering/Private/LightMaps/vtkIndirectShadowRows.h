@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depths of light maps as shadow look-ups read them: three neighbours of a row in one texel, and the
-// slope of the middle one's surface. Nine depths take three fetches; a fetch of four channels costs
-// little more than one of one.
+// Depths of light maps as shadow look-ups read them: three neighbours of a row in one texel, and
+// the slope of the middle one's surface. Nine depths take three fetches; a fetch of four channels
+// costs little more than one of one.
 #ifndef vtkIndirectShadowRows_h
 #define vtkIndirectShadowRows_h
 
