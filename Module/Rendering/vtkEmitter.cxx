@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEmitter.h"
 
+#include "Frame/vtkIndirectRevision.h"
 #include "vtkImageData.h"
 #include "vtkTexture.h"
 
@@ -52,20 +53,18 @@ void vtkEmitter::SetRadiance(double red, double green, double blue)
 }
 
 //------------------------------------------------------------------------------
+// An image that is older than the one before it, or than the rest, is another one, too.
 vtkMTimeType vtkEmitter::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  if (this->Image)
+  const vtkTypeUInt64 revision = this->Image ? this->Image->GetMTime()
+    : this->Texture                          ? vtkIndirectRevision::Find(this->Texture)
+                                             : 0;
+  if (revision != this->PictureRevision)
   {
-    return std::max(time, this->Image->GetMTime());
+    this->PictureRevision = revision;
+    this->MTime.Modified(); // it is asked, not set: nobody who observes it is called
   }
-  if (this->Texture)
-  {
-    time = std::max(time, this->Texture->GetMTime());
-    vtkImageData* input = this->Texture->GetInput();
-    time = input ? std::max(time, input->GetMTime()) : time;
-  }
-  return time;
+  return this->Superclass::GetMTime();
 }
 
 //------------------------------------------------------------------------------

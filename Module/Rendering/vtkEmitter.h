@@ -68,7 +68,7 @@ public:
   vtkGetMacro(Scale, double);
   ///@}
 
-  /** The time of the image counts, and that of the texture with its input. */
+  /** Grows also with the image, and with the texture and what its pipeline makes. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -87,6 +87,8 @@ protected:
   double Scale = 1.0;
 
 private:
+  vtkTypeUInt64 PictureRevision = 0; // of the image or texture when it was asked last
+
   vtkEmitter(const vtkEmitter&) = delete;
   void operator=(const vtkEmitter&) = delete;
 };

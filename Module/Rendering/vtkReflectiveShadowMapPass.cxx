@@ -48,11 +48,11 @@ constexpr int ChannelsOfDiffuse = 3;
 struct CasterKey
 {
   vtkProp* Prop;
-  vtkMTimeType RedrawMTime;
+  vtkTypeUInt64 Revision;
   bool SendsLight;
   bool operator==(const CasterKey& other) const
   {
-    return this->Prop == other.Prop && this->RedrawMTime == other.RedrawMTime &&
+    return this->Prop == other.Prop && this->Revision == other.Revision &&
       this->SendsLight == other.SendsLight;
   }
 };
@@ -214,7 +214,7 @@ bool vtkReflectiveShadowMapPass::Update(
       {
         if (map.CanHold(face, caster.Bounds, this->Resolution))
         {
-          key.Casters.push_back({ caster.Prop, caster.RedrawMTime, caster.SendsLight });
+          key.Casters.push_back({ caster.Prop, caster.Revision, caster.SendsLight });
         }
       }
       FaceKey& last = in.Faces[map.FirstLayer + face];

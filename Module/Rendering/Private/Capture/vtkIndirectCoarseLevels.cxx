@@ -3,11 +3,11 @@
 
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectRevision.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkOpenGLBufferObject.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace
 {
@@ -22,13 +23,6 @@ vtkPolyData* FindMesh(vtkActor* actor)
 {
   auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
   return mapper ? mapper->GetInput() : nullptr;
-}
-
-// Of its shape: colours may change.
-vtkMTimeType FindShapeTime(vtkPolyData* mesh)
-{
-  const vtkMTimeType points = mesh->GetPoints() ? mesh->GetPoints()->GetMTime() : 0;
-  return std::max({ points, mesh->GetPolys()->GetMTime(), mesh->GetStrips()->GetMTime() });
 }
 
 // The most by which the actor's matrix lengthens anything, or a bound of it.
@@ -47,7 +41,7 @@ vtkIndirectCoarseLevels::~vtkIndirectCoarseLevels() = default;
 bool vtkIndirectCoarseLevels::IsCurrent(const Entry& entry)
 {
   return entry.Actor && entry.Mesh && FindMesh(entry.Actor) == entry.Mesh &&
-    FindShapeTime(entry.Mesh) == entry.MeshTime;
+    vtkIndirectRevision::FindShape(entry.Mesh) == entry.MeshRevision;
 }
 
 //------------------------------------------------------------------------------
@@ -139,7 +133,7 @@ std::string vtkIndirectCoarseLevels::Add(vtkProp* prop, vtkPolyData* mesh, doubl
   }
   found->Actor = actor;
   found->Mesh = whole;
-  found->MeshTime = FindShapeTime(whole);
+  found->MeshRevision = vtkIndirectRevision::FindShape(whole);
   vtkTimeStamp now;
   now.Modified();
   found->Time = now.GetMTime();
@@ -185,8 +179,9 @@ void vtkIndirectCoarseLevels::Update(vtkIndirectFrame& frame)
     for (vtkIndirectCaster& caster : frame.Casters)
     {
       // Maps that were drawn without it are stale, and those with it when it is gone.
-      caster.RedrawMTime =
-        caster.Prop == it->Actor ? std::max(caster.RedrawMTime, it->Time) : caster.RedrawMTime;
+      caster.Revision = caster.Prop == it->Actor
+        ? vtkIndirectRevision::Join(caster.Revision, it->Time)
+        : caster.Revision;
     }
     ++it;
   }
@@ -233,6 +228,16 @@ void vtkIndirectCoarseLevels::Count(size_t drawn, size_t full) const
 {
   this->Drawn += static_cast<double>(drawn);
   this->Full += static_cast<double>(full);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCoarseLevels::AppendTo(std::vector<double>& key) const
+{
+  for (const Entry& entry : this->Entries)
+  {
+    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(entry.Actor.Get())));
+    key.push_back(static_cast<double>(entry.Time));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -57,6 +57,8 @@ public:
 
   /** Counts what maps were drawn of. */
   void Count(size_t drawn, size_t full) const;
+  /** Adds what pictures depend on: which levels there are. */
+  void AppendTo(std::vector<double>& key) const;
   void AddToReport(vtkIndirectReport& report) const;
   /** Releases OpenGL's part; levels stay. */
   void Release(vtkWindow* window);
@@ -66,7 +68,7 @@ private:
   {
     vtkWeakPointer<vtkActor> Actor;
     vtkWeakPointer<vtkPolyData> Mesh;
-    vtkMTimeType MeshTime = 0;
+    vtkTypeUInt64 MeshRevision = 0; // of its shape
     vtkMTimeType Time = 0; // of the last level that was added
     std::vector<std::unique_ptr<Level>> Levels;
   };

@@ -5,6 +5,7 @@
 #include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectRevision.h"
 #include "Frame/vtkIndirectRoom.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkBoundingBox.h"
@@ -199,7 +200,7 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     vtkIndirectCaster caster;
     caster.Prop = prop;
     std::copy(bounds, bounds + 6, caster.Bounds);
-    caster.RedrawMTime = vtkIndirectPropKind::FindTime(prop);
+    caster.Revision = vtkIndirectRevision::Find(prop);
     caster.SendsLight = vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::SendsLight(), true);
     caster.Triangles = kind.DepthTriangles;
     this->AllSendLight = this->AllSendLight && caster.SendsLight;
@@ -342,7 +343,7 @@ void vtkIndirectFrame::AppendTo(std::vector<double>& key) const
   for (vtkProp* prop : this->Props)
   {
     key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(prop)));
-    key.push_back(static_cast<double>(vtkIndirectPropKind::FindTime(prop)));
+    key.push_back(static_cast<double>(vtkIndirectRevision::Find(prop)));
   }
 }
 

@@ -7,7 +7,7 @@
 #ifndef vtkIndirectFrame_h
 #define vtkIndirectFrame_h
 
-#include "vtkType.h" // for vtkMTimeType
+#include "vtkType.h" // for numbers
 
 #include <glm/glm.hpp> // for vectors and matrices
 #include <string>      // for reasons
@@ -62,7 +62,7 @@ struct vtkIndirectCaster
   /** Where it has moved: what maps are fitted to in place of its bounds, see vtkIndirectRoom. */
   double Room[6];
   bool HasRoom = false;
-  vtkMTimeType RedrawMTime = 0;
+  vtkTypeUInt64 Revision = 0; // see vtkIndirectRevision
   bool SendsLight = true;
   double Triangles = 0.0; // about, of its depth
 

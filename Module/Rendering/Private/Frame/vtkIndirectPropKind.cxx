@@ -2,10 +2,7 @@
 #include "Frame/vtkIndirectPropKind.h"
 
 #include "vtkActor.h"
-#include "vtkAlgorithm.h"
 #include "vtkAssembly.h"
-#include "vtkAssemblyNode.h"
-#include "vtkAssemblyPath.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -13,7 +10,6 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkInformation.h"
 #include "vtkLODProp3D.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkPointData.h"
@@ -29,7 +25,6 @@
 #include "vtkTexture.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -227,64 +222,6 @@ void CollectParts(vtkProp* prop, std::vector<vtkProp*>& parts)
   }
 }
 
-vtkDataObject* FindInput(vtkMapper* mapper)
-{
-  return mapper && mapper->GetNumberOfInputPorts() > 0 && mapper->GetNumberOfInputConnections(0) > 0
-    ? mapper->GetInputDataObject(0, 0)
-    : nullptr;
-}
-
-// Bits of all that an assembly's parts are drawn from, mixed by splitmix64's finalizer (Steele,
-// Lea, Flood 2014), of which a double keeps as many. Parts that are no actors have VTK's time.
-vtkMTimeType FindNumberOfParts(vtkProp* prop)
-{
-  vtkTypeUInt64 number = 0;
-  auto add = [&number](vtkTypeUInt64 bits)
-  {
-    number += bits + 0x9e3779b97f4a7c15u;
-    number = (number ^ (number >> 30)) * 0xbf58476d1ce4e5b9u;
-    number = (number ^ (number >> 27)) * 0x94d049bb133111ebu;
-    number ^= number >> 31;
-  };
-  auto addObject = [&add](vtkObject* object)
-  {
-    add(static_cast<vtkTypeUInt64>(reinterpret_cast<uintptr_t>(object)));
-    add(object ? object->GetMTime() : 0);
-  };
-  prop->InitPathTraversal();
-  while (vtkAssemblyPath* path = prop->GetNextPath())
-  {
-    vtkAssemblyNode* node = path->GetLastNode();
-    vtkProp* part = node->GetViewProp();
-    add(static_cast<vtkTypeUInt64>(reinterpret_cast<uintptr_t>(part)));
-    add(part->GetVisibility() ? 1 : 0);
-    vtkMatrix4x4* matrix = node->GetMatrix() ? node->GetMatrix() : part->GetMatrix();
-    for (int i = 0; matrix && i < 16; ++i)
-    {
-      vtkTypeUInt64 bits;
-      std::memcpy(&bits, matrix->GetData() + i, sizeof bits);
-      add(bits);
-    }
-    auto* actor = vtkActor::SafeDownCast(part);
-    if (!actor)
-    {
-      add(part->GetRedrawMTime());
-      continue;
-    }
-    vtkMapper* mapper = actor->GetMapper();
-    if (FindInput(mapper))
-    {
-      mapper->GetInputAlgorithm()->Update();
-    }
-    addObject(actor->GetProperty());
-    addObject(actor->GetBackfaceProperty());
-    addObject(actor->GetTexture());
-    addObject(mapper);
-    addObject(FindInput(mapper));
-  }
-  return number >> 12;
-}
-
 bool IsCaptured(vtkProp* part)
 {
   if (auto* actor = vtkActor::SafeDownCast(part))
@@ -338,19 +275,6 @@ vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
   const bool turns = follower || prop->IsA("vtkFollower");
   kind.NoCaster = !kind.Captured ? ColorAlone : !kind.Surface ? noSurface : turns ? Turns : nullptr;
   return kind;
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkIndirectPropKind::FindTime(vtkProp* prop)
-{
-  if (vtkAssembly::SafeDownCast(prop) || vtkPropAssembly::SafeDownCast(prop))
-  {
-    return FindNumberOfParts(prop);
-  }
-  const vtkMTimeType time = prop->GetRedrawMTime();
-  auto* actor = vtkActor::SafeDownCast(prop);
-  vtkDataObject* data = actor ? FindInput(actor->GetMapper()) : nullptr;
-  return data ? std::max(time, data->GetMTime()) : time;
 }
 
 //------------------------------------------------------------------------------

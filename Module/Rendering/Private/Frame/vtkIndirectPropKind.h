@@ -3,8 +3,6 @@
 #ifndef vtkIndirectPropKind_h
 #define vtkIndirectPropKind_h
 
-#include "vtkType.h" // for times
-
 class vtkActor;
 class vtkProp;
 
@@ -38,14 +36,6 @@ struct vtkIndirectPropKind
   double DepthTriangles = 0.0;
 
   static vtkIndirectPropKind Find(vtkProp* prop);
-
-  /**
-   * When what it draws has changed last: VTK's redraw time does not know of data that are no
-   * vtkDataSet, such as a vtkMolecule. VTK modifies what is in an assembly whenever it draws it, so
-   * of assemblies it is a number made of what their parts are drawn from: only to be compared
-   * whether it is the same.
-   */
-  static vtkMTimeType FindTime(vtkProp* prop);
 
   /**
    * The actor that a prop is if it refracts light, else null: with VTK's PBR, a BaseIOR above one,

@@ -6,6 +6,7 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectRevision.h"
 #include "vtkImageData.h"
 #include "vtkMapLightSampler.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -118,7 +119,7 @@ void vtkIndirectFrameSamplers::AppendTo(std::vector<double>& key) const
 {
   for (const auto& sampler : this->Others)
   {
-    key.push_back(static_cast<double>(sampler->GetMTime()));
+    vtkIndirectRevision::AppendTo(key, sampler);
   }
   key.push_back(static_cast<double>(this->Senders->GetSourceTime()));
 }

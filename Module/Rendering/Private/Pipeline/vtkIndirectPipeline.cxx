@@ -7,6 +7,7 @@
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Frame/vtkIndirectLightScope.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectRevision.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkImageData.h"
@@ -17,7 +18,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <cstdint>
 
 namespace
 {
@@ -183,9 +183,12 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
   }
   this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
   vtkEnvironmentLight* const sky = this->Plan.SkyBounces ? this->Environment : nullptr;
-  const std::vector<double> source = { static_cast<double>(reinterpret_cast<uintptr_t>(sky)),
-    sky ? static_cast<double>(sky->GetMTime()) : 0.0,
-    this->Plan.AreaLightsBounce ? static_cast<double>(this->GetAreaTime()) : -1.0 };
+  std::vector<double> source;
+  vtkIndirectRevision::AppendTo(source, sky);
+  if (this->Plan.AreaLightsBounce)
+  {
+    this->AppendAreaLights(source);
+  }
   const auto makeEmitters = [&]
   {
     vtkIndirectEmitters::List emitters;
@@ -210,6 +213,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
 {
   this->BuffersAreThere = true;
   this->TargetIsClear = clear;
+  this->FrameKey = this->MakeFrameKey();
   this->Samplers.Choose(
     this->Frame, this->Plan, this->Estimator->ChooseSampler(request.Sampler, this->Plan));
   this->TilesLeft = this->Plan.TilesPerFrame;
@@ -235,8 +239,12 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
 std::vector<double> vtkIndirectPipeline::MakeFrameKey() const
 {
   std::vector<double> key = this->Plan.MakeKey(this->Frame);
+  this->Levels.AppendTo(key);
   // Receivers that a lamp hides get nothing.
-  key.push_back(this->Plan.VisibleAreaLights > 0 ? static_cast<double>(this->GetAreaTime()) : -1.0);
+  if (this->Plan.VisibleAreaLights > 0)
+  {
+    this->AppendAreaLights(key);
+  }
   return key;
 }
 
@@ -244,9 +252,9 @@ std::vector<double> vtkIndirectPipeline::MakeFrameKey() const
 // What the irradiance depends on.
 std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) const
 {
-  std::vector<double> key = this->MakeFrameKey();
-  key.push_back(static_cast<double>(this->Estimator->GetMTime()));
-  key.push_back(static_cast<double>(users->GetMTime()));
+  std::vector<double> key = this->FrameKey;
+  vtkIndirectRevision::AppendTo(key, this->Estimator);
+  vtkIndirectRevision::AppendTo(key, users);
   this->Samplers.AppendTo(key);
   key.push_back(static_cast<double>(
     this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0));
@@ -348,9 +356,9 @@ bool vtkIndirectPipeline::UpdateSky(const Request& request)
     this->Spheres->SetIndirectLight(this->Plan.SpheresBounceSky ? vtkProxyAccumulationPass::SHADOWED
                                                                 : vtkProxyAccumulationPass::OFF);
   }
-  std::vector<double> key = this->MakeFrameKey();
-  key.push_back(static_cast<double>(summer->GetMTime()));
-  key.push_back(static_cast<double>(this->Environment->GetMTime()));
+  std::vector<double> key = this->FrameKey;
+  vtkIndirectRevision::AppendTo(key, summer);
+  vtkIndirectRevision::AppendTo(key, this->Environment);
   const bool failed = this->SkyEstimate.State == vtkIndirectEstimate::FAILED;
   if (key == this->SkyKey && (failed || request.Settings.Caching))
   {
@@ -375,7 +383,7 @@ bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
   const bool visible = this->Sky.UpdateMaps(input, this->TilesLeft);
   this->TilesLeft -= static_cast<int>(this->Sky.GetNumberOfTilesDrawn() - tiles);
   this->Timer.End(vtkIndirectStageTimer::Visibility);
-  std::vector<double> key = this->MakeFrameKey();
+  std::vector<double> key = this->FrameKey;
   key.push_back(static_cast<double>(this->Sky.GetContentTime()));
   key.push_back(this->Plan.NumberOfSkyDirections);
   key.push_back(this->Plan.SkyBlock);
@@ -396,14 +404,12 @@ bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-vtkMTimeType vtkIndirectPipeline::GetAreaTime() const
+void vtkIndirectPipeline::AppendAreaLights(std::vector<double>& key) const
 {
-  vtkMTimeType time = this->AreaLights.size();
   for (const auto& light : this->AreaLights)
   {
-    time = std::max(time, light->GetMTime());
+    vtkIndirectRevision::AppendTo(key, light);
   }
-  return time;
 }
 
 //------------------------------------------------------------------------------
@@ -414,7 +420,7 @@ bool vtkIndirectPipeline::UpdateArea(const Request& request)
   this->Timer.Begin(vtkIndirectStageTimer::Visibility);
   const bool updated = this->Area.Update(input, std::max(this->TilesLeft, 0));
   this->Timer.End(vtkIndirectStageTimer::Visibility);
-  std::vector<double> key = this->MakeFrameKey();
+  std::vector<double> key = this->FrameKey;
   key.push_back(static_cast<double>(this->Area.GetContentTime()));
   key.push_back(this->Plan.Interactive ? 1.0 : 0.0);
   const bool same = request.Settings.Caching && key == this->AreaKey;

@@ -110,7 +110,7 @@ private:
   bool UpdateSkyMaps(const Request& request);
   vtkIndirectEstimatorPass* GetSkySummer() const;
   bool UpdateArea(const Request& request);
-  vtkMTimeType GetAreaTime() const;
+  void AppendAreaLights(std::vector<double>& key) const;
   bool UpdateSenderMaps();
   void ReleaseSkyMaps(vtkWindow* window);
   const vtkIndirectEstimate* GetEstimate() const;
@@ -153,6 +153,7 @@ private:
   bool TargetIsClear = false;       // of what the frame is drawn into
   vtkIndirectReport::Entries Paths; // in force
 
+  std::vector<double> FrameKey; // what all light of the frame depends on
   // What the irradiance was computed from; empty when there is none.
   std::vector<double> EstimateKey;
   std::vector<double> SkyKey;

@@ -108,7 +108,7 @@ double vtkIndirectSphereMotion::FindMovedSpheres(const vtkIndirectFrame& frame)
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
     const auto found = this->Props.find(caster.Prop);
-    if (found != this->Props.end() && found->second.Time == caster.RedrawMTime)
+    if (found != this->Props.end() && found->second.Revision == caster.Revision)
     {
       now.emplace(caster.Prop, std::move(found->second));
       continue;
@@ -119,7 +119,7 @@ double vtkIndirectSphereMotion::FindMovedSpheres(const vtkIndirectFrame& frame)
       moved += found != this->Props.end() && found->second.Places != kind.Places
         ? kind.NumberOfSpheres
         : 0.0;
-      now[caster.Prop] = { caster.RedrawMTime, std::move(kind.Places), kind.NumberOfSpheres };
+      now[caster.Prop] = { caster.Revision, std::move(kind.Places), kind.NumberOfSpheres };
     }
   }
   this->Props = std::move(now);

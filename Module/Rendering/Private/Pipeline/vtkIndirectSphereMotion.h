@@ -46,7 +46,7 @@ private:
 
   struct Before
   {
-    vtkMTimeType Time = 0; // of redraw
+    vtkTypeUInt64 Revision = 0;
     std::vector<double> Places;
     double NumberOfSpheres = 0.0;
   };

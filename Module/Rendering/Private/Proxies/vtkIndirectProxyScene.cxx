@@ -3,8 +3,8 @@
 
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPropKeys.h"
-#include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectRevision.h"
 #include "Proxies/vtkIndirectProxyActors.h"
 #include "Proxies/vtkIndirectProxyAlbedos.h"
 #include "Proxies/vtkIndirectProxyKinds.h"
@@ -169,7 +169,7 @@ bool vtkIndirectProxyScene::Update(
   for (const Drawn& item : drawn)
   {
     key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(item.Prop)));
-    key.push_back(static_cast<double>(vtkIndirectPropKind::FindTime(item.Prop)));
+    key.push_back(static_cast<double>(vtkIndirectRevision::Find(item.Prop)));
     key.push_back(item.Sends ? 1.0 : 0.0);
     const auto known = given.find(item.Prop);
     key.push_back(known == given.end() ? -1.0 : static_cast<double>(known->second->GetMTime()));

@@ -2,6 +2,7 @@
 #include "VirtualLights/vtkIndirectRefractionSampler.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectRevision.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkActor.h"
 #include "vtkLightTreeSampler.h"
@@ -62,7 +63,7 @@ bool vtkIndirectRefractionSampler::Update(const Input& input)
   for (vtkActor* actor : frame.Refractors)
   {
     key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(actor)));
-    key.push_back(static_cast<double>(actor->GetRedrawMTime()));
+    key.push_back(static_cast<double>(vtkIndirectRevision::Find(actor)));
   }
   if (key == this->Key)
   {

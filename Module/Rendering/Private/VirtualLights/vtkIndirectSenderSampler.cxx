@@ -27,7 +27,7 @@ constexpr size_t MostMaps = 64;
 
 bool AreSame(const vtkIndirectCaster& a, const vtkIndirectCaster& b)
 {
-  return a.Prop == b.Prop && a.RedrawMTime == b.RedrawMTime && a.SendsLight == b.SendsLight &&
+  return a.Prop == b.Prop && a.Revision == b.Revision && a.SendsLight == b.SendsLight &&
     std::equal(a.Bounds, a.Bounds + 6, b.Bounds);
 }
 

@@ -52,7 +52,7 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
 {
   this->NumberOfLights = 0;
   this->WithDirections = false;
-  this->ContentTime = 0;
+  std::vector<std::pair<vtkVirtualLightSampler*, vtkMTimeType>> contents;
   for (vtkVirtualLightSampler* sampler : samplers)
   {
     if (!sampler->Update(input))
@@ -61,7 +61,14 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
     }
     this->NumberOfLights += sampler->GetActualNumberOfLights();
     this->WithDirections = this->WithDirections || sampler->HasDirections();
-    this->ContentTime = std::max(this->ContentTime, sampler->GetContentTime());
+    contents.emplace_back(sampler, sampler->GetContentTime());
+  }
+  // The newest of their times would hide that one has gone.
+  if (contents != this->Contents)
+  {
+    this->Contents = std::move(contents);
+    this->ContentTime.Modified();
+    this->JoinedTime = 0;
   }
   if (samplers.size() != 1)
   {
@@ -73,7 +80,7 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
   this->Joined.Release(input.Frame.Window);
   this->JoinedBranches.Release(input.Frame.Window);
   this->JoinedLobes.Release(input.Frame.Window);
-  this->JoinedTimes.clear();
+  this->JoinedTime = 0;
   return true;
 }
 
@@ -82,21 +89,16 @@ bool vtkIndirectVirtualLights::Join(const Input& input, const Samplers& samplers
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   this->Current = &this->Joined;
-  std::vector<vtkMTimeType> times;
-  for (const vtkVirtualLightSampler* sampler : samplers)
-  {
-    times.push_back(sampler->GetContentTime());
-  }
   const bool branches = HasPart(samplers, Branches);
   const bool lobes = HasPart(samplers, Lobes);
   this->CurrentBranches = branches ? &this->JoinedBranches : nullptr;
   this->CurrentLobes = lobes ? &this->JoinedLobes : nullptr;
   const int rows = CountRows(this->NumberOfLights);
-  if (times == this->JoinedTimes && this->Joined.GetHeight() == rows)
+  if (this->JoinedTime == this->GetContentTime() && this->Joined.GetHeight() == rows)
   {
     return true;
   }
-  this->JoinedTimes.clear();
+  this->JoinedTime = 0;
   if (!branches)
   {
     this->JoinedBranches.Release(window);
@@ -115,7 +117,7 @@ bool vtkIndirectVirtualLights::Join(const Input& input, const Samplers& samplers
   {
     return false;
   }
-  this->JoinedTimes = times;
+  this->JoinedTime = this->GetContentTime();
   return true;
 }
 
@@ -305,7 +307,8 @@ void vtkIndirectVirtualLights::Release(vtkWindow* window)
   this->JoinedLobes.Release(window);
   this->Program.Release();
   this->LobeProgram.Release();
-  this->JoinedTimes.clear();
+  this->JoinedTime = 0;
+  this->Contents.clear();
   this->Current = nullptr;
   this->CurrentBranches = nullptr;
   this->CurrentLobes = nullptr;

@@ -5,10 +5,12 @@
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectTarget.h"            // for members
+#include "vtkTimeStamp.h"                        // for a member
 #include "vtkVirtualLightSampler.h"              // for its input
 
-#include <string> // for definitions
-#include <vector> // for samplers
+#include <string>  // for definitions
+#include <utility> // for contents
+#include <vector>  // for samplers
 
 class vtkImageData;
 
@@ -41,7 +43,8 @@ public:
   const vtkIndirectTarget* GetLobes() const { return this->CurrentLobes; }
   /** Whether receivers that are near to a light sum what is below it (vtkIndirectBranches.glsl). */
   bool HasBranches() const { return this->CurrentBranches != nullptr; }
-  vtkMTimeType GetContentTime() const { return this->ContentTime; }
+  /** Grows whenever the lights have changed, or the samplers that they are of. */
+  vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
   const vtkIndirectTarget& GetTable() const { return *this->Current; }
 
   ///@{
@@ -100,8 +103,9 @@ private:
   const vtkIndirectTarget* CurrentLobes = nullptr;
   int NumberOfLights = 0;
   bool WithDirections = false;
-  vtkMTimeType ContentTime = 0; // the latest of the samplers'
-  std::vector<vtkMTimeType> JoinedTimes;
+  std::vector<std::pair<vtkVirtualLightSampler*, vtkMTimeType>> Contents; // of the last update
+  vtkTimeStamp ContentTime;
+  vtkMTimeType JoinedTime = 0; // of the contents that the joined tables have; 0: none
 };
 
 #endif

@@ -71,7 +71,7 @@ void vtkIndirectDepthAtlas::ForgetWhatChanged(const vtkIndirectFrame& frame)
   now.reserve(frame.Casters.size());
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    Caster entry = { caster.Prop, caster.RedrawMTime, {} };
+    Caster entry = { caster.Prop, caster.Revision, {} };
     std::copy(caster.Bounds, caster.Bounds + 6, entry.Bounds);
     now.push_back(entry);
   }

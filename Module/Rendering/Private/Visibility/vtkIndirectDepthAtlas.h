@@ -89,11 +89,11 @@ private:
   struct Caster
   {
     vtkProp* Prop;
-    vtkMTimeType RedrawMTime;
+    vtkTypeUInt64 Revision;
     double Bounds[6];
     bool operator==(const Caster& other) const
     {
-      return this->Prop == other.Prop && this->RedrawMTime == other.RedrawMTime &&
+      return this->Prop == other.Prop && this->Revision == other.Revision &&
         std::equal(this->Bounds, this->Bounds + 6, other.Bounds);
     }
   };

@@ -205,7 +205,7 @@ bool vtkIndirectOccupancyVolume::Update(const vtkIndirectFrame& frame, int resol
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
     key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(caster.Prop)));
-    key.push_back(static_cast<double>(caster.RedrawMTime));
+    key.push_back(static_cast<double>(caster.Revision));
   }
   if (key == this->Key)
   {

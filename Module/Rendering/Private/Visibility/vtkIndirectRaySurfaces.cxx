@@ -2,6 +2,7 @@
 #include "Visibility/vtkIndirectRaySurfaces.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectRevision.h"
 #include "Visibility/vtkIndirectPolygons.h"
 #include "vtkActor.h"
 #include "vtkCellData.h"
@@ -10,6 +11,7 @@
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
+#include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -216,7 +218,7 @@ bool vtkIndirectRaySurfaces::Update(const vtkIndirectFrame& frame)
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
     key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(caster.Prop)));
-    key.push_back(static_cast<double>(caster.RedrawMTime));
+    key.push_back(static_cast<double>(caster.Revision));
     key.push_back(caster.SendsLight ? 1.0 : 0.0);
   }
   if (key == this->Key)
@@ -303,11 +305,13 @@ void vtkIndirectRaySurfaces::Read(const vtkIndirectFrame& frame, std::vector<dou
         }
         piece->ReadScalars();
         piece->ReadTexture();
-        shape.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(data)));
-        shape.push_back(static_cast<double>(data->GetMTime()));
+        vtkIndirectRevision::AppendTo(shape, data);
         shape.push_back(static_cast<double>(polygons.Triangles.size()));
         vtkPlaneCollection* planes = polygons.Mapper->GetClippingPlanes();
-        shape.push_back(planes ? static_cast<double>(planes->GetMTime()) : 0.0);
+        for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+        {
+          vtkIndirectRevision::AppendTo(shape, planes->GetItem(i));
+        }
         for (int column = 0; column < 4; ++column)
         {
           for (int row = 0; row < 3; ++row)

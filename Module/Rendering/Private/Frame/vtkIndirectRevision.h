@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When a prop, a texture or another object has changed: the one place that caches ask.
+//
+// VTK's own times of a prop leave out much that VTK reads while it draws it: planes that clip its
+// mapper, images of textures and what makes these, levels of detail, sources of glyphs, uniforms
+// of its shaders. A newest time also hides what has gone, and what is older than the newest.
+#ifndef vtkIndirectRevision_h
+#define vtkIndirectRevision_h
+
+#include "vtkType.h" // for numbers
+
+#include <vector> // for keys
+
+class vtkMatrix4x4;
+class vtkObject;
+class vtkPolyData;
+class vtkProp;
+class vtkTexture;
+
+class vtkIndirectRevision
+{
+public:
+  /**
+   * A number made of all that a prop is drawn from, after pipelines have been brought up to date:
+   * another one when anything has changed, come or gone. Revisions are only compared whether they
+   * are the same, and a double holds them.
+   */
+  static vtkTypeUInt64 Find(vtkProp* prop);
+
+  /** The same of a texture: its settings, its images and its lookup table. */
+  static vtkTypeUInt64 Find(vtkTexture* texture);
+
+  /** The same of a mesh's shape, whatever colours it has. */
+  static vtkTypeUInt64 FindShape(vtkPolyData* mesh);
+
+  /** A revision that something else belongs to, too. */
+  static vtkTypeUInt64 Join(vtkTypeUInt64 revision, vtkTypeUInt64 other);
+
+  /** Appends who an object is, and its time; null is an object, too. */
+  static void AppendTo(std::vector<double>& key, vtkObject* object);
+
+private:
+  vtkTypeUInt64 Number = 0;
+
+  void Add(vtkTypeUInt64 bits);
+  void AddObject(vtkObject* object);
+  void AddMatrix(vtkMatrix4x4* matrix);
+  void AddData(class vtkDataObject* data);
+  void AddInputs(class vtkAlgorithm* algorithm);
+  void AddTexture(vtkTexture* texture);
+  void AddProperty(class vtkProperty* property);
+  void AddShaders(vtkProp* prop);
+  void AddMapper(class vtkAbstractMapper* mapper);
+  void AddProp(vtkProp* prop, bool whole);
+  vtkTypeUInt64 Get() const { return this->Number >> 12; }
+};
+
+#endif
