@@ -139,7 +139,7 @@ bool vtkAreaLightSampler::Update(const Input& input)
 void vtkAreaLightSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  if (window)
+  if (this->CanBeOf(window))
   {
     this->MadeKey.clear();
   }

@@ -53,9 +53,31 @@ vtkIndirectEstimatorPass::~vtkIndirectEstimatorPass()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectEstimatorPass::HoldContext(vtkOpenGLRenderWindow* window)
+void vtkIndirectEstimatorPass::HoldContext(vtkOpenGLRenderWindow* window, vtkMTimeType user)
 {
+  // Its own pass has let go of the rest already, and is in the middle of a frame.
+  const bool releasing = this->IsReleasing;
+  this->IsReleasing = true;
   this->Guard->SetContext(window);
+  if (user != this->User && this->User != 0)
+  {
+    this->ReleaseGraphicsResources(window);
+  }
+  this->User = user;
+  this->IsReleasing = releasing;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectEstimatorPass::CanBeOf(vtkWindow* window)
+{
+  return window && this->Guard->CanBeOf(window);
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectEstimate vtkIndirectEstimatorPass::MakeEstimate(const Input& input)
+{
+  this->EstimateTime.Modified();
+  return this->Estimate(input);
 }
 
 //------------------------------------------------------------------------------
@@ -186,10 +208,11 @@ void vtkIndirectEstimatorPass::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkIndirectEstimatorPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }
+  this->EstimateTime.Modified();
   this->Irradiance->Release(window);
   this->Glossy->Release(window);
   this->HasGlossy = false;

@@ -18,6 +18,7 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
 #include "vtkSmartPointer.h"            // For the guard
+#include "vtkTimeStamp.h"               // For estimates
 
 #include <memory> // for the targets
 #include <string> // for names
@@ -94,9 +95,18 @@ public:
 
   /**
    * Lets go of all graphics resources when the window's context ends, also while the pass uses
-   * another estimator and does not know this one. To be called in every frame.
+   * another estimator and does not know this one; and at once of what it has of another window or
+   * for another user, a number that each pass has of its own. To be called in every frame, before
+   * anything of the frame is asked of it.
    */
-  void HoldContext(vtkOpenGLRenderWindow* window);
+  void HoldContext(vtkOpenGLRenderWindow* window, vtkMTimeType user);
+  /**
+   * Grows with each estimate, and where resources are released: an estimate is there, with its
+   * images, as long as this is what it was when it had been made.
+   */
+  vtkMTimeType GetEstimateTime() const { return this->EstimateTime.GetMTime(); }
+  /** Makes the frame's irradiance, see Estimate. */
+  vtkIndirectEstimate MakeEstimate(const Input& input);
 
   /** What the plan has to know of it, where the pass asks for an error tolerance. */
   vtkIndirectAbilities GetAbilities(double tolerance) const;
@@ -131,9 +141,6 @@ public:
    */
   virtual vtkVirtualLightSampler* ChooseSampler(
     vtkVirtualLightSampler* users, const vtkIndirectPlan& plan);
-
-  /** Makes the frame's irradiance; FAILED after an error. */
-  virtual vtkIndirectEstimate Estimate(const Input& input) = 0;
 
   /** VTK irradiance that a stored value of one stands for. */
   double GetIrradianceUnit() const
@@ -182,6 +189,12 @@ protected:
   ~vtkIndirectEstimatorPass() override;
 
 #ifndef __VTK_WRAP__
+  /** Makes the frame's irradiance; FAILED after an error. */
+  virtual vtkIndirectEstimate Estimate(const Input& input) = 0;
+
+  /** Whether ReleaseGraphicsResources has anything to release in the window's context. */
+  bool CanBeOf(vtkWindow* window);
+
   /**
    * Whether the irradiance is stored in 16-bit floats, of which one stands for `unit`, and whether
    * a 16-bit depth buffer comes with it. The default is 32-bit floats, one, and none.
@@ -213,6 +226,8 @@ private:
   // Draws frames where this is a renderer's pass; it does not hold this one.
   vtkSmartPointer<vtkIndirectIlluminationPass> Whole;
   bool IsReleasing = false;
+  vtkTimeStamp EstimateTime;
+  vtkMTimeType User = 0;
 
   vtkIndirectEstimatorPass(const vtkIndirectEstimatorPass&) = delete;
   void operator=(const vtkIndirectEstimatorPass&) = delete;

@@ -111,8 +111,7 @@ vtkIndirectIlluminationPass::vtkIndirectIlluminationPass()
   : Internal(new Internals)
 {
   this->ReflectiveShadowMaps = this->Internal->Pipeline.Maps;
-  this->Internal->Guard->Release = [this](vtkWindow* window)
-  { this->ReleaseGraphicsResources(window); };
+  this->Internal->Guard->Release = [this](vtkWindow* window) { this->LetGo(window); };
   vtkNew<vtkRenderPassCollection> passes;
   vtkNew<vtkLightsPass> lights;
   vtkNew<vtkOpaquePass> opaque;
@@ -513,10 +512,16 @@ std::string vtkIndirectIlluminationPass::GetReport()
 //------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  // A renderer that leaves a window does not make that window's context current.
+  if (window && this->Internal->Guard->CanBeOf(window))
   {
-    return;
+    this->Internal->Guard->LetGo(window);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::LetGo(vtkWindow* window)
+{
   Internals& in = *this->Internal;
   this->Superclass::ReleaseGraphicsResources(window);
   auto release = [window](auto* users)

@@ -418,6 +418,7 @@ private:
   vtkIndirectIlluminationPass(const vtkIndirectIlluminationPass&) = delete;
   void operator=(const vtkIndirectIlluminationPass&) = delete;
 
+  void LetGo(vtkWindow* window);
   void ShowDebugView();
   vtkIndirectEstimatorPass* GetFrameEstimator(); // of the last frame, without one of the next
   void RenderDelegate(const vtkRenderState* s, const std::string& why);

@@ -198,7 +198,7 @@ int vtkIndirectSplattingPass::DrawChannel(
 //------------------------------------------------------------------------------
 void vtkIndirectSplattingPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

@@ -165,7 +165,7 @@ size_t vtkLightTreeSampler::GetMainMemoryBytes() const
 //------------------------------------------------------------------------------
 void vtkLightTreeSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

@@ -186,7 +186,7 @@ bool vtkMapLightSampler::DrawLobes(const Input& input, bool warped)
 //------------------------------------------------------------------------------
 void vtkMapLightSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

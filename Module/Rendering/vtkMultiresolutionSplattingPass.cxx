@@ -491,7 +491,7 @@ int vtkMultiresolutionSplattingPass::DrawChannel(
 //------------------------------------------------------------------------------
 void vtkMultiresolutionSplattingPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

@@ -377,7 +377,7 @@ void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkProxyAccumulationPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

@@ -304,7 +304,7 @@ bool vtkRSMGatherPass::Sum(const Input& input)
 //------------------------------------------------------------------------------
 void vtkRSMGatherPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

@@ -575,7 +575,7 @@ vtkIndirectEstimate vtkRSMReferencePass::Estimate(const Input& input)
 //------------------------------------------------------------------------------
 void vtkRSMReferencePass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

@@ -522,13 +522,15 @@ std::vector<vtkRadianceHintsPass::Hint> vtkRadianceHintsPass::ReadHints()
 //------------------------------------------------------------------------------
 void vtkRadianceHintsPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }
   this->Superclass::ReleaseGraphicsResources(window);
   Internals& in = *this->Internal;
+  // Voxels of another pass have the same numbers.
   in.Grid.Release(window);
+  in.Grid.Clear();
   in.Fields.Release(window);
   in.LightKey.clear();
   in.Coarse[0].Release(window);

@@ -264,7 +264,7 @@ void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkRandomWalkLightSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

@@ -12,6 +12,7 @@
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "LightMaps/vtkIndirectLobeTable.h"
 #include "LightMaps/vtkIndirectShadowRows.h"
+#include "OpenGL/vtkIndirectContextGuard.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectLayeredTarget.h"
 #include "vtkNew.h"
@@ -77,11 +78,14 @@ struct vtkReflectiveShadowMapPass::Internals
   std::vector<float> Table;
   vtkSmartPointer<vtkTextureObject> TableTexture;
   vtkSmartPointer<vtkTextureObject> FresnelTexture; // where senders have lobes
+  vtkNew<vtkIndirectContextGuard> Guard;
 };
 
 vtkReflectiveShadowMapPass::vtkReflectiveShadowMapPass()
   : Internal(new Internals)
 {
+  this->Internal->Guard->Release = [this](vtkWindow* window)
+  { this->ReleaseGraphicsResources(window); };
 }
 
 vtkReflectiveShadowMapPass::~vtkReflectiveShadowMapPass() = default;
@@ -162,6 +166,7 @@ bool vtkReflectiveShadowMapPass::Update(
   const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture)
 {
   Internals& in = *this->Internal;
+  in.Guard->SetContext(frame.Window);
   in.NumberOfMaps = 0;
   in.NumberOfLayers = 0;
   for (const int index : plan.MapLights)
@@ -405,11 +410,11 @@ void vtkReflectiveShadowMapPass::Deactivate() const
 //------------------------------------------------------------------------------
 void vtkReflectiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  Internals& in = *this->Internal;
+  if (!window || !in.Guard->CanBeOf(window))
   {
     return;
   }
-  Internals& in = *this->Internal;
   in.Target.Release(window);
   in.Rows.Release(window);
   in.Faces.clear();

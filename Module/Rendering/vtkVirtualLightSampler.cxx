@@ -4,6 +4,7 @@
 #include "vtkVirtualLightSampler.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectContextGuard.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "VirtualLights/vtkIndirectLightTable.h"
@@ -17,8 +18,10 @@ static_assert(vtkVirtualLightSampler::RowLength == vtkIndirectKernels::VTKI_ROW_
 
 //------------------------------------------------------------------------------
 vtkVirtualLightSampler::vtkVirtualLightSampler()
-  : Table(new vtkIndirectTarget(vtkIndirectLightTable, false))
+  : Guard(vtkSmartPointer<vtkIndirectContextGuard>::New())
+  , Table(new vtkIndirectTarget(vtkIndirectLightTable, false))
 {
+  this->Guard->Release = [this](vtkWindow* window) { this->ReleaseGraphicsResources(window); };
 }
 
 vtkVirtualLightSampler::~vtkVirtualLightSampler() = default;
@@ -33,6 +36,18 @@ void vtkVirtualLightSampler::PrintSelf(ostream& os, vtkIndent indent)
   {
     this->Lobes->Print(os, indent);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualLightSampler::HoldContext(vtkOpenGLRenderWindow* window)
+{
+  this->Guard->SetContext(window);
+}
+
+//------------------------------------------------------------------------------
+bool vtkVirtualLightSampler::CanBeOf(vtkWindow* window)
+{
+  return window && this->Guard->CanBeOf(window);
 }
 
 //------------------------------------------------------------------------------
@@ -204,8 +219,9 @@ size_t vtkVirtualLightSampler::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkVirtualLightSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (window)
+  if (this->CanBeOf(window))
   {
+    this->ContentTime.Modified();
     this->Table->Release(window);
     this->ReleaseBranches(window);
     this->ReleaseLobes(window);

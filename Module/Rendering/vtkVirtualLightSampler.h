@@ -21,11 +21,13 @@
 
 #include "vtkObject.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
+#include "vtkSmartPointer.h"            // For the guard
 
 #include <memory> // for the table
 #include <vector> // for rows
 
 class vtkImageData;
+class vtkIndirectContextGuard;
 class vtkIndirectGeometryBuffer;
 class vtkIndirectTarget;
 class vtkMapLightSampler;
@@ -81,6 +83,12 @@ public:
   };
   /** Lights in a row of the table. */
   static constexpr int RowLength = 256;
+
+  /**
+   * Lets go of all graphics resources when the window's context ends, and at once of those of
+   * another window. To be called in every frame, before Update.
+   */
+  void HoldContext(vtkOpenGLRenderWindow* window);
 
   /** Brings the lights up to date. Returns false, after an error, when it cannot. */
   virtual bool Update(const Input& input) = 0;
@@ -141,7 +149,7 @@ public:
   {
     return this->Lobes.get();
   }
-  /** Grows whenever the lights have changed. */
+  /** Grows whenever the lights have changed, or have been released. */
   vtkMTimeType GetContentTime() const
   {
     return this->ContentTime.GetMTime();
@@ -171,6 +179,9 @@ protected:
   ~vtkVirtualLightSampler() override;
 
 #ifndef __VTK_WRAP__
+  /** Whether ReleaseGraphicsResources has anything to release in the window's context. */
+  bool CanBeOf(vtkWindow* window);
+
   /** Makes room in the table. Returns false, after an error, when OpenGL refuses. */
   bool Resize(vtkOpenGLRenderWindow* window, int numberOfLights);
   /** The table, to be filled; then the lights have changed. */
@@ -201,6 +212,7 @@ private:
 #endif
   void ReleaseBranches(vtkWindow* window);
 
+  vtkSmartPointer<vtkIndirectContextGuard> Guard;
   std::unique_ptr<vtkIndirectTarget> Table;
   std::unique_ptr<vtkIndirectTarget> Branches;
   std::unique_ptr<vtkIndirectTarget> Lobes;

@@ -3,7 +3,8 @@
 #ifndef vtkIndirectContextGuard_h
 #define vtkIndirectContextGuard_h
 
-#include "vtkObjectFactory.h" // for the macro
+#include "vtkObjectFactory.h"      // for the macro
+#include "vtkOpenGLRenderWindow.h" // for comparisons
 #include "vtkTextureObject.h"
 
 #include <functional> // for the callback
@@ -16,8 +17,18 @@ public:
   static vtkIndirectContextGuard* New() { VTK_STANDARD_NEW_BODY(vtkIndirectContextGuard); }
   vtkTypeMacro(vtkIndirectContextGuard, vtkTextureObject);
 
-  /** Called with the window whose context ends; it is current. */
+  /** Called with the window whose context is let go of; it is current. */
   std::function<void(vtkWindow*)> Release;
+
+  /** Whether nothing can have been made in a context of another window. */
+  bool CanBeOf(vtkWindow* window) { return !this->GetContext() || this->GetContext() == window; }
+
+  /** Lets go of the window's context, whichever is current. */
+  void LetGo(vtkWindow* window)
+  {
+    // It makes the context current and comes back to the method below.
+    this->Superclass::ReleaseGraphicsResources(window);
+  }
 
   void ReleaseGraphicsResources(vtkWindow* window) override
   {

@@ -52,6 +52,15 @@ void vtkIndirectFrameSamplers::Choose(
   const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkVirtualLightSampler* own)
 {
   this->Samplers.clear();
+  // Others may have had those of users in another window.
+  if (own)
+  {
+    own->HoldContext(frame.Window);
+  }
+  for (const auto& other : this->Others)
+  {
+    other->HoldContext(frame.Window);
+  }
   vtkVirtualLightSampler* sampler = own;
   this->Senders->SetNumberOfLightsOf(sampler);
   if (sampler && plan.Senders == vtkIndirectPlan::EYE)
@@ -134,6 +143,10 @@ bool vtkIndirectFrameSamplers::IsTable(const std::string& name)
 std::string vtkIndirectFrameSamplers::Copy(
   const vtkIndirectFrame& frame, const std::string& name, vtkImageData* image)
 {
+  if (!this->Samplers.empty() && !this->Lights.AreThere())
+  {
+    return "another pass has used a sampler of the last frame since";
+  }
   const bool lights = name == "lights";
   const bool branches = name == "branches";
   if (this->Samplers.empty() ||

@@ -34,6 +34,12 @@ double SumIrradiance(vtkEnvironmentLight* environment)
 }
 
 //------------------------------------------------------------------------------
+vtkIndirectPipeline::vtkIndirectPipeline()
+{
+  this->Identity.Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& request)
 {
   this->Renderer = s->GetRenderer();
@@ -214,6 +220,12 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
   this->BuffersAreThere = true;
   this->TargetIsClear = clear;
   this->FrameKey = this->MakeFrameKey();
+  this->Estimator->HoldContext(this->Frame.Window, this->Identity.GetMTime());
+  if (!this->IsEstimateThere())
+  {
+    this->EstimateKey.clear();
+    this->SkyKey.clear();
+  }
   this->Samplers.Choose(
     this->Frame, this->Plan, this->Estimator->ChooseSampler(request.Sampler, this->Plan));
   this->TilesLeft = this->Plan.TilesPerFrame;
@@ -225,6 +237,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request, bool clear)
   }
   this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
   this->AreaIsThere = this->Plan.AreaLights && this->UpdateArea(request);
+  this->EstimateTime = this->Estimator->GetEstimateTime();
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
   const bool composed = this->Composite.Composite(this->MakeCompositeInput());
   if (composed && this->Plan.Antialiasing)
@@ -322,8 +335,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
     lights, this->Visibility, still && !more && this->Visibility.GetNumberOfTilesDrawn() == tiles,
     this->Timer };
-  this->Estimator->HoldContext(this->Frame.Window);
-  this->Estimate = sampled && visible ? this->Estimator->Estimate(input) : vtkIndirectEstimate();
+  this->Estimate =
+    sampled && visible ? this->Estimator->MakeEstimate(input) : vtkIndirectEstimate();
   if (this->Estimate.State == vtkIndirectEstimate::FAILED)
   {
     this->FailedKey = key;
@@ -366,8 +379,8 @@ bool vtkIndirectPipeline::UpdateSky(const Request& request)
   }
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
     nullptr, this->Visibility, false, this->Timer, this->Environment };
-  summer->HoldContext(this->Frame.Window);
-  this->SkyEstimate = summer->Estimate(input);
+  summer->HoldContext(this->Frame.Window, this->Identity.GetMTime());
+  this->SkyEstimate = summer->MakeEstimate(input);
   this->SkyKey = std::move(key);
   this->NumberOfEstimates += summer == this->Estimator ? 1 : 0;
   return this->SkyEstimate.State != vtkIndirectEstimate::FAILED;
@@ -440,10 +453,17 @@ bool vtkIndirectPipeline::UpdateArea(const Request& request)
 }
 
 //------------------------------------------------------------------------------
+// Whether the estimator has done nothing else since the last frame.
+bool vtkIndirectPipeline::IsEstimateThere() const
+{
+  return this->Estimator && this->Estimator->GetEstimateTime() == this->EstimateTime;
+}
+
+//------------------------------------------------------------------------------
 // The last frame's, null where there is none.
 const vtkIndirectEstimate* vtkIndirectPipeline::GetEstimate() const
 {
-  return this->IrradianceIsThere && this->Estimator ? &this->Estimate : nullptr;
+  return this->IrradianceIsThere && this->IsEstimateThere() ? &this->Estimate : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -451,10 +471,12 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
 {
   const bool maps = this->Plan.Senders == vtkIndirectPlan::MAPS;
   const vtkIndirectEstimate* const estimate = this->GetEstimate();
-  const bool summed = this->SkyIsThere && this->GetSkySummer();
+  const vtkIndirectEstimatorPass* const summer = this->GetSkySummer();
+  const bool there = this->SkyIsThere && (summer != this->Estimator || this->IsEstimateThere());
+  const bool summed = there && summer;
   const vtkIndirectTarget* const sky = summed ? this->SkyEstimate.Sky : &this->Sky.GetIrradiance();
   return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr, estimate,
-    this->SkyIsThere ? sky : nullptr, summed ? this->SkyEstimate.SkyBounce : nullptr,
+    there ? sky : nullptr, summed ? this->SkyEstimate.SkyBounce : nullptr,
     this->SkyEstimate.SkyBounceChannel, this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr,
     this->AreaIsThere ? this->Area.GetReflected() : nullptr, this->Plan.IndirectScale,
     this->TargetIsClear };
@@ -506,8 +528,8 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
   this->Frame.Window->MakeCurrent();
   if (vtkIndirectFrameSamplers::IsTable(name))
   {
-    return this->GetEstimate() ? this->Samplers.Copy(this->Frame, name, image)
-                               : "the last frame used no virtual lights";
+    return this->IrradianceIsThere ? this->Samplers.Copy(this->Frame, name, image)
+                                   : "the last frame used no virtual lights";
   }
   if (this->RenderChannel(name))
   {
@@ -518,7 +540,9 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
   int channel = 0;
   if (!vtkIndirectComposite::ParseMapChannel(name, map, channel))
   {
-    return "the last frame computed no indirect light";
+    return this->IrradianceIsThere && !this->IsEstimateThere()
+      ? "another pass has used its estimator since"
+      : "the last frame computed no indirect light";
   }
   return this->Plan.Senders == vtkIndirectPlan::EYE
     ? "a single headlight is read from the geometry buffer and has no map"

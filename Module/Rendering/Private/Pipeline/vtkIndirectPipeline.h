@@ -34,6 +34,7 @@
 #include "vtkProxyAccumulationPass.h"               // for members
 #include "vtkReflectiveShadowMapPass.h"             // for members
 #include "vtkSmartPointer.h"                        // for members
+#include "vtkTimeStamp.h"                           // for members
 #include "vtkWeakPointer.h"                         // for members
 
 #include <string> // for names
@@ -59,6 +60,8 @@ public:
     /** The renderer's own lights where others have taken their place; else null. */
     vtkLightCollection* ReplacedLights = nullptr;
   };
+
+  vtkIndirectPipeline();
 
   /** Reads the scene and plans the frame; nothing of the last one can be read from here on. */
   void Prepare(const vtkRenderState* s, const Request& request);
@@ -113,6 +116,7 @@ private:
   void AppendAreaLights(std::vector<double>& key) const;
   bool UpdateSenderMaps();
   void ReleaseSkyMaps(vtkWindow* window);
+  bool IsEstimateThere() const;
   const vtkIndirectEstimate* GetEstimate() const;
   vtkIndirectComposite::Input MakeCompositeInput() const;
   bool RenderChannel(const std::string& name);
@@ -150,6 +154,8 @@ private:
   // What made its irradiance: its buffers stay readable when the pass is given others.
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkIndirectEstimatorPass> HeldEstimator;
+  vtkMTimeType EstimateTime = 0;    // of the estimator, at the frame's end
+  vtkTimeStamp Identity;            // whose estimator it is
   bool TargetIsClear = false;       // of what the frame is drawn into
   vtkIndirectReport::Entries Paths; // in force
 

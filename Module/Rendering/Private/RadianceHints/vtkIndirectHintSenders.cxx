@@ -75,7 +75,7 @@ bool vtkIndirectHintSenders::Update(const Input& input)
 //------------------------------------------------------------------------------
 void vtkIndirectHintSenders::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

@@ -63,7 +63,7 @@ size_t vtkIndirectHeadlightSampler::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkIndirectHeadlightSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

@@ -239,7 +239,7 @@ void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }

@@ -85,6 +85,13 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectVirtualLights::AreThere() const
+{
+  return std::all_of(this->Contents.begin(), this->Contents.end(),
+    [](const auto& content) { return content.first->GetContentTime() == content.second; });
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectVirtualLights::Join(const Input& input, const Samplers& samplers)
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;

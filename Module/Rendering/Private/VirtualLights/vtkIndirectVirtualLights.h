@@ -28,6 +28,9 @@ public:
    */
   bool Update(const Input& input, const Samplers& samplers);
 
+  /** Whether the samplers' lights are still those of the last update. */
+  bool AreThere() const;
+
   int GetNumberOfLights() const { return this->NumberOfLights; }
   int GetNumberOfRows() const;
   /** Whether some lights may be directions. */
