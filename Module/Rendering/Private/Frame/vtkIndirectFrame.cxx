@@ -123,8 +123,7 @@ double vtkIndirectFrame::FindDiagonal(const vtkBoundingBox& box)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrame::Build(
-  const vtkRenderState* state, vtkIndirectRoom* room, bool interactive)
+void vtkIndirectFrame::Build(const vtkRenderState* state, vtkIndirectRoom* room, bool interactive)
 {
   this->Renderer = state->GetRenderer();
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
