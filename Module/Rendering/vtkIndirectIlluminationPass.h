@@ -190,8 +190,9 @@ public:
    * virtual lights; others take voxels. A frame draws as many as the rate that the window asks
    * for leaves it (vtkRenderWindow::SetDesiredUpdateRate), those of the environment included. That
    * is a count of maps, props and triangles, so that a busy machine draws the same picture; until
-   * all are there lights share them, as directions of the environment do, and the report says so. AUTO (default): voxels where the estimator's Occupancy is on, else maps where
-   * the estimator can take them, else none.
+   * all are there lights share them, as directions of the environment do, and the report says so.
+   * AUTO (default): voxels where the estimator's Occupancy is on, else maps where the estimator can
+   * take them, else none.
    */
   vtkIndirectClampMacro(Visibility, int, AUTO, MAPS);
   void SetVisibilityToAuto() { this->SetVisibility(AUTO); }

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether a busy machine could fail a test: all may take as long as VTK_INDIRECT_TEST_TIMEOUT says.
+"""Whether a busy machine could fail a test: all have VTK_INDIRECT_TEST_TIMEOUT.
 
     Testing/Structure/check_timeouts.py CTEST BUILD SECONDS
 
-That is one number, large enough to end only what hangs. A test that gives up on its own before, such
-as by subprocess.run(timeout=...), would be judged by the clock.
+That is one number, large enough to end only what hangs. A test that gives up on its own before,
+such as by subprocess.run(timeout=...), would be judged by the clock.
 """
 
 from __future__ import annotations
@@ -28,9 +28,10 @@ def find_faults(ctest: str, build: str, seconds: float) -> list[str]:
         values = {entry["name"]: entry["value"] for entry in test["properties"]}
         limit = values.get("TIMEOUT")
         if limit != seconds:
-            faults.append(f"{test['name']} may take {limit or 'as long as it likes'}, not {seconds}")
+            faults.append(f"{test['name']} has a limit of {limit} s, not {seconds}")
     root = Path(__file__).resolve().parents[1]
-    for path in sorted([*root.rglob("test_*.py"), *root.rglob("Test*.py"), *root.rglob("support.py")]):
+    patterns = ("test_*.py", "Test*.py", "support.py")
+    for path in sorted(path for pattern in patterns for path in root.rglob(pattern)):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             if re.search(r"\btimeout\s*=", line):
                 faults.append(f"{path.relative_to(root)}:{number} gives up by the clock")
