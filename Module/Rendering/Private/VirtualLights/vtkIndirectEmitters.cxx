@@ -144,6 +144,7 @@ void JoinAlike(vtkIndirectEmitters::List& list, size_t most)
       });
     joined.push_back(list[nearest]);
     joined.back().Strength = strength;
+    joined.back().Pieces = part.Members.size();
   }
   list = std::move(joined);
 }

@@ -20,6 +20,7 @@ struct vtkIndirectEmitter
   /** Of colour one: what maps hold does not depend on how much light there is. */
   vtkIndirectLight Light;
   glm::dvec3 Strength{ 0.0 }; // VTK's colour times intensity
+  size_t Pieces = 1;          // that it stands for
 };
 
 namespace vtkIndirectEmitters

@@ -102,6 +102,7 @@ void vtkIndirectSenderSampler::SetEmitters(
   {
     const auto found = Find(lit, emitter.Number);
     emitter.Strength = found != lit.end() ? found->Strength : glm::dvec3(0.0);
+    emitter.Pieces = found != lit.end() ? found->Pieces : 0;
     if (found != lit.end())
     {
       this->EmittersHaveMoved =
@@ -220,6 +221,18 @@ void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
 {
   report.MainMemoryBytes += this->Clusters.GetBytes();
   const auto isOfSky = [](const vtkIndirectEmitter& emitter) { return !emitter.Light.Positional; };
+  size_t pieces = 0;
+  for (const vtkIndirectEmitter& emitter : this->Emitters)
+  {
+    pieces += emitter.Light.Positional ? emitter.Pieces : 0;
+  }
+  if (pieces > vtkIndirectEmitters::MostPieces)
+  {
+    report.LeftOut.emplace_back(
+      "maps of senders of each of " + std::to_string(pieces) + " area lights",
+      "those that are near each other and face alike share one of " +
+        std::to_string(vtkIndirectEmitters::MostPieces) + " places");
+  }
   for (const bool sky : { true, false })
   {
     const auto lit = std::count_if(this->Emitters.begin(), this->Emitters.end(),
