@@ -6,12 +6,10 @@
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
-#include "VirtualLights/vtkIndirectAllTexelsSampler.h"
 #include "vtkLightTreeSampler.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkReflectiveShadowMapPass.h"
-#include "vtkUniformLightSampler.h"
 
 #include <algorithm>
 #include <utility>
@@ -27,8 +25,9 @@ constexpr size_t MostMaps = vtkIndirectEmitters::MostPieces;
 
 bool AreSame(const vtkIndirectCaster& a, const vtkIndirectCaster& b)
 {
-  return a.Prop == b.Prop && a.RedrawMTime == b.RedrawMTime && a.SendsLight == b.SendsLight &&
-    std::equal(a.Bounds, a.Bounds + 6, b.Bounds);
+  return a.Prop == b.Prop && a.Revision == b.Revision && a.SendsLight == b.SendsLight &&
+    std::equal(a.Bounds, a.Bounds + 6, b.Bounds) &&
+    std::equal(a.GetFit(), a.GetFit() + 6, b.GetFit()); // what maps are fitted to
 }
 
 vtkIndirectEmitters::List::iterator Find(vtkIndirectEmitters::List& emitters, int number)
@@ -42,6 +41,11 @@ bool HaveSameMaps(const vtkIndirectLight& a, const vtkIndirectLight& b)
 {
   return a.Positional == b.Positional && a.PositionWC == b.PositionWC &&
     a.DirectionWC == b.DirectionWC && a.Attenuation == b.Attenuation;
+}
+
+bool HaveSameNumber(const vtkIndirectEmitter& a, const vtkIndirectEmitter& b)
+{
+  return a.Number == b.Number;
 }
 
 bool IsLit(const vtkIndirectEmitter& emitter)
@@ -61,14 +65,8 @@ vtkIndirectSenderSampler::~vtkIndirectSenderSampler() = default;
 //------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampler)
 {
-  auto* pattern =
-    vtkUniformLightSampler::SafeDownCast(sampler ? sampler->GetViewPattern() : nullptr);
-  auto* tree = vtkLightTreeSampler::SafeDownCast(sampler);
-  this->NumberOfLights = vtkIndirectAllTexelsSampler::SafeDownCast(sampler) ? VTK_INT_MAX
-    : pattern ? pattern->GetNumberOfLights()
-    : tree    ? tree->GetNumberOfLights()
-              : 256;
-  const bool divides = tree != nullptr;
+  this->NumberOfLights = sampler ? sampler->GetNumberOfLights() : 256;
+  const bool divides = vtkLightTreeSampler::SafeDownCast(sampler) != nullptr;
   this->SourceTime += divides != this->Divides ? 1 : 0;
   this->Divides = divides;
 }
@@ -90,12 +88,14 @@ bool vtkIndirectSenderSampler::UpdateScene(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-// Emitters keep their places while their maps hold, also those whose light has gone: a sky that
-// turns redraws nothing, but for what moves with it, as a sun does.
+// Emitters keep their places while their maps hold, also those whose light has gone: while a sky
+// turns it redraws nothing, but for what moves with it, as a sun does.
 void vtkIndirectSenderSampler::SetEmitters(
   const vtkIndirectEmitters::List& emitters, const std::vector<double>& source)
 {
   this->Source = source;
+  this->Given = emitters;
+  this->IsFresh = true;
   ++this->SourceTime;
   vtkIndirectEmitters::List lit = emitters;
   for (vtkIndirectEmitter& emitter : this->Emitters)
@@ -120,6 +120,16 @@ bool vtkIndirectSenderSampler::DrawMaps(
   const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture)
 {
   const bool anew = this->UpdateScene(frame) || !this->MapsAreThere || !plan.Caching;
+  // What has come to rest has those of a scene that has always been so, in their order.
+  const bool rests = !plan.Interactive && !this->IsFresh && !frame.IsFurtherPart();
+  this->IsFresh = false;
+  if (rests &&
+    !std::equal(this->Emitters.begin(), this->Emitters.end(), this->Given.begin(),
+      this->Given.end(), HaveSameNumber))
+  {
+    this->Emitters = this->Given;
+    this->EmittersHaveMoved = true;
+  }
   if (anew || this->Emitters.size() > MostMaps)
   {
     const auto dark = std::remove_if(this->Emitters.begin(), this->Emitters.end(),
@@ -252,7 +262,7 @@ void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!window)
+  if (!this->CanBeOf(window))
   {
     return;
   }
@@ -261,6 +271,7 @@ void vtkIndirectSenderSampler::ReleaseGraphicsResources(vtkWindow* window)
   this->Texels.Release(window);
   this->Clusters.SetSenders({});
   this->Emitters.clear();
+  this->Given.clear();
   this->Source.clear();
   this->Casters.clear();
   this->MapsAreThere = false;
