@@ -104,7 +104,10 @@ public:
    * Grows with each estimate, and where resources are released: an estimate is there, with its
    * images, as long as this is what it was when it had been made.
    */
-  vtkMTimeType GetEstimateTime() const { return this->EstimateTime.GetMTime(); }
+  vtkMTimeType GetEstimateTime() const
+  {
+    return this->EstimateTime.GetMTime();
+  }
   /** Makes the frame's irradiance, see Estimate. */
   vtkIndirectEstimate MakeEstimate(const Input& input);
 

@@ -20,8 +20,8 @@
  * intensity the reflected radiance times area, B A. The density does not depend on the resolution:
  * the sum of B A over a map is the light's reflected flux at any number of texels.
  *
- * A face is drawn again only when its light's place, what it can see, with all that is drawn from, or the
- * resolution has changed; strength, falloff and exponent redraw nothing.
+ * A face is drawn again only when its light's place, anything that it can see or the resolution has
+ * changed; strength, falloff and exponent redraw nothing.
  */
 
 #ifndef vtkReflectiveShadowMapPass_h

@@ -153,6 +153,20 @@ def why_no_pyvista() -> str | None:
     return None
 
 
+@contextlib.contextmanager
+def quiet():
+    """VTK's errors are kept in the window that this gives, and not printed."""
+    from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+
+    before = vtkOutputWindow.GetInstance()
+    window = vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(window)
+    try:
+        yield window
+    finally:
+        vtkOutputWindow.SetInstance(before)
+
+
 def noise(shape: tuple[int, ...], seed: int = 1) -> np.ndarray:
     """Uniform values in [0, 1), the same on every machine."""
     count = int(np.prod(shape))

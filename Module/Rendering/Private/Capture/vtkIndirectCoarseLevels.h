@@ -69,7 +69,7 @@ private:
     vtkWeakPointer<vtkActor> Actor;
     vtkWeakPointer<vtkPolyData> Mesh;
     vtkTypeUInt64 MeshRevision = 0; // of its shape
-    vtkMTimeType Time = 0; // of the last level that was added
+    vtkMTimeType Time = 0;          // of the last level that was added
     std::vector<std::unique_ptr<Level>> Levels;
   };
   std::vector<Entry> Entries;

@@ -66,7 +66,7 @@ glm::dmat4 vtkIndirectFrame::ToGLM(vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrame::Build(const vtkRenderState* state, vtkIndirectRoom* room)
+void vtkIndirectFrame::Build(const vtkRenderState* state, vtkIndirectRoom* room, bool interactive)
 {
   this->Renderer = state->GetRenderer();
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
@@ -82,12 +82,21 @@ void vtkIndirectFrame::Build(const vtkRenderState* state, vtkIndirectRoom* room)
       &this->Size[0], &this->Size[1], &this->Origin[0], &this->Origin[1]);
   }
   this->CollectLights();
-  this->CollectProps(room);
+  this->CollectProps(room, interactive);
   if (this->Size[0] > 0 && this->Size[1] > 0 &&
     (!this->Casters.empty() || this->NumberOfOtherReceivers > 0))
   {
     this->SetUpEye();
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectFrame::IsFurtherPart() const
+{
+  const double* tile = this->Window->GetTileViewport();
+  const bool rightEye =
+    this->Window->GetStereoRender() && !this->Renderer->GetActiveCamera()->GetLeftEye();
+  return rightEye || tile[0] > 0.0 || tile[1] > 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -105,7 +114,7 @@ void vtkIndirectFrame::LeaveOut(const std::string& what, const std::string& why)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room)
+void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room, bool interactive)
 {
   vtkBoundingBox box;
   this->CoversFully = !this->Window->GetPointSmoothing() && !this->Window->GetLineSmoothing() &&
@@ -157,7 +166,7 @@ void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room)
   }
   if (room)
   {
-    room->Give(this->Casters);
+    room->Give(this->Casters, !interactive && !this->IsFurtherPart());
   }
   for (const vtkIndirectCaster& caster : this->Casters)
   {

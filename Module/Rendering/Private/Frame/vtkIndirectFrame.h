@@ -116,8 +116,12 @@ struct vtkIndirectFrame
   glm::dmat3 RayDirection{ 0.0 };
 
   /** Reads the scene. The eye is set up only where something opaque is in a viewport of any size.
-   * Bounds have room where one is given. */
-  void Build(const vtkRenderState* state, vtkIndirectRoom* room = nullptr);
+   * Bounds have room where one is given; it may rest where nobody waits for the frame. */
+  void Build(
+    const vtkRenderState* state, vtkIndirectRoom* room = nullptr, bool interactive = false);
+
+  /** Whether a frame is a further part of a picture, which its first part has decided for. */
+  bool IsFurtherPart() const;
 
   /** Transform from an affine frame given in world coordinates to scene units. */
   glm::dmat4 ToScene(const glm::dmat4& frameToWorld) const;
@@ -134,7 +138,7 @@ struct vtkIndirectFrame
 
 private:
   void LeaveOut(const std::string& what, const std::string& why);
-  void CollectProps(vtkIndirectRoom* room);
+  void CollectProps(vtkIndirectRoom* room, bool interactive);
   void AddOpaque(vtkProp* prop, vtkBoundingBox& box);
   void CollectLights();
   void SetUpEye();

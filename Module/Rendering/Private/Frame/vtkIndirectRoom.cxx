@@ -19,8 +19,18 @@ bool Contains(const std::array<double, 6>& box, const double bounds[6])
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectRoom::Give(std::vector<vtkIndirectCaster>& casters)
+void vtkIndirectRoom::Give(std::vector<vtkIndirectCaster>& casters, bool mayRest)
 {
+  std::vector<Box> now(casters.size());
+  for (size_t i = 0; i < casters.size(); ++i)
+  {
+    std::copy(casters[i].Bounds, casters[i].Bounds + 6, now[i].begin());
+  }
+  if (mayRest && now == this->Before)
+  {
+    this->Boxes.clear();
+  }
+  this->Before = std::move(now);
   vtkBoundingBox exact;
   vtkBoundingBox before;
   for (const auto& entry : this->Boxes)

@@ -19,17 +19,23 @@ public:
    * Gives casters room. It is their bounds at first. One that has left its room gets an eighth of
    * the scene's size on each side, which makes the scene no larger where it is within, and keeps
    * that until it leaves it. Where the scene has come to fill less than half of all room, all get
-   * their bounds again.
+   * their bounds again; also where nothing has moved since the last frame, if it may rest: what
+   * stands looks as if it had never moved.
    */
-  void Give(std::vector<vtkIndirectCaster>& casters);
+  void Give(std::vector<vtkIndirectCaster>& casters, bool mayRest);
 
   /** Forgets what was before. */
-  void Forget() { this->Boxes.clear(); }
+  void Forget()
+  {
+    this->Boxes.clear();
+    this->Before.clear();
+  }
 
 private:
   using Box = std::array<double, 6>;
 
   std::unordered_map<vtkProp*, Box> Boxes;
+  std::vector<Box> Before; // bounds in the last frame
 };
 
 #endif

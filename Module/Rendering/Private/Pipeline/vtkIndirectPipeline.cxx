@@ -52,7 +52,9 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   {
     this->Room.Forget();
   }
-  this->Frame.Build(s, &this->Room);
+  const bool interactive =
+    request.Circumstances.FrameSeconds <= vtkIndirectPlan::InteractiveSeconds;
+  this->Frame.Build(s, &this->Room, interactive);
   this->Levels.Update(this->Frame);
   this->Frame.ReplacedLights = request.ReplacedLights;
   vtkIndirectCircumstances circumstances = request.Circumstances;
@@ -67,8 +69,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.Environment = circumstances.EnvironmentIrradiance > 0.0;
   if (circumstances.Environment && request.Settings.Caching && request.Settings.SpheresInMotion)
   {
-    this->SphereMotion.Update(this->Frame, this->Environment,
-      circumstances.FrameSeconds <= vtkIndirectPlan::InteractiveSeconds);
+    this->SphereMotion.Update(this->Frame, this->Environment, interactive);
     circumstances.SpheresMove = this->SphereMotion.GetWhat();
     circumstances.SpheresFail = this->SphereMotion.GetWhyNot();
   }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OpenGL/vtkIndirectGL.h"
-
 #include "Pipeline/vtkIndirectSphereMotion.h"
 
 #include "Frame/vtkIndirectFrame.h"
@@ -9,12 +7,9 @@
 #include "Proxies/vtkIndirectProxyActors.h"
 #include "Proxies/vtkIndirectProxyLight.h"
 #include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkDataObject.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkMapper.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkRenderer.h"
 
 #include <utility>
 
@@ -25,22 +20,13 @@ constexpr int MostIdle = 8; // half a second at 15 frames a second
 // So many take 0.8 of the time of maps, of which a frame that somebody waits for draws a few
 // (Documentation/methods/sphere-proxies.md); with more the tree of them takes over.
 constexpr double MostSpheres = 100000.0;
-
-// Whether a frame is a further part of a picture, which its first part has decided for.
-bool IsFurtherPart(const vtkIndirectFrame& frame)
-{
-  const double* tile = frame.Window->GetTileViewport();
-  const bool rightEye =
-    frame.Window->GetStereoRender() && !frame.Renderer->GetActiveCamera()->GetLeftEye();
-  return rightEye || tile[0] > 0.0 || tile[1] > 0.0;
-}
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectSphereMotion::Update(
   const vtkIndirectFrame& frame, vtkEnvironmentLight* environment, bool interactive)
 {
-  if (IsFurtherPart(frame))
+  if (frame.IsFurtherPart())
   {
     return;
   }

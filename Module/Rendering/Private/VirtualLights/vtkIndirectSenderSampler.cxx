@@ -28,7 +28,8 @@ constexpr size_t MostMaps = 64;
 bool AreSame(const vtkIndirectCaster& a, const vtkIndirectCaster& b)
 {
   return a.Prop == b.Prop && a.Revision == b.Revision && a.SendsLight == b.SendsLight &&
-    std::equal(a.Bounds, a.Bounds + 6, b.Bounds);
+    std::equal(a.Bounds, a.Bounds + 6, b.Bounds) &&
+    std::equal(a.GetFit(), a.GetFit() + 6, b.GetFit()); // what maps are fitted to
 }
 
 vtkIndirectEmitters::List::iterator Find(vtkIndirectEmitters::List& emitters, int number)
@@ -42,6 +43,11 @@ bool HaveSameMaps(const vtkIndirectLight& a, const vtkIndirectLight& b)
 {
   return a.Positional == b.Positional && a.PositionWC == b.PositionWC &&
     a.DirectionWC == b.DirectionWC && a.Attenuation == b.Attenuation;
+}
+
+bool HaveSameNumber(const vtkIndirectEmitter& a, const vtkIndirectEmitter& b)
+{
+  return a.Number == b.Number;
 }
 
 bool IsLit(const vtkIndirectEmitter& emitter)
@@ -90,12 +96,14 @@ bool vtkIndirectSenderSampler::UpdateScene(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-// Emitters keep their places while their maps hold, also those whose light has gone: a sky that
-// turns redraws nothing, but for what moves with it, as a sun does.
+// Emitters keep their places while their maps hold, also those whose light has gone: while a sky
+// turns it redraws nothing, but for what moves with it, as a sun does.
 void vtkIndirectSenderSampler::SetEmitters(
   const vtkIndirectEmitters::List& emitters, const std::vector<double>& source)
 {
   this->Source = source;
+  this->Given = emitters;
+  this->IsFresh = true;
   ++this->SourceTime;
   vtkIndirectEmitters::List lit = emitters;
   for (vtkIndirectEmitter& emitter : this->Emitters)
@@ -119,6 +127,16 @@ bool vtkIndirectSenderSampler::DrawMaps(
   const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture)
 {
   const bool anew = this->UpdateScene(frame) || !this->MapsAreThere || !plan.Caching;
+  // What has come to rest has those of a scene that has always been so, in their order.
+  const bool rests = !plan.Interactive && !this->IsFresh && !frame.IsFurtherPart();
+  this->IsFresh = false;
+  if (rests &&
+    !std::equal(this->Emitters.begin(), this->Emitters.end(), this->Given.begin(),
+      this->Given.end(), HaveSameNumber))
+  {
+    this->Emitters = this->Given;
+    this->EmittersHaveMoved = true;
+  }
   if (anew || this->Emitters.size() > MostMaps)
   {
     const auto dark = std::remove_if(this->Emitters.begin(), this->Emitters.end(),
@@ -248,6 +266,7 @@ void vtkIndirectSenderSampler::ReleaseGraphicsResources(vtkWindow* window)
   this->Texels.Release(window);
   this->Clusters.SetSenders({});
   this->Emitters.clear();
+  this->Given.clear();
   this->Source.clear();
   this->Casters.clear();
   this->MapsAreThere = false;

@@ -69,6 +69,8 @@ private:
   bool Divides = false; // whether the lights have branches
 
   vtkIndirectEmitters::List Emitters; // by their maps; without light where it has gone
+  vtkIndirectEmitters::List Given;    // the frame's
+  bool IsFresh = false;               // whether they came since the maps were drawn
   std::vector<double> Source;         // what they were found in
   bool EmittersHaveMoved = false;     // come, gone or moved since the maps were drawn
 

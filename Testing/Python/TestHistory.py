@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What stands still looks as if it had always stood so, whatever was there before."""
+
+import unittest
+
+import numpy as np
+import support
+from TestStale import make_actor, make_area, make_ball, make_room
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkRenderer
+
+import vtkindirect
+from vtkindirect import windows
+
+
+def away(renderer: vtkRenderer, ball: vtkActor) -> None:
+    ball.SetPosition(10, 0, 0)
+
+
+def out_of_the_room(renderer: vtkRenderer, ball: vtkActor) -> None:
+    ball.SetPosition(0.9, 0, 0)
+
+
+def another_far_away(renderer: vtkRenderer, ball: vtkActor) -> None:
+    other = make_actor(make_ball())
+    other.SetPosition(20, 0, 0)
+    renderer.AddActor(other)
+
+
+def small(renderer: vtkRenderer, ball: vtkActor) -> None:
+    ball.SetScale(0.2)
+
+
+def turned(renderer: vtkRenderer, ball: vtkActor) -> None:
+    ball.RotateY(50)
+
+
+def make_balls() -> vtkActor:
+    points = vtkSphereSource()
+    points.SetThetaResolution(4)
+    points.SetPhiResolution(4)
+    points.SetCenter(0, 0.5, 0)
+    points.SetRadius(0.4)
+    mapper = vtkGlyph3DMapper()
+    mapper.SetInputConnection(points.GetOutputPort())
+    source = vtkSphereSource()
+    mapper.SetSourceConnection(source.GetOutputPort())
+    mapper.SetScaleFactor(0.25)
+    balls = vtkActor()
+    balls.SetMapper(mapper)
+    return balls
+
+
+@unittest.skipIf(support.why_no_rendering(), support.why_no_rendering())
+class History(unittest.TestCase):
+    def setUp(self) -> None:
+        self.window = windows.render_window((32, 24), offscreen=True)
+
+    def draw(self, kind: str, before) -> dict[str, np.ndarray]:
+        """Light of a scene that has stood for some frames; before them it was in other states."""
+        ball = make_balls() if kind == "spheres" else make_actor(make_ball())
+        renderer = make_room(ball, kind in ("spot", "penumbra"))
+        settings = {"environment": (1, 1, 1)} if kind in ("sky", "spheres") else {}
+        indirect = vtkindirect.enable(
+            renderer, lighting="full" if kind == "full" else "scene", **settings
+        )
+        if kind == "penumbra":
+            indirect.SetLightRadius(renderer.GetLights().GetItemAsObject(0), 0.2)
+        if kind == "area":
+            indirect.AddAreaLight(make_area(0))
+        self.window.AddRenderer(renderer)
+        for change in before:
+            self.window.Render()
+            props = renderer.GetViewProps().GetNumberOfItems()
+            change(renderer, ball)
+            self.window.Render()
+            self.window.Render()
+            ball.SetPosition(0, 0, 0)
+            ball.SetScale(1)
+            ball.SetOrientation(0, 0, 0)
+            while renderer.GetViewProps().GetNumberOfItems() > props:
+                renderer.RemoveActor(renderer.GetViewProps().GetLastProp())
+        for _ in range(6):
+            self.window.Render()
+        names = ("direct", "irradiance")
+        light = {name: vtkindirect.copy_buffer(renderer, name).astype(float) for name in names}
+        self.window.RemoveRenderer(renderer)
+        return light
+
+    def check(self, kind: str, *befores) -> None:
+        expected = self.draw(kind, ())
+        for before in befores:
+            with self.subTest(kind=kind, before=before.__name__):
+                light = self.draw(kind, (before,))
+                for name, fresh in expected.items():
+                    # Half floats keep eleven bits of the last sums.
+                    self.assertLess(
+                        np.abs(light[name] - fresh).max(), 1e-3 * fresh.max() + 1e-9, name
+                    )
+
+    def test_spot(self) -> None:
+        self.check("spot", away, out_of_the_room, another_far_away, small)
+
+    def test_penumbra(self) -> None:
+        self.check("penumbra", away)
+
+    def test_sky(self) -> None:
+        self.check("sky", away, small)
+
+    def test_area(self) -> None:
+        self.check("area", away, small)
+
+    def test_preset(self) -> None:
+        self.check("full", away)
+
+    def test_spheres(self) -> None:
+        self.check("spheres", turned)
+
+
+if __name__ == "__main__":
+    unittest.main()
