@@ -282,11 +282,6 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
   in.Step = this->Settings.ReceiverStep;
   if (in.Step == 0)
   {
-    // Steps that hold on to the last ones are for whoever drags: a picture is that of its scene.
-    if (!input.Plan.Interactive)
-    {
-      in.StepBySpheres.Forget();
-    }
     in.Step = in.StepBySpheres.Find(frame, in.Scene.GetSpheres());
   }
   else
