@@ -305,8 +305,9 @@ VTK_INDIRECT_TEST(AntialiasingCreases)
 VTK_INDIRECT_TEST(AntialiasingOutlines)
 {
   const vec4 flat(0.5f);
-  const vec4 lit = vtkiPackSurface(vec3(0.0f, 0.0f, 1.0f), 1.0f, VTKI_SURFACE_LINEAR);
-  const vec4 encoded = vtkiPackSurface(vec3(0.0f, 0.0f, 1.0f), 1.0f, VTKI_SURFACE_ENCODED);
+  const vec3 ahead(0.0f, 0.0f, 1.0f);
+  const vec4 lit = vtkiPackSurface(ahead, ahead, 1.0f, VTKI_SURFACE_LINEAR);
+  const vec4 encoded = vtkiPackSurface(ahead, ahead, 1.0f, VTKI_SURFACE_ENCODED);
   const vec4 one = vtkiPackUnlit(1.0f, 7);
   const vec4 other = vtkiPackUnlit(1.0f, 8);
   const vec4 none(0.0f);

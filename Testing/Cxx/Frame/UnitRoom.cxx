@@ -22,7 +22,7 @@ VTK_INDIRECT_TEST(RoomOfNothing)
 
   vtkIndirectRoom room;
   std::vector<vtkIndirectCaster> nothing;
-  room.Give(nothing);
+  room.Give(nothing, true);
   Check("a scene that is empty", nothing.empty());
 
   vtkNew<vtkActor> actor;
@@ -30,11 +30,11 @@ VTK_INDIRECT_TEST(RoomOfNothing)
   std::vector<vtkIndirectCaster> one(1);
   one[0].Prop = actor;
   std::copy(bounds, bounds + 6, one[0].Bounds);
-  room.Give(one);
+  room.Give(one, true);
   Check("what comes has its bounds", one[0].HasRoom && std::equal(bounds, bounds + 6, one[0].Room));
-  room.Give(nothing);
+  room.Give(nothing, true);
   one[0].HasRoom = false;
   std::fill(one[0].Room, one[0].Room + 6, 7.0);
-  room.Give(one);
+  room.Give(one, true);
   Check("and when it was away", one[0].HasRoom && std::equal(bounds, bounds + 6, one[0].Room));
 }
