@@ -37,6 +37,19 @@
 #include <cstdint>
 #include <cstring>
 
+namespace
+{
+// A mapper makes its default lookup table when it first draws, which modifies the mapper: the second
+// frame would take it for another one.
+void MakeTable(vtkAbstractMapper* mapper)
+{
+  if (auto* known = vtkMapper::SafeDownCast(mapper))
+  {
+    known->GetLookupTable();
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 // Mixed by splitmix64's finalizer (Steele, Lea, Flood 2014).
 void vtkIndirectRevision::Add(vtkTypeUInt64 bits)
@@ -141,6 +154,7 @@ void vtkIndirectRevision::AddMapper(vtkAbstractMapper* mapper)
   }
   // Pipelines come first: some mappers are modified where these run.
   this->AddInputs(mapper);
+  MakeTable(mapper);
   this->AddObject(mapper); // with its lookup table
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
@@ -189,6 +203,8 @@ void vtkIndirectRevision::AddProp(vtkProp* prop, bool whole)
   }
   if (whole)
   {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    MakeTable(actor ? actor->GetMapper() : nullptr);
     this->Add(prop->GetRedrawMTime());
   }
   if (auto* follower = vtkProp3DFollower::SafeDownCast(prop))
