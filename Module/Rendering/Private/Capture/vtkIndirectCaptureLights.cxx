@@ -9,6 +9,20 @@
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 
+namespace
+{
+// Rows of a light: three of the matrix, map, depths, and of penumbrae the size.
+int CountRows(const vtkIndirectLightConstants::Group& group)
+{
+  return group.Penumbra ? 6 : 5;
+}
+
+std::string GetName(const vtkIndirectLightConstants::Group& group)
+{
+  return (group.Penumbra ? "vtkiSoftShadows" : "vtkiShadows") + std::to_string(group.Projection);
+}
+}
+
 //------------------------------------------------------------------------------
 void vtkIndirectCaptureLights::Update(
   const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows)
@@ -46,67 +60,106 @@ void vtkIndirectCaptureLights::Update(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIndirectCaptureLights::GetDeclarations(int light, bool shadows, bool penumbra)
-{
-  const std::string n = std::to_string(light);
-  std::string text = "uniform float " + GetConeCosine(light) + ";\n";
-  if (shadows)
-  {
-    for (const char* name :
-      { "vtkiToLightX", "vtkiToLightY", "vtkiToLightZ", "vtkiShadowMap", "vtkiShadowDepth" })
-    {
-      text += "uniform vec4 " + (name + n) + ";\n";
-    }
-  }
-  if (shadows && penumbra)
-  {
-    text += "uniform vec4 vtkiLightSize" + n + ";\n";
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
 std::string vtkIndirectCaptureLights::GetConeCosine(int light)
 {
   return "vtkiConeCosine" + std::to_string(light);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIndirectCaptureLights::GetArguments(int light, bool penumbra)
+// One light's rows are uniforms of their own: no array can be a varying.
+std::string vtkIndirectCaptureLights::GetDeclarations(const vtkIndirectLightConstants::Group& group)
 {
-  const std::string n = std::to_string(light);
-  return "mat3x4(vtkiToLightX" + n + ", vtkiToLightY" + n + ", vtkiToLightZ" + n +
-    "), vtkiShadowMap" + n + ", vtkiShadowDepth" + n + (penumbra ? ", vtkiLightSize" + n : "");
+  const int rows = CountRows(group);
+  if (group.Lights.size() > 1)
+  {
+    return "uniform vec4 " + GetName(group) + "[" +
+      std::to_string(rows * static_cast<int>(group.Lights.size())) + "];\n";
+  }
+  std::string text;
+  for (int row = 0; row < rows; ++row)
+  {
+    text += "uniform vec4 " + GetName(group) + "_" + std::to_string(row) + ";\n";
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCaptureLights::SetUniforms(vtkShaderProgram* program) const
+std::string vtkIndirectCaptureLights::GetLookUps(const vtkIndirectLightConstants::Group& group)
 {
-  auto set = [program](const std::string& name, const glm::vec4& value)
-  { program->SetUniform4f(name.c_str(), glm::value_ptr(value)); };
+  const std::string name = GetName(group);
+  const bool single = group.Lights.size() == 1;
+  auto row = [&](int i)
+  { return name + (single ? "_" + std::to_string(i) : "[vtkiFirst + " + std::to_string(i) + "]"); };
+  const std::string call = (group.Penumbra ? "vtkiPenumbra(mat3x4(" : "vtkiVisibility(mat3x4(") +
+    row(0) + ", " + row(1) + ", " + row(2) + "), " + row(3) + ", " + row(4) +
+    (group.Penumbra ? ", " + row(5) : "") + ", " + std::to_string(group.Projection) +
+    ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC)";
+  auto factor = [](int light, const std::string& seen)
+  {
+    const std::string color = "lightColor" + std::to_string(light);
+    return "  vec3 " + color + " = " + color + " * " + seen + ";\n";
+  };
+  if (single)
+  {
+    return factor(group.Lights.front(), call);
+  }
+  // The end is no constant: the loop stays one. Pixels of maps take no step of it.
+  const std::string count = std::to_string(group.Lights.size());
+  std::string ones = "1.0";
+  for (size_t i = 1; i < group.Lights.size(); ++i)
+  {
+    ones += ", 1.0";
+  }
+  std::string text = "  float " + name + "Seen[" + count + "] = float[" + count + "](" + ones +
+    ");\n  for (int vtkiLight = 0; vtkiLight < (vtkiStage != 0 ? 0 : " + count +
+    "); ++vtkiLight)\n  {\n    int vtkiFirst = " + std::to_string(CountRows(group)) +
+    " * vtkiLight;\n    " + name + "Seen[vtkiLight] = " + call + ";\n  }\n";
+  for (size_t i = 0; i < group.Lights.size(); ++i)
+  {
+    text += factor(group.Lights[i], name + "Seen[" + std::to_string(i) + "]");
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCaptureLights::SetUniforms(
+  vtkShaderProgram* program, const std::vector<vtkIndirectLightConstants::Group>& groups) const
+{
   for (size_t i = 0; i < this->Lights.size(); ++i)
   {
-    const Light& light = this->Lights[i];
-    const std::string n = std::to_string(i);
     const std::string cone = GetConeCosine(static_cast<int>(i));
     if (program->IsUniformUsed(cone.c_str()))
     {
-      program->SetUniformf(cone.c_str(), light.ConeCosine);
+      program->SetUniformf(cone.c_str(), this->Lights[i].ConeCosine);
     }
-    const std::string map = "vtkiShadowMap" + n;
-    if (program->IsUniformUsed(map.c_str()))
+  }
+  for (const vtkIndirectLightConstants::Group& group : groups)
+  {
+    const std::string name = GetName(group);
+    const bool single = group.Lights.size() == 1;
+    if (!program->IsUniformUsed((single ? name + "_3" : name).c_str()))
     {
-      const glm::mat4 rows = glm::transpose(light.ViewToLight);
-      set("vtkiToLightX" + n, rows[0]);
-      set("vtkiToLightY" + n, rows[1]);
-      set("vtkiToLightZ" + n, rows[2]);
-      set(map, light.ShadowMap);
-      set("vtkiShadowDepth" + n, light.ShadowDepth);
+      continue;
     }
-    const std::string size = "vtkiLightSize" + n;
-    if (program->IsUniformUsed(size.c_str()))
+    const int count = CountRows(group);
+    std::vector<glm::vec4> rows;
+    for (const int number : group.Lights)
     {
-      set(size, light.Size);
+      const Light& light = this->Lights[static_cast<size_t>(number)];
+      const glm::mat4 toLight = glm::transpose(light.ViewToLight);
+      const glm::vec4 all[] = { toLight[0], toLight[1], toLight[2], light.ShadowMap,
+        light.ShadowDepth, light.Size };
+      rows.insert(rows.end(), all, all + count);
+    }
+    for (int row = 0; single && row < count; ++row)
+    {
+      program->SetUniform4f(
+        (name + "_" + std::to_string(row)).c_str(), glm::value_ptr(rows[static_cast<size_t>(row)]));
+    }
+    if (!single)
+    {
+      program->SetUniform4fv(name.c_str(), static_cast<int>(rows.size()),
+        reinterpret_cast<const float(*)[4]>(glm::value_ptr(rows.front())));
     }
   }
 }

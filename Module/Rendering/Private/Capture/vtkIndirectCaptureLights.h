@@ -4,6 +4,8 @@
 #ifndef vtkIndirectCaptureLights_h
 #define vtkIndirectCaptureLights_h
 
+#include "Capture/vtkIndirectLightConstants.h"
+
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -18,18 +20,21 @@ public:
   /** Takes the frame's lights, and the maps that their shadows are looked up in, or null. */
   void Update(const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows);
 
-  /** Declarations of one light's uniforms, each of its own: those in arrays would be as many in
-   * every shader as the scene has lights, and none could be a varying. */
-  static std::string GetDeclarations(int light, bool shadows, bool penumbra);
-
   /** Name of VTK's cosine of the cone's angle, which its own code takes at every pixel. */
   static std::string GetConeCosine(int light);
 
-  /** What stands for the light in a call of vtkiVisibility, or of vtkiPenumbra. */
-  static std::string GetArguments(int light, bool penumbra);
+  /** Declarations of what a look-up of these lights' shadows reads. */
+  static std::string GetDeclarations(const vtkIndirectLightConstants::Group& group);
+
+  /**
+   * Text in front of VTK's light code: shares of the lights that are seen, as factors on VTK's own
+   * colours of them.
+   */
+  static std::string GetLookUps(const vtkIndirectLightConstants::Group& group);
 
   /** Sets what the program has of them. */
-  void SetUniforms(vtkShaderProgram* program) const;
+  void SetUniforms(
+    vtkShaderProgram* program, const std::vector<vtkIndirectLightConstants::Group>& groups) const;
 
 private:
   struct Light

@@ -122,15 +122,11 @@ void vtkIndirectCaptureText::Add(
     // The only piece of light code that is matched as text: a cosine of a uniform at every pixel.
     ReplaceAll(fragmentShader, "cos(radians(lightConeAngle" + n + "))",
       vtkIndirectCaptureLights::GetConeCosine(lights));
-    if (lit && this->Shadows && this->LightConstants.GetProjection(lights) >= 0)
-    {
-      const bool penumbra = this->LightConstants.HasPenumbra(lights);
-      visibility += "  vec3 lightColor" + n + " = lightColor" + n + " * " +
-        (penumbra ? "vtkiPenumbra(" : "vtkiVisibility(") +
-        vtkIndirectCaptureLights::GetArguments(lights, penumbra) + ", " +
-        std::to_string(this->LightConstants.GetProjection(lights)) +
-        ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC);\n";
-    }
+  }
+  for (const vtkIndirectLightConstants::Group& group : this->LightConstants.GetGroups())
+  {
+    visibility +=
+      lit && group.Lights.back() < lights ? vtkIndirectCaptureLights::GetLookUps(group) : "";
   }
   if (lit)
   {
@@ -160,8 +156,11 @@ void vtkIndirectCaptureText::Add(
   }
   for (int light = 0; light < lights; ++light)
   {
-    declarations += vtkIndirectCaptureLights::GetDeclarations(
-      light, this->Shadows, this->LightConstants.HasPenumbra(light));
+    declarations += "uniform float " + vtkIndirectCaptureLights::GetConeCosine(light) + ";\n";
+  }
+  for (const vtkIndirectLightConstants::Group& group : this->LightConstants.GetGroups())
+  {
+    declarations += vtkIndirectCaptureLights::GetDeclarations(group);
   }
   if (!Contains(fragmentShader, "uniform int vtkiParallel"))
   {

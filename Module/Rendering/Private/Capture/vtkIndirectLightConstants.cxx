@@ -9,8 +9,7 @@
 bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame, bool shadows)
 {
   std::vector<Constant> constants;
-  std::vector<int> projections;
-  std::vector<bool> penumbrae;
+  std::vector<Group> groups;
   auto add = [&constants](
                const std::string& type, const std::string& name, int light, const char* value)
   {
@@ -20,10 +19,15 @@ bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame, bool shado
   for (const vtkIndirectLight& light : frame.Lights)
   {
     const int n = light.Index;
-    if (shadows)
+    if (shadows && !light.Fill)
     {
-      projections.push_back(light.Fill ? -1 : light.FindMapProjection());
-      penumbrae.push_back(light.Size > 0.0);
+      const int projection = light.FindMapProjection();
+      const bool penumbra = light.Size > 0.0;
+      auto group = std::find_if(groups.begin(), groups.end(),
+        [&](const Group& known)
+        { return known.Projection == projection && known.Penumbra == penumbra; });
+      group = group == groups.end() ? groups.insert(group, { projection, penumbra, {} }) : group;
+      group->Lights.push_back(n);
     }
     add("int", "lightPositional", n, light.Positional ? "1" : "0");
     if (!light.Positional)
@@ -39,10 +43,9 @@ bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame, bool shado
       add("float", "lightExponent", n, light.Exponent == 0.0 ? "0.0" : "1.0");
     }
   }
-  const bool changed = constants != this->Constants || projections != this->Projections ||
-    penumbrae != this->Penumbrae || frame.Specular != this->Specular;
-  this->Projections = std::move(projections);
-  this->Penumbrae = std::move(penumbrae);
+  const bool changed =
+    constants != this->Constants || groups != this->Groups || frame.Specular != this->Specular;
+  this->Groups = std::move(groups);
   this->Constants = std::move(constants);
   this->Specular = frame.Specular;
   return changed;
@@ -51,7 +54,8 @@ bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame, bool shado
 //------------------------------------------------------------------------------
 bool vtkIndirectLightConstants::HasPenumbrae() const
 {
-  return std::find(this->Penumbrae.begin(), this->Penumbrae.end(), true) != this->Penumbrae.end();
+  return std::any_of(
+    this->Groups.begin(), this->Groups.end(), [](const Group& group) { return group.Penumbra; });
 }
 
 //------------------------------------------------------------------------------

@@ -28,18 +28,26 @@ public:
    */
   std::string GetDeclarations(const std::string& fragmentShader) const;
 
-  /** What vtkIndirectLight::FindMapProjection says of a light; -1: it casts no shadow. Light code
-   * may be of more lights than the frame has, of which no map exists: 0. */
-  int GetProjection(int light) const
+  /**
+   * Lights whose shadows are looked up alike: a shader has the look-up once for all of them, in a
+   * loop. Compilers put functions in place of their calls, and took 80 seconds for eight lights
+   * with a look-up each.
+   */
+  struct Group
   {
-    return static_cast<size_t>(light) < this->Projections.size() ? this->Projections[light] : 0;
-  }
+    int Projection; // what vtkIndirectLight::FindMapProjection says
+    bool Penumbra;
+    std::vector<int> Lights; // by vtkIndirectLight::Index
+    bool operator==(const Group& other) const
+    {
+      return this->Projection == other.Projection && this->Penumbra == other.Penumbra &&
+        this->Lights == other.Lights;
+    }
+  };
+  /** All lights that cast shadows; none where no shadows are looked up. */
+  const std::vector<Group>& GetGroups() const { return this->Groups; }
 
-  /** Whether a light's shadows have penumbrae. */
-  bool HasPenumbra(int light) const
-  {
-    return static_cast<size_t>(light) < this->Penumbrae.size() && this->Penumbrae[light];
-  }
+  /** Whether the shadows of any light have penumbrae. */
   bool HasPenumbrae() const;
 
 private:
@@ -50,8 +58,7 @@ private:
     bool operator==(const Constant& other) const { return this->Declaration == other.Declaration; }
   };
   std::vector<Constant> Constants;
-  std::vector<int> Projections; // empty without shadows
-  std::vector<bool> Penumbrae;  // the same
+  std::vector<Group> Groups;
   bool Specular = true;
 };
 

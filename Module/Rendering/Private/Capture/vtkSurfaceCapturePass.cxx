@@ -567,7 +567,8 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   // Whatever has switched blending since the stage began must not mix bits.
   if (in.Stage == Internals::Eye)
   {
-    in.Lights.SetUniforms(program); // a map holds surfaces, whatever shines on them
+    in.Lights.SetUniforms(program,
+      in.LightConstants.GetGroups()); // a map holds surfaces, whatever shines on them
     this->UseEyeChannels(prop);
   }
   else if (in.Stage == Internals::Map)
