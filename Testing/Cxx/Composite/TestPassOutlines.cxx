@@ -220,6 +220,9 @@ VTK_INDIRECT_TEST(OutlinesOfShapes)
   check("a crease",
     [](Scene& scene)
     {
+      // From below: the upper face would shade the lower one.
+      scene.Renderer->RemoveAllLights();
+      scene.Renderer->AddLight(MakeLight(LightKind::Directional, { 0.5, -3, 1 }, { 0, 0, 0 }));
       scene.Renderer->AddActor(
         MakeQuad({ -2, -1.8, 0 }, { 2, -2.2, 0 }, { -2, 0.2, 0 }, { 1, 1, 1 }));
       scene.Renderer->AddActor(

@@ -367,7 +367,8 @@ VTK_INDIRECT_TEST(Tiles)
   }
   std::cout << smooth << " antialiased pixels, " << cut << " of them cut by a seam, " << wrong
             << " wrong elsewhere\n";
-  CONTRACT_CHECK(smooth > 500, "no edge was antialiased");
+  // 259 of outlines; borders of shadows are data of a surface, and left alone.
+  CONTRACT_CHECK(smooth > 200, "no edge was antialiased");
   CONTRACT_CHECK(10 * cut < smooth, cut << " pixels are cut by a seam");
   // 11 of 707: spots of single virtual lights along creases, summed at other pixels.
   CONTRACT_CHECK(50 * wrong < smooth, wrong << " pixels away from seams");

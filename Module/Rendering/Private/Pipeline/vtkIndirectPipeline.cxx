@@ -542,7 +542,8 @@ glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance() const
     std::any_of(lights.begin(), lights.end(),
       [](const vtkIndirectLight& light) { return light.Color != glm::dvec3(0.0); });
   glm::dvec3 greatest(1e30);
-  if (this->SkyIsThere && this->Environment && !lamps)
+  // A sky that nothing hides is seen through surfaces: together there is more.
+  if (this->SkyIsThere && this->Plan.SkyIsShadowed && this->Environment && !lamps)
   {
     this->Environment->GetGreatestRadiance(&greatest[0]);
   }
