@@ -36,6 +36,11 @@ struct Room : Scene
   }
 };
 
+bool IsOfWall(const glm::dvec3& normal)
+{
+  return std::max({ std::abs(normal.x), std::abs(normal.y), std::abs(normal.z) }) > 0.99999;
+}
+
 // The texels of a map as lights, from its buffers and the map's geometry, in double precision. The
 // area is that of a texel on the walls; on the ball, whose geometric normal is in no buffer, it is
 // taken from the lights themselves.
@@ -74,9 +79,7 @@ std::vector<VirtualLight> LightsFromMap(
         const double cosine = parallel
           ? glm::dot(light.Normal, -map.Light.DirectionWC)
           : glm::dot(light.Normal, glm::normalize(eye - light.Position));
-        const bool wall = std::max({ std::abs(light.Normal.x), std::abs(light.Normal.y),
-                            std::abs(light.Normal.z) }) > 0.99999;
-        light.Area = wall && cosine > 0.05 ? footprint * (parallel ? 1.0 : glm::dot(p, p)) / cosine
+        light.Area = IsOfWall(light.Normal) && cosine > 0.05 ? footprint * (parallel ? 1.0 : glm::dot(p, p)) / cosine
                                            : areas[next % areas.size()].Area;
         light.Source = map.Light.Index;
         ++next;
@@ -104,6 +107,7 @@ void CheckReference(Room& scene, int maps)
   }
   double position = 0.0;
   double normal = 0.0;
+  double facet = 0.0;
   double density = 0.0;
   double area = 0.0;
   double largest = 0.0;
@@ -119,23 +123,27 @@ void CheckReference(Room& scene, int maps)
     {
       ++lit;
       position = std::max(position, glm::length(gpu[i].Position - lights[i].Position));
-      normal = std::max(normal, glm::length(gpu[i].Normal - lights[i].Normal));
+      double& worst = IsOfWall(lights[i].Normal) ? normal : facet;
+      worst = std::max(worst, glm::length(gpu[i].Normal - lights[i].Normal));
       area = std::max(area, std::abs(gpu[i].Area / lights[i].Area - 1.0));
     }
   }
   CheckAtLeast("texels that hold a surface", lit, 1000, "the test's own power");
   CheckAtMost(
     "worst distance between a light and its texel", position, 2e-6, "floats in a room of one");
-  CheckAtMost("worst difference of normals", normal, 1e-6, "floats");
+  CheckAtMost("worst difference of normals on the walls", normal, 1e-6, "floats");
+  // Half the diagonal of a facet of 64 by 64, 2 pi / 64 by pi / 64, is 0.055.
+  CheckAtMost("on the ball, whose facets send", facet, 0.056, "half a facet's diagonal");
   CheckAtMost("worst relative difference of areas on the walls", area, 1.1e-3,
     "the cosine is stored in half floats; drivers may cut them off, 2^-10");
   CheckAtMost("worst difference of B A, of the largest", density, 1e-5, "floats");
 
-  // The areas as stored: their half floats are checked above.
+  // The areas and the facets' normals as stored: both are checked above.
   std::vector<VirtualLight> senders = lights;
   for (size_t i = 0; i < gpu.size(); ++i)
   {
     senders[i].Area = gpu[i].Area;
+    senders[i].Normal = gpu[i].Normal;
   }
   const Image irradiance = scene.Copy("irradiance");
   const std::vector<Scene::Receiver> receivers = scene.GetReceivers();

@@ -136,6 +136,7 @@ VTK_INDIRECT_TEST(SphereMotionBesideALamp)
   {
     const std::string name = estimator ? estimator->GetMethodName() : "by default";
     Floats bounces[3]; // of both, of the lamp, of the sky
+    Floats sky;
     for (int i = 0; i < 3; ++i)
     {
       ParticleView view(nullptr, i != 1, i != 2);
@@ -150,6 +151,7 @@ VTK_INDIRECT_TEST(SphereMotionBesideALamp)
       }
       CONTRACT_CHECK(CountOf(view.Pass, "sky_tiles_drawn") == tiles, name << ": maps are drawn");
       bounces[i] = Read(view.Pass, "bounce");
+      sky = Read(view.Pass, "sky");
       const Report report(view.Pass);
       CONTRACT_CHECK(report.Get("method") ==
           (i == 2 ? "proxies" : view.Pass->GetActiveEstimator()->GetMethodName()),
@@ -161,6 +163,12 @@ VTK_INDIRECT_TEST(SphereMotionBesideALamp)
     double off = 0.0;
     for (size_t i = 0; i < bounces[0].Values.size(); ++i)
     {
+      // Without a lamp no more than the sky's radiance, one, gets anywhere: what is cut there is not
+      // cut beside one.
+      if (bounces[2].Values[i] + sky.Values[i] > 1.0f - 1e-6f)
+      {
+        continue;
+      }
       const float sum = bounces[1].Values[i] + bounces[2].Values[i];
       off = std::max(off, std::abs(static_cast<double>(bounces[0].Values[i]) - sum));
       scale = std::max(scale, static_cast<double>(sum));
@@ -235,7 +243,8 @@ VTK_INDIRECT_TEST(SphereMotionEndsWithAnInteraction)
     CONTRACT_CHECK(view.BySpheres(), "while it lasts: " << view.Who());
     style->EndRotate();
     CONTRACT_CHECK(view.Who() == "sky by depth maps", "when it has ended: " << view.Who());
-    CONTRACT_CHECK(CountOf(view.Pass, "tiles_left") == 0, "maps are left to be drawn");
+    CONTRACT_CHECK(CountOf(view.Pass, "tiles_left") == 0,
+      CountOf(view.Pass, "tiles_left") << " maps are left to be drawn");
     const Floats ended = Read(view.Pass, "sky");
     interactor->Render();
     CONTRACT_CHECK(Compare(ended, Read(view.Pass, "sky")).Max == 0.0, "another picture");

@@ -341,12 +341,16 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
     this->Timer.Begin(vtkIndirectStageTimer::Visibility);
   }
   const size_t tiles = this->Visibility.GetNumberOfTilesDrawn();
-  // The sky's maps share the frame's work.
+  // Maps of the sky and of area lights share the frame's work: they get what they may need, half at
+  // most.
   const int most = this->Plan.TilesPerFrame;
-  const bool shared = (this->Plan.HasSkyMaps() && !this->Sky.IsComplete()) ||
-    (this->Plan.AreaLights && this->Plan.AreaIsShadowed && !this->Area.IsComplete());
+  const bool skyNeeds = this->Plan.HasSkyMaps() && !this->Sky.IsComplete();
+  const bool areaNeeds =
+    this->Plan.AreaLights && this->Plan.AreaIsShadowed && !this->Area.IsComplete();
+  // Beside its directions a sky may have a few suns.
+  const int needed = areaNeeds ? most : skyNeeds ? this->Plan.NumberOfSkyDirections + 32 : 0;
   const bool visible = this->Visibility.Update(
-    { this->Frame, lights, this->Capture, caching, shared ? most - most / 2 : most, spheres },
+    { this->Frame, lights, this->Capture, caching, most - std::min(needed, most / 2), spheres },
     needs);
   this->TilesLeft = most - static_cast<int>(this->Visibility.GetNumberOfTilesDrawn() - tiles);
   if (timed)

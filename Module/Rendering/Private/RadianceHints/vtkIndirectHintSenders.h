@@ -21,6 +21,7 @@ public:
   bool Update(const Input& input) override;
   /** What the eye sees has no blocks: more lights than usual, as many as a map has. */
   vtkMapLightSampler* GetViewPattern() override { return this->ViewPattern; }
+  int GetNumberOfLights() override { return this->ViewPattern->GetNumberOfLights(); }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

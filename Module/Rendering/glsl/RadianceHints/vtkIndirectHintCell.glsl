@@ -5,7 +5,7 @@
 struct vtkiCell
 {
   vtkiReceiver corner; // at the cell's own sample
-  vec2 code;           // its normal, as it is stored
+  vec4 code;           // its normal and its facet's, as they are stored
   bool whole;          // all lit
   bool empty;          // none lit
   float height;        // how far the others stray from it, at most
@@ -24,9 +24,9 @@ void vtkiAddToCell(inout vtkiCell cell, ivec2 pixel)
   vec3 offset =
     vtkiReconstruct(2.0f * place - 1.0f, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection) -
     cell.corner.positionVC;
-  cell.height = max(cell.height, abs(dot(cell.corner.normalVC, offset)));
-  vec2 difference = abs(vtkiSurfaceCode(surface) - cell.code);
-  cell.turn = max(cell.turn, difference.x + difference.y);
+  cell.height = max(cell.height, abs(dot(cell.corner.facetVC, offset)));
+  vec4 difference = abs(vec4(vtkiSurfaceCode(surface), vtkiUnpackCode(surface.z)) - cell.code);
+  cell.turn = max(cell.turn, max(difference.x + difference.y, difference.z + difference.w));
   cell.radius2 = max(cell.radius2, dot(offset, offset));
   cell.nearest = min(cell.nearest, vtkiSurfaceDepth(surface));
 }
@@ -38,8 +38,8 @@ float vtkiCellState(ivec2 first, vtkiReceiver corner, bool lit)
   // The last samples may lie closer.
   ivec2 last = first + vtkiStep;
   bool complete = all(lessThan(last, vtkiSize));
-  vtkiCell cell = vtkiCell(corner, vtkiOctahedralEncode(corner.normalVC), lit && complete, !lit, 0.0f,
-    0.0f, 0.0f, corner.depth);
+  vec4 code = vec4(vtkiOctahedralEncode(corner.normalVC), vtkiOctahedralEncode(corner.facetVC));
+  vtkiCell cell = vtkiCell(corner, code, lit && complete, !lit, 0.0f, 0.0f, 0.0f, corner.depth);
   // Conditions come last; see vtkIndirectHintLookup.glsl.
   int y = 0;
   do
