@@ -212,8 +212,9 @@ VTK_INDIRECT_TEST(SphereMotionEnds)
     {
       const double jump = std::abs(Mean(moving, c) / Mean(still, c) - 1.0);
       std::cout << "the mean jumps by " << jump << "\n";
-      // Of the sky 2 % (Documentation/methods/sphere-proxies.md), of the bounce, a tenth, 30 %.
-      CONTRACT_CHECK(jump < 0.05, "the mean jumps by " << jump);
+      // Of the sky 2 % (Documentation/methods/sphere-proxies.md), of the bounce, a tenth, 30 %. Still frames
+      // also have later bounces of spheres, 6.7 % in all.
+      CONTRACT_CHECK(jump < 0.08, "the mean jumps by " << jump);
     }
   }
 }
