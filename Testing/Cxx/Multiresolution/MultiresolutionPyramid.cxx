@@ -270,8 +270,21 @@ VTK_INDIRECT_TEST(PyramidMeans)
           glm::dvec3 found;
           scene.Get(level, x, y, depth, found);
           turn = std::max(turn, glm::length(found - normal));
-          // The depth lies on the plane through the mean place: not off it by its share of a width.
+          // The depth lies on the plane through the mean place, before all children and their
+          // tangent planes on its ray: not off it by its share of a width.
           const glm::dvec3 at = scene.GetPlace(level, x, y, depth);
+          const glm::dvec3 origin = scene.GetPlace(level, x, y, 0.0);
+          const glm::dvec3 way = scene.GetPlace(level, x, y, 1.0) - origin;
+          const double middle = glm::dot(normal, place - origin) / glm::dot(normal, way);
+          const glm::dvec3 seen = origin + glm::clamp(middle, 0.5 * nearest, 2.0 * farthest) * way;
+          double before = -1e30;
+          for (int i = 0; i < count; ++i)
+          {
+            const double tangent =
+              glm::dot(normals[i], places[i] - seen) / std::max(glm::dot(normals[i], normal), 0.5);
+            before = std::max({ before, glm::dot(normal, places[i] - seen), tangent });
+          }
+          place = seen + before * normal;
           const bool bounded = depth <= 0.5 * nearest * 1.001 || depth >= 2.0 * farthest * 0.999;
           if (!bounded)
           {

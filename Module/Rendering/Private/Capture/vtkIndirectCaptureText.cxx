@@ -141,9 +141,8 @@ void vtkIndirectCaptureText::Add(
       (impostor ? "vtkiNormalSlope(normalVCVSOutput, vertexVC.xyz);\n"
                 : "vtkiDepthSlope(-vertexVC.z * vtkiSceneScale);\n") +
       (analytic ? "  vec3 vtkiFacetNormalVC = normalVCVSOutput;\n"
-                : "  vec3 vtkiPosition = vertexVC.xyz * vtkiSceneScale;\n"
-                  "  vec3 vtkiFacetNormalVC = vtkiFacetNormal(\n"
-                  "    cross(dFdx(vtkiPosition), dFdy(vtkiPosition)), normalVCVSOutput);\n") +
+                : "  vec3 vtkiFacetNormalVC =\n"
+                  "    vtkiFacetNormal(vertexVC.xyz * vtkiSceneScale, normalVCVSOutput);\n") +
       this->LightConstants.GetDeclarations(fragmentShader) + visibility;
   }
   ReplaceAll(fragmentShader, PreLightMarker, visibility);

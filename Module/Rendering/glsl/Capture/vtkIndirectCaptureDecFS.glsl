@@ -19,17 +19,24 @@ uniform sampler2DArray vtkiShadowMaps; // depths of a texel and its neighbours i
 // From a light: the light whose map is drawn.
 uniform vec3 vtkiMapLight; // 1 if positional, texel size in tangents or scene units, 1 if the prop sends
 
-// Least squared sine of the angle between a facet and the normal that it is shaded by: below it they differ by
-// what derivatives of rounded positions are off by, a few thousandths where a pixel is a ten-thousandth of the way.
+// Least squared sine of the angle between a facet and the normal that it is shaded by; and how far positions, and their
+// differences from pixel to pixel, are off by rounding: share of the distance. Seen through a narrow angle a pixel
+// measures hardly more, and says nothing of its facet.
 const float VTKI_FACET_SINE2 = 1.0e-5f;
+const float VTKI_FACET_ROUNDING = 1.0e-6f;
 
-// Unit normal of a facet, on the side of the normal that it is shaded by. facet: cross product of its position's
-// derivatives, zero where it has no area.
-vec3 vtkiFacetNormal(vec3 facet, vec3 normal)
+// Unit normal of the facet at a position, on the side of the normal that it is shaded by; that normal where both agree
+// within what derivatives of the position tell.
+vec3 vtkiFacetNormal(vec3 position, vec3 normal)
 {
+  vec3 dx = dFdx(position);
+  vec3 dy = dFdy(position);
+  vec3 facet = cross(dx, dy);
   vec3 across = cross(facet, normal);
   float length2 = dot(facet, facet);
-  bool other = dot(across, across) > VTKI_FACET_SINE2 * length2;
+  float rounding = VTKI_FACET_ROUNDING * VTKI_FACET_ROUNDING * dot(position, position);
+  bool other =
+    dot(across, across) > max(VTKI_FACET_SINE2 * length2, rounding * (dot(dx, dx) + dot(dy, dy)));
   return other ? facet * (dot(facet, normal) < 0.0f ? -inversesqrt(length2) : inversesqrt(length2)) : normal;
 }
 

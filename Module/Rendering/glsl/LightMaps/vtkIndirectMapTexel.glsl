@@ -62,6 +62,9 @@ float vtkiMapFacetCosine(vec4 map, vec2 slope, vec3 p)
 // Least sine, squared, of the angle between a facet and the normal that it is shaded by: slopes of eleven bits are
 // off by less.
 const float VTKI_MAP_FACET_SINE2 = 1.0e-5f;
+// Slopes are differences of depths, which are off by some roundings of a float, over texels: those of narrow cones
+// say little. Twice that error.
+const float VTKI_MAP_SLOPE_ERROR = 1.0e-6f;
 
 // Normal of the facet that a texel sees, in the face's view coordinates: what sends, whatever normal it is lit by. See
 // vtkiMapFacetCosine.
@@ -73,7 +76,8 @@ vec3 vtkiMapFacet(vec4 map, vec4 surface, vec2 slope, vec3 p)
   facet *= inversesqrt(max(dot(facet, facet), 1.0e-30f));
   vec3 normal = vtkiSurfaceNormal(surface);
   vec3 across = cross(facet, normal);
-  return dot(across, across) > VTKI_MAP_FACET_SINE2 ? facet : normal;
+  float error = VTKI_MAP_SLOPE_ERROR * map.z / (2.0f * map.y);
+  return dot(across, across) > max(VTKI_MAP_FACET_SINE2, error * error) ? facet : normal;
 }
 
 // Albedo times the ratio of the cosines at the shading and the facet's normal.
