@@ -23,7 +23,6 @@ class Examples(support.DirectoryTest):
             [sys.executable, "-B", name, *words],
             capture_output=True,
             text=True,
-            timeout=240,
             cwd=self.directory,
             env={**os.environ, "PYTHONPATH": str(Path(vtkindirect.__file__).parents[1])},
             check=False,

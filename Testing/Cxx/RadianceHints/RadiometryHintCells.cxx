@@ -3,6 +3,7 @@
 // interpolation in double precision of a frame that is looked up at every pixel.
 #include "vtkIndirectTestUtilities.h"
 
+#include "vtkProperty.h"
 #include "vtkRadianceHintsPass.h"
 
 #include <algorithm>
@@ -86,7 +87,10 @@ VTK_INDIRECT_TEST(HintsCells)
   scene.AddQuad({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 2 }, { 0.8, 0.2, 0.2 });
   scene.AddQuad({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, { 0.2, 0.8, 0.2 });
   scene.AddBox({ 0.9, 0.0, 0.5 }, { 1.2, 0.4, 0.8 }, { 0.3, 0.3, 0.9 });
-  scene.AddSphere({ 0.5, 0.3, 1.0 }, 0.25, 48, { 0.7, 0.7, 0.3 });
+  // Flat, because no buffer tells facets from the normals that are interpolated over them.
+  scene.AddSphere({ 0.5, 0.3, 1.0 }, 0.25, 48, { 0.7, 0.7, 0.3 })
+    ->GetProperty()
+    ->SetInterpolationToFlat();
   scene.AddPoint({ 1.0, 1.2, 1.3 }, { 0.0, 0.0, 1.0 });
   Cells cells;
   cells.Eye = { 2.4, 1.3, 2.6 };
