@@ -197,8 +197,9 @@ class Contact(unittest.TestCase):
             self, [cube(True), floor], (0.6, -2.0, 2.0), (1.0, -3.2, 1.0), (0, 0, 0), (200, 200)
         )
         self.finish(scene)
-        # Beside the edges of faces groups of pixels are cut by the interpolated normals: 0.008.
-        self.check_smooth(scene.read("irradiance").mean(-1), scene.places(), "bounces", 0.012)
+        # Samples of groups of pixels stand before surfaces that are as bent as their interpolated normals say, so
+        # that none is lit from behind: 0.053. Without that it was 0.008, by normals for planes 0.28.
+        self.check_smooth(scene.read("irradiance").mean(-1), scene.places(), "bounces", 0.06)
 
     def finish(self, scene: Scene) -> None:
         scene.window.Render()
