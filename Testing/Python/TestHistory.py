@@ -80,8 +80,14 @@ class History(unittest.TestCase):
             ball.SetOrientation(0, 0, 0)
             while renderer.GetViewProps().GetNumberOfItems() > props:
                 renderer.RemoveActor(renderer.GetViewProps().GetLastProp())
-        for _ in range(6):
+        # A lamp is asked at more points of it from frame to frame.
+        said = None
+        for frame in range(60):
             self.window.Render()
+            modelled = vtkindirect.report(renderer)["modelled"]
+            if frame > 5 and modelled == said:
+                break
+            said = modelled
         names = ("direct", "irradiance")
         light = {name: vtkindirect.copy_buffer(renderer, name).astype(float) for name in names}
         self.window.RemoveRenderer(renderer)
