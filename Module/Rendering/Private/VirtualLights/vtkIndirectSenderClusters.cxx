@@ -78,15 +78,9 @@ glm::dvec3 FindPlace(const vtkIndirectSenderClusters::Sender& middle, const glm:
 // What vtkiFindPatchLight is told of a node. Folded surfaces have more area than their light's
 // variance; where it has more than twice theirs they are strewn, not stretched. A lobe would be
 // seen to be wider than its surface. A node can go forward, away from its surface; behind that its
-// depth map would be drawn within the body, and it would light the other side of a sheet. What is
-// brighter than the surface around it, as texels and paths that fall together by chance are, is
-// blunter than its size, or a contact would see it as a bright spot. radiosity: of that surface.
-void MakePatch(vtkIndirectSenderClusters::Light& light, double radiosity)
+// depth map would be drawn within the body, and it would light the other side of a sheet.
+void MakePatch(vtkIndirectSenderClusters::Light& light)
 {
-  if (radiosity > 0.0)
-  {
-    light.BluntArea = std::max(light.BluntArea, Sum(light.DensityArea) / radiosity);
-  }
   const double most = Sum(light.LobeDensityArea) > 0.0 ? 1.0 : 2.0;
   light.Area = std::min(most * light.Area, light.Stretched);
   light.Position += std::max(light.Shift, 0.0) * light.Normal;
@@ -486,8 +480,8 @@ double vtkIndirectSenderClusters::FindReach(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSenderClusters::MakeBranches(size_t top, double radiosity,
-  const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all)
+void vtkIndirectSenderClusters::MakeBranches(
+  size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all)
 {
   constexpr size_t perNode = vtkIndirectKernels::VTKI_BRANCHES_PER_NODE;
   const size_t first = top * vtkIndirectKernels::VTKI_BRANCHES;
@@ -497,7 +491,7 @@ void vtkIndirectSenderClusters::MakeBranches(size_t top, double radiosity,
   {
     Light child = this->MakeLight(children[i], strengths);
     child.Reach = FindReach(child, children[i], limit);
-    MakePatch(child, radiosity);
+    MakePatch(child);
     const size_t family = first + i * (perNode + 1);
     all[family] = child;
     if (child.Reach > 0.0)
@@ -508,7 +502,7 @@ void vtkIndirectSenderClusters::MakeBranches(size_t top, double radiosity,
       for (size_t k = 0; k < leaves.size(); ++k)
       {
         Light leaf = this->MakeLight(leaves[k], strengths);
-        MakePatch(leaf, radiosity);
+        MakePatch(leaf);
         blunt += Sum(leaf.DensityArea) * leaf.BluntArea;
         all[family + 1 + k] = leaf;
       }
@@ -541,7 +535,6 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
     divided = divided || cluster.End - cluster.Begin > 1;
   }
   const double limit = divided ? error * FindMeanIrradiance(this->Senders, lights.Tops) : 0.0;
-  std::vector<double> radiosities(lights.Tops.size(), 0.0);
   for (size_t i = 0; i < lights.Tops.size(); ++i)
   {
     Light& light = lights.Tops[i];
@@ -549,8 +542,7 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
     light.Reach = FindReach(light, cluster, limit);
     if (limit > 0.0)
     {
-      radiosities[i] = Sum(light.DensityArea) / light.Area;
-      MakePatch(light, 0.0);
+      MakePatch(light);
     }
     light.Normal = limit > 0.0 ? light.Normal : glm::dvec3(this->Senders[cluster.Middle].Normal);
   }
@@ -566,8 +558,7 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
         {
           if (lights.Tops[static_cast<size_t>(i)].Reach > 0.0)
           {
-            const auto top = static_cast<size_t>(i);
-            this->MakeBranches(top, radiosities[top], strengths, limit, lights.Branches);
+            this->MakeBranches(static_cast<size_t>(i), strengths, limit, lights.Branches);
           }
         }
       });

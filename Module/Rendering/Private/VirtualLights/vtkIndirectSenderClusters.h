@@ -130,8 +130,8 @@ private:
   void AddLobe(
     const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const;
   static double FindReach(const Light& light, const Cluster& cluster, double limit);
-  void MakeBranches(size_t top, double radiosity, const std::vector<glm::dvec3>& strengths,
-    double limit, std::vector<Light>& all);
+  void MakeBranches(
+    size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all);
 
   std::vector<Sender> Senders;
   std::vector<double> Weights; // of maps
