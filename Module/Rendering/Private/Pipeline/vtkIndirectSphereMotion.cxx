@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/vtkIndirectSphereMotion.h"
 
+#include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPropKeys.h"
 #include "Gather/vtkIndirectSkyDirections.h"
-#include "Proxies/vtkIndirectProxyActors.h"
 #include "Proxies/vtkIndirectProxyLight.h"
 #include "vtkActor.h"
 #include "vtkDataObject.h"
@@ -73,7 +73,7 @@ double vtkIndirectSphereMotion::CountSplats(const vtkIndirectFrame& frame)
     {
       continue;
     }
-    vtkIndirectProxyActors::ForEach(prop,
+    vtkIndirectActors::ForEach(prop,
       [&splats](vtkActor* actor, vtkMatrix4x4*)
       {
         vtkDataObject* data = vtkIndirectProxyKinds::IsOfCutSplats(actor)

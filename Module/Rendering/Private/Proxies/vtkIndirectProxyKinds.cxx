@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Proxies/vtkIndirectProxyKinds.h"
 
+#include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "Proxies/vtkIndirectProxyActors.h"
+#include "Proxies/vtkIndirectProxyMolecules.h"
 #include "Proxies/vtkIndirectProxyShapes.h"
 #include "Proxies/vtkIndirectProxySticks.h"
 #include "vtkActor.h"
@@ -69,7 +70,7 @@ void AddSpheres(vtkMapper* mapper, vtkMatrix4x4* matrix, vtkIndirectProxyKinds::
 vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::FindSpheres(vtkProp* prop)
 {
   Kind kind;
-  vtkIndirectProxyActors::ForEach(prop,
+  vtkIndirectActors::ForEach(prop,
     [&kind](vtkActor* actor, vtkMatrix4x4* matrix)
     {
       if (FindType(actor->GetMapper()) != MESH)
@@ -93,7 +94,7 @@ bool vtkIndirectProxyKinds::IsOfCutSplats(vtkActor* actor)
 vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::Find(vtkProp* prop)
 {
   Kind kind = FindSpheres(prop);
-  vtkIndirectProxyActors::ForEach(
+  vtkIndirectActors::ForEach(
     prop, [this, &kind](vtkActor* actor, vtkMatrix4x4*) { this->AddActor(actor, kind); });
   return kind;
 }

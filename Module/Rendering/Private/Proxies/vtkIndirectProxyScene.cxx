@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Proxies/vtkIndirectProxyScene.h"
 
+#include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectMaterial.h"
 #include "Frame/vtkIndirectPropKeys.h"
+#include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectRevision.h"
-#include "Proxies/vtkIndirectProxyActors.h"
 #include "Proxies/vtkIndirectProxyKinds.h"
+#include "Proxies/vtkIndirectProxyMolecules.h"
 #include "Proxies/vtkIndirectProxySticks.h"
 #include "Visibility/vtkIndirectGlyphs.h"
 #include "vtkActor.h"
@@ -105,7 +106,7 @@ bool IsOfSplats(vtkActor* actor)
 bool HasSplats(vtkProp* prop)
 {
   bool any = false;
-  vtkIndirectProxyActors::ForEach(
+  vtkIndirectActors::ForEach(
     prop, [&any](vtkActor* actor, vtkMatrix4x4*) { any = any || IsOfSplats(actor); });
   return any;
 }
@@ -175,7 +176,7 @@ bool vtkIndirectProxyScene::Update(
   for (const Drawn& item : drawn)
   {
     const size_t before = this->Spheres.size();
-    vtkIndirectProxyActors::ForEach(item.Prop,
+    vtkIndirectActors::ForEach(item.Prop,
       [&](vtkActor* actor, vtkMatrix4x4* matrix)
       {
         if (item.SplatsAlone && !IsOfSplats(actor))

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Visibility/vtkIndirectRaySurfaces.h"
 
+#include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Visibility/vtkIndirectRayPiece.h"
 #include "vtkActor.h"
-#include "vtkAssemblyPath.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
@@ -14,22 +14,6 @@
 
 namespace
 {
-// Those of a prop that are drawn, with where they stand.
-template <typename F>
-void ForEachActor(vtkProp* prop, const F& call)
-{
-  prop->InitPathTraversal();
-  while (vtkAssemblyPath* path = prop->GetNextPath())
-  {
-    vtkAssemblyNode* node = path->GetLastNode();
-    auto* actor = vtkActor::SafeDownCast(node->GetViewProp());
-    if (actor && actor->GetMapper() && actor->GetVisibility())
-    {
-      call(actor, node->GetMatrix() ? node->GetMatrix() : actor->GetMatrix());
-    }
-  }
-}
-
 bool IsOfSpheres(const vtkIndirectBlockingSpheres* spheres, const vtkMapper* mapper)
 {
   return spheres &&
@@ -142,7 +126,8 @@ void vtkIndirectRaySurfaces::Read(const vtkIndirectFrame& frame,
       {
         if (!taken.Material.GetLeftOut().empty())
         {
-          this->LeaveOut(vtkIndirectPropKind::GetFullName(caster.Prop), taken.Material.GetLeftOut());
+          this->LeaveOut(
+            vtkIndirectPropKind::GetFullName(caster.Prop), taken.Material.GetLeftOut());
         }
         this->Pieces.push_back(std::make_unique<vtkIndirectRayPiece>(std::move(taken)));
         this->Pieces.back()->Sends = caster.SendsLight;
@@ -154,7 +139,7 @@ void vtkIndirectRaySurfaces::Read(const vtkIndirectFrame& frame,
       triangles += this->Pieces[i]->GetPolygons().Triangles.size();
     }
     bool met = triangles > 0;
-    ForEachActor(caster.Prop,
+    vtkIndirectActors::ForEach(caster.Prop,
       [&](vtkActor* actor, vtkMatrix4x4*)
       { met = met || IsOfSpheres(spheres, actor->GetMapper()); });
     if (!met)
@@ -176,7 +161,7 @@ void vtkIndirectRaySurfaces::Read(const vtkIndirectFrame& frame,
 void vtkIndirectRaySurfaces::ReadGlyphs(const vtkIndirectFrame& frame,
   const vtkIndirectCaster& caster, const vtkIndirectBlockingSpheres* spheres, size_t& mostTriangles)
 {
-  ForEachActor(caster.Prop,
+  vtkIndirectActors::ForEach(caster.Prop,
     [&](vtkActor* actor, vtkMatrix4x4* matrix)
     {
       if (IsOfSpheres(spheres, actor->GetMapper()))
@@ -203,7 +188,8 @@ void vtkIndirectRaySurfaces::ReadGlyphs(const vtkIndirectFrame& frame,
           piece->Sends = caster.SendsLight;
           if (!piece->GetPolygons().Material.GetLeftOut().empty())
           {
-            this->LeaveOut(vtkIndirectPropKind::GetFullName(caster.Prop), piece->GetPolygons().Material.GetLeftOut());
+            this->LeaveOut(vtkIndirectPropKind::GetFullName(caster.Prop),
+              piece->GetPolygons().Material.GetLeftOut());
           }
           this->Pieces.push_back(std::move(piece));
         });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Proxies/vtkIndirectProxyActors.h"
+#include "Frame/vtkIndirectActors.h"
 
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxyActors::ForEach(
+void vtkIndirectActors::ForEach(
   vtkProp* prop, const std::function<void(vtkActor*, vtkMatrix4x4*)>& call)
 {
   prop->InitPathTraversal();
