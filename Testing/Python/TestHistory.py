@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 import support
-from TestStale import make_actor, make_area, make_ball, make_room
+from rooms import make_actor, make_area, make_ball, make_room
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkRenderer
 

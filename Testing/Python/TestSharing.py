@@ -5,16 +5,10 @@ import unittest
 
 import numpy as np
 import support
+from rooms import make_actor, make_ball, make_room
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkLight,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkWindowToImageFilter,
-)
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkWindowToImageFilter
 
 import vtkindirect
 from vtkindirect import windows, wrapped
@@ -27,41 +21,9 @@ ESTIMATORS = ("vtkProxyAccumulationPass", "vtkRSMGatherPass", "vtkRadianceHintsP
 SAMPLERS = ("vtkLightTreeSampler", "vtkUniformLightSampler")
 
 
-def actor(source, color) -> vtkActor:
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(source.GetOutputPort())
-    made = vtkActor()
-    made.SetMapper(mapper)
-    made.GetProperty().SetColor(*color)
-    return made
-
-
-def make_room(radius: float = 0.4) -> vtkRenderer:
-    """A floor, a wall and a red ball under a spot."""
-    renderer = vtkRenderer()
-    renderer.AutomaticLightCreationOff()
-    for point2 in ((-1, 0, -1), (-1, 2, 1)):
-        plane = vtkPlaneSource()
-        plane.SetOrigin(-1, 0, 1)
-        plane.SetPoint1(1, 0, 1)
-        plane.SetPoint2(*point2)
-        renderer.AddActor(actor(plane, (0.8, 0.8, 0.8)))
-    ball = vtkSphereSource()
-    ball.SetCenter(0, 0.5, 0)
-    ball.SetRadius(radius)
-    renderer.AddActor(actor(ball, (0.9, 0.1, 0.1)))
-    light = vtkLight()
-    light.SetPositional(True)
-    light.SetPosition(1, 2, -2)
-    light.SetFocalPoint(0, 0, 0)
-    light.SetConeAngle(40)
-    light.SetLightTypeToSceneLight()
-    renderer.AddLight(light)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(1, 1.5, -4)
-    camera.SetFocalPoint(0, 0.5, 0)
-    renderer.ResetCameraClippingRange()
-    return renderer
+def make_scene(radius: float = 0.4) -> vtkRenderer:
+    """Return a floor, a wall and a red ball under a spot."""
+    return make_room(make_actor(make_ball(radius)))
 
 
 def make_window(renderer: vtkRenderer):
@@ -92,7 +54,7 @@ class Sharing(unittest.TestCase):
         and its window begins again."""
         for method in METHODS:
             with self.subTest(method=method):
-                renderer = make_room()
+                renderer = make_scene()
                 window = make_window(renderer)
                 vtkindirect.enable(renderer, method, lighting="scene")
                 before = shoot(window)
@@ -115,7 +77,7 @@ class Sharing(unittest.TestCase):
         def make(shared: bool):
             thing = wrapped.get(name)()
             views = []
-            renderers = [make_room(radius) for radius in (0.4, 0.25)]
+            renderers = [make_scene(radius) for radius in (0.4, 0.25)]
             window = None
             for number, renderer in enumerate(renderers):
                 if window is None or not same_window:

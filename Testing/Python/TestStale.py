@@ -8,6 +8,7 @@ import unittest
 
 import numpy as np
 import support
+from rooms import RED, make_actor, make_area, make_ball, make_mapper, make_room
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import (
@@ -34,7 +35,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkLODProp3D,
     vtkPolyDataMapper,
     vtkProperty,
-    vtkRenderer,
     vtkTexture,
 )
 from vtkmodules.vtkRenderingLOD import vtkLODActor
@@ -43,28 +43,7 @@ from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2
 import vtkindirect
 from vtkindirect import windows, wrapped
 
-RED = (0.9, 0.1, 0.1)
 BLUE = (0.1, 0.1, 0.9)
-
-
-def make_mapper(source) -> vtkPolyDataMapper:
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(source.GetOutputPort())
-    return mapper
-
-
-def make_actor(source, color=RED) -> vtkActor:
-    made = vtkActor()
-    made.SetMapper(make_mapper(source))
-    made.GetProperty().SetColor(*color)
-    return made
-
-
-def make_ball(radius: float = 0.4) -> vtkSphereSource:
-    ball = vtkSphereSource()
-    ball.SetCenter(0, 0.5, 0)
-    ball.SetRadius(radius)
-    return ball
 
 
 def make_sheet() -> vtkPlaneSource:
@@ -453,41 +432,6 @@ WAYS = {
     "spheres": (dict(method="proxies", lighting="scene", environment=(1, 1, 1)), SPHERES),
     "sky": (dict(method="auto", lighting="scene", environment=(1, 1, 1)), SHAPES),
 }
-
-
-def make_room(prop=None, lit: bool = True) -> vtkRenderer:
-    renderer = vtkRenderer()
-    renderer.AutomaticLightCreationOff()
-    for point2 in ((-1, 0, -1), (-1, 2, 1)):
-        plane = vtkPlaneSource()
-        plane.SetOrigin(-1, 0, 1)
-        plane.SetPoint1(1, 0, 1)
-        plane.SetPoint2(*point2)
-        renderer.AddActor(make_actor(plane, (0.8, 0.8, 0.8)))
-    if prop:
-        renderer.AddViewProp(prop)
-    if lit:
-        light = vtkLight()
-        light.SetPositional(True)
-        light.SetPosition(1, 2, -2)
-        light.SetFocalPoint(0, 0, 0)
-        light.SetConeAngle(40)
-        light.SetLightTypeToSceneLight()
-        renderer.AddLight(light)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(1, 1.5, -4)
-    camera.SetFocalPoint(0, 0.5, 0)
-    camera.SetClippingRange(1, 10)
-    return renderer
-
-
-def make_area(x: float, radiance=(4, 4, 4)):
-    light = wrapped.get("vtkAreaLight")()
-    light.SetOrigin(x - 0.3, 1.9, -0.3)
-    light.SetPoint1(x + 0.3, 1.9, -0.3)
-    light.SetPoint2(x - 0.3, 1.9, 0.3)
-    light.SetRadiance(*radiance)
-    return light
 
 
 @unittest.skipIf(support.why_no_rendering(), support.why_no_rendering())

@@ -14,6 +14,8 @@ import re
 import sys
 from pathlib import Path
 
+from faults import report
+
 ROOMS = [
     "OpenGL",
     "Frame",
@@ -112,10 +114,7 @@ def main() -> int:
         for path in (module / folder).iterdir():
             if path.is_dir() and path.name not in (*ROOMS, "lib"):
                 faults.append(f"{folder}/{path.name} is no room")
-    for fault in faults:
-        print(fault)
-    print(f"{len(faults)} faults")
-    return 1 if faults else 0
+    return report(faults)
 
 
 if __name__ == "__main__":

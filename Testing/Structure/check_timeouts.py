@@ -16,6 +16,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from faults import report
+
 
 def find_faults(ctest: str, build: str, seconds: float) -> list[str]:
     """Return a line for each test with another limit, and for each limit in a Python test."""
@@ -40,11 +42,7 @@ def find_faults(ctest: str, build: str, seconds: float) -> list[str]:
 
 def main() -> int:
     """Print the faults; returns the exit code."""
-    faults = find_faults(sys.argv[1], sys.argv[2], float(sys.argv[3]))
-    for fault in faults:
-        print(fault)
-    print(f"{len(faults)} faults")
-    return 1 if faults else 0
+    return report(find_faults(sys.argv[1], sys.argv[2], float(sys.argv[3])))
 
 
 if __name__ == "__main__":

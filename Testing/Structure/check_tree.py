@@ -15,6 +15,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from faults import report
+
 ROOT = {
     "CHANGELOG.md",
     "CMake",
@@ -59,11 +61,7 @@ def find_faults(root: Path) -> list[str]:
 def main() -> int:
     """Print the faults; returns the exit code."""
     root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
-    faults = find_faults(root)
-    for fault in faults:
-        print(fault)
-    print(f"{len(faults)} faults")
-    return 1 if faults else 0
+    return report(find_faults(root))
 
 
 if __name__ == "__main__":
