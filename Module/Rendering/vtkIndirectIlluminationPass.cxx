@@ -385,8 +385,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   request.HoldEstimator = request.Estimator != in.Borrowed;
   request.Sampler = this->GetActiveSampler();
   request.Delegate = in.FindDelegate(s, this->DelegatePass);
-  request.DepthOfSamples =
-    request.Delegate == in.DefaultDelegate && vtkIndirectSwitches::LooksDepthUp(s);
+  request.DepthOfSamples = request.Delegate == in.DefaultDelegate;
   in.Lighting.Update(renderer, this->Settings, this->Environment);
   request.Environment = in.Lighting.GetEnvironment();
   // What the delegate draws alone has the renderer's lights.

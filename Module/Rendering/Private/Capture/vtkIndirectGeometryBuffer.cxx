@@ -10,6 +10,7 @@
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectRendererAccess.h"
+#include "Frame/vtkIndirectSwitches.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
@@ -108,7 +109,7 @@ bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirec
 
   vtkRenderState s2(s->GetRenderer());
   std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
-  // These come once the picture is there: they may look up what hides their places.
+  // Flat props are drawn after the composite: labels look the depth of their places up.
   props.erase(std::remove_if(props.begin(), props.end(), vtkIndirectPropKind::IsFlat), props.end());
   // Where all is solid there are none.
   const StandIns standIns =
@@ -143,7 +144,8 @@ bool vtkIndirectGeometryBuffer::DrawDepthOfSamples(
 {
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
-  if (samples < 2)
+  // Only where it is needed: opaque props are drawn once more.
+  if (samples < 2 || !vtkIndirectSwitches::LooksDepthUp(s))
   {
     return false;
   }

@@ -6,7 +6,8 @@
 // where all that is drawn is solid and nothing is specular, the bits of the albedo in place of
 // alpha
 // - geometry.surface, RGBA32F: linear depth in scene units, in bits the octahedral normal (view
-// coordinates) with the kind of shading, and in bits the octahedral normal of the facet that is drawn
+// coordinates) with the kind of shading, and in bits the octahedral normal of the facet that is
+// drawn
 // - geometry.albedo, R32F: the bits of the albedo (of PBR times 1 - metallic), ten a channel; there
 // only when the lit texels do not hold them
 // - geometry.specular, RGBA16F: specular reflectance of Phong's model and the power of its lobe,
@@ -54,10 +55,10 @@ public:
   bool DrawMore(const vtkIndirectFrame& frame, const std::function<bool()>& draw);
 
   /**
-   * Where the framebuffer that is bound has several samples a pixel, and nothing is drawn there
-   * yet: draws the depth of the opaque props into it, as VTK does, while they are attached. Whoever
-   * looks depths up then finds VTK's own, not those of pixels' centres. Returns whether it has
-   * drawn.
+   * Where something in the scene looks depths up, the framebuffer that is bound has several samples
+   * a pixel, and nothing is drawn there yet: draws the depth of the opaque props into it, as VTK
+   * does, while they are attached. Whoever looks depths up then finds VTK's own, not those of
+   * pixels' centres. Returns whether it has drawn.
    */
   bool DrawDepthOfSamples(
     const vtkRenderState* s, const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture);

@@ -160,7 +160,6 @@ bool vtkIndirectFrame::IsFurtherPart() const
 void vtkIndirectFrame::LeaveOut(vtkProp* prop, const std::string& why)
 {
   const std::string what = prop->GetClassName();
-  const std::string which = vtkIndirectPropKind::Describe(prop);
   auto entry = std::find_if(this->LeftOut.begin(), this->LeftOut.end(),
     [&](const LeftOutEntry& known) { return known.What == what && known.Why == why; });
   if (entry == this->LeftOut.end())
@@ -169,8 +168,12 @@ void vtkIndirectFrame::LeaveOut(vtkProp* prop, const std::string& why)
   }
   ++entry->Count;
   std::vector<std::string>& named = entry->Which;
-  if (named.size() <= MostNamed && !which.empty() &&
-    std::find(named.begin(), named.end(), which) == named.end())
+  if (named.size() > MostNamed)
+  {
+    return;
+  }
+  const std::string which = vtkIndirectPropKind::Describe(prop);
+  if (!which.empty() && std::find(named.begin(), named.end(), which) == named.end())
   {
     named.push_back(which);
   }
@@ -336,7 +339,7 @@ void vtkIndirectFrame::CollectLights()
                                       light, vtkIndirectLightKeys::Angle()));
     const double fill = vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Fill());
     entry.Fill = fill >= 1.0;
-    // Nothing is reflected of the share of a light that nothing hides.
+    // Surfaces reflect only the share of a light that casts shadows.
     entry.Color *= entry.Fill ? 1.0 : 1.0 - fill;
     this->Lights.push_back(entry);
   }

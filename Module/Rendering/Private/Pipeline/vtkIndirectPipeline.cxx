@@ -6,13 +6,10 @@
 #include "Capture/vtkIndirectDarkLight.h"
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Frame/vtkIndirectLightScope.h"
-#include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectRevision.h"
-#include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkAreaLight.h"
-#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -21,13 +18,9 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 namespace
 {
-const char* const WhyItWaits = "MapsFirst: its depth maps are not all there yet";
-
 // What falls on a surface that all of an environment's light reaches at a right angle.
 double SumIrradiance(vtkEnvironmentLight* environment)
 {
@@ -454,38 +447,6 @@ bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-// Maps hold all that casts shadows, however little of it the eye sees.
-void vtkIndirectPipeline::AddCoarseMapsToReport(vtkIndirectReport& report) const
-{
-  // Of the picture's height: shadows' edges are seen to be wider.
-  constexpr double coarse = 0.01;
-  vtkCamera* camera = this->Renderer ? this->Renderer->GetActiveCamera() : nullptr;
-  double worst = 0.0;
-  int count = 0;
-  for (int i = 0; camera && this->Plan.Shadows && i < this->Maps->GetNumberOfMaps(); ++i)
-  {
-    double focal[3];
-    camera->GetFocalPoint(focal);
-    const double seen = camera->GetParallelProjection() ? 2.0 * camera->GetParallelScale()
-                                                        : 2.0 * camera->GetDistance() *
-        std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-    const double texel =
-      this->Maps->GetMap(i).FindTexelAt({ focal[0], focal[1], focal[2] }, this->Maps->GetTexels());
-    const double share = seen > 0.0 ? texel / seen : 0.0;
-    count += share > coarse ? 1 : 0;
-    worst = std::max(worst, share);
-  }
-  if (count > 0)
-  {
-    char share[32];
-    std::snprintf(share, sizeof(share), "%.3g", 100.0 * worst);
-    report.LeftOut.emplace_back("fine shadows of " + std::to_string(count) + " lights",
-      std::string("a texel of a light's map is up to ") + share +
-        " % of the height of what is seen at the focal point; what is smaller casts no shadow");
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectPipeline::AppendAreaLights(std::vector<double>& key) const
 {
   for (const auto& light : this->AreaLights)
@@ -635,109 +596,6 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
   return this->Plan.Senders == vtkIndirectPlan::EYE
     ? "a single headlight is read from the geometry buffer and has no map"
     : "the frame has fewer lights";
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
-{
-  std::copy(this->Frame.Size, this->Frame.Size + 2, report.Size);
-  report.Counters = { { "shader_builds", this->Capture->GetNumberOfShaderBuilds() },
-    { "faces_drawn", this->Maps->GetNumberOfFacesDrawn() + this->Samplers.GetNumberOfFacesDrawn() },
-    { "voxel_updates", static_cast<long long>(this->Visibility.GetNumberOfUpdates()) },
-    { "sphere_updates", static_cast<long long>(this->Visibility.GetNumberOfSphereUpdates()) },
-    { "tiles_drawn",
-      static_cast<long long>(this->Visibility.GetNumberOfTilesDrawn() +
-        this->Sky.GetNumberOfTilesDrawn() + this->Area.GetNumberOfTilesDrawn() +
-        this->Penumbra.GetNumberOfTilesDrawn()) },
-    { "sky_tiles_drawn", static_cast<long long>(this->Sky.GetNumberOfTilesDrawn()) },
-    { "tiles_left",
-      (this->IrradianceIsThere || this->IrradianceWaits ? this->Visibility.GetNumberOfTilesLeft()
-                                                        : 0) +
-        ((this->SkyIsThere && this->Plan.HasSkyMaps()) || this->SkyWaits
-            ? this->Sky.GetNumberOfTilesLeft()
-            : 0) +
-        (this->AreaIsThere ? this->Area.GetNumberOfTilesLeft() : 0) },
-    { "estimates", this->NumberOfEstimates } };
-  this->Frame.AddToReport(report);
-  if (!this->BuffersAreThere)
-  {
-    report.Modelled.emplace_back("the delegate alone", this->WhyNoBuffers);
-    if (vtkIndirectVisibleLamps::Count(this->UsableAreaLights) > 0)
-    {
-      report.LeftOut.emplace_back("area lights that are seen", this->WhyNoBuffers);
-    }
-    return;
-  }
-  auto add = [](vtkIndirectReport::Entries& to, const vtkIndirectPlan::Entries& entries)
-  { to.insert(to.end(), entries.begin(), entries.end()); };
-  report.Paths = this->Paths;
-  report.Bytes = this->Geometry.GetTarget().GetBytes() + this->Antialiasing.GetBytes() +
-    this->Sky.GetBytes() + this->Area.GetBytes() + this->VisibleLamps.GetBytes();
-  add(report.Modelled, this->Plan.Modelled);
-  add(report.LeftOut, this->Plan.LeftOut);
-  if (this->Plan.Antialiasing && !this->Antialiasing.GetWhyNot().empty())
-  {
-    const std::string name = "antialiased edges";
-    report.Modelled.erase(std::remove_if(report.Modelled.begin(), report.Modelled.end(),
-                            [&](const auto& entry) { return entry.first == name; }),
-      report.Modelled.end());
-    report.LeftOut.emplace_back(name, this->Antialiasing.GetWhyNot());
-  }
-  if (this->Plan.Senders != vtkIndirectPlan::EYE)
-  {
-    this->Maps->AddToReport(report);
-    this->Penumbra.AddToReport(report);
-    this->AddCoarseMapsToReport(report);
-  }
-  if (this->GetEstimate())
-  {
-    add(report.Modelled, this->Plan.EstimateModelled);
-    add(report.LeftOut, this->Plan.EstimateLeftOut);
-    report.Method = this->Estimator->GetMethodName();
-    report.Bytes += this->Estimator->GetBytes();
-    report.MainMemoryBytes = this->Estimator->GetMainMemoryBytes();
-    report.EstimatedError = this->Estimate.Error;
-    this->Estimator->AddToReport(report);
-    this->Visibility.AddToReport(report);
-    this->Samplers.AddToReport(report);
-  }
-  else if (this->Plan.Irradiance)
-  {
-    report.LeftOut.emplace_back(
-      "indirect light", this->IrradianceWaits ? WhyItWaits : "its estimator had an error");
-  }
-  vtkIndirectEstimatorPass* const summer = this->Plan.Sky ? this->GetSkySummer() : nullptr;
-  if (this->SkyIsThere && summer)
-  {
-    report.Method = this->GetEstimate() ? report.Method : summer->GetMethodName();
-    report.Bytes += summer->GetBytes();
-    report.MainMemoryBytes += summer->GetMainMemoryBytes();
-    summer->AddToReport(report);
-    if (summer == this->Estimator)
-    {
-      add(report.Modelled, this->Plan.EstimateModelled);
-      add(report.LeftOut, this->Plan.EstimateLeftOut);
-    }
-  }
-  else if (this->SkyIsThere)
-  {
-    this->Sky.AddToReport(report);
-  }
-  else if (summer || this->SkyWaits)
-  {
-    report.LeftOut.emplace_back(
-      "light from the sky", this->SkyWaits ? WhyItWaits : "what sums it had an error");
-  }
-  if (this->AreaIsThere)
-  {
-    this->Area.AddToReport(report);
-  }
-  this->Levels.AddToReport(report);
-  if (this->IsInWindow())
-  {
-    this->Frame.Window->MakeCurrent();
-    report.ReadGL();
-  }
 }
 
 //------------------------------------------------------------------------------
