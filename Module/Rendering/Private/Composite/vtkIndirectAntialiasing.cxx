@@ -72,7 +72,7 @@ struct vtkIndirectAntialiasing::Internals
   bool Refused = false; // something has been, and an error has said so
   std::string WhyNot;   // of the last frame
 
-  // What the stages of a frame share.
+  // Sizes and shader definitions that all stages of a frame use.
   int Rows = 0; // of the edges' image, before those of columns
   int TileCount[2] = { 0, 0 };
   std::string Definitions;
@@ -82,7 +82,7 @@ struct vtkIndirectAntialiasing::Internals
   bool FindEdgeWords(const vtkIndirectFrame& frame);
   bool BlendEdges(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
 
-  // Of a point for each tile.
+  // Sets the uniforms of a program that draws one point for each tile.
   void SetTileUniforms(
     vtkShaderProgram* program, const vtkIndirectFrame& frame, const int origin[2])
   {

@@ -27,7 +27,7 @@ double ReadComponent(vtkDataArray* array, vtkIdType at, int component)
   return at >= 0 && at < array->GetNumberOfTuples() ? array->GetComponent(at, component) : 0.0;
 }
 
-// Whether the user's shader code may have made the colour; vertex shaders give places alone.
+// True if shader code of the user's may set the colour: vertex shaders set places alone.
 bool HasShaderCode(vtkActor* actor)
 {
   vtkShaderProperty* shaders = actor->GetShaderProperty();
@@ -70,7 +70,7 @@ vtkIndirectMaterial::vtkIndirectMaterial(
     const double* color = property->GetColor();
     for (int c = 0; c < 3; ++c)
     {
-      // Those of impostors are cut off, those of glyphs rounded.
+      // VTK cuts colours of impostors off to bytes and rounds colours of glyphs.
       const double byte = std::floor(255.0 * color[c] + (ofGlyphs ? 0.5 : 0.0));
       this->Plain[c] = this->Decode(this->Diffuse * byte / 255.0);
     }

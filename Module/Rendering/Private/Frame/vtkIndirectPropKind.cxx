@@ -343,7 +343,7 @@ vtkActor* vtkIndirectPropKind::FindRefractor(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkProperty* property = actor && actor->GetMapper() ? actor->GetProperty() : nullptr;
-  // What is no number is no glass.
+  // A property with a NaN in it describes no glass.
   if (!property || property->GetInterpolation() != VTK_PBR || !(property->GetOpacity() < 1.0) ||
     !(property->GetBaseIOR() > 1.0) || !std::isfinite(property->GetBaseIOR()) ||
     property->GetRepresentation() != VTK_SURFACE)
