@@ -68,8 +68,16 @@ bool vtkIndirectRayPiece::ReadGlyphs(const vtkIndirectFrame& frame, vtkActor* ac
       vtkIndirectGlyphs::ForEach(mapper, data, sources.size(),
         [&](const vtkIndirectGlyphs::Instance& instance)
         { instances[instance.Source].push_back(instance); });
+      const vtkIndirectMaterial material(actor, mapper, data);
       for (size_t i = 0; i < sources.size(); ++i)
       {
+        std::vector<glm::dmat4> places;
+        std::vector<Glyph> glyphs;
+        for (const vtkIndirectGlyphs::Instance& instance : instances[i])
+        {
+          places.push_back(instance.ToData);
+          glyphs.push_back({ instance.Point, FindNormalMatrix(toWorld * instance.ToData) });
+        }
         for (vtkPolyData* source : sources[i])
         {
           vtkIndirectPolygons polygons;
@@ -77,26 +85,17 @@ bool vtkIndirectRayPiece::ReadGlyphs(const vtkIndirectFrame& frame, vtkActor* ac
           polygons.Mapper = mapper;
           polygons.Data = source;
           polygons.ToWorld = toWorld;
-          std::vector<glm::dmat4> places;
-          for (const vtkIndirectGlyphs::Instance& instance : instances[i])
-          {
-            places.push_back(instance.ToData);
-          }
           if (!polygons.Repeat(frame, places, mostTriangles))
           {
             all = false;
             continue;
           }
           mostTriangles -= polygons.Triangles.size();
-          polygons.Material = vtkIndirectMaterial(actor, mapper, data);
+          polygons.Material = material;
           auto piece = std::make_unique<vtkIndirectRayPiece>(std::move(polygons));
           piece->PointsOfGlyph = source->GetNumberOfPoints();
           piece->Places = data;
-          for (const vtkIndirectGlyphs::Instance& instance : instances[i])
-          {
-            piece->Glyphs.push_back(
-              { instance.Point, FindNormalMatrix(toWorld * instance.ToData) });
-          }
+          piece->Glyphs = glyphs;
           take(std::move(piece));
         }
       }
