@@ -15,7 +15,7 @@
  * Units: VTK's. Radiance is physical; irradiance and light strength are physical divided by pi.
  * With IndirectScale 1 and nothing else set the result agrees with a path tracer's diffuse bounces:
  * all of them, hidden by depth maps of the virtual lights (NumberOfBounces, Visibility), with lobes
- * of specular senders in the first. A light that follows the camera has one bounce.
+ * of specular senders in the first. Where a light of the scene follows the camera there is one.
  *
  * Multisampling has no effect on the colours that this pass draws: its targets are float textures.
  * Edges are antialiased by their shapes instead (Antialiasing). vtkSSAAPass around the pass samples
