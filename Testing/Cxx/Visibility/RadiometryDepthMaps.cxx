@@ -35,29 +35,45 @@ void BuildRooms(Scene& scene)
   scene.Sampler->SetNumberOfLights(256);
   scene.SetEye({ 1, 0.5, 3.5 }, { 1, 0.5, 0 }, { 0, 1, 0 }, 24, 0.1, 10);
 }
+
+// Irradiance of a scene's virtual lights that nothing hides, that triangles hide, and that maps
+// hide which the gather looks up; and the receivers' normals.
+struct Irradiances
+{
+  Image Open;
+  Image Exact;
+  Image Gathered;
+  Image Normal;
+};
+
+Irradiances FindIrradiances(Scene& scene)
+{
+  Irradiances found;
+  vtkNew<vtkRSMReferencePass> reference;
+  reference->SetModeToVirtualLights();
+  scene.Pass->SetEstimator(reference);
+  scene.Render();
+  found.Open = scene.Copy("irradiance");
+  reference->SetVisibilityToExact();
+  scene.Render();
+  found.Exact = scene.Copy("irradiance");
+  found.Normal = scene.Copy("normal");
+  scene.Gather->SetModeToVirtualLights();
+  scene.Gather->InterpolationOff();
+  scene.Pass->SetEstimator(scene.Gather);
+  scene.Pass->SetVisibilityToMaps();
+  scene.Render();
+  found.Gathered = scene.Copy("irradiance");
+  return found;
+}
 }
 
 VTK_INDIRECT_TEST(DepthMapsHideAsTrianglesDo)
 {
   Scene scene(64, 48);
   BuildRooms(scene);
-  vtkNew<vtkRSMReferencePass> reference;
-  reference->SetModeToVirtualLights();
-  scene.Pass->SetEstimator(reference);
-  scene.Render();
-  const Image open = scene.Copy("irradiance");
-  reference->SetVisibilityToExact();
-  scene.Render();
-  const Image exact = scene.Copy("irradiance");
-  const Image normal = scene.Copy("normal");
+  const auto [open, exact, gathered, normal] = FindIrradiances(scene);
   const double without = FindRelativeError(open, exact, normal);
-
-  scene.Gather->SetModeToVirtualLights();
-  scene.Gather->InterpolationOff();
-  scene.Pass->SetEstimator(scene.Gather);
-  scene.Pass->SetVisibilityToMaps();
-  scene.Render();
-  const Image gathered = scene.Copy("irradiance");
   // Texels of 128 about a sender are 2.7 degrees wide ahead of it.
   CheckAtMost("RMS error of maps over the mean, by that of no visibility",
     FindRelativeError(gathered, exact, normal) / without, 0.15, "one tap a light, 128 texels");
@@ -139,23 +155,9 @@ VTK_INDIRECT_TEST(DepthMapsReachTheHorizon)
   scene.AddSpot({ 0, 0, 3 }, { 0, 0, 0 }, 4.0, 0.0, { 1, 1, 0 });
   scene.Sampler->SetNumberOfLights(256);
   scene.SetEye({ 0.9, 0, 0.18 }, { 1.4, 0, 0.18 }, { 0, 0, 1 }, 50, 0.01, 10);
-  vtkNew<vtkRSMReferencePass> reference;
-  reference->SetModeToVirtualLights();
-  scene.Pass->SetEstimator(reference);
-  scene.Render();
-  const Image open = scene.Copy("irradiance");
-  reference->SetVisibilityToExact();
-  scene.Render();
-  const Image exact = scene.Copy("irradiance");
-  const Image normal = scene.Copy("normal");
+  const auto [open, exact, gathered, normal] = FindIrradiances(scene);
   const double without = FindRelativeError(open, exact, normal);
   CheckAtLeast("RMS error of no visibility over the mean", without, 0.2, "the test's own power");
-  scene.Gather->SetModeToVirtualLights();
-  scene.Gather->InterpolationOff();
-  scene.Pass->SetEstimator(scene.Gather);
-  scene.Pass->SetVisibilityToMaps();
-  scene.Render();
-  const Image gathered = scene.Copy("irradiance");
   CheckAtMost("that of maps over it", FindRelativeError(gathered, exact, normal) / without, 0.15,
     "one tap a light, texels of 1.2 degrees");
   CheckRelative("mean with maps", gathered.Mean(), exact.Mean(), 0.02, "to either side");
