@@ -424,10 +424,14 @@ void vtkIndirectFrame::AppendTo(std::vector<double>& key) const
     append(&light.Color[0], 3);
     append(&light.DirectionWC[0], 3);
   }
+  // Casters are some of the props, in the same order, and have their revisions already.
+  auto caster = this->Casters.begin();
   for (vtkProp* prop : this->Props)
   {
+    const bool casts = caster != this->Casters.end() && caster->Prop == prop;
     key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(prop)));
-    key.push_back(static_cast<double>(vtkIndirectRevision::Find(prop)));
+    key.push_back(static_cast<double>(casts ? caster->Revision : vtkIndirectRevision::Find(prop)));
+    caster += casts ? 1 : 0;
   }
 }
 
