@@ -173,7 +173,7 @@ VTK_INDIRECT_TEST(ShadowVotes)
     vtkiShadowPlane receiver;
     receiver.reference = static_cast<float>(mine.Depth + mine.Slope * x);
     receiver.gradient = vec2(static_cast<float>(mine.Slope), 0.0f);
-    receiver.texel = 1e-3f;
+    receiver.perTexel = 1e3f;
     receiver.rounding = 1e-6f;
     receiver.bias = 0.5e-3f; // half of a texel's width
     const glm::dvec2 toCenter(std::round(x) - x, row);

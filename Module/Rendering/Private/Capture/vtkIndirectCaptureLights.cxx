@@ -21,6 +21,23 @@ std::string GetName(const vtkIndirectLightConstants::Group& group)
 {
   return (group.Penumbra ? "vtkiSoftShadows" : "vtkiShadows") + std::to_string(group.Projection);
 }
+
+// A row of one of the group's lights, which is a uniform of its own: no array can be a varying.
+std::string GetRow(const vtkIndirectLightConstants::Group& group, size_t light, int row)
+{
+  return GetName(group) + "_" + std::to_string(light) + "_" + std::to_string(row);
+}
+
+// Values of several lights, by the light's number in the loop.
+std::string Choose(const std::vector<std::string>& values)
+{
+  std::string text = values.back();
+  for (size_t i = values.size() - 1; i-- > 0;)
+  {
+    text = "vtkiLight == " + std::to_string(i) + " ? " + values[i] + " : " + text;
+  }
+  return text;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -66,59 +83,72 @@ std::string vtkIndirectCaptureLights::GetConeCosine(int light)
 }
 
 //------------------------------------------------------------------------------
-// One light's rows are uniforms of their own: no array can be a varying.
-std::string vtkIndirectCaptureLights::GetDeclarations(const vtkIndirectLightConstants::Group& group)
+std::string vtkIndirectCaptureLights::GetDeclarations(
+  const vtkIndirectLightConstants::Group& group, bool named)
 {
+  const size_t lights = group.Lights.size();
   const int rows = CountRows(group);
-  if (group.Lights.size() > 1)
+  if (lights > 1 && !named)
   {
     return "uniform vec4 " + GetName(group) + "[" +
-      std::to_string(rows * static_cast<int>(group.Lights.size())) + "];\n";
+      std::to_string(rows * static_cast<int>(lights)) + "];\n";
   }
   std::string text;
-  for (int row = 0; row < rows; ++row)
+  for (size_t i = 0; i < lights; ++i)
   {
-    text += "uniform vec4 " + GetName(group) + "_" + std::to_string(row) + ";\n";
+    for (int row = 0; row < rows; ++row)
+    {
+      text += "uniform vec4 " + GetRow(group, i, row) + ";\n";
+    }
   }
   return text;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIndirectCaptureLights::GetLookUps(const vtkIndirectLightConstants::Group& group)
+std::string vtkIndirectCaptureLights::GetLookUps(
+  const vtkIndirectLightConstants::Group& group, bool named)
 {
   const std::string name = GetName(group);
-  const bool single = group.Lights.size() == 1;
-  auto row = [&](int i)
-  { return name + (single ? "_" + std::to_string(i) : "[vtkiFirst + " + std::to_string(i) + "]"); };
-  const std::string call = (group.Penumbra ? "vtkiPenumbra(mat3x4(" : "vtkiVisibility(mat3x4(") +
-    row(0) + ", " + row(1) + ", " + row(2) + "), " + row(3) + ", " + row(4) +
-    (group.Penumbra ? ", " + row(5) : "") + ", " + std::to_string(group.Projection) +
-    ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC)";
-  auto factor = [](int light, const std::string& seen)
+  const size_t lights = group.Lights.size();
+  std::string rows;
+  for (int row = 0; row < CountRows(group); ++row)
   {
-    const std::string color = "lightColor" + std::to_string(light);
-    return "  vec3 " + color + " = " + color + " * " + seen + ";\n";
-  };
-  if (single)
-  {
-    return factor(group.Lights.front(), call);
+    std::vector<std::string> values;
+    for (size_t i = 0; i < lights; ++i)
+    {
+      values.push_back(GetRow(group, i, row));
+    }
+    rows += "    vec4 vtkiRow" + std::to_string(row) + " = " +
+      (lights > 1 && !named ? name + "[" + std::to_string(CountRows(group)) + " * vtkiLight + " +
+            std::to_string(row) + "]"
+                            : Choose(values)) +
+      ";\n";
   }
-  // The end is no constant: the loop stays one. Pixels of maps take no step of it.
-  const std::string count = std::to_string(group.Lights.size());
-  std::string ones = "1.0";
-  for (size_t i = 1; i < group.Lights.size(); ++i)
+  rows += std::string("    float vtkiSeen = ") +
+    (group.Penumbra ? "vtkiPenumbra" : "vtkiVisibility") +
+    "(mat3x4(vtkiRow0, vtkiRow1, vtkiRow2), vtkiRow3, vtkiRow4, " +
+    (group.Penumbra ? "vtkiRow5, " : "") + std::to_string(group.Projection) +
+    ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC);\n";
+  std::string begin;
+  std::string end;
+  for (size_t i = 0; i < lights; ++i)
   {
-    ones += ", 1.0";
+    const std::string seen = name + "Seen" + std::to_string(i);
+    const std::string color = "lightColor" + std::to_string(group.Lights[i]);
+    begin += "  float " + seen + " = 1.0;\n";
+    rows += "    " + seen + " = " +
+      (lights > 1 ? "vtkiLight == " + std::to_string(i) + " ? vtkiSeen : " + seen : "vtkiSeen") +
+      ";\n";
+    end += "  vec3 " + color + " = " + color + " * " + seen + ";\n";
   }
-  std::string text = "  float " + name + "Seen[" + count + "] = float[" + count + "](" + ones +
-    ");\n  for (int vtkiLight = 0; vtkiLight < (vtkiStage != 0 ? 0 : " + count +
-    "); ++vtkiLight)\n  {\n    int vtkiFirst = " + std::to_string(CountRows(group)) +
-    " * vtkiLight;\n    " + name + "Seen[vtkiLight] = " + call + ";\n  }\n";
-  for (size_t i = 0; i < group.Lights.size(); ++i)
+  if (lights > 1)
   {
-    text += factor(group.Lights[i], name + "Seen[" + std::to_string(i) + "]");
+    // The end is no constant: the loop stays one. Pixels of maps take no step of it.
+    begin +=
+      "  for (int vtkiLight = 0; vtkiLight < (vtkiStage != 0 ? 0 : " + std::to_string(lights) +
+      "); ++vtkiLight)\n";
   }
-  return text;
+  return begin + "  {\n" + rows + "  }\n" + end;
 }
 
 //------------------------------------------------------------------------------
@@ -136,27 +166,21 @@ void vtkIndirectCaptureLights::SetUniforms(
   for (const vtkIndirectLightConstants::Group& group : groups)
   {
     const std::string name = GetName(group);
-    const bool single = group.Lights.size() == 1;
-    if (!program->IsUniformUsed((single ? name + "_3" : name).c_str()))
-    {
-      continue;
-    }
-    const int count = CountRows(group);
     std::vector<glm::vec4> rows;
-    for (const int number : group.Lights)
+    for (size_t i = 0; i < group.Lights.size(); ++i)
     {
-      const Light& light = this->Lights[static_cast<size_t>(number)];
+      const Light& light = this->Lights[static_cast<size_t>(group.Lights[i])];
       const glm::mat4 toLight = glm::transpose(light.ViewToLight);
       const glm::vec4 all[] = { toLight[0], toLight[1], toLight[2], light.ShadowMap,
         light.ShadowDepth, light.Size };
+      const int count = CountRows(group);
       rows.insert(rows.end(), all, all + count);
+      for (int row = 0; row < count && program->IsUniformUsed(GetRow(group, i, 3).c_str()); ++row)
+      {
+        program->SetUniform4f(GetRow(group, i, row).c_str(), glm::value_ptr(all[row]));
+      }
     }
-    for (int row = 0; single && row < count; ++row)
-    {
-      program->SetUniform4f(
-        (name + "_" + std::to_string(row)).c_str(), glm::value_ptr(rows[static_cast<size_t>(row)]));
-    }
-    if (!single)
+    if (program->IsUniformUsed(name.c_str()))
     {
       program->SetUniform4fv(name.c_str(), static_cast<int>(rows.size()),
         reinterpret_cast<const float(*)[4]>(glm::value_ptr(rows.front())));

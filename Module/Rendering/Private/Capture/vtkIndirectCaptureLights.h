@@ -23,14 +23,18 @@ public:
   /** Name of VTK's cosine of the cone's angle, which its own code takes at every pixel. */
   static std::string GetConeCosine(int light);
 
-  /** Declarations of what a look-up of these lights' shadows reads. */
-  static std::string GetDeclarations(const vtkIndirectLightConstants::Group& group);
+  /**
+   * Declarations of what a look-up of these lights' shadows reads. named: each row is a uniform by
+   * itself, which can be a varying, and the loop chooses among them; else rows of several lights
+   * are an array.
+   */
+  static std::string GetDeclarations(const vtkIndirectLightConstants::Group& group, bool named);
 
   /**
    * Text in front of VTK's light code: shares of the lights that are seen, as factors on VTK's own
    * colours of them.
    */
-  static std::string GetLookUps(const vtkIndirectLightConstants::Group& group);
+  static std::string GetLookUps(const vtkIndirectLightConstants::Group& group, bool named);
 
   /** Sets what the program has of them. */
   void SetUniforms(

@@ -19,6 +19,11 @@ void ReplaceAll(std::string& text, const std::string& from, const std::string& t
   }
 }
 
+// Lights whose uniforms, and those of their shadows, are all handed on as flat varyings: 35
+// components each, and 50 of all else. Beyond, triangles cost more than pixels save.
+constexpr int MostNamedLights = 3;
+constexpr int MostFlatComponents = 160;
+
 bool Contains(const std::string& text, const char* what)
 {
   return text.find(what) != std::string::npos;
@@ -123,10 +128,13 @@ void vtkIndirectCaptureText::Add(
     ReplaceAll(fragmentShader, "cos(radians(lightConeAngle" + n + "))",
       vtkIndirectCaptureLights::GetConeCosine(lights));
   }
+  // All of so many lights' uniforms can be varyings.
+  const bool flat = this->FlatUniforms && geometryShader.empty();
+  const bool named = flat && lights <= MostNamedLights;
   for (const vtkIndirectLightConstants::Group& group : this->LightConstants.GetGroups())
   {
     visibility +=
-      lit && group.Lights.back() < lights ? vtkIndirectCaptureLights::GetLookUps(group) : "";
+      lit && group.Lights.back() < lights ? vtkIndirectCaptureLights::GetLookUps(group, named) : "";
   }
   if (lit)
   {
@@ -159,7 +167,7 @@ void vtkIndirectCaptureText::Add(
   }
   for (const vtkIndirectLightConstants::Group& group : this->LightConstants.GetGroups())
   {
-    declarations += vtkIndirectCaptureLights::GetDeclarations(group);
+    declarations += vtkIndirectCaptureLights::GetDeclarations(group, named);
   }
   if (!Contains(fragmentShader, "uniform int vtkiParallel"))
   {
@@ -240,10 +248,8 @@ void vtkIndirectCaptureText::Add(
   outputs += vtkIndirectShaderLibrary::GetText("vtkIndirectCaptureImplFS.glsl");
   vtkShaderProgram::Substitute(
     fragmentShader, "//VTK::DepthPeeling::Impl", outputs + "  //VTK::DepthPeeling::Impl", false);
-  if (this->FlatUniforms && geometryShader.empty())
+  if (flat)
   {
-    // Those of two lights with shadows. Beyond, triangles cost more than pixels save.
-    constexpr int maximum = 72;
-    vtkIndirectFlatUniforms::Move(vertexShader, fragmentShader, maximum);
+    vtkIndirectFlatUniforms::Move(vertexShader, fragmentShader, MostFlatComponents);
   }
 }

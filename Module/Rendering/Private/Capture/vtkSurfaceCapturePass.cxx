@@ -140,7 +140,7 @@ struct vtkSurfaceCapturePass::Internals
     const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
     const bool flat =
       vtkIndirectPaths::Get(vtkIndirectPaths::Uniforms) == vtkIndirectPaths::UniformsFlat &&
-      pixels > (this->FlatUniforms ? 4.0 : 8.0) * frame.NumberOfTriangles;
+      pixels > (this->FlatUniforms ? 2.0 : 4.0) * frame.NumberOfTriangles;
     const bool changed = flat != this->FlatUniforms;
     this->FlatUniforms = flat;
     return changed;

@@ -105,7 +105,7 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   float rounding = VTKI_DEPTH_ROUNDING +
     VTKI_POSITION_ROUNDING * (vtkiMagnitude + length(p)) * slope;
   float length1 = texel * (parallel ? 1.0f : depth) * slope; // of a texel, along depth
-  plane.texel = length1;
+  plane.perTexel = 1.0f / length1;
   plane.rounding = rounding;
   plane.bias = rounding + VTKI_SURFACE_ROUGHNESS * length1;
   // The texel that the receiver is in, and its eight neighbours; beyond the map is its last row or column.
@@ -114,48 +114,52 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   vec2 toCenter = center - at;
   vec2 last = vec2(map.w - 1.0f);
   float layer = map.x + float(face);
+  float width = 1.0f / map.w;
   vec3 columns = clamp(center.x + vec3(-1.0f, 0.0f, 1.0f), vec3(0.0f), last.xxx) - at.x;
-  bool lit = true;
+  vec3 rows[3];
+  int before = 0; // bits of texels that lie before the receiver's plane
   bool deep = true;
   for (int j = 0; j < 3; ++j)
   {
     // A look-up at a texel's centre is exact, and in software faster than a fetch.
     float row = clamp(center.y + float(j) - 1.0f, 0.0f, last.y);
-    vec3 stored =
-      textureLod(vtkiShadowMaps, vec3((vec2(center.x, row) + 0.5f) / map.w, layer), 0.0f).rgb;
+    rows[j] = textureLod(vtkiShadowMaps, vec3((vec2(center.x, row) + 0.5f) * width, layer), 0.0f).rgb;
     vec3 there = plane.reference + gradient.x * columns + gradient.y * (row - at.y);
-    lit = lit && all(greaterThanEqual(stored, min(there - plane.bias, vec3(1.0f))));
+    vec3 ends = min(there - plane.bias, vec3(1.0f));
+    before |= ((rows[j].x < ends.x ? 1 : 0) | (rows[j].y < ends.y ? 2 : 0) | (rows[j].z < ends.z ? 4 : 0))
+      << (3 * j);
     deep = deep &&
-      all(lessThan(stored, min(there, vec3(plane.reference)) - VTKI_SHADOW_CONTACT * length1));
+      all(lessThan(rows[j], min(there, vec3(plane.reference)) - VTKI_SHADOW_CONTACT * length1));
   }
-  // Where texels differ, and at contact, the planes of what they hold decide. Not a branch: OpenGL on the processor
-  // takes both sides of one, and leaves loops that nobody takes.
+  // Where texels differ, and at contact, the planes of what they hold decide: of those before the receiver, since the
+  // others see it. Not a branch: OpenGL on the processor takes both sides of one, and of a loop one step at least.
   vtkiShadowVotes votes = vtkiBeginShadow();
-  int count = lit || deep ? 0 : 9;
-  for (int i = 0; i < count; ++i)
+  votes.seen = 511 - before;
+  float end = depthRange.y / (depthRange.y - depthRange.x);
+  int left = deep ? 0 : before;
+  while (left != 0)
   {
+    int i = vtkiLowestBit(left);
     vec2 neighbor = vtkiShadowNeighbor(i);
     vec2 place = clamp(center + neighbor, vec2(0.0f), last);
-    vec4 stored = textureLod(vtkiShadowMaps, vec3((place + 0.5f) / map.w, layer), 0.0f);
-    // Inverse depth falls where depth grows.
-    float there = vtkiDepthOfBuffer(stored.g, depthRange.x, depthRange.y);
-    float scale = parallel
-      ? slope
-      : -there * vtkiDepthToBufferSlope(there, depthRange.x, depthRange.y, false);
-    vtkiVoteOnShadow(plane, place - at, stored.g, (texel * scale) * vtkiUnpackSlope(stored.a),
+    vec4 stored = textureLod(vtkiShadowMaps, vec3((place + 0.5f) * width, layer), 0.0f);
+    // Inverse depth falls where depth grows: depth times the slope of what is stored, by depth.
+    float scale = texel * (parallel ? slope : stored.g - end);
+    vtkiVoteOnShadow(plane, place - at, stored.g, scale * vtkiUnpackSlope(stored.a),
       vtkiShadowWeight(neighbor.x, toCenter.x) * vtkiShadowWeight(neighbor.y, toCenter.y), i, votes);
+    // Where none sees the receiver one that hides it is enough.
+    left = votes.seen == 0 && (votes.hidden > 0.0f || votes.contact) ? 0 : left & (left - 1);
   }
   float counted = 0.0f;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < 9; ++i)
   {
     vec2 neighbor = vtkiShadowNeighbor(i);
     vec2 place = clamp(center + neighbor, vec2(0.0f), last);
-    float stored = textureLod(vtkiShadowMaps, vec3((place + 0.5f) / map.w, layer), 0.0f).g;
-    counted += vtkiCountsForShadow(plane, place - at, stored, i, votes)
+    counted += vtkiCountsForShadow(plane, place - at, rows[i / 3][i % 3], i, votes)
       ? vtkiShadowWeight(neighbor.x, toCenter.x) * vtkiShadowWeight(neighbor.y, toCenter.y)
       : 0.0f;
   }
-  float seen = lit ? 1.0f : vtkiShareOfShadow(counted, votes) * (count > 0 ? 1.0f : 0.0f);
+  float seen = before == 0 ? 1.0f : (deep ? 0.0f : vtkiShareOfShadow(counted, votes));
   return mix(1.0f, seen, depthRange.z);
 }
 #endif

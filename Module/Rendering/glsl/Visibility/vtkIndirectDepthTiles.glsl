@@ -32,21 +32,24 @@ vtkiTile vtkiMakeTile(int number, vec3 place, vec3 axis)
 bool vtkiIsSeenInView(
   vec2 middle, vtkiTileView view, vec4 window, vec4 tangents, vec2 range, float nearest)
 {
+  // Divisions by what all look-ups have are few: OpenGL on the processor takes none of them out of loops.
   float texels = vtkiTileShape.z;
+  float perTexel = 1.0f / texels;
+  vec2 perSize = 1.0f / (vtkiTileShape.xy * vec2(texels, (1.0f + VTKI_TILE_STRIPS) * texels));
   vec2 halfSize = vtkiHalfOfView(view.strip, texels);
-  vec2 place = view.away.xy / max(view.away.z, nearest) * window.xy + window.zw;
+  vec2 perHalf = perTexel * (view.strip < 0 ? vec2(2.0f, 2.0f) : vec2(4.0f, 4.0f / VTKI_TILE_STRIPS));
+  vec2 place = view.away.xy * (1.0f / max(view.away.z, nearest)) * window.xy + window.zw;
   // A place on the border of what the view may show is within, rounding included.
   bool outside = max(abs(place.x), abs(place.y)) > 1.0001f;
   // Texels from the middle; within the view, rounding included.
   vec2 at = floor(clamp(place, -0.99999f, 0.99999f) * halfSize) + 0.5f;
-  vec2 ray = at / halfSize * tangents.xy + tangents.zw;
+  vec2 ray = at * perHalf * tangents.xy + tangents.zw;
   // A look-up at a texel's centre is exact, and in software faster than a fetch.
-  vec2 size = vtkiTileShape.xy * vec2(texels, (1.0f + VTKI_TILE_STRIPS) * texels);
   float stored =
-    textureLod(vtkiDepthTiles, middle + (vtkiPlaceOfView(view.strip, texels) + at) / size, 0.0f).r;
+    textureLod(vtkiDepthTiles, middle + (vtkiPlaceOfView(view.strip, texels) + at) * perSize, 0.0f).r;
   float inverse = range.x - stored * (range.x - range.y);
   float along = dot(view.normal.xy, ray) + view.normal.z;
-  float bias = VTKI_TILE_ROUGHNESS * max(tangents.x / halfSize.x, tangents.y / halfSize.y);
+  float bias = VTKI_TILE_ROUGHNESS * max(tangents.x * perHalf.x, tangents.y * perHalf.y);
   return outside || stored >= 1.0f ||
     vtkiIsSeenInPerspectiveTile(inverse, view.away.z, dot(view.normal, view.away), along, bias);
 }

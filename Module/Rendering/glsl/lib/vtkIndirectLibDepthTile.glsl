@@ -77,8 +77,8 @@ vec2 vtkiHalfOfView(int strip, float texels)
 /* Where its middle lies from the middle of the view ahead: strips lie two by two. */
 vec2 vtkiPlaceOfView(int strip, float texels)
 {
-  float column = float(strip % 2) - 0.5f;
-  float row = float(strip / 2) + 0.5f;
+  float column = strip == 1 || strip == 3 ? 0.5f : -0.5f;
+  float row = strip > 1 ? 1.5f : 0.5f;
   return strip < 0
     ? vec2(0.0f, 0.0f)
     : vec2(0.5f * column * texels, (0.5f * VTKI_TILE_STRIPS * row - VTKI_TILE_STRIPS - 0.5f) * texels);

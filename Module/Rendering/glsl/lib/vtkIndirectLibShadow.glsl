@@ -60,7 +60,7 @@ float vtkiPackSlope(vec2 slope)
 vec2 vtkiUnpackSlope(float bits)
 {
   vec2 p = vtkiUnpackCode(bits);
-  return p / max(1.0f - abs(p.x) - abs(p.y), 1.0e-5f);
+  return p * (1.0f / max(1.0f - abs(p.x) - abs(p.y), 1.0e-5f));
 }
 
 // Surfaces that meet at less than this angle's cosine are facets of one: what of their planes lies before a
@@ -74,7 +74,7 @@ struct vtkiShadowPlane
 {
   float reference;
   vec2 gradient;
-  float texel;
+  float perTexel;
   float rounding;
   float bias;
 };
@@ -104,10 +104,17 @@ vtkiShadowVotes vtkiBeginShadow()
   return votes;
 }
 
+/* Number of the lowest bit that is set; of up to 2^24. */
+int vtkiLowestBit(int bits)
+{
+  return int((floatBitsToUint(float(bits & -bits)) >> 23u) - 127u);
+}
+
 /* The nine texels around a receiver, by number. */
 vec2 vtkiShadowNeighbor(int i)
 {
-  return vec2(float(i % 3) - 1.0f, float(i / 3) - 1.0f);
+  float row = i > 5 ? 1.0f : (i > 2 ? 0.0f : -1.0f);
+  return vec2(float(i) - 3.0f * row - 4.0f, row);
 }
 
 /* Weight of one of three texels, -1 to 1, of a tent that is three texels wide at most; toCenter: to the middle one's
@@ -136,8 +143,8 @@ void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 
   float rounding = receiver.rounding + 0.01f * (abs(gradient.x) + abs(gradient.y));
   bool hides = before && depthThere < receiver.reference - rounding;
   bool contact = 2.0f * (receiver.reference - depthThere) < plane - stored;
-  vec2 own = receiver.gradient / receiver.texel;
-  vec2 other = gradient / receiver.texel;
+  vec2 own = receiver.gradient * receiver.perTexel;
+  vec2 other = gradient * receiver.perTexel;
   float product = 1.0f + own.x * other.x + own.y * other.y;
   float lengths2 = (1.0f + own.x * own.x + own.y * own.y) * (1.0f + other.x * other.x + other.y * other.y);
   bool alike = product > 0.0f &&
