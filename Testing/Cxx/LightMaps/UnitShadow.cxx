@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 using namespace vtkIndirectTest;
 using namespace vtkIndirectKernels;
@@ -125,6 +126,26 @@ VTK_INDIRECT_TEST(Tent)
   CheckAtMost("sum of the weights, less one", whole, 1e-6, "rounding");
   CheckAtMost("centre of the weights from the receiver", centre, 1e-6, "rounding");
   CheckEqual("weight of the middle texel", vtkiShadowWeight(0.0f, 0.3f), 0.5);
+}
+
+// Texels are visited by the bits of their numbers, and stand in rows of three.
+VTK_INDIRECT_TEST(ShadowNeighbors)
+{
+  for (int bits = 1; bits < 512; ++bits)
+  {
+    int lowest = 0;
+    while (((bits >> lowest) & 1) == 0)
+    {
+      ++lowest;
+    }
+    Check("lowest bit of " + std::to_string(bits), vtkiLowestBit(bits) == lowest);
+  }
+  for (int i = 0; i < 9; ++i)
+  {
+    const vec2 neighbor = vtkiShadowNeighbor(i);
+    Check("texel " + std::to_string(i),
+      neighbor.x == static_cast<float>(i % 3 - 1) && neighbor.y == static_cast<float>(i / 3 - 1));
+  }
 }
 
 VTK_INDIRECT_TEST(PackSlope)

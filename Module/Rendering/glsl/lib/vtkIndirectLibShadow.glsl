@@ -67,8 +67,8 @@ vec2 vtkiUnpackSlope(float bits)
 // receiver by no more than they are apart tells nothing, since others may lie between them.
 const float VTKI_SHADOW_FACET_COSINE = 0.7f;
 
-/* A receiver as its map sees it: the depth that would be stored, its plane's change of that over a texel, a texel's
- * width along depth, and what stored depths may be nearer by and still be the receiver's own surface: on its
+/* A receiver as its map sees it: the depth that would be stored, its plane's change of that over a texel, one over a
+ * texel's width along depth, and what stored depths may be nearer by and still be the receiver's own surface: on its
  * plane, by rounding alone; on a surface that its facets stand for, by the bias. */
 struct vtkiShadowPlane
 {
@@ -110,7 +110,7 @@ int vtkiLowestBit(int bits)
   return int((floatBitsToUint(float(bits & -bits)) >> 23u) - 127u);
 }
 
-/* The nine texels around a receiver, by number. */
+/* The nine texels around a receiver, by number: three rows of three. */
 vec2 vtkiShadowNeighbor(int i)
 {
   float row = i > 5 ? 1.0f : (i > 2 ? 0.0f : -1.0f);
