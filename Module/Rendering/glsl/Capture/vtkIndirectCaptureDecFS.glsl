@@ -94,11 +94,12 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   float texel = 2.0f * map.z / map.w;
   vec3 gradient =
     vtkiPlaneDepthGradient(p, facet, texel, depthRange.x, depthRange.y, parallel);
-  if (gradient.z == 0.0f)
+  vtkiShadowPlane plane;
+  plane.turned = gradient.z == 0.0f;
+  if (plane.turned)
   {
     gradient = vtkiPlaneDepthGradient(p, n, texel, depthRange.x, depthRange.y, parallel);
   }
-  vtkiShadowPlane plane;
   plane.reference = vtkiDepthToBuffer(depth, depthRange.x, depthRange.y, parallel);
   plane.gradient = gradient.xy;
   float slope = vtkiDepthToBufferSlope(depth, depthRange.x, depthRange.y, parallel);
@@ -115,7 +116,7 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   vec2 last = vec2(map.w - 1.0f);
   float layer = map.x + float(face);
   vec3 columns = clamp(center.x + vec3(-1.0f, 0.0f, 1.0f), vec3(0.0f), last.xxx) - at.x;
-  bool lit = true;
+  bool lit = !plane.turned;
   bool deep = true;
   for (int j = 0; j < 3; ++j)
   {
