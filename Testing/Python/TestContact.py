@@ -170,7 +170,8 @@ class Contact(unittest.TestCase):
                 self.assertGreater(worst, 0.99)
 
     def test_nothing_inside_closed_bodies_is_lit_from_outside(self) -> None:
-        # Between the rim of a body, as a light sees it, and the texel beyond it, which the light reaches.
+        # Receivers lie between the rim of a body, as a light sees it, and a texel beyond it,
+        # which the light reaches.
         sun = (2.0, 3.0, 3.0)
         floor = mesh([[-2, 0, 2], [2, 0, 2], [2, 0, -2], [-2, 0, -2]], [[0, 1, 2, 3]])
         for name, body in {"box": cube(False, (0, 0.65, 0)), "ball": ball((0, 0.65, 0))}.items():

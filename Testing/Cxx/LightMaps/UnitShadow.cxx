@@ -177,6 +177,7 @@ VTK_INDIRECT_TEST(ShadowVotes)
     receiver.rounding = 1e-6f;
     receiver.bias = 0.5e-3f; // half of a texel's width
     receiver.turned = false;
+    receiver.facet = vec2(0.0f);
     const glm::dvec2 toCenter(std::round(x) - x, row);
     vtkiShadowVotes votes = vtkiBeginShadow();
     float depths[9];

@@ -96,6 +96,7 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
     vtkiPlaneDepthGradient(p, facet, texel, depthRange.x, depthRange.y, parallel);
   vtkiShadowPlane plane;
   plane.turned = gradient.z == 0.0f;
+  plane.facet = vtkiPlaneDepthGradient(p, -facet, texel, depthRange.x, depthRange.y, parallel).xy;
   if (plane.turned)
   {
     gradient = vtkiPlaneDepthGradient(p, n, texel, depthRange.x, depthRange.y, parallel);

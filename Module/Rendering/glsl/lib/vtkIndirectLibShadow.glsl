@@ -78,6 +78,7 @@ struct vtkiShadowPlane
   float rounding;
   float bias;
   bool turned; // the facet is turned away from the light, which the normal that it is shaded by faces still
+  vec2 facet;  // and change of depth on it, then
 };
 
 /* What texels around a receiver say: the weights of those from which it is hidden; whether something hides it
@@ -138,7 +139,9 @@ void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 
   float rounding = receiver.rounding + 0.01f * (abs(gradient.x) + abs(gradient.y));
   bool over = depthThere < receiver.reference - rounding;
   // Light that comes to the back of the receiver's own facet does not go through it.
-  bool behind = receiver.turned && abs(depthThere - receiver.reference) <= rounding;
+  vec2 apart = abs(gradient - receiver.facet);
+  bool behind = receiver.turned && abs(depthThere - receiver.reference) <= rounding &&
+    apart.x + apart.y <= 0.1f * (receiver.texel + abs(gradient.x) + abs(gradient.y));
   bool hides = before && over;
   bool contact = 2.0f * (receiver.reference - depthThere) < plane - stored;
   vec2 own = receiver.gradient / receiver.texel;
