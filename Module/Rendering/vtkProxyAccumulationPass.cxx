@@ -59,7 +59,8 @@ struct vtkProxyAccumulationPass::Internals
   vtkMTimeType TreeTime = 0; // of this pass when the tree was built
   bool TreeIsThere = false;
   vtkIndirectProxyStep StepBySpheres;
-  int Step = 0; // of the last frame
+  int Step = 0;          // of the last frame
+  glm::dvec3 Eye{ 0.0 }; // of that, in scene units
   // Without groups: what an environment needs, and what is used.
   vtkIndirectProxyReach Needed;
   vtkEnvironmentLight* Environment = nullptr; // compared only
@@ -263,6 +264,7 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
 
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool moved = in.Scene.Update(frame, in.Given, this);
+  in.Eye = glm::dvec3(frame.ViewToScene[3]);
   const bool reaches = this->FindReach(input.Environment);
   const bool rebuilds = moved || reaches || !in.TreeIsThere || in.TreeTime != this->GetMTime();
   bool done = true;
@@ -346,6 +348,14 @@ void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
 {
   const Internals& in = *this->Internal;
   in.Scene.AddToReport(report);
+  const size_t around = in.Scene.CountAround(in.Eye);
+  if (around > 0)
+  {
+    report.LeftOut.emplace_back("the inside of bodies",
+      "the camera is within " + std::to_string(around) +
+        " of the spheres, which stand for what is seen from outside: there it is too bright. Other "
+        "methods take it as it is");
+  }
   const size_t most = vtkIndirectProxyLight::MostPolygons;
   if (in.Scene.GetPolygons().size() > most)
   {

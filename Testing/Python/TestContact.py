@@ -8,6 +8,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
 import support  # noqa: F401
@@ -43,6 +44,19 @@ def cube(smooth: bool, center=(0.0, 0.0, 0.0)) -> vtkActor:
     corners = [[(i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5] for i in range(8)]
     faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
     return mesh(np.add(corners, center), faces, smooth)
+
+
+def ball(center) -> vtkActor:
+    source = vtkSphereSource()
+    source.SetRadius(0.6)
+    source.SetCenter(center)
+    source.SetThetaResolution(32)
+    source.SetPhiResolution(32)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
 
 
 class Scene:
@@ -154,6 +168,25 @@ class Contact(unittest.TestCase):
                 print(f"sun {sun}: least share of the light {worst:.3f}")
                 # Nothing hides either. Slopes in maps have eleven bits.
                 self.assertGreater(worst, 0.99)
+
+    def test_nothing_inside_closed_bodies_is_lit_from_outside(self) -> None:
+        # Receivers lie between the rim of a body, as a light sees it, and a texel beyond it,
+        # which the light reaches.
+        sun = (2.0, 3.0, 3.0)
+        floor = mesh([[-2, 0, 2], [2, 0, 2], [2, 0, -2], [-2, 0, -2]], [[0, 1, 2, 3]])
+        for name, body in {"box": cube(False, (0, 0.65, 0)), "ball": ball((0, 0.65, 0))}.items():
+            with self.subTest(body=name):
+                position, focal = (0.0, 0.65, 0.2), (0.0, 0.6, -1.0)
+                scene = Scene(self, [floor, body], sun, position, focal, (160, 120), (0, 1, 0))
+                scene.renderer.GetActiveCamera().SetViewAngle(80.0)
+                scene.renderer.GetActiveCamera().SetClippingRange(0.01, 10.0)
+                scene.window.Render()
+                direct = scene.read("direct").max(-1)
+                print(f"{name}: lit pixels {(direct > 1e-3).sum()}, at most {direct.max():.4f}")
+                self.assertEqual(np.count_nonzero(scene.read("depth")[..., 0] == 0.0), 0)
+                # Facets that all but turn their edges to the sun leave single pixels in doubt.
+                self.assertLessEqual((direct > 1e-3).sum(), 5)
+                self.assertLess(direct.mean(), 1e-5)
 
     def test_folds_of_few_triangles_do_not_hide_themselves(self) -> None:
         # Waves with facets of up to 35 degrees, from above: the sun reaches all of them.

@@ -197,6 +197,8 @@ VTK_INDIRECT_TEST(ShadowVotes)
     receiver.perTexel = 1e3f;
     receiver.rounding = 1e-6f;
     receiver.bias = 0.5e-3f; // half of a texel's width
+    receiver.turned = false;
+    receiver.facet = vec2(0.0f);
     const glm::dvec2 toCenter(std::round(x) - x, row);
     vtkiShadowVotes votes = vtkiBeginShadow();
     float depths[9];
@@ -270,6 +272,26 @@ VTK_INDIRECT_TEST(ShadowVotes)
   CheckAtMost("at the edge, off one half", std::abs(look(edge, 1, 0.3, 0.1) - 0.5), 0.3,
     "the edge is at a texel's border, half a texel off at most, where the tent has 0.3 of its "
     "weight");
+  // Inside a closed body: its front rises from its rim at 0.3, and the receiver falls from there;
+  // beside the body lies a floor. The rim of a round one, whose planes meet farther out than it
+  // ends, too.
+  for (const double beyond : { 0.0, 0.8 })
+  {
+    const std::vector<Plane> body = { { 0.5 - (0.3 + beyond) * -3e-3, -3e-3, -1e9, 0.3 },
+      { 0.5 - (0.3 + beyond) * 3e-3, 3e-3, -1e9, 0.3 }, { 0.9, 0.0, -1e9, 1e9 } };
+    double inside = 0.0;
+    for (double x = -3.0; x <= 0.3; x += 0.01)
+    {
+      inside = std::max(inside, look(body, 0, x, 0.3));
+    }
+    CheckEqual("most light inside of a closed body", inside, 0.0);
+    double outside = 1.0;
+    for (double x = -3.0; x <= 0.3; x += 0.01)
+    {
+      outside = std::min(outside, look(body, 1, x, 0.3));
+    }
+    CheckEqual("least that is seen of its front", outside, 1.0);
+  }
   // Concave facets at right angles, and convex ones.
   for (const double bend : { 1e-3, -1e-3 })
   {

@@ -284,6 +284,33 @@ VTK_INDIRECT_TEST(ProxiesRefuseSheets)
 }
 
 //------------------------------------------------------------------------------
+// Spheres stand for what is seen from outside: a camera within one is told so, and only then.
+VTK_INDIRECT_TEST(ProxiesSayWhereTheCameraIsWithin)
+{
+  ProxyView view;
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(0.5, 0.5, 0.5);
+  ball->SetRadius(0.3);
+  ball->SetThetaResolution(24);
+  ball->SetPhiResolution(24);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(ball->GetOutputPort());
+  view.Add(mapper);
+  view.Grab();
+  CONTRACT_CHECK(Report(view.GetPass()).FindReason("left_out", "the inside of bodies") == "",
+    "the report says so of a camera outside");
+  vtkCamera* camera = view.Renderer->GetActiveCamera();
+  camera->SetPosition(0.5, 0.55, 0.6);
+  camera->SetFocalPoint(0.5, 0.5, 0.0);
+  camera->SetClippingRange(0.01, 10.0);
+  view.Grab();
+  CONTRACT_CHECK(
+    Report(view.GetPass()).FindReason("left_out", "the inside of bodies").find("within") !=
+      std::string::npos,
+    "the report does not say so");
+}
+
+//------------------------------------------------------------------------------
 // Receivers are closer where spheres are small; a camera that moves to and fro about that limit has
 // one step.
 VTK_INDIRECT_TEST(ProxiesStepIsSteady)

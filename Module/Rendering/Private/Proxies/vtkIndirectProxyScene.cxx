@@ -529,6 +529,14 @@ void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
+size_t vtkIndirectProxyScene::CountAround(const glm::dvec3& place) const
+{
+  return static_cast<size_t>(std::count_if(this->Spheres.begin(), this->Spheres.end(),
+    [&](const vtkIndirectProxySphere& sphere)
+    { return glm::distance(sphere.Center, place) < sphere.Radius; }));
+}
+
+//------------------------------------------------------------------------------
 std::string vtkIndirectProxyScene::GetWhat() const
 {
   return std::to_string(this->Exact) + " spheres of the data" +

@@ -44,6 +44,8 @@ public:
   bool Update(const vtkIndirectFrame& frame, const Given& given, vtkObject* caller);
 
   const std::vector<vtkIndirectProxySphere>& GetSpheres() const { return this->Spheres; }
+  /** How many of them hold a place, in scene units. */
+  size_t CountAround(const glm::dvec3& place) const;
   /** The spheres, which are not kept here any longer. */
   std::vector<vtkIndirectProxySphere> TakeSpheres() { return std::move(this->Spheres); }
   const std::vector<vtkIndirectProxyPolygon>& GetPolygons() const { return this->Polygons; }

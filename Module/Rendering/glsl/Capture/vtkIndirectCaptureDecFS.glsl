@@ -50,6 +50,11 @@ const float VTKI_SHADOW_CONTACT = 16.0f;
 // Positions, here and in the map, are off by a few roundings of the numbers that they come from.
 const float VTKI_POSITION_ROUNDING = 4.8e-7f;
 
+int vtkiBitsOf(bvec3 are)
+{
+  return (are.x ? 1 : 0) | (are.y ? 2 : 0) | (are.z ? 4 : 0);
+}
+
 // A light's visibility from a place the eye sees. viewToLight: columns are rows of the matrix from view
 // coordinates to the light's frame in scene units; map: first layer (-1: none), projection, half width,
 // texels; depthRange: near, far, shadow strength, number of layers. projection: of the light's map,
@@ -94,11 +99,13 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   float texel = 2.0f * map.z / map.w;
   vec3 gradient =
     vtkiPlaneDepthGradient(p, facet, texel, depthRange.x, depthRange.y, parallel);
-  if (gradient.z == 0.0f)
+  vtkiShadowPlane plane;
+  plane.turned = gradient.z == 0.0f;
+  plane.facet = vtkiPlaneDepthGradient(p, -facet, texel, depthRange.x, depthRange.y, parallel).xy;
+  if (plane.turned)
   {
     gradient = vtkiPlaneDepthGradient(p, n, texel, depthRange.x, depthRange.y, parallel);
   }
-  vtkiShadowPlane plane;
   plane.reference = vtkiDepthToBuffer(depth, depthRange.x, depthRange.y, parallel);
   plane.gradient = gradient.xy;
   float slope = vtkiDepthToBufferSlope(depth, depthRange.x, depthRange.y, parallel);
@@ -118,6 +125,7 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   vec3 columns = clamp(center.x + vec3(-1.0f, 0.0f, 1.0f), vec3(0.0f), last.xxx) - at.x;
   vec3 rows[3];
   int before = 0; // bits of texels that lie before the receiver's plane
+  int asked = 0;  // and of those that may not see the receiver
   bool deep = true;
   for (int j = 0; j < 3; ++j)
   {
@@ -125,18 +133,18 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
     float row = clamp(center.y + float(j) - 1.0f, 0.0f, last.y);
     rows[j] = textureLod(vtkiShadowMaps, vec3((vec2(center.x, row) + 0.5f) * width, layer), 0.0f).rgb;
     vec3 there = plane.reference + gradient.x * columns + gradient.y * (row - at.y);
-    vec3 ends = min(there - plane.bias, vec3(1.0f));
-    before |= ((rows[j].x < ends.x ? 1 : 0) | (rows[j].y < ends.y ? 2 : 0) | (rows[j].z < ends.z ? 4 : 0))
-      << (3 * j);
+    before |= vtkiBitsOf(lessThan(rows[j], min(there - plane.bias, vec3(1.0f)))) << (3 * j);
+    asked |= vtkiBitsOf(lessThan(rows[j], there + plane.bias)) << (3 * j);
     deep = deep &&
       all(lessThan(rows[j], min(there, vec3(plane.reference)) - VTKI_SHADOW_CONTACT * length1));
   }
-  // Where texels differ, and at contact, the planes of what they hold decide: of those before the receiver, since the
-  // others see it. Not a branch: OpenGL on the processor takes both sides of one, and of a loop one step at least.
+  asked = plane.turned ? 511 : (before != 0 ? asked : 0);
+  // Where texels differ, and at contact, the planes of what they hold decide: not of those behind the receiver, which
+  // see it. Not a branch: OpenGL on the processor takes both sides of one, and of a loop one step at least.
   vtkiShadowVotes votes = vtkiBeginShadow();
-  votes.seen = 511 - before;
+  votes.seen = 511 - asked;
   float end = depthRange.y / (depthRange.y - depthRange.x);
-  int left = deep ? 0 : before;
+  int left = deep ? 0 : asked;
   while (left != 0)
   {
     int i = vtkiLowestBit(left);
@@ -147,8 +155,10 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
     float scale = texel * (parallel ? slope : stored.g - end);
     vtkiVoteOnShadow(plane, place - at, stored.g, scale * vtkiUnpackSlope(stored.a),
       vtkiShadowWeight(neighbor.x, toCenter.x) * vtkiShadowWeight(neighbor.y, toCenter.y), i, votes);
+    left &= left - 1;
     // Where none sees the receiver one that hides it is enough.
-    left = votes.seen == 0 && (votes.hidden > 0.0f || votes.contact) ? 0 : left & (left - 1);
+    bool found = votes.seen == 0 && (left & before) == left && (votes.hidden > 0.0f || votes.contact);
+    left = found ? 0 : left;
   }
   float counted = 0.0f;
   for (int i = 0; i < 9; ++i)
@@ -159,7 +169,7 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
       ? vtkiShadowWeight(neighbor.x, toCenter.x) * vtkiShadowWeight(neighbor.y, toCenter.y)
       : 0.0f;
   }
-  float seen = before == 0 ? 1.0f : (deep ? 0.0f : vtkiShareOfShadow(counted, votes));
+  float seen = asked == 0 ? 1.0f : (deep ? 0.0f : vtkiShareOfShadow(counted, votes));
   return mix(1.0f, seen, depthRange.z);
 }
 #endif

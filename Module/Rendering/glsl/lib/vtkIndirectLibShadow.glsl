@@ -77,10 +77,12 @@ struct vtkiShadowPlane
   float perTexel;
   float rounding;
   float bias;
+  bool turned; // the facet is turned away from the light, which the normal that it is shaded by faces still
+  vec2 facet;  // and change of depth on it, then
 };
 
 /* What texels around a receiver say: the weights of those from which it is hidden; whether something hides it
- * whose plane comes out of the receiver's beside it; of what hides it, at the texel of the greatest weight, the plane: its
+ * whose plane comes out of the receiver's beside it or there; of what hides it, at the texel of the greatest weight, the plane: its
  * depth at the receiver, its change over a texel; and which of the texels see it. */
 struct vtkiShadowVotes
 {
@@ -131,7 +133,8 @@ float vtkiShadowWeight(float offset, float toCenter)
  * receiver's plane, and the plane of what bends towards the light passes behind the receiver. Where only the first
  * holds the two planes meet between the texel and the receiver, as at the foot of a wall: what a map sees beyond
  * that line tells nothing of the receiver. Where they meet as near on the receiver's other side, as behind a thin wall, the
- * texel tells that the receiver is hidden only if none sees it. */
+ * texel tells that the receiver is hidden only if none sees it; so it does where they meet at the receiver, within
+ * rounding, as in a corner of a closed body whose inside the receiver is on. */
 void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 gradient, float weight, int number,
   VTKI_INOUT(vtkiShadowVotes) votes)
 {
@@ -141,7 +144,13 @@ void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 
   bool before = stored < min(plane - receiver.bias, 1.0f);
   // Slopes are rounded to a hundredth at most.
   float rounding = receiver.rounding + 0.01f * (abs(gradient.x) + abs(gradient.y));
-  bool hides = before && depthThere < receiver.reference - rounding;
+  bool over = depthThere < receiver.reference - rounding;
+  // Light that comes to the back of the receiver's own facet does not go through it.
+  vec2 apart = abs(gradient - receiver.facet);
+  bool behind = receiver.turned && abs(depthThere - receiver.reference) <= rounding &&
+    (apart.x + apart.y) * receiver.perTexel <=
+      0.1f * (1.0f + (abs(gradient.x) + abs(gradient.y)) * receiver.perTexel);
+  bool hides = before && over;
   bool contact = 2.0f * (receiver.reference - depthThere) < plane - stored;
   vec2 own = receiver.gradient * receiver.perTexel;
   vec2 other = gradient * receiver.perTexel;
@@ -149,10 +158,12 @@ void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 
   float lengths2 = (1.0f + own.x * own.x + own.y * own.y) * (1.0f + other.x * other.x + other.y * other.y);
   bool alike = product > 0.0f &&
     product * product > VTKI_SHADOW_FACET_COSINE * VTKI_SHADOW_FACET_COSINE * lengths2;
-  hides = hides && !(contact && alike);
-  votes.seen |= before ? 0 : (1 << number);
+  hides = (hides && !(contact && alike)) || behind;
+  bool through = !alike && depthThere < receiver.reference + rounding;
+  bool edge = through && stored < plane + receiver.bias;
+  votes.seen |= before || edge || behind ? 0 : (1 << number);
   votes.hidden += hides && !contact ? weight : 0.0f;
-  votes.contact = votes.contact || (hides && contact);
+  votes.contact = votes.contact || (before && contact && through) || behind;
   bool first = hides && weight > votes.most;
   votes.most = first ? weight : votes.most;
   votes.depth = first ? depthThere : votes.depth;
@@ -160,14 +171,18 @@ void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 
 }
 
 /* Whether a texel that sees the receiver counts, by its number. Not beyond the line where what hides the receiver meets
- * the receiver's plane, as on the other side of a thin wall, nor where it holds that itself. */
+ * the receiver's plane, as on the other side of a thin wall, nor where it holds that itself. Nor where what it holds lies
+ * so far behind the receiver's plane that the receiver's surface has ended, as beyond the rim of a closed body whose
+ * inside the receiver is on: it may bend away by half a texel's width and half of its rise over one. */
 bool vtkiCountsForShadow(
   vtkiShadowPlane receiver, vec2 offset, float stored, int number, vtkiShadowVotes votes)
 {
   float plane = receiver.reference + receiver.gradient.x * offset.x + receiver.gradient.y * offset.y;
   float before = votes.depth + votes.gradient.x * offset.x + votes.gradient.y * offset.y;
   bool beside = plane - before > receiver.rounding && stored > 0.5f * (plane + before);
-  return ((votes.seen >> number) & 1) == 1 && (votes.most == 0.0f || beside);
+  bool ended = stored > plane + receiver.bias + 0.5f * (abs(receiver.gradient.x) + abs(receiver.gradient.y));
+  bool counts = votes.most > 0.0f ? beside && !ended : !(votes.contact && ended);
+  return ((votes.seen >> number) & 1) == 1 && counts;
 }
 
 /* Share of the light; seen: the weights of texels that count. */
