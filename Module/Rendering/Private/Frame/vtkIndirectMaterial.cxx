@@ -27,6 +27,17 @@ double ReadComponent(vtkDataArray* array, vtkIdType at, int component)
   return at >= 0 && at < array->GetNumberOfTuples() ? array->GetComponent(at, component) : 0.0;
 }
 
+// True if the actor's keys transform the coordinates of its textures.
+bool TransformsCoordinates(vtkActor* actor)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return keys && keys->Has(vtkProp::GENERAL_TEXTURE_TRANSFORM());
+#else
+  return keys && keys->Has(vtkProp::GeneralTextureTransform());
+#endif
+}
+
 // True if shader code of the user's may set the colour: vertex shaders set places alone.
 bool HasShaderCode(vtkActor* actor)
 {
@@ -228,9 +239,7 @@ void vtkIndirectMaterial::ReadTextures(vtkActor* actor, vtkDataSet* data)
     }
     this->ImagesOnBack = property->GetShowTexturesOnBackface();
   }
-  vtkInformation* keys = actor->GetPropertyKeys();
-  if (!this->Images.empty() && (left || (keys && keys->Has(vtkProp::GeneralTextureTransform()))) &&
-    this->LeftOut.empty())
+  if (!this->Images.empty() && (left || TransformsCoordinates(actor)) && this->LeftOut.empty())
   {
     this->LeftOut = left ? "of textures that are blended the first is taken"
                          : "the transform of its texture's coordinates is not taken";
