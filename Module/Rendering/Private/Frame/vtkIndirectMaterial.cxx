@@ -95,10 +95,14 @@ vtkIndirectMaterial::vtkIndirectMaterial(
     this->Plain = this->Diffuse * block.Color;
     this->HasBack = false;
   }
-  else
+  if (!block.HasColor || VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0))
   {
-    this->ReadColors(mapper, data);
+    this->ReadColors(mapper, data, block.ShowsScalars.value_or(mapper->GetScalarVisibility()));
     this->ReadScalars(mapper, data);
+  }
+  if (block.HasOwnScalars && this->LeftOut.empty())
+  {
+    this->LeftOut = "a block has scalars, colours of scalars or a texture of its own";
   }
   if (!ofInstances)
   {
@@ -128,9 +132,9 @@ void vtkIndirectMaterial::ReadProperty(vtkProperty* property, vtkProperty* back)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectMaterial::ReadColors(vtkMapper* mapper, vtkDataSet* data)
+void vtkIndirectMaterial::ReadColors(vtkMapper* mapper, vtkDataSet* data, bool shown)
 {
-  vtkScalarsToColors* table = mapper->GetScalarVisibility() ? mapper->GetLookupTable() : nullptr;
+  vtkScalarsToColors* table = shown ? mapper->GetLookupTable() : nullptr;
   int cells = 0;
   vtkAbstractArray* scalars = table
     ? vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
