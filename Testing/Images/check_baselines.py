@@ -64,6 +64,8 @@ def main() -> int:
             if grids.exists():
                 expected.add(grids)
                 faults += check_grids(grids)
+            if picture != path and reference.is_out_of_date(picture):
+                faults.append(f"{picture.name} is out of date; renew it where {case} fails")
     found = set(reference.BASELINES.iterdir())
     faults += [f"{path.name} is no case's" for path in sorted(found - expected)]
     size = sum(path.stat().st_size for path in found)

@@ -40,7 +40,7 @@ def load(pyvista) -> types.ModuleType:
         return importlib.import_module("vtkindirect.plotter")
 
 
-class Component(unittest.TestCase):
+class Component(support.DirectoryTest):
     def test_registered_once(self) -> None:
         pyvista = stand_in()
         module = load(pyvista)
@@ -64,6 +64,14 @@ class Component(unittest.TestCase):
                 r"vtkindirect.enable\(plotter\)"
             ):
                 plotter.indirect.enable()
+
+    def test_beside_a_pyvista_that_cannot_be_imported(self) -> None:
+        (self.directory / "pyvista.py").write_text("raise AttributeError('of an older Python')")
+        path = [str(self.directory), *sys.path]
+        with mock.patch.dict(sys.modules), mock.patch.object(sys, "path", path):
+            for name in ("pyvista", "vtkindirect.plotter"):
+                sys.modules.pop(name, None)
+            self.assertFalse(importlib.import_module("vtkindirect.plotter").register())
 
     def test_entry_point_names_the_module(self) -> None:
         text = (support.SOURCE / "Wrapping" / "Python" / "entry_points.txt").read_text()

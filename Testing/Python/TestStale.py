@@ -9,6 +9,7 @@ import unittest
 import numpy as np
 import support
 from rooms import RED, make_actor, make_area, make_ball, make_mapper, make_room
+from vtkmodules import vtkRenderingOpenGL2
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import (
@@ -30,6 +31,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkAssembly,
     vtkColorTransferFunction,
     vtkCompositeDataDisplayAttributes,
+    vtkCompositePolyDataMapper,
     vtkGlyph3DMapper,
     vtkLight,
     vtkLODProp3D,
@@ -38,10 +40,15 @@ from vtkmodules.vtkRenderingCore import (
     vtkTexture,
 )
 from vtkmodules.vtkRenderingLOD import vtkLODActor
-from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2
 
 import vtkindirect
 from vtkindirect import windows, wrapped
+
+# Until VTK 9.2 another class draws blocks by their attributes.
+if hasattr(vtkCompositePolyDataMapper, "SetCompositeDataDisplayAttributes"):
+    CompositeMapper = vtkCompositePolyDataMapper
+else:
+    CompositeMapper = vtkRenderingOpenGL2.vtkCompositePolyDataMapper2
 
 BLUE = (0.1, 0.1, 0.9)
 
@@ -389,7 +396,7 @@ def make_blocks():
     ball.Update()
     blocks = vtkMultiBlockDataSet()
     blocks.SetBlock(0, ball.GetOutput())
-    mapper = vtkCompositePolyDataMapper2()
+    mapper = CompositeMapper()
     mapper.SetInputDataObject(blocks)
     attributes = vtkCompositeDataDisplayAttributes()
     mapper.SetCompositeDataDisplayAttributes(attributes)

@@ -183,7 +183,7 @@ class Formulas(unittest.TestCase):
         found = polygon_factor(disk, points, np.array([0.0, 1.0, 0.0]))
         # The polygon is smaller than the disk by (2 pi / 4096)^2 / 6 of it.
         self.assertTrue(np.allclose(found, disk_factor(distance, 0.7, 1.0), atol=1e-6))
-        self.assertAlmostEqual(float(disk_factor(np.zeros(1), 0.7, 1.0)), 1.0 / 1.49)
+        self.assertAlmostEqual(disk_factor(np.zeros(1), 0.7, 1.0).item(), 1.0 / 1.49)
 
 
 class Orientation(Traced):

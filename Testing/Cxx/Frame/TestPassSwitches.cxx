@@ -51,13 +51,14 @@ struct Balls : View
 {
   vtkNew<vtkIndirectIlluminationPass> Pass;
 
-  explicit Balls(bool withPass, int samples = 0)
+  explicit Balls(bool withPass, int samples = 0, int resolution = 32)
     : View(90, 70)
   {
+    const Vec3 grey{ 0.8, 0.8, 0.8 };
     this->Window->SetMultiSamples(samples);
     this->Renderer->SetBackground(0.1, 0.1, 0.3);
-    this->Renderer->AddActor(MakeSphere({ 0, 0, 0 }, 0.6));
-    this->Renderer->AddActor(MakeSphere({ 0.4, 0.2, -1.2 }, 0.7));
+    this->Renderer->AddActor(MakeSphere({ 0, 0, 0 }, 0.6, grey, resolution));
+    this->Renderer->AddActor(MakeSphere({ 0.4, 0.2, -1.2 }, 0.7, grey, resolution));
     this->Renderer->AddLight(MakeLight(LightKind::Directional, { 1, 2, 3 }, { 0, 0, 0 }));
     vtkCamera* camera = this->Renderer->GetActiveCamera();
     camera->SetPosition(0.3, 0.5, 4);
@@ -142,7 +143,7 @@ VTK_INDIRECT_TEST(HiddenLinesAreRemoved)
 {
   auto grab = [](bool withPass, bool remove, std::string* report = nullptr)
   {
-    Balls view(withPass);
+    Balls view(withPass, 0, 10); // between the lines of the ball in front others are seen
     view.Pass->AntialiasingOff();
     vtkActorCollection* actors = view.Renderer->GetActors();
     actors->InitTraversal();
@@ -166,7 +167,8 @@ VTK_INDIRECT_TEST(HiddenLinesAreRemoved)
   };
   const Pixels plain = grab(false, true);
   const Pixels with = grab(true, true);
-  CONTRACT_CHECK(Compare(grab(false, false), plain).Pixels > 100, "the test's own power");
+  const Difference power = Compare(grab(false, false), plain);
+  CONTRACT_CHECK(power.Pixels > 100, "the test's own power: " << power);
   const Difference difference = Compare(plain, with);
   CONTRACT_CHECK(difference.Max == 0.0, difference);
 
@@ -217,6 +219,8 @@ VTK_INDIRECT_TEST(PassesAroundAreRefused)
     vtkNew<vtkRenderStepsPass> steps;
     around->SetDelegatePass(steps);
     plain.Renderer->SetPass(around);
+    // With VTK 9.6 a pixel of the first frame differs from all later ones under an outline.
+    plain.Grab();
     const Pixels expected = plain.Grab();
     around->ReleaseGraphicsResources(plain.Window);
     plain.Renderer->SetPass(nullptr);

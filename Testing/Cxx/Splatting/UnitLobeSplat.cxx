@@ -135,6 +135,7 @@ VTK_INDIRECT_TEST(LobeSplatHoldsKernel)
       }
     }
   }
+  CheckEqual("lobes", lobes, 2280);
   CheckEqual("places where a lobe counts that has no splat", lost, 0);
   CheckAtLeast("lobes that count nowhere, of 2280", none, 10, "the test's own power");
   CheckAtMost("farthest place at which a lobe counts, in half axes", outside, 1.0,

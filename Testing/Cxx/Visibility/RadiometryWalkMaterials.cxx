@@ -88,8 +88,8 @@ struct FloorScene : WalkScene
 };
 }
 
-// One has a colour of its own in place of scalars, one scalars, one is hidden; and those of a block
-// around them.
+// One has a colour of its own, before VTK 9.4 in place of scalars, one scalars, one is hidden;
+// those of a block around them; and without scalars.
 VTK_INDIRECT_TEST(WalkBlocks)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -121,6 +121,20 @@ VTK_INDIRECT_TEST(WalkBlocks)
   attributes->SetBlockColor(blocks, red);
   mapper->Modified();
   scene.CompareWithMaps("a block of blocks", 1);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  attributes->SetBlockScalarVisibility(blocks->GetBlock(1), false);
+  mapper->Modified();
+  scene.CompareWithMaps("a block without its scalars", 1);
+#endif
+  mapper->ScalarVisibilityOff();
+  scene.CompareWithMaps("no scalars", 1);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  attributes->SetBlockColorMode(blocks->GetBlock(0), VTK_COLOR_MODE_DIRECT_SCALARS);
+  mapper->Modified();
+  scene.UseWalk(1024, 2);
+  const std::string report = scene.Pass->GetReport();
+  Check("the report names a block's own way", report.find("of its own") != std::string::npos);
+#endif
 }
 
 VTK_INDIRECT_TEST(WalkTextures)

@@ -68,7 +68,7 @@ def register() -> bool:
     """
     try:
         import pyvista
-    except ImportError:
+    except Exception:  # one that is older or newer than VTK or Python fails in any way
         return False
     there = NAME in vars(pyvista.BasePlotter)
     if not hasattr(pyvista, "register_plotter_component"):

@@ -68,7 +68,8 @@ def without_missing(surface: vtkPolyData) -> vtkPolyData:
     bad = ~np.isfinite(places).all(axis=1)
     kinds = surface.GetVerts(), surface.GetLines(), surface.GetPolys(), surface.GetStrips()
     marks = np.concatenate([_touches(cells, bad) for cells in kinds])
-    ghosts = marks.astype(np.uint8) * vtkDataSetAttributes.HIDDENCELL
+    # Not a product: with NumPy 2 that is of 64 bits, which VTK does not take for marks.
+    ghosts = np.where(marks, int(vtkDataSetAttributes.HIDDENCELL), 0).astype(np.uint8)
     kept = vtkPolyData()
     kept.ShallowCopy(surface)
     array = numpy_to_vtk(ghosts, deep=True)

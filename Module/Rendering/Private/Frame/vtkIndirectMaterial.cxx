@@ -27,6 +27,17 @@ double ReadComponent(vtkDataArray* array, vtkIdType at, int component)
   return at >= 0 && at < array->GetNumberOfTuples() ? array->GetComponent(at, component) : 0.0;
 }
 
+// True if the actor's keys transform the coordinates of its textures.
+bool TransformsCoordinates(vtkActor* actor)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return keys && keys->Has(vtkProp::GENERAL_TEXTURE_TRANSFORM());
+#else
+  return keys && keys->Has(vtkProp::GeneralTextureTransform());
+#endif
+}
+
 // True if shader code of the user's may set the colour: vertex shaders set places alone.
 bool HasShaderCode(vtkActor* actor)
 {
@@ -84,10 +95,14 @@ vtkIndirectMaterial::vtkIndirectMaterial(
     this->Plain = this->Diffuse * block.Color;
     this->HasBack = false;
   }
-  else
+  if (!block.HasColor || VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0))
   {
-    this->ReadColors(mapper, data);
+    this->ReadColors(mapper, data, block.ShowsScalars.value_or(mapper->GetScalarVisibility()));
     this->ReadScalars(mapper, data);
+  }
+  if (block.HasOwnScalars && this->LeftOut.empty())
+  {
+    this->LeftOut = "a block has scalars, colours of scalars or a texture of its own";
   }
   if (!ofInstances)
   {
@@ -117,9 +132,9 @@ void vtkIndirectMaterial::ReadProperty(vtkProperty* property, vtkProperty* back)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectMaterial::ReadColors(vtkMapper* mapper, vtkDataSet* data)
+void vtkIndirectMaterial::ReadColors(vtkMapper* mapper, vtkDataSet* data, bool shown)
 {
-  vtkScalarsToColors* table = mapper->GetScalarVisibility() ? mapper->GetLookupTable() : nullptr;
+  vtkScalarsToColors* table = shown ? mapper->GetLookupTable() : nullptr;
   int cells = 0;
   vtkAbstractArray* scalars = table
     ? vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
@@ -228,9 +243,7 @@ void vtkIndirectMaterial::ReadTextures(vtkActor* actor, vtkDataSet* data)
     }
     this->ImagesOnBack = property->GetShowTexturesOnBackface();
   }
-  vtkInformation* keys = actor->GetPropertyKeys();
-  if (!this->Images.empty() && (left || (keys && keys->Has(vtkProp::GeneralTextureTransform()))) &&
-    this->LeftOut.empty())
+  if (!this->Images.empty() && (left || TransformsCoordinates(actor)) && this->LeftOut.empty())
   {
     this->LeftOut = left ? "of textures that are blended the first is taken"
                          : "the transform of its texture's coordinates is not taken";

@@ -18,6 +18,7 @@
 #include "vtkUnsignedCharArray.h" // for a member
 
 #include <glm/glm.hpp> // for colours
+#include <optional>    // for what has a say or none
 #include <string>      // for reasons
 #include <vector>      // for members
 
@@ -42,8 +43,10 @@ public:
   {
     bool Shown = true;
     bool Opaque = true;
-    bool HasColor = false; // in place of scalars, too
+    bool HasColor = false; // before VTK 9.4 in place of scalars, too
     glm::dvec3 Color{ 0.0 };
+    std::optional<bool> ShowsScalars; // in place of the mapper's
+    bool HasOwnScalars = false;       // or a texture: that is not taken
   };
 
   vtkIndirectMaterial() = default; // black
@@ -74,7 +77,7 @@ public:
 private:
   void ReadProperty(vtkProperty* property, vtkProperty* back);
   double Decode(double value) const;
-  void ReadColors(vtkMapper* mapper, vtkDataSet* data);
+  void ReadColors(vtkMapper* mapper, vtkDataSet* data, bool shown);
   void ReadScalars(vtkMapper* mapper, vtkDataSet* data);
   void ReadTextures(vtkActor* actor, vtkDataSet* data);
   glm::dvec3 GetColor(vtkIdType at) const;

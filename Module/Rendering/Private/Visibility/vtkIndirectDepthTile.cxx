@@ -57,7 +57,8 @@ std::vector<FlatCaster> FindFlat(const vtkIndirectFrame& frame)
   }
   std::stable_sort(found.begin(), found.end(),
     [](const FlatCaster& a, const FlatCaster& b) { return a.Area > b.Area; });
-  found.resize(std::min(found.size(), most));
+  // Not resize(): GCC 16 warns of what it would do to grow.
+  found.erase(found.begin() + std::min(found.size(), most), found.end());
   return found;
 }
 

@@ -56,6 +56,26 @@ bool DrawsPolygons(vtkMapper* mapper)
     !mapper->IsA("vtkPointGaussianMapper");
 }
 
+// How a block alone shows scalars and textures: since VTK 9.3 and 9.6.
+bool HasOwnScalars([[maybe_unused]] vtkDataObject* object,
+  [[maybe_unused]] vtkCompositeDataDisplayAttributes* attributes)
+{
+  bool any = false;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  any = attributes->HasBlockScalarMode(object) || attributes->HasBlockArrayAccessMode(object) ||
+    attributes->HasBlockArrayName(object) || attributes->HasBlockArrayId(object) ||
+    attributes->HasBlockArrayComponent(object) || attributes->HasBlockFieldDataTupleId(object) ||
+    attributes->HasBlockColorMode(object) || attributes->HasBlockLookupTable(object) ||
+    attributes->HasBlockScalarRange(object) ||
+    attributes->HasBlockUseLookupTableScalarRange(object) ||
+    attributes->HasBlockInterpolateScalarsBeforeMapping(object);
+#endif
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  any = any || attributes->HasBlockTexture(object);
+#endif
+  return any;
+}
+
 // The blocks that a composite mapper draws with all else that is opaque, each with what it inherits
 // from those around it.
 template <typename F>
@@ -75,6 +95,13 @@ void AddBlocks(vtkDataObject* object, vtkCompositeDataDisplayAttributes* attribu
     block.HasColor = true;
     attributes->GetBlockColor(object, &block.Color[0]);
   }
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  if (attributes && attributes->HasBlockScalarVisibility(object))
+  {
+    block.ShowsScalars = attributes->GetBlockScalarVisibility(object);
+  }
+#endif
+  block.HasOwnScalars = block.HasOwnScalars || (attributes && HasOwnScalars(object, attributes));
   if (auto* tree = vtkDataObjectTree::SafeDownCast(object))
   {
     for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
