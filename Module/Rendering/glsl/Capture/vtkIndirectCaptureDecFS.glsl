@@ -97,17 +97,17 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   // The facet is what the map has drawn. Where it turns away from a light that the interpolated
   // normal still faces, only that normal can say how the surface was meant to run.
   float texel = 2.0f * map.z / map.w;
-  vec3 gradient =
-    vtkiPlaneDepthGradient(p, facet, texel, depthRange.x, depthRange.y, parallel);
   vtkiShadowPlane plane;
-  plane.turned = gradient.z == 0.0f;
-  plane.facet = vtkiPlaneDepthGradient(p, -facet, texel, depthRange.x, depthRange.y, parallel).xy;
+  plane.turned = !((parallel ? facet.z : -dot(facet, p)) > 0.0f);
+  plane.facet = vtkiPlaneDepthGradient(
+    p, plane.turned ? -facet : facet, texel, depthRange.x, depthRange.y, parallel).xy;
+  vec2 gradient = plane.facet;
   if (plane.turned)
   {
-    gradient = vtkiPlaneDepthGradient(p, n, texel, depthRange.x, depthRange.y, parallel);
+    gradient = vtkiPlaneDepthGradient(p, n, texel, depthRange.x, depthRange.y, parallel).xy;
   }
   plane.reference = vtkiDepthToBuffer(depth, depthRange.x, depthRange.y, parallel);
-  plane.gradient = gradient.xy;
+  plane.gradient = gradient;
   float slope = vtkiDepthToBufferSlope(depth, depthRange.x, depthRange.y, parallel);
   float rounding = VTKI_DEPTH_ROUNDING +
     VTKI_POSITION_ROUNDING * (vtkiMagnitude + length(p)) * slope;

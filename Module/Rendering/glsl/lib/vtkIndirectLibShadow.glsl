@@ -78,7 +78,7 @@ struct vtkiShadowPlane
   float rounding;
   float bias;
   bool turned; // the facet is turned away from the light, which the normal that it is shaded by faces still
-  vec2 facet;  // and change of depth on it, then
+  vec2 facet;  // change of depth on the facet
 };
 
 /* What texels around a receiver say: the weights of those from which it is hidden; whether something hides it
