@@ -435,11 +435,13 @@ class Errors(unittest.TestCase):
     def test_options(self) -> None:
         self.refused(pack("--what", "ever"), "pack knows no --what")
         self.refused(pack("--output"), "--output wants a value")
+        packing.require("xz")
         build = ("--build", packing.BUILD, "--output", self.place, "--program", PROGRAMS[0])
         self.refused(pack(*build, "--glibc", "new"), "new is no version of glibc")
         self.assertEqual(run(GPU, "what").returncode, 2)
 
     def test_a_folder_that_is_no_pack(self) -> None:
+        packing.require("xz")
         folder = self.place / "vtk-indirect-gpu"
         folder.mkdir()
         (folder / "precious").touch()
