@@ -143,7 +143,9 @@ class Folder(unittest.TestCase):
         asked = set()
         for path in self.binaries:
             asked |= {name for name in symbols(path, "--undefined-only") if opengl.match(name)}
-        self.assertTrue({"glClear", "glXGetProcAddressARB"} <= asked)
+        # Since VTK 9.4 VTK looks its functions up by itself.
+        if not any(name.startswith("libvtkglad") for name in self.libraries):
+            self.assertTrue({"glClear", "glXGetProcAddressARB"} <= asked)
         lookups = {"glXGetProcAddress", "glXGetProcAddressARB"}
         self.assertEqual(symbols(shim, "--defined-only") | lookups, asked | lookups)
         self.assertEqual(needed(shim) - {"libc.so.6"}, {"libvtkIndirectGlibc.so.1"})
