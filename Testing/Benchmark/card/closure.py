@@ -242,7 +242,12 @@ class Pack:
             HERE / "glibc.c",
         )
         self.files.append(glibc)
-        # Each program loads libGL.so.1, and so the other, too.
+        # Each program loads libGL.so.1, and so the other, too. Since VTK 9.4 no library of VTK's
+        # asks for it: VTK looks functions up by itself.
+        asks = {name for path in self.files for name in needed(path)}
+        if not asks & {"libGL.so.1", *names}:
+            for program in (self.folder / "bin").iterdir():
+                run("patchelf", "--add-needed", "libGL.so.1", program)
         words = ("-shared", "-fPIC", "-Wl,--no-as-needed")
         main = self.compile(
             "C",

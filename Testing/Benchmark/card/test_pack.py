@@ -143,7 +143,9 @@ class Folder(unittest.TestCase):
         asked = set()
         for path in self.binaries:
             asked |= {name for name in symbols(path, "--undefined-only") if opengl.match(name)}
-        self.assertTrue({"glClear", "glXGetProcAddressARB"} <= asked)
+        # Since VTK 9.4 VTK looks its functions up by itself.
+        if not any(name.startswith("libvtkglad") for name in self.libraries):
+            self.assertTrue({"glClear", "glXGetProcAddressARB"} <= asked)
         lookups = {"glXGetProcAddress", "glXGetProcAddressARB"}
         self.assertEqual(symbols(shim, "--defined-only") | lookups, asked | lookups)
         self.assertEqual(needed(shim) - {"libc.so.6"}, {"libvtkIndirectGlibc.so.1"})
@@ -435,11 +437,13 @@ class Errors(unittest.TestCase):
     def test_options(self) -> None:
         self.refused(pack("--what", "ever"), "pack knows no --what")
         self.refused(pack("--output"), "--output wants a value")
+        packing.require("xz")
         build = ("--build", packing.BUILD, "--output", self.place, "--program", PROGRAMS[0])
         self.refused(pack(*build, "--glibc", "new"), "new is no version of glibc")
         self.assertEqual(run(GPU, "what").returncode, 2)
 
     def test_a_folder_that_is_no_pack(self) -> None:
+        packing.require("xz")
         folder = self.place / "vtk-indirect-gpu"
         folder.mkdir()
         (folder / "precious").touch()
