@@ -366,9 +366,9 @@ VTK_INDIRECT_TEST(FlatUniforms)
     view.Renderer->SetPass(pass);
     Result result;
     result.Image = view.Grab();
-    // 43200 pixels; with the room's, 2000, 3600, 6300 and 14400 triangles: moved below 5400, kept
-    // from 10800 on.
-    for (int resolution : { 8, 30, 48, 80, 48, 8 })
+    // 43200 pixels; with the room's, 2000, 3600, 16000 and 30000 triangles: moved below 10800, kept
+    // from 21600 on.
+    for (int resolution : { 8, 30, 85, 120, 85, 8 })
     {
       ball->SetThetaResolution(resolution);
       ball->SetPhiResolution(resolution);
