@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What no light can reach stays dark, and nothing gets more light than there is: the backs of
 // curved sheets, surfaces of colours beyond one, crevices under a uniform sky.
+#include "vtkIndirectTestSheet.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -8,14 +9,8 @@
 #include "vtkLightTreeSampler.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkNew.h"
-#include "vtkPlaneSource.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRSMGatherPass.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,32 +21,6 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// A sheet over a square of two, z up, with smooth normals.
-vtkSmartPointer<vtkPolyDataNormals> MakeSheet(
-  int edge, const std::function<double(double, double)>& height)
-{
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-1, -1, 0);
-  plane->SetPoint1(1, -1, 0);
-  plane->SetPoint2(-1, 1, 0);
-  plane->SetResolution(edge, edge);
-  plane->Update();
-  vtkNew<vtkPolyData> data;
-  data->DeepCopy(plane->GetOutput());
-  data->GetPointData()->Initialize();
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    data->GetPoint(i, p);
-    data->GetPoints()->SetPoint(i, p[0], p[1], height(p[0], p[1]));
-  }
-  auto normals = vtkSmartPointer<vtkPolyDataNormals>::New();
-  normals->SetInputData(data);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
-  return normals;
-}
-
 // The bounce on unlit sides, by the eye outside, over that on lit ones, by another within.
 void CheckUnlit(const std::string& name, Scene& scene, const std::function<void()>& lookAtUnlit,
   const std::function<void()>& lookAtLit, double most, const char* origin)
