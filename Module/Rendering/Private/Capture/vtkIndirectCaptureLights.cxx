@@ -175,7 +175,8 @@ void vtkIndirectCaptureLights::SetUniforms(
         light.ShadowDepth, light.Size };
       const int count = CountRows(group);
       rows.insert(rows.end(), all, all + count);
-      for (int row = 0; row < count && program->IsUniformUsed(GetRow(group, i, 3).c_str()); ++row)
+      const bool named = program->IsUniformUsed(GetRow(group, i, 3).c_str());
+      for (int row = 0; named && row < count; ++row)
       {
         program->SetUniform4f(GetRow(group, i, row).c_str(), glm::value_ptr(all[row]));
       }

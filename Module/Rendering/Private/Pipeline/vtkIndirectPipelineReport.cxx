@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkIndirectPipeline says of the last frame.
+// Writes into the report what vtkIndirectPipeline did in the last frame.
 #include "OpenGL/vtkIndirectGL.h"
 
 #include "Pipeline/vtkIndirectPipeline.h"
@@ -25,7 +25,7 @@ const char* const WhyItWaits = "MapsFirst: its depth maps are not all there yet"
 // Maps hold all that casts shadows, however little of it the eye sees.
 void vtkIndirectPipeline::AddCoarseMapsToReport(vtkIndirectReport& report) const
 {
-  // Of the picture's height: shadows' edges are seen to be wider.
+  // Share of the height of the picture: wider edges of shadows are seen.
   constexpr double coarse = 0.01;
   vtkCamera* camera = this->Renderer ? this->Renderer->GetActiveCamera() : nullptr;
   if (!camera || !this->Plan.Shadows)

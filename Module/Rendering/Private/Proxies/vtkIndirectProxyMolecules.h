@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether VTK draws molecules: VTKI_MOLECULES.
+// Defines VTKI_MOLECULES where this VTK draws molecules.
 #ifndef vtkIndirectProxyMolecules_h
 #define vtkIndirectProxyMolecules_h
 
