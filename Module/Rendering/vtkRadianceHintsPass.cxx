@@ -5,6 +5,7 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectStageTimer.h"
@@ -62,7 +63,7 @@ struct vtkRadianceHintsPass::Internals
   vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintMixedFS.glsl" };
   vtkIndirectPointProgram Pixels{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintPixelFS.glsl" };
   vtkNew<vtkIndirectHintSenders> Senders;
-  std::vector<double> LightKey;
+  vtkIndirectKey LightKey;
   bool NothingReflects = false;  // bounces after the first have no surface
   double Tolerance = 0.0;        // that the last frame was asked for and the grid was chosen by
   long long NumberOfUpdates = 0; // of the hints' light, since construction
@@ -290,7 +291,7 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   }
   in.Grid.Release(frame.Window);
   in.Grid.Clear();
-  in.LightKey.clear();
+  in.LightKey.Clear();
   const int longestEdge = vtkTextureObject::GetMaximumTextureSize(frame.Window);
   std::string why = vtkIndirectHintGrid::FindObstacle(settings, longestEdge);
   if (why.empty())
@@ -322,21 +323,19 @@ bool vtkRadianceHintsPass::UpdateLight(const Input& input, bool anew)
   settings.Visibility = input.Visibility.HidesSenders();
   settings.DepthOcclusion = this->Settings.DepthOcclusion;
 
-  std::vector<double> key = { static_cast<double>(this->GetMTime()),
-    static_cast<double>(settings.Bounces), static_cast<double>(input.Plan.Senders),
-    static_cast<double>(
-      input.Lights ? input.Lights->GetContentTime() : input.Maps.GetContentTime()) };
+  vtkIndirectKey key;
+  key.Add("estimator", this->GetMTime()).Add("bounces", settings.Bounces);
+  key.Add("senders", input.Plan.Senders);
+  key.Add("senders", input.Lights ? input.Lights->GetContentTime() : input.Maps.GetContentTime());
   if (settings.DepthOcclusion)
   {
-    const vtkIndirectFrame& frame = input.Frame;
-    key.insert(key.end(), &frame.WorldToView[0][0], &frame.WorldToView[0][0] + 16);
-    key.insert(key.end(), &frame.Projection[0][0], &frame.Projection[0][0] + 16);
+    key.Add("eye", input.Frame.WorldToView).Add("eye", input.Frame.Projection);
   }
   if (!anew && input.Plan.Caching && key == in.LightKey)
   {
     return true;
   }
-  in.LightKey.clear();
+  in.LightKey.Clear();
   if (!in.Fields.Fill(input, settings, in.Grid))
   {
     return false;
@@ -532,7 +531,7 @@ void vtkRadianceHintsPass::ReleaseGraphicsResources(vtkWindow* window)
   in.Grid.Release(window);
   in.Grid.Clear();
   in.Fields.Release(window);
-  in.LightKey.clear();
+  in.LightKey.Clear();
   in.Coarse[0].Release(window);
   in.Coarse[1].Release(window);
   in.CoarseValid = false;

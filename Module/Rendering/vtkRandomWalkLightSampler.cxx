@@ -2,6 +2,7 @@
 #include "vtkRandomWalkLightSampler.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectReport.h"
 #include "VirtualLights/vtkIndirectEmitters.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h"
@@ -27,8 +28,8 @@ struct vtkRandomWalkLightSampler::Internals
   int NumberOfFrames = 0; // over which the walk extends by now
   bool HasMore = false;   // whether a still frame would have more vertices
   double Smoothing = 1.0;
-  std::vector<double> WalkKey;  // what paths were made of, besides surfaces; empty: there are none
-  std::vector<double> TableKey; // and lights of these
+  vtkIndirectKey WalkKey;  // the inputs of the paths, besides surfaces; empty: there are none
+  vtkIndirectKey TableKey; // the further inputs of the lights
   vtkIndirectFurtherSenders Further;
 
   void FindSenders(vtkIndirectFurtherSenders& senders) const;
@@ -70,28 +71,17 @@ void vtkRandomWalkLightSampler::Internals::FindSenders(vtkIndirectFurtherSenders
 
 namespace
 {
-void Append(std::vector<double>& key, const glm::dvec3& v)
-{
-  key.insert(key.end(), { v.x, v.y, v.z });
-}
-
-// All that paths depend on, but the surfaces.
-std::vector<double> MakeKey(const std::vector<vtkIndirectRandomWalk::Source>& sources,
+// The inputs of the paths, besides the surfaces.
+vtkIndirectKey MakeKey(const std::vector<vtkIndirectRandomWalk::Source>& sources,
   const vtkIndirectRandomWalk::Settings& settings)
 {
-  std::vector<double> key = { static_cast<double>(settings.NumberOfVertices),
-    static_cast<double>(settings.FirstBounce), static_cast<double>(settings.LastBounce) };
+  vtkIndirectKey key;
+  key.Add("number of vertices", settings.NumberOfVertices);
+  key.Add("bounces", settings.FirstBounce).Add("bounces", settings.LastBounce);
   for (const vtkIndirectRandomWalk::Source& source : sources)
   {
-    const vtkIndirectLight& light = source.Light;
-    key.push_back(light.Positional ? 1.0 : 0.0);
-    Append(key, light.PositionWC);
-    Append(key, light.DirectionWC);
-    Append(key, light.Attenuation);
-    key.push_back(light.ConeAngle);
-    key.push_back(light.Exponent);
-    Append(key, source.Strength);
-    key.push_back(source.FirstBounce);
+    source.Light.AppendTo(key);
+    key.Add("strengths", source.Strength).Add("bounces", source.FirstBounce);
   }
   return key;
 }
@@ -152,7 +142,7 @@ bool vtkRandomWalkLightSampler::Walk(const Input& input)
   settings.FirstBounce = this->FirstBounce;
   settings.LastBounce = input.NumberOfBounces;
   const bool moved = in.Surfaces.Update(input.Frame, input.Spheres);
-  std::vector<double> key = MakeKey(sources, settings);
+  vtkIndirectKey key = MakeKey(sources, settings);
   bool same = !moved && key == in.WalkKey;
   bool coarse = false;
   if (!same && input.Interactive && this->NumberOfVertices > 0)
@@ -187,13 +177,14 @@ bool vtkRandomWalkLightSampler::Update(const Input& input)
   Internals& in = *this->Internal;
   const double error =
     this->NumberOfVertices > 0 ? vtkIndirectSenderClusters::FindError(input.ErrorTolerance) : 0.0;
-  const std::vector<double> key = { static_cast<double>(this->NumberOfLights),
-    static_cast<double>(this->NumberOfVertices), error };
+  vtkIndirectKey key;
+  key.Add("number of lights", this->NumberOfLights);
+  key.Add("number of vertices", this->NumberOfVertices).Add("error", error);
   if (!this->Walk(input) && key == in.TableKey)
   {
     return true;
   }
-  in.TableKey.clear();
+  in.TableKey.Clear();
   std::vector<Row> lights;
   std::vector<Row> branches;
   if (this->NumberOfVertices > 0)
@@ -281,8 +272,8 @@ void vtkRandomWalkLightSampler::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   this->Internal->Surfaces.Clear();
   this->Internal->Clusters.SetSenders({});
-  this->Internal->WalkKey.clear();
+  this->Internal->WalkKey.Clear();
   this->Internal->HasMore = false;
-  this->Internal->TableKey.clear();
+  this->Internal->TableKey.Clear();
   this->Internal->Further.Senders = {};
 }

@@ -6,6 +6,7 @@
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectRendererAccess.h"
 #include "Frame/vtkIndirectReport.h"
@@ -66,24 +67,6 @@ int FindTexels(int resolution, int layers)
   return texels;
 }
 
-struct CasterKey
-{
-  vtkProp* Prop;
-  vtkTypeUInt64 Revision;
-  bool SendsLight;
-  bool operator==(const CasterKey& other) const
-  {
-    return this->Prop == other.Prop && this->Revision == other.Revision &&
-      this->SendsLight == other.SendsLight;
-  }
-};
-
-struct FaceKey
-{
-  bool Valid = false;
-  std::vector<double> Map;
-  std::vector<CasterKey> Casters;
-};
 }
 
 //------------------------------------------------------------------------------
@@ -94,7 +77,7 @@ struct vtkReflectiveShadowMapPass::Internals
   std::vector<std::unique_ptr<vtkIndirectLightMap>> Maps;
   int NumberOfMaps = 0;
   int NumberOfLayers = 0;
-  std::vector<FaceKey> Faces; // by layer
+  std::vector<vtkIndirectKey> Faces; // the inputs of each layer's image; empty: not drawn
   std::vector<float> Table;
   vtkSmartPointer<vtkTextureObject> TableTexture;
   vtkSmartPointer<vtkTextureObject> FresnelTexture; // where senders have lobes
@@ -258,26 +241,26 @@ bool vtkReflectiveShadowMapPass::Update(
   for (int i = 0; i < in.NumberOfMaps; ++i)
   {
     vtkIndirectLightMap& map = *in.Maps[i];
-    const std::vector<double> mapKey = map.GetKey();
     for (int face = 0; face < map.NumberOfFaces; ++face)
     {
-      FaceKey key;
-      key.Valid = true;
-      key.Map = mapKey;
+      vtkIndirectKey key;
+      map.AppendTo(key);
+      std::vector<const vtkIndirectCaster*> casters;
       for (const vtkIndirectCaster& caster : frame.Casters)
       {
         if (map.CanHold(face, caster.Bounds, this->Texels))
         {
-          key.Casters.push_back({ caster.Prop, caster.Revision, caster.SendsLight });
+          caster.AppendTo(key);
+          casters.push_back(&caster);
         }
       }
-      FaceKey& last = in.Faces[map.FirstLayer + face];
-      if (plan.Caching && last.Valid && last.Map == key.Map && last.Casters == key.Casters)
+      vtkIndirectKey& last = in.Faces[map.FirstLayer + face];
+      if (plan.Caching && last == key)
       {
         continue;
       }
       last = key;
-      this->DrawFace(frame, capture, map, face);
+      this->DrawFace(frame, capture, map, face, casters);
       in.Rows.Forget(map.FirstLayer + face);
       ++this->NumberOfFacesDrawn;
       this->ContentTime.Modified();
@@ -289,8 +272,9 @@ bool vtkReflectiveShadowMapPass::Update(
 }
 
 //------------------------------------------------------------------------------
-void vtkReflectiveShadowMapPass::DrawFace(
-  const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture, vtkIndirectLightMap& map, int face)
+void vtkReflectiveShadowMapPass::DrawFace(const vtkIndirectFrame& frame,
+  vtkSurfaceCapturePass* capture, vtkIndirectLightMap& map, int face,
+  const std::vector<const vtkIndirectCaster*>& casters)
 {
   Internals& in = *this->Internal;
   vtkOpenGLState* state = frame.Window->GetState();
@@ -303,10 +287,10 @@ void vtkReflectiveShadowMapPass::DrawFace(
   vtkCamera* const eye = active;
   active = map.GetCamera(face, frame.Parallel);
   capture->BeginMap(frame, map.GetView(this->Texels));
-  for (const CasterKey& caster : in.Faces[map.FirstLayer + face].Casters)
+  for (const vtkIndirectCaster* caster : casters)
   {
-    capture->BeginCaster(caster.SendsLight);
-    caster.Prop->RenderOpaqueGeometry(frame.Renderer);
+    capture->BeginCaster(caster->SendsLight);
+    caster->Prop->RenderOpaqueGeometry(frame.Renderer);
   }
   capture->EndStage();
   active = eye;

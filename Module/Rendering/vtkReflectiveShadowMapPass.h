@@ -31,11 +31,13 @@
 #include "vtkRenderingIndirectModule.h" // For export macro
 
 #include <memory> // for the internals
+#include <vector> // for lists
 
 class vtkOpenGLRenderWindow;
 class vtkIndirectLightMap;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
+struct vtkIndirectCaster;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
@@ -51,9 +53,9 @@ public:
   ///@{
   /**
    * Texels along an edge of a map. Default 512, range 1 to 16384; OpenGL's own limit is reported as
-   * an error when a frame is drawn. Where all faces of all maps, more than six, would have more than
-   * 32 million texels (1.3 GB with shadows: 128 faces of 512) they have a half, a quarter and so on
-   * along an edge, and the report says so.
+   * an error when a frame is drawn. Where all faces of all maps, more than six, would have more
+   * than 32 million texels (1.3 GB with shadows: 128 faces of 512) they have a half, a quarter and
+   * so on along an edge, and the report says so.
    */
   vtkSetClampMacro(Resolution, int, 1, 16384);
   vtkGetMacro(Resolution, int);
@@ -132,7 +134,7 @@ private:
   void UpdateTable(const vtkIndirectFrame& frame);
   void UpdateFresnel(const vtkIndirectFrame& frame);
   void DrawFace(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-    vtkIndirectLightMap& map, int face);
+    vtkIndirectLightMap& map, int face, const std::vector<const vtkIndirectCaster*>& casters);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -459,7 +459,7 @@ VTK_INDIRECT_TEST(PlanSkySource)
   vtkIndirectPlan plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, {}, sky);
   CheckEqual("of what stands", plan.SkySource, vtkIndirectPlan::SKY_BY_MAPS);
   Check("by depth maps", plan.HasSkyMaps() && !Find(plan.Modelled, "sky by depth maps").empty());
-  const std::vector<double> key = plan.MakeKey(MakeFrame({ MakeLight() }));
+  const vtkIndirectKey key = plan.MakeKey(MakeFrame({ MakeLight() }));
 
   sky.SpheresMove = "7 spheres have moved";
   plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, {}, sky);
@@ -508,7 +508,7 @@ VTK_INDIRECT_TEST(PlanKeys)
 {
   const vtkIndirectFrame frame = MakeFrame({ MakeLight() });
   const vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, {}, {}, {});
-  const std::vector<double> key = plan.MakeKey(frame);
+  const vtkIndirectKey key = plan.MakeKey(frame);
   Check("equal facts make equal keys",
     vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, {}, {}).MakeKey(frame) == key);
   vtkIndirectFrame other = frame;

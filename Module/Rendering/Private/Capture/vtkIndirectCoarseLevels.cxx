@@ -2,6 +2,7 @@
 #include "Capture/vtkIndirectCoarseLevels.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectRevision.h"
 #include "vtkActor.h"
@@ -245,12 +246,11 @@ void vtkIndirectCoarseLevels::Count(size_t drawn, size_t full) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCoarseLevels::AppendTo(std::vector<double>& key) const
+void vtkIndirectCoarseLevels::AppendTo(vtkIndirectKey& key) const
 {
   for (const Entry& entry : this->Entries)
   {
-    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(entry.Actor.Get())));
-    key.push_back(static_cast<double>(entry.Time));
+    key.AddAddress("coarse levels", entry.Actor.Get()).Add("coarse levels", entry.Time);
   }
 }
 

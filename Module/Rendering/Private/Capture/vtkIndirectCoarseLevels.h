@@ -17,6 +17,7 @@
 #include <vector> // for lists
 
 class vtkActor;
+class vtkIndirectKey;
 class vtkOpenGLBufferObject;
 class vtkPolyData;
 class vtkProp;
@@ -59,7 +60,7 @@ public:
   /** Counts what maps were drawn of. */
   void Count(size_t drawn, size_t full) const;
   /** Adds what pictures depend on: which levels there are. */
-  void AppendTo(std::vector<double>& key) const;
+  void AppendTo(vtkIndirectKey& key) const;
   void AddToReport(vtkIndirectReport& report) const;
   /** Releases OpenGL's part; levels stay. */
   void Release(vtkWindow* window);

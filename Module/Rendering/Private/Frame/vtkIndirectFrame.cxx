@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectKey.h"
 
 #include "Frame/vtkIndirectLightKeys.h"
 #include "Frame/vtkIndirectPropKeys.h"
@@ -412,27 +413,46 @@ glm::dmat4 vtkIndirectFrame::ToScene(const glm::dmat4& frameToWorld) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrame::AppendTo(std::vector<double>& key) const
+void vtkIndirectFrame::AppendTo(vtkIndirectKey& key) const
 {
-  auto append = [&key](const double* values, int count)
-  { key.insert(key.end(), values, values + count); };
-  append(&this->WorldToView[0][0], 16);
-  append(&this->Projection[0][0], 16);
-  append(this->SceneBounds, 6);
+  key.Add("eye", this->WorldToView);
+  key.Add("eye", this->Projection);
+  key.Add("bounds of the scene", this->SceneBounds, 6);
   for (const vtkIndirectLight& light : this->Lights)
   {
-    append(&light.Color[0], 3);
-    append(&light.DirectionWC[0], 3);
+    light.AppendTo(key);
   }
   // Casters are some of the props, in the same order, and have their revisions already.
   auto caster = this->Casters.begin();
   for (vtkProp* prop : this->Props)
   {
     const bool casts = caster != this->Casters.end() && caster->Prop == prop;
-    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(prop)));
-    key.push_back(static_cast<double>(casts ? caster->Revision : vtkIndirectRevision::Find(prop)));
+    key.AddAddress("props", prop);
+    key.Add("props", casts ? caster->Revision : vtkIndirectRevision::Find(prop));
     caster += casts ? 1 : 0;
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFrame::AppendUnitsTo(vtkIndirectKey& key) const
+{
+  key.Add("scene units", this->SceneScale).Add("scene units", this->SceneCenter);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCaster::AppendTo(vtkIndirectKey& key) const
+{
+  key.AddAddress("casters", this->Prop);
+  key.Add("casters", this->Revision).Add("casters", this->SendsLight);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLight::AppendTo(vtkIndirectKey& key) const
+{
+  constexpr const char* name = "lights";
+  key.Add(name, this->Positional).Add(name, this->PositionWC).Add(name, this->DirectionWC);
+  key.Add(name, this->Color).Add(name, this->Attenuation).Add(name, this->ConeAngle);
+  key.Add(name, this->Exponent).Add(name, this->Fill);
 }
 
 //------------------------------------------------------------------------------

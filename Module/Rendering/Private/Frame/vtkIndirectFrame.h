@@ -15,6 +15,7 @@
 
 class vtkBoundingBox;
 class vtkIndirectCoarseLevels;
+class vtkIndirectKey;
 class vtkIndirectRoom;
 class vtkLight;
 class vtkLightCollection;
@@ -52,6 +53,8 @@ struct vtkIndirectLight
   static constexpr double MaximumSingleFaceAngle = 60.0;
   /** VTKI_MAP_... of the light's map; VTKI_MAP_FACES where it depends on where the light is. */
   int FindMapProjection() const;
+  /** Appends everything that decides how the light shines on surfaces. */
+  void AppendTo(vtkIndirectKey& key) const;
 };
 
 /** A prop that casts shadows and reflects light. */
@@ -67,6 +70,8 @@ struct vtkIndirectCaster
   double Triangles = 0.0; // about, of its depth
 
   const double* GetFit() const { return this->HasRoom ? this->Room : this->Bounds; }
+  /** Appends who the caster is, its revision and whether it sends light. */
+  void AppendTo(vtkIndirectKey& key) const;
 };
 
 struct vtkIndirectFrame
@@ -130,8 +135,11 @@ struct vtkIndirectFrame
    * products of three of them stay within floats. */
   glm::mat4 FindSceneToClip() const;
 
-  /** Adds what an estimate depends on besides the lights' maps: the eye, the lights, the props. */
-  void AppendTo(std::vector<double>& key) const;
+  /** Appends the inputs of an estimate, besides the lights' maps: the eye, the lights, the props.
+   */
+  void AppendTo(vtkIndirectKey& key) const;
+  /** Appends the units of the scene: positions in scene units depend on them. */
+  void AppendUnitsTo(vtkIndirectKey& key) const;
   /** Says what takes no part, once a kind. */
   void AddToReport(vtkIndirectReport& report) const;
 

@@ -453,17 +453,20 @@ void vtkIndirectPlan::LeaveOut(const vtkIndirectSettings& settings,
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) const
+vtkIndirectKey vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) const
 {
-  std::vector<double> key = { static_cast<double>(frame.Size[0]),
-    static_cast<double>(frame.Size[1]), static_cast<double>(this->Senders),
-    static_cast<double>(this->Visibility), static_cast<double>(this->NumberOfBounces),
-    static_cast<double>(this->SampledBounces), static_cast<double>(this->WalkedBounces),
-    this->ErrorTolerance, this->SenderLobes ? 1.0 : 0.0, this->Refraction ? 1.0 : 0.0,
-    static_cast<double>(this->SkySource), this->SkyIsShadowed ? 1.0 : 0.0, this->Sky ? 1.0 : 0.0,
-    this->SkyBounces ? 1.0 : 0.0, this->AreaLightsBounce ? 1.0 : 0.0,
-    // Moving frames look fewer maps up.
-    this->Interactive && this->Visibility == vtkIndirectVisibilityMaps ? 1.0 : 0.0 };
+  vtkIndirectKey key;
+  key.Add("size", frame.Size[0]).Add("size", frame.Size[1]);
+  key.Add("senders", this->Senders).Add("senders", this->SenderLobes);
+  key.Add("senders", this->Refraction);
+  key.Add("visibility", this->Visibility);
+  // Moving frames look fewer maps up.
+  key.Add("visibility", this->Interactive && this->Visibility == vtkIndirectVisibilityMaps);
+  key.Add("bounces", this->NumberOfBounces).Add("bounces", this->SampledBounces);
+  key.Add("bounces", this->WalkedBounces).Add("bounces", this->SkyBounces);
+  key.Add("bounces", this->AreaLightsBounce);
+  key.Add("error tolerance", this->ErrorTolerance);
+  key.Add("sky", this->SkySource).Add("sky", this->SkyIsShadowed).Add("sky", this->Sky);
   frame.AppendTo(key);
   return key;
 }

@@ -5,7 +5,8 @@
 #ifndef vtkIndirectPlan_h
 #define vtkIndirectPlan_h
 
-#include "vtkIndirectSettings.h" // for what the user has set
+#include "Frame/vtkIndirectKey.h" // for keys
+#include "vtkIndirectSettings.h"  // for what the user has set
 
 #include <string>  // for reasons
 #include <utility> // for pairs
@@ -162,10 +163,10 @@ struct vtkIndirectPlan
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
 
   /**
-   * What the irradiance depends on besides its stages' own times: the eye, lights, props and what
-   * the plan has decided.
+   * The inputs of the irradiance, besides its stages' own times: the eye, lights, props and the
+   * plan's decisions.
    */
-  std::vector<double> MakeKey(const vtkIndirectFrame& frame) const;
+  vtkIndirectKey MakeKey(const vtkIndirectFrame& frame) const;
 
   ///@{
   /**

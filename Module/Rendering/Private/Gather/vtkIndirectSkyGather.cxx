@@ -95,11 +95,11 @@ void vtkIndirectSkyGather::UpdateDirections(const Input& input)
 //------------------------------------------------------------------------------
 void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
 {
-  std::vector<double> key = { frame.SceneScale, frame.SceneCenter.x, frame.SceneCenter.y,
-    frame.SceneCenter.z };
+  vtkIndirectKey key;
+  frame.AppendUnitsTo(key);
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    key.insert(key.end(), caster.GetFit(), caster.GetFit() + 6);
+    key.Add("casters", caster.GetFit(), 6);
   }
   const bool fits = key == this->FitKey;
   this->FitKey = std::move(key);

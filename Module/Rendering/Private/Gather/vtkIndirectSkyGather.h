@@ -20,6 +20,7 @@
 #ifndef vtkIndirectSkyGather_h
 #define vtkIndirectSkyGather_h
 
+#include "Frame/vtkIndirectKey.h"                // for keys
 #include "Gather/vtkIndirectSkyDirections.h"     // for a member
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
 #include "OpenGL/vtkIndirectTarget.h"            // for a member
@@ -135,7 +136,7 @@ private:
   vtkIndirectFullScreenProgram RowKernel{ "vtkIndirectSkyFilterFS.glsl" };
   vtkIndirectFullScreenProgram StrongKernel{ "vtkIndirectSkyFS.glsl" };
 
-  std::vector<double> FitKey; // what the tiles are fitted to
+  vtkIndirectKey FitKey; // the inputs of the tiles' fit
   bool OpenSkyIsThere = false;
   glm::vec3 OpenFlux{ 0.0f };
   glm::vec3 SummedFlux{ 0.0f };

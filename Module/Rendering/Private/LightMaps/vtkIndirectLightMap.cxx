@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightMaps/vtkIndirectLightMap.h"
+#include "Frame/vtkIndirectKey.h"
 
 #include "LightMaps/vtkIndirectFootprint.h"
 #include "OpenGL/vtkIndirectKernels.h"
@@ -275,17 +276,10 @@ vtkIndirectShadowMap vtkIndirectLightMap::GetShadowMap() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> vtkIndirectLightMap::GetKey() const
+void vtkIndirectLightMap::AppendTo(vtkIndirectKey& key) const
 {
-  std::vector<double> key = { static_cast<double>(this->Projection),
-    static_cast<double>(this->FirstLayer), this->HalfWidth, this->Near, this->Far,
-    this->SceneScale };
-  for (int column = 0; column < 4; ++column)
-  {
-    for (int row = 0; row < 3; ++row)
-    {
-      key.push_back(this->LightToWorld[column][row]);
-    }
-  }
-  return key;
+  key.Add("projection", this->Projection).Add("layer", this->FirstLayer);
+  key.Add("projection", this->HalfWidth).Add("projection", this->Near);
+  key.Add("projection", this->Far).Add("scene units", this->SceneScale);
+  key.Add("placement", this->LightToWorld);
 }

@@ -10,6 +10,7 @@
 #include <array>  // for cameras
 #include <vector> // for keys
 
+class vtkIndirectKey;
 class vtkOpenGLCamera;
 
 class vtkIndirectLightMap
@@ -56,8 +57,8 @@ public:
   /** A texel's width across the light, in world units, at a place, of so many along an edge. */
   double FindTexelAt(const glm::dvec3& place, int texels) const;
 
-  /** All numbers that what is drawn depends on, besides the scene and the resolution. */
-  std::vector<double> GetKey() const;
+  /** Appends the inputs of the map's image, besides the casters and the resolution. */
+  void AppendTo(vtkIndirectKey& key) const;
 
   vtkIndirectLight Light;
   int Projection = 0; // VTKI_MAP_...

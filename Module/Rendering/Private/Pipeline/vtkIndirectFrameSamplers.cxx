@@ -37,7 +37,7 @@ bool vtkIndirectFrameSamplers::HasOtherWalk() const
 
 //------------------------------------------------------------------------------
 bool vtkIndirectFrameSamplers::UpdateSenderMaps(const vtkIndirectFrame& frame,
-  const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture, const std::vector<double>& source,
+  const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture, const vtkIndirectKey& source,
   const std::function<vtkIndirectEmitters::List()>& makeEmitters)
 {
   if (!this->Senders->Knows(source))
@@ -134,13 +134,13 @@ bool vtkIndirectFrameSamplers::HasMore() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrameSamplers::AppendTo(std::vector<double>& key) const
+void vtkIndirectFrameSamplers::AppendTo(vtkIndirectKey& key) const
 {
   for (const auto& sampler : this->Others)
   {
-    vtkIndirectRevision::AppendTo(key, sampler);
+    key.Add("sampler", sampler);
   }
-  key.push_back(static_cast<double>(this->Senders->GetSourceTime()));
+  key.Add("senders", this->Senders->GetSourceTime());
 }
 
 //------------------------------------------------------------------------------

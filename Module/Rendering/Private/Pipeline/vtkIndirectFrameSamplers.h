@@ -4,6 +4,7 @@
 #ifndef vtkIndirectFrameSamplers_h
 #define vtkIndirectFrameSamplers_h
 
+#include "Frame/vtkIndirectKey.h"                       // for keys
 #include "VirtualLights/vtkIndirectEmitters.h"          // for emitters
 #include "VirtualLights/vtkIndirectHeadlightSampler.h"  // for members
 #include "VirtualLights/vtkIndirectRefractionSampler.h" // for members
@@ -47,7 +48,7 @@ public:
    * tells when emitters have to be made anew. Returns false, after an error, when OpenGL refuses.
    */
   bool UpdateSenderMaps(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-    vtkSurfaceCapturePass* capture, const std::vector<double>& source,
+    vtkSurfaceCapturePass* capture, const vtkIndirectKey& source,
     const std::function<vtkIndirectEmitters::List()>& makeEmitters);
   void ReleaseSenderMaps(vtkWindow* window) { this->Senders->ReleaseGraphicsResources(window); }
 
@@ -74,7 +75,7 @@ public:
   }
 
   /** What their lights depend on besides the maps. */
-  void AppendTo(std::vector<double>& key) const;
+  void AppendTo(vtkIndirectKey& key) const;
   /** Copies `lights`, `branches` or `lobes`; why not, or empty. */
   std::string Copy(const vtkIndirectFrame& frame, const std::string& name, vtkImageData* image);
   static bool IsTable(const std::string& name);

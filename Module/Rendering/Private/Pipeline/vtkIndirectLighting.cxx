@@ -178,11 +178,11 @@ vtkIndirectRigAlbedo vtkIndirectLighting::FindAlbedo(vtkRenderer* renderer)
 void vtkIndirectLighting::SetRig(
   int preset, const std::vector<vtkIndirectLamp>& lamps, const vtkIndirectRigAlbedo& albedo)
 {
-  std::vector<double> key = { static_cast<double>(preset), albedo.Brightest, albedo.Mean };
+  vtkIndirectKey key;
+  key.Add("preset", preset).Add("albedo", albedo.Brightest).Add("albedo", albedo.Mean);
   for (const vtkIndirectLamp& lamp : lamps)
   {
-    key.insert(key.end(), &lamp.Direction.x, &lamp.Direction.x + 3);
-    key.insert(key.end(), &lamp.Color.x, &lamp.Color.x + 3);
+    key.Add("lights", lamp.Direction).Add("lights", lamp.Color);
   }
   if (key == this->RigKey)
   {

@@ -5,6 +5,7 @@
 #ifndef vtkIndirectLighting_h
 #define vtkIndirectLighting_h
 
+#include "Frame/vtkIndirectKey.h"              // for keys
 #include "VirtualLights/vtkIndirectLightRig.h" // for members
 #include "vtkNew.h"                            // for members
 
@@ -51,7 +52,7 @@ private:
   bool Inactive = false;
   int NumberOfReplaced = 0;
   vtkIndirectLightRig Rig;
-  std::vector<double> RigKey; // what the rig was made from
+  vtkIndirectKey RigKey; // the inputs of the rig
   vtkEnvironmentLight* Environment = nullptr;
   vtkNew<vtkEnvironmentLight> Sky;
   vtkNew<vtkLightCollection> Lights;

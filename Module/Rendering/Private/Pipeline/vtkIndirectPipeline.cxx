@@ -6,7 +6,6 @@
 #include "Capture/vtkIndirectDarkLight.h"
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Frame/vtkIndirectLightScope.h"
-#include "Frame/vtkIndirectRevision.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkAreaLight.h"
@@ -102,7 +101,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   }
   if (!sky)
   {
-    this->SkyKey.clear();
+    this->SkyKey.Clear();
   }
   // What moves stops and goes on; programs for it take seconds to build.
   if (!sky || !this->SphereMotion.HasMoved())
@@ -112,7 +111,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   if (!circumstances.AreaLights || request.Settings.IndirectScale == 0.0)
   {
     this->Area.Release(this->Frame.Window);
-    this->AreaKey.clear();
+    this->AreaKey.Clear();
   }
   if ((!circumstances.Environment && !circumstances.AreaLights) ||
     request.Settings.IndirectScale == 0.0)
@@ -203,8 +202,8 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
   }
   this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
   vtkEnvironmentLight* const sky = this->Plan.SkyBounces ? this->Environment : nullptr;
-  std::vector<double> source;
-  vtkIndirectRevision::AppendTo(source, sky);
+  vtkIndirectKey source;
+  source.Add("sky", sky);
   if (this->Plan.AreaLightsBounce)
   {
     this->AppendAreaLights(source);
@@ -236,8 +235,8 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
   this->Estimator->HoldContext(this->Frame.Window, this->Identity.GetMTime());
   if (!this->IsEstimateThere())
   {
-    this->EstimateKey.clear();
-    this->SkyKey.clear();
+    this->EstimateKey.Clear();
+    this->SkyKey.Clear();
   }
   this->Samplers.Choose(
     this->Frame, this->Plan, this->Estimator->ChooseSampler(request.Sampler, this->Plan));
@@ -261,10 +260,9 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-// What all light depends on.
-std::vector<double> vtkIndirectPipeline::MakeFrameKey() const
+vtkIndirectKey vtkIndirectPipeline::MakeFrameKey() const
 {
-  std::vector<double> key = this->Plan.MakeKey(this->Frame);
+  vtkIndirectKey key = this->Plan.MakeKey(this->Frame);
   this->Levels.AppendTo(key);
   // Receivers that a lamp hides get nothing.
   if (this->Plan.VisibleAreaLights > 0)
@@ -275,30 +273,19 @@ std::vector<double> vtkIndirectPipeline::MakeFrameKey() const
 }
 
 //------------------------------------------------------------------------------
-// What the irradiance depends on.
-std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) const
+vtkIndirectKey vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) const
 {
-  std::vector<double> key = this->FrameKey;
-  vtkIndirectRevision::AppendTo(key, this->Estimator);
-  vtkIndirectRevision::AppendTo(key, users);
+  vtkIndirectKey key = this->FrameKey;
+  key.Add("estimator", this->Estimator).Add("sampler", users);
   this->Samplers.AppendTo(key);
-  key.push_back(static_cast<double>(
-    this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0));
-  for (size_t i = 0; this->Plan.Senders == vtkIndirectPlan::RAYS && i < this->Frame.Lights.size();
-       ++i)
-  {
-    const vtkIndirectLight& light = this->Frame.Lights[i];
-    key.insert(key.end(),
-      { light.PositionWC.x, light.PositionWC.y, light.PositionWC.z, light.Attenuation.x,
-        light.Attenuation.y, light.Attenuation.z, light.ConeAngle, light.Exponent });
-  }
+  key.Add("maps", this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0);
   return key;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
 {
-  const std::vector<double> key = this->MakeKey(request.Sampler);
+  const vtkIndirectKey key = this->MakeKey(request.Sampler);
   const bool caching = request.Settings.Caching;
   const bool still = key == this->EstimateKey;
   const bool more = !this->Plan.Interactive && this->Samplers.HasMore();
@@ -307,12 +294,12 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   {
     return true;
   }
-  this->EstimateKey.clear();
+  this->EstimateKey.Clear();
   if (key == this->FailedKey)
   {
     return false;
   }
-  this->FailedKey.clear();
+  this->FailedKey.Clear();
 
   this->Timer.Begin(vtkIndirectStageTimer::Lights);
   const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(this->Plan);
@@ -394,9 +381,8 @@ bool vtkIndirectPipeline::UpdateSky(const Request& request)
     this->Spheres->SetIndirectLight(this->Plan.SpheresBounceSky ? vtkProxyAccumulationPass::SHADOWED
                                                                 : vtkProxyAccumulationPass::OFF);
   }
-  std::vector<double> key = this->FrameKey;
-  vtkIndirectRevision::AppendTo(key, summer);
-  vtkIndirectRevision::AppendTo(key, this->Environment);
+  vtkIndirectKey key = this->FrameKey;
+  key.Add("estimator", summer).Add("sky", this->Environment);
   const bool failed = this->SkyEstimate.State == vtkIndirectEstimate::FAILED;
   if (key == this->SkyKey && (failed || request.Settings.Caching))
   {
@@ -421,16 +407,14 @@ bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
   const bool visible = this->Sky.UpdateMaps(input, this->TilesLeft);
   this->TilesLeft -= static_cast<int>(this->Sky.GetNumberOfTilesDrawn() - tiles);
   this->Timer.End(vtkIndirectStageTimer::Visibility);
-  std::vector<double> key = this->FrameKey;
-  key.push_back(static_cast<double>(this->Sky.GetContentTime()));
-  key.push_back(this->Plan.NumberOfSkyDirections);
-  key.push_back(this->Plan.SkyBlock);
-  key.push_back(this->Plan.SkyIsShadowed ? 1.0 : 0.0);
+  vtkIndirectKey key = this->FrameKey;
+  key.Add("sky", this->Sky.GetContentTime()).Add("sky", this->Plan.NumberOfSkyDirections);
+  key.Add("sky", this->Plan.SkyBlock);
   if (request.Settings.Caching && key == this->SkyKey)
   {
     return true;
   }
-  this->SkyKey.clear();
+  this->SkyKey.Clear();
   this->SkyWaits = visible && this->Plan.WaitsForMaps && !this->Sky.IsComplete();
   if (this->SkyWaits)
   {
@@ -447,11 +431,11 @@ bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPipeline::AppendAreaLights(std::vector<double>& key) const
+void vtkIndirectPipeline::AppendAreaLights(vtkIndirectKey& key) const
 {
   for (const auto& light : this->AreaLights)
   {
-    vtkIndirectRevision::AppendTo(key, light);
+    key.Add("area lights", light);
   }
 }
 
@@ -463,15 +447,15 @@ bool vtkIndirectPipeline::UpdateArea(const Request& request)
   this->Timer.Begin(vtkIndirectStageTimer::Visibility);
   const bool updated = this->Area.Update(input, std::max(this->TilesLeft, 0));
   this->Timer.End(vtkIndirectStageTimer::Visibility);
-  std::vector<double> key = this->FrameKey;
-  key.push_back(static_cast<double>(this->Area.GetContentTime()));
-  key.push_back(this->Plan.Interactive ? 1.0 : 0.0);
+  vtkIndirectKey key = this->FrameKey;
+  key.Add("area lights", this->Area.GetContentTime());
+  key.Add("interactive", this->Plan.Interactive);
   const bool same = request.Settings.Caching && key == this->AreaKey;
   if (same && this->Area.IsFinished())
   {
     return true;
   }
-  this->AreaKey.clear();
+  this->AreaKey.Clear();
   this->Timer.Begin(vtkIndirectStageTimer::Area);
   const bool summed = updated && this->Area.Sum(input, same);
   this->Timer.End(vtkIndirectStageTimer::Area);
@@ -555,8 +539,8 @@ bool vtkIndirectPipeline::ShowChannel(const std::string& name)
 void vtkIndirectPipeline::Forget(const std::string& why)
 {
   this->BuffersAreThere = this->IrradianceIsThere = this->SkyIsThere = false;
-  this->EstimateKey.clear();
-  this->SkyKey.clear();
+  this->EstimateKey.Clear();
+  this->SkyKey.Clear();
   this->WhyNoBuffers = why;
 }
 
@@ -624,6 +608,6 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Composite.Release(window);
   this->Antialiasing.Release(window);
   this->Timer.Release();
-  this->FailedKey.clear();
+  this->FailedKey.Clear();
   this->Forget("its resources have been released");
 }

@@ -12,6 +12,7 @@
 #include "Composite/vtkIndirectComposite.h"         // for members
 #include "Frame/vtkIndirectEstimate.h"              // for members
 #include "Frame/vtkIndirectFrame.h"                 // for members
+#include "Frame/vtkIndirectKey.h"                   // for keys
 #include "Frame/vtkIndirectPlan.h"                  // for members
 #include "Frame/vtkIndirectReport.h"                // for members
 #include "Frame/vtkIndirectRoom.h"                  // for a member
@@ -107,14 +108,14 @@ public:
   vtkIndirectCoarseLevels Levels;
 
 private:
-  std::vector<double> MakeFrameKey() const;
-  std::vector<double> MakeKey(vtkVirtualLightSampler* users) const;
+  vtkIndirectKey MakeFrameKey() const;
+  vtkIndirectKey MakeKey(vtkVirtualLightSampler* users) const;
   bool UpdateIrradiance(const Request& request);
   bool UpdateSky(const Request& request);
   bool UpdateSkyMaps(const Request& request);
   vtkIndirectEstimatorPass* GetSkySummer() const;
   bool UpdateArea(const Request& request);
-  void AppendAreaLights(std::vector<double>& key) const;
+  void AppendAreaLights(vtkIndirectKey& key) const;
   void AddCoarseMapsToReport(vtkIndirectReport& report) const;
   bool UpdateSenderMaps();
   void ReleaseSkyMaps(vtkWindow* window);
@@ -166,13 +167,13 @@ private:
   bool DepthIsDrawn = false;        // into that, sample by sample
   vtkIndirectReport::Entries Paths; // in force
 
-  std::vector<double> FrameKey; // what all light of the frame depends on
-  // What the irradiance was computed from; empty when there is none.
-  std::vector<double> EstimateKey;
-  std::vector<double> SkyKey;
-  std::vector<double> AreaKey;
-  // What the estimator could not work with, and has said so: not asked again before it changes.
-  std::vector<double> FailedKey;
+  vtkIndirectKey FrameKey; // the inputs of all light of the frame
+  // The inputs of each kind of light that is there; empty where there is none.
+  vtkIndirectKey EstimateKey;
+  vtkIndirectKey SkyKey;
+  vtkIndirectKey AreaKey;
+  // Inputs with which the estimator has failed, with an error: it is asked again when they change.
+  vtkIndirectKey FailedKey;
 };
 
 #endif

@@ -150,15 +150,14 @@ bool vtkIndirectProxyScene::Update(
       drawn.push_back({ prop, true, true });
     }
   }
-  std::vector<double> key = { frame.SceneCenter.x, frame.SceneCenter.y, frame.SceneCenter.z,
-    frame.SceneScale };
+  vtkIndirectKey key;
+  frame.AppendUnitsTo(key);
   for (const Drawn& item : drawn)
   {
-    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(item.Prop)));
-    key.push_back(static_cast<double>(vtkIndirectRevision::Find(item.Prop)));
-    key.push_back(item.Sends ? 1.0 : 0.0);
+    key.AddAddress("props", item.Prop).Add("props", vtkIndirectRevision::Find(item.Prop));
+    key.Add("props", item.Sends);
     const auto known = given.find(item.Prop);
-    key.push_back(known == given.end() ? -1.0 : static_cast<double>(known->second->GetMTime()));
+    key.Add("given spheres", known == given.end() ? nullptr : known->second);
   }
   if (key == this->Key)
   {

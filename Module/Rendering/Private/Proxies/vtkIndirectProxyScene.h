@@ -5,6 +5,7 @@
 #ifndef vtkIndirectProxyScene_h
 #define vtkIndirectProxyScene_h
 
+#include "Frame/vtkIndirectKey.h"           // for keys
 #include "Proxies/vtkIndirectProxyKinds.h"  // for a member
 #include "Proxies/vtkIndirectProxyShapes.h" // for a member
 
@@ -63,7 +64,7 @@ public:
   /** How often meshes have been looked into. */
   int GetNumberOfFits() const { return this->Shapes.GetNumberOfFits(); }
   void AddToReport(vtkIndirectReport& report) const;
-  void Forget() { this->Key.clear(); }
+  void Forget() { this->Key.Clear(); }
 
 private:
   struct Part;
@@ -83,7 +84,7 @@ private:
   static bool IsCutOff(const Part& part, const glm::dvec3& place);
 
   UserType User;
-  std::vector<double> Key; // of what has been collected
+  vtkIndirectKey Key; // of what has been collected
   std::vector<vtkIndirectProxySphere> Spheres;
   std::vector<vtkIndirectProxyPolygon> Polygons;
   std::vector<const vtkProp*> Props;

@@ -46,26 +46,22 @@ void vtkIndirectRefractionSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* s
 bool vtkIndirectRefractionSampler::Update(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  std::vector<double> key = { static_cast<double>(this->NumberOfLights), frame.SceneScale,
-    frame.SceneCenter.x, frame.SceneCenter.y, frame.SceneCenter.z };
+  vtkIndirectKey key;
+  key.Add("number of lights", this->NumberOfLights);
+  frame.AppendUnitsTo(key);
   for (const vtkIndirectLight& light : frame.Lights)
   {
-    const double numbers[] = { light.PositionWC.x, light.PositionWC.y, light.PositionWC.z,
-      light.DirectionWC.x, light.DirectionWC.y, light.DirectionWC.z, light.Color.x, light.Color.y,
-      light.Color.z, light.Attenuation.x, light.Attenuation.y, light.Attenuation.z, light.ConeAngle,
-      light.Exponent, light.Positional ? 1.0 : 0.0, light.Fill ? 1.0 : 0.0 };
-    key.insert(key.end(), std::begin(numbers), std::end(numbers));
+    light.AppendTo(key);
   }
   for (vtkActor* actor : frame.Refractors)
   {
-    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(actor)));
-    key.push_back(static_cast<double>(vtkIndirectRevision::Find(actor)));
+    key.AddAddress("refractors", actor).Add("refractors", vtkIndirectRevision::Find(actor));
   }
   if (key == this->Key)
   {
     return true;
   }
-  this->Key.clear();
+  this->Key.Clear();
   std::vector<Row> rows;
   for (vtkActor* actor : frame.Refractors)
   {
@@ -184,5 +180,5 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
 void vtkIndirectRefractionSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  this->Key.clear();
+  this->Key.Clear();
 }

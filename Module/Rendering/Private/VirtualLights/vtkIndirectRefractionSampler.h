@@ -7,6 +7,7 @@
 #ifndef vtkIndirectRefractionSampler_h
 #define vtkIndirectRefractionSampler_h
 
+#include "Frame/vtkIndirectKey.h"                // for keys
 #include "VirtualLights/vtkIndirectRefraction.h" // for paths
 #include "vtkVirtualLightSampler.h"
 
@@ -39,7 +40,7 @@ private:
     const vtkIndirectRefraction& body, std::vector<Row>& rows) const;
 
   int NumberOfLights = 256;
-  std::vector<double> Key; // what the lights were made from
+  vtkIndirectKey Key; // the inputs of the lights
 };
 
 #endif

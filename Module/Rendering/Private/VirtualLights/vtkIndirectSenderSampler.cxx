@@ -23,13 +23,6 @@ constexpr int TexelsOfMaps = 64;
 // Maps of directions without light go when there are more than this.
 constexpr size_t MostMaps = vtkIndirectEmitters::MostPieces;
 
-bool AreSame(const vtkIndirectCaster& a, const vtkIndirectCaster& b)
-{
-  return a.Prop == b.Prop && a.Revision == b.Revision && a.SendsLight == b.SendsLight &&
-    std::equal(a.Bounds, a.Bounds + 6, b.Bounds) &&
-    std::equal(a.GetFit(), a.GetFit() + 6, b.GetFit()); // what maps are fitted to
-}
-
 vtkIndirectEmitters::List::iterator Find(vtkIndirectEmitters::List& emitters, int number)
 {
   return std::find_if(emitters.begin(), emitters.end(),
@@ -72,26 +65,27 @@ void vtkIndirectSenderSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampl
 }
 
 //------------------------------------------------------------------------------
-// Whether what casts shadows has changed.
+// Returns whether a caster has changed.
 bool vtkIndirectSenderSampler::UpdateScene(const vtkIndirectFrame& frame)
 {
-  if (frame.SceneScale == this->SceneScale && frame.SceneCenter == this->SceneCenter &&
-    std::equal(frame.Casters.begin(), frame.Casters.end(), this->Casters.begin(),
-      this->Casters.end(), AreSame))
+  vtkIndirectKey key;
+  frame.AppendUnitsTo(key);
+  for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    return false;
+    caster.AppendTo(key);
+    // Maps are fitted to the casters' room.
+    key.Add("bounds", caster.Bounds, 6).Add("room", caster.GetFit(), 6);
   }
-  this->SceneScale = frame.SceneScale;
-  this->SceneCenter = frame.SceneCenter;
-  this->Casters = frame.Casters;
-  return true;
+  const bool changed = key != this->Scene;
+  this->Scene = std::move(key);
+  return changed;
 }
 
 //------------------------------------------------------------------------------
 // Emitters keep their places while their maps hold, also those whose light has gone: while a sky
 // turns it redraws nothing, but for what moves with it, as a sun does.
 void vtkIndirectSenderSampler::SetEmitters(
-  const vtkIndirectEmitters::List& emitters, const std::vector<double>& source)
+  const vtkIndirectEmitters::List& emitters, const vtkIndirectKey& source)
 {
   this->Source = source;
   this->Given = emitters;
@@ -272,8 +266,8 @@ void vtkIndirectSenderSampler::ReleaseGraphicsResources(vtkWindow* window)
   this->Clusters.SetSenders({});
   this->Emitters.clear();
   this->Given.clear();
-  this->Source.clear();
-  this->Casters.clear();
+  this->Source.Clear();
+  this->Scene.Clear();
   this->MapsAreThere = false;
   this->SendersTime = 0;
   this->MadeTime = 0;

@@ -9,6 +9,7 @@
 #define vtkIndirectSenderSampler_h
 
 #include "Frame/vtkIndirectFrame.h"                  // for casters
+#include "Frame/vtkIndirectKey.h"                    // for keys
 #include "VirtualLights/vtkIndirectEmitters.h"       // for members
 #include "VirtualLights/vtkIndirectSenderClusters.h" // for members
 #include "VirtualLights/vtkIndirectSenderTexels.h"   // for members
@@ -31,10 +32,10 @@ public:
   /** As many as a sampler has of the scene's lights; null for the default. */
   void SetNumberOfLightsOf(vtkVirtualLightSampler* sampler);
 
-  /** What a frame's emitters were found in: where it is the same they need not be found again. */
-  bool Knows(const std::vector<double>& source) const { return source == this->Source; }
-  /** Those of the frame, each of which sends light. */
-  void SetEmitters(const vtkIndirectEmitters::List& emitters, const std::vector<double>& source);
+  /** Whether the sampler has the emitters that were made of these inputs. */
+  bool Knows(const vtkIndirectKey& source) const { return source == this->Source; }
+  /** Sets the frame's emitters, each of which sends light, and their inputs. */
+  void SetEmitters(const vtkIndirectEmitters::List& emitters, const vtkIndirectKey& source);
   /**
    * Brings the maps up to date, while the capture is attached. Returns false, after an error, when
    * OpenGL cannot hold them.
@@ -71,14 +72,11 @@ private:
   vtkIndirectEmitters::List Emitters; // by their maps; without light where it has gone
   vtkIndirectEmitters::List Given;    // the frame's
   bool IsFresh = false;               // whether they came since the maps were drawn
-  std::vector<double> Source;         // what they were found in
+  vtkIndirectKey Source;              // the inputs of Given
   bool EmittersHaveMoved = false;     // come, gone or moved since the maps were drawn
 
-  // What the maps were drawn of, and what the senders were read from.
   bool MapsAreThere = false;
-  std::vector<vtkIndirectCaster> Casters;
-  double SceneScale = 0.0;
-  glm::dvec3 SceneCenter{ 0.0 };
+  vtkIndirectKey Scene; // the casters that the maps show
   vtkMTimeType SendersTime = 0;
 
   size_t SourceTime = 0;

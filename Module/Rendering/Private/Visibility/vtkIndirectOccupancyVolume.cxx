@@ -201,13 +201,12 @@ void vtkIndirectOccupancyVolume::Finish()
 //------------------------------------------------------------------------------
 bool vtkIndirectOccupancyVolume::Update(const vtkIndirectFrame& frame, int resolution)
 {
-  std::vector<double> key(frame.SceneBounds, frame.SceneBounds + 6);
-  key.push_back(resolution);
-  key.push_back(frame.NumberOfOtherReceivers);
+  vtkIndirectKey key;
+  key.Add("bounds of the scene", frame.SceneBounds, 6).Add("resolution", resolution);
+  key.Add("other receivers", frame.NumberOfOtherReceivers);
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(caster.Prop)));
-    key.push_back(static_cast<double>(caster.Revision));
+    caster.AppendTo(key);
   }
   if (key == this->Key)
   {

@@ -11,6 +11,7 @@
 #define vtkIndirectOccupancyVolume_h
 
 #include "Frame/vtkIndirectFrame.h"             // for casters
+#include "Frame/vtkIndirectKey.h"               // for keys
 #include "Visibility/vtkIndirectTriangleGrid.h" // for members
 #include "Visibility/vtkIndirectTriangleTree.h" // for members
 #include "vtkSmartPointer.h"                    // for members
@@ -46,7 +47,7 @@ public:
   const vtkIndirectTriangleTree& GetTree() const { return this->Tree; }
 
   /** Makes the next Update start anew. */
-  void Forget() { this->Key.clear(); }
+  void Forget() { this->Key.Clear(); }
   /** An empty volume over these bounds (scene units); Add fills it. For Update, and for tests. */
   void Clear(const glm::dvec3& lower, const glm::dvec3& upper, int resolution);
   /** Corners in scene units. */
@@ -120,7 +121,7 @@ private:
   double Area = 0.0; // voxels squared
   glm::dvec3 MeanAlbedo{ 0.0 };
   std::vector<glm::ivec3> Touched; // by the triangle at hand
-  std::vector<double> Key;
+  vtkIndirectKey Key;
   // Made when first asked for.
   mutable std::unique_ptr<vtkIndirectDistanceField> DistanceField;
   mutable bool DistanceFieldIsCurrent = false;
