@@ -63,17 +63,16 @@ def make_lamp(kind: str, number: int) -> Any:
 
 HEAD = """\
 area_cornell with lamps under its ceiling, {width} x {height}, {gl}; medians of {rounds} moving frames of
-each, in turn within a kind of lamps. Plain VTK's frame takes {plain} ms, UseSSAO adds {occlusion} (by kinds, as
-other programs left the machine).
+each, in turn within a kind of lamps. Plain VTK's frame takes {plain} ms, UseSSAO adds {occlusion} (by kinds; other
+programs ran beside).
 
-Adds: all that the pass adds to plain VTK's frame, bounces with their shadows included, over what UseSSAO adds, by
-wall clock; processor: the same by the time of all processors. Direct alone: the stage that sums the buffer `area`, in
-frames of their own, which wait for OpenGL after each stage.
+Adds: the time that the pass adds to plain VTK's frame, bounces with their shadows included, over the time that UseSSAO
+adds, by wall clock; processor: the same by the time of all processors. Direct alone: the stage that sums the buffer
+`area`, in frames of their own, which wait for OpenGL after each stage.
 
-Errors: RMS and mean of that buffer of a moving frame over the mean of A1 at {receivers} pixels: sums over {points} x
-{points} points of each lamp in double precision, with the blocks in the way. Moving frames look what hides a lamp up in
-depth maps of 16 points of it. `Testing/Benchmark/area_sweep.py` prints this page; see
-[area lights](../methods/area-lights.md).
+Errors: RMS and mean of the buffer `area` of a moving frame over the mean of A1 at {receivers} pixels: sums over {points} x
+{points} points of each lamp in double precision, hidden by the blocks. Moving frames look depth maps of 16 points of each
+lamp up. `Testing/Benchmark/area_sweep.py` prints this page; see [area lights](../methods/area-lights.md).
 """
 
 

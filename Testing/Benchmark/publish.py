@@ -19,64 +19,56 @@ from page import provenance
 DOCUMENTATION = Path(__file__).resolve().parent.parent.parent / "Documentation"
 
 HOW = """
-Regenerate this page and its siblings with one command, which also writes difference images of every row
-(build/report):
+One command makes this page and its siblings again, and writes difference images of every row (build/report):
 
     Testing/Benchmark/report --environment
 """
 
 ALL = """
 Siblings: [light from the sky](speed-vs-error/sky.md), [the same by spheres](speed-vs-error/spheres.md), [area lights by their number](speed-vs-error/area.md),
-[radiance hints and their paper](speed-vs-error/hints.md), [occupancy](speed-vs-error/occupancy.md),
+[lights of a tree](speed-vs-error/light-tree.md), [radiance hints and their paper](speed-vs-error/hints.md), [occupancy](speed-vs-error/occupancy.md),
 [multiresolution splatting and hints against the gather, SSAO and their papers](speed-vs-error/benchmarks.md).
 
-How to read it: times are of a camera that turns in a scene that stands still; first ms is the frame that makes what
-later ones keep (light maps, depth maps, hints, shaders). R1 is what a method without visibility (-open, and the
-papers') converges to as virtual lights grow, so there the columns R1 are its sampling error, most of it where surfaces
-meet. R2 adds what stands between sender and receiver: what ignores it is too bright. exact-256 has the lights of the
-default, at every pixel, each segment tested against all triangles: what the default's depth maps lose shows beside it.
-R3 adds the bounces that one bounce leaves out: the bias is negative. In closed, pale rooms (the apartment) more than
-half of all indirect light is beyond the first bounce. The relMSE divides by the reference at each pixel, so light where
-there should be none weighs most. Each scene names the rows that are further from the truth than no indirect light at
-all, and whether the default is one of them.
+Reading the tables: times are those of a camera that turns in a scene that stands still; first ms is the frame that makes the data of later frames
+(light maps, depth maps, hints, shaders). Methods without visibility (-open, and the papers') converge to R1 as virtual lights grow, so that their columns
+R1 are sampling error, most of it where surfaces meet. R2 adds occluders between sender and receiver: a method that ignores them is too bright.
+exact-256 sums 256 even lights at every pixel and tests each segment against all triangles: beside other rows of 256 even lights the loss by depth maps
+shows. R3 has all bounces: the bias of one bounce is negative, and in closed, pale rooms (the apartment) more than half of all indirect light comes from
+later bounces. relMSE divides by the reference at each pixel, so that light in places that should be dark weighs most. Each scene names the rows that are
+further from the truth than no indirect light at all, and says whether the default is one of them.
 
-The rows of papers: gather-paper is the method of Dachsbacher and Stamminger 2005 with 308 samples, for
-which their paper of 2006 gives 44 frames a second at 512 x 512, without the maps; here as there the
-sums are taken at 64 pixels along an edge, every twelfth of 768;
-multiresolution-paper splits as Nichols and Wyman 2009 do, their figures are among the
-[benchmarks](speed-vs-error/benchmarks.md).
+Rows of papers: gather-paper is the method of Dachsbacher and Stamminger 2005 with 308 samples, for which their paper of 2006 gives 44 frames a second at
+512 x 512 without the maps; sums are taken at 64 pixels along an edge as in the paper, every twelfth of 768. multiresolution-paper splits as Nichols and
+Wyman 2009 do; the [benchmarks](speed-vs-error/benchmarks.md) have the figures of that paper.
 """
 
 HINTS = """
-The paper's version (`Preset` `paper`) and ours (`all`), by bounces, by the six grids and numbers of samples of the
-paper's Table 2, and with single properties changed; nothing is reused between frames. See
-[radiance hints](../methods/radiance-hints.md).
+The version of the paper (`Preset` `paper`) and the defaults (`all`), by bounces, by the six grids and numbers of samples of the paper's Table 2, and with
+single properties changed; nothing is reused between frames. See [radiance hints](../methods/radiance-hints.md).
 """
 
 OCCUPANCY = """
-The estimators that sum over virtual lights, without and with voxels that hide senders from receivers; see
-[occupancy](../methods/occupancy.md). relMSE R2 and leak R2 are what it is for.
+Estimators that sum over virtual lights, without and with voxels that hide senders from receivers; see [occupancy](../methods/occupancy.md). The columns
+relMSE R2 and leak R2 show the effect of voxels.
 """
 
 SKY = """
-Scenes under a sky: a machine part and a statue under one that is the same everywhere, a terrain under a blue one with
-a sun of 2 degrees, a courtyard with a lamp under an evening sky that is warm at the horizon, and four whose answer is a
-closed form. See [depth maps](../methods/depth-maps.md) for how it is done, [references](../reference.md) for S1 and S3.
+Scenes under a sky: a machine part and a statue under a uniform sky, a terrain under a blue sky with a sun of 2 degrees, a courtyard with a lamp under an
+evening sky that is warm at the horizon, and four scenes with a closed form. [Depth maps](../methods/depth-maps.md#the-sky) describe the method,
+[references](../reference.md) S1 and S3.
 """
 
 SPHERES = """
-Scenes under a sky that can be told as spheres: organs of a frog and a cortex, which get at most 256 each, particles and
-the atoms of a protein, which are spheres. Rows proxies sum over them, the others are depth maps: finer has 512
-directions, the least number whose error is expected below 0.021. Things stand still; when they move, maps are drawn
-again and spheres are not: see [sums over spheres](../methods/sphere-proxies.md), which has that time, too.
-[References](../reference.md) are S1 and S3.
+Scenes under a sky that spheres can stand for: organs of a frog and a cortex, which get at most 256 spheres each, particles and the atoms of a protein.
+Rows proxies sum over spheres, the other rows look depth maps up; finer has 512 directions, the least number whose error is expected below 0.021. All
+scenes stand still; in motion maps are drawn again and spheres are not: [sums over spheres](../methods/sphere-proxies.md#time) has times of moving
+spheres. [References](../reference.md) describe S1 and S3.
 """
 
 BENCHMARKS = """# Benchmarks
 
-Ratios within one run, frames of what is compared alternating on one window, so that other load falls on all
-alike. See [multiresolution splatting](../methods/multiresolution-splatting.md) and
-[radiance hints](../methods/radiance-hints.md).
+Ratios within one run: frames of the compared methods alternate on one window, so that other load falls on all alike. See [multiresolution
+splatting](../methods/multiresolution-splatting.md) and [radiance hints](../methods/radiance-hints.md).
 """
 
 
