@@ -140,7 +140,7 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
       all(lessThan(rows[j], min(there, vec3(plane.reference)) - VTKI_SHADOW_CONTACT * length1));
   }
   asked = plane.turned ? 511 : (before != 0 ? asked : 0);
-  // Where texels differ, and at contact, their planes decide; texels behind the receiver see it and
+  // If texels differ, and at contact, their planes decide; texels behind the receiver see it and
   // need no test. A loop, not a branch: OpenGL on the processor takes both sides of a branch, and
   // at least one step of a loop.
   vtkiShadowVotes votes = vtkiBeginShadow();

@@ -40,7 +40,7 @@
       gl_FragData[2] = vec4(vtkiPackAlbedo(vtkiAlbedo), 0.0f, 0.0f, 1.0f);
       gl_FragData[0].a = vtkiAlbedoInAlpha != 0 ? gl_FragData[2].r : gl_FragData[0].a;
 #ifdef VTKI_SOFT
-      // Where the surface is less than half opaque, the surface behind it stays the receiver.
+      // If the surface is less than half opaque, the surface behind it stays the receiver.
       gl_FragData[1].a = gl_FragData[0].a < 0.5f ? 0.0f : 1.0f;
       gl_FragData[2].a = gl_FragData[1].a;
 #endif
