@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Selection, picking and depth: what programs ask a window after it is drawn.
+// Selection, picking and depth: queries to a drawn window.
 #include "vtkIndirectContractUtilities.h"
 
 #if __has_include("vtk_glad.h")
@@ -51,7 +51,7 @@ struct PickScene
 
 using Selected = std::set<std::pair<int, vtkIdType>>;
 
-// Which cells, or points, of which actor are selected in a rectangle.
+// Cells, or points, selected in a rectangle, by actor.
 Selected Select(PickScene& scene, int association, const std::array<unsigned int, 4>& area)
 {
   vtkNew<vtkHardwareSelector> selector;
@@ -127,7 +127,7 @@ VTK_INDIRECT_TEST(PickingSame)
         vtkNew<vtkCellPicker> cellPicker;
         cellPicker->Pick(x, y, 0, renderer);
         cells[i] = cellPicker->GetCellId();
-        // Picking props has drawn identifiers; the depth of the picture is asked for here.
+        // Picking props has drawn identifiers; the next query needs the picture's depth.
         renderer->GetRenderWindow()->Render();
         vtkNew<vtkWorldPointPicker> pointPicker;
         pointPicker->Pick(x, y, 0, renderer);
@@ -145,7 +145,7 @@ VTK_INDIRECT_TEST(PickingSame)
 }
 
 //------------------------------------------------------------------------------
-// The window's depth is what it would be without the pass: labels and pickers read it.
+// The window's depth is the same as without the pass: labels and pickers read it.
 VTK_INDIRECT_TEST(DepthSame)
 {
   for (bool parallel : { false, true })
