@@ -176,8 +176,8 @@ VTK_INDIRECT_TEST(DepthSame)
 }
 
 //------------------------------------------------------------------------------
-// What is drawn and what is background are distinguished also where planes are so far apart that
-// depths round to that of the background, and after something has moved away.
+// Pixels of surfaces and of the background are distinguished also if the depth planes are so far
+// apart that depths round to the background's, and after a prop has moved away.
 VTK_INDIRECT_TEST(DepthOfBackground)
 {
   for (double nearPlane : { 1.0, 1e-2, 1e-4, 1e-6, 1e-8 })
@@ -393,13 +393,13 @@ VTK_INDIRECT_TEST(StateUntouched)
 //------------------------------------------------------------------------------
 namespace
 {
-// Compares OpenGL's blending with what VTK's state says of it whenever a mapper draws.
+// Compares OpenGL's blending with VTK's state whenever a mapper draws.
 struct BlendingWatch
 {
   vtkOpenGLState* State = nullptr;
   const char* Switched = ""; // what each prop does to blending before it draws: "on", "off"
   int Draws = 0;
-  int Differing = 0; // draws whose first buffer is not as VTK thinks
+  int Differing = 0; // draws whose first buffer differs from VTK's state
   int Mixing = 0;    // draws that blend bits
   vtkNew<vtkCallbackCommand> Command;
 
@@ -438,7 +438,7 @@ struct BlendingWatch
     }
     ++this->Draws;
     this->Differing += this->Agrees(0) ? 0 : 1;
-    // The geometry buffer and the lights' maps have the surface's bits in their second one.
+    // The geometry buffer and the lights' maps have the surface's bits in their second buffer.
     GLint second = GL_NONE;
     glGetIntegerv(GL_DRAW_BUFFER1, &second);
     this->Mixing += second != GL_NONE && glIsEnabledi(GL_BLEND, 1) ? 1 : 0;
@@ -446,8 +446,8 @@ struct BlendingWatch
 };
 }
 
-// VTK switches blending for all draw buffers at once and remembers one value. OpenGL has it so in
-// the first buffer whenever something is drawn, and in all of them after the frame.
+// VTK switches blending for all draw buffers at once and remembers one value. OpenGL has that value
+// in the first buffer at every draw, and in all of them after the frame.
 VTK_INDIRECT_TEST(BlendingRemembered)
 {
   for (const std::string kind : { "plain", "texture", "specular" })

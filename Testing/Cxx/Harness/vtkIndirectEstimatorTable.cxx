@@ -129,7 +129,7 @@ const std::vector<EstimatorEntry>& GetEstimators()
 
 double GetRounding(const std::string& text)
 {
-  // Of names with a common beginning the longest counts.
+  // The longest of several matching names counts.
   size_t longest = 0;
   double rounding = 0.0;
   for (const EstimatorEntry& estimator : GetEstimators())

@@ -145,7 +145,7 @@ VTK_INDIRECT_TEST(DiagnosisMesa)
   machine.Attempts.push_back(MakeAttempt(false));
   CHECK_LINE(machine,
     { "EGL device 3", "/dev/dri/renderD129 (amdgpu)", "EGL_NOT_INITIALIZED", "libgl1-mesa-dri" });
-  // Of several attempts the one on that card counts.
+  // If there are several attempts, the one on that card counts.
   machine.Attempts.push_back(MakeAttempt(false, "/dev/dri/renderD129"));
   machine.Attempts.back().Name = "EGL device 4";
   CHECK_LINE(machine, { "EGL device 4" });

@@ -105,7 +105,7 @@ VTK_INDIRECT_TEST(KernelExtremes)
     const float w =
       vtkiVirtualLightWeight(d, vec3(random.NextDirection()), vec3(random.NextDirection()), area);
     bad += !std::isfinite(w) || w < 0.0f;
-    // Where the denominator is a denormal, the bound holds only to its few bits.
+    // For a denormal denominator, the bound holds only to its few bits.
     const double r2 = glm::dot(glm::dvec3(d), glm::dvec3(d));
     const bool normal = r2 * (vtkMath::Pi() * r2 + area) > 1.2e-38;
     unbounded += normal && double(w) * area > 1.0 + 1e-6;

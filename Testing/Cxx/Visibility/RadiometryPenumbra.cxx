@@ -159,7 +159,7 @@ VTK_INDIRECT_TEST(PenumbraPositional)
     };
     auto truth = [&](double x) { return DiskShare(distance(x) / c.Radius); };
     const double middle = 1.5 * c.Height / (2.0 - c.Height);
-    // Where the share is 0 and 1, by bisection.
+    // Places of the shares 0 and 1, by bisection.
     auto find = [&](double value)
     {
       double low = -3.0;
