@@ -4,7 +4,7 @@
 #ifndef vtkProxyCover_h
 #define vtkProxyCover_h
 
-#include "vtkProxySolid.h" // for what is inside
+#include "vtkProxySolid.h" // for the interior
 
 /**
  * Each sphere extends beyond the solid by at most an error, and each sample of the surface is

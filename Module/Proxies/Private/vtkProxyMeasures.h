@@ -3,7 +3,7 @@
 #ifndef vtkProxyMeasures_h
 #define vtkProxyMeasures_h
 
-#include "vtkProxySolid.h" // for what is inside
+#include "vtkProxySolid.h" // for the interior
 
 /** In lengths of vtkProxySurface. Surface inside the solid is left out, because it is invisible. */
 struct vtkProxyMeasures

@@ -5,7 +5,7 @@
 
 #include <array>       // for triangles
 #include <glm/glm.hpp> // for vectors
-#include <string>      // for what is wrong
+#include <string>      // for messages
 #include <vector>      // for the members
 
 class vtkPolyData;

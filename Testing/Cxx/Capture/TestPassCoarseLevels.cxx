@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coarse levels beside lamps, in perspective maps, and their OpenGL objects.
+// Coarse levels beside lights, in perspective maps, and their OpenGL objects.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 #include "vtkIndirectGLNames.h"

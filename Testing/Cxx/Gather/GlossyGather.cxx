@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Specular indirect light of Phong receivers, against sums in double precision and VTK's own lamps.
+// Specular indirect light of Phong receivers, against sums in double precision and VTK's lights.
 #include "Gather/vtkIndirectGlossyRoom.h"
 #include "vtkIndirectDetails.h"
 

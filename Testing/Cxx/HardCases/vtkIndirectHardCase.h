@@ -6,7 +6,7 @@
 #include "vtkIndirectEstimatorTable.h"
 #include "vtkIndirectTestUtilities.h"
 
-#include <functional> // for what a case checks besides
+#include <functional> // for additional checks
 #include <string>     // for names
 
 namespace vtkIndirectTest

@@ -126,7 +126,7 @@ struct ParticleView : View
 }
 
 //------------------------------------------------------------------------------
-// Estimators give the same light of a lamp beside spheres as without a sky.
+// Estimators give the same bounce of a vtkLight beside spheres as without a sky.
 VTK_INDIRECT_TEST(SphereMotionBesideALamp)
 {
   vtkNew<vtkIndirectSplattingPass> splatting;
@@ -135,7 +135,7 @@ VTK_INDIRECT_TEST(SphereMotionBesideALamp)
     std::initializer_list<vtkIndirectEstimatorPass*>{ nullptr, splatting, hints })
   {
     const std::string name = estimator ? estimator->GetMethodName() : "by default";
-    Floats bounces[3]; // of both, of the lamp, of the sky
+    Floats bounces[3]; // of both, of the vtkLight, of the sky
     Floats sky;
     for (int i = 0; i < 3; ++i)
     {
@@ -163,8 +163,8 @@ VTK_INDIRECT_TEST(SphereMotionBesideALamp)
     double off = 0.0;
     for (size_t i = 0; i < bounces[0].Values.size(); ++i)
     {
-      // Without the lamp irradiance is bounded by the sky's radiance, one: this bound does not
-      // apply beside a lamp.
+      // Without the vtkLight irradiance is bounded by the sky's radiance, one: this bound does
+      // not apply beside it.
       if (bounces[2].Values[i] + sky.Values[i] > 1.0f - 1e-6f)
       {
         continue;

@@ -276,7 +276,7 @@ VTK_INDIRECT_TEST(SplatWithinScene)
   int outside = 0;
   for (int i = 0; i < 20000; ++i)
   {
-    // A receiver inside of the ellipsoid is inside of the scene's ball as well.
+    // A receiver in the ellipsoid is also in the result of vtkiWithinScene.
     const glm::dvec3 light = 0.5 * random.NextDirection() * random.Next();
     const glm::dvec3 receiver = 0.5 * random.NextDirection() * random.Next();
     const vtkiSplat splat = vtkiMakeSplat(vec3(light), vec3(random.NextDirection()),

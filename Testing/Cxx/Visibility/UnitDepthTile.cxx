@@ -233,7 +233,7 @@ VTK_INDIRECT_TEST(DepthTileSeesOverPlanes)
     {
       continue;
     }
-    // Depth grows away from the emitter: the plane's at the centre, not beyond the receiver's.
+    // Depth grows away from the light: the plane's at the centre, not beyond the receiver's.
     const double plane = std::min(glm::dot(glm::dvec2(n), shift) / n.z / range, 0.0);
     const double margin = stored - (depth + plane);
     if (std::abs(margin) < 1e-5)

@@ -202,7 +202,7 @@ void vtkIndirectCaptureText::Add(
     !lit ? "VTKI_SURFACE_UNLIT" : (pbr ? "VTKI_SURFACE_ENCODED" : "VTKI_SURFACE_LINEAR");
   if (pbr)
   {
-    // One; by it SetShaderParameters knows the programs whose colours are encoded.
+    // Always one: SetShaderParameters recognises programs with encoded colours by this uniform.
     declarations += "uniform float vtkiEncoded;\n";
   }
   declarations += "#define VTKI_ALBEDO " + albedo + "\n";
@@ -219,7 +219,7 @@ void vtkIndirectCaptureText::Add(
   }
   LeaveEdgesOutOfMaps(geometryShader, fragmentShader);
   CountFromWithin(vertexShader, this->Soft);
-  // Extensions stand before all but what the preprocessor reads; see vtkIndirectLibAlbedo.glsl.
+  // Extensions must precede all but preprocessor directives; see vtkIndirectLibAlbedo.glsl.
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
     std::string("//VTK::System::Dec\n") + vtkIndirectShaderLibrary::Extensions, false);
   vtkShaderProgram::Substitute(fragmentShader, "void main()", declarations + "void main()", false);
@@ -234,7 +234,7 @@ void vtkIndirectCaptureText::Add(
   }
   if (this->Specular)
   {
-    // VTK declares these where a surface is lit; its PBR has them too and does not use them.
+    // VTK declares these for lit surfaces; its PBR declares them, too, without using them.
     const bool phong = lit && !pbr && Contains(fragmentShader, "vec3 specularColor =") &&
       Contains(fragmentShader, "float specularPower =");
     const bool physical = lit && pbr && Contains(fragmentShader, "vec3 F0 =") &&

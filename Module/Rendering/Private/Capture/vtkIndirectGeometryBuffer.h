@@ -17,7 +17,7 @@
 
 #include "Capture/vtkIndirectGeometryChannels.h" // for its channels
 
-#include <functional> // for what else is drawn
+#include <functional> // for additional draws
 #include <memory>     // for the target
 
 struct vtkIndirectFrame;

@@ -7,7 +7,7 @@
 #include "vtkType.h" // for times
 
 #include <string>        // for reasons
-#include <unordered_map> // for what is known
+#include <unordered_map> // for known meshes
 #include <vector>        // for numbers
 
 class vtkActor;

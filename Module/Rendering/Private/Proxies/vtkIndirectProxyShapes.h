@@ -10,7 +10,7 @@
 #include "vtkSmartPointer.h" // for the filter
 #include "vtkType.h"         // for times
 
-#include <map>     // for what is kept
+#include <map>     // for known shapes
 #include <string>  // for reasons
 #include <utility> // for pairs
 #include <vector>  // for lists

@@ -5,7 +5,7 @@
 #ifndef vtkIndirectHintSurfaces_h
 #define vtkIndirectHintSurfaces_h
 
-#include "Visibility/vtkIndirectTriangleGrid.h" // for what rays meet
+#include "Visibility/vtkIndirectTriangleGrid.h" // for hits of rays
 
 #include <glm/glm.hpp> // for vectors
 #include <vector>      // for surfaces

@@ -20,8 +20,8 @@ vec2 vtkiSeeLightPoint(float tile, vec4 map, vec4 depthRange, vec4 size, bool pa
   {
     gradient = vtkiPlaneDepthGradient(p, n, texel, depthRange.x, depthRange.y, parallel);
   }
-  // The point is below the receiver's horizon: VTK's cosine is that of the light's centre, whatever
-  // part of the light lies below.
+  // A point below the receiver's horizon does not count: VTK's cosine is that of the light's
+  // centre, whatever part of the light lies below.
   float counts = gradient.z * max(inside, size.y);
   // Half of a texel's diagonal on each side allows for facets that approximate curved surfaces.
   float offset = 2.0f * VTKI_TILE_ROUGHNESS * texel * (parallel ? 1.0f : depth) + rounding;
@@ -54,7 +54,7 @@ vec2 vtkiSeeLightPoint(float tile, vec4 map, vec4 depthRange, vec4 size, bool pa
 float vtkiPenumbra(mat3x4 viewToLight, vec4 map, vec4 depthRange, vec4 size, int projection,
   vec3 positionVC, vec3 normalVC, vec3 facetNormalVC)
 {
-  // A loop of count rounds stands for a branch: OpenGL on the processor takes both sides of a
+  // A loop of count rounds replaces a branch: OpenGL on the processor takes both sides of a
   // branch and unrolls a loop of known length, so pixels of maps would pay for all points.
   int count = vtkiStage != 0 || map.x < 0.0f ? 0 : VTKI_LIGHT_PAIRS;
   float scale = 1.0f / vtkiSceneScale;

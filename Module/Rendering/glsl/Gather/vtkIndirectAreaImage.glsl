@@ -35,7 +35,7 @@ vec3 vtkiMeanOfImage(ivec2 image, vec3 corner, vec3 edge1, vec3 edge2, vec3 norm
   int level = whole > 0.0f ? top : top + 1;
   ivec2 texel = ivec2(0);
   vec4 sum = vec4(0.0f);
-  // The bound on time: after so many rounds, the remaining pieces are taken at their mean.
+  // Bound of the time: after this many rounds, the remaining pieces count with their mean.
   for (int round = 0; round < 4096 && level <= top; ++round)
   {
     float width = 1.0f / float(1 << (top - level));

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Adds an entry of the tree of spheres to a receiver: what it hides and what it sends.
+// Adds an entry of the tree of spheres to a receiver: its occlusion and its light.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
 

@@ -41,13 +41,13 @@ float vtkiTileInverseDepth(float stored)
 }
 
 /* The view of a perspective tile that contains a receiver. A tile has five views, which together
- * cover the half space that the emitter faces: a forward view, as wide as its limit, and four
- * strips below it in the atlas, each along an axis to a side, from the emitter's horizon up to the
+ * cover the half space that the light faces: a forward view, as wide as its limit, and four
+ * strips below it in the atlas, each along an axis to a side, from the light's horizon up to the
  * edge of the forward view. */
 struct vtkiTileView
 {
   int strip;    // to the right, left, up or down of the tile; -1: forward
-  vec3 away;    // from the emitter to the receiver, along the view's axes right, up and forward
+  vec3 away;    // from the light to the receiver, along the view's axes right, up and forward
   vec3 normal;  // of the receiver, along the same axes
 };
 
@@ -89,14 +89,14 @@ vec2 vtkiPlaceOfView(int strip, float texels)
     : vec2(0.5f * column * texels, (0.5f * VTKI_TILE_STRIPS * row - VTKI_TILE_STRIPS - 0.5f) * texels);
 }
 
-/* True if a perspective tile shows the receiver from its emitter: compares the depth stored at a
+/* True if a perspective tile shows the receiver from its light: compares the depth stored at a
  * texel's centre with the depth of the receiver's own plane there. inverse: one over the stored
  * depth; depth: the receiver's along the view's axis; facing: product of the receiver's normal and
- * the vector from the emitter to it; along: product of the normal and the vector to depth one on
+ * the vector from the light to it; along: product of the normal and the vector to depth one on
  * the texel's ray; bias: share of the depth by which the plane is moved nearer. At grazing angles
  * the bias is along the normal, since a surface that fills a texel bends away from the plane by as
  * much, but along the ray at most twice as much. The plane counts only where it comes nearer: a
- * plane that recedes from the emitter does not extend behind the end of the surface. Needs no
+ * plane that recedes from the light does not extend behind the end of the surface. Needs no
  * division. */
 bool vtkiIsSeenInPerspectiveTile(
   float inverse, float depth, float facing, float along, float bias)
@@ -107,11 +107,11 @@ bool vtkiIsSeenInPerspectiveTile(
   return depth <= VTKI_TILE_NEAR || least * inverse <= 1.0f || onPlane;
 }
 
-/* True if a parallel tile shows the receiver from its emitter: compares the value stored at a
+/* True if a parallel tile shows the receiver from its light: compares the value stored at a
  * texel's centre, [0,1], with the depth of the receiver's own plane there. depth: the receiver's,
- * less the bias; facing: its cosine towards the emitter over the range of depth; rise: by how much
- * nearer to the emitter, over that range, the plane is at the texel's centre than at the receiver,
- * times facing. The plane counts only where it comes nearer: a plane that recedes from the emitter
+ * less the bias; facing: its cosine towards the light over the range of depth; rise: by how much
+ * nearer to the light, over that range, the plane is at the texel's centre than at the receiver,
+ * times facing. The plane counts only where it comes nearer: a plane that recedes from the light
  * does not extend behind the end of the surface. A stored 1 means no caster. Needs no division,
  * because a sky has hundreds of these tests at a pixel. */
 bool vtkiIsSeenInParallelTile(float stored, float depth, float facing, float rise)

@@ -63,8 +63,9 @@ float vtkiPackNormal(vec3 normal, float kind)
   return uintBitsToFloat((uint(kind) << 30u) | (x << 15u) | y);
 }
 
-/* normal, facet: unit; depth along the view axis, scene units (diagonal = 1); kind one of the above, not
- * VTKI_SURFACE_NONE. Alpha is 1 because VTK blends opaque geometry: any other value would mix with what lies behind. */
+/* normal, facet: unit; depth along the view axis, scene units (diagonal = 1); kind: one above, not
+ * VTKI_SURFACE_NONE. Alpha is 1 because VTK blends opaque geometry: any other value would mix
+ * with the surface behind. */
 vec4 vtkiPackSurface(vec3 normal, vec3 facet, float depth, float kind)
 {
   return vec4(depth, vtkiPackNormal(normal, kind), vtkiPackNormal(facet, VTKI_SURFACE_LINEAR), 1.0f);
