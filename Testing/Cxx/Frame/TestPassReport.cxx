@@ -268,7 +268,7 @@ VTK_INDIRECT_TEST(ReportMemory)
   pass->SetEstimator(gather);
   pass->SetVisibilityToNone(); // tests of maps cover depth maps
   pass->SetNumberOfBounces(1); // paths would add their own memory
-  sampler->LitTexelsOff();      // sums over texels would add theirs
+  sampler->LitTexelsOff();     // sums over texels would add theirs
   gather->SetModeToVirtualLights();
   gather->InterpolationOff();
   sampler->SetNumberOfLights(256);

@@ -48,7 +48,7 @@ public:
     int SkyBounceChannel;                   // channel of that image which holds the estimate
     const vtkIndirectTarget* Area;          // irradiance from area lights
     const vtkIndirectTarget* AreaGlossy;    // specular reflection of area lights
-    glm::dvec3 Greatest; // upper bound of the irradiance, without VTK's lights
+    glm::dvec3 Greatest;                    // upper bound of the irradiance, without VTK's lights
     double IndirectScale;
     bool DepthCleared; // the bound framebuffer is empty
     bool DepthDrawn;   // the bound framebuffer has the depth of the frame's opaque props

@@ -35,7 +35,7 @@ public:
                  // represents a surface; -1: none, for a drawn sphere
     // index of the sender of its light: among the senders, or from there on among the means
     int Sender;
-    int Next;   // the entry after it and its descendants, which follow it; -1: none
+    int Next;    // the entry after it and its descendants, which follow it; -1: none
     float Bound; // radius about its centre that bounds the entry and its descendants
   };
   /**
