@@ -51,7 +51,7 @@ namespace
 // Exception that becomes the one error message.
 struct Failure
 {
-  unsigned long Code; // of vtkErrorCode
+  unsigned long Code; // a value of vtkErrorCode
   std::string Message;
 };
 

@@ -15,7 +15,7 @@ struct vtkProxyBinding
   static constexpr int Count = 8;
   long long Ids[Count] = {};
   double Weights[Count] = {};
-  double Spread = 0.0;      // of the points about their mean, in the input's lengths
+  double Spread = 0.0;      // spread of the points about their mean, in the input's lengths
   glm::dvec3 Offset{ 0.0 }; // part out of reach of the weights: center minus sum; usually 0
 
   /** Bindings of spheres to the points of a surface's triangles. */

@@ -12,9 +12,9 @@ struct vtkProxyMeasures
   double MaximumGap = 0.0;          // largest distance of the surface outside of the spheres
   double RootMeanSquareError = 0.0; // between the surface and that of the spheres' union
   double MaximumProtrusion = 0.0;   // largest extent of spheres beyond the solid
-  double SolidVolume = 0.0;         // of the surface's interior
+  double SolidVolume = 0.0;         // volume of the surface's interior
   double CoveredVolume = 1.0;       // share of that volume inside of spheres
-  double ProtrudingVolume = 0.0;    // of the union, outside of the solid
+  double ProtrudingVolume = 0.0;    // volume of the union outside of the solid
 
   void Measure(const vtkProxySurface& surface, const vtkProxySolid& solid,
     const std::vector<vtkProxySphere>& spheres, double error);

@@ -81,7 +81,7 @@ Floats Average(const Pixels& image, int factor)
 struct Quality
 {
   double Square = 0.0;  // sum of squared errors, of the first component
-  std::set<int> Levels; // in pixels that the line passes through
+  std::set<int> Levels; // levels of pixels that the line passes through
 };
 
 // Compares with the expected picture without the border, beyond which an outline has no neighbours.

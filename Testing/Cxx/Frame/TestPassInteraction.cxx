@@ -397,7 +397,7 @@ namespace
 struct BlendingWatch
 {
   vtkOpenGLState* State = nullptr;
-  const char* Switched = ""; // what each prop does to blending before it draws: "on", "off"
+  const char* Switched = ""; // switch of blending before each prop's draw: "on", "off"
   int Draws = 0;
   int Differing = 0; // draws whose first buffer differs from VTK's state
   int Mixing = 0;    // draws that blend bits

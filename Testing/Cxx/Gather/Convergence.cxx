@@ -35,7 +35,7 @@ constexpr int Steps = 3;
 struct Truth
 {
   Image Irradiance;
-  int Numbers[Steps + 1]; // of virtual lights
+  int Numbers[Steps + 1]; // numbers of virtual lights
   int Texels = 0;
   // For each receiver the least squared distance to a visible sender, over a texel's area; negative
   // for unlit ones.

@@ -20,7 +20,7 @@ constexpr int Texels = 64;
 // Large enough for receivers between samples, which are every eighth pixel: much smaller frames do
 // not interpolate here.
 constexpr int Edge = 256;
-using Picture = std::function<double(double, double)>; // of pixels
+using Picture = std::function<double(double, double)>; // a value for each pixel
 
 struct ImageScene : Scene
 {

@@ -207,8 +207,8 @@ namespace
 {
 constexpr double Radius = 0.6;
 constexpr double Height = 0.5;
-constexpr double Slope = 0.7; // of the light, height over length
-constexpr double Width = 3.0; // of the window over the ground
+constexpr double Slope = 0.7; // slope of the light, height over length
+constexpr double Width = 3.0; // width of the window over the ground
 
 // A metal ring about the y axis on the ground, under light from above along +x; the eye looks down.
 void AddRing(Scene& scene, vtkActor*& ring)

@@ -18,7 +18,7 @@ struct ShadowScene
   View Window;
   vtkNew<vtkIndirectIlluminationPass> Pass;
   double Extent;    // half an edge of the view
-  double Center[2]; // of the view
+  double Center[2]; // centre of the view
   vtkSmartPointer<vtkActor> Plane;
   vtkSmartPointer<vtkActor> Blocker;
   Vec3 BlockerCenter{ { 0, 0, 0 } };

@@ -271,9 +271,9 @@ VTK_INDIRECT_TEST(PathsTake)
   struct Row
   {
     const char* Forced;
-    int Estimator; // of MakeEstimators
+    int Estimator; // index in MakeEstimators
     bool Specular;
-    const char* Text; // in the sources
+    const char* Text; // text in the sources
     bool Expected;
   };
   const Estimators estimators = MakeEstimators();

@@ -14,7 +14,7 @@ using namespace vtkIndirectTest;
 namespace
 {
 constexpr double MinimumCosine = 0.9;  // the estimator's defaults
-constexpr double PlaneTolerance = 0.5; // of the distance between samples
+constexpr double PlaneTolerance = 0.5; // share of the distance between samples
 
 struct Cells
 {
@@ -23,9 +23,9 @@ struct Cells
   glm::dvec3 Eye;
   glm::dvec3 Forward;
   double PixelSize; // at distance one
-  int Whole = 0;    // pixels with four samples, all of their own surface
-  int Mixed = 0;    // with some
-  int Alone = 0;    // with none
+  int Whole = 0;    // pixels whose four samples are on their own surface
+  int Mixed = 0;    // pixels with some samples on it
+  int Alone = 0;    // pixels with none on it
 
   const Scene::Receiver& At(const glm::ivec2& pixel) const
   {

@@ -21,10 +21,10 @@ namespace
 {
 constexpr int MapEdge = 32;
 constexpr int Layers = 7;         // one of a spot and six of a point light
-constexpr int Samples = 40;       // of all layers together, as in the preset
+constexpr int Samples = 40;       // samples of all layers together, as in the preset
 constexpr int BounceSamples = 32; // as in the preset
 constexpr int Grid[3] = { 6, 5, 4 };
-const glm::dvec3 Extent(4.0, 3.0, 2.0); // of the room, which has a corner at the origin
+const glm::dvec3 Extent(4.0, 3.0, 2.0); // extent of the room, which has a corner at the origin
 const glm::dvec3 Albedo(0.8, 0.5, 0.3);
 const double Pi = vtkMath::Pi();
 
@@ -89,7 +89,7 @@ struct Field
 
 struct PaperRoom : HintScene
 {
-  std::vector<VirtualLight> Texels; // of all maps, by layer, row and column
+  std::vector<VirtualLight> Texels; // texels of all maps, by layer, row and column
   const double Diagonal = glm::length(Extent);
 
   PaperRoom()

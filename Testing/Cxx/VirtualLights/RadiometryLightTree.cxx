@@ -24,7 +24,7 @@ namespace
 struct Difference
 {
   double Squared; // mean squared relative difference
-  double Bias;    // of the mean, relative
+  double Bias;    // relative bias of the mean
 };
 
 Difference Compare(const Image& image, const Image& reference)

@@ -115,7 +115,7 @@ VTK_INDIRECT_TEST(DepthMapsMakePenumbrae)
   const double radiosity = 0.8 * way.z;
   double measured = 0.0;
   double expected = 0.0;
-  double shift = 0.0; // of the penumbra, from the light to the left and to the right
+  double shift = 0.0; // shift of the penumbra, from the light to the left and to the right
   double whole = 0.0;
   for (size_t i = 0; i < receivers.size(); ++i)
   {

@@ -138,7 +138,7 @@ VTK_INDIRECT_TEST(PenumbraPositional)
 {
   struct
   {
-    double Height; // of the sheet
+    double Height; // height of the sheet
     double Radius;
     double Cone;
   } cases[] = { { 0.5, 0.2, 50.0 }, { 1.0, 0.1, 50.0 }, { 0.5, 0.3, 50.0 }, { 0.25, 0.3, 50.0 },

@@ -183,7 +183,7 @@ VTK_INDIRECT_TEST(OccupancyFree)
     const bool free[2] = { volume.IsFree(glm::vec3(a), glm::vec3(b)),
       volume.GetDistanceField().IsFree(glm::vec3(a), glm::vec3(b)) };
     bool met = false;
-    bool deep = false; // by more than rounding
+    bool deep = false; // met by more than rounding
     bool near = false; // an occupied voxel is within rounding
     const glm::ivec3 first(glm::floor(a));
     const glm::ivec3 last(glm::floor(b));

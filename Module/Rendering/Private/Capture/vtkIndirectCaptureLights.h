@@ -49,7 +49,7 @@ private:
     glm::vec4 ShadowDepth{ 0.0f };
     glm::vec4 Size{ 0.0f };
   };
-  std::vector<Light> Lights; // by vtkIndirectLight::Index
+  std::vector<Light> Lights; // indexed by vtkIndirectLight::Index
 };
 
 #endif

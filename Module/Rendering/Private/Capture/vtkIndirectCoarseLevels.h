@@ -69,12 +69,12 @@ private:
   {
     vtkWeakPointer<vtkActor> Actor;
     vtkWeakPointer<vtkPolyData> Mesh;
-    vtkTypeUInt64 MeshRevision = 0; // of its shape
-    vtkMTimeType Time = 0;          // of the last level that was added
+    vtkTypeUInt64 MeshRevision = 0; // revision of the mesh's shape
+    vtkMTimeType Time = 0;          // time of the last added level
     std::vector<std::unique_ptr<Level>> Levels;
   };
   std::vector<Entry> Entries;
-  std::vector<vtkSmartPointer<vtkOpenGLBufferObject>> Unused; // until the next frame
+  std::vector<vtkSmartPointer<vtkOpenGLBufferObject>> Unused; // released in the next frame
   mutable double Drawn = 0.0;
   mutable double Full = 0.0;
 

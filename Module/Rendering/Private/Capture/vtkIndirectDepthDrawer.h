@@ -47,7 +47,7 @@ private:
   vtkSmartPointer<vtkOpenGLVertexArrayObject> Vertices;
   vtkOpenGLPolyDataMapper* Mapper = nullptr;       // between Begin and End
   vtkIndirectCoarseLevels::Level* Level = nullptr; // between Begin and End
-  glm::dmat4 ToWorld{ 1.0 };                       // from the buffer's coordinates
+  glm::dmat4 ToWorld{ 1.0 };                       // transform from the buffer's coordinates
 };
 
 #endif

@@ -36,7 +36,7 @@ public:
   {
     int Projection; // see vtkIndirectLight::FindMapProjection
     bool Penumbra;
-    std::vector<int> Lights; // by vtkIndirectLight::Index
+    std::vector<int> Lights; // values of vtkIndirectLight::Index
     bool operator==(const Group& other) const
     {
       return this->Projection == other.Projection && this->Penumbra == other.Penumbra &&
@@ -52,7 +52,7 @@ public:
 private:
   struct Constant
   {
-    std::string Uniform;     // as VTK declares it
+    std::string Uniform;     // VTK's declaration
     std::string Declaration; // the local variable
     bool operator==(const Constant& other) const { return this->Declaration == other.Declaration; }
   };

@@ -160,7 +160,7 @@ protected:
   bool Specular = false;
   bool SpecularOfPBR = false;
   bool ImageLight = true;
-  vtkTimeStamp SourceTime; // of the last change to injected text
+  vtkTimeStamp SourceTime; // time of the last change to injected text
 
 private:
   vtkSurfaceCapturePass(const vtkSurfaceCapturePass&) = delete;

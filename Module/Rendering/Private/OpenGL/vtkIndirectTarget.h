@@ -111,7 +111,7 @@ private:
   int AllocatedDepth = -1;
   mutable bool DepthRefused = false; // OpenGL has refused to copy this format
   size_t Limit = static_cast<size_t>(-1);
-  vtkSmartPointer<vtkTextureObject> SharedDepth; // as attached
+  vtkSmartPointer<vtkTextureObject> SharedDepth; // the attached texture
   int Width = 0;
   int Height = 0;
   vtkOpenGLRenderWindow* Window = nullptr;

@@ -83,7 +83,7 @@ private:
   static bool IsCutOff(const Part& part, const glm::dvec3& place);
 
   UserType User;
-  std::vector<double> Key; // of the collected data
+  std::vector<double> Key; // key of the collected data
   std::vector<vtkIndirectProxySphere> Spheres;
   std::vector<vtkIndirectProxyPolygon> Polygons;
   std::vector<const vtkProp*> Props;
@@ -94,7 +94,7 @@ private:
   double SceneScale = 1.0;
   size_t Exact = 0;    // spheres directly from the data
   size_t OfSticks = 0; // spheres of sticks, see vtkIndirectProxySticks
-  size_t Fitted = 0;   // of meshes
+  size_t Fitted = 0;   // spheres fitted to meshes
   size_t Wrong = 0;    // invalid radii or positions
   size_t Sheets = 0;   // meshes without a representation
   bool SaidSheets = false;

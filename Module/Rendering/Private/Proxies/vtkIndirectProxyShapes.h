@@ -69,8 +69,8 @@ private:
   struct Known
   {
     Shape Made;
-    vtkMTimeType Time = 0;      // of the mesh
-    vtkMTimeType CellsTime = 0; // of the mesh's cells
+    vtkMTimeType Time = 0;      // time of the mesh
+    vtkMTimeType CellsTime = 0; // time of its cells
     vtkIdType NumberOfPoints = 0;
     vtkSmartPointer<vtkPolyDataAlgorithm> Filter;
     bool Used = false;

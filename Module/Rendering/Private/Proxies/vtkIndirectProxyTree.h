@@ -99,7 +99,7 @@ private:
   void AddEntries(size_t node, const Node* parent);
   void MakeBlocks();
 
-  std::vector<size_t> Order; // of the spheres
+  std::vector<size_t> Order; // order of the spheres
   size_t SpheresOfSender = 4;
   std::vector<Node> Nodes;
   std::vector<Entry> Entries;

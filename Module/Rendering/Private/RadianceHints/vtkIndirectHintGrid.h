@@ -140,7 +140,7 @@ private:
   std::vector<float> Hits; // surfel of each ray of each hint, -1: none
   std::vector<glm::vec4> Directions;
   std::vector<Surfel> Surfels;
-  std::vector<glm::vec4> Albedo; // of the surfaces that a hint sees around it
+  std::vector<glm::vec4> Albedo; // mean albedo of the surfaces around each hint
   int NumberOfActive = 0;
   int RayEdge = 0;
   int RayRowLength = 0; // texels in a row of the table of rays

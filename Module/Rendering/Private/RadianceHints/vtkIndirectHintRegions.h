@@ -17,7 +17,7 @@ struct vtkIndirectHintRegions
 
   bool OfView = false; // only the visible part of the scene
   glm::ivec3 Resolution{ 0 };
-  double Tolerance = 0.0; // for axes of resolution 0; otherwise not read
+  double Tolerance = 0.0; // tolerance for axes of resolution 0; otherwise not read
   bool HasFine = false;
   double FineExtent = 0.4;
 

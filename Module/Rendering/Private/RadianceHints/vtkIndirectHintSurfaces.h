@@ -36,7 +36,7 @@ private:
   };
 
   glm::ivec3 Blocks;
-  std::vector<int> Newest; // by block, -1: none
+  std::vector<int> Newest; // one entry a block, -1: none
   std::vector<Surface> Surfaces;
 };
 

@@ -12,7 +12,7 @@ uniform float vtkiSceneScale;   // scene units per world unit
 uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel projection
 
 #ifdef VTKI_SHADOWS
-uniform float vtkiMagnitude; // of the numbers whose differences are positions [scene units]
+uniform float vtkiMagnitude; // size of the numbers whose differences are positions [scene units]
 uniform sampler2DArray vtkiShadowMaps; // depths of a texel and of its neighbours in the row
 #endif
 

@@ -12,7 +12,7 @@ struct vtkiReceiver
   vec3 positionVC;
   vec3 normalVC;
   vec3 position; // scene units
-  vec3 normal;   // in scene coordinates
+  vec3 normal;   // scene coordinates
   vec3 facetVC; // normal of the drawn plane, see vtkIndirectLibSurface.glsl
   vec3 facet;   // facetVC in scene coordinates
   float depth;

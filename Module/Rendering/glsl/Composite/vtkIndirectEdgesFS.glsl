@@ -31,7 +31,7 @@ void main()
   vec2 across = columns ? vec2(texel.x, 0.0f) : vec2(0.0f, texel.y);
   vec2 begin = (first + 0.5f) * along + line * across;
 
-  float edge = 0.0f;      // at the position before
+  float edge = 0.0f;      // contrast at the position before
   float strongest = 0.0f; // crossing edge at its beginning
   uint edges = 0u;
   uint crossing = 0u;

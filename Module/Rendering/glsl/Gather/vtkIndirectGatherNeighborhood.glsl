@@ -7,7 +7,7 @@
 #endif
 
 uniform int vtkiSampleCount;
-uniform float vtkiRadius; // of the disk, as a fraction of the map's width
+uniform float vtkiRadius; // the disk's radius as a fraction of the map's width
 uniform int vtkiLayerCount;
 
 // A sample of the disk in a map.

@@ -7,7 +7,7 @@
 #ifdef VTKI_INTERPOLATED
 #include "vtkIndirectCoarse.glsl"
 uniform float vtkiLeast;     // light that is worth a sum
-uniform float vtkiTolerance; // of interpolation, relative to the light
+uniform float vtkiTolerance; // error of interpolation, relative to the light
 #endif
 #ifdef VTKI_COARSE
 uniform int vtkiStep;

@@ -94,7 +94,7 @@ struct vtkiVirtualLight
 {
   vec3 position; // scene units
   vec3 normal;
-  float area;       // of one texel, scene units squared
+  float area;       // area of one texel, scene units squared
   vec3 reflected;   // densityArea without the light's colour and intensity
   vec3 densityArea; // reflected density times area of one texel
   float source;     // light index

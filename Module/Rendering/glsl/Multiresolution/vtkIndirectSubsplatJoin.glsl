@@ -9,7 +9,7 @@ uniform float vtkiNormalThreshold; // length of the difference of unit normals
 uniform float vtkiDepthThreshold;  // scene units
 #ifdef VTKI_VARIATION
 uniform sampler2D vtkiVariation;      // error of interpolation on the coarsest level; nearest light
-uniform sampler2D vtkiProbeSender;    // that light's place in view coordinates, and area
+uniform sampler2D vtkiProbeSender;    // position of the nearest light in view coordinates, and area
 uniform float vtkiVariationThreshold; // limit of that error on this level
 uniform float vtkiLightingThreshold;  // relative error of interpolation
 #endif
@@ -22,7 +22,7 @@ struct vtkiJoin
   vec3 position[4]; // view coordinates
   vec3 normal[4];
 #ifdef VTKI_DEPTH_RANGE
-  vec4 minimum[4]; // of the normal's components and the depth
+  vec4 minimum[4]; // least components of the normal, and least depth; maximum: the largest
   vec4 maximum[4];
 #else
   float deviation[4]; // farthest from the tangent plane, over the child's width

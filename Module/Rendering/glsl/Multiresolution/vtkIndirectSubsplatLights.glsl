@@ -17,7 +17,7 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet)
 uniform sampler2D vtkiLightPosition; // lights beyond the block's
 uniform sampler2D vtkiLightNormal;
 uniform sampler2D vtkiLightDensity;
-uniform int vtkiFirstLight; // in the table
+uniform int vtkiFirstLight; // the first light's number in the table
 uniform int vtkiLightCount;
 
 // Fetches a light from the textures: position and area, normal and reach, density times area.

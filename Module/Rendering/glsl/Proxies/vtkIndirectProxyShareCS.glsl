@@ -12,7 +12,7 @@ layout(local_size_x = 16, local_size_y = 16) in;
 layout(rgba32f, binding = 0) uniform image2D vtkiSkyImage;
 layout(rgba32f, binding = 1) uniform image2D vtkiBounceImage;
 uniform sampler2D vtkiSharedCount;
-uniform sampler2D vtkiShared0; // of a colour's irradiance a + b n: b, a
+uniform sampler2D vtkiShared0; // a colour's irradiance a + b n: b, a
 uniform sampler2D vtkiShared1;
 uniform sampler2D vtkiShared2;
 uniform sampler2D vtkiShared3; // light that proxies send; number of the tile's pixel

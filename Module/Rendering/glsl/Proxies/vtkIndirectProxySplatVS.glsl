@@ -6,7 +6,7 @@
 #include "vtkIndirectLibTable.glsl"
 
 in vec3 vtkiCorner; // corner of the square from -1 to 1
-uniform sampler2D vtkiProxyCenter; // as in vtkIndirectProxySum.glsl
+uniform sampler2D vtkiProxyCenter; // see vtkIndirectProxySum.glsl
 uniform sampler2D vtkiProxyRegion;
 uniform int vtkiFirstProxy;
 uniform mat4 vtkiSceneToClip;

@@ -9,7 +9,7 @@
 #include "vtkIndirectProxyAlike.glsl"
 
 uniform ivec2 vtkiCoarseSize;
-uniform sampler2D vtkiCoarse0; // of a colour's irradiance a + b n: b, a
+uniform sampler2D vtkiCoarse0; // a colour's irradiance a + b n: b, a
 uniform sampler2D vtkiCoarse1;
 uniform sampler2D vtkiCoarse2;
 uniform sampler2D vtkiCoarse3; // light that proxies send

@@ -3,7 +3,7 @@
 
 struct vtkiFarField
 {
-  vec3 irradiance; // of the light cut off
+  vec3 irradiance; // irradiance of the light cut off
   float all;       // luminance of all light
   vec3 vector;     // luminance of the vector irradiance of the light cut off
 };

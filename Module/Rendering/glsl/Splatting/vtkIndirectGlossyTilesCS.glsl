@@ -17,7 +17,7 @@ uniform bool vtkiAdds; // adds to the sum of earlier lights
 shared uint vtkiLowestMirror[3];
 shared uint vtkiHighestMirror[3];
 shared uint vtkiLeastPower;
-shared uint vtkiLeastCosine; // between a mirror direction and their middle
+shared uint vtkiLeastCosine; // least cosine of the mirror directions to their middle
 shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
 #ifdef VTKI_SPLAT_LOBES
 shared uint vtkiListedLobes[VTKI_ROW_LENGTH / 32];

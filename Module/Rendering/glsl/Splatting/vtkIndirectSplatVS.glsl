@@ -5,7 +5,7 @@
 #include "vtkIndirectSplatLow.glsl"
 #include "vtkIndirectSplatBounds.glsl"
 
-uniform sampler2D vtkiLightPosition; // as in vtkIndirectGatherVirtualLights.glsl
+uniform sampler2D vtkiLightPosition; // see vtkIndirectGatherVirtualLights.glsl
 uniform sampler2D vtkiLightNormal;
 #ifdef VTKI_SPLAT_LOBES
 uniform sampler2D vtkiLobeDirection;

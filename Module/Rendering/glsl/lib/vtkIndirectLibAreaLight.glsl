@@ -80,8 +80,8 @@ float vtkiMeanHeight(float height, float reach)
 struct vtkiPiece
 {
   float square; // squared distance to its middle
-  float height; // of the middle over the horizon, at least as high as the piece extends
-  vec2 rise;    // of both edges over the horizon
+  float height; // height of the middle over the horizon, at least the piece's extent
+  vec2 rise;    // heights of both edges over the horizon
   vec2 along;   // products of both edges with the vector to the middle
   vec2 length2; // squares of both edges
 };

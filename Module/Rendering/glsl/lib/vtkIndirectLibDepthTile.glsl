@@ -47,8 +47,9 @@ float vtkiTileInverseDepth(float stored)
 struct vtkiTileView
 {
   int strip;    // to the right, left, up or down of the tile; -1: forward
-  vec3 away;    // from the light to the receiver, along the view's axes right, up and forward
-  vec3 normal;  // of the receiver, along the same axes
+  // vector from the light to the receiver, along the view's axes right, up and forward
+  vec3 away;
+  vec3 normal;  // the receiver's normal, along the same axes
 };
 
 /* away, normal: along the tile's axes right, up and forward; limit: tangent of the forward view. */

@@ -50,7 +50,7 @@ float vtkiPairedAbove(float number)
 /* Region in which an entry of the tree of spheres counts, in one texel. */
 struct vtkiRegion
 {
-  vec3 ToOuter; // from the entry's centre to the region's
+  vec3 ToOuter; // vector from the entry's centre to the region's
   float Outer;  // radius of the region
   // radius about its own centre within which its children represent it; 0: it has none, -1: it is a
   // drawn sphere
