@@ -30,7 +30,7 @@ public:
   std::vector<vtkEGLBinding> Stack;
   std::string ErrorMessage;
   std::string WarningMessage;
-  // The device for which making a context has failed, so that it fails only once.
+  // The device whose context could not be made, so that it is tried only once.
   bool Failed = false;
   int FailedDeviceIndex = -1;
   bool LostCurrent = false;
@@ -48,7 +48,7 @@ vtkEGLHeadlessRenderWindow::vtkEGLHeadlessRenderWindow()
   this->MultiSamples = 0;
   this->ShowWindow = false;
   this->UseOffScreenBuffers = true;
-  // There is nothing to blit to: results stay in the display framebuffer.
+  // Without a window there is no blit: results stay in the display framebuffer.
   this->FrameBlitMode = NoBlit;
   this->ScreenSize[0] = 1920;
   this->ScreenSize[1] = 1080;
@@ -163,7 +163,7 @@ bool vtkEGLHeadlessRenderWindow::EnsureContext()
       return false;
     }
   }
-  // VTK's own state belongs to the context, and is gone too after ReleaseGraphicsResources().
+  // VTK's own state belongs to the context, and ReleaseGraphicsResources() has released it as well.
   this->MakeCurrent();
   if (this->IsCurrent())
   {
@@ -297,8 +297,8 @@ void vtkEGLHeadlessRenderWindow::PopContext()
 //------------------------------------------------------------------------------
 void vtkEGLHeadlessRenderWindow::OpenGLInit()
 {
-  // The superclass works in a context of somebody else and leaves it as it was. This one is ours,
-  // so VTK's state is set up once, as in VTK's on-screen windows.
+  // The superclass works in another owner's context and leaves its state unchanged. This window
+  // owns its context, so it sets VTK's state up once, as VTK's on-screen windows do.
   this->vtkOpenGLRenderWindow::OpenGLInit();
 }
 
@@ -413,7 +413,7 @@ vtkRenderWindowInteractor* vtkEGLHeadlessRenderWindow::MakeRenderWindowInteracto
 {
   vtkGenericRenderWindowInteractor* interactor = vtkGenericRenderWindowInteractor::New();
   interactor->SetRenderWindow(this);
-  // As in the superclass, the caller owns what is made here.
+  // As in the superclass, the caller owns the interactor.
   return interactor;
 }
 
@@ -438,7 +438,7 @@ int vtkEGLHeadlessRenderWindow::ReadPixels(
   {
     return this->Superclass::ReadPixels(rect, front, glFormat, glType, data, right);
   }
-  // RGB or RGBA, bytes or floats: what the callers in VTK ask for.
+  // RGB or RGBA, bytes or floats: the formats that VTK's callers request.
   constexpr int rgba = 0x1908;
   constexpr int floats = 0x1406;
   const size_t components = glFormat == rgba ? 4 : 3;

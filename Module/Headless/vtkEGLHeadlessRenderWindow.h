@@ -3,10 +3,10 @@
  * @class   vtkEGLHeadlessRenderWindow
  * @brief   a render window with a real OpenGL context and no display
  *
- * The window owns an OpenGL core-profile context that it makes with EGL, so it renders where there
- * is no X server, no Wayland compositor and no monitor: on a cluster node with a GPU, and in a
- * container with Mesa's software rasterizer. It behaves as VTK's on-screen OpenGL windows do,
- * except that it is always off screen: SetShowWindow() and SetUseOffScreenBuffers() change nothing.
+ * The window owns an OpenGL core-profile context that it makes with EGL, so it renders without an X
+ * server, a Wayland compositor or a monitor: on a cluster node with a GPU, and in a container with
+ * Mesa's software rasterizer. It behaves as VTK's on-screen OpenGL windows do, except that it is
+ * always off screen: SetShowWindow() and SetUseOffScreenBuffers() have no effect.
  *
  * The context is made by the first Render() or Initialize(), on the first of these that works:
  *
@@ -15,26 +15,26 @@
  * -# an EGL device that renders in software,
  * -# EGL's default display.
  *
- * SetDeviceIndex() asks for one EGL device instead, and so does VTK_INDIRECT_EGL_DEVICE in the
- * environment where that was not called; GetDeviceDescription() describes it. An EGL
- * device that is a GPU and renders in software all the same is refused. The newest OpenGL version
- * that the driver offers is taken, from 4.6 down to 3.2. Every window has a context of its own;
- * windows on the same device share one EGL display, which is closed with the last of them.
- * Finalize() releases the context; rendering again makes a new one.
+ * SetDeviceIndex() selects one EGL device instead; without a call of it VTK_INDIRECT_EGL_DEVICE in
+ * the environment does; GetDeviceDescription() describes it. An EGL device that is a GPU but
+ * renders in software is refused. The newest OpenGL version that the driver offers is used, from
+ * 4.6 down to 3.2. Every window has its own context; windows on the same device share one EGL
+ * display, which is closed with the last of them. Finalize() releases the context; rendering again
+ * makes a new one.
  *
- * When no context can be made, the first Render() or Initialize() reports one error, which says
- * what was tried and what to install; see GetLastErrorMessage(). The window then stays empty:
- * Render() does nothing, and reading pixels back returns VTK_ERROR and zeros (depth 1).
+ * If no context can be made, the first Render() or Initialize() reports one error, which lists the
+ * attempts and what to install; see GetLastErrorMessage(). The window then stays empty: Render()
+ * has no effect, and reading pixels back returns VTK_ERROR and zeros (depth 1).
  *
- * Where the machine has a graphics card, but the context renders in software, the first window of
- * the process reports one warning: what keeps the card from rendering, and what to do. There is
- * none where software was asked for, by DeviceIndex or by LIBGL_ALWAYS_SOFTWARE, and none for cards
- * that cannot render, such as those of most virtual machines. See GetLastWarningMessage().
+ * If the machine has a graphics card, but the context renders in software, the first window of the
+ * process reports one warning: the reason, and the remedy. There is no warning if software was
+ * requested, by DeviceIndex or by LIBGL_ALWAYS_SOFTWARE, and none for cards that cannot render,
+ * such as those of most virtual machines. See GetLastWarningMessage().
  *
  * @par Interactors:
  * An interactor must not need a display either. MakeRenderWindowInteractor() creates a
- * vtkGenericRenderWindowInteractor. A vtkXRenderWindowInteractor, which is what
- * vtkRenderWindowInteractor::New() gives on Linux, is refused with an error; see
+ * vtkGenericRenderWindowInteractor. A vtkXRenderWindowInteractor, which
+ * vtkRenderWindowInteractor::New() creates on Linux, is refused with an error; see
  * vtkIndirectHeadlessFactory for programs that cannot be changed.
  *
  * @warning
@@ -63,20 +63,22 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Whether a window made now, with the default DeviceIndex, could render. Makes a context to find
+   * True if a window made now, with the default DeviceIndex, can render. Makes a context to find
    * out, once in a process, and reports no error.
    */
   static bool IsSupported();
 
   /**
-   * Why the last attempt to make a context failed; empty when it worked or was not made yet.
+   * Reason why the last attempt to make a context failed; empty after a success or without an
+   * attempt.
    */
   std::string GetLastErrorMessage();
 
   /**
-   * Why the last context renders in software although the machine has a graphics card, and what to
-   * do, in one line. Empty where that is not so, where software was asked for, and where no context
-   * was made yet. Every window has it; only the first of a process reports it as a warning.
+   * Reason why the last context renders in software although the machine has a graphics card, and
+   * the remedy, in one line. Empty if the context uses the card, if software was requested, and
+   * before a context is made. Every window has it; only the first of a process reports it as a
+   * warning.
    */
   std::string GetLastWarningMessage();
 
@@ -90,32 +92,32 @@ public:
   ///@}
 
   /**
-   * Where the context comes from: "EGL device <n>", "EGL surfaceless platform" or
-   * "EGL default display". Empty while there is no context.
+   * Source of the context: "EGL device <n>", "EGL surfaceless platform" or "EGL default display".
+   * Empty without a context.
    */
   std::string GetPlatformName();
 
   /**
    * The number of EGL devices, GPUs and software ones, that DeviceIndex can choose from. Unlike in
    * other render windows the default DeviceIndex is -1, which chooses automatically; it is read
-   * when the context is made. With an index that does not exist, or a device that does not work, no
-   * other is tried and the window reports an error.
+   * when the context is made. If the index does not exist, or the device does not work, no other is
+   * tried and the window reports an error.
    */
   int GetNumberOfDevices() override;
 
   /**
-   * What is known of the EGL device with that index, in one line that begins with "EGL device
-   * <index>: hardware" or "EGL device <index>: software". As far as EGL knows them there follow:
+   * Description of the EGL device with that index, in one line that begins with "EGL device
+   * <index>: hardware" or "EGL device <index>: software". There follow, as far as EGL knows them:
    * the card, the vendor of the driver, the driver (else that of the kernel), the files of the card
-   * and of its render node, its number in CUDA, and the index of another device that is the same
-   * card, as when the drivers of two vendors both list it. Empty for an index that does not exist.
+   * and of its render node, its number in CUDA, and the index of another device with the same card,
+   * as when the drivers of two vendors both list it. Empty for an index that does not exist.
    */
   static std::string GetDeviceDescription(int index);
 
   ///@{
   /**
    * Make the context, if there is none, and make it current. Initialize() and CreateAWindow() are
-   * the same.
+   * equivalent.
    */
   void Initialize() override;
   void CreateAWindow() override;
@@ -123,7 +125,8 @@ public:
 
   ///@{
   /**
-   * Release all graphics resources, then the context. Finalize() and DestroyWindow() are the same.
+   * Release all graphics resources, then the context. Finalize() and DestroyWindow() are
+   * equivalent.
    */
   void Finalize() override;
   void DestroyWindow() override;
@@ -131,8 +134,8 @@ public:
 
   ///@{
   /**
-   * Make the context current in the calling thread, ask whether it is, or let go of it. Without a
-   * context MakeCurrent() does nothing.
+   * Make the context current in the calling thread, test if it is, or release it from the thread.
+   * Without a context MakeCurrent() has no effect.
    */
   void MakeCurrent() override;
   bool IsCurrent() override;
@@ -143,7 +146,7 @@ public:
 
   ///@{
   /**
-   * The stages of a frame. They do nothing without a context.
+   * The stages of a frame. They have no effect without a context.
    */
   void Render() override;
   void Start() override;
@@ -154,7 +157,7 @@ public:
 
   ///@{
   /**
-   * What the context can do. Both make it if needed; SupportsOpenGL() reports no error.
+   * Describe the context's capabilities. Both make it if needed; SupportsOpenGL() reports no error.
    */
   const char* ReportCapabilities() override;
   int SupportsOpenGL() override;
@@ -172,15 +175,15 @@ public:
 
   ///@{
   /**
-   * The window is always off screen, whatever is set.
+   * The window is always off screen, independent of these.
    */
   void SetShowWindow(bool) override {}
   void SetUseOffScreenBuffers(bool) override {}
   ///@}
 
   /**
-   * The EGLContext, or nullptr while there is none. There is no window and no drawable, and the
-   * display is not given away, because interactors take it for one of X.
+   * The EGLContext, or nullptr if there is none. There is no window and no drawable, and the
+   * display is not exposed, because interactors would take it for one of X.
    */
   void* GetGenericContext() override;
 

@@ -56,7 +56,7 @@ void vtkIndirectHeadlessFactory::Enable()
   }
   vtkNew<vtkIndirectHeadlessFactory> factory;
   vtkObjectFactory::RegisterFactory(factory);
-  // The first factory that knows a class wins, and VTK's own have come first.
+  // The first factory that makes a class wins, and VTK's own have come first.
   vtkCollection* factories = vtkObjectFactory::GetRegisteredFactories();
   if (factories->GetNumberOfItems() > 1)
   {

@@ -7,13 +7,13 @@
  *
  * - vtkRenderWindow::New() returns a vtkEGLHeadlessRenderWindow,
  * - vtkRenderWindowInteractor::New() returns a vtkGenericRenderWindowInteractor. Its Initialize()
- * renders once and its Start() returns at once, so a script that ends in Start() renders and goes
- * on; timers never fire, and events come only from the program itself. Where VTK's test harness has
- * put its vtkTestingInteractor in place, that one is kept.
+ * renders once and its Start() returns immediately, so a script that ends in Start() renders and
+ * continues; timers never fire, and events come only from the program itself. If VTK's test harness
+ * has installed its vtkTestingInteractor, that one is kept.
  *
- * Windows that exist already are not affected, nor are classes that are created by their own name,
- * such as vtkXOpenGLRenderWindow. Disable() brings back what there was before. Neither call changes
- * other factories; this one is asked before them. The factory is off until it is enabled.
+ * Existing windows are not affected, nor are classes that are created by their own name, such as
+ * vtkXOpenGLRenderWindow. Disable() restores the previous classes. Neither call changes other
+ * factories; this one comes before them. The factory is off until it is enabled.
  *
  * @sa
  * vtkEGLHeadlessRenderWindow
@@ -34,7 +34,7 @@ public:
 
   ///@{
   /**
-   * Switch the factory on or off for the whole process. Calling either twice changes nothing.
+   * Switch the factory on or off for the whole process. Repeated calls have no effect.
    */
   static void Enable();
   static void Disable();

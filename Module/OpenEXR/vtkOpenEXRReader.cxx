@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From VTK 9.6 on the superclass calls its MemoryBuffer deprecated, which is supported all the
-// same.
+// The superclass's MemoryBuffer is deprecated from VTK 9.6 on, and supported here.
 #define VTK_DEPRECATION_LEVEL 0
 
 #include "vtkOpenEXRReader.h"
@@ -49,15 +48,15 @@ namespace exr = OPENEXR_IMF_NAMESPACE;
 
 namespace
 {
-// What is thrown and becomes the one message.
+// Exception that becomes the one error message.
 struct Failure
 {
-  unsigned long Code; // of vtkErrorCode
+  unsigned long Code; // a value of vtkErrorCode
   std::string Message;
 };
 
 //------------------------------------------------------------------------------
-// For the OpenEXR library to read from. A read beyond the end throws and is remembered.
+// Source for the OpenEXR library. A read beyond the end throws and is remembered.
 class InputStream : public exr::IStream
 {
 public:
@@ -105,7 +104,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Only a regular file: opening a pipe would block, and the format needs seeking.
+// Accepts only regular files: opening a pipe would block, and the format needs seeking.
 std::unique_ptr<std::streambuf> OpenBuffer(const char* name)
 {
   if (!*name)
@@ -129,9 +128,9 @@ std::unique_ptr<std::streambuf> OpenBuffer(const char* name)
 }
 
 //------------------------------------------------------------------------------
-// Walks all headers before the library does, which allocates what an attribute claims to be. Most
-// types it reads by their own length: where the size differs, it would take the bytes that follow
-// for attributes, of any size. What reaches beyond the end of the file makes the next read fail.
+// Walks all headers before the library, which allocates whatever size an attribute claims. The
+// library reads most types by their own length: if the size differs, it would take the following
+// bytes for attributes of any size. A size beyond the end of the file makes the next read fail.
 void CheckHeaders(InputStream& stream)
 {
   static const std::map<std::string, std::uint64_t> sizes = { { "box2f", 16 }, { "box2i", 16 },
@@ -149,7 +148,7 @@ void CheckHeaders(InputStream& stream)
   };
   auto readText = [&]()
   {
-    std::string text; // the library itself refuses more than 255 characters
+    std::string text; // the library refuses more than 255 characters
     for (char c; text.size() < 256 && (stream.read(&c, 1), c != '\0');)
     {
       text += c;
@@ -198,7 +197,7 @@ void CheckHeaders(InputStream& stream)
 }
 
 //------------------------------------------------------------------------------
-// The first part that is a flat image.
+// The first part with a flat image.
 int FindPart(const exr::MultiPartInputFile& file)
 {
   for (int part = 0; part < file.parts(); ++part)
@@ -227,7 +226,7 @@ std::map<std::string, std::vector<std::string>> GetLayers(const exr::ChannelList
   for (auto& layer : layers)
   {
     const std::string prefix = layer.first.empty() ? "" : layer.first + ".";
-    // Y is between X and Z where a layer has these.
+    // Y is between X and Z in a layer that has these.
     const std::string order = channels.findChannel(prefix + "X") ? "RGBA" : "RGBYA";
     auto rank = [&](const std::string& name)
     { return name.size() == prefix.size() + 1 ? order.find(name.back()) : std::string::npos; };
@@ -238,7 +237,7 @@ std::map<std::string, std::vector<std::string>> GetLayers(const exr::ChannelList
 }
 
 //------------------------------------------------------------------------------
-// The extent of the output. Throws where that or a block of the file is too large.
+// The extent of the output. Throws if the output or a block of the file is too large.
 std::vector<int> GetExtent(const exr::Header& header, std::size_t components, double maximumBytes)
 {
   const auto& data = header.dataWindow();
@@ -247,7 +246,7 @@ std::vector<int> GetExtent(const exr::Header& header, std::size_t components, do
   const std::int64_t height = static_cast<std::int64_t>(data.max.y) - data.min.y + 1;
   const std::int64_t flip = static_cast<std::int64_t>(display.min.y) + display.max.y;
   double blockWidth = static_cast<double>(width);
-  // The library decodes as many rows together as a compression combines, or those of tiles.
+  // The library decodes the rows that a compression combines, or those of tiles, together.
   double blockHeight = std::min(static_cast<double>(height), 256.0);
   if (header.hasTileDescription())
   {
@@ -281,7 +280,7 @@ vtkSmartPointer<vtkFloatArray> ReadPixels(exr::MultiPartInputFile& file, int par
   const std::size_t height = static_cast<std::size_t>(window.max.y - window.min.y) + 1;
   const std::size_t row =
     (static_cast<std::size_t>(window.max.x - window.min.x) + 1) * channels.size();
-  // Zeros, which the system hands out without touching the memory.
+  // calloc gets zeroed memory from the system without touching it.
   auto* values = static_cast<float*>(std::calloc(row * height, sizeof(float)));
   if (!values)
   {
@@ -296,7 +295,7 @@ vtkSmartPointer<vtkFloatArray> ReadPixels(exr::MultiPartInputFile& file, int par
   for (std::size_t c = 0; c < channels.size(); ++c)
   {
     scalars->SetComponentName(static_cast<vtkIdType>(c), channels[c].substr(prefixLength).c_str());
-    // From the last row of the output on: the stride is negative, modulo the size's range.
+    // Begins at the last row of the output: the stride is negative, modulo the size's range.
     frame.insert(channels[c],
       exr::Slice::Make(exr::FLOAT, values + (height - 1) * row + c, window,
         channels.size() * sizeof(float), std::size_t(0) - row * sizeof(float)));
@@ -361,7 +360,7 @@ void vtkOpenEXRReader::ReadFile(vtkImageData* output)
       throw Failure{ vtkErrorCode::UnrecognizedFileTypeError, "it is not an OpenEXR file." };
     }
     CheckHeaders(*stream);
-    // Without the reconstruction of a lost chunk table: a truncated file is an error here.
+    // A lost chunk table is not reconstructed: a truncated file is an error here.
     exr::MultiPartInputFile file(*stream, exr::globalThreadCount(), false);
     const int part = FindPart(file);
     const exr::Header& header = file.header(part);
@@ -422,11 +421,11 @@ void vtkOpenEXRReader::ReadFile(vtkImageData* output)
     failure = { ended ? vtkErrorCode::PrematureEndOfFileError : vtkErrorCode::FileFormatError,
       (ended ? "the file is truncated or damaged: " : "") + std::string(thrown.what()) };
   }
-  // One line, also where the file has control characters in its names.
+  // One line, even if the file has control characters in its names.
   std::replace_if(
     failure.Message.begin(), failure.Message.end(),
     [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
-  // Not SetErrorCode, which would mark the reader as modified and have the pipeline ask again.
+  // SetErrorCode would mark the reader as modified, and the pipeline would update it again.
   this->ErrorCode = failure.Code;
   vtkErrorMacro(<< "Cannot read \"" << name << "\": " << failure.Message);
 }
@@ -449,7 +448,7 @@ int vtkOpenEXRReader::RequestInformation(
     outputVector->GetInformationObject(0)->Set(
       vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), empty, 6);
   }
-  // Always all of it.
+  // The reader always makes the whole extent.
   outputVector->GetInformationObject(0)->Remove(CAN_PRODUCE_SUB_EXTENT());
   return 1;
 }
@@ -460,7 +459,7 @@ int vtkOpenEXRReader::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
-  // Otherwise the header's failure has been reported.
+  // Otherwise the header's error has been reported.
   if (this->ErrorCode == vtkErrorCode::NoError)
   {
     this->ReadFile(output);

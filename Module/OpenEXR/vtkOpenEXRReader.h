@@ -4,9 +4,9 @@
  * @brief   Reads high-dynamic-range images from OpenEXR files.
  *
  * The output is one vtkImageData with float scalars named "OpenEXRImage", one component for each
- * channel of the selected layer, bottom row first. Documentation/openexr.md says which files can be
- * read, and how layers, components and the extent follow from channels and windows. SetMemoryBuffer
- * is supported, and SetStream where VTK has it (from 9.6 on); series of files are not.
+ * channel of the selected layer, bottom row first. Documentation/openexr.md lists the supported
+ * files, and tells how layers, components and the extent follow from channels and windows.
+ * SetMemoryBuffer is supported, and SetStream from VTK 9.6 on; series of files are not.
  *
  * Each failure is reported by exactly one vtkErrorMacro and leaves an empty output. GetErrorCode
  * then returns one of vtkErrorCode: NoFileNameError, FileNotFoundError, CannotOpenFileError (a
@@ -41,10 +41,10 @@ public:
 
   ///@{
   /**
-   * The most memory in MiB that the output, or the buffer in which one block of the file is
-   * decoded, may take. A file that asks for more is an error (FileFormatError) before anything is
-   * allocated; headers of damaged files claim any size. Default: 8192, twice what an image of
-   * 16384 x 16384 pixels with four components takes, the largest that most graphics hardware shows.
+   * Memory limit in MiB for the output, and for the buffer in which one block of the file is
+   * decoded. A file that needs more is an error (FileFormatError) before any allocation; headers of
+   * damaged files claim any size. Default: 8192, twice the size of an image of 16384 x 16384 pixels
+   * with four components, the largest that most graphics hardware shows.
    */
   vtkSetClampMacro(MaximumSize, int, 1, VTK_INT_MAX);
   vtkGetMacro(MaximumSize, int);
@@ -83,7 +83,7 @@ private:
   vtkOpenEXRReader(const vtkOpenEXRReader&) = delete;
   void operator=(const vtkOpenEXRReader&) = delete;
 
-  /** Reads the header, and the pixels where there is an output. Reports what goes wrong. */
+  /** Reads the header, and the pixels if there is an output. Reports errors. */
   void ReadFile(vtkImageData* output);
 };
 

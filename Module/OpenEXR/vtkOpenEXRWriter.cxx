@@ -30,14 +30,14 @@ namespace fs = std::filesystem;
 
 namespace
 {
-// What is thrown and becomes the one message.
+// Exception that becomes the one error message.
 struct Failure
 {
-  unsigned long Code; // of vtkErrorCode
+  unsigned long Code; // a value of vtkErrorCode
   std::string Message;
 };
 
-// The values of one image as they go into the file.
+// The values of one image as written into the file.
 struct Values
 {
   vtkSmartPointer<vtkFloatArray> Floats;
@@ -54,7 +54,7 @@ Values Convert(vtkDataArray* scalars, bool toHalf, vtkIdType& clamped)
     clamped += beyond ? 1 : 0;
     return static_cast<float>(beyond ? std::copysign(largest, value) : value);
   };
-  // Floats stay where they are, so that every NaN stays the same.
+  // Floats are not copied, so that every NaN keeps its bits.
   Values values{ vtkFloatArray::SafeDownCast(scalars), {} };
   if (!values.Floats)
   {
@@ -92,7 +92,7 @@ std::vector<std::string> MakeChannelNames(const std::string& layer, int componen
 }
 
 //------------------------------------------------------------------------------
-// The scalars of an image, which has to fit the input.
+// The scalars of an image, which must have the dimensions of the input.
 vtkDataArray* GetScalars(const std::string& layer, vtkImageData* image, vtkImageData* input)
 {
   const std::string what = layer.empty() ? "the input" : "the layer \"" + layer + "\"";
@@ -120,7 +120,7 @@ vtkDataArray* GetScalars(const std::string& layer, vtkImageData* image, vtkImage
 }
 
 //------------------------------------------------------------------------------
-// Writes a new file beside the one that it replaces when it is complete.
+// Writes a new file beside the existing one, which it replaces when it is complete.
 void Replace(const char* fileName, const exr::Header& header, const exr::FrameBuffer& frame)
 {
   struct Folder
@@ -134,14 +134,14 @@ void Replace(const char* fileName, const exr::Header& header, const exr::FrameBu
   };
   std::error_code error;
   fs::path path = fs::u8path(fileName);
-  // What a link points to is replaced, not the link.
+  // Replaces the target of a link, not the link.
   for (int i = 0; i < 40 && fs::is_symlink(path, error); ++i)
   {
     path = path.parent_path() / fs::read_symlink(path, error);
   }
   const fs::file_type type = fs::status(path, error).type();
   bool possible = type == fs::file_type::not_found || type == fs::file_type::regular;
-  // A folder of its own: that making it succeeds says that it is nobody else's.
+  // An own folder: creating it succeeds only if nobody else has it.
   Folder folder;
   for (int i = 0; possible && folder.Path.empty(); ++i)
   {
@@ -172,7 +172,8 @@ void Replace(const char* fileName, const exr::Header& header, const exr::FrameBu
       throw;
     }
   }
-  // The library writes its table of chunks in the destructor, where it reports no failure.
+  // Closed here, because the library's destructor writes the table of chunks and reports no
+  // failure.
   file.close();
   if (file.fail())
   {
@@ -204,7 +205,7 @@ void vtkOpenEXRWriter::RemoveAllLayers()
 }
 
 //------------------------------------------------------------------------------
-// Not SetErrorCode, which would mark the writer as modified and have it write again on Update.
+// SetErrorCode would mark the writer as modified, and Update would write again.
 void vtkOpenEXRWriter::Fail(unsigned long code, std::string message)
 {
   std::replace_if(
@@ -222,7 +223,7 @@ void vtkOpenEXRWriter::Write()
     this->Fail(vtkErrorCode::UserError, "there is no input.");
     return;
   }
-  // Stays where the input cannot be updated, which the pipeline reports.
+  // Remains if the input cannot be updated, which the pipeline reports.
   this->ErrorCode = vtkErrorCode::UnknownError;
   this->Superclass::Write();
 }
@@ -269,7 +270,7 @@ int vtkOpenEXRWriter::RequestData(vtkInformation* vtkNotUsed(request),
       for (std::size_t c = 0; c < names.size(); ++c)
       {
         header.channels().insert(names[c], exr::Channel(type));
-        // From the last row of the input on: the stride is negative, modulo the size's range.
+        // Begins at the last row of the input: the stride is negative, modulo the size's range.
         frame.insert(names[c],
           exr::Slice::Make(type, data + last + c * size, window, pixel, std::size_t(0) - row));
       }

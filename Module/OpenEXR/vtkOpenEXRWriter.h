@@ -4,23 +4,22 @@
  * @brief   Writes images to OpenEXR files, losslessly as float or rounded to half.
  *
  * Writes the active point scalars of the input, an image of one slice, of any numeric type and any
- * number of components, as a single-part scanline file. Documentation/openexr.md says how channels
+ * number of components, as a single-part scanline file. Documentation/openexr.md tells how channels
  * and windows follow from components and the extent. Values are not scaled: they are converted to
- * float, which is rounded to the nearest half (ties to even) where the pixels are half. NaN and
- * infinity stay what they are. A finite value beyond the range of the pixel type (+-65504 for half)
- * becomes the largest finite value of its sign, and one vtkWarningMacro reports how many there
- * were.
+ * float, which is rounded to the nearest half (ties to even) for half pixels. NaN and infinity are
+ * kept. A finite value beyond the range of the pixel type (+-65504 for half) becomes the largest
+ * finite value of its sign, and one vtkWarningMacro reports their number.
  *
  * The file is written beside the final one and renamed when it is complete: after a failure there
- * is no new file, and a file that existed is as it was. (The new file has default permissions. A
+ * is no new file, and an existing file is unchanged. (The new file has default permissions. A
  * symbolic link stays, and its target is replaced.)
  *
  * Each failure is reported by exactly one vtkErrorMacro. GetErrorCode then returns one of
  * vtkErrorCode: NoFileNameError (FileName is not set), CannotOpenFileError (the file cannot be
- * created or renamed, or the name is that of something that is not a regular file),
- * OutOfDiskSpaceError (writing failed), UserError (no input, no scalars, several slices, layers
- * that do not fit, an extent that the format does not allow), UnknownError (no memory; also where
- * the input could not be updated, which the pipeline has reported).
+ * created or renamed, or exists and is not a regular file), OutOfDiskSpaceError (writing failed),
+ * UserError (no input, no scalars, several slices, layers that do not fit, an extent that the
+ * format does not allow), UnknownError (no memory; also if the input could not be updated, which
+ * the pipeline has reported).
  *
  * @sa vtkOpenEXRReader
  */
@@ -78,8 +77,8 @@ public:
 
   ///@{
   /**
-   * Adds an image that is written as the layer of that name (channels "name.R" and so on), with its
-   * active point scalars at the time of Write. A name that exists is replaced. The image must have
+   * Adds an image, which Write writes as the layer of that name (channels "name.R" and so on), with
+   * its active point scalars at that time. Replaces an image of the same name. The image must have
    * the dimensions of the input, and the name 1 to 240 characters that neither begin nor end with a
    * dot, or Write fails (UserError).
    */

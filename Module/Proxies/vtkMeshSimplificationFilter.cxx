@@ -54,14 +54,14 @@ struct Traits : public OpenMesh::DefaultTraits
 };
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
-// Triangles between points of the input, and the cell that each has come from.
+// Triangles between points of the input, and the cell from which each comes.
 struct Simplified
 {
   std::vector<vtkProxySurface::Triangle> Triangles;
   std::vector<long long> Cells;
 };
 
-// OpenMesh tells on the standard error output what faces it refuses; that is asked for here.
+// OpenMesh reports refused faces on the standard error output; here refusals are expected.
 class Quiet
 {
 public:
@@ -70,7 +70,7 @@ public:
 };
 
 //------------------------------------------------------------------------------
-// The first of the points that are at the same place with the same data.
+// The first of the points at the same position with the same data.
 std::vector<long long> JoinPoints(vtkPolyData* input, const std::vector<glm::dvec3>& points)
 {
   vtkPointData* data = input->GetPointData();
@@ -90,7 +90,7 @@ std::vector<long long> JoinPoints(vtkPolyData* input, const std::vector<glm::dve
       vtkDataArray* array = data->GetArray(i);
       if (!array)
       {
-        // Texts: never joined.
+        // Strings are never merged.
         return a < b ? -1 : a > b ? 1 : 0;
       }
       for (int c = 0; c < array->GetNumberOfComponents(); ++c)
@@ -167,7 +167,7 @@ Simplified Simplify(const vtkProxySurface& surface, const Simplified& input, dou
     Mesh::FaceHandle face = mesh.add_face(corners[0], corners[1], corners[2]);
     if (!face.is_valid())
     {
-      // More than two triangles at an edge, or two sheets that touch at a point: these points stay.
+      // An edge has more than two triangles, or two sheets touch at a point: these points stay.
       for (int i = 0; i < 3; ++i)
       {
         mesh.status(corners[i]).set_locked(true);
@@ -204,7 +204,7 @@ Simplified Simplify(const vtkProxySurface& surface, const Simplified& input, dou
     decimater.decimate_to_faces(0, target);
   }
   Simplified found;
-  for (Mesh::FaceHandle face : mesh.faces()) // those that are deleted are passed over
+  for (Mesh::FaceHandle face : mesh.faces()) // skips deleted faces
   {
     vtkProxySurface::Triangle triangle{};
     size_t i = 0;
@@ -219,7 +219,7 @@ Simplified Simplify(const vtkProxySurface& surface, const Simplified& input, dou
 }
 
 //------------------------------------------------------------------------------
-// How far points and samples of one surface are from the other, in the lengths of `from`.
+// Largest distance of points and samples of one surface from the other, in the lengths of `from`.
 double OneWay(const vtkProxySurface& from, const vtkProxySurface& to)
 {
   double worst = 0.0;
@@ -321,7 +321,7 @@ int vtkMeshSimplificationFilter::RequestData(vtkInformation* vtkNotUsed(request)
 
     const double bound = this->ErrorUnit == WORLD_UNITS ? this->MaximumError / surface.GetDiagonal()
                                                         : this->MaximumError;
-    // Rounding of places: flat is flat within this.
+    // Rounding error of positions: a surface within this is flat.
     const double least = 1e-7;
     double tolerance = std::min(std::max(bound, least), 1.0);
     for (int i = 0; i < Tries; ++i)

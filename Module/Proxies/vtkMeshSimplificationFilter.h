@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkMeshSimplificationFilter
- * @brief   A mesh of fewer triangles, no farther from the input than a bound.
+ * @brief A mesh of fewer triangles within a bounded distance of the input.
  *
  * Edges are collapsed in the order of the quadrics of their points' planes (Garland and Heckbert
- * 1997, "Surface simplification using quadric error metrics"), by OpenMesh. What is left are points
- * of the input, with their point data, and its cells' data. The order alone bounds nothing:
- * collapses that leave a point of the input farther than the bound from the triangles around it are
- * not made, nor those that turn a triangle over; the result is then measured, both ways, at all
- * points and at 20000 samples each, and made again with less tolerance where it is off.
+ * 1997, "Surface simplification using quadric error metrics"), by OpenMesh. The remaining points
+ * are points of the input, with their point data, and the cells keep their data. Since the order
+ * alone bounds no error, collapses are refused that leave a point of the input farther than the
+ * bound from the triangles around it, or that turn a triangle over; the result is then measured,
+ * both ways, at all points and at 20000 samples each, and made again with less tolerance if it is
+ * off.
  *
- * The output has triangles alone; vertices and lines of the input are left out. Points at the same
- * place are joined where all their data agree, so that meshes without connectivity simplify, while
- * seams of normals or texture coordinates stay what they are: borders. Surfaces that share an edge
- * of more than two triangles keep the points there. A point that is not finite is one error, with
- * an empty output.
+ * The output has only triangles; vertices and lines of the input are left out. Points at the same
+ * position are merged if all their data agree, so that meshes without connectivity simplify, while
+ * seams of normals or texture coordinates remain borders. Points at edges of more than two
+ * triangles stay. A point that is not finite is one error, with an empty output.
  *
  * Field data: "MaximumDistance" (double, in the input's lengths), as GetMaximumDistance.
  */
@@ -39,9 +39,9 @@ public:
   };
   ///@{
   /**
-   * How far the surfaces may be apart, as a share of the diagonal of the input's bounds (default)
-   * or in its own lengths. Default: 0.01; negative numbers are taken as 0, which merges flat parts
-   * alone.
+   * Bound of the distance between the surfaces, as a share of the diagonal of the input's bounds
+   * (default) or in its own lengths. Default: 0.01; negative numbers are taken as 0, which merges
+   * only flat parts.
    */
   vtkSetClampMacro(MaximumError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumError, double);
@@ -52,19 +52,19 @@ public:
   ///@}
 
   ///@{
-  /** No fewer triangles than this are left. Default: 0, as few as the error allows. */
+  /** Least number of triangles. Default: 0, as few as the error allows. */
   vtkSetClampMacro(TargetNumberOfTriangles, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(TargetNumberOfTriangles, vtkIdType);
   ///@}
 
   ///@{
-  /** Whether points on borders stay where they are. Default: on. */
+  /** Keeps points on borders in place. Default: on. */
   vtkSetMacro(PreserveBoundary, bool);
   vtkGetMacro(PreserveBoundary, bool);
   vtkBooleanMacro(PreserveBoundary, bool);
   ///@}
 
-  /** Of the last update: how far the surfaces are apart, the larger of both ways, measured. */
+  /** Distance between the surfaces at the last update, the larger of both ways, measured. */
   vtkGetMacro(MaximumDistance, double);
 
 protected:

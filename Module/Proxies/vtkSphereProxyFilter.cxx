@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-// Newer VTK has const methods where 9.1 has none.
+// Newer VTK declares methods const that are not const in 9.1.
 #ifndef VTK_FUTURE_CONST
 #define VTK_FUTURE_CONST
 #endif
@@ -32,7 +32,7 @@ vtkStandardNewMacro(vtkSphereProxyFilter);
 
 namespace
 {
-// Samples of the surface are about half an error apart, within these numbers.
+// Samples of the surface are about half an error apart; their number is within these limits.
 constexpr int LeastSamples = 6000;
 constexpr int MostSamples = 60000;
 constexpr int SamplesPerSphere = 48;
@@ -48,8 +48,8 @@ vtkDoubleArray* AddArray(vtkPointData* data, const char* name, int components, v
   return array;
 }
 
-// Makes the filter by its name, for those who use it where it is loaded and need not be linked to
-// it, such as vtkProxyAccumulationPass.
+// Makes the filter by its name, for users such as vtkProxyAccumulationPass that are not linked to
+// this module.
 class Factory : public vtkObjectFactory
 {
 public:
@@ -79,7 +79,7 @@ struct vtkSphereProxyFilter::Fitted
 {
   vtkPolyData* Input = nullptr; // only compared
   vtkMTimeType InputTime = 0;
-  std::vector<double> Properties; // the filter's time changes with the moved points, too
+  std::vector<double> Properties; // the filter's own time also changes with the moved points
   vtkIdType NumberOfPoints = 0;
   vtkNew<vtkPolyData> Spheres;
 };
@@ -313,7 +313,7 @@ bool vtkSphereProxyFilter::MoveSpheres(
       points->GetPoint(id, p);
       places[used] = { p[0], p[1], p[2] };
       center += weight * places[used];
-      // Parents that a small mesh does not have are the first one again.
+      // Unused parents repeat the first one.
       used += c == 0 || id != ids->GetTypedComponent(i, 0) ? 1 : 0;
     }
     double offset[3];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSphereProxyFilter
- * @brief   Spheres that stand for a mesh, closed or not, and move with it.
+ * @brief Spheres that approximate a mesh, closed or not, and move with it.
  *
  * The output has a point and a vertex for each sphere, largest gain first, and the point data
  * - "Radius" (double, in the input's lengths)
@@ -10,30 +10,30 @@
  * from their mean) and "ParentOffset" (center minus weighted sum, zero unless the points lie in a
  * plane that the center is not in)
  *
- * and as field data, a double each, what is true of the spheres (see the methods of these names):
+ * and as field data, a double each, measures of the spheres (see the methods of these names):
  * "Error", "CoveredArea", "MaximumGap", "RootMeanSquareError", "MaximumProtrusion", "SolidVolume",
  * "CoveredVolume", "ProtrudingVolume".
  *
- * *Solids.* What the surface encloses is solid: all that a flood from outside cannot reach, over
- * walls of voxels; with a closed surface without the hollow of shells, and with an open one also
- * what it winds around but for MaximumOpening. Spheres are balls inside it, enlarged by the error:
- * they stick out by no more than that, and all of its surface is within that distance of them.
- * *Sheets.* A surface that encloses nothing gets spheres with their centers on it and the error as
- * radius, so many that all samples of it are well inside of them: no light gets through.
+ * *Solids.* The interior of the surface is solid: all that a flood from outside cannot reach, over
+ * walls of voxels; for a closed surface without the hollow of shells, and for an open one also
+ * regions with a winding number above one half, up to MaximumOpening. Spheres are balls inside it,
+ * enlarged by the error: they extend beyond it by at most that, and all of its surface is within
+ * that distance of them. *Sheets.* A surface that encloses no volume gets spheres with their
+ * centers on it and the error as radius, so many that all samples of it are well inside of them and
+ * no light passes through.
  *
- * *How.* Candidates are the medial voxels of a distance field and the largest inner balls that
- * touch the surface at samples; a greedy choice covers all samples; some steps of Gauss and Newton
- * bring the union's surface nearer to the mesh. Nothing is random: the same input gives the same
- * spheres. Related: Wang, Zhou, Snyder, Liu, Bao, Peng, Guo 2006, "Variational sphere set
+ * *Method.* Candidates are the medial voxels of a distance field and the largest inner balls that
+ * touch the surface at samples; a greedy choice covers all samples; some Gauss-Newton steps bring
+ * the union's surface nearer to the mesh. The result is deterministic: the same input gives the
+ * same spheres. Related: Wang, Zhou, Snyder, Liu, Bao, Peng, Guo 2006, "Variational sphere set
  * approximation for solid objects".
  *
- * *Input.* Polygons and strips; vertices and lines have no surface and are passed over, as are
- * triangles without area. An input without surface gives an output without spheres. A point that is
- * not finite is one error.
+ * *Input.* Polygons and strips; vertices, lines and degenerate triangles are skipped. An input
+ * without surface gives an output without spheres. A point that is not finite is one error.
  *
- * *Motion.* When port 1 is connected its points, as many as the input's and in the same order, take
- * the spheres with them; nothing is fitted again while the input and the properties are unchanged.
- * Rigid and affine motion is exact, any other as smooth as the points' own.
+ * *Motion.* If port 1 is connected, its points, as many as the input's and in the same order, move
+ * the spheres; they are fitted again only if the input or a property changes. Rigid and affine
+ * motion is exact, any other as smooth as the points' own.
  *
  * Documentation/methods/sphere-proxies.md has measured errors and times.
  */
@@ -62,7 +62,7 @@ public:
   };
   ///@{
   /**
-   * What is asked for: at most NumberOfSpheres with the least error (default), or as few spheres as
+   * Goal of the fit: at most NumberOfSpheres with the least error (default), or as few spheres as
    * are found for MaximumError.
    */
   vtkSetClampMacro(Target, int, NUMBER_OF_SPHERES, MAXIMUM_ERROR);
@@ -84,9 +84,9 @@ public:
   };
   ///@{
   /**
-   * How far spheres may stick out, and how far the surface may be outside of them, as a share of
-   * the diagonal of the input's bounds (default) or in its own lengths. Default: 0.02. Less than
-   * 0.001 of the diagonal is taken as that.
+   * Bound of the spheres' extent beyond the surface, and of the surface's distance outside of them,
+   * as a share of the diagonal of the input's bounds (default) or in its own lengths. Default:
+   * 0.02. The minimum is 0.001 of the diagonal.
    */
   vtkSetClampMacro(MaximumError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumError, double);
@@ -97,24 +97,23 @@ public:
   ///@}
 
   ///@{
-  /** Voxels along the longest axis. Default: 64; from 8 to 256. Finer ones close smaller holes
-   * only. */
+  /** Voxels along the longest axis. Default: 64; from 8 to 256. More voxels close only smaller
+   * holes. */
   vtkSetClampMacro(Resolution, int, 8, 256);
   vtkGetMacro(Resolution, int);
   ///@}
 
   ///@{
   /**
-   * Share of the border of a region that may have no surface for it to be solid all the same.
-   * Default: 0.1, which closes a body with holes and leaves a bowl a sheet; 0: only what is closed
-   * but for holes of a voxel.
+   * Largest share of a solid region's border that may have no surface. Default: 0.1, which closes a
+   * body with holes and leaves a bowl a sheet; 0: only regions closed but for holes of a voxel.
    */
   vtkSetClampMacro(MaximumOpening, double, 0.0, 1.0);
   vtkGetMacro(MaximumOpening, double);
   ///@}
 
   ///@{
-  /** Steps that spheres are moved and resized in after they are chosen. Default: 10; from 0 to 100.
+  /** Steps that move and resize the chosen spheres. Default: 10; from 0 to 100.
    */
   vtkSetClampMacro(RefinementSteps, int, 0, 100);
   vtkGetMacro(RefinementSteps, int);
@@ -127,30 +126,29 @@ public:
   ///@}
 
   /**
-   * Moves spheres that this filter has made with points that have moved: writes their centers and
-   * radii into `moved`, with all arrays. False, with an error, where arrays are missing or points
-   * are too few.
+   * Moves this filter's spheres with moved points: writes their centers and radii into `moved`,
+   * with all arrays. False, with an error, if arrays are missing or there are too few points.
    */
   static bool MoveSpheres(vtkPolyData* spheres, vtkPointSet* points, vtkPolyData* moved);
 
   ///@{
-  /** Of the last update; lengths and volumes in the input's unit. */
-  /** The error that spheres were chosen for. */
+  /** Measures of the last update; lengths and volumes in the input's unit. */
+  /** The error for which spheres were chosen. */
   double GetError();
-  /** Share of the surface no farther than the error outside of the spheres. */
+  /** Share of the surface within the error outside of the spheres. */
   double GetCoveredArea();
-  /** How far any place of the surface is outside of the spheres. */
+  /** Largest distance of the surface outside of the spheres. */
   double GetMaximumGap();
-  /** Distance of the surface and that of the spheres' union. */
+  /** Distance between the surface and that of the spheres' union. */
   double GetRootMeanSquareError();
-  /** How far any sphere sticks out of the solid, or from a sheet. */
+  /** Largest extent of a sphere beyond the solid, or from a sheet. */
   double GetMaximumProtrusion();
   double GetSolidVolume();
-  /** Share of the solid that is inside of spheres; 1 where there is none. */
+  /** Share of the solid inside of spheres; 1 without a solid. */
   double GetCoveredVolume();
   /** Volume of the union of spheres outside of the solid. */
   double GetProtrudingVolume();
-  /** How often spheres were chosen: motion leaves it as it is. */
+  /** Number of fits of the spheres: motion does not count. */
   int GetNumberOfFits() { return this->NumberOfFits; }
   ///@}
 

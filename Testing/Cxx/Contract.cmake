@@ -1,5 +1,5 @@
-# Contract tests: what VTK and its users may expect of the passes, apart from the light itself. Each
-# runs in a process of its own.
+# Contract tests: guarantees of the passes for VTK and its users, apart from the light itself. Each
+# runs in its own process.
 if (NOT TARGET VTK::IndirectHeadless)
   message(STATUS "Contract and image tests: off, they need VTK::IndirectHeadless")
   return ()
@@ -30,7 +30,7 @@ set_source_files_properties(Frame/TestPassReport.cxx PROPERTIES
 
 vtk_indirect_add_tests(TestPassContract PREFIX Contract LABEL contract SOURCES ${contract_sources}
   FAIL_ON "ERROR: ")
-# Mesa passes for an older OpenGL.
+# Mesa simulates an older OpenGL.
 set_property(TEST Contract.PathsOpenGL32 Contract.ReportClocksOpenGL32 Contract.ReportClocksNone
   APPEND PROPERTY ENVIRONMENT "MESA_GL_VERSION_OVERRIDE=3.2")
 set_property(TEST Contract.ReportClocksNone

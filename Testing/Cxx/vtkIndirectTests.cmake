@@ -3,8 +3,8 @@
 # vtk_indirect_add_tests(<program> PREFIX <prefix> LABEL <label> SOURCES <file>...
 #   [ARGUMENT <folder>] [FAIL_ON <regular expression>...] [ENVIRONMENT <variable>=<value>...])
 # Adds <prefix>.<name> for each VTK_INDIRECT_TEST(<name>) at the beginning of a line of the sources. The
-# test runs in a process of its own. <prefix>.Found fails when the program has others than those.
-# ARGUMENT: each test gets a folder of its own name in it.
+# test runs in its own process. <prefix>.Found fails if the program's tests differ from these.
+# ARGUMENT: each test gets a subfolder of its name.
 function (vtk_indirect_add_tests program)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "PREFIX;LABEL;ARGUMENT"
     "SOURCES;FAIL_ON;ENVIRONMENT")

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Loaded before a program (LD_PRELOAD), this fills what OpenGL allocates without contents: textures
- * of floats with values that are not numbers, everything else with bytes that are no sensible value.
- * Mesa's software gives zeros, a graphics card whatever was there before; what is read before it was
- * written shows itself here. For VTK whose functions come from GLEW, that is up to VTK 9.3.
+ * Loaded before a program (LD_PRELOAD), this fills memory that OpenGL allocates without contents:
+ * textures of floats with NaN, all other memory with implausible bytes. Mesa's software allocates
+ * zeros, a graphics card memory with old contents; reading before writing becomes visible here. For
+ * VTK with GLEW, that is up to VTK 9.3.
  */
 #define _GNU_SOURCE
 #include <GL/gl.h>
@@ -28,7 +28,7 @@ static Function Find(const char* name)
   return GetProcAddress((const GLubyte*)name);
 }
 
-/* The most that a texel may have: four components of eight bytes. */
+/* Size for the largest texel: four components of eight bytes. */
 static unsigned char* MakeGarbage(size_t texels, GLenum format, GLenum type)
 {
   const size_t bytes = 32 * texels + 1;
@@ -36,7 +36,7 @@ static unsigned char* MakeGarbage(size_t texels, GLenum format, GLenum type)
   const float nan = NAN;
   const unsigned short halfNan = 0x7e00;
   size_t i;
-  /* Depths have no value that is not a number. */
+  /* Depth formats have no NaN. */
   memset(garbage, format == GL_DEPTH_COMPONENT || format == GL_DEPTH_STENCIL ? 0x3e : 0xab, bytes);
   for (i = 0; type == GL_FLOAT && format != GL_DEPTH_COMPONENT && i + 4 <= bytes; i += 4)
   {
@@ -53,7 +53,7 @@ static unsigned char* MakeGarbage(size_t texels, GLenum format, GLenum type)
 typedef void (*TexImage2D)(
   GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*);
 
-/* VTK is linked to this one, and asks for those below by their names. */
+/* VTK links to this function, and looks up those below by their names. */
 void glTexImage2D(GLenum target, GLint level, GLint internalFormat, GLsizei width, GLsizei height,
   GLint border, GLenum format, GLenum type, const void* data)
 {
@@ -97,7 +97,7 @@ Function glXGetProcAddress(const GLubyte* name)
   return glXGetProcAddressARB(name);
 }
 
-/* For the test, which would prove nothing were this not called. */
+/* Lets the test check that these functions were called. */
 __attribute__((destructor)) static void Say(void)
 {
   fprintf(stderr, "garbage: %d\n", Filled);

@@ -71,6 +71,6 @@ class Shaders(unittest.TestCase):
                     own = [line for line in lines if "vtki" in line][:1]
                     self.assertEqual(said.returncode, 0, f"{said.stdout}\n{own}")
         print(found)
-        # What there is today; fewer means that a test no longer has its stages compiled.
+        # The current number; fewer means that a test's stages are no longer compiled.
         self.assertGreater(found["FS"], 60)
         self.assertGreater(found["CS"], 15)

@@ -33,13 +33,13 @@ else:
 
 SKIPPED = 125
 THRESHOLD = 0.05
-"""Of VTK's metric: the usual one from 9.4 on; before it was 0.15."""
+"""Threshold of VTK's metric: the default from 9.4 on."""
 SCENES = reference.PLACE.parent / "Scenes"
 
 
 @dataclass(frozen=True)
 class Case:
-    """A scene file, how it is rendered, and what is compared beside the picture."""
+    """A scene file, its rendering, and the buffers compared beside the picture."""
 
     name: str
     scene: str
@@ -48,11 +48,11 @@ class Case:
     sampler: str | None = "uniform"
     settings: dict[str, Any] = field(default_factory=dict)
     buffers: tuple[str, ...] = ("final", "irradiance")
-    # Degrees of azimuth and elevation. Along walls rasterizers differ in pixels on their edges.
+    # Degrees of azimuth and elevation. In views along walls rasterizers differ in edge pixels.
     turn: tuple[float, float] = (0, 0)
 
 
-# CMake finds a case by how its line begins.
+# CMake finds a case by the beginning of its line.
 CASES = [
     # The demonstrations.
     Case("DemoRoomFire", "room_fire", size=(200, 100)),
@@ -60,7 +60,7 @@ CASES = [
     Case("DemoFrog", "frog"),
     Case("DemoProtein", "protein"),
     Case("DemoBrain", "brain"),
-    # Scenes that tests and benchmarks use, by each method.
+    # Scenes of tests and benchmarks, by each method.
     Case("SceneStatueProxies", "sky_statue", method="proxies", sampler=None, buffers=("final", "sky", "bounce")),
     Case("SceneProteinProxies", "protein", (160, 120), "proxies", None, {"environment": (1.0, 1.0, 1.0), "lighting": "scene"}),
     Case("SceneCornellBox", "cornell_box", (128, 128), turn=(4, 3)),
@@ -74,16 +74,16 @@ CASES = [
     Case("SceneTwoPlanes", "two_planes", size=(128, 128)),
     Case("SceneRingCaustic", "ring_caustic", size=(128, 128)),
     Case("SceneClosedSphere", "closed_sphere", (128, 128), settings={"number_of_lights": 1024}),
-    # A lamp that is a rectangle.
+    # A rectangular lamp.
     Case("SceneAreaCornell", "area_cornell", (128, 128), "auto", None, buffers=("final", "irradiance", "area"), turn=(4, 3)),
-    # Light that the wall between the rooms holds back.
+    # A wall between the rooms blocks the light.
     Case("SceneTwoRooms", "two_rooms", (128, 128), settings={"occupancy": True}, turn=(8, 3)),
     Case("SceneTwoRoomsHints", "two_rooms", (128, 128), "hints", None, turn=(8, 3)),
 ]
 
 
 def grab(window: vtkRenderWindow) -> vtkWindowToImageFilter:
-    """Return the picture that a window shows."""
+    """Return the picture of a window."""
     pixels = vtkWindowToImageFilter()
     pixels.SetInput(window)
     pixels.ReadFrontBufferOff()
@@ -117,7 +117,7 @@ def alternatives(baseline: Path) -> list[Path]:
 
 
 class Checks:
-    """What has been compared, and what of it failed."""
+    """Counts comparisons and collects failures."""
 
     def __init__(self) -> None:
         self.failures: list[str] = []
@@ -150,7 +150,7 @@ def compare(checks: Checks, pixels: Any, grids: reference.Grids, arguments: list
 
 
 def find_differences(picture: np.ndarray, grids: reference.Grids, path: Path) -> list[str]:
-    """Return what of a frame differs from one baseline."""
+    """Return the differences of a frame from one baseline."""
     found = []
     stored = read_png(path)
     mean, share = reference.pixel_difference(picture, stored)
@@ -168,7 +168,7 @@ def find_differences(picture: np.ndarray, grids: reference.Grids, path: Path) ->
 
 
 def run(case: Case, arguments: list[str]) -> bool:
-    """Render a case and compare it; returns whether it is as it was."""
+    """Render a case and compare it; returns True if it equals the baseline."""
     folder = Path(arguments[arguments.index("-T") + 1])
     checks = Checks()
     scene = vtkindirect.load_scene(SCENES / f"{case.scene}.json")
@@ -176,7 +176,7 @@ def run(case: Case, arguments: list[str]) -> bool:
     camera.Azimuth(case.turn[0])
     camera.Elevation(case.turn[1])
     window = frames.open_window(scene, case.size)
-    # A case of its own shows it: steps of edges tell more of what the others are about.
+    # Separate cases test antialiasing: aliased edges show more of the other cases' subjects.
     settings = {} if case.method == "off" else {"antialiasing": False}
     settings.update(case.settings)
     frames.render(scene, window, frames.Job(case.method, case.sampler, settings))
@@ -189,7 +189,7 @@ def run(case: Case, arguments: list[str]) -> bool:
         checks.check(bool(np.isfinite(grid).all()), f"{name} holds infinite or undefined values")
     if checks.failures:
         return False
-    # What `renew` collects.
+    # Files that `renew` collects.
     writer = vtkPNGWriter()
     writer.SetInputConnection(pixels.GetOutputPort())
     writer.SetFileName(str(folder / f"{case.name}.now.png"))
@@ -201,7 +201,7 @@ def run(case: Case, arguments: list[str]) -> bool:
 
 
 def why_not() -> str | None:
-    """Return why nothing can be rendered or compared here, or None."""
+    """Return the reason if rendering or comparison is impossible here, or None."""
     if WHY_NO_HARNESS:
         return WHY_NO_HARNESS
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether the baselines are complete and small, and whether what must be found in each is found.
+"""Check that the baselines are complete and small, and that the metrics find errors in each.
 
     check_baselines.py CASE...
 """
@@ -16,13 +16,13 @@ from cases import alternatives, read_png
 
 MAXIMUM_BYTES = 2_000_000
 STEP = 8
-"""Of 255, added to each pixel: VTK's own metric of versions before 9.4 takes no notice of it."""
+"""Offset of 255 for each pixel: VTK's own metric of versions before 9.4 ignores it."""
 SCALE = 1.03
-"""Of the irradiance: what a wrong constant or a lost cosine would make, and less than any."""
+"""Factor of the irradiance: less than the effect of a wrong constant or a lost cosine."""
 
 
 def check_picture(path: Path) -> list[str]:
-    """Return what is wrong with one picture."""
+    """Return the faults of one picture."""
     picture = read_png(path)
     if picture.dtype != np.uint8 or picture.shape[2] != 3:
         return [f"{path.name} is no picture of three components of eight bits"]
@@ -36,7 +36,7 @@ def check_picture(path: Path) -> list[str]:
 
 
 def check_grids(path: Path) -> list[str]:
-    """Return what is wrong with the grids of one case."""
+    """Return the faults of the grids of one case."""
     faults = []
     for name, grid in reference.read_grids(path).items():
         kind = name.rpartition(".")[2]

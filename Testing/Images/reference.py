@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What baselines hold beside a picture: block means of float buffers, and the metrics.
+"""Data of baselines beside a picture: block means of float buffers, and the metrics.
 
 The same in C++: Cxx/ImageReference.cxx. The tolerances of both are in tolerance.json.
 """
@@ -18,7 +18,7 @@ BASELINES = PLACE / "Baseline"
 TOLERANCE: dict[str, Any] = json.loads((PLACE / "tolerance.json").read_text(encoding="utf-8"))
 WIDTH, HEIGHT = 16, 12
 ALTERNATIVE_SHARE = 1 / 2
-"""Of the blocks, in which an alternative differs from its case's baseline at most."""
+"""Largest share of blocks in which an alternative may differ from its case's baseline."""
 
 Grids = dict[str, np.ndarray]
 
@@ -44,7 +44,7 @@ class Deviation(NamedTuple):
     """Differences of blocks in units of their tolerance."""
 
     worst: float
-    share: float  # of the blocks that are off by more than 1
+    share: float  # share of blocks with a deviation above 1
 
     @property
     def is_small(self) -> bool:

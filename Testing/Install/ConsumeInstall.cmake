@@ -19,12 +19,12 @@ endfunction ()
 file(REMOVE_RECURSE "${WORK_DIR}")
 file(MAKE_DIRECTORY "${WORK_DIR}")
 
-# A path with a space, which is left again: nothing may remember where it was installed.
+# Installs into a path with a space and moves the result: no file may depend on the first path.
 run("install" "${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/first place")
 set(prefix "${WORK_DIR}/second place")
 file(RENAME "${WORK_DIR}/first place" "${prefix}")
 
-# Not a word of the source or build tree in what is installed as text.
+# Installed text files do not mention the source or build tree.
 file(GLOB_RECURSE texts "${prefix}/*.cmake" "${prefix}/*.py" "${prefix}/*.h" "${prefix}/bin/*")
 foreach (text IN LISTS texts)
   file(STRINGS "${text}" lines)

@@ -1,8 +1,8 @@
 # Run by the test Install.OwnRpath.
 cmake_minimum_required(VERSION 3.18)
 
-# CMAKE_INSTALL_RPATH decides where everything that is installed looks for libraries first. VTK's
-# module system may add a place after it.
+# CMAKE_INSTALL_RPATH is the first folder that all installed files search for libraries. VTK's
+# module system may add a folder after it.
 set(own "/own/place:$ORIGIN/beside")
 set(list "/own/place;$ORIGIN/beside")
 file(REMOVE_RECURSE "${WORK_DIR}")

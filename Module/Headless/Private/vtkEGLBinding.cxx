@@ -2,7 +2,8 @@
 #include "vtkEGLBinding.h"
 
 //------------------------------------------------------------------------------
-// EGL keeps a current context for each of OpenGL and OpenGL ES; another library may have switched.
+// EGL keeps one current context for OpenGL and one for OpenGL ES; another library may have switched
+// the API.
 vtkEGLBinding vtkEGLBinding::GetCurrent()
 {
   eglBindAPI(EGL_OPENGL_API);

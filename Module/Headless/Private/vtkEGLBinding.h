@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which context is current in a thread, to come back to.
+// Remembers a thread's current context, to restore it.
 #ifndef vtkEGLBinding_h
 #define vtkEGLBinding_h
 
@@ -18,7 +18,7 @@ struct vtkEGLBinding
   bool IsCurrent() const;
   bool MakeCurrent() const;
 
-  /** Nothing is current in the thread afterwards, if this was. */
+  /** Leaves the thread without a current context if this one was current. */
   void ReleaseCurrent() const;
 };
 

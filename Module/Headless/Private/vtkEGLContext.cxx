@@ -20,10 +20,10 @@ using vtkEGLUtilities::GetErrorName;
 
 namespace
 {
-// Chooses for windows that leave it open, in programs that cannot be changed.
+// Chooses the device of windows without a DeviceIndex, in programs that cannot be changed.
 const char* const DeviceVariable = "VTK_INDIRECT_EGL_DEVICE";
 
-// No platform is any better then.
+// No platform would work better in this case.
 const char* const BlockedReason =
   "Another OpenGL context, such as that of an X window, is current in "
   "this thread. Call ReleaseCurrent() on its window first.";
@@ -75,7 +75,7 @@ std::string vtkEGLContext::Create(int deviceIndex)
     }
     if (reason.empty())
     {
-      // A software device by its number is what was asked for.
+      // A software device selected by its number is intended.
       if (deviceIndex < 0 && vtkEGLUtilities::IsSoftwareRenderer(this->Renderer))
       {
         const std::string why = ExplainMissingCard(attempts);
@@ -161,7 +161,7 @@ std::string vtkEGLContext::MakeContextAndSurface()
   {
     return "it offers OpenGL ES only";
   }
-  // The smallest pixel buffer goes with the context. VTK draws into framebuffers of its own, but
+  // The smallest pixel buffer serves the context. VTK draws into framebuffers of its own, but
   // queries the default one, which is incomplete without a surface.
   const EGLint wanted[] = { EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
     EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_ALPHA_SIZE, 8, EGL_DEPTH_SIZE, 24,
@@ -215,7 +215,7 @@ std::string vtkEGLContext::MakeContextAndSurface()
 }
 
 //------------------------------------------------------------------------------
-// The context is current.
+// Requires the context to be current.
 std::string vtkEGLContext::Examine(const vtkEGLPlatform& platform)
 {
   this->PlatformName = platform.Name;
@@ -227,7 +227,7 @@ std::string vtkEGLContext::Examine(const vtkEGLPlatform& platform)
     return "OpenGL \"" + this->Version + "\" is older than 3.2";
   }
   // A driver for a device that cannot render may fall back to software. The surfaceless platform
-  // comes to the same, and is next.
+  // does the same, and is next.
   if (platform.MustBeHardware && vtkEGLUtilities::IsSoftwareRenderer(this->Renderer))
   {
     return "it renders in software (" + this->Renderer + ")";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An OpenGL core-profile context with all that it needs, on one platform.
+// An OpenGL core-profile context with its surface and display, on one platform.
 #ifndef vtkEGLContext_h
 #define vtkEGLContext_h
 
@@ -11,17 +11,18 @@ struct vtkEGLPlatform;
 
 struct vtkEGLContext : vtkEGLBinding
 {
-  /** What the context says of itself. */
+  /** OpenGL's own description of the context. */
   std::string PlatformName;
   std::string Version;
   std::string Renderer;
   int MaximumSize = 0;
 
-  /** Why the context renders in software on a machine with a card, in one line; else empty. */
+  /** Reason why the context renders in software on a machine with a card, in one line; else
+   * empty. */
   std::string Warning;
 
   /** Makes a context on the first platform that works, or on one device. Returns an empty string,
-   * or the reasons why none works; nothing is left behind then. What is current stays so. */
+   * or the reasons why none works, and then keeps no objects. The current context stays current. */
   std::string Create(int deviceIndex);
 
   void Destroy();

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-// Not in the headers of every EGL.
+// Some EGL headers lack these names.
 #ifndef EGL_DRM_DEVICE_FILE_EXT
 #define EGL_DRM_DEVICE_FILE_EXT 0x3233
 #endif
@@ -32,7 +32,7 @@ using vtkEGLUtilities::HasExtension;
 namespace
 {
 //------------------------------------------------------------------------------
-// What drivers say goes into messages of one line.
+// Puts drivers' texts on one line, for messages.
 std::string OnOneLine(const char* text)
 {
   std::string line(text ? text : "");
@@ -58,7 +58,7 @@ vtkEGLDevice Ask(const vtkEGLPlatform& platform, int index)
   device.Driver = ask("EGL_EXT_device_persistent_id", EGL_DRIVER_NAME_EXT);
   device.CardFile = ask("EGL_EXT_device_drm", EGL_DRM_DEVICE_FILE_EXT);
   device.RenderNode = ask("EGL_EXT_device_drm_render_node", EGL_DRM_RENDER_NODE_FILE_EXT);
-  // Not every version of the driver that has this extension, NVIDIA's own, reports its vendor.
+  // Only NVIDIA's driver has this extension, and some versions of it report no vendor.
   if (device.Vendor.empty() && HasExtension(extensions, "EGL_NV_device_cuda"))
   {
     device.Vendor = "NVIDIA";
@@ -73,7 +73,7 @@ vtkEGLDevice Ask(const vtkEGLPlatform& platform, int index)
   {
     device.CudaDevice = static_cast<int>(cuda);
   }
-  // A question that a driver does not answer is no error of the program's.
+  // Discards the error of a query that a driver does not support.
   eglGetError();
   return device;
 }
@@ -82,7 +82,7 @@ vtkEGLDevice Ask(const vtkEGLPlatform& platform, int index)
 //------------------------------------------------------------------------------
 bool vtkEGLDevice::IsNvidia() const
 {
-  // Mesa may list a card of NVIDIA's too, and has other needs.
+  // Mesa may list an NVIDIA card, too, and has other requirements.
   return this->Vendor.find("NVIDIA") != std::string::npos;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What EGL reports of one of its devices. Drivers report different things, and some nothing.
+// EGL's description of one of its devices. Drivers report different properties, and some none.
 #ifndef vtkEGLDevice_h
 #define vtkEGLDevice_h
 
@@ -9,18 +9,18 @@
 struct vtkEGLDevice
 {
   int Index = -1;
-  /** Of the card, such as "NVIDIA A40"; of who made the driver; of the driver, which the kernel
-   * tells where EGL does not. */
+  /** Name of the card, such as "NVIDIA A40"; vendor of the driver; name of the driver, from the
+   * kernel if EGL does not tell it. */
   std::string Renderer;
   std::string Vendor;
   std::string Driver;
   /** Files of the kernel, such as "/dev/dri/card0" and "/dev/dri/renderD128". */
   std::string CardFile;
   std::string RenderNode;
-  /** The number that CUDA gives to the card, -1 where it gives none. */
+  /** CUDA's number of the card, -1 if it has none. */
   int CudaDevice = -1;
   bool IsSoftware = false;
-  /** The first device that is the same card, -1 where there is none. Two drivers may list one. */
+  /** The first device with the same card, -1 if there is none: two drivers may list one card. */
   int SameCardAs = -1;
 
   bool IsNvidia() const;
@@ -31,7 +31,7 @@ struct vtkEGLDevice
   /** All devices, in the order of their indices. */
   static std::vector<vtkEGLDevice> List();
 
-  /** The descriptions of all, in one line, or that there are none. */
+  /** The descriptions of all devices in one line, or a text that there are none. */
   static std::string DescribeAll(const std::vector<vtkEGLDevice>& devices);
 };
 

@@ -28,7 +28,7 @@ const File* FindOther(const std::vector<File>& files)
 }
 
 //------------------------------------------------------------------------------
-// One that can be opened, or else the first.
+// The first file that can be opened, or else the first file.
 const File& ChooseFile(const std::vector<File>& files, bool (*isWanted)(const File&))
 {
   const auto opened = std::find_if(files.begin(), files.end(),
@@ -67,7 +67,7 @@ std::string AddLibraryFolder(const vtkEGLMachine& machine)
 }
 
 //------------------------------------------------------------------------------
-// There is a file of an NVIDIA card that can be opened.
+// Explains the case that a file of an NVIDIA card can be opened.
 std::string ExplainNvidia(const vtkEGLMachine& machine, const File& file)
 {
   const std::string card = "NVIDIA card " + file.Path;
@@ -124,7 +124,7 @@ std::string ExplainNvidia(const vtkEGLMachine& machine, const File& file)
 }
 
 //------------------------------------------------------------------------------
-// There is a render node that can be opened.
+// Explains the case that a render node can be opened.
 std::string ExplainMesa(const vtkEGLMachine& machine, const File& node)
 {
   const std::string card =

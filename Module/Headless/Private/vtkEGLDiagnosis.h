@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What keeps a graphics card from rendering, as far as plain facts show.
+// Explains why a graphics card does not render, from plain facts.
 #ifndef vtkEGLDiagnosis_h
 #define vtkEGLDiagnosis_h
 
@@ -9,13 +9,13 @@ struct vtkEGLMachine;
 
 namespace vtkEGLDiagnosis
 {
-/** Why no card renders, and what to do, in one line. Empty where there is no card that could, or
- * where the environment wants software. Of several reasons the one that is nearest to rendering:
- * cards with files of devices come before those that only the kernel has. */
+/** Reason why no card renders, and the remedy, in one line. Empty if no card could render, or if
+ * the environment requests software. Of several reasons it gives the one nearest to rendering:
+ * cards with device files come before those that only the kernel lists. */
 std::string Explain(const vtkEGLMachine& machine);
 
-/** Why the device with that render node may not be used, in one line; empty where nothing is known
- * against it. */
+/** Reason why the device with that render node cannot be used, in one line; empty if none is
+ * known. */
 std::string ExplainRenderNode(const vtkEGLMachine& machine, const std::string& renderNode);
 }
 

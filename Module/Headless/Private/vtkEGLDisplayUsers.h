@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Who uses which EGL display. Displays are shared: asking twice for one gives the same handle, and
-// terminating it ends it for everybody. So users are counted, over all windows and threads, and a
-// display that somebody else had initialized is never terminated.
+// Counts the users of EGL displays. Displays are shared: two requests for a display give the same
+// handle, and terminating it ends it for everybody. So users are counted over all windows and
+// threads, and a display initialized by other code is never terminated.
 #ifndef vtkEGLDisplayUsers_h
 #define vtkEGLDisplayUsers_h
 
@@ -13,7 +13,8 @@
 class vtkEGLDisplayUsers
 {
 public:
-  /** The one of the process. Never deleted: windows may be destroyed as late as static objects. */
+  /** The instance of the process. Never deleted: windows may be destroyed as late as static
+   * objects. */
   static vtkEGLDisplayUsers& GetInstance();
 
   /** Initializes the display for its first user. Returns false, with EGL's error, if that fails. */

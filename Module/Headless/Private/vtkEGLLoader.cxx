@@ -9,7 +9,7 @@
 
 namespace
 {
-// What is needed of OpenGL before VTK has loaded it.
+// OpenGL names that are needed before VTK has loaded OpenGL.
 constexpr unsigned int GLRendererName = 0x1F01;
 constexpr unsigned int GLVersionName = 0x1F02;
 constexpr unsigned int GLMajorVersion = 0x821B;
@@ -85,7 +85,7 @@ std::string vtkEGLLoader::LoadGLEW()
 {
   GLenum result = glewInit();
 #ifdef GLEW_ERROR_NO_GLX_DISPLAY
-  // A GLEW made for GLX loads all of OpenGL, then fails to find a GLX display and says so.
+  // A GLEW built for GLX loads all of OpenGL, and then reports that it finds no GLX display.
   if (result == GLEW_ERROR_NO_GLX_DISPLAY)
   {
     result = GLEW_OK;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// OpenGL's functions by way of EGL: the few questions that are asked before VTK has loaded OpenGL,
-// and the loading itself where VTK does that with GLEW. The context must be current.
+// OpenGL's functions through EGL: the queries made before VTK has loaded OpenGL, and the loading
+// itself for a VTK that uses GLEW. The context must be current.
 #ifndef vtkEGLLoader_h
 #define vtkEGLLoader_h
 
@@ -22,7 +22,7 @@ int GetMaximumTextureSize();
 float GetMaximumLineWidth(bool smooth);
 
 #ifdef VTK_INDIRECT_USE_GLEW
-/** Returns an empty string, or why OpenGL cannot be loaded. */
+/** Returns an empty string, or the reason why OpenGL cannot be loaded. */
 std::string LoadGLEW();
 #endif
 }

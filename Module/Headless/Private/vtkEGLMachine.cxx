@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
-// Folders of multiarch systems, and those without. "*" stands for any name that it begins.
+// Library folders, with and without multiarch. "*" stands for the rest of a name.
 const char* const LibraryFolders[] = { "/usr/lib/x86_64-linux-gnu", "/usr/lib/aarch64-linux-gnu",
   "/usr/lib64", "/usr/lib", "/lib/x86_64-linux-gnu", "/lib/aarch64-linux-gnu", "/lib64", "/lib" };
 const char* const OtherLibraryFolders[] = { "/usr/local/nvidia/lib64", "/usr/local/nvidia/lib",
@@ -56,7 +56,7 @@ std::vector<std::string> SplitPath(const std::string& list)
 }
 
 //------------------------------------------------------------------------------
-// A tree of files. All paths that go in and come out begin with "/" at its root.
+// A tree of files. All paths in its methods begin with "/" at its root.
 class Tree
 {
 public:
@@ -71,11 +71,11 @@ public:
     return fs::exists(this->Root + path, error);
   }
 
-  /** The beginning of a file; empty where it cannot be read. */
+  /** The beginning of a file; empty if it cannot be read. */
   std::string Read(const std::string& path) const
   {
     std::error_code error;
-    // A pipe or a device would keep a reader waiting.
+    // Reading a pipe or a device would block.
     if (!fs::is_regular_file(this->Root + path, error))
     {
       return "";
@@ -105,7 +105,8 @@ public:
     return paths;
   }
 
-  /** The folders that a pattern means: itself, or each name for the "*" at a name's end. */
+  /** The folders that match a pattern: the pattern itself, or each name for a "*" at a name's
+   * end. */
   std::vector<std::string> Expand(const std::string& pattern) const
   {
     const size_t star = pattern.find('*');
@@ -125,7 +126,7 @@ public:
 
   int GetOpenError(const std::string& path) const
   {
-    // What may be opened by its permissions, a container may still refuse.
+    // Opens the file, because a container may refuse access that the permissions allow.
     const int file = open((this->Root + path).c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
     if (file < 0)
     {
@@ -148,7 +149,8 @@ bool IsNumbered(const std::string& path, const std::string& beginning)
 }
 
 //------------------------------------------------------------------------------
-// The driver that the kernel has bound to the card of a render node; empty where it cannot render.
+// The driver that the kernel has bound to the card of a render node; empty if the card cannot
+// render.
 std::string GetRenderingDriver(const Tree& tree, const std::string& name)
 {
   const std::string device = "/sys/class/drm/" + name + "/device";
@@ -162,8 +164,8 @@ std::string GetRenderingDriver(const Tree& tree, const std::string& name)
       driver = line.substr(7);
     }
   }
-  // vgem has no card, and by the kernel's version no driver or one that says so. A card of VMware
-  // has a render node whether or not its host renders; that cannot be found out.
+  // vgem has no card, and depending on the kernel's version no driver or a driver of this name. A
+  // card of VMware has a render node whether or not its host renders, which cannot be queried.
   if (driver == "faux_driver" || driver == "vgem" || driver == "vmwgfx")
   {
     return "";
@@ -171,7 +173,7 @@ std::string GetRenderingDriver(const Tree& tree, const std::string& name)
   if (driver == "virtio_gpu" || driver == "virtio-pci" || driver == "virtio-mmio")
   {
     // As with VMware, but the first of the features that the host offers is rendering. The device
-    // is that on the bus of virtio, or by the kernel's version the one above it.
+    // is the one on the virtio bus, or depending on the kernel's version its parent.
     std::vector<std::string> folders = tree.List(device, "virtio");
     folders.push_back(device);
     const bool renders = std::any_of(folders.begin(), folders.end(),
@@ -199,7 +201,7 @@ void GatherNodes(const Tree& tree, vtkEGLMachine& machine)
     const auto known = std::find_if(machine.KernelNodes.begin(), machine.KernelNodes.end(),
       [&](const vtkEGLMachine::File& node) { return node.Path == path; });
     const bool isKnown = known != machine.KernelNodes.end();
-    // Some sandboxes have devices and nothing of the kernel.
+    // Some sandboxes show devices but none of the kernel's files.
     const bool isUnknown = !tree.Has("/sys/class/drm" + path.substr(path.rfind('/')));
     if (IsNumbered(path, "renderD") && (isKnown || isUnknown))
     {
@@ -210,8 +212,8 @@ void GatherNodes(const Tree& tree, vtkEGLMachine& machine)
 }
 
 //------------------------------------------------------------------------------
-// "NVRM version: NVIDIA UNIX x86_64 Kernel Module  535.161.07  Sat Feb 17 ...": the word of digits
-// and points.
+// Finds the word of digits and points in "NVRM version: NVIDIA UNIX x86_64 Kernel Module 535.161.07
+// Sat Feb 17 ...".
 std::string FindVersion(const std::string& text)
 {
   std::istringstream words(text);
@@ -306,7 +308,7 @@ std::string GetNamedLibrary(const Tree& tree, const std::string& vendorFile)
 }
 
 //------------------------------------------------------------------------------
-// Where the dynamic linker looks.
+// Folders that the dynamic linker searches.
 std::vector<std::string> ListLibraryFolders(const Tree& tree)
 {
   std::vector<std::string> folders = SplitPath(GetEnvironment("LD_LIBRARY_PATH"));
@@ -329,7 +331,7 @@ std::vector<std::string> ListLibraryFolders(const Tree& tree)
 //------------------------------------------------------------------------------
 void GatherNvidiaDriver(const Tree& tree, vtkEGLMachine& machine)
 {
-  // What the environment names takes the place of what EGL looks through on its own.
+  // Files named in the environment replace the folders that EGL searches by default.
   const std::vector<std::string> standard(std::begin(VendorFolders), std::end(VendorFolders));
   std::vector<std::string> files = SplitPath(machine.VendorFilenames);
   if (files.empty())
@@ -362,7 +364,7 @@ void GatherNvidiaDriver(const Tree& tree, vtkEGLMachine& machine)
 //------------------------------------------------------------------------------
 bool vtkEGLMachine::EnvironmentWantsSoftware()
 {
-  // Mesa takes each of these, in any case, for no.
+  // Mesa takes each of these, in upper or lower case, for no.
   std::string always = GetEnvironment("LIBGL_ALWAYS_SOFTWARE");
   std::transform(always.begin(), always.end(), always.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

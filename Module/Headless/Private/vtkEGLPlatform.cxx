@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <iterator>
 
-// Not in the headers of every EGL.
+// Some EGL headers lack this name.
 #ifndef EGL_PLATFORM_DEVICE_EXT
 #define EGL_PLATFORM_DEVICE_EXT 0x313F
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A place where a context may come from, and the order in which such places are tried.
+// A possible source of a context, and the order in which sources are tried.
 #ifndef vtkEGLPlatform_h
 #define vtkEGLPlatform_h
 
@@ -12,21 +12,21 @@ struct vtkEGLPlatform
 {
   std::string Name;
   EGLenum Type = EGL_NONE;
-  /** An EGLDeviceEXT where there is one. */
+  /** The EGLDeviceEXT of a device. */
   void* Handle = nullptr;
-  /** Its number where it is a device, else -1. */
+  /** Number of a device, else -1. */
   int DeviceIndex = -1;
   bool IsSoftware = false;
-  /** Whether a driver that falls back to software is of no use here. */
+  /** True if a driver's fallback to software is to be refused. */
   bool MustBeHardware = false;
 
-  /** EGL_NO_DISPLAY where there is none. */
+  /** EGL_NO_DISPLAY if there is none. */
   EGLDisplay GetDisplay() const;
 
   static std::vector<vtkEGLPlatform> ListDevices();
 
-  /** All platforms in the order in which they are tried, or, for an index from 0, that device. A
-   * device that is not one of software must be hardware, unless the environment wants software. */
+  /** All platforms in the order of their trial, or, for an index from 0, that device. A device that
+   * is not a software device must render in hardware, unless the environment requests software. */
   static std::vector<vtkEGLPlatform> ListCandidates(int deviceIndex);
 };
 

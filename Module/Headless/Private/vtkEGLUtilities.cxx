@@ -61,7 +61,7 @@ bool vtkEGLUtilities::IsSoftwareRenderer(const std::string& renderer)
   std::string lower(renderer);
   std::transform(lower.begin(), lower.end(), lower.begin(),
     [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  // "LLVM" alone says nothing: drivers of GPUs compile their shaders with it.
+  // "LLVM" alone is no sign: drivers of GPUs compile their shaders with it.
   for (const char* name : { "llvmpipe", "lavapipe", "softpipe", "swrast", "software rasterizer",
          "swiftshader", "microsoft basic render" })
   {

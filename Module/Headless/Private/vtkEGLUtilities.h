@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small questions to EGL: what an error is called, what is offered, where a function is.
+// Small queries to EGL: names of errors, extensions, addresses of functions.
 #ifndef vtkEGLUtilities_h
 #define vtkEGLUtilities_h
 
@@ -11,15 +11,14 @@ namespace vtkEGLUtilities
 {
 std::string GetErrorName(EGLint error);
 
-/** Whether a list of extensions, which may be nullptr, has that one. */
+/** True if a list of extensions, which may be nullptr, has that one. */
 bool HasExtension(const char* extensions, const std::string& name);
 
-/** Whether that OpenGL renderer, by the name that it gives itself, is a rasterizer on the
- * processor. One that reaches such a rasterizer by way of Vulkan or of a virtual machine names it
- * too. */
+/** True if an OpenGL renderer, by its own name, is a rasterizer on the processor. One that uses
+ * such a rasterizer through Vulkan or a virtual machine has its name, too. */
 bool IsSoftwareRenderer(const std::string& renderer);
 
-/** A function by its name, nullptr where EGL does not know it. */
+/** A function by its name, nullptr if EGL does not have it. */
 template <typename Function>
 Function GetFunction(const char* name)
 {

@@ -8,7 +8,7 @@
 
 namespace
 {
-// A sphere's points are chosen of those within this many radii, and of this many at least.
+// A sphere's points are chosen from those within this many radii, and from at least this many.
 constexpr double Reach = 1.2;
 constexpr size_t LeastPool = 16;
 }
@@ -47,7 +47,7 @@ std::vector<vtkProxyBinding> vtkProxyBinding::Bind(
   for (size_t s = 0; s < spheres.size(); ++s)
   {
     const vtkProxySphere& sphere = spheres[s];
-    // The points that the sphere reaches, at least some ...
+    // Collects the points within the sphere's reach, and at least some.
     for (size_t i = 0; i < used.size(); ++i)
     {
       near[i] = { glm::length(points[static_cast<size_t>(used[i])] - sphere.Center), used[i] };
@@ -59,7 +59,7 @@ std::vector<vtkProxyBinding> vtkProxyBinding::Bind(
       [reach](const std::pair<double, long long>& n) { return n.first <= reach; });
     std::sort(near.begin() + static_cast<long>(pool), end);
     pool = static_cast<size_t>(end - near.begin());
-    // ... and of them those that are farthest from each other, all around it.
+    // Chooses those that are farthest from each other, all around the sphere.
     vtkProxyBinding& binding = bindings[s];
     std::vector<double> apart(pool, std::numeric_limits<double>::max());
     std::fill(std::begin(binding.Ids), std::end(binding.Ids), near[0].second);
@@ -80,12 +80,12 @@ std::vector<vtkProxyBinding> vtkProxyBinding::Bind(
       next = farthest;
       if (!(apart[next] > 0.0))
       {
-        count = n + 1; // all others are at the same places
+        count = n + 1; // all others are at the same positions
       }
     }
-    // Least weights of sum one whose mean is the center: w = 1/n + D (D^T D)^-1 (center - mean), D
-    // the points relative to their mean. A flat set of points has a singular D^T D; a small share
-    // of its trace keeps what it cannot reach in the offset.
+    // Least-squares weights of sum one whose mean is the center: w = 1/n + D (D^T D)^-1 (center -
+    // mean), D the points relative to their mean. A flat set of points has a singular D^T D; a
+    // small share of its trace leaves the unreachable part in the offset.
     glm::dvec3 mean(0.0);
     for (int n = 0; n < count; ++n)
     {
@@ -101,7 +101,7 @@ std::vector<vtkProxyBinding> vtkProxyBinding::Bind(
     if (trace > 0.0)
     {
       const glm::dmat3 inverse = glm::inverse(moments + glm::dmat3(1e-9 * trace));
-      // Twice: what the share of the trace has left.
+      // A second step removes most of the error from the share of the trace.
       glm::dvec3 way = inverse * (sphere.Center - mean);
       way += inverse * (sphere.Center - mean - moments * way);
       for (int n = 0; n < count; ++n)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Places sorted into cells of space.
+// Positions sorted into cells of space.
 #ifndef vtkProxyCells_h
 #define vtkProxyCells_h
 
@@ -9,7 +9,7 @@
 #include <limits>      // for bounds
 #include <vector>      // for the members
 
-/** Items that have a Point, in cells of space, for all that may lie in a ball. */
+/** Items with a Point, in cells of space, to find those that may lie in a ball. */
 class vtkProxyCells
 {
 public:

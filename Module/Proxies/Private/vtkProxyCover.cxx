@@ -10,26 +10,26 @@
 
 namespace
 {
-// How far beside the surface its two sides are looked at; the diagonal is 1.
+// Distance of the test of a surface's two sides from the surface; the diagonal is 1.
 constexpr double Beside = 1e-5;
-// All interior samples together weigh this much of what the surface does.
+// Weight of all interior samples together over that of the surface.
 constexpr double InteriorShare = 0.25;
 constexpr int InteriorSamples = 6000;
-// What samples are held to, so that what is between them is within the error.
+// Share of the error allowed at samples, so that the surface between them is within the error.
 constexpr double BetweenSamples = 0.93;
-// Squared distance beyond the error counts so much more.
+// Extra weight of squared distance beyond the error.
 constexpr double Uncovered = 10.0;
-// Candidates in cells of a quarter of this are one: a 512th of the diagonal.
+// Candidates in the same cell, a quarter of this wide, are merged: a 512th of the diagonal.
 constexpr double SamePlace = 4.0 / 512.0;
-// Samples of the skin whose inner balls are candidates.
+// Number of the skin's samples whose inner balls are candidates.
 constexpr size_t Balls = 12000;
-// The surface is looked for in this share of an inner ball. With all of it, each of the facets of a
-// round body is near enough to be looked at.
+// Share of an inner ball that is searched for the surface. In the whole ball all facets of a round
+// body would be near enough to be tested.
 constexpr double Tight = 0.9;
-// Balls that all others are compared with.
+// Number of balls that all others are compared with.
 constexpr size_t Largest = 100;
 
-// Gauss with pivots; false where the matrix is singular.
+// Gaussian elimination with pivots; false if the matrix is singular.
 bool Solve(double a[4][5], double x[4])
 {
   for (int i = 0; i < 4; ++i)
@@ -73,7 +73,7 @@ vtkProxyCover::vtkProxyCover(
   , Solid(solid)
 {
   this->Samples = this->MakeSamples(samples);
-  // Sheets have no other candidates; solids have voxels besides.
+  // Sheets have no other candidates; solids have voxels as well.
   const size_t stride = this->Samples.size() / Balls + 1;
   for (size_t i = 0; i < this->Samples.size(); ++i)
   {
@@ -90,7 +90,7 @@ vtkProxyCover::vtkProxyCover(
   const std::vector<vtkProxySolid::Voxel>& voxels = solid.GetVoxels();
   const size_t step = voxels.size() / InteriorSamples + 1;
   const double weight = InteriorShare * surface.GetArea() / (voxels.size() / step + 1.0);
-  // A step that is prime to the lengths of rows would be chance; each other place is as good.
+  // A step coprime to the lengths of rows would only give other, equally good positions.
   for (size_t i = step / 2; i < voxels.size(); i += step)
   {
     Sample sample;
@@ -112,7 +112,7 @@ std::vector<vtkProxyCover::Sample> vtkProxyCover::MakeSamples(int count) const
     const bool back = this->Solid.IsSolid(made.Point - Beside * made.Normal);
     if (front && back)
     {
-      continue; // nothing sees it
+      continue; // no light reaches it
     }
     Sample sample;
     sample.Point = made.Point;
@@ -131,8 +131,8 @@ vtkProxyCover::Candidate vtkProxyCover::MakeCandidate(const Sample& sample) cons
   {
     return { sample.Point, 0.0, true };
   }
-  // The largest ball inside that touches the surface here, by shrinking one: Ma, Bae, Choi 2012,
-  // "3D medial axis point approximation using nearest neighbors and the normal field".
+  // Finds the largest inner ball that touches the surface here, by shrinking a ball: Ma, Bae, Choi
+  // 2012, "3D medial axis point approximation using nearest neighbors and the normal field".
   double radius = 0.5;
   for (int i = 0; i < 30; ++i)
   {
@@ -154,7 +154,7 @@ vtkProxyCover::Candidate vtkProxyCover::MakeCandidate(const Sample& sample) cons
     radius = smaller;
   }
   const glm::dvec3 center = sample.Point + radius * sample.Inward;
-  // The depth is found when it is known that no other candidate is as good.
+  // The depth is computed later, for candidates without an equally good alternative.
   return this->Solid.IsSolid(center) ? Candidate{ center, radius, false }
                                      : Candidate{ sample.Point, 0.0, false };
 }
@@ -178,7 +178,7 @@ std::vector<vtkProxyCover::Candidate> vtkProxyCover::FindDepths(
 std::vector<vtkProxyCover::Candidate> vtkProxyCover::Thin(
   const std::vector<Candidate>& candidates, double error)
 {
-  // Depths of neighbours differ by no more than their distance, so that places decide.
+  // Depths of neighbours differ at most by their distance, so that positions decide.
   const double size = 0.25 * error;
   struct Key
   {
@@ -213,7 +213,7 @@ std::vector<vtkProxyCover::Candidate> vtkProxyCover::Thin(
       kept.push_back(candidates[static_cast<size_t>(keys[i].Index)]);
     }
   }
-  // Balls inside of one of the largest: facets of a round body have many.
+  // Removes balls inside of one of the largest: facets of a round body make many.
   std::stable_sort(kept.begin(), kept.end(),
     [](const Candidate& a, const Candidate& b) { return a.Depth > b.Depth; });
   std::vector<Candidate> left;
@@ -242,7 +242,7 @@ vtkProxySphere vtkProxyCover::MakeSphere(const Candidate& candidate, double erro
 //------------------------------------------------------------------------------
 bool vtkProxyCover::Covers(const vtkProxySphere& sphere, const Sample& sample, double error)
 {
-  // Sheets let no light through: their spheres reach all samples. Skin may be an error away.
+  // Sheets transmit no light: their spheres must contain all samples. Skin may be an error away.
   double reach = sphere.Radius;
   if (sample.Kind == Sample::Sheet)
   {
@@ -279,7 +279,7 @@ bool vtkProxyCover::Choose(const std::vector<Sample>& samples, const std::vector
   };
   for (size_t i = 0; i < samples.size(); ++i)
   {
-    // What is so near to the skin is inside of any sphere that covers the skin there.
+    // A sample this near to the skin is inside of any sphere that covers the skin there.
     if (samples[i].Kind == Sample::Interior && samples[i].Depth < 2.0 * error)
     {
       covered[i] = 1;
@@ -305,8 +305,8 @@ bool vtkProxyCover::Choose(const std::vector<Sample>& samples, const std::vector
       });
     return gain;
   };
-  // A gain only falls, so that one that is still the largest when made anew is the largest of all.
-  // Equal gains go by the candidates' order.
+  // Gains only decrease, so a recomputed gain that is still the largest is the maximum. Equal gains
+  // are ordered by the candidates.
   using Entry = std::pair<double, int>;
   std::vector<Entry> gains;
   for (int i = 0; left > 0 && i < static_cast<int>(candidates.size()); ++i)
@@ -352,7 +352,7 @@ std::vector<vtkProxySphere> vtkProxyCover::CoverWithin(double error, int most) c
 //------------------------------------------------------------------------------
 double vtkProxyCover::CoverWith(int count, std::vector<vtkProxySphere>& spheres) const
 {
-  // With half the diagonal one sphere covers all.
+  // With half the diagonal one sphere covers the surface.
   double low = 1e-4;
   double high = 0.5;
   spheres = this->CoverWithin(high, count);
@@ -382,7 +382,7 @@ void vtkProxyCover::Refine(std::vector<vtkProxySphere>& spheres, double error, i
 {
   std::vector<int> owner(this->Samples.size());
   std::vector<double> off(this->Samples.size());
-  // The energy of the spheres and the sphere that each sample belongs to.
+  // The energy of the spheres and the sphere of each sample.
   auto measure = [&](const std::vector<vtkProxySphere>& of)
   {
     struct Place
@@ -421,7 +421,7 @@ void vtkProxyCover::Refine(std::vector<vtkProxySphere>& spheres, double error, i
       if (owner[i] >= 0)
       {
         off[i] = least;
-        // What is left uncovered counts more: it would ask for a further sphere.
+        // Uncovered distance counts more: it would require a further sphere.
         const double uncovered = std::max(least - error, 0.0);
         energy += sample.Weight * (least * least + Uncovered * uncovered * uncovered);
       }
@@ -431,7 +431,7 @@ void vtkProxyCover::Refine(std::vector<vtkProxySphere>& spheres, double error, i
   double energy = measure(spheres);
   for (int step = 0; step < steps; ++step)
   {
-    // Gauss and Newton, a sphere at a time: distances from (center, radius) are nearly linear.
+    // Gauss-Newton, one sphere at a time: distances from (center, radius) are nearly linear.
     struct Normal
     {
       double A[4][5] = {};
@@ -494,7 +494,7 @@ void vtkProxyCover::Refine(std::vector<vtkProxySphere>& spheres, double error, i
         sphere.Center = before[i].Center + move;
         const double depth = this->Solid.GetDepth(sphere.Center);
         sphere.Radius = std::min(before[i].Radius + share * moves[i].w, depth + error);
-        // A sphere that would be nothing or inside out stays as it was.
+        // Rejects a step that makes a sphere much smaller or puts it outside.
         if (!(sphere.Radius > 0.5 * before[i].Radius) || !(depth > -error))
         {
           sphere = before[i];

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spheres that cover a surface: candidates, a greedy cover, steps towards the least squared
+// Covers a surface with spheres: candidates, a greedy choice, steps towards the least squared
 // distance.
 #ifndef vtkProxyCover_h
 #define vtkProxyCover_h
 
-#include "vtkProxySolid.h" // for what is inside
+#include "vtkProxySolid.h" // for the interior
 
 /**
- * Each sphere sticks out of the solid by no more than an error, and each sample of the surface is
- * no farther than that outside of a sphere. Lengths are those of vtkProxySurface.
+ * Each sphere extends beyond the solid by at most an error, and each sample of the surface is
+ * outside of a sphere by at most that. Lengths are those of vtkProxySurface.
  */
 class vtkProxyCover
 {
 public:
   vtkProxyCover(const vtkProxySurface& surface, const vtkProxySolid& solid, int samples);
 
-  /** As few spheres as the greedy choice finds for an error; empty if they were more than `most`.
+  /** The spheres of the greedy choice for an error; empty if they are more than `most`.
    */
   std::vector<vtkProxySphere> CoverWithin(double error, int most) const;
   /** The least error for which there are at most `count` spheres, within 1 % of it or 2 % of them.
@@ -33,12 +33,12 @@ private:
     double Weight = 0.0;
     enum
     {
-      Skin,    // of a solid
-      Sheet,   // encloses nothing
-      Interior // of the solid, away from its skin
+      Skin,    // surface of a solid
+      Sheet,   // surface that encloses no volume
+      Interior // inside of a solid
     } Kind = Skin;
-    double Depth = 0.0;       // of the interior
-    glm::dvec3 Inward{ 0.0 }; // of the skin
+    double Depth = 0.0;       // distance of an interior sample from the surface
+    glm::dvec3 Inward{ 0.0 }; // inward direction of a skin sample
   };
   struct Candidate
   {
@@ -50,7 +50,7 @@ private:
   std::vector<Sample> MakeSamples(int count) const;
   Candidate MakeCandidate(const Sample& sample) const;
   std::vector<Candidate> FindDepths(const std::vector<Candidate>& candidates) const;
-  /** One of those that are nearly the same, compared with an error: the deepest. */
+  /** Merges candidates that differ little compared with an error: keeps the deepest. */
   static std::vector<Candidate> Thin(const std::vector<Candidate>& candidates, double error);
   static vtkProxySphere MakeSphere(const Candidate& candidate, double error);
   static bool Covers(const vtkProxySphere& sphere, const Sample& sample, double error);

@@ -11,7 +11,7 @@ constexpr int SurfaceSamples = 20000;
 constexpr int VolumeSamples = 100000;
 constexpr double Beside = 1e-5;
 
-// Signed distance to the union of spheres: exact outside, inside no deeper than it is.
+// Signed distance to the union of spheres: exact outside, a bound of the depth inside.
 double DistanceToUnion(const std::vector<vtkProxySphere>& spheres, const glm::dvec3& p)
 {
   double least = std::numeric_limits<double>::max();
@@ -20,7 +20,7 @@ double DistanceToUnion(const std::vector<vtkProxySphere>& spheres, const glm::dv
     const glm::dvec3 way = p - sphere.Center;
     const double reach = least + sphere.Radius;
     const double length2 = glm::dot(way, way);
-    // Without a square root where the sphere cannot be nearer.
+    // Avoids a square root if the sphere cannot be nearer.
     if (!(reach > 0.0) || length2 >= reach * reach)
     {
       continue;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How well spheres stand for a surface and what it encloses.
+// Measures how well spheres approximate a surface and its interior.
 #ifndef vtkProxyMeasures_h
 #define vtkProxyMeasures_h
 
-#include "vtkProxySolid.h" // for what is inside
+#include "vtkProxySolid.h" // for the interior
 
-/** In lengths of vtkProxySurface. Surface inside the solid is left out: nothing sees it. */
+/** In lengths of vtkProxySurface. Surface inside the solid is left out, because it is invisible. */
 struct vtkProxyMeasures
 {
-  double CoveredArea = 1.0;         // share no farther than the error outside of the spheres
-  double MaximumGap = 0.0;          // how far the surface is outside of the spheres, at most
-  double RootMeanSquareError = 0.0; // distance of the surface to that of the spheres' union
-  double MaximumProtrusion = 0.0;   // how far spheres stick out of the solid, at most
-  double SolidVolume = 0.0;         // of what the surface encloses
-  double CoveredVolume = 1.0;       // share of it inside of spheres
-  double ProtrudingVolume = 0.0;    // of the union, outside of the solid
+  double CoveredArea = 1.0;         // share within the error outside of the spheres
+  double MaximumGap = 0.0;          // largest distance of the surface outside of the spheres
+  double RootMeanSquareError = 0.0; // between the surface and that of the spheres' union
+  double MaximumProtrusion = 0.0;   // largest extent of spheres beyond the solid
+  double SolidVolume = 0.0;         // volume of the surface's interior
+  double CoveredVolume = 1.0;       // share of that volume inside of spheres
+  double ProtrudingVolume = 0.0;    // volume of the union outside of the solid
 
   void Measure(const vtkProxySurface& surface, const vtkProxySolid& solid,
     const std::vector<vtkProxySphere>& spheres, double error);

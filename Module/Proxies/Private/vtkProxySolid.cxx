@@ -6,7 +6,7 @@
 
 namespace
 {
-constexpr int Border = 2; // voxels around the bounds that are certainly outside
+constexpr int Border = 2; // voxels around the bounds that are outside for certain
 const glm::ivec3 Faces[6] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
   { 0, 0, -1 } };
 }
@@ -117,7 +117,7 @@ void vtkProxySolid::FindRegions()
   {
     if (this->Labels[static_cast<size_t>(i)] == Unknown)
     {
-      // Where all parts are closed, what they do not wind around is the hollow of a shell.
+      // If all parts are closed, a region with winding number zero is the hollow of a shell.
       const glm::ivec3 v = this->Place(i);
       const bool solid =
         this->Surface->HasOpenParts() || this->IsInClosedPart(this->Middle(v.x, v.y, v.z));
@@ -129,7 +129,7 @@ void vtkProxySolid::FindRegions()
 //------------------------------------------------------------------------------
 void vtkProxySolid::FindWoundRegions(double opening)
 {
-  // Walls, too, so that regions thinner than a voxel hold together.
+  // Includes walls, so that regions thinner than a voxel are connected.
   std::vector<std::uint8_t> wound(this->Labels.size(), 0);
   for (size_t i = 0; i < wound.size(); ++i)
   {
@@ -228,8 +228,8 @@ bool vtkProxySolid::IsSolid(const glm::dvec3& p) const
   {
     return std::abs(winding.Open) > 0.5;
   }
-  // Triangles that do not agree on a side: away from the nearest place of the surface until no wall
-  // is near.
+  // The triangles do not agree on a side: moves away from the nearest point of the surface until no
+  // wall is near.
   const glm::dvec3 way = p - this->Surface->FindNearest(p).Point;
   const double length = glm::length(way);
   if (!(length > 0.0))

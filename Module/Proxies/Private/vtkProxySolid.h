@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a surface encloses: voxels with the distance to it, and whether a place is inside.
+// The interior of a surface: voxels with the distance to it, and a test for positions.
 #ifndef vtkProxySolid_h
 #define vtkProxySolid_h
 
@@ -11,33 +11,33 @@ class vtkProxySolid
 {
 public:
   /**
-   * Finds what is solid with `resolution` voxels along the longest axis. Closed parts of the
-   * surface say it themselves, by their winding number. For open ones, voxels that the surface
-   * passes are walls: what walls enclose is solid; and so is a region that open parts wind around
-   * by more than one half, if no more than `opening` of its border has no wall.
+   * Finds the solid with `resolution` voxels along the longest axis. Closed parts of the surface
+   * define it by their winding number. For open parts, voxels that the surface passes are walls: a
+   * region enclosed by walls is solid; and so is a region with a winding number above one half, if
+   * at most `opening` of its border has no wall.
    */
   void Build(const vtkProxySurface& surface, int resolution, double opening);
 
-  /** Whether a place is solid. */
+  /** True if a position is in the solid. */
   bool IsSolid(const glm::dvec3& p) const;
 
   /** Distance to the surface, negative outside of the solid. */
   double GetDepth(const glm::dvec3& p) const;
 
-  /** Middles of the solid voxels without wall, and the depth of each. */
+  /** Middles of the solid voxels without wall, and their depths. */
   struct Voxel
   {
     glm::dvec3 Middle;
     double Depth;
   };
   const std::vector<Voxel>& GetVoxels() const { return this->Voxels; }
-  /** Those of them that no neighbour's ball contains: near the medial axis. */
+  /** Voxels that no neighbour's ball contains: near the medial axis. */
   std::vector<Voxel> GetMedialVoxels() const;
   double GetVoxelSize() const { return this->Size; }
 
 private:
   bool IsInClosedPart(const glm::dvec3& p) const;
-  /** The index of the voxel that a place is in, or -1. */
+  /** The index of the voxel that contains a position, or -1. */
   int VoxelOf(const glm::dvec3& p) const;
 
   enum Label : std::uint8_t
@@ -59,7 +59,7 @@ private:
       index / this->Counts.x / this->Counts.y };
   }
   void MarkWalls();
-  /** Voxels that are connected with a seed over faces and have its value; they get a new one. */
+  /** Finds voxels connected with a seed over faces and of its value; sets them to a new value. */
   std::vector<int> Flood(int seed, std::vector<std::uint8_t>& values, std::uint8_t made) const;
   void FindRegions();
   void FindWoundRegions(double opening);
@@ -69,7 +69,7 @@ private:
   glm::dvec3 Origin{ 0.0 };
   glm::ivec3 Counts{ 0 };
   std::vector<std::uint8_t> Labels;
-  std::vector<std::uint8_t> Wound; // 2: in or beside a region that open parts wind around
+  std::vector<std::uint8_t> Wound; // 2: in or beside a region with nonzero winding of open parts
   std::vector<Voxel> Voxels;
   std::vector<int> VoxelIndices;
 };

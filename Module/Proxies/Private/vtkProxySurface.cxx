@@ -17,10 +17,10 @@ namespace
 {
 constexpr int LeafSize = 4;
 constexpr double FourPi = 12.566370614359172;
-// A group of triangles is taken as a dipole from this many radii on.
+// Distance, in radii, from which a group of triangles counts as a dipole.
 constexpr double DipoleReach = 2.3;
 
-// Solid angle of a triangle, signed.
+// Signed solid angle of a triangle.
 double SolidAngle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c)
 {
   const double la = glm::length(a);
@@ -149,7 +149,7 @@ bool vtkProxySurface::Build(vtkPolyData* mesh, std::string& wrong)
   {
     p = this->FromWorld(p);
   }
-  // Rounded coordinates give triangles on a line some area; below this it is no surface.
+  // Rounded coordinates give degenerate triangles some area; below this it is ignored.
   auto flat = [this](const Triangle& t)
   {
     const glm::dvec3& a = this->Points[static_cast<size_t>(t[0])];
@@ -233,7 +233,7 @@ void vtkProxySurface::BuildNode(int node, int first, int count, std::vector<glm:
   }
   const glm::dvec3 extent = high - low;
   const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-  // Ties go by the order of the input, so that the tree is the same with every library.
+  // Ties are ordered as the input, so that the tree is the same with every library.
   std::vector<int> order(static_cast<size_t>(count));
   std::iota(order.begin(), order.end(), first);
   std::sort(order.begin(), order.end(),
@@ -267,7 +267,7 @@ void vtkProxySurface::BuildNode(int node, int first, int count, std::vector<glm:
 //------------------------------------------------------------------------------
 void vtkProxySurface::FindOpenParts()
 {
-  // Points at the same place are one.
+  // Merges points at the same position.
   std::vector<int> order(this->Points.size());
   std::iota(order.begin(), order.end(), 0);
   auto before = [this](int a, int b)
@@ -276,7 +276,7 @@ void vtkProxySurface::FindOpenParts()
     const glm::dvec3& q = this->Points[static_cast<size_t>(b)];
     return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
   };
-  // Unused points may be anything; NaN has no order.
+  // Unused points may have any value; NaN has no order.
   std::vector<char> used(this->Points.size(), 0);
   for (const Triangle& triangle : this->Triangles)
   {
@@ -296,7 +296,8 @@ void vtkProxySurface::FindOpenParts()
     last = last >= 0 && !before(last, i) ? last : i;
     merged[static_cast<size_t>(i)] = last;
   }
-  // Parts are what shares points: sets with a tree each, the smaller id on top.
+  // Parts are sets of triangles that share points: union-find trees with the smallest id at the
+  // root.
   std::vector<int> parents = merged;
   auto top = [&parents](int i)
   {
@@ -362,7 +363,8 @@ void vtkProxySurface::FindOpenParts()
 glm::dvec3 vtkProxySurface::NearestOfTriangle(
   const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
-  // By the region that p lies in: Ericson 2005, "Real-time collision detection", 5.1.5.
+  // Distinguishes the regions around the triangle: Ericson 2005, "Real-time collision detection",
+  // 5.1.5.
   const glm::dvec3 ab = b - a;
   const glm::dvec3 ac = c - a;
   const glm::dvec3 ap = p - a;

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles in a tree: the nearest place of the surface, and how often it winds around a point.
+// Triangles in a tree: nearest point of the surface, and winding number of a position.
 #ifndef vtkProxySurface_h
 #define vtkProxySurface_h
 
 #include <array>       // for triangles
 #include <glm/glm.hpp> // for vectors
-#include <string>      // for what is wrong
+#include <string>      // for messages
 #include <vector>      // for the members
 
 class vtkPolyData;
 
-/** A sphere. */
 struct vtkProxySphere
 {
   glm::dvec3 Center{ 0.0 };
   double Radius = 0.0;
-  bool Sheet = false; // covers a surface that encloses nothing
+  bool Sheet = false; // covers a surface that encloses no volume
 };
 
 class vtkProxySurface
@@ -37,18 +36,18 @@ public:
   };
 
   /**
-   * Takes the polygons and strips of a mesh, without triangles of no area. Places become relative
-   * to the middle of their bounds and are divided by their diagonal. False where a point is not
-   * finite; `wrong` then says which.
+   * Takes the polygons and strips of a mesh, without degenerate triangles. Positions become
+   * relative to the middle of their bounds and are divided by their diagonal. False if a point is
+   * not finite; `wrong` then names the point.
    */
   bool Build(vtkPolyData* mesh, std::string& wrong);
 
-  /** Triangles of polygons and strips, and the cell of each where `cells` is given. */
+  /** Triangles of polygons and strips, and the cell of each if `cells` is given. */
   static std::vector<Triangle> Triangulate(
     vtkPolyData* mesh, std::vector<long long>* cells = nullptr);
 
   bool Empty() const { return this->Triangles.empty(); }
-  /** Whether there are parts with edges that do not have as many triangles either way. */
+  /** True if a part has edges without equally many triangles either way. */
   bool HasOpenParts() const { return this->Open; }
   double GetArea() const { return this->Cumulated.empty() ? 0.0 : this->Cumulated.back(); }
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
@@ -61,23 +60,23 @@ public:
   glm::dvec3 ToWorld(const glm::dvec3& p) const { return this->Center + this->Diagonal * p; }
   glm::dvec3 FromWorld(const glm::dvec3& p) const { return (p - this->Center) / this->Diagonal; }
 
-  /** The nearest place of the surface within a distance; no triangle (-1) where there is none. */
+  /** The nearest point of the surface within a distance; no triangle (-1) if there is none. */
   Nearest FindNearest(const glm::dvec3& p, double within = 1e30) const;
 
-  /** How often the closed parts and the open ones wind around a point. */
+  /** Winding numbers of the closed parts and of the open ones around a position. */
   struct Winding
   {
-    double Closed = 0.0; // a whole number but for the dipoles' error
+    double Closed = 0.0; // an integer but for the dipoles' error
     double Open = 0.0;
   };
   /**
-   * How often the surface winds around a point: solid angle over 4 pi, summed over the triangles
-   * (van Oosterom and Strackee 1983), groups of far ones as their dipole (Barill, Dickson, Schmidt,
-   * Levin, Jacobson 2018, "Fast winding numbers for soups and clouds"; off by about 1 %).
+   * Winding number of the surface around a position: solid angle over 4 pi, summed over the
+   * triangles (van Oosterom and Strackee 1983), far groups as their dipole (Barill, Dickson,
+   * Schmidt, Levin, Jacobson 2018, "Fast winding numbers for soups and clouds"; error about 1 %).
    */
   Winding GetWinding(const glm::dvec3& p) const;
 
-  /** Places spread evenly over the surface's area, always the same ones. */
+  /** Points evenly spread over the surface's area, always the same ones. */
   std::vector<Sample> MakeSamples(int count) const;
 
   glm::dvec3 GetNormal(int triangle) const;
@@ -89,11 +88,11 @@ private:
   {
     glm::dvec3 Low{ 0.0 };
     glm::dvec3 High{ 0.0 };
-    glm::dvec3 Middle{ 0.0 };  // mean place by area
+    glm::dvec3 Middle{ 0.0 };  // mean position by area
     glm::dvec3 Normal[2] = {}; // sums of areas times normals: closed parts, open ones
-    double Radius = 0.0;       // of all triangles about the middle
+    double Radius = 0.0;       // bounding radius of all triangles about the middle
     int First = 0;             // first triangle, or the first of the two children
-    int Count = 0;             // 0: inner
+    int Count = 0;             // number of triangles; 0: inner node
   };
 
   void BuildTree();
@@ -104,9 +103,9 @@ private:
     return this->Points[static_cast<size_t>(this->Triangles[triangle][i])];
   }
 
-  std::vector<glm::dvec3> Points; // of the input, all of them
+  std::vector<glm::dvec3> Points; // all points of the input
   std::vector<Triangle> Triangles;
-  std::vector<char> IsOpen;      // of each triangle
+  std::vector<char> IsOpen;      // one entry a triangle
   std::vector<double> Cumulated; // areas
   std::vector<Node> Nodes;
   glm::dvec3 Center{ 0.0 };

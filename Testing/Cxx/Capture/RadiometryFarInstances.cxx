@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Glyphs, and impostors of spheres and sticks, millions of their sizes from the origin, as maps of
-// the earth have them: direct light with its shadows and indirect light are those at the origin.
+// Glyphs, and impostors of spheres and sticks, at a distance of millions of their sizes from the
+// origin, as in maps of the earth: direct light with its shadows and indirect light equal those at
+// the origin.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -25,8 +26,8 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// Floats have these places without rounding, and places in halves about them: what is left is what
-// the shaders round.
+// Floats represent these positions, and halves around them, without rounding: any remaining
+// rounding is the shaders'.
 const glm::dvec3 Far(450000, 5400000, 300);
 
 enum KindType
@@ -123,7 +124,7 @@ View Draw(int kind, const glm::dvec3& at, bool byMatrix)
   return { scene.Copy("direct"), scene.Copy("irradiance") };
 }
 
-// Pixels that differ by a hundredth of the brightest.
+// Share of pixels that differ by a hundredth of the brightest.
 double FindShare(const Image& image, const Image& expected)
 {
   const float most = *std::max_element(expected.Values.begin(), expected.Values.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coarse levels beside lamps, in maps in perspective, and what they hold of OpenGL.
+// Coarse levels beside lights, in perspective maps, and their OpenGL objects.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 #include "vtkIndirectGLNames.h"
@@ -31,7 +31,8 @@ vtkSmartPointer<vtkSphereSource> MakeBall(int rows, double radius = 1.0)
   return ball;
 }
 
-// By which a ball's facets lie inside of it at most, rows turned by half of their angle both ways.
+// Bound of the distance of a ball's facets inside the ball, with rows turned by half of their angle
+// both ways.
 double FindError(int rows)
 {
   return 1.0 - std::pow(std::cos(vtkMath::Pi() / rows), 2);
@@ -64,7 +65,7 @@ struct BallView : View
   {
     this->Pass->AddCoarseLevel(this->Ball, MakeBall(rows)->GetOutput(), FindError(rows));
   }
-  /** Until all maps are there. */
+  /** Renders until all maps are complete. */
   void Complete()
   {
     do
@@ -88,8 +89,8 @@ double RMS(const Floats& a, const Floats& b)
 }
 
 //------------------------------------------------------------------------------
-// A lamp near the ball, within the level's error of it and in front: its own map has the mesh, so
-// that its light and shadows are the same bits, and virtual lights are found at the same places.
+// A light near the ball, within the level's error of it and in front: its own map has the mesh, so
+// that its light and shadows are bitwise equal, and virtual lights are found at the same positions.
 VTK_INDIRECT_TEST(CoarseLevelsBesideALamp)
 {
   for (const double height : { 1.004, 1.5 })
@@ -115,8 +116,8 @@ VTK_INDIRECT_TEST(CoarseLevelsBesideALamp)
 }
 
 //------------------------------------------------------------------------------
-// Virtual lights on a wall beside the ball see it in perspective: a level is taken where it is less
-// than half a texel off, and what the ball hides of them, from the ground and from itself, stays.
+// Virtual lights on a wall beside the ball see it in perspective: a level is used if it is less
+// than half a texel off, and the ball still shadows the ground and itself.
 VTK_INDIRECT_TEST(CoarseLevelsInPerspective)
 {
   BallView view;
@@ -136,7 +137,7 @@ VTK_INDIRECT_TEST(CoarseLevelsInPerspective)
   const double hidden = RMS(before, Read(view.Pass, "bounce")) / mean;
   CONTRACT_CHECK(hidden > 0.1, "the ball hides nothing: " << hidden);
   view.Pass->SetVisibilityToMaps();
-  // One inside of the mesh, and one in front of it by nearly what it says.
+  // One level inside of the mesh, and one in front of it by nearly its stated error.
   for (const double radius : { 1.0, 1.006 })
   {
     view.Pass->RemoveCoarseLevels(view.Ball);
@@ -155,16 +156,16 @@ VTK_INDIRECT_TEST(CoarseLevelsInPerspective)
     lost /= mean;
     std::cout << radius << ": " << view.What() << "\noff by " << off << " of the mean, of "
               << hidden << " that the ball hides; loses " << lost << " at most\n";
-    // 0.005 and 0.007. At one pixel 0.03 and 0.09: moved along a wide tile's axis, a level moves in
-    // its picture, too.
+    // Measured: 0.005 and 0.007. With an error of one pixel 0.03 and 0.09: a level that moves along
+    // a wide tile's axis also moves in the tile's picture.
     CONTRACT_CHECK(off > 0.0 && off < 0.05 * hidden, radius << ": off by " << off);
     CONTRACT_CHECK(lost < 0.12, radius << ": loses " << lost);
   }
 }
 
 //------------------------------------------------------------------------------
-// A level has two buffers, from the first map that has it on: until it is removed, the pass is
-// released, or its actor is no longer in the renderer or the world. It comes back with the actor.
+// A level has two buffers from the first map that uses it, until it is removed, the pass is
+// released, or its actor leaves the renderer or is destroyed. The level returns with the actor.
 VTK_INDIRECT_TEST(CoarseLevelsRelease)
 {
   BallView view;
@@ -188,7 +189,7 @@ VTK_INDIRECT_TEST(CoarseLevelsRelease)
   }
   view.AddLevel();
   check(1, "added again");
-  // Two in place of those of a mesh that has changed.
+  // Two buffers replace those of a changed mesh.
   auto ball = MakeBall(Fine, 1.001);
   view.Ball->GetMapper()->SetInputConnection(ball->GetOutputPort());
   check(0, "another mesh");
@@ -203,10 +204,10 @@ VTK_INDIRECT_TEST(CoarseLevelsRelease)
   check(1, "after a release");
   CONTRACT_CHECK(Compare(sky, Read(view.Pass, "sky")).Max == 0.0, "another picture after it");
 
-  // VTK releases what a mapper has when its actor goes, too.
+  // VTK releases a mapper's objects if its actor leaves, too.
   const int whole = CountNames(view.Window).Buffers;
   int without = 0;
-  Floats back[2]; // maps have no room any more for the mesh that has changed
+  Floats back[2]; // maps have no space left for the changed mesh
   for (Floats& picture : back)
   {
     view.Renderer->RemoveActor(view.Ball);
@@ -226,7 +227,7 @@ VTK_INDIRECT_TEST(CoarseLevelsRelease)
     "an actor that is not there: " << without << ", " << CountNames(view.Window).Buffers
                                    << " when its levels are gone too");
 
-  // One that ceases to be.
+  // A level whose actor is destroyed.
   view.Renderer->AddActor(view.Ball);
   view.AddLevel();
   view.Complete();
@@ -236,7 +237,7 @@ VTK_INDIRECT_TEST(CoarseLevelsRelease)
   CONTRACT_CHECK(CountNames(view.Window).Buffers == without, "an actor that has ceased to be");
   CONTRACT_CHECK(view.What().empty(), view.What());
 
-  // Levels that were discarded and not yet released when the pass ceases to be.
+  // Levels discarded and not yet released when the pass is destroyed.
   auto last = MakeActor(MakeBall(Fine));
   view.Renderer->AddActor(last);
   const int plain = CountNames(view.Window).Buffers;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All kinds of actors that VTK draws, and what the buffers say about surfaces that are known.
+// All kinds of actors that VTK draws, and the buffers' values of known surfaces.
 #include "vtkIndirectContractUtilities.h"
 
 #include "vtkImageData.h"
@@ -22,14 +22,14 @@ void AddKindLights(vtkRenderer* renderer)
   renderer->SetBackground(0.1, 0.2, 0.3);
 }
 
-// Casts no shadow and sends no light.
+// True for kinds that neither cast shadows nor send light.
 bool IsNoCaster(const std::string& name)
 {
   return name == "points" || name == "points as spheres" || name == "wireframe" ||
     name == "lines" || name == "tubes" || name == "follower";
 }
 
-// Drawn without lighting: such props neither reflect nor receive.
+// True for kinds drawn without lighting: such props neither reflect nor receive.
 bool IsUnlit(const std::string& name)
 {
   return name == "unlit" || name == "lines" || name == "image slice";
@@ -37,7 +37,7 @@ bool IsUnlit(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// IndirectScale 0 and Shadows off: nothing but the delegate, bit for bit.
+// IndirectScale 0 and Shadows off: the delegate's picture, bit for bit.
 VTK_INDIRECT_TEST(KindsDelegate)
 {
   View view(250, 250);
@@ -55,7 +55,7 @@ VTK_INDIRECT_TEST(KindsDelegate)
 }
 
 //------------------------------------------------------------------------------
-// The whole way through float buffers, with nothing to add and nothing in shadow.
+// The whole path through float buffers, with no light to add and no shadow.
 VTK_INDIRECT_TEST(KindsComposite)
 {
   std::vector<std::string> names;
@@ -69,12 +69,12 @@ VTK_INDIRECT_TEST(KindsComposite)
   {
     View view(250, 250);
     AddKinds(view.Renderer, nullptr, name);
-    // A light behind the eye: nothing that is seen is in shadow, if every kind is alone.
+    // A light at the eye: each kind alone has no visible shadow.
     vtkNew<vtkLight> light;
     light->SetLightTypeToSceneLight();
     light->SetPosition(view.Renderer->GetActiveCamera()->GetPosition());
     light->SetFocalPoint(view.Renderer->GetActiveCamera()->GetFocalPoint());
-    light->SetShadowAttenuation(0.0); // shadows nothing
+    light->SetShadowAttenuation(0.0); // casts no shadow
     view.Renderer->AddLight(light);
     view.Renderer->SetBackground(0.1, 0.2, 0.3);
     const Pixels plain = view.Grab();
@@ -86,7 +86,7 @@ VTK_INDIRECT_TEST(KindsComposite)
     const Pixels image = view.Grab();
     const Difference difference = Compare(plain, image);
     std::cout << (name.empty() ? "all" : name) << ": " << difference << "\n";
-    // Alone, what neither casts shadows nor sends light leaves all to the delegate.
+    // A single kind that neither casts shadows nor sends light is left to the delegate.
     if (!IsNoCaster(name))
     {
       CONTRACT_CHECK(Mean(Read(pass, "depth"), 0) > 0.0, name << ": no buffers");
@@ -104,7 +104,7 @@ VTK_INDIRECT_TEST(KindsFull)
     View view(16, 16);
     AddKinds(view.Renderer, &names);
   }
-  // One window, whose shaders the kinds share.
+  // All kinds share one window and its shaders.
   View view(100, 100);
   for (const std::string& name : names)
   {
@@ -134,11 +134,11 @@ VTK_INDIRECT_TEST(KindsFull)
     for (const char* buffer : { "final", "direct", "indirect", "irradiance", "albedo", "normal",
            "depth", "rsm0.density", "rsm1.density", "rsm2.density", "lights" })
     {
-      Read(pass, buffer); // finite
+      Read(pass, buffer); // checks that all values are finite
     }
     const double mean = Mean(Read(pass, "indirect"), 1);
     std::cout << name << ": mean indirect light " << mean << "\n";
-    // A floor alone lights nothing: with it this is light from the kind, or on it.
+    // The floor alone reflects onto nothing: this light is reflected by the kind, or falls on it.
     CONTRACT_CHECK((mean > 1e-4) != IsUnlit(name), name << ": mean indirect light " << mean);
   }
 }
@@ -250,7 +250,8 @@ void GetRay(View& view, int x, int y, double eye[3], double ray[3])
   }
 }
 
-// Buffers of an ellipsoid (a unit sphere that an actor scales, turns and moves) and a plane.
+// Checks the buffers of an ellipsoid (a unit sphere that an actor scales, turns and moves) and a
+// plane.
 void CheckSurfaces(bool parallel, double scale, const Vec3& shift)
 {
   View view(120, 90);
@@ -361,9 +362,9 @@ void CheckSurfaces(bool parallel, double scale, const Vec3& shift)
             << worstAngle[0] << " degrees; plane " << counts[1] << ", " << worstDepth[1] << ", "
             << worstAngle[1] << "\n";
   CONTRACT_CHECK(counts[0] > 300 && counts[1] > 300, "nothing to see");
-  // Facets of 1/400 of a turn lie up to 1 - cos(pi/400) = 3e-5 inside the sphere, of which the
-  // view, which is four deep, shows less; normals are interpolated over 0.9 degrees, with an error
-  // of the second order.
+  // Facets of 1/400 of a turn lie up to 1 - cos(pi/400) = 3e-5 inside the sphere; the view, which
+  // is four deep, shows less. Normals are interpolated over 0.9 degrees, with an error of the
+  // second order.
   CONTRACT_CHECK(worstDepth[0] < 3e-5 && worstDepth[1] < 2e-6, "depth");
   CONTRACT_CHECK(worstAngle[0] < 0.1 && worstAngle[1] < 0.001, "normal");
 }

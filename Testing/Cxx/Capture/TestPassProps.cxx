@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Props that are no plain surfaces: what is seen of them, and what they leave as it was.
+// Props that are not plain surfaces: their picture, and their lack of other effects.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractRoom.h"
 #include "vtkIndirectDetails.h"
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkTexture> MakeSky()
 }
 
 //------------------------------------------------------------------------------
-// The sky writes its colour alone. It is what VTK draws, the same in every frame, and no surface.
+// The sky writes only its colour: VTK's own picture, the same in every frame, without a surface.
 VTK_INDIRECT_TEST(PropsSky)
 {
   Room room;
@@ -62,7 +62,7 @@ VTK_INDIRECT_TEST(PropsSky)
   sky->SetProjectionToSphere();
   sky->SetTexture(MakeSky());
   room.GetRenderer()->AddActor(sky);
-  // Physically based: VTK's environment light needs it, and such scenes are where skies are used.
+  // Physically based, because VTK's environment light needs it, as scenes with skies usually are.
   vtkActor* sphere = room.GetRenderer()->GetActors()->GetItemAsObject(5)
     ? vtkActor::SafeDownCast(room.GetRenderer()->GetActors()->GetItemAsObject(5))
     : nullptr;
@@ -103,7 +103,7 @@ VTK_INDIRECT_TEST(PropsSky)
 }
 
 //------------------------------------------------------------------------------
-// Lit annotation in front of surfaces: VTK's own picture there, the same light as ever elsewhere.
+// Lit annotation in front of surfaces: VTK's own picture there, and elsewhere unchanged light.
 VTK_INDIRECT_TEST(PropsColorOnly)
 {
   Room room;
@@ -135,10 +135,10 @@ VTK_INDIRECT_TEST(PropsColorOnly)
   }
   std::cout << seen << " pixels of axes, off by " << worst << ", others by " << elsewhere << "\n";
   CONTRACT_CHECK(seen > 300, "no axes");
-  // One step of a byte: floats are rounded to it where VTK's own picture is blended in bytes.
+  // One step of a byte: VTK's own picture is blended in bytes, to which floats are rounded.
   CONTRACT_CHECK(worst <= 1.0, "axes are not VTK's: " << worst);
   CONTRACT_CHECK(light == 0.0, "axes receive light: " << light);
-  // Where the axes have a surface's own colour they are not among those seen: a few pixels.
+  // A few pixels of the axes have the surface's colour and are not counted as visible.
   size_t changed = 0;
   for (size_t i = 0; i < plain.Values.size() / 4; ++i)
   {
@@ -148,7 +148,7 @@ VTK_INDIRECT_TEST(PropsColorOnly)
 }
 
 //------------------------------------------------------------------------------
-// A label that turns to the camera turns to no light, whether maps are drawn in a frame or not.
+// A label that turns to the camera does not turn to a light, whether or not a frame draws maps.
 VTK_INDIRECT_TEST(PropsBillboard)
 {
   Room room;
@@ -174,8 +174,8 @@ VTK_INDIRECT_TEST(PropsBillboard)
 }
 
 //------------------------------------------------------------------------------
-// Splats: emissive ones add their light to the picture and change nothing else; others hide what
-// lies behind them, and are in no map.
+// Splats: emissive ones add their light to the picture and change nothing else; others hide the
+// surfaces behind them, and are in no map.
 VTK_INDIRECT_TEST(PropsSplats)
 {
   auto makeSplats = []
@@ -198,7 +198,7 @@ VTK_INDIRECT_TEST(PropsSplats)
     return actor;
   };
   Room room;
-  room.Pass->SetVisibilityToNone(); // of lights at a shadow's edge rounding decides
+  room.Pass->SetVisibilityToNone(); // rounding decides visibility at a shadow's edge
   room.Pass->SetNumberOfBounces(1); // rounding turns a path that meets an edge
   vtkNew<vtkUniformLightSampler> sampler; // a tree measures normals in the scene's diagonals
   room.Pass->SetSampler(sampler);
@@ -213,7 +213,7 @@ VTK_INDIRECT_TEST(PropsSplats)
   room.GetRenderer()->AddActor(splats);
   const Pixels plain = room.Grab(false);
   const Pixels image = room.Grab(true);
-  // The scene's bounds have grown by the splats, to which positions are relative: rounding.
+  // The splats enlarge the scene's bounds, to which positions are relative: rounding.
   const Difference same = Compare(irradiance, Read(room.Pass, "irradiance"));
   CONTRACT_CHECK(same.Max < 1e-4, "the light on surfaces: " << same);
   CONTRACT_CHECK(
@@ -224,7 +224,7 @@ VTK_INDIRECT_TEST(PropsSplats)
   {
     if (i % 4 == 3)
     {
-      continue; // alpha, by which what lies behind would be less
+      continue; // alpha, which would darken the background
     }
     const int added = int(plain.Values[i]) - plainWithout.Values[i];
     seen += added > 5 ? 1 : 0;
@@ -235,14 +235,14 @@ VTK_INDIRECT_TEST(PropsSplats)
   }
   std::cout << "emissive: " << seen << " values, off by " << worst << "\n";
   CONTRACT_CHECK(seen > 1000, "no splats");
-  // Two roundings to bytes: of VTK's sum, splat by splat, and of ours.
+  // Two roundings to bytes: of VTK's sum, splat by splat, and of this pass's.
   CONTRACT_CHECK(worst <= 2.0, "emissive splats add something else than VTK's: " << worst);
 
   mapper->EmissiveOff();
   room.Grab(true);
   CONTRACT_CHECK(Compare(depth, Read(room.Pass, "rsm0.depth")).Max < 1e-5, "splats are in the map");
   CheckReported(room.Pass, "splats have no surface");
-  // Hidden where they are more than half opaque, and else as before.
+  // Zero where splats are more than half opaque, otherwise unchanged.
   const Floats hidden = Read(room.Pass, "irradiance");
   size_t dark = 0;
   double changed = 0.0;
@@ -260,7 +260,7 @@ VTK_INDIRECT_TEST(PropsSplats)
 }
 
 //------------------------------------------------------------------------------
-// What takes no part is said, with how many there are of it.
+// The report names props that take no part, and their number.
 VTK_INDIRECT_TEST(PropsLeftOut)
 {
   Room room;
@@ -288,7 +288,7 @@ VTK_INDIRECT_TEST(PropsLeftOut)
 }
 
 //------------------------------------------------------------------------------
-// Props of one class are told apart in the report: by a name, else by mapper and source.
+// The report distinguishes props of one class: by a name, else by mapper and source.
 VTK_INDIRECT_TEST(PropsNames)
 {
   Room room;
@@ -329,8 +329,8 @@ VTK_INDIRECT_TEST(PropsNames)
 }
 
 //------------------------------------------------------------------------------
-// Unlit lines receive no light: they cost radiance hints nothing. Tubes are lit, and no polygons
-// tell where.
+// Unlit lines receive no light and cost radiance hints nothing. Tubes are lit, and have no polygons
+// to bound them.
 VTK_INDIRECT_TEST(PropsHints)
 {
   vtkIdType active[3];
@@ -338,7 +338,7 @@ VTK_INDIRECT_TEST(PropsHints)
   {
     Room room;
     vtkNew<vtkRadianceHintsPass> hints;
-    SET_DETAIL(hints, NumberOfRays, 16); // hints are counted, not looked at
+    SET_DETAIL(hints, NumberOfRays, 16); // hints are counted, not used
     room.Pass->SetEstimator(hints);
     vtkNew<vtkOutlineSource> source;
     source->SetBounds(0.2, 0.8, 0.05, 0.45, 0.2, 0.6);

@@ -103,8 +103,8 @@ VTK_INDIRECT_TEST(PackSurface)
   }
   CheckEqual("wrong kinds, depths or alphas", wrong, 0);
   CheckEqual("codes that are no normal numbers", numbers, 0);
-  // Half a step of each coordinate; the fold gives the third as much as both, at a length of the
-  // vector of one over root three.
+  // Half a step of each coordinate; the fold gives the third coordinate the error of both, at a
+  // vector length of one over root three.
   CheckAtMost("worst error of a packed normal", worst,
     3.0 * glm::length(glm::dvec2(0.5 / VTKI_CODE_STEPS_X, 0.5 / VTKI_CODE_STEPS_Y)), "half a step");
   for (const vec3& axis : { vec3(1.0f, 0.0f, 0.0f), vec3(0.0f, -1.0f, 0.0f), vec3(0.0f, 0.0f, 1.0f),
@@ -135,7 +135,7 @@ VTK_INDIRECT_TEST(PackAlbedo)
   }
   CheckAtMost("worst error of a root", worst, 0.5 / 1023.0 + 1e-6, "half a step and rounding");
   CheckEqual("codes that are normal numbers", numbers, 100000);
-  // What scenes are made of, and what they must not be.
+  // Values of real scenes, and values out of range.
   CheckEqual("black", glm::length(vtkiUnpackAlbedo(vtkiPackAlbedo(vec3(0.0f)))), 0.0f);
   Check("white", vtkiUnpackAlbedo(vtkiPackAlbedo(vec3(1.0f))) == vec3(1.0f));
   Check("more than white", vtkiUnpackAlbedo(vtkiPackAlbedo(vec3(2.0f))) == vec3(1.0f));

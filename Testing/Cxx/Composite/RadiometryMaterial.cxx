@@ -38,7 +38,7 @@ struct MaterialCorner : Scene
         actor->GetProperty()->SetInterpolationToPBR();
         actor->GetProperty()->SetRoughness(1.0);
         actor->GetProperty()->SetMetallic(material == Metal ? 1.0 : 0.0);
-        // Index 1: nothing is reflected at the surface, except at grazing angles.
+        // Index 1: no reflection at the surface, except at grazing angles.
         actor->GetProperty()->SetBaseIOR(1.0);
       }
     }
@@ -63,7 +63,7 @@ VTK_INDIRECT_TEST(PhysicallyBased)
   const Image densityPBR = pbr.Copy("rsm0.density");
   const Image albedo = pbr.Copy("albedo");
   const Image albedoPhong = phong.Copy("albedo");
-  // What VTK's PBR takes for the albedo is its business: it comes from the buffer.
+  // The albedo of VTK's PBR comes from the buffer.
   glm::dvec3 ratio(0.0);
   for (int y = 0; y < albedo.Height; ++y)
   {
@@ -129,7 +129,7 @@ VTK_INDIRECT_TEST(PhysicallyBased)
   pbr.CheckBuffers(1);
 }
 
-// VTK's own shading as the witness: what a PBR sender reflects is what its lit pixels show.
+// Checks a PBR sender against VTK's own shading: it reflects what its lit pixels show.
 VTK_INDIRECT_TEST(SenderShowsWhatItSends)
 {
   for (Material material : { Phong, Rough })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Antialiased edges against pictures of many more pixels, and what they must leave alone.
+// Antialiased edges against pictures of many more pixels, and the parts that stay unchanged.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -37,13 +37,13 @@ struct Board : View
     this->Pass->SetAntialiasing(antialiasing);
     this->Renderer->SetPass(this->Pass);
   }
-  // Of one colour, whatever the light.
+  // Adds a surface of one colour, independent of the light.
   void AddFlat(const vtkSmartPointer<vtkActor>& actor)
   {
     actor->GetProperty()->LightingOff();
     this->Renderer->AddActor(actor);
   }
-  // All that is below a line at that angle, so far from the middle.
+  // Adds a surface that covers everything below a line at this angle and distance from the middle.
   void AddHalfPlane(double degrees, double distance, double width = 4.0)
   {
     const double c = std::cos(vtkMath::RadiansFromDegrees(degrees));
@@ -81,10 +81,10 @@ Floats Average(const Pixels& image, int factor)
 struct Quality
 {
   double Square = 0.0;  // sum of squared errors, of the first component
-  std::set<int> Levels; // of pixels that the line passes through
+  std::set<int> Levels; // levels of pixels that the line passes through
 };
 
-// Against the expected picture, without the border, beyond which an outline has no neighbours.
+// Compares with the expected picture without the border, beyond which an outline has no neighbours.
 Quality Measure(const Pixels& image, const Floats& expected)
 {
   Quality quality;
@@ -133,15 +133,14 @@ VTK_INDIRECT_TEST(AntialiasingSlopes)
   struct Case
   {
     double Degrees;
-    double Share; // of the RMS error without antialiasing, at most
-    int Levels;   // at least
+    double Share; // largest share of the RMS error without antialiasing
+    int Levels;   // least number of levels
   };
-  // What runs stand for is exact where they are equally long. Others are off by the part of a pixel
-  // by which the line misses the middles of its steps: a tenth of a pixel near the axes, and more
-  // the shorter the runs are, up to a quarter at 45 degrees, whose steps say nothing of where
-  // between the corners the line is: nothing can know it, and the least error that a fixed share
-  // leaves in the mean is 2/3. Near 45 degrees diagonals tell. Measured: 0.14 to 0.26 up to 20
-  // degrees, 0.13 and 0.14 at 39 and 52, 0.69 at 45.
+  // Runs are exact if they have equal lengths. Others have the error of the part of a pixel by
+  // which the line misses the middles of its steps: a tenth of a pixel near the axes, and more the
+  // shorter the runs are, up to a quarter at 45 degrees, where steps do not tell the line's place
+  // between the corners: the least mean error of a fixed share is 2/3. Near 45 degrees diagonals
+  // help. Measured: 0.14 to 0.26 up to 20 degrees, 0.13 and 0.14 at 39 and 52, 0.69 at 45.
   const Case cases[] = { { 2, 0.35, 12 }, { 5, 0.3, 12 }, { 10, 0.3, 9 }, { 20, 0.35, 6 },
     { 33, 0.4, 6 }, { 39, 0.25, 10 }, { 45, 0.75, 2 }, { 52, 0.25, 10 }, { 63, 0.55, 5 },
     { 75, 0.3, 6 }, { 88, 0.35, 12 } };
@@ -175,7 +174,7 @@ VTK_INDIRECT_TEST(AntialiasingSlopes)
 }
 
 //------------------------------------------------------------------------------
-// Lines of one pixel and a little more: they get nearer to what they are, and no darker.
+// Lines of one pixel and a little more become more accurate, and no darker.
 VTK_INDIRECT_TEST(AntialiasingThinLines)
 {
   constexpr int factor = 8;
@@ -206,7 +205,7 @@ VTK_INDIRECT_TEST(AntialiasingThinLines)
     std::cout << degrees << " degrees: " << share << " of the RMS error; means " << light[0] << ", "
               << light[1] << " without, " << light[2] << "\n";
     CONTRACT_CHECK(share <= 0.95, degrees << " degrees: " << share);
-    // What one pixel gains its neighbour loses, but for roundings and where a line ends.
+    // One pixel's gain is its neighbour's loss, but for rounding and the ends of lines.
     CONTRACT_CHECK(std::abs(light[2] - light[1]) <= 0.02 * light[1], light[2]);
   }
 }
@@ -238,9 +237,9 @@ VTK_INDIRECT_TEST(AntialiasingLeavesAlone)
     CONTRACT_CHECK(difference.Max == 0.0, channels[i] << ": " << difference);
   }
   CONTRACT_CHECK(depth == GrabDepth(view.Window), "depth");
-  // A picture of 8 bits a channel, and what finds its edges.
+  // A picture of 8 bits a channel, and the images for finding its edges.
   CONTRACT_CHECK(bytes - Report(pass).GetNumber("bytes") > 4 * 140 * 120, bytes);
-  // Off is what has been composed: the buffer, rounded.
+  // Switched off, the picture is the composed buffer, rounded.
   const Floats final = Read(pass, "final");
   double worst = 0.0;
   size_t changed = 0;
@@ -277,7 +276,7 @@ VTK_INDIRECT_TEST(AntialiasingLeavesAlone)
 }
 
 //------------------------------------------------------------------------------
-// Where nothing has an edge nothing changes: a picture of one colour, and squares along pixels.
+// Without edges nothing changes: a picture of one colour, and squares along pixels.
 VTK_INDIRECT_TEST(AntialiasingConstant)
 {
   Board board;
@@ -289,7 +288,7 @@ VTK_INDIRECT_TEST(AntialiasingConstant)
     same = same && image.Values[i] == image.Values[i - 4];
   }
   CONTRACT_CHECK(same, "a picture of one colour");
-  // Corners of what runs along the pixels stay sharp.
+  // Corners of outlines along the pixels stay sharp.
   Pixels squares[2];
   for (bool on : { false, true })
   {
@@ -331,12 +330,12 @@ VTK_INDIRECT_TEST(AntialiasingMirrored)
 }
 
 //------------------------------------------------------------------------------
-// What the background and earlier layers have is theirs; viewports do not see each other.
+// Backgrounds and earlier layers stay unchanged; viewports are independent.
 VTK_INDIRECT_TEST(AntialiasingPlaces)
 {
   auto addLayer = [](View& view)
   {
-    // A layer without a pass, of a line that is not smooth.
+    // A layer without a pass, with an aliased line.
     vtkNew<vtkRenderer> layer;
     view.Window->SetNumberOfLayers(2);
     view.Renderer->SetLayer(1);
@@ -355,7 +354,7 @@ VTK_INDIRECT_TEST(AntialiasingPlaces)
     board.AddHalfPlane(10.0, -0.5);
     images[on] = board.Grab();
   }
-  // Above the half plane there is the layer alone.
+  // The other layer alone is above the half plane.
   const int first = Edge / 2;
   CheckSame(Crop(images[0], 0, first, Edge, Edge - first),
     Crop(images[1], 0, first, Edge, Edge - first), "an earlier layer");
@@ -378,7 +377,7 @@ VTK_INDIRECT_TEST(AntialiasingPlaces)
 }
 
 //------------------------------------------------------------------------------
-// One filter at most: what the user has set beside the pass wins, and the report says so.
+// At most one filter: a user's setting beside the pass wins, and the report says so.
 VTK_INDIRECT_TEST(AntialiasingOthers)
 {
   auto draw = [](bool on, int other)
@@ -411,7 +410,7 @@ VTK_INDIRECT_TEST(AntialiasingOthers)
 }
 
 //------------------------------------------------------------------------------
-// Windows of several samples, and the floats of a pass around.
+// Windows of several samples, and the floats of a surrounding pass.
 VTK_INDIRECT_TEST(AntialiasingSamples)
 {
   Board plain;
@@ -424,7 +423,7 @@ VTK_INDIRECT_TEST(AntialiasingSamples)
   // Samples of a pixel are equal; their mean may be rounded.
   CONTRACT_CHECK(difference.Max <= 1.0, difference);
 
-  // In floats a clamp with exposure 1 shows what a window of eight bits does.
+  // In floats a clamp with exposure 1 shows the same as a window of eight bits.
   Board floats;
   floats.AddHalfPlane(10.0, 0.0137);
   vtkNew<vtkToneMappingPass> outer;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Buffers and reports are of the last frame, whatever has been set since.
+// Buffers and reports are those of the last frame, whatever has been set since.
 #include "vtkIndirectContractUtilities.h"
 
 #include "vtkImageData.h"
@@ -48,7 +48,7 @@ VTK_INDIRECT_TEST(BuffersOfLastFrame)
     const bool hasLights = drawn != hints;
     const Floats lights = hasLights ? Read(pass, "lights") : Floats();
 
-    // Another estimator, another sampler, and a parameter of the one that has drawn.
+    // Another estimator, another sampler, and a changed parameter of the estimator that has drawn.
     hints->SetInterpolationStep(1);
     pass->SetSampler(nullptr);
     for (vtkIndirectEstimatorPass* next : { none, other, drawn })
@@ -70,7 +70,7 @@ VTK_INDIRECT_TEST(BuffersOfLastFrame)
     }
   }
 
-  // The next frame is the next estimator's.
+  // The next frame uses the next estimator.
   hints->SetInterpolationStep(4);
   pass->SetEstimator(gather);
   view.Window->Render();
@@ -79,7 +79,7 @@ VTK_INDIRECT_TEST(BuffersOfLastFrame)
   view.Window->Render();
   CONTRACT_CHECK(Compare(gathered, Read(pass, "irradiance")).Max > 0.0, "hints are no gather");
 
-  // What the frame was made with is given back with the rest.
+  // The frame's resources are released with the rest.
   pass->ReleaseGraphicsResources(view.Window);
   ExpectedErrors errors;
   vtkNew<vtkImageData> image;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn before and after the pass: backgrounds, translucent props, volumes, overlays,
+// Drawing before and after the pass: backgrounds, translucent props, volumes, overlays,
 // antialiasing.
 #include "vtkIndirectContractUtilities.h"
 
@@ -29,7 +29,7 @@ namespace
 enum class Mode
 {
   Plain,    // no pass
-  Delegate, // the pass, with nothing to do
+  Delegate, // the pass without any effect
   Full
 };
 
@@ -103,7 +103,7 @@ VTK_INDIRECT_TEST(TranslucentBlend)
     CheckDelegate(with, peeling ? "with depth peeling" : "by default");
     const Pixels opaque = GrabScene(Mode::Full, [](View&) {});
     const Pixels image = GrabScene(Mode::Full, with);
-    // Where the glass is, according to plain VTK.
+    // Pixels of the glass, found with plain VTK.
     const Pixels plain = GrabScene(Mode::Plain, [](View&) {});
     const Pixels plainGlass = GrabScene(Mode::Plain, with);
     size_t inside = 0;
@@ -213,7 +213,7 @@ void AddVolume(View& view, bool smart, int blend)
   volume->GetProperty()->SetScalarOpacity(opacity);
   volume->GetProperty()->SetScalarOpacityUnitDistance(0.03);
   view.Renderer->AddVolume(volume);
-  // It reaches behind this wall.
+  // The volume extends behind this wall.
   view.Renderer->AddActor(MakeQuad({ 0.1, 0.1, 0.8 }, { 0.35, 0.1, 0.8 }, { 0.1, 0.6, 0.8 }));
   view.Renderer->ResetCameraClippingRange();
 }
@@ -221,9 +221,9 @@ void AddVolume(View& view, bool smart, int blend)
 
 VTK_INDIRECT_TEST(Volumes)
 {
-  // Newer VTKs' own volume shader; Mesa says so with no pass as well.
+  // A warning about newer VTKs' own volume shader, which Mesa gives without a pass as well.
   AllowWarning("`g_dataPos' used uninitialized");
-  // Hidden, whatever draws it and however.
+  // Hidden parts, however they are drawn.
   const Pixels opaque = GrabScene(Mode::Full,
     [](View& view)
     {
@@ -238,7 +238,7 @@ VTK_INDIRECT_TEST(Volumes)
       auto with = [&](View& view) { AddVolume(view, smart, blend); };
       CheckDelegate(with, "volume");
       const Pixels image = GrabScene(Mode::Full, with);
-      // Where the volume is, hidden parts included: nothing else is drawn, on grey.
+      // Pixels of the volume, hidden parts included: drawn alone on grey.
       const Pixels alone = GrabScene(Mode::Plain,
         [&](View& view)
         {
@@ -304,7 +304,7 @@ VTK_INDIRECT_TEST(Overlay)
 }
 
 //------------------------------------------------------------------------------
-// Where nothing is drawn the background is VTK's, bit for bit, alpha included.
+// The background of an empty scene is VTK's, bit for bit, alpha included.
 VTK_INDIRECT_TEST(Backgrounds)
 {
   vtkNew<vtkImageData> picture;
@@ -409,7 +409,7 @@ VTK_INDIRECT_TEST(AntialiasingFXAA)
 //------------------------------------------------------------------------------
 namespace
 {
-// The pass, or one that leaves the picture to VTK, within another one.
+// The pass, or one that leaves the picture to VTK, within another pass.
 template <typename Outer>
 Pixels GrabWithin(int width, int height, bool within, Mode mode = Mode::Full)
 {
@@ -477,7 +477,7 @@ VTK_INDIRECT_TEST(AntialiasingFXAAPass)
 }
 
 //------------------------------------------------------------------------------
-// Around the pass it does what it does around VTK's own rendering.
+// Around the pass it has the same effect as around VTK's own rendering.
 VTK_INDIRECT_TEST(AntialiasingSSAAPass)
 {
   Difference toAverage[2];

@@ -24,7 +24,7 @@ using namespace contract;
 
 namespace
 {
-// Colours without any order.
+// Random colours.
 vtkSmartPointer<vtkUnsignedCharArray> MakeNoise(vtkIdType count)
 {
   auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -78,7 +78,7 @@ struct Scene : View
   }
 };
 
-// How many pixels antialiasing changes within a surface, and how many beside the background.
+// Counts pixels that antialiasing changes within a surface, and beside the background.
 void Count(Scene& scene, int& within, int& beside)
 {
   const Pixels off = scene.Grab(false);
@@ -111,7 +111,7 @@ void Count(Scene& scene, int& within, int& beside)
 }
 
 //------------------------------------------------------------------------------
-// Colours of cells and pixels, lit and not, flat, bent and at a grazing angle.
+// Colours of cells and pixels, lit and unlit, flat, curved and at a grazing angle.
 VTK_INDIRECT_TEST(OutlinesAreNotInData)
 {
   auto check = [](const std::string& what, const Vec3& eye, const std::function<void(Scene&)>& add)
@@ -164,7 +164,7 @@ VTK_INDIRECT_TEST(OutlinesAreNotInData)
 }
 
 //------------------------------------------------------------------------------
-// Shapes have outlines in front of each other, too: by depth, by a crease, by what is drawn.
+// Shapes have outlines in front of each other, too: by depth, by a crease, by their kind.
 VTK_INDIRECT_TEST(OutlinesOfShapes)
 {
   auto check = [](const std::string& what, const std::function<void(Scene&)>& add)
@@ -189,7 +189,7 @@ VTK_INDIRECT_TEST(OutlinesOfShapes)
     check(lit ? "a leap of depth, lit" : "a leap of depth, not lit",
       [lit, makeWall](Scene& scene)
       {
-        // Parts of one prop, so that depth alone tells them apart.
+        // Parts of one prop, which only depth distinguishes.
         vtkNew<vtkPolyData> data;
         vtkNew<vtkPoints> points;
         vtkNew<vtkCellArray> cells;

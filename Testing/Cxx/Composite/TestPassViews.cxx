@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every debug view shows its buffer: the picture is what CopyBuffer's values are mapped to here.
+// Every debug view shows its buffer: the picture is the buffer's value under this test's mapping.
 #include "vtkIndirectContractUtilities.h"
 #include "vtkIndirectDetails.h"
 
@@ -19,8 +19,8 @@ namespace
 {
 constexpr int Maps = 2;
 
-// The names that an error lists, with a number for <i>: buffers that views show, `lights`,
-// `branches` and `lobes`.
+// The names that an error lists, with a number for <i>: buffers of views, `lights`, `branches` and
+// `lobes`.
 std::vector<std::string> FindNames(vtkIndirectIlluminationPass* pass)
 {
   ExpectedErrors errors;
@@ -62,8 +62,8 @@ struct Mapping
   double Bias = 0.0;
 };
 
-// Colours as they are, directions from [-1, 1], levels over eight, depths over the far plane; that
-// of a light's map is known only from the picture, in which one scale holds everywhere.
+// Colours unchanged, directions from [-1, 1], levels over eight, depths over the far plane; the
+// scale of a light map's depth is found from the picture, which must use one scale everywhere.
 Mapping FindMapping(
   const std::string& name, const Floats& buffer, const Pixels& shown, vtkCamera* camera)
 {
@@ -93,7 +93,7 @@ Mapping FindMapping(
   return {};
 }
 
-// Returns whether the picture shows anything.
+// Returns true if the picture is not empty.
 bool CheckView(
   const std::string& name, const Floats& buffer, const Pixels& shown, vtkCamera* camera)
 {
@@ -112,7 +112,7 @@ bool CheckView(
       const int v = static_cast<int>((y + 0.5) / shown.Height * buffer.Height);
       for (int c = 0; c < 3; ++c)
       {
-        // A single number is the red alone: what green and blue hold no buffer says.
+        // A view of one component uses only red; green and blue are undefined.
         if (c > 0 && buffer.Components == 1)
         {
           continue;
@@ -170,7 +170,7 @@ VTK_INDIRECT_TEST(ViewsShowBuffers)
     for (const std::string& name : FindNames(pass))
     {
       const bool isMap = name.compare(0, 3, "rsm") == 0;
-      // Those that do not depend on the estimator are looked at once.
+      // Views independent of the estimator are tested once.
       const bool own = name == "final" || name == "indirect" || name == "irradiance" ||
         name == "bounce" || name == "glossy" || name.compare(0, 8, "subsplat") == 0;
       if (name == "lights" || name == "branches" || name == "lobes" ||
@@ -187,13 +187,14 @@ VTK_INDIRECT_TEST(ViewsShowBuffers)
       views += something;
       if (name == "final")
       {
-        // Nothing else is drawn, so the picture itself is this view, but for the background.
+        // The picture of the frame is this view, but for the background.
         CONTRACT_CHECK(Compare(shown, picture).Pixels < shown.Values.size() / 8, "the picture");
       }
     }
   }
   std::cout << views << " views\n";
-  // Ten of the frame, three a map, of the splatting those that depend on it and some of its own.
+  // Ten views of the frame, three for each map, and for splatting those that depend on it and some
+  // of its own.
   CONTRACT_CHECK(views >= 10 + 3 * Maps + 4 + 2 + 4 + 3, views << " views");
   pass->SetEstimator(nullptr);
 }

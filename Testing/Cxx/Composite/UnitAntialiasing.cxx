@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Kernels of antialiasing against what they stand for: runs bit by bit, areas by quadrature.
+// Kernels of antialiasing against their definitions: runs bit by bit, areas by quadrature.
 #include "vtkIndirectTestUtilities.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
@@ -25,7 +25,7 @@ uint MakeWord(Random& random)
   return word;
 }
 
-// Height of the outline over a run's border at a place of it.
+// Height of the outline over a run's border at a place.
 double FindHeight(double place, double length, double firstEnd, double lastEnd)
 {
   const double middle = 0.5 * length;
@@ -90,19 +90,19 @@ VTK_INDIRECT_TEST(AntialiasingEnds)
   CheckEqual("the end of a thin line does", vtkiRunEnd(2u, 0u, 6u, true), 0.0);
   CheckEqual("a thin line's step does not", vtkiRunEnd(3u, 2u, 6u, true), -0.5);
   CheckEqual("an outline that ends at another", vtkiRunEnd(6u, 0u, 4u, true), 0.0);
-  // A line of one pixel, lower before the end and higher behind it, seen from its upper border (the
-  // run ends) and from its lower one (the run begins).
+  // A line of one pixel, lower before the end and higher behind it: its upper border (the run ends)
+  // and its lower border (the run begins).
   CheckEqual("a thin line that rises", vtkiRunEnd(6u, 6u, 12u, false), 0.5);
   CheckEqual("and from below", vtkiRunEnd(6u, 6u, 12u, true), -0.5);
   CheckEqual("a thin line that falls", vtkiRunEnd(6u, 12u, 6u, false), -0.5);
   CheckEqual("and from below", vtkiRunEnd(6u, 12u, 6u, true), 0.5);
   CheckEqual("a board of squares", vtkiRunEnd(6u, 4u, 4u, true), 0.0);
   CheckEqual("a board of pixels", vtkiRunEnd(15u, 15u, 15u, true), 0.0);
-  // The mirror image swaps what is before the end and behind it, and upside down the bits.
+  // A horizontal mirror image exchanges before and behind, a vertical one reverses the bits.
   int wrong = 0;
   auto turn = [](uint four)
   { return ((four & 1u) << 3u) | ((four & 2u) << 1u) | ((four & 4u) >> 1u) | ((four & 8u) >> 3u); };
-  // Edges lie between lines: turned about that of the run, bit 2.
+  // Edges lie between lines: mirrored about the run's edge, bit 2.
   auto turnEdges = [](uint four)
   { return ((four & 2u) << 2u) | (four & 4u) | ((four & 8u) >> 2u); };
   for (uint i = 0; i < 16 * 16 * 16; ++i)
@@ -135,7 +135,7 @@ VTK_INDIRECT_TEST(AntialiasingAreas)
           {
             auto cut = [&](double place)
             { return std::max(sign * FindHeight(place, length, firstEnd, lastEnd), 0.0); };
-            // Linear on either side of the middle, which is a place of a panel's end.
+            // Linear on either side of the middle, which is an end of a panel.
             return Integrate(backward, backward + 0.5, cut, 1) +
               Integrate(backward + 0.5, backward + 1, cut, 1);
           };
@@ -151,7 +151,7 @@ VTK_INDIRECT_TEST(AntialiasingAreas)
   }
   CheckAtMost("areas, worst", worst, 1e-6, "rounding of floats of order one");
   CheckEqual("areas that a mirror changes", asymmetry, 0.0);
-  // A line of slope 1/8 through the middles of its steps: exactly what it covers.
+  // A line of slope 1/8 through the middles of its steps has exact areas.
   const vec2 slope = vtkiRunAreas(0, 7, 0.5f, -0.5f);
   CheckAbsolute("the first pixel of eight", slope.x, 0.5 * (0.5 + 0.375), 1e-6, "rounding");
   const vec2 none = vtkiNeighborShares(0.0f, 0.0f);
@@ -188,7 +188,8 @@ VTK_INDIRECT_TEST(AntialiasingDiagonals)
           for (int turn : { -1, 1 })
           {
             const vec2 areas = vtkiDiagonalAreas(backward, forward, firstEnd, lastEnd, turn);
-            // The line's height over the pixels' border, through the place's middle with its slope.
+            // Height of the line over the pixels' border, through the place's middle with its
+            // slope.
             const double length = backward + forward + 1;
             const double place = backward + 0.5;
             const double height = FindHeight(place, length, firstEnd, lastEnd);
@@ -199,7 +200,7 @@ VTK_INDIRECT_TEST(AntialiasingDiagonals)
                 (2.0 * step);
             auto below = [&](double from)
             {
-              // Piecewise linear: panels far finer than its bends.
+              // Piecewise linear: panels are far finer than its bends.
               return Integrate(
                 -0.5, 0.5,
                 [&](double x) { return std::max(0.0, std::min(1.0, from * (height + slope * x))); },
@@ -218,7 +219,7 @@ VTK_INDIRECT_TEST(AntialiasingDiagonals)
   }
   CheckAtMost("areas, worst", worst, 1e-5, "rounding, and the quadrature at bends");
   CheckAtMost("areas that a mirror changes", asymmetry, 1e-6, "rounding");
-  // Of all lines at 45 degrees that leave the same pixels: the mean of what they cut off.
+  // Mean area over all lines at 45 degrees with the same pixels.
   const double mean = Integrate(-0.5, 0.5, [](double h) { return vtkiAreaBelow(float(h), 1.0f); });
   const vec2 unknown = vtkiDiagonalAreas(15, 15, 0.0f, 0.0f, 1);
   CheckAbsolute("a line that is anywhere", unknown.x, mean, 1e-6, "rounding");
@@ -226,7 +227,7 @@ VTK_INDIRECT_TEST(AntialiasingDiagonals)
 
 VTK_INDIRECT_TEST(AntialiasingLeaps)
 {
-  // What the depth buffer has of heights in a row.
+  // Depth buffer values for heights in a row.
   auto leaps = [](const std::array<double, 4>& heights)
   {
     vec4 depth(0.0f);
@@ -252,7 +253,7 @@ VTK_INDIRECT_TEST(AntialiasingLeaps)
       plane[k] = first + slope * static_cast<double>(k) + noise();
     }
     planes += leaps(plane);
-    // Another surface, four times as far away as the slope and rounding take it.
+    // Another surface, four times as far away as slope and rounding can reach.
     const double step = 4.0 * std::abs(slope) + 4e-6;
     steps += !leaps({ plane[0], plane[1], plane[2] + step, plane[3] + step });
     // A roof, seen from either side.

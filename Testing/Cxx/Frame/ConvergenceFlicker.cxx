@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much the irradiance of fixed receivers changes from frame to frame, beyond what it should:
-// while a light moves, and while the eye does.
+// Excess change of fixed receivers' irradiance from frame to frame, while a light moves, and while
+// the eye moves.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkCamera.h"
@@ -24,7 +24,7 @@ constexpr int Frames = 8;
 constexpr int Width = 96;
 constexpr int Height = 72;
 
-// A corner with things in it, seen in parallel: a step of the eye is a step of whole pixels.
+// A corner with objects in it, seen in parallel: a step of the eye is a step of whole pixels.
 struct FlickerScene : Scene
 {
   vtkNew<vtkRSMGatherPass> DefaultGather;
@@ -63,7 +63,7 @@ struct FlickerScene : Scene
     this->SetParallelEye(scale);
   }
 
-  // Of all frames, the receivers of a common part of the picture.
+  // Irradiance of the receivers in a common part of the picture, in all frames.
   std::vector<std::vector<double>> Follow(
     vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* sampler, bool eyeMoves)
   {
@@ -101,7 +101,7 @@ double FindMean(const std::vector<std::vector<double>>& sequence)
   return sum / sequence[0].size();
 }
 
-// Root of the mean square of what a receiver's value changes by from one frame to the next.
+// Root mean square change of a receiver's value from one frame to the next.
 double FindFlicker(const std::vector<std::vector<double>>& sequence)
 {
   double squares = 0.0;
@@ -120,7 +120,7 @@ double FindFlicker(const std::vector<std::vector<double>>& sequence)
 
 VTK_INDIRECT_TEST(FlickerOfLight)
 {
-  // Over what the sum of all texels changes by while the light moves.
+  // Relative to the change of the sum over all texels while the light moves.
   FlickerScene scene;
   const double truth = FindFlicker(scene.Follow(scene.Gather, scene.Sampler, false));
   CheckAtLeast("all texels: change from frame to frame", truth, 1e-4, "the test's own power");
@@ -149,7 +149,7 @@ VTK_INDIRECT_TEST(FlickerOfLight)
 
 VTK_INDIRECT_TEST(FlickerOfEye)
 {
-  // Receivers under still lights do not change: over the mean of their irradiance.
+  // Receivers under still lights do not change. Relative to their mean irradiance.
   FlickerScene scene;
   const double mean = FindMean(scene.Follow(scene.DefaultGather, scene.Sampler, true));
   CheckAtLeast("mean irradiance", mean, 1e-2, "the test's own power");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same light whichever way it is modelled.
+// Equivalent models of a scene have the same light.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -69,7 +69,7 @@ VTK_INDIRECT_TEST(Headlight)
       const std::string what = std::to_string(size[0]) + " x " + std::to_string(size[1]) +
         (parallel ? ", parallel" : ", perspective");
       // Pixels of the eye are larger than the map's texels: they lose a little more where walls
-      // meet, and the outline in whole pixels is up to one in 60 off.
+      // meet, and the outline in whole pixels is off by up to one in 60.
       CheckRelative(what + ": reflected flux", eyeMap.GetReflectedFlux().x,
         ownMap.GetReflectedFlux().x, 0.02, "outlines in whole pixels");
       CheckRelative(what + ": mean irradiance", a.Mean(), b.Mean(), 0.02, "outlines and contact");
@@ -91,7 +91,7 @@ VTK_INDIRECT_TEST(Headlight)
   }
 }
 
-// The view's own footprint on a plane larger than it: no outline, hence an exact flux.
+// The view's own footprint on a larger plane has no outline, hence an exact flux.
 VTK_INDIRECT_TEST(HeadlightFlux)
 {
   for (bool parallel : { false, true })
@@ -100,7 +100,7 @@ VTK_INDIRECT_TEST(HeadlightFlux)
     {
       Scene scene(90, 60);
       scene.AddQuad({ -50, -50, 0 }, { 50, -50, 0 }, { -50, 50, 0 }, Albedo);
-      // Something to receive, and not to be seen: a frame needs no more than the plane.
+      // A receiver outside of the view: without one a frame sums nothing.
       const double a = vtkMath::RadiansFromDegrees(tilt);
       const glm::dvec3 back(std::sin(a), 0.0, std::cos(a));
       scene.SetEye(4.0 * back, { 0, 0, 0 }, { 0, 1, 0 }, 30, 1, 60);

@@ -21,7 +21,7 @@ namespace
 constexpr double Radius = 2.0;
 constexpr int Sides = 200;
 // A chord's middle lies 1 - cos(pi / Sides) of the radius inside: distances and areas are low by up
-// to 1.3e-4, what falls off with their square by twice that.
+// to 1.3e-4, quantities that fall with the square of the distance by twice that.
 const double MeshDeviation = 1.0 - std::cos(vtkMath::Pi() / Sides);
 
 struct Statistics
@@ -54,7 +54,7 @@ struct SphereScene : Scene
   std::vector<Statistics> Measure(const std::vector<Quantity>& quantities)
   {
     std::vector<Statistics> found(quantities.size());
-    double weights = 0.0; // of one quantity
+    double weights = 0.0; // for one quantity
     for (int i = 0; i < 6; ++i)
     {
       glm::dvec3 axis(0.0);
@@ -147,7 +147,7 @@ VTK_INDIRECT_TEST(ClosedSphereVirtualLights)
     const double bias = std::log(1.0 + n) / n;
     CheckAbsolute(what + ", mean", s.Mean, 1.0 - bias, 0.5 * bias + 5e-4,
       "bias; the cube's texels are not equal, which raises it by a fifth");
-    // Bias 0.7 % at 1024; one light's share, 1 / N, comes and goes with the distance to it.
+    // Bias 0.7 % at 1024; a single light's share, 1 / N, varies with the distance to it.
     CheckAbsolute(what + ", least", s.Least, 1.0, n < 2000 ? 0.013 : 0.01,
       "bias and the nearest light's share");
     CheckAbsolute(what + ", largest", s.Largest, 1.0, 0.01, "one per cent");
@@ -167,7 +167,7 @@ VTK_INDIRECT_TEST(ClosedSphereLightTree)
     const std::string what = "tolerance " + std::to_string(tolerance) + ", E1 over albedo E0: ";
     const double limit = 5e-3;
     CheckAbsolute(what + "mean", s.Mean, 1.0, limit, "a quarter of the tolerance where none is set");
-    // Lights send about the normals of facets, of which a texel sees one: 0.9948.
+    // Lights send about the normals of facets, and a texel sees one facet: 0.9948.
     CheckAbsolute(what + "least", s.Least, 1.0, 6e-3, "the same, and a facet's angle");
     CheckAbsolute(what + "largest", s.Largest, 1.0, limit, "the same");
   }

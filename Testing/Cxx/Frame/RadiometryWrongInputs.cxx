@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers that are none in a scene's data: what has them takes no part, the rest is lit as without.
+// Data with NaN or infinity: affected props take no part, and the rest is lit as without them.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -39,8 +39,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 }
 
-// A value that stands for none, as files have it, is no place: as an infinite one, which VTK leaves
-// out of bounds by itself.
+// Fill values in files are treated as infinite positions, which VTK leaves out of bounds by itself.
 VTK_INDIRECT_TEST(FillValues)
 {
   const auto draw = [](double value)
@@ -55,7 +54,7 @@ VTK_INDIRECT_TEST(FillValues)
     source->Update();
     vtkNew<vtkPolyData> data;
     data->DeepCopy(source->GetOutput());
-    // Towards what is not seen, from below.
+    // Towards invisible parts, from below.
     data->GetPoints()->SetPoint(1, 0.0, value, 0.0);
     data->GetPoints()->Modified();
     vtkNew<vtkPolyDataMapper> mapper;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long anything takes decides no picture: a machine that is busy draws what an idle one draws.
+// Durations decide no picture: a busy machine draws the same as an idle one.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -21,7 +21,7 @@ using namespace contract;
 
 namespace
 {
-// Each drawing, those into depth maps among them, takes a while longer.
+// A mapper that delays each drawing, also into depth maps.
 class SlowMapper : public vtkOpenGLPolyDataMapper
 {
 public:
@@ -43,7 +43,7 @@ struct Shot
   long long Estimates;
 };
 
-// What somebody sees who drags, lets go, moves a thing and waits.
+// Pictures of a user's session: drag, release, move an object, wait.
 std::vector<Shot> Play(vtkIndirectEstimatorPass* estimator, bool busy)
 {
   View view(48, 36);

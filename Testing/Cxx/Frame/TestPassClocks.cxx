@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times of stages by the GPU's clock, where OpenGL has one.
+// Times of stages by the GPU's clock, if OpenGL has one.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 #include "vtkIndirectDetails.h"
@@ -19,16 +19,16 @@ using namespace contract;
 //------------------------------------------------------------------------------
 namespace
 {
-// A frame of each estimator, their stages by both clocks; expected: whether the GPU has one.
+// Checks a frame of each estimator, with stages by both clocks; expected: the GPU has one.
 void CheckClocks(bool expected)
 {
   vtkNew<vtkRSMGatherPass> gather;
   vtkNew<vtkRadianceHintsPass> hints;
-  // Stages count, not what they find.
+  // Only the stages matter, not their results.
   hints->SetGridResolution(6, 5, 6);
   SET_DETAIL(hints, NumberOfRays, 16);
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
-  // Its voxels begin and end the stage of visibility, within the frame.
+  // The voxels begin and end the stage of visibility, within the frame.
   splatting->OccupancyOn();
   for (vtkIndirectEstimatorPass* estimator :
     std::initializer_list<vtkIndirectEstimatorPass*>{ gather, hints, splatting })
@@ -76,14 +76,13 @@ void CheckClocks(bool expected)
       std::cout << estimator->GetClassName() << ": stages " << sum << " ms, frame " << frame
                 << " ms by the GPU's clock, " << report.Get("frame_ms") << " ms by the wall's\n";
       CONTRACT_CHECK(sum > 0.0, report.GetText());
-      // How they compare is for the reader: no duration decides a test.
+      // Readers may compare them: no duration decides a test.
       CONTRACT_CHECK(frame > 0.0 && report.GetNumber("gpu_indirect_ms") > 0.0, report.GetText());
     }
   }
 }
 
-// VTK's mappers and its FXAA time themselves, too: compare what is known to differ in the pass
-// alone.
+// VTK's mappers and its FXAA time themselves, too: compare only queries of the pass.
 int CountQueries(vtkRenderWindow* window)
 {
   window->MakeCurrent();
@@ -95,7 +94,7 @@ int CountQueries(vtkRenderWindow* window)
   return count;
 }
 
-// OpenGL of these tests.
+// The version of OpenGL in these tests.
 struct Version
 {
   int Major = 0;
@@ -115,13 +114,13 @@ struct Version
 };
 }
 
-// Where OpenGL has timer queries stages have times by the GPU's clock, too.
+// With timer queries stages have times by the GPU's clock, too.
 VTK_INDIRECT_TEST(ReportClocks)
 {
   CheckClocks(Version().HasQueries);
 }
 
-// As OpenGL 3.2, with the extension and without: set in the environment.
+// As OpenGL 3.2, with and without the extension: set in the environment.
 VTK_INDIRECT_TEST(ReportClocksOpenGL32)
 {
   const Version version;
@@ -142,8 +141,8 @@ VTK_INDIRECT_TEST(ReportClocksNone)
 }
 
 //------------------------------------------------------------------------------
-// Timer queries, two for each stage and the frame, are made once and given back, when the pass is
-// released or destroyed and when its context ends.
+// Timer queries, two for each stage and the frame, are made once and released with the pass, with
+// its destruction, and with the end of its context.
 VTK_INDIRECT_TEST(ReleaseQueries)
 {
   auto hasQueries = [](vtkIndirectIlluminationPass* pass)
@@ -167,14 +166,14 @@ VTK_INDIRECT_TEST(ReleaseQueries)
   std::cout << during << " queries in a frame, " << after << " after it\n";
   CONTRACT_CHECK(during == after + 16, "seven stages and the frame");
 
-  // Not of another context.
+  // Nor after the end of the context.
   view.Grab();
   view.Window->Finalize();
   CONTRACT_CHECK(hasQueries(pass), "times are forgotten with the context");
   view.Grab();
   CONTRACT_CHECK(CountQueries(view.Window) == during, "in the next context");
 
-  // In another window, while this one has none of them left.
+  // Another window has them, while this window has none left.
   View other(80, 60);
   AddRoom(other.Renderer);
   view.Renderer->SetPass(nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Passes in the place of the default delegate: what can be captured of them, and what is refused.
+// Passes in the place of the default delegate: supported ones, and refused ones.
 #include "vtkIndirectContractUtilities.h"
 
 #include "vtkCameraPass.h"
@@ -69,7 +69,7 @@ void CheckRefused(vtkRenderPass* delegate, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-// Passes that draw the props into a framebuffer of their own.
+// Passes that draw the props into their own framebuffer.
 VTK_INDIRECT_TEST(DelegateRedirects)
 {
   vtkNew<vtkLightsPass> lights;
@@ -85,7 +85,7 @@ VTK_INDIRECT_TEST(DelegateRedirects)
 }
 
 //------------------------------------------------------------------------------
-// A pass as its own delegate, at once and further down.
+// A pass as its own delegate, directly and further down.
 VTK_INDIRECT_TEST(DelegateItself)
 {
   View view(120, 90);
@@ -116,12 +116,12 @@ VTK_INDIRECT_TEST(DelegateItself)
     CONTRACT_CHECK(
       errors.GetText().find("contains this very pass") != std::string::npos, errors.GetText());
   }
-  pass->SetDelegatePass(nullptr); // or the two keep each other alive
+  pass->SetDelegatePass(nullptr); // breaks the cycle of references
   CONTRACT_CHECK(Compare(expected, view.Grab()).Max == 0.0, "the picture afterwards");
 }
 
 //------------------------------------------------------------------------------
-// Sequences of VTK's own passes draw what the default draws.
+// Sequences of VTK's own passes draw the same as the default.
 VTK_INDIRECT_TEST(DelegateSteps)
 {
   View view(120, 90);
@@ -147,7 +147,7 @@ VTK_INDIRECT_TEST(DelegateSteps)
   pass->RemainingGeometryOff();
   const Pixels image = view.Grab();
   const Difference light = Compare(irradiance, Read(pass, "irradiance"));
-  // What is seen through the glass is as bright as beside it: indirect light is added last.
+  // The surface behind the glass is as bright as beside it: indirect light is added last.
   size_t off = 0;
   for (size_t i = 0; i < image.Values.size(); i += 4)
   {

@@ -32,14 +32,14 @@ using namespace contract;
 
 namespace
 {
-// Valid, and with all keys of its schema.
+// Returns the report, which must be valid and have all keys of its schema.
 std::string CheckReport(vtkIndirectIlluminationPass* pass)
 {
   return Report(pass).GetText();
 }
 
-// The picture of a scene that the pass leaves to its delegate: VTK's own, bit for bit, and the
-// report says why.
+// The picture of a scene that the pass leaves to its delegate: VTK's own, bit for bit; the report
+// gives the reason.
 void CheckDelegate(const std::function<void(vtkRenderer*)>& setUp, const std::string& why)
 {
   View view(80, 60);
@@ -74,7 +74,7 @@ VTK_INDIRECT_TEST(DebugViewUnknown)
     CONTRACT_CHECK(errors.GetCount() == 1, errors.GetCount() << " errors: " << errors.GetText());
     CONTRACT_CHECK(errors.GetText().find("rsm<i>.density") != std::string::npos,
       "no names in: " << errors.GetText());
-    // A map that is not there, then a name that is.
+    // A map that does not exist, then an existing name.
     pass->SetDebugView("rsm7.depth");
     view.Grab();
     view.Grab();
@@ -84,7 +84,7 @@ VTK_INDIRECT_TEST(DebugViewUnknown)
   CONTRACT_CHECK(Compare(expected, view.Grab()).Max > 0.0, "a debug view");
   pass->SetDebugView("");
   CONTRACT_CHECK(Compare(expected, view.Grab()).Max == 0.0, "the picture again");
-  // The same mistake, made again, is reported again.
+  // A repeated mistake is reported again.
   ExpectedErrors errors;
   pass->SetDebugView("rsm7.depth");
   view.Grab();
@@ -123,7 +123,7 @@ VTK_INDIRECT_TEST(CopyBufferWrong)
     CONTRACT_CHECK(errors.GetText().find("needs an image to copy 'final' to") != std::string::npos,
       errors.GetText());
   }
-  // Nothing of this harms what follows.
+  // None of these errors affects later calls.
   for (const char* name : { "final", "direct", "indirect", "irradiance", "glossy", "albedo",
          "normal", "depth", "rsm0.depth", "rsm0.normal", "rsm0.density", "lights" })
   {
@@ -132,7 +132,7 @@ VTK_INDIRECT_TEST(CopyBufferWrong)
 }
 
 //------------------------------------------------------------------------------
-// Maps can be drawn alone, and say nothing.
+// Maps can be drawn alone, without messages.
 VTK_INDIRECT_TEST(StagesAlone)
 {
   View view(80, 60);
@@ -147,7 +147,7 @@ VTK_INDIRECT_TEST(StagesAlone)
 }
 
 //------------------------------------------------------------------------------
-// The resolution stays within what it may be.
+// The resolution is clamped.
 VTK_INDIRECT_TEST(ResolutionLimits)
 {
   View view(80, 60);
@@ -189,8 +189,8 @@ VTK_INDIRECT_TEST(MapsTooMany)
   {
     Skip("this OpenGL holds " + std::to_string(layers) + " layers");
   }
-  // VTK compiles shaders with all lights in them, which takes minutes for hundreds: in place of its
-  // opaque props the delegate draws nothing.
+  // VTK compiles shaders with all lights in them, which takes minutes for hundreds: the delegate
+  // draws nothing in place of opaque props.
   vtkNew<vtkSequencePass> nothing;
   vtkNew<vtkRenderPassCollection> none;
   nothing->SetPasses(none);
@@ -223,8 +223,8 @@ VTK_INDIRECT_TEST(MapsTooMany)
 }
 
 //------------------------------------------------------------------------------
-// More rays of hints than a table may have entries: one error for each attempt that is new, direct
-// light alone, and the report says so.
+// More rays of hints than a table may have entries: one error for each new attempt, direct light
+// alone, and a reason in the report.
 VTK_INDIRECT_TEST(HintsTooMany)
 {
   View view(80, 60);
@@ -262,7 +262,7 @@ VTK_INDIRECT_TEST(HintsTooMany)
 }
 
 //------------------------------------------------------------------------------
-// The same of blocks of maps: 44 lights of six faces make 264 times 128 squared.
+// Too many blocks of maps: 44 lights of six faces make 264 times 128 squared.
 VTK_INDIRECT_TEST(HintsTooManyBlocks)
 {
   View view(80, 60);
@@ -271,7 +271,7 @@ VTK_INDIRECT_TEST(HintsTooManyBlocks)
   vtkNew<vtkRadianceHintsPass> hints;
   pass->SetEstimator(hints);
   pass->SetReflectiveShadowMapResolution(1);
-  // In place of VTK's opaque props, whose shaders would have all lights in them.
+  // Replaces VTK's opaque props, whose shaders would have all lights in them.
   vtkNew<vtkSequencePass> nothing;
   vtkNew<vtkRenderPassCollection> none;
   nothing->SetPasses(none);
@@ -299,7 +299,7 @@ VTK_INDIRECT_TEST(HintsTooManyBlocks)
 }
 
 //------------------------------------------------------------------------------
-// Scenes in which nothing can reflect light.
+// Scenes that cannot reflect light.
 VTK_INDIRECT_TEST(NothingToDo)
 {
   CheckDelegate([](vtkRenderer*) {}, "nothing opaque is visible");
@@ -342,7 +342,7 @@ VTK_INDIRECT_TEST(NothingToDo)
 }
 
 //------------------------------------------------------------------------------
-// Actors without data, without mapper, with bounds that are no numbers.
+// Actors without data, without mapper, with bounds of NaN.
 VTK_INDIRECT_TEST(BadActors)
 {
   auto addEmpty = [](vtkRenderer* renderer)
@@ -374,7 +374,7 @@ VTK_INDIRECT_TEST(BadActors)
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     renderer->AddActor(actor);
-    // VTK leaves undefined points out of an actor's bounds, but not an undefined place.
+    // VTK leaves undefined points out of an actor's bounds, but not an undefined position.
     auto nowhere = MakeSphere({ 0, 0, 0 }, 0.5);
     nowhere->SetPosition(nan, 0, 0);
     renderer->AddActor(nowhere);
@@ -398,7 +398,7 @@ VTK_INDIRECT_TEST(BadActors)
     },
     "");
 
-  // Beside good ones they change nothing.
+  // Beside good actors they change nothing.
   View view(80, 60);
   AddRoom(view.Renderer);
   vtkNew<vtkIndirectIlluminationPass> pass;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An estimator that is set on a renderer by itself draws the frame that the pass draws with it.
+// An estimator set on a renderer by itself draws the frame of a pass with that estimator.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -14,7 +14,7 @@ using namespace contract;
 
 namespace
 {
-// Two passes are compared: as many hints as do for that.
+// Reduces the number of hints, because only two passes are compared.
 void SetFew(vtkIndirectEstimatorPass* estimator)
 {
   if (auto hints = vtkRadianceHintsPass::SafeDownCast(estimator))
@@ -47,7 +47,7 @@ void CheckAlone()
     name);
   CONTRACT_CHECK(alone->GetNumberOfRenderedProps() == pass->GetNumberOfRenderedProps(),
     name << ": " << alone->GetNumberOfRenderedProps() << " props");
-  // What belongs to a frame is set on its pass.
+  // Properties of a frame are set on its pass.
   alone->GetIlluminationPass()->SetIndirectScale(0.0);
   CONTRACT_CHECK(Compare(picture, view.Grab()).Max > 0.0, name << " has no pass of its own");
   alone->GetIlluminationPass()->SetIndirectScale(1.0);
@@ -73,8 +73,8 @@ VTK_INDIRECT_TEST(EstimatorsAlone)
 }
 
 //------------------------------------------------------------------------------
-// It and the pass that it draws through hold each other so that both go when it is let go of, in
-// either order with the window.
+// An estimator and its own pass hold each other so that both are destroyed with the last outside
+// reference, in either order with the window.
 VTK_INDIRECT_TEST(EstimatorsAloneEnd)
 {
   for (const bool windowFirst : { false, true })
@@ -103,7 +103,7 @@ VTK_INDIRECT_TEST(EstimatorsAloneEnd)
       CONTRACT_CHECK(!estimator, "the estimator is kept");
       if (held)
       {
-        // A pass that has lost its estimator goes on with the automatic one.
+        // A pass that has lost its estimator continues with the automatic one.
         View view(80, 60);
         AddRoom(view.Renderer);
         view.Renderer->SetPass(held);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Selection, picking and depth: what programs ask a window after it is drawn.
+// Selection, picking and depth: queries to a drawn window.
 #include "vtkIndirectContractUtilities.h"
 
 #if __has_include("vtk_glad.h")
@@ -51,7 +51,7 @@ struct PickScene
 
 using Selected = std::set<std::pair<int, vtkIdType>>;
 
-// Which cells, or points, of which actor are selected in a rectangle.
+// Cells, or points, selected in a rectangle, by actor.
 Selected Select(PickScene& scene, int association, const std::array<unsigned int, 4>& area)
 {
   vtkNew<vtkHardwareSelector> selector;
@@ -127,7 +127,7 @@ VTK_INDIRECT_TEST(PickingSame)
         vtkNew<vtkCellPicker> cellPicker;
         cellPicker->Pick(x, y, 0, renderer);
         cells[i] = cellPicker->GetCellId();
-        // Picking props has drawn identifiers; the depth of the picture is asked for here.
+        // Picking props has drawn identifiers; the next query needs the picture's depth.
         renderer->GetRenderWindow()->Render();
         vtkNew<vtkWorldPointPicker> pointPicker;
         pointPicker->Pick(x, y, 0, renderer);
@@ -145,7 +145,7 @@ VTK_INDIRECT_TEST(PickingSame)
 }
 
 //------------------------------------------------------------------------------
-// The window's depth is what it would be without the pass: labels and pickers read it.
+// The window's depth is the same as without the pass: labels and pickers read it.
 VTK_INDIRECT_TEST(DepthSame)
 {
   for (bool parallel : { false, true })
@@ -176,8 +176,8 @@ VTK_INDIRECT_TEST(DepthSame)
 }
 
 //------------------------------------------------------------------------------
-// What is drawn and what is background are distinguished also where planes are so far apart that
-// depths round to that of the background, and after something has moved away.
+// Pixels of surfaces and of the background are distinguished also if the depth planes are so far
+// apart that depths round to the background's, and after a prop has moved away.
 VTK_INDIRECT_TEST(DepthOfBackground)
 {
   for (double nearPlane : { 1.0, 1e-2, 1e-4, 1e-6, 1e-8 })
@@ -393,13 +393,13 @@ VTK_INDIRECT_TEST(StateUntouched)
 //------------------------------------------------------------------------------
 namespace
 {
-// Compares OpenGL's blending with what VTK's state says of it whenever a mapper draws.
+// Compares OpenGL's blending with VTK's state whenever a mapper draws.
 struct BlendingWatch
 {
   vtkOpenGLState* State = nullptr;
-  const char* Switched = ""; // what each prop does to blending before it draws: "on", "off"
+  const char* Switched = ""; // switch of blending before each prop's draw: "on", "off"
   int Draws = 0;
-  int Differing = 0; // draws whose first buffer is not as VTK thinks
+  int Differing = 0; // draws whose first buffer differs from VTK's state
   int Mixing = 0;    // draws that blend bits
   vtkNew<vtkCallbackCommand> Command;
 
@@ -438,7 +438,7 @@ struct BlendingWatch
     }
     ++this->Draws;
     this->Differing += this->Agrees(0) ? 0 : 1;
-    // The geometry buffer and the lights' maps have the surface's bits in their second one.
+    // The geometry buffer and the lights' maps have the surface's bits in their second buffer.
     GLint second = GL_NONE;
     glGetIntegerv(GL_DRAW_BUFFER1, &second);
     this->Mixing += second != GL_NONE && glIsEnabledi(GL_BLEND, 1) ? 1 : 0;
@@ -446,8 +446,8 @@ struct BlendingWatch
 };
 }
 
-// VTK switches blending for all draw buffers at once and remembers one value. OpenGL has it so in
-// the first buffer whenever something is drawn, and in all of them after the frame.
+// VTK switches blending for all draw buffers at once and remembers one value. OpenGL has that value
+// in the first buffer at every draw, and in all of them after the frame.
 VTK_INDIRECT_TEST(BlendingRemembered)
 {
   for (const std::string kind : { "plain", "texture", "specular" })

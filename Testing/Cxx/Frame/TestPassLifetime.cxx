@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What passes do when their window closes, and in which order things may be destroyed.
+// Passes whose window closes, and orders of destruction.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -39,8 +39,8 @@ VTK_INDIRECT_TEST(Finalize)
 }
 
 //------------------------------------------------------------------------------
-// Estimators that the pass has exchanged for another know when their window closes. Later they
-// neither draw with its names nor delete what the next context calls by them.
+// Estimators that the pass no longer uses learn of their window's end. Later they neither draw with
+// its names nor delete objects of the next context with the same names.
 VTK_INDIRECT_TEST(FinalizeUnused)
 {
   vtkNew<vtkIndirectIlluminationPass> pass;
@@ -83,7 +83,7 @@ VTK_INDIRECT_TEST(FinalizeUnused)
 }
 
 //------------------------------------------------------------------------------
-// A window that is closed while the pass is not in any renderer takes what the pass holds along.
+// A window that closes while the pass is in no renderer releases the pass's objects.
 VTK_INDIRECT_TEST(FinalizeWithout)
 {
   vtkNew<vtkIndirectIlluminationPass> pass;
@@ -123,7 +123,7 @@ VTK_INDIRECT_TEST(DestructionOrder)
     CONTRACT_CHECK(!pass->CopyBuffer("final", image), "a buffer of a window that is gone");
   }
   {
-    // The pass first: the renderer holds it, the program does not.
+    // The pass first: only the renderer holds it.
     View view(60, 40);
     AddRoom(view.Renderer);
     {
@@ -135,7 +135,7 @@ VTK_INDIRECT_TEST(DestructionOrder)
     view.Grab();
   }
   {
-    // The renderer leaves its window, and comes back.
+    // The renderer leaves its window, and returns.
     View view(60, 40);
     AddRoom(view.Renderer);
     vtkNew<vtkIndirectIlluminationPass> pass;
@@ -159,7 +159,7 @@ VTK_INDIRECT_TEST(DestructionOrder)
     pass->GetReport();
   }
   {
-    // Props that die while a pass knows them.
+    // Props that are destroyed while a pass knows them.
     View view(60, 40);
     AddRoom(view.Renderer);
     vtkNew<vtkIndirectIlluminationPass> pass;
@@ -198,11 +198,11 @@ VTK_INDIRECT_TEST(TwoWindows)
   {
     CONTRACT_CHECK(Compare(alone, first.Grab()).Max == 0.0, "first window, frame " << i);
     CONTRACT_CHECK(Compare(alone, second.Grab()).Max == 0.0, "second window, frame " << i);
-    // Reading one while the other is current.
+    // Reads one while the other is current.
     CONTRACT_CHECK(Compare(Read(passes[0], "final"), Read(passes[1], "final")).Max == 0.0,
       "buffers, frame " << i);
   }
-  // Now one for both.
+  // One pass for both.
   second.Renderer->SetPass(nullptr);
   for (int i = 0; i < 3; ++i)
   {
@@ -213,7 +213,7 @@ VTK_INDIRECT_TEST(TwoWindows)
     first.Renderer->SetPass(passes[0]);
     CONTRACT_CHECK(Compare(alone, first.Grab()).Max == 0.0, "moved to the first, turn " << i);
   }
-  // In both at once: slow, and right.
+  // One pass in both at once: slow, but correct.
   second.Renderer->SetPass(passes[0]);
   for (int i = 0; i < 2; ++i)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the classes print is what they are set to.
+// Classes print their settings.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -21,7 +21,7 @@ using namespace contract;
 
 namespace
 {
-// Lines of what an object prints, without their indentation.
+// Lines of an object's printed text, without their indentation.
 std::set<std::string> GetLines(vtkObject* object)
 {
   std::ostringstream os;
@@ -41,7 +41,7 @@ void CheckLine(vtkObject* object, const std::string& line, bool expected)
     object->GetClassName() << ": '" << line << (expected ? "' is not" : "' is") << " printed");
 }
 
-// Sets a property to a value that is not its default: the line is not there before, but after.
+// Sets a property to a value that is not its default: the line appears only afterwards.
 #define CHECK_PRINT(object, property, value, text)                                                 \
   do                                                                                               \
   {                                                                                                \
@@ -156,7 +156,7 @@ VTK_INDIRECT_TEST(PrintSettings)
 }
 
 //------------------------------------------------------------------------------
-// Counters and sizes, of a frame that is known.
+// Counters and sizes of a known frame.
 VTK_INDIRECT_TEST(PrintCounters)
 {
   View view(80, 60);
@@ -176,7 +176,7 @@ VTK_INDIRECT_TEST(PrintCounters)
   CheckLine(pass->GetReflectiveShadowMaps(), "NumberOfMaps: 1", true);
   CONTRACT_CHECK(CountOf(pass, "faces_drawn") == 1, "faces drawn");
   CheckLine(sampler, "ActualNumberOfLights: 33", true);
-  CheckLine(gather, "Size: 80 x 60, 76800 bytes", true); // 16 a pixel
+  CheckLine(gather, "Size: 80 x 60, 76800 bytes", true); // 16 bytes a pixel
   vtkNew<vtkRadianceHintsPass> hints;
   pass->SetEstimator(hints);
   view.Grab();
@@ -186,7 +186,7 @@ VTK_INDIRECT_TEST(PrintCounters)
 }
 
 //------------------------------------------------------------------------------
-// With Timing on every stage that a frame went through has its time, and none without.
+// With Timing on every stage of a frame has a time, without it none.
 VTK_INDIRECT_TEST(ReportStages)
 {
   View view(80, 60);
@@ -215,7 +215,7 @@ VTK_INDIRECT_TEST(ReportStages)
     CONTRACT_CHECK(median > 0.0, "no time of " << stage << " in " << report.GetText());
     CONTRACT_CHECK(report.GetNumber(name + ".p95_ms") >= median, report.GetText());
   }
-  // Of every frame; how long they are decides nothing.
+  // Times of a whole frame; their length decides nothing.
   CONTRACT_CHECK(report.GetNumber("indirect_ms") > 0.0, report.Get("indirect_ms"));
   CONTRACT_CHECK(report.GetNumber("frame_ms") > 0.0, report.Get("frame_ms"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Resources are given back to a window, and only then.
+// Resources are released to a window, and only then.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 #include "vtkIndirectDetails.h"
@@ -18,7 +18,7 @@
 using namespace contract;
 
 //------------------------------------------------------------------------------
-// To release resources without a window loses nothing, before a frame and after it.
+// Releasing resources without a window loses nothing, before a frame and after it.
 VTK_INDIRECT_TEST(ReleaseWithoutWindow)
 {
   vtkNew<vtkRSMGatherPass> gather;
@@ -59,7 +59,7 @@ VTK_INDIRECT_TEST(ReleaseWithoutWindow)
     CONTRACT_CHECK(CountOf(pass, "faces_drawn") == faces, name << ": the maps were drawn again");
     CONTRACT_CHECK(CountOf(pass, "estimates") == estimates, name << ": estimated again");
   }
-  // Stages alone. They leave the renderer's lights to VTK.
+  // Single stages, which leave the renderer's lights to VTK.
   vtkNew<vtkReflectiveShadowMapPass> maps;
   View view(80, 60);
   AddRoom(view.Renderer);
@@ -75,8 +75,8 @@ VTK_INDIRECT_TEST(ReleaseWithoutWindow)
 }
 
 //------------------------------------------------------------------------------
-// Multiresolution splatting lets go of its pyramids, buffers and programs whatever its settings
-// were, is the same after it, after a resize, and in a second window.
+// Multiresolution splatting releases its pyramids, buffers and programs under all settings, and
+// draws the same afterwards, after a resize, and in a second window.
 VTK_INDIRECT_TEST(ReleaseMultiresolution)
 {
   View view(160, 120);
@@ -134,14 +134,14 @@ VTK_INDIRECT_TEST(ReleaseMultiresolution)
 }
 
 //------------------------------------------------------------------------------
-// ReleaseGraphicsResources gives back all textures, framebuffers and buffers; programs are the
-// window's own cache's.
+// ReleaseGraphicsResources releases all textures, framebuffers and buffers; programs belong to the
+// window's cache.
 VTK_INDIRECT_TEST(Release)
 {
   View view(160, 120);
   AddRoom(view.Renderer);
   vtkNew<vtkIndirectIlluminationPass> pass;
-  // All that could be allocated.
+  // Uses everything that allocates.
   vtkNew<vtkRSMGatherPass> gather;
   vtkNew<vtkUniformLightSampler> sampler;
   pass->SetEstimator(gather);
@@ -167,7 +167,7 @@ VTK_INDIRECT_TEST(Release)
     pass->SetDebugView("");
     const Names during = CountNames(view.Window);
     pass->ReleaseGraphicsResources(view.Window);
-    // VTK's own rendering has some names of its own in use.
+    // VTK's own rendering uses some names.
     view.Renderer->SetPass(nullptr);
     view.Window->Render();
     const Names after = CountNames(view.Window);
@@ -177,7 +177,7 @@ VTK_INDIRECT_TEST(Release)
   }
   view.Renderer->SetPass(pass);
 
-  // It works again.
+  // The pass works again.
   view.Renderer->UseFXAAOff();
   const Pixels again = view.Grab();
   View other(160, 120);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the report says, and that it is what was in force.
+// The report, against the settings in force.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 #include "vtkIndirectDetails.h"
@@ -23,7 +23,7 @@ using namespace contract;
 
 namespace
 {
-// A room whose estimator is given, and its report after a frame.
+// A room with a given estimator, and its report after a frame.
 struct ReportView : View
 {
   vtkNew<vtkIndirectIlluminationPass> Pass;
@@ -47,7 +47,7 @@ struct ReportView : View
 }
 
 //------------------------------------------------------------------------------
-// The tests' own reader takes JSON and nothing else.
+// The tests' own reader accepts only valid JSON.
 VTK_INDIRECT_TEST(ReportReader)
 {
   for (const char* good : { "{}", "[]", "{\"a\": [1, -0.5e-7, 0], \"b\": null}", " true ",
@@ -67,7 +67,7 @@ VTK_INDIRECT_TEST(ReportReader)
 }
 
 //------------------------------------------------------------------------------
-// A grid has as many hints as its property says, which never says more than there can be.
+// A grid has as many hints as its property says, which is clamped to the possible range.
 VTK_INDIRECT_TEST(ReportGrid)
 {
   View view(60, 40);
@@ -100,15 +100,15 @@ VTK_INDIRECT_TEST(ReportGrid)
 }
 
 //------------------------------------------------------------------------------
-// ErrorTolerance is the one in force: where the estimator cannot choose by it, or only by another,
-// the report says so.
+// The report tells the ErrorTolerance in force, and whether the estimator ignores it or uses
+// another one.
 VTK_INDIRECT_TEST(ReportTolerance)
 {
   const std::string value = "settings.ErrorTolerance";
   const std::string asked = "ErrorTolerance 0.02";
   {
     vtkNew<vtkRadianceHintsPass> hints;
-    SET_DETAIL(hints, NumberOfRays, 16); // hints are counted, not looked at
+    SET_DETAIL(hints, NumberOfRays, 16); // hints are counted, not used
     ReportView view(hints);
     // Hints along the longest axis: sqrt(12 / tolerance); the room is a cube.
     auto check = [&](double pass, double expected, int along)
@@ -119,7 +119,8 @@ VTK_INDIRECT_TEST(ReportTolerance)
         pass << ": " << report.Get(value) << " for " << expected);
       CONTRACT_CHECK(hints->GetNumberOfHints() == along * along * along,
         pass << ": " << hints->GetNumberOfHints() << " hints");
-      // Where it is in force, what it does not hold for; else that it is not.
+      // If the tolerance is in force, the report lists what it does not cover; otherwise that it is
+      // not in force.
       const std::string reason =
         report.FindReason("left_out", pass == 0.02 ? asked : "ErrorTolerance 0.1");
       CONTRACT_CHECK(reason.empty() == (pass == 0.0), report.GetText());
@@ -145,11 +146,11 @@ VTK_INDIRECT_TEST(ReportTolerance)
 }
 
 //------------------------------------------------------------------------------
-// A threshold that the user has set stays, whatever the tolerance and its value: the frame is the
-// one in which the others are set by hand.
+// A threshold set by the user stays, independent of the tolerance and of its value: the frame
+// equals one with the other thresholds set by hand.
 VTK_INDIRECT_TEST(ToleranceKeepsThresholds)
 {
-  // Levels of the subsplats, and the report, with thresholds that are not negative set.
+  // Levels of the subsplats, and the report; only nonnegative thresholds are set.
   using Pass = vtkMultiresolutionSplattingPass;
   auto render =
     [&](double tolerance, double lighting, double plane, double normal, double depth = -1.0)
@@ -171,7 +172,8 @@ VTK_INDIRECT_TEST(ToleranceKeepsThresholds)
       splatting->SetNormalThreshold(normal);
     }
     view.Pass->SetErrorTolerance(tolerance);
-    vtkNew<vtkUniformLightSampler> even; // a tree's branches, and lights of paths, follow it, too
+    // a tree's branches, and lights of paths, depend on the tolerance, too
+    vtkNew<vtkUniformLightSampler> even;
     view.Pass->SetSampler(even);
     view.Pass->SetNumberOfBounces(1);
     view.Grab();
@@ -183,7 +185,7 @@ VTK_INDIRECT_TEST(ToleranceKeepsThresholds)
   auto levels = [](const auto& rendered) { return std::get<0>(rendered); };
   constexpr double standard = 0.0015;
   const auto defaults = render(0.0, standard, -1.0, -1.0);
-  // Twice the standard tolerance doubles what is not set.
+  // Twice the standard tolerance doubles the thresholds that are not set.
   const auto byHand = render(0.0, 2.0 * standard, 0.5, 0.4);
   CONTRACT_CHECK(Compare(levels(defaults), levels(byHand)).Max > 0.0, "the test's own power");
   const auto scaled = render(0.04, standard, -1.0, -1.0);
@@ -194,12 +196,12 @@ VTK_INDIRECT_TEST(ToleranceKeepsThresholds)
   const auto own = render(0.04, standard, 0.01, -1.0);
   CONTRACT_CHECK(Compare(levels(finer), levels(own)).Max == 0.0, "one is the user's");
   CONTRACT_CHECK(std::get<2>(own).find("PlaneThreshold") != std::string::npos, std::get<2>(own));
-  // Also when it is what it would be anyway.
+  // Also if the user's value is the default.
   const auto usual = render(0.0, 2.0 * standard, 0.25, 0.4);
   CONTRACT_CHECK(Compare(levels(byHand), levels(usual)).Max > 0.0, "the test's own power");
   const auto kept = render(0.04, standard, 0.25, -1.0);
   CONTRACT_CHECK(Compare(levels(usual), levels(kept)).Max == 0.0, "the default, set by the user");
-  // The paper's refinement does not look at the lighting.
+  // The paper's refinement ignores the lighting.
   const auto paper = render(0.0, standard, -1.0, 0.1, 0.01);
   const auto all = render(0.04, standard, -1.0, 0.1, 0.01);
   CONTRACT_CHECK(Compare(levels(paper), levels(all)).Max == 0.0, "all are the user's");
@@ -207,7 +209,7 @@ VTK_INDIRECT_TEST(ToleranceKeepsThresholds)
 }
 
 //------------------------------------------------------------------------------
-// Memory that can be foretold: of a grid of hints and of the triangles that their rays meet.
+// Predictable memory: a grid of hints, and the triangles for their rays.
 VTK_INDIRECT_TEST(ReportMemory)
 {
   View view(32, 16);
@@ -235,14 +237,14 @@ VTK_INDIRECT_TEST(ReportMemory)
     view.Grab();
     memory[more] = Report(pass).GetNumber("main_memory_bytes");
   }
-  // 512 hints more: 16 bytes each for place and albedo, 4 for each of 400 rays; a few surfaces of
-  // 40 bytes that no other hint's ray has met.
+  // 512 additional hints: 16 bytes each for position and albedo, 4 for each of 400 rays; and a few
+  // surfaces of 40 bytes that only their rays have met.
   const double hint = 512.0 * (16 + 16 + 4 * 400);
   std::cout << memory[0] << ", 512 hints more: " << memory[1] - memory[0] << " for " << hint
             << "\n";
   CONTRACT_CHECK(std::abs(memory[1] - memory[0] - hint) < 0.01 * hint, "hints");
 
-  // More triangles where there were some: 48 bytes each, and 4 for each voxel that one touches.
+  // More triangles in the same place: 48 bytes each, and 4 for each voxel that a triangle touches.
   auto* fine = vtkActor::SafeDownCast(renderer->GetViewProps()->GetItemAsObject(0));
   auto refine = [&](int resolution)
   {
@@ -261,12 +263,12 @@ VTK_INDIRECT_TEST(ReportMemory)
   // A triangle of 1/200 touches voxels of 1/14 of the cube: one, at their borders two or four.
   CONTRACT_CHECK(triangles >= least && triangles < 1.05 * least, "triangles");
 
-  // Textures do not count there, nor main memory in bytes: all texels of a map of 16 x 16 are 256
-  // lights of 48 bytes and 16 of their pattern; the gather adds an irradiance of 16 bytes a pixel.
+  // Textures and main memory are counted separately: all texels of a map of 16 x 16 are 256 lights
+  // of 48 bytes and 16 of their pattern; the gather adds an irradiance of 16 bytes a pixel.
   pass->SetEstimator(gather);
-  pass->SetVisibilityToNone(); // depth maps are the tests' of maps
-  pass->SetNumberOfBounces(1); // what paths need is counted, too
-  sampler->LitTexelsOff();      // as are sums over texels
+  pass->SetVisibilityToNone(); // tests of maps cover depth maps
+  pass->SetNumberOfBounces(1); // paths would add their own memory
+  sampler->LitTexelsOff();     // sums over texels would add theirs
   gather->SetModeToVirtualLights();
   gather->InterpolationOff();
   sampler->SetNumberOfLights(256);
@@ -297,7 +299,7 @@ struct German : std::numpunct<char>
   std::string do_grouping() const override { return "\3"; }
 };
 
-// Reports, shaders and buffers as they are in the C locale.
+// Reports, shaders and buffers equal those of the C locale.
 void CheckInLocale()
 {
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
@@ -341,8 +343,8 @@ VTK_INDIRECT_TEST(ReportLocaleOfStreams)
 
 VTK_INDIRECT_TEST(ReportLocaleOfC)
 {
-  // From Debian's package locales, where the system has none compiled. In the build tree, from
-  // whichever folder the test is started.
+  // Compiled from Debian's package locales if the system has none, in the build tree, independent
+  // of the current folder.
   const std::string folder = VTK_INDIRECT_TEST_FOLDER "/locales";
   const std::string make = "mkdir -p '" + folder +
     "' && localedef --no-archive -f UTF-8 -i de_DE '" + folder + "/de_DE.UTF-8' >/dev/null 2>&1";
@@ -367,7 +369,7 @@ VTK_INDIRECT_TEST(ReportLocaleOfC)
 //------------------------------------------------------------------------------
 namespace
 {
-// An opaque prop with bounds that are no bounds, which the report leaves out by its class name.
+// An opaque prop with invalid bounds, which the report leaves out by its class name.
 class BadName : public vtkActor
 {
 public:
@@ -392,7 +394,7 @@ protected:
 };
 }
 
-// Whatever bytes a name has, the report is JSON, and what is UTF-8 is kept.
+// The report is JSON for any bytes in a name, and keeps valid UTF-8.
 VTK_INDIRECT_TEST(ReportStrings)
 {
   vtkNew<vtkRSMGatherPass> gather;
@@ -404,7 +406,8 @@ VTK_INDIRECT_TEST(ReportStrings)
   for (int i = 0; report.Has("left_out." + std::to_string(i)); ++i)
   {
     const std::string name = report.Get("left_out." + std::to_string(i) + ".what");
-    // A byte for each that no character begins with: one alone, three of a surrogate, one cut off.
+    // One replacement for each byte that begins no character: a single one, three of a surrogate, a
+    // truncated one.
     found = found ||
       name ==
         "a\"\\\x01\x7f \xc3\xa4 \xef\xbf\xbd \xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd \xf0\x9f\x98\x80 "

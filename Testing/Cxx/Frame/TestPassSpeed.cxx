@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a frame may cost: no work for what has not changed, no shader for a number that has, one
-// drawing of the scene for the eye and one for each face of a map that is out of date.
+// Bounds of a frame's work: unchanged things cause no work, numbers cause no new shader, the eye's
+// view and each outdated map face are drawn once.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -30,7 +30,7 @@ vtkIdType CountShaderBuilds(vtkIndirectIlluminationPass* pass)
   return static_cast<vtkIdType>(Report(pass).GetNumber("counters.shader_builds"));
 }
 
-// Counts how often it is drawn.
+// A mapper that counts its drawings.
 class CountingMapper : public vtkOpenGLPolyDataMapper
 {
 public:
@@ -83,7 +83,7 @@ struct Scene
     int Draws;
   };
 
-  // What the next frame does.
+  // Counts the work of the next frame.
   Work Frame()
   {
     const vtkIdType faces = this->GetFaces();
@@ -105,7 +105,7 @@ void CheckWork(const Scene::Work& work, vtkIdType faces, vtkIdType estimates, co
   CONTRACT_CHECK(work.Builds == 0, what << ": " << work.Builds << " shader sources");
 }
 
-// Looking shadows up is a different source: each prop's is rebuilt once, and nothing else is done.
+// Shadow look-ups need other sources: each prop's is rebuilt once, without other work.
 void CheckSources(const Scene::Work& work, const char* what)
 {
   CONTRACT_CHECK(work.Faces == 0 && work.Estimates == 0,
@@ -158,7 +158,7 @@ VTK_INDIRECT_TEST(WorkChanges)
   CheckWork(scene.Frame(), 1, 1, "sun moved");
   bulb->SetPosition(0.5, 0.85, 0.6);
   CheckWork(scene.Frame(), 6, 1, "bulb moved");
-  // Maps hold what surfaces reflect; strength and falloff are multiplied when they are sampled.
+  // Maps hold reflectance; strength and falloff are multiplied when they are sampled.
   spot->SetExponent(2.0);
   CheckWork(scene.Frame(), 0, 1, "exponent");
   // Exponents of 0 and 1 need no power; with them light code is another source.
@@ -175,7 +175,7 @@ VTK_INDIRECT_TEST(WorkChanges)
   spot->SetDiffuseColor(1.0, 0.5, 0.2);
   CheckWork(scene.Frame(), 0, 1, "colour");
 
-  // All that a map can see is drawn into it again.
+  // Everything in a map's view is drawn into it again.
   scene.BallActor->SetPosition(0.01, 0, 0);
   const Scene::Work moved = scene.Frame();
   std::cout << "actor moved: " << moved.Faces << " faces\n";
@@ -203,7 +203,7 @@ VTK_INDIRECT_TEST(WorkChanges)
   CheckWork(scene.Frame(), 0, 1, "interpolation");
   gather->SetInterpolationStep(8);
   CheckWork(scene.Frame(), 0, 1, "step");
-  // The composite alone depends on this.
+  // Only the composite depends on this.
   scene.Pass->SetIndirectScale(0.5);
   CheckWork(scene.Frame(), 0, 0, "indirect scale");
   scene.Pass->SetDebugView("normal");
@@ -214,7 +214,7 @@ VTK_INDIRECT_TEST(WorkChanges)
   scene.Pass->ShadowsOn();
   CheckSources(scene.Frame(), "shadows on");
 
-  // Without caching everything is done in every frame.
+  // Without caching every frame does everything.
   scene.Pass->CachingOff();
   CheckWork(scene.Frame(), 8, 1, "caching off");
   scene.Pass->CachingOn();
@@ -222,7 +222,7 @@ VTK_INDIRECT_TEST(WorkChanges)
 }
 
 //------------------------------------------------------------------------------
-// A light that moves with the camera is drawn again when the camera moves, others are not.
+// A light that moves with the camera is drawn again if the camera moves, others are not.
 VTK_INDIRECT_TEST(WorkCameraLight)
 {
   Scene scene;
@@ -236,7 +236,7 @@ VTK_INDIRECT_TEST(WorkCameraLight)
 }
 
 //------------------------------------------------------------------------------
-// One drawing for the eye and one for each face that sees the prop and is out of date.
+// One drawing for the eye, and one for each outdated face that sees the prop.
 VTK_INDIRECT_TEST(WorkDraws)
 {
   Scene scene;
@@ -251,7 +251,7 @@ VTK_INDIRECT_TEST(WorkDraws)
   CONTRACT_CHECK(scene.Frame().Draws == 2, "light moved");
   scene.Ball->SetRadius(0.12);
   CONTRACT_CHECK(scene.Frame().Draws == 3, "prop changed");
-  // One headlight: the eye sees what it lights.
+  // With a headlight the eye's view is also its map.
   scene.Window.Renderer->RemoveAllLights();
   vtkNew<vtkLight> head;
   head->SetLightTypeToHeadlight();
@@ -263,7 +263,7 @@ VTK_INDIRECT_TEST(WorkDraws)
 }
 
 //------------------------------------------------------------------------------
-// A thousand actors, a parallel map and a perspective eye: moving things compiles nothing.
+// A thousand actors, a parallel map and a perspective eye: motion compiles nothing.
 VTK_INDIRECT_TEST(ShaderBuilds)
 {
   View view(120, 100);
@@ -320,8 +320,8 @@ VTK_INDIRECT_TEST(ShaderBuilds)
 }
 
 //------------------------------------------------------------------------------
-// OpenGL on the processor gets uniforms as flat varyings where there are pixels enough for it.
-// Images are those of a GPU's shaders, and few triangles more or less rebuild nothing.
+// OpenGL on the processor gets uniforms as flat varyings if triangles cover enough pixels. Images
+// equal those of a GPU's shaders, and small changes of the number of triangles rebuild nothing.
 VTK_INDIRECT_TEST(FlatUniforms)
 {
   struct Result
@@ -356,7 +356,7 @@ VTK_INDIRECT_TEST(FlatUniforms)
     if (estimator == 1)
     {
       vtkNew<vtkRadianceHintsPass> hints;
-      hints->SetGridResolution(6, 6, 6); // shaders count, not hints
+      hints->SetGridResolution(6, 6, 6); // tests the shaders, not the hints
       pass->SetEstimator(hints);
     }
     else if (estimator == 2)
@@ -366,8 +366,8 @@ VTK_INDIRECT_TEST(FlatUniforms)
     view.Renderer->SetPass(pass);
     Result result;
     result.Image = view.Grab();
-    // 43200 pixels; with the room's, 2000, 3600, 16000 and 30000 triangles: moved below 10800, kept
-    // from 21600 on.
+    // 43200 pixels; with the room's, 2000, 3600, 16000 and 30000 triangles: switched on below
+    // 10800, off from 21600 on.
     for (int resolution : { 8, 30, 85, 120, 85, 8 })
     {
       ball->SetThetaResolution(resolution);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What else of a renderer VTK sees to: depth that others look up, hidden lines, and what is said of
-// switches and passes around that have no effect.
+// Other features of a renderer: depth for readers, hidden lines, and messages about switches and
+// surrounding passes without effect.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -25,8 +25,7 @@ using namespace contract;
 
 namespace
 {
-// As an actor with a vtkLabeledDataMapper: brings its points up to date where VTK draws opaque
-// props.
+// An actor with a vtkLabeledDataMapper, which updates its points while VTK draws opaque props.
 class Labels : public vtkActor2D
 {
 public:
@@ -73,8 +72,8 @@ struct Balls : View
 }
 
 //------------------------------------------------------------------------------
-// Whoever reads the depth buffer finds what VTK draws; where something in the scene does, in
-// windows with several samples, too, that of the sample which is read.
+// Readers of the depth buffer find the depth of VTK's drawing; in windows with several samples, if
+// something in the scene reads depth, that of the sample that is read.
 VTK_INDIRECT_TEST(DepthIsOfVTK)
 {
   for (int samples : { 0, 4 })
@@ -107,14 +106,14 @@ VTK_INDIRECT_TEST(DepthIsOfVTK)
 }
 
 //------------------------------------------------------------------------------
-// Labels are where their points are seen: the mapper of labels brings its input up to date where
-// VTK draws opaque props, the points look the depth up.
+// Labels appear at visible points: the mapper of labels updates its input while VTK draws opaque
+// props, and the points look up the depth.
 VTK_INDIRECT_TEST(LabelsOfWhatIsSeen)
 {
   auto count = [](bool withPass)
   {
     Balls view(withPass);
-    vtkNew<vtkSphereSource> source; // of as many points in front as behind
+    vtkNew<vtkSphereSource> source; // as many points in front as behind
     source->SetRadius(0.61);
     source->SetThetaResolution(8);
     source->SetPhiResolution(8);
@@ -125,7 +124,7 @@ VTK_INDIRECT_TEST(LabelsOfWhatIsSeen)
     labels->Points = visible;
     view.Renderer->AddViewProp(labels);
     view.Grab();
-    // The points choose anew when the renderer has changed; VTK shows the choice of its first
+    // The points choose again after the renderer has changed; VTK shows the choice of its first
     // frame.
     view.Renderer->Modified();
     view.Grab();
@@ -143,7 +142,7 @@ VTK_INDIRECT_TEST(HiddenLinesAreRemoved)
 {
   auto grab = [](bool withPass, bool remove, std::string* report = nullptr)
   {
-    Balls view(withPass, 0, 10); // between the lines of the ball in front others are seen
+    Balls view(withPass, 0, 10); // the lines of the ball in front leave others visible
     view.Pass->AntialiasingOff();
     vtkActorCollection* actors = view.Renderer->GetActors();
     actors->InitTraversal();
@@ -152,7 +151,7 @@ VTK_INDIRECT_TEST(HiddenLinesAreRemoved)
       actor->GetProperty()->SetRepresentationToWireframe();
       actor->GetProperty()->LightingOff();
     }
-    // Something that casts shadows, too.
+    // A caster, too.
     auto floor =
       MakeQuad({ -1.5, -0.9, 0.5 }, { 1.5, -0.9, 0.5 }, { -1.5, -0.9, -2.0 }, { 0.5, 0.5, 0.5 });
     floor->GetProperty()->LightingOff();
@@ -172,7 +171,7 @@ VTK_INDIRECT_TEST(HiddenLinesAreRemoved)
   const Difference difference = Compare(plain, with);
   CONTRACT_CHECK(difference.Max == 0.0, difference);
 
-  // A delegate of the user's draws as it does, and that is said.
+  // A user's delegate draws unchanged, and the report says so.
   Balls view(true);
   view.Renderer->GetActors()->GetLastActor()->GetProperty()->SetRepresentationToWireframe();
   view.Renderer->UseHiddenLineRemovalOn();
@@ -194,7 +193,7 @@ VTK_INDIRECT_TEST(HiddenLinesAreRemoved)
 }
 
 //------------------------------------------------------------------------------
-// A switch that asks for what the pass does not do is named, once. The others: Unit.Switches*.
+// A switch without effect is reported by name, once. Unit.Switches* test the others.
 VTK_INDIRECT_TEST(SwitchesAreNamed)
 {
   const std::string named = "UseSSAO of the renderer";
@@ -209,8 +208,7 @@ VTK_INDIRECT_TEST(SwitchesAreNamed)
 }
 
 //------------------------------------------------------------------------------
-// Passes around that need what VTK's mappers draw for them: their picture as it is without this
-// pass.
+// Surrounding passes that need VTK's mappers' own drawing get their picture as without this pass.
 VTK_INDIRECT_TEST(PassesAroundAreRefused)
 {
   auto check = [](vtkImageProcessingPass* around)

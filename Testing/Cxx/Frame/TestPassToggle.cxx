@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whoever switches the pass on and off, again and again, has the same picture, and nothing piles
-// up.
+// Switching the pass on and off repeatedly gives the same pictures, and resources do not
+// accumulate.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 #include "vtkIndirectDetails.h"
@@ -27,7 +27,7 @@ using namespace contract;
 
 namespace
 {
-// Five spheres of a mapper beside each other.
+// A row of five spheres of one mapper.
 struct RowOfSpheres
 {
   vtkNew<vtkPolyData> Data;
@@ -140,7 +140,7 @@ VTK_INDIRECT_TEST(ToggleProxies)
 }
 
 //------------------------------------------------------------------------------
-// Spheres in place of the sky's maps, while they move, leave nothing behind.
+// Moving spheres, which replace the sky's maps, leave no resources behind.
 VTK_INDIRECT_TEST(ToggleSphereMotion)
 {
   View view(160, 120);
@@ -167,7 +167,7 @@ VTK_INDIRECT_TEST(ToggleSphereMotion)
     }
     CONTRACT_CHECK(!Report(pass).FindReason("modelled", "sky by spheres").empty(), "no spheres");
     names[0] = CountNames(view.Window);
-    // Without a sky what was held for it is gone.
+    // Without a sky its resources are released.
     pass->SetEnvironment(nullptr);
     view.Window->Render();
     names[1] = CountNames(view.Window);
@@ -187,7 +187,7 @@ VTK_INDIRECT_TEST(ToggleSphereMotion)
 }
 
 //------------------------------------------------------------------------------
-// Nor do spheres between senders and receivers.
+// Nor do spheres that block light between senders and receivers.
 VTK_INDIRECT_TEST(ToggleSphereBlockers)
 {
   View view(64, 48);
@@ -211,7 +211,7 @@ VTK_INDIRECT_TEST(ToggleSphereBlockers)
                      .find("5 spheres of the data") != std::string::npos,
       "no spheres");
     names[0] = CountNames(view.Window);
-    // They are drawn still.
+    // The spheres are still drawn.
     keys->Set(vtkIndirectIlluminationPass::CASTS_SHADOWS(), 0);
     row.Actor->SetPropertyKeys(keys);
     view.Window->Render();
@@ -292,8 +292,8 @@ VTK_INDIRECT_TEST(ToggleHints)
 }
 
 //------------------------------------------------------------------------------
-// A new pass object at every turn. A pass that is destroyed leaves nothing behind, whether it was
-// released before or not.
+// A new pass object at every turn. A destroyed pass leaves no resources behind, whether or not it
+// was released before.
 VTK_INDIRECT_TEST(ToggleNewPass)
 {
   View view(160, 120);

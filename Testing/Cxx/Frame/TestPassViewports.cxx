@@ -18,7 +18,7 @@ using namespace contract;
 namespace
 {
 // Rasterization at another place in the window rounds differently: single pixels at silhouettes may
-// come from the other surface. Elsewhere the picture is the same to one step.
+// show the other surface. Elsewhere the picture is the same to one step.
 void CheckSamePicture(const Pixels& a, const Pixels& b, const std::string& what)
 {
   const Difference difference = Compare(a, b);
@@ -57,7 +57,7 @@ Pixels GrabRoom(int width, int height, bool withPass = true)
 }
 
 //------------------------------------------------------------------------------
-// 2 x 2 viewports show what a window of that size shows.
+// 2 x 2 viewports show the same as a window of that size.
 VTK_INDIRECT_TEST(ViewportsFour)
 {
   const Pixels single = GrabRoom(96, 80);
@@ -85,7 +85,7 @@ VTK_INDIRECT_TEST(ViewportsFour)
 }
 
 //------------------------------------------------------------------------------
-// One pass object in all of them: slower, but the same picture.
+// One pass object in all viewports: slower, but the same picture.
 VTK_INDIRECT_TEST(ViewportsOnePass)
 {
   const Pixels single = GrabRoom(96, 80);
@@ -108,7 +108,7 @@ VTK_INDIRECT_TEST(ViewportsOnePass)
 }
 
 //------------------------------------------------------------------------------
-// What other renderers draw does not depend on a neighbour's pass, bit for bit.
+// Other renderers are independent of a neighbour's pass, bit for bit.
 VTK_INDIRECT_TEST(ViewportsNeighbors)
 {
   Pixels images[2];
@@ -151,7 +151,7 @@ VTK_INDIRECT_TEST(ViewportOrigin)
   View view(137, 131);
   AddRoom(view.Renderer);
   view.Renderer->SetViewport(17.0 / 137, 29.0 / 131, 113.0 / 137, 109.0 / 131);
-  // VTK clears nothing outside of viewports: there is whatever was in the card's memory.
+  // VTK clears nothing outside of viewports: the card's old memory shows.
   const Pixels before = view.Grab();
   vtkNew<vtkIndirectIlluminationPass> pass;
   view.Renderer->SetPass(pass);
@@ -174,7 +174,7 @@ VTK_INDIRECT_TEST(ViewportOrigin)
 }
 
 //------------------------------------------------------------------------------
-// A second layer over the first, both with a pass of their own.
+// A second layer over the first, each with its own pass.
 VTK_INDIRECT_TEST(LayersOver)
 {
   auto addOver = [](vtkRenderer* renderer)
@@ -187,11 +187,11 @@ VTK_INDIRECT_TEST(LayersOver)
   Pixels alone;
   {
     View view(120, 100);
-    AddRoomSurfaces(view.Renderer); // for its camera
+    AddRoomSurfaces(view.Renderer); // sets the camera
     view.Renderer->RemoveAllViewProps();
     addOver(view.Renderer);
     vtkNew<vtkIndirectIlluminationPass> pass;
-    pass->AntialiasingOff(); // each pixel is one layer's
+    pass->AntialiasingOff(); // each pixel belongs to one layer
     view.Renderer->SetPass(pass);
     alone = view.Grab();
   }
@@ -229,11 +229,11 @@ VTK_INDIRECT_TEST(LayersOver)
 }
 
 //------------------------------------------------------------------------------
-// A renderer that keeps colour and depth draws into the scene that is there: the same surfaces are
+// A renderer that preserves colour and depth draws into the existing scene: the same surfaces are
 // visible as without a pass.
 VTK_INDIRECT_TEST(LayersPreserve)
 {
-  // In each mode: which of the two is seen at a pixel, distinguished by colour.
+  // In each mode: the surface visible at a pixel, distinguished by colour.
   auto grab = [](bool withPass)
   {
     View view(120, 100);
@@ -316,12 +316,12 @@ VTK_INDIRECT_TEST(Tiles)
   const Pixels whole = grab(256, 256, 1, true);
   const Difference difference = Compare(tiled, whole);
   std::cout << "tiles against one window: " << difference << "\n";
-  // VTK's own tiles move silhouettes by a pixel here and there.
+  // VTK's own tiles move silhouettes by a pixel in places.
   const Difference plain = Compare(grab(128, 128, 2, false), grab(256, 256, 1, false));
   std::cout << "the same of plain VTK: " << plain << "\n";
   CONTRACT_CHECK(difference.Mean < plain.Mean + 0.3, difference);
 
-  // No seam: across it, rows and columns differ no more than in the whole picture.
+  // No seam: across it, rows and columns differ by no more than in the whole picture.
   double seam[2] = { 0, 0 };
   double reference[2] = { 0, 0 };
   for (int i = 0; i < 256; ++i)
@@ -340,12 +340,12 @@ VTK_INDIRECT_TEST(Tiles)
     reference[k] /= 3 * 256;
     std::cout << "mean step across the seam " << seam[k] << ", in one window " << reference[k]
               << "\n";
-    // Interpolation ends at a tile's edge, so up to half a step of 255 is its due.
+    // Interpolation ends at a tile's edge, which accounts for up to half a step of 255.
     CONTRACT_CHECK(seam[k] < reference[k] + 0.5, "a seam");
   }
 
-  // What antialiasing does is the same but for outlines that a seam cuts: a tile does not see where
-  // they go on, and looks 31 pixels along them.
+  // Antialiasing is the same but for outlines that a seam cuts: a tile does not see their
+  // continuation, and searches 31 pixels along them.
   const Pixels smoothTiled = grab(128, 128, 2, true, true);
   const Pixels smoothWhole = grab(256, 256, 1, true, true);
   size_t smooth = 0;
@@ -359,7 +359,7 @@ VTK_INDIRECT_TEST(Tiles)
       const int added = smoothTiled.Get(x, y, 0) - tiled.Get(x, y, 0);
       const int expected = smoothWhole.Get(x, y, 0) - whole.Get(x, y, 0);
       smooth += std::abs(expected) > 8 ? 1 : 0;
-      // Lights summed at other pixels move contrasts by a few of 255.
+      // Lights summed at other pixels change contrasts by a few of 255.
       const bool differs = std::abs(added - expected) > 8;
       cut += near && differs ? 1 : 0;
       wrong += !near && differs ? 1 : 0;
@@ -367,7 +367,7 @@ VTK_INDIRECT_TEST(Tiles)
   }
   std::cout << smooth << " antialiased pixels, " << cut << " of them cut by a seam, " << wrong
             << " wrong elsewhere\n";
-  // 259 of outlines; borders of shadows are data of a surface, and left alone.
+  // 259 pixels of outlines; borders of shadows are data of a surface, and stay unchanged.
   CONTRACT_CHECK(smooth > 200, "no edge was antialiased");
   CONTRACT_CHECK(10 * cut < smooth, cut << " pixels are cut by a seam");
   // 11 of 707: spots of single virtual lights along creases, summed at other pixels.
@@ -394,7 +394,7 @@ VTK_INDIRECT_TEST(Tiles)
 }
 
 //------------------------------------------------------------------------------
-// A window of any size shows what a new window of that size shows.
+// A window of any size shows the same as a new window of that size.
 VTK_INDIRECT_TEST(Resize)
 {
   View view(64, 64);
@@ -422,7 +422,7 @@ VTK_INDIRECT_TEST(Resize)
 }
 
 //------------------------------------------------------------------------------
-// Both eyes of a stereo picture: each is what a camera shows that stands in its place.
+// Both eyes of a stereo picture: each equals the picture of a camera at its place.
 VTK_INDIRECT_TEST(StereoEyes)
 {
   Pixels eyes[2];
@@ -442,8 +442,8 @@ VTK_INDIRECT_TEST(StereoEyes)
       }
       else
       {
-        // VTK shears the image: the eye stands beside the camera, and what lies in the focal plane
-        // stays where it is.
+        // VTK shears the image: the eye is beside the camera, and points in the focal plane stay in
+        // place.
         const double shift = camera->GetDistance() *
           std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetEyeAngle())) * (eye ? 1.0 : -1.0);
         const double halfWidth = camera->GetDistance() * 160.0 / 120.0 *
@@ -459,7 +459,7 @@ VTK_INDIRECT_TEST(StereoEyes)
       vtkNew<vtkIndirectIlluminationPass> pass;
       pass->AntialiasingOff(); // the same pixels as without the pass
       vtkNew<vtkRSMGatherPass> gather;
-      gather->InterpolationOff(); // it follows the pixels, so that no two pictures differ by it
+      gather->InterpolationOff(); // it depends on pixels, which would make the pictures differ
       pass->SetEstimator(gather);
       view.Renderer->SetPass(pass);
       const Pixels image = view.Grab();
@@ -467,7 +467,7 @@ VTK_INDIRECT_TEST(StereoEyes)
       if (stereo)
       {
         eyes[eye] = image;
-        // Over shadows that are off, and without indirect light, it is VTK's own picture.
+        // With shadows off, and without indirect light, it is VTK's own picture.
         pass->SetIndirectScale(0.0);
         view.Renderer->GetLights()->InitTraversal();
         view.Renderer->GetLights()->GetNextItem()->SetShadowAttenuation(0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a frame draws, decided from plain facts.
+// Decisions about a frame from plain facts.
 #include "vtkIndirectTestUtilities.h"
 
 #include "Frame/vtkIndirectFrame.h"
@@ -54,7 +54,7 @@ std::string Find(const vtkIndirectPlan::Entries& entries, const std::string& wha
 }
 }
 
-// One filter at most works on edges: the renderer's where the user has chosen it.
+// At most one filter works on edges: the renderer's if the user has chosen it.
 VTK_INDIRECT_TEST(PlanAntialiasing)
 {
   const vtkIndirectFrame frame = MakeFrame({ MakeLight() });
@@ -77,7 +77,7 @@ VTK_INDIRECT_TEST(PlanAntialiasing)
     Check("not where it is off", !plan.Antialiasing && Find(plan.Modelled, what).empty());
     Check("which is the reason", Find(plan.LeftOut, what) == "Antialiasing is off");
   }
-  // What the irradiance was computed from is the same.
+  // The irradiance does not depend on this setting.
   Check("no part of the key",
     plan.MakeKey(frame) == vtkIndirectPlan::Make(frame, {}, {}, {}).MakeKey(frame));
   settings = vtkIndirectSettings();
@@ -135,7 +135,7 @@ VTK_INDIRECT_TEST(PlanSenders)
   Check("no shadows", !plan.Shadows);
   Check("no irradiance",
     !plan.Irradiance && Find(plan.LeftOut, "indirect light") == "no light emits anything");
-  // Points under a sky receive its light, and nothing sends any on.
+  // Points under a sky receive its light and send none.
   vtkIndirectFrame points = MakeFrame({ MakeLight() });
   points.Casters.clear();
   points.NumberOfOtherReceivers = 1;
@@ -210,7 +210,7 @@ VTK_INDIRECT_TEST(PlanBuffers)
   Check("IndirectScale 0", !vtkIndirectPlan::Make(frame, settings, glossy, {}).Specular);
 }
 
-// Area lights in specular lobes, and as they are seen.
+// Area lights in specular lobes, and visible ones.
 VTK_INDIRECT_TEST(PlanAreaLights)
 {
   vtkIndirectFrame frame = MakeFrame({ MakeLight() });
@@ -239,7 +239,7 @@ VTK_INDIRECT_TEST(PlanAreaLights)
   CheckEqual("they are seen all the same", plan.VisibleAreaLights, 2);
 }
 
-// Maps where single lights are summed, voxels where the estimator asks for them.
+// Maps if single lights are summed, voxels if the estimator requests them.
 VTK_INDIRECT_TEST(PlanVisibility)
 {
   const vtkIndirectFrame frame = MakeFrame({ MakeLight() });
@@ -262,7 +262,7 @@ VTK_INDIRECT_TEST(PlanVisibility)
   CheckEqual("which cannot be", visibility(), vtkIndirectVisibilityVoxels);
 }
 
-// How many maps a frame draws.
+// Number of maps that a frame draws.
 VTK_INDIRECT_TEST(PlanTiles)
 {
   const double still = 0.0001;
@@ -289,7 +289,7 @@ VTK_INDIRECT_TEST(PlanTiles)
   Check("one in which a camera turns", plan.Interactive && plan.TilesPerFrame == 4);
 }
 
-// Rectangles, and whatever else brings virtual lights of its own.
+// Rectangles and other sources of virtual lights.
 VTK_INDIRECT_TEST(PlanOtherLights)
 {
   vtkIndirectCircumstances circumstances;
@@ -348,7 +348,7 @@ VTK_INDIRECT_TEST(PlanLimits)
     plan.Senders == vtkIndirectPlan::RAYS && plan.MapLights.empty());
   settings.Shadows = true;
 
-  // Nobody has asked for a number.
+  // With an automatic number of bounces.
   settings.NumberOfBounces = 0;
   estimator.MaximumNumberOfBounces = 1;
   vtkIndirectCircumstances taking;
@@ -412,7 +412,7 @@ VTK_INDIRECT_TEST(PlanUnit)
   CheckEqual("no light", unit(MakeFrame({ MakeLight(0.0) })), 1.0);
 }
 
-// Surfaces send what the sky gives them, with lights and without.
+// Surfaces reflect the sky's light, with and without lights.
 VTK_INDIRECT_TEST(PlanSky)
 {
   const std::string bounces = "bounces of light from the sky";
@@ -450,7 +450,7 @@ VTK_INDIRECT_TEST(PlanSky)
     "not without a sky", !vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, {}, {}).SkyBounces);
 }
 
-// Who makes the sky, and that the estimator keeps the lights.
+// The source of the sky; the estimator keeps the lights.
 VTK_INDIRECT_TEST(PlanSkySource)
 {
   vtkIndirectCircumstances sky;
@@ -528,7 +528,7 @@ VTK_INDIRECT_TEST(PlanKeys)
   Check("the tolerance", vtkIndirectPlan::Make(frame, settings, {}, {}).MakeKey(frame) != key);
 }
 
-// What VTK adds of the renderer's texture is replaced, not doubled.
+// VTK's own light of the renderer's texture is replaced, not doubled.
 VTK_INDIRECT_TEST(PlanImageBasedLighting)
 {
   for (const bool environment : { false, true })
@@ -561,7 +561,7 @@ VTK_INDIRECT_TEST(PlanSkyDirections)
     double Tolerance;
     int Still;
     int Moving;
-    int Block; // of a moving frame
+    int Block; // in a moving frame
   };
   const Case cases[] = { { 0.0, 256, 64, 2 }, { 1.0, 16, 16, 1 }, { 0.25, 32, 16, 1 },
     { 0.1, 64, 16, 1 }, { 0.06, 128, 32, 1 }, { 0.05, 256, 64, 2 }, { 0.035, 256, 64, 2 },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the report makes of the times of frames.
+// The report's statistics of frame times.
 #include "vtkIndirectTestUtilities.h"
 
 #include "Frame/vtkIndirectStageTimer.h"
@@ -9,7 +9,7 @@
 using namespace vtkIndirectTest;
 
 // The 95th percentile by its definition: the least of the times that at least 95 % of them do not
-// exceed. vtkindirect.frames has the same, by the same test.
+// exceed. vtkindirect.frames computes the same, with the same test.
 VTK_INDIRECT_TEST(Percentile)
 {
   Random random(7);
@@ -17,7 +17,7 @@ VTK_INDIRECT_TEST(Percentile)
   int wrong = 0;
   for (int n = 1; n <= 200; ++n)
   {
-    // Now and then two frames take as long.
+    // Some frames take equally long.
     times.push_back(static_cast<double>(random.NextBits() % 300));
     double expected = INFINITY;
     for (const double candidate : times)

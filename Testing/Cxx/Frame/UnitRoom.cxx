@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Room that props have to move in, and scenes that have none.
+// Bounds for moving casters, and empty scenes.
 #include "vtkIndirectTestUtilities.h"
 
 #include "Frame/vtkIndirectFrame.h"
@@ -13,7 +13,7 @@
 
 using namespace vtkIndirectTest;
 
-// VTK says infinity of an empty box, or ends the program, as its version goes.
+// For an empty box VTK returns infinity, or ends the program, depending on its version.
 VTK_INDIRECT_TEST(RoomOfNothing)
 {
   CheckEqual("the diagonal of an empty box", vtkIndirectFrame::FindDiagonal(vtkBoundingBox()), 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which of a renderer's switches are said to have no effect, and how often.
+// The switches of a renderer that are reported to have no effect, and how often.
 #include "vtkIndirectTestUtilities.h"
 
 #include "Frame/vtkIndirectSwitches.h"

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Estimators that promise it come nearer to the sum over all texels as virtual lights grow, at
-// least as fast as the promise says.
+// Estimators with a promise of convergence approach the sum over all texels as virtual lights grow
+// in number, at least at the promised rate.
 //
 // Reference: every texel of the same maps, summed in double precision. Two rates, for four times
 // the lights:
-// - 1.9 on receivers farther than two radii 2 sqrt(A / pi) of a light from every sender that they
-//   see. There sampling rules: a random pattern's error falls by 2, an even one's by more.
-// - 1.35 on all receivers. Where surfaces meet, the disk kernel is low by a fixed share in a line
-// as
-//   wide as a light: the line's share of the pixels goes with N^-1/2, hence the RMSE with N^-1/4,
-//   by sqrt(2).
-// One step of a deterministic pattern can be lucky or unlucky, so each rate is the geometric mean
-// over three steps of four times the lights.
+//   - 1.9 on receivers farther than two radii 2 sqrt(A / pi) of a light from every sender that they
+//     see. There sampling dominates: a random pattern's error falls by 2, an even one's by more.
+//   - 1.35 on all receivers. Where surfaces meet, the disk kernel is low by a fixed share in a line
+//     as wide as a light: the line's share of the pixels goes with N^-1/2, hence the RMSE with
+//     N^-1/4, by sqrt(2).
+// One step of a deterministic pattern can be better or worse by chance, so each rate is the
+// geometric mean over three steps of four times the lights.
 #include "vtkIndirectEstimatorTable.h"
 #include "vtkIndirectTestUtilities.h"
 
@@ -30,16 +29,16 @@ namespace
 {
 constexpr double FarRate = 1.9;
 constexpr double OverallRate = 1.35;
-constexpr double Bias = 2e-3; // of an estimator that is given as many lights as there are texels
+constexpr double Bias = 2e-3; // for as many lights as there are texels
 constexpr int Steps = 3;
 
 struct Truth
 {
   Image Irradiance;
-  int Numbers[Steps + 1]; // of virtual lights
+  int Numbers[Steps + 1]; // numbers of virtual lights
   int Texels = 0;
-  // Of each receiver: least squared distance over a texel's area, of the senders that it sees;
-  // negative where nothing is lit.
+  // For each receiver the least squared distance to a visible sender, over a texel's area; negative
+  // for unlit ones.
   std::vector<double> Nearest;
 };
 
@@ -73,7 +72,7 @@ Truth MakeTruth(Scene& scene, int fewest)
       const VirtualLight& sender = senders[i];
       const glm::dvec3 d = sender.Position - receiver.Position;
       const double r2 = glm::dot(d, d);
-      // Below a ten-thousandth, cosines in one plane are rounding and add nothing.
+      // Cosines below a ten-thousandth are rounding of coplanar surfaces and add no light.
       const double least = 1e-4 * std::sqrt(r2);
       if (r2 < nearest * sender.Area && glm::dot(receiver.Normal, d) > least &&
         -glm::dot(sender.Normal, d) > least)
@@ -86,8 +85,8 @@ Truth MakeTruth(Scene& scene, int fewest)
   return truth;
 }
 
-// Root of the mean square difference; of receivers farther than two radii of one of `lights` lights
-// from every sender, or of all.
+// Root mean square difference; over receivers farther than two radii of one of `lights` lights from
+// every sender, or over all.
 double RootMeanSquare(const Truth& truth, const Image& image, int lights, bool far, int* count)
 {
   const double area = static_cast<double>(truth.Texels) / lights; // in texels
@@ -119,7 +118,7 @@ struct Rates
   double Bias = 0.0;
 };
 
-// images: one a number of lights, and the one with all texels.
+// images: one for each number of lights, and the one with all texels.
 Rates Measure(const Truth& truth, const std::vector<Image>& images)
 {
   Rates rates;
@@ -176,7 +175,7 @@ void CheckConvergence(Scene& scene, int fewest)
     std::vector<Image> images;
     if (estimator.Sum == EstimatorEntry::ALL_TEXELS)
     {
-      // It is there at once: nothing is left to fall.
+      // The error is zero from the beginning and has no rate.
       images.assign(Steps + 2, render(1));
       CheckAbsolute(name + "bias", Measure(truth, images).Bias, 0.0, Bias, "the promise");
       continue;
@@ -213,7 +212,7 @@ void CheckConvergence(Scene& scene, int fewest)
 
 VTK_INDIRECT_TEST(Spot)
 {
-  // A room without a front, and a ball in it.
+  // A room without a front wall, and a ball in it.
   Scene scene(48, 36);
   scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0.75, 0.75, 0.5 });
   scene.AddQuad({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.75, 0.125, 0.125 });
@@ -228,9 +227,9 @@ VTK_INDIRECT_TEST(Spot)
 
 VTK_INDIRECT_TEST(Directional)
 {
-  // Sunlit ground, and a wall, a roof and a ball over it.
-  // The wall stands askew to the light: a grid whose rows run along the line where surfaces meet is
-  // lucky or not, as its first row lies (Documentation/methods/gather.md).
+  // Sunlit ground, and a wall, a roof and a ball over it. The wall is oblique to the light: for a
+  // grid whose rows are parallel to the line where surfaces meet, the error depends on its first
+  // row (Documentation/methods/gather.md).
   Scene scene(48, 36);
   scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0.75, 0.5, 0.25 });
   scene.AddQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.25, 0.5, 0.75 });
@@ -244,7 +243,7 @@ VTK_INDIRECT_TEST(Directional)
 
 VTK_INDIRECT_TEST(Point)
 {
-  // A closed box, with the eye in it. Six faces of 104 texels hold about as many as one map of 256,
+  // A closed box, with the eye in it. Six faces of 104 texels have about as many as one map of 256,
   // and lights in all directions must be four times as many.
   Scene scene(48, 36);
   scene.AddBox({ 0, 0, 0 }, { 1.3, 1, 1.6 }, { 0.5, 0.75, 0.25 });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Specular indirect light of Phong receivers, against sums in double precision and VTK's own lamps.
+// Specular indirect light of Phong receivers, against sums in double precision and VTK's lights.
 #include "Gather/vtkIndirectGlossyRoom.h"
 #include "vtkIndirectDetails.h"
 
@@ -20,12 +20,12 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// A light that is this close to a receiver's horizon, where VTK's Phong model steps from nothing to
-// its full lobe, may count or not: positions and normals come back from 32-bit floats.
+// A light this close to a receiver's horizon, where VTK's Phong model steps from zero to its full
+// lobe, may count or not: positions and normals are read back as 32-bit floats.
 constexpr double Horizon = 1e-5;
 
-// Written anew, in double precision: what lobes of a specular coefficient of one reflect. step:
-// adds what the lights on the horizon may change.
+// Independent sum in double precision: reflection by lobes of specular coefficient one. step: adds
+// the possible change by lights on the horizon.
 glm::dvec3 SumLobe(const std::vector<VirtualLight>& lights, const glm::dvec3& position,
   const glm::dvec3& normal, const glm::dvec3& toEye, double power, double* step = nullptr)
 {
@@ -54,9 +54,9 @@ glm::dvec3 SumLobe(const std::vector<VirtualLight>& lights, const glm::dvec3& po
 
 struct OracleResult
 {
-  double Worst = 0.0; // over a pixel's value, or a hundredth of the largest
+  double Worst = 0.0; // over a pixel's value, or over a hundredth of the largest
   double Largest = 0.0;
-  double WithoutMirror = 0.0; // the same with the lobe around the normal
+  double WithoutMirror = 0.0; // with the lobe around the normal
   int Receivers = 0;
   int Steps = 0; // receivers with a light on their horizon
 };
@@ -109,7 +109,7 @@ VTK_INDIRECT_TEST(Oracle)
   for (double power : { 1.0, 8.0, 60.0, 128.0 })
   {
     GlossyRoom scene(72, 56, 0.7, power);
-    // The sum has diffuse senders alone.
+    // The reference has only diffuse senders.
     for (vtkActor* actor : { scene.Floor, scene.Ball })
     {
       vtkNew<vtkInformation> keys;
@@ -130,7 +130,7 @@ VTK_INDIRECT_TEST(Oracle)
     CheckAtLeast(
       what + "with the lobe around the normal", result.WithoutMirror, 0.05, "the test's own power");
     scene.CheckBuffers(1);
-    // What is interpolated for the irradiance is not for the lobes.
+    // Interpolation applies to the irradiance, not to the lobes.
     const Image all = scene.Copy("glossy");
     scene.Gather->InterpolationOn();
     scene.Render();
@@ -163,7 +163,7 @@ VTK_INDIRECT_TEST(Reference)
       Difference(gathered, exact) / Largest(exact), 1e-4, "32-bit floats, see GlossyOracle");
     scene.CheckBuffers(3);
   }
-  // In the paper's own mode the sum is restricted to a disk; the whole map and many samples give
+  // In the paper's own mode the sum is restricted to a disk; the whole map with many samples gives
   // the sum over all texels, but for the pattern's error.
   scene.Pass->SetEstimator(scene.Gather);
   scene.Render();
@@ -178,7 +178,7 @@ VTK_INDIRECT_TEST(Reference)
     "4096 samples of a disk that covers the map of 32 texels squared; the cube's faces overlap");
 }
 
-// What hides senders from diffuse reflection hides them from the lobes too, in every estimator.
+// Senders hidden from diffuse reflection are hidden from the lobes too, in every estimator.
 VTK_INDIRECT_TEST(Hidden)
 {
   GlossyRoom scene(64, 48, 0.7, 20);
@@ -206,7 +206,7 @@ VTK_INDIRECT_TEST(Hidden)
       expected = hidden;
       continue;
     }
-    // A segment that grazes a voxel may be decided otherwise in single precision.
+    // Single precision may decide otherwise on a segment that grazes a voxel.
     int differ = 0;
     for (size_t i = 0; i < hidden.Values.size(); ++i)
     {
@@ -217,8 +217,8 @@ VTK_INDIRECT_TEST(Hidden)
   }
 }
 
-// A far small sender is a lamp; VTK's own specular light of such a lamp is the witness for the
-// formula: position, normal, mirror direction, power, specular colour and the missing cosine.
+// A small distant sender acts as a VTK light, whose specular reflection checks the formula:
+// position, normal, mirror direction, power, specular colour and the missing cosine.
 VTK_INDIRECT_TEST(IsVTKs)
 {
   for (double power : { 1.0, 30.0 })
@@ -228,7 +228,7 @@ VTK_INDIRECT_TEST(IsVTKs)
     ball->GetProperty()->SetSpecular(0.8);
     ball->GetProperty()->SetSpecularPower(power);
     ball->GetProperty()->SetSpecularColor(1.0, 0.5, 0.25);
-    // A plate that faces the ball from the right, lit from the left through nothing.
+    // A plate that faces the ball from the right, lit from the left without occluders.
     const glm::dvec3 at(4, 1, 1);
     const double e = 0.02;
     scene.AddQuad(at + glm::dvec3(0, -e, -e), at + glm::dvec3(0, -e, e), at + glm::dvec3(0, e, -e),
@@ -245,8 +245,8 @@ VTK_INDIRECT_TEST(IsVTKs)
     {
       flux += light.DensityArea;
     }
-    // What a lamp of VTK's must have for the same strength at the ball's centre, where the plate's
-    // own cosine and area are those of one far disk.
+    // A VTK light of the same strength at the ball's centre, where the plate's own cosine and area
+    // are those of one distant disk.
     Scene lamp(48, 48);
     vtkActor* other = lamp.AddSphere({ 0, 0, 0 }, 0.5, 64, { 0, 0, 0 });
     other->GetProperty()->SetSpecular(0.8);
@@ -256,7 +256,7 @@ VTK_INDIRECT_TEST(IsVTKs)
     light->SetIntensity(flux.x);
     lamp.SetEye({ 0.5, -3, 0.4 }, { 0, 0, 0 }, { 0, 0, 1 }, 24, 0.5, 10);
     lamp.Pass->ShadowsOff();
-    lamp.Pass->SetReflectiveShadowMapResolution(8); // its indirect light is not looked at
+    lamp.Pass->SetReflectiveShadowMapResolution(8); // its indirect light is not used
     lamp.Render();
     const Image direct = lamp.Copy("direct");
     const Image normal = lamp.Copy("normal");
@@ -271,7 +271,7 @@ VTK_INDIRECT_TEST(IsVTKs)
       {
         continue;
       }
-      // The plate's cosine is no part of a lamp.
+      // A VTK light has no such cosine.
       const double cosine = to.x;
       for (int c = 0; c < 3; ++c)
       {
@@ -310,8 +310,8 @@ VTK_INDIRECT_TEST(Strength)
   }
 }
 
-// Scenes without specular receivers are as they were: same bytes, same shader sources, same pixels;
-// and what makes a scene specular is seen through every kind of prop.
+// Scenes without specular receivers are unchanged: same bytes, same shader sources, same pixels;
+// and every kind of prop can make a scene specular.
 VTK_INDIRECT_TEST(OnlyWhereNeeded)
 {
   GlossyRoom scene(64, 48, 0.0, 60);
@@ -386,7 +386,7 @@ VTK_INDIRECT_TEST(OnlyWhereNeeded)
   CheckAtLeast("sources built since", scene.ReadReport("shader_builds"), builds + 3.0,
     "switching it rebuilds each");
 
-  // PBR has no lobe of Phong's; unlit surfaces reflect nothing.
+  // PBR has no Phong lobe; unlit surfaces reflect nothing.
   scene.Ball->GetProperty()->SetSpecular(0.5);
   scene.Ball->GetProperty()->SetInterpolationToPBR();
   scene.Render();
@@ -423,7 +423,7 @@ VTK_INDIRECT_TEST(OnlyWhereNeeded)
   CheckAtLeast(
     "in an assembly of props", Largest(scene.Copy("glossy")), 1e-4, "a part is specular");
 
-  // An estimator that cannot says so.
+  // An estimator without specular light reports it.
   vtkNew<vtkRadianceHintsPass> hints;
   scene.Pass->SetEstimator(hints);
   scene.Pass->SetVisibilityToAuto();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light from rectangles in frames that move, which have it at samples, and in those that do not,
-// against sums over many pieces in double precision; and from frame to frame.
+// Light from rectangles in moving frames, interpolated between samples, and in still frames,
+// against sums over many pieces in double precision; and its change from frame to frame.
 #include "vtkAreaLight.h"
 #include "vtkImageData.h"
 #include "vtkIndirectTestUtilities.h"
@@ -17,10 +17,10 @@ using namespace vtkIndirectTest;
 namespace
 {
 constexpr int Texels = 64;
-// So large that there are places between samples, which are every eighth pixel: no frame that is
-// much smaller interpolates anything here.
+// Large enough for receivers between samples, which are every eighth pixel: much smaller frames do
+// not interpolate here.
 constexpr int Edge = 256;
-using Picture = std::function<double(double, double)>; // of pixels
+using Picture = std::function<double(double, double)>; // a value for each pixel
 
 struct ImageScene : Scene
 {
@@ -68,7 +68,7 @@ struct ImageScene : Scene
     this->Lamp->SetImage(this->Data);
   }
 
-  // What a receiver gets of the picture: each pixel in so many pieces along an edge.
+  // A receiver's irradiance from the picture: each pixel in this many pieces along an edge.
   double Sum(const Receiver& receiver, const Picture& picture, int pieces) const
   {
     const int edge = pieces * Texels;
@@ -95,8 +95,8 @@ bool Everywhere(const Scene::Receiver&)
   return true;
 }
 
-// Every so many pixels of every so many rows: sums over thousands of pieces take long. An odd
-// number gets all places between samples.
+// Selects every step-th pixel of every step-th row, because sums over thousands of pieces take
+// long. An odd step covers all positions between samples.
 std::function<bool(const Scene::Receiver&)> Every(int step)
 {
   return [step](const Scene::Receiver& receiver)
@@ -130,7 +130,7 @@ const std::pair<const char*, Picture> Pictures[] = { { "checkers", Checkers }, {
   { "spark", Spark }, { "photograph", Photograph } };
 }
 
-// Each picture over a floor at two heights, of which the lower is as near as a tenth of the lamp.
+// Each picture over a floor at two heights; the lower is a tenth of the lamp's edge.
 VTK_INDIRECT_TEST(AreaImageInFrames)
 {
   for (const double height : { 0.75, 0.1 })
@@ -161,8 +161,8 @@ VTK_INDIRECT_TEST(AreaImageInFrames)
   }
 }
 
-// One radiance, in moving frames: from a thousandth of the edge on, and a lamp that stands on the
-// floor, whose plane the floor crosses and which its far side sees at a grazing angle.
+// One radiance, in moving frames: heights from a thousandth of the edge on, and a lamp that stands
+// on the floor, which crosses the lamp's plane and is lit at a grazing angle.
 VTK_INDIRECT_TEST(AreaLightInMovingFrames)
 {
   for (const double height : { 1e-3, 0.03, 0.5, 1.0, 30.0 })
@@ -191,8 +191,8 @@ VTK_INDIRECT_TEST(AreaLightInMovingFrames)
     { 1e-3, 3e-3, "interpolated over a fourteenth of the distance" }, "standing");
 }
 
-// A picture that moves over the lamp, frame by frame: what is rendered changes no more than the sum
-// over many pieces does.
+// A picture that moves over the lamp, frame by frame: the rendered light changes by no more than
+// the sum over many pieces.
 VTK_INDIRECT_TEST(AreaVideoWithoutFlicker)
 {
   const auto counts = Every(11);
@@ -234,8 +234,8 @@ VTK_INDIRECT_TEST(AreaVideoWithoutFlicker)
   }
 }
 
-// A lamp that moves away in small steps, so that pieces of its picture are split and joined: the
-// light of each step differs from that of the last one as the sum does, but for a small part of it.
+// A lamp that recedes in small steps, so that pieces of its picture are split and joined: the
+// light's change between steps equals the sum's, but for a small part.
 VTK_INDIRECT_TEST(AreaImageSplitsWithoutPop)
 {
   const auto counts = Every(11);
@@ -279,8 +279,8 @@ VTK_INDIRECT_TEST(AreaImageSplitsWithoutPop)
   }
 }
 
-// What hides the lamp, in moving frames: half of it by a straight edge half way up, so that what is
-// seen from a place of the floor is a rectangle, too.
+// A straight edge half way up hides half of the lamp in moving frames, so that the part visible
+// from the floor is a rectangle, too.
 VTK_INDIRECT_TEST(AreaPenumbraInMovingFrames)
 {
   ImageScene scene({ -0.5, -0.5, 1 }, { 0, 1, 0 }, { 1, 0, 0 });
@@ -309,8 +309,8 @@ VTK_INDIRECT_TEST(AreaPenumbraInMovingFrames)
     { 0.02, 0.06, "16 points: a step of the penumbra is a sixteenth" });
 }
 
-// Lamps of several batches, and pixels at the border of a frame whose size is no multiple of
-// samples.
+// Lamps of several batches, and pixels at the border of a frame whose size is no multiple of the
+// sample distance.
 VTK_INDIRECT_TEST(AreaLightsInBatches)
 {
   ImageScene scene({ -0.5, -0.5, 1 }, { 0, 1, 0 }, { 1, 0, 0 }, 101);

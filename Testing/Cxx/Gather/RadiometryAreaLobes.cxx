@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What receivers reflect of area lights in their specular lobes, against sums over many pieces of
-// the light, in double precision, of the lobes as VTK's lights evaluate them.
+// Specular reflection of area lights by receivers, against sums over many pieces of the light in
+// double precision, of the lobes as VTK's lights evaluate them.
 #include "vtkActor.h"
 #include "vtkAreaLight.h"
 #include "vtkImageData.h"
@@ -31,7 +31,7 @@ double IsEven(int, int)
   return 1.0;
 }
 
-// A lamp that stands on a floor, and an eye that sees it mirrored.
+// A lamp that stands on a floor, and an eye that sees its mirror image.
 struct MirrorScene : Scene
 {
   const glm::dvec3 Corner{ -0.6, 1.2, 0.2 };
@@ -106,7 +106,7 @@ struct MirrorScene : Scene
   }
 };
 
-// Receivers are floors: their normal is (0, 0, 1). VTK's own lobe, in its units.
+// Receivers are floors with the normal (0, 0, 1). VTK's own lobe, in its units.
 Lobe MakePower(double specular, double power)
 {
   return [=](const glm::dvec3& toLight, const glm::dvec3& toEye)
@@ -169,9 +169,9 @@ VTK_INDIRECT_TEST(AreaLobeOfPhong)
 }
 
 //------------------------------------------------------------------------------
-// How far a fit may be off goes with the angle of the view: see UnitLobe.cxx. Where Fresnel's term
-// is nearly all of it, at F0 of 0.04, the lamp's own angle would count, and that of the whole lobe
-// does: errors are a few hundredths of what a mirror would show there.
+// The fit's error grows with the angle of the view: see UnitLobe.cxx. Where Fresnel's term
+// dominates, at F0 of 0.04, the lamp's own angle should count, but that of the whole lobe is used:
+// errors are a few hundredths of a mirror's reflection.
 VTK_INDIRECT_TEST(AreaLobeOfPBR)
 {
   struct Eye
@@ -236,7 +236,7 @@ VTK_INDIRECT_TEST(AreaLobeOfImages)
 }
 
 //------------------------------------------------------------------------------
-// A wall before the left half of the lamp.
+// A wall in front of the left half of the lamp.
 VTK_INDIRECT_TEST(AreaLobeIsHidden)
 {
   MirrorScene scene(48, 1.5);
@@ -258,7 +258,7 @@ VTK_INDIRECT_TEST(AreaLobeIsHidden)
       scene.SetMoving(moving);
       for (int frame = 0; frame < 20; ++frame)
       {
-        scene.Render(); // until all depth maps are there
+        scene.Render(); // until all depth maps are complete
       }
       CompareLight(
         scene, "glossy", before,
@@ -281,7 +281,7 @@ VTK_INDIRECT_TEST(AreaLobeCostsNothingWithoutReceivers)
   CheckEqual("glossy", *std::max_element(glossy.Values.begin(), glossy.Values.end()), 0.0);
   scene.SetPower(0.5, 1.0);
   scene.Render();
-  // Specular reflectance and an image of their own; the albedo, too.
+  // Images for specular reflectance and for their sum; and the albedo.
   CheckAtLeast("bytes more", scene.ReadReport("bytes") - without, 64 * 64 * (8 + 16), "two images");
   scene.SetPower(0.0, 1.0);
   scene.Render();

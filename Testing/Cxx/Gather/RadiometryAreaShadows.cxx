@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What hides area lights, against sums over 1024 points of each whose visibility is exact.
+// Shadows of area lights, against sums over 1024 points of each with exact visibility.
 #include "vtkAreaLight.h"
 #include "vtkIndirectTestUtilities.h"
 #include "vtkMath.h"
@@ -58,7 +58,7 @@ struct ShadowScene : Scene
     this->Boxes.emplace_back(lower, upper);
   }
 
-  // Whether a segment meets a box.
+  // True if a segment meets a box.
   static bool Meets(
     const glm::dvec3& from, const glm::dvec3& way, const glm::dvec3& lower, const glm::dvec3& upper)
   {
@@ -96,7 +96,7 @@ struct ShadowScene : Scene
     return sum / vtkMath::Pi();
   }
 
-  // Renders until no map is left to draw; returns how many frames that took.
+  // Renders until no map is left to draw; returns the number of frames.
   int Finish()
   {
     int frames = 0;
@@ -117,9 +117,9 @@ bool OnFloor(const Scene::Receiver& r)
 const char* const Origin = "what users are promised of penumbrae";
 }
 
-// A small box, whose umbra does not reach the floor, and a long one that does, in the penumbra of a
-// lamp of edge 1; on a ground that is much larger than the boxes, so that maps of all of it would
-// have texels of a third of them.
+// A small box, whose umbra does not reach the floor, and a long one whose umbra does, in the
+// penumbra of a lamp of edge 1; on a ground much larger than the boxes, so that the texels of maps
+// of the whole ground would be a third of the boxes.
 VTK_INDIRECT_TEST(AreaShadowsOfBoxes)
 {
   for (const double floor : { 2.0, 8.0 })
@@ -154,8 +154,8 @@ VTK_INDIRECT_TEST(AreaShadowsOfBoxes)
   }
 }
 
-// A lamp that is turned so far away from a box that both the box and the ground behind it see the
-// lamp from 75 to 89 degrees off its normal.
+// A lamp turned away from a box, so that both the box and the ground behind it see the lamp from 75
+// to 89 degrees off its normal.
 VTK_INDIRECT_TEST(AreaShadowsAtGrazingAngles)
 {
   for (const double degrees : { 60.0, 75.0, 80.0, 85.0, 89.0 })
@@ -167,7 +167,7 @@ VTK_INDIRECT_TEST(AreaShadowsAtGrazingAngles)
     const glm::dvec3 above = glm::cross(way, across);
     const double angle = glm::radians(degrees);
     const glm::dvec3 up = std::cos(angle) * above - std::sin(angle) * way;
-    // Its normal is up to the side of the box: cos(angle) way + sin(angle) above.
+    // Its normal points above the side of the box: cos(angle) way + sin(angle) above.
     const double edge = 0.6;
     const glm::dvec3 normal = std::cos(angle) * way + std::sin(angle) * above;
     const glm::dvec3 other = glm::cross(normal, up);
@@ -180,8 +180,8 @@ VTK_INDIRECT_TEST(AreaShadowsAtGrazingAngles)
   }
 }
 
-// A small bright lamp far away and a large dim one that is near give about the same; each one's
-// shadow has the other's light, in frames that stand still and in moving ones.
+// A small bright distant lamp and a large dim near one of about the same light; each one's shadow
+// is lit by the other, in still and in moving frames.
 VTK_INDIRECT_TEST(AreaShadowsOfUnlikeLamps)
 {
   ShadowScene scene(2.0);
@@ -189,7 +189,7 @@ VTK_INDIRECT_TEST(AreaShadowsOfUnlikeLamps)
   scene.AddLamp({ { 1.5, 1.5, 0.2 }, { 0, -3, 0 }, { 0, 0, 2 }, 1.0 });
   scene.AddOccluder({ -0.3, -0.3, 0.0 }, { 0.1, 0.3, 0.8 });
   scene.Finish();
-  // Nearer to the large one the sum's own points are too few.
+  // Nearer to the large lamp the reference has too few points.
   auto counts = [](const Scene::Receiver& r) { return OnFloor(r) && r.Position.x < 1.0; };
   CompareLight(
     scene, "area", counts, [&](const auto& r) { return scene.Sum(r); }, { 3e-3, 0.02, Origin },

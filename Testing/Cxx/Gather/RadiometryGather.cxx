@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the gather sums, against the same sums on the CPU in double precision.
+// The gather's sums, against the same sums on the CPU in double precision.
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "vtkIndirectTestUtilities.h"
 
@@ -43,7 +43,7 @@ bool IsOfWall(const glm::dvec3& normal)
 
 // The texels of a map as lights, from its buffers and the map's geometry, in double precision. The
 // area is that of a texel on the walls; on the ball, whose geometric normal is in no buffer, it is
-// taken from the lights themselves.
+// copied from the lights.
 std::vector<VirtualLight> LightsFromMap(
   Scene& scene, int index, const std::vector<VirtualLight>& areas, size_t& next)
 {
@@ -138,7 +138,7 @@ void CheckReference(Room& scene, int maps)
     "the cosine is stored in half floats; drivers may cut them off, 2^-10");
   CheckAtMost("worst difference of B A, of the largest", density, 1e-5, "floats");
 
-  // The areas and the facets' normals as stored: both are checked above.
+  // Areas and facets' normals as stored; both are checked above.
   std::vector<VirtualLight> senders = lights;
   for (size_t i = 0; i < gpu.size(); ++i)
   {
@@ -195,7 +195,7 @@ void CheckReference(Room& scene, int maps)
     }());
   scene.CheckBuffers(maps);
 
-  // The module's own double-precision sum, against the one written here.
+  // The module's own double-precision sum, against the one of this test.
   vtkNew<vtkRSMReferencePass> reference;
   scene.Pass->SetEstimator(reference);
   scene.Render();
@@ -297,7 +297,7 @@ VTK_INDIRECT_TEST(Neighborhood)
 
   for (double radius : { 0.15, 1.5 })
   {
-    // The sum restricted to the disk: texels on its rim count by the share that it covers.
+    // The sum restricted to the disk: texels on its rim count by their covered share.
     std::vector<double> expected;
     std::vector<bool> inside;
     double mean = 0.0;
@@ -397,7 +397,7 @@ struct Deviation
 {
   double RMSE = 0.0;
   double Mean = 0.0;
-  double Different = 0.0; // share of values that are not the gathered ones
+  double Different = 0.0; // share of values that differ from the gathered ones
 };
 
 Deviation CompareInterpolated(Scene& scene, const Image& full, int step)
@@ -446,8 +446,7 @@ VTK_INDIRECT_TEST(Interpolation)
   }
   smooth.CheckBuffers(1);
 
-  // Where walls meet, the disk kernel has a dark line narrower than a pixel; interpolation blurs
-  // it.
+  // The disk kernel has a dark line narrower than a pixel where walls meet; interpolation blurs it.
   Room room(128, 96);
   room.Pass->SetReflectiveShadowMapResolution(128);
   room.Gather->SetModeToVirtualLights();
@@ -463,7 +462,8 @@ VTK_INDIRECT_TEST(Interpolation)
     CheckAbsolute(what + "mean", d.Mean, 0.0, 0.02, "the line's area");
   }
 
-  // A constant field stays what it is: a receiver so small that its irradiance hardly varies.
+  // Interpolation preserves a constant field: a receiver so small that its irradiance hardly
+  // varies.
   Scene flat(64, 64);
   flat.AddQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, glm::dvec3(0.75));
   flat.AddQuad({ 0.5, 0.5, 1 }, { 0.5, 0.501, 1 }, { 0.501, 0.5, 1 }, glm::dvec3(0.75));

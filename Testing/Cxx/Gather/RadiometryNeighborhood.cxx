@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The gather's disk in the map of a light that shines all around: a cube whose faces meet without a
-// seam for it.
+// The gather's disk in the cube map of a point light: it crosses faces without a seam.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkLight.h"
@@ -15,8 +14,8 @@ namespace
 {
 const glm::dvec3 Lamp(0.45, 0.6, 0.55);
 
-// A closed room with the lamp in its middle; the eye looks at a wall, a bit of another and the
-// floor, which several faces of the lamp's cube see.
+// A closed room with the light in its middle; the eye looks at a wall, part of another and the
+// floor, which several faces of the light's cube see.
 struct LitRoom : Scene
 {
   vtkLight* Light;
@@ -31,7 +30,8 @@ struct LitRoom : Scene
   }
 };
 
-// All texels of the map whose directions from the lamp lie in the disk, in double precision.
+// Sum over all texels of the map whose directions from the light lie in the disk, in double
+// precision.
 double SumInDisk(const std::vector<VirtualLight>& lights, const Scene::Receiver& receiver,
   double radius, double& all)
 {
@@ -78,7 +78,7 @@ VTK_INDIRECT_TEST(NeighborhoodFaces)
       double expected = 0.0;
       double whole = 0.0;
       double squares = 0.0;
-      double beyond = 0.0; // of what is expected, by receivers near an edge of the cube
+      double beyond = 0.0; // by receivers near an edge of the cube, over the expected sum
       for (size_t i = 0; i < receivers.size(); ++i)
       {
         double all = 0.0;
@@ -102,7 +102,7 @@ VTK_INDIRECT_TEST(NeighborhoodFaces)
       Check(what + "what it leaves is reported", reported);
     }
   }
-  // One face, covered from everywhere: nothing is left.
+  // One face, wholly covered: its neighbours add nothing.
   LitRoom scene;
   scene.Light->SetConeAngle(40.0);
   scene.Light->SetFocalPoint(0.1, 0.1, 0.1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What specular senders reflect: the flux of their lobes, where it arrives, and what sums it.
+// Specular senders: the flux of their lobes, its destination, and the estimators that sum it.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -55,8 +55,8 @@ glm::dvec3 SumFlux(const std::vector<Lobe>& lobes)
   return sum;
 }
 
-// What VTK's specular term of coefficient one sends over area and strength: the integral of
-// max(r.w, 0)^power (n.w) above the surface, by rings about r.
+// Flux of VTK's specular term of coefficient one over area and strength: the integral of max(r.w,
+// 0)^power (n.w) above the surface, by rings about r.
 double PhongFlux(double power, double cosine)
 {
   const double c = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
@@ -81,7 +81,7 @@ void MakePhong(vtkActor* actor, double specular, double power)
   actor->GetProperty()->SetSpecularPower(power);
 }
 
-// A metal's lobe of nearly all its light, 1 / (2 alpha^2) - 1 / 2 for an exponent.
+// Makes a metal with nearly all light in its lobe, of exponent 1 / (2 alpha^2) - 1 / 2.
 void MakeMetal(vtkActor* actor, double roughness)
 {
   actor->GetProperty()->SetInterpolationToPBR();
@@ -135,7 +135,7 @@ VTK_INDIRECT_TEST(SenderLobeFluxOfMaps)
       scene.Render();
       const std::vector<Lobe> lobes = CopyLobes(scene);
       const double expected = 0.5 * PhongFlux(power, std::cos(angle)) / vtkMath::Pi();
-      // The silhouette is resolved by texels, of which fewer fall on a plane that is seen edge-on.
+      // Texels resolve the silhouette, and fewer fall on a plane seen edge-on.
       CheckRelative("Phong, power " + std::to_string(static_cast<int>(power)) + " at " +
           std::to_string(static_cast<int>(degrees)) + " degrees",
         SumFlux(lobes).x, expected, degrees > 80.0 ? 0.05 : 0.02,
@@ -151,7 +151,7 @@ VTK_INDIRECT_TEST(SenderLobeFluxOfMaps)
       CheckEqual("lobes that do not go along the mirror direction", wrong, 0);
     }
   }
-  // Of a metal nearly all light is reflected, by VTK's PBR in its units: I cos / pi.
+  // A metal reflects nearly all light, in units of VTK's PBR: I cos / pi.
   Scene scene(8, 8);
   MakeMetal(scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0.9, 0.6, 0.3 }), 0.3);
   scene.AddQuad({ 2, 0, 0 }, { 2, 1, 0 }, { 2, 0, 1 }, { 0.5, 0.5, 0.5 });
@@ -166,7 +166,7 @@ VTK_INDIRECT_TEST(SenderLobeFluxOfMaps)
   CheckRelative("metal, blue over red", flux.z / flux.x, 0.3 / 0.9, 0.03, "Schlick at 40 degrees");
 }
 
-// A tilted plate and a wall that catches all of its beam.
+// A tilted plate, and a wall that catches all of its beam.
 VTK_INDIRECT_TEST(SenderLobeArrives)
 {
   for (const double scale : { 1.0, 1e-9, 1e6 })
@@ -174,7 +174,7 @@ VTK_INDIRECT_TEST(SenderLobeArrives)
     for (const bool metal : { true, false })
     {
       Scene scene(96, 96);
-      // Light comes down and is thrown along +x onto the wall, of which the eye sees the plan.
+      // The plate reflects light from above along +x onto the wall, of which the eye sees the plan.
       vtkActor* plate = scene.AddQuad(scale * glm::dvec3(0, 0, 0), scale * glm::dvec3(0, 0, 1),
         scale * glm::dvec3(1, -1, 0), { 1, 1, 1 });
       metal ? MakeMetal(plate, 0.25) : MakePhong(plate, 1.0, 128.0);
@@ -207,11 +207,10 @@ namespace
 {
 constexpr double Radius = 0.6;
 constexpr double Height = 0.5;
-constexpr double Slope = 0.7; // of the light, height over length
-constexpr double Width = 3.0; // of the window over the ground
+constexpr double Slope = 0.7; // slope of the light, height over length
+constexpr double Width = 3.0; // width of the window over the ground
 
-// A metal ring about the y axis, standing on the ground, under light that comes along +x from
-// above; the eye looks down.
+// A metal ring about the y axis on the ground, under light from above along +x; the eye looks down.
 void AddRing(Scene& scene, vtkActor*& ring)
 {
   vtkNew<vtkCylinderSource> source;
@@ -232,7 +231,7 @@ void AddRing(Scene& scene, vtkActor*& ring)
   scene.Sampler->SetNumberOfLights(4096);
 }
 
-// The distance from the axis of the brightest place along it, on the far side.
+// The distance from the axis of the brightest point along it, on the far side.
 double FindCusp(const Image& e, double width)
 {
   const int row = e.Height / 2;
@@ -266,8 +265,8 @@ VTK_INDIRECT_TEST(RingCaustic)
   scene.Pass->SetSampler(tree);
   scene.Render();
   const double sent = SumFlux(CopyLobes(scene)).x;
-  // Light that falls onto the walls, by quadrature: on the outer one where it is lit, on the inner
-  // one under what the near rim hides.
+  // Flux onto the walls, by quadrature: onto the outer wall where it is lit, onto the inner one
+  // below the near rim's shadow.
   double projected = 0.0;
   const int steps = 20000;
   for (int i = 0; i < steps; ++i)
@@ -285,7 +284,7 @@ VTK_INDIRECT_TEST(RingCaustic)
     "pixels that the rim covers, what is widened at the ring's foot, and a tail past the ground");
   scene.CheckBuffers(1);
 
-  // The same lights, interpolated where they change little.
+  // The same lights, interpolated where they vary little.
   scene.Gather->InterpolationOn();
   scene.Render();
   const double mean = clusters.Mean();
@@ -299,7 +298,7 @@ VTK_INDIRECT_TEST(RingCaustic)
     std::sqrt(MeanSquare(scene.Copy("irradiance"), clusters)) / mean, 0.03, "the same");
   scene.Pass->SetEstimator(scene.Gather);
 
-  // Against all texels: what fewer lights cost.
+  // Against all texels: the error of fewer lights.
   scene.Gather->SetModeToAllTexels();
   scene.Render();
   const Image all = scene.Copy("irradiance");
@@ -331,8 +330,8 @@ VTK_INDIRECT_TEST(RingCaustic)
     "measured 0.29; of uniform lights 0.25");
   CheckAtMost("256 clusters", c / whole, 0.65, "measured 0.52: a caustic as wide as their lobes");
 
-  // Mirrors of radius R gather what is parallel at R / 2, paraxially, and the caustic opens from
-  // there towards the wall: its brightest place along the axis, as far as lobes blur it.
+  // Mirrors of radius R focus parallel light at R / 2, paraxially, and the caustic opens from there
+  // towards the wall: its brightest point along the axis, within the blur of the lobes.
   tree->SetNumberOfLights(4096);
   scene.SetParallelEye(0.5);
   scene.Render();
@@ -344,7 +343,7 @@ VTK_INDIRECT_TEST(RingCaustic)
     0.5 * Radius, 0.03,
     "the lobe's width over the way, 0.014, and that of texels, 0.01, of light "
     "on one side");
-  // From a point at distance d of the axis: 1 / s + 1 / (d + R) = 2 / R, s from the wall.
+  // A point at distance d along the axis: 1 / s + 1 / (d + R) = 2 / R, s from the wall.
   light->SwitchOff();
   scene.AddSpot({ -1.5, 1.5 * Slope, 0 }, { 0, 0, 0 }, 35, 0, { 1, 0, 0 });
   scene.Render();
@@ -356,7 +355,7 @@ VTK_INDIRECT_TEST(RingCaustic)
 
 VTK_INDIRECT_TEST(SenderLobesAgainstReference)
 {
-  // Phong senders and a receiver that is specular itself, a few lights, double precision.
+  // Phong senders and a specular receiver, a few lights, double precision.
   Scene scene(48, 48);
   vtkActor* plate = scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0.6, 0.5, 0.4 });
   plate->GetProperty()->SetSpecular(0.8);
@@ -385,7 +384,7 @@ VTK_INDIRECT_TEST(SenderLobesAgainstReference)
     std::sqrt(MeanSquare(s, scene.Copy("glossy"))) / s.Mean(), 2e-3, "the same");
   scene.Pass->SetEstimator(scene.Gather);
 
-  // Without lobes it is another picture; nothing is allocated for them then.
+  // Without lobes the picture differs; nothing is allocated for them.
   scene.Gather->SpecularTransportOff();
   scene.Render();
   Check("without specular transport maps hold nothing for lobes",
@@ -394,7 +393,7 @@ VTK_INDIRECT_TEST(SenderLobesAgainstReference)
   scene.Gather->SpecularTransportOn();
 }
 
-// Nothing but numbers: mirrors and matt metal, light along the surface and all but on it, black.
+// All results are numbers: mirrors and matt metal, light along the surface and nearly so, black.
 VTK_INDIRECT_TEST(SenderLobesOfExtremes)
 {
   Scene scene(24, 24);
@@ -434,7 +433,7 @@ VTK_INDIRECT_TEST(SenderLobesOfExtremes)
       }
     }
   }
-  // Black metal, and black Phong: no flux, and nothing that is not a number.
+  // Black metal, and black Phong: no flux, and no NaN.
   plate->GetProperty()->SetColor(0, 0, 0);
   MakePhong(wall, 0.0, 1.0);
   wall->GetProperty()->SetColor(0, 0, 0);

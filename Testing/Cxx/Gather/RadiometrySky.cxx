@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light that comes directly from the sky, against view factors of what hides it.
+// Direct light of the sky, against view factors of its occluders.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -53,7 +53,7 @@ Polygon MakeDisk()
   return disk;
 }
 
-// Seen from below the disk, all around.
+// A disk over a plane, seen from below, all around.
 void AddDiskOverPlane(Scene& scene)
 {
   scene.AddQuad({ -2, 0, 2 }, { 2, 0, 2 }, { -2, 0, -2 }, White);
@@ -71,8 +71,8 @@ void SetMoving(Scene& scene)
   scene.Window->SetDesiredUpdateRate(15.0);
 }
 
-// RMS of what a pixel differs from the mean of its four neighbours, over the mean; inside of what
-// counts.
+// RMS difference of a pixel from the mean of its four neighbours, over the mean; for pixels that
+// count with their neighbours.
 double FindRoughness(const Image& image, const std::vector<char>& counts)
 {
   double squares = 0.0;
@@ -99,15 +99,15 @@ double FindRoughness(const Image& image, const std::vector<char>& counts)
   return std::sqrt(squares * count) / sum;
 }
 
-// Largest difference between the means of pixels at each place of blocks of so many, of what an
-// image differs from what is expected, over the mean.
+// Differences of an image from the expected one, averaged over pixels of one place in blocks of
+// `edge` pixels: largest difference between these means, over the mean.
 double FindPattern(const Image& image, const std::vector<double>& expected,
   const std::vector<char>& counts, int edge)
 {
   std::vector<double> sums(static_cast<size_t>(edge) * edge, 0.0);
   std::vector<double> numbers(sums.size(), 0.0);
   double mean = 0.0;
-  // Whole blocks alone, so that each place sees the same parts of the picture.
+  // Only whole blocks, so that each place sees the same parts of the picture.
   for (int y = 0; y + edge <= image.Height; y += edge)
   {
     for (int x = 0; x + edge <= image.Width; x += edge)
@@ -157,7 +157,7 @@ VTK_INDIRECT_TEST(SkyOverAnOpenPlane)
     "all irradiance is the sky's", irradiance.Mean(), scene.Copy("sky").Mean(), 1e-6, "rounding");
   CheckRelative(
     "a white plane shows it", final.Mean(), 0.8 * irradiance.Mean(), 0.005, "albedo in 10 bits");
-  // Turned and in other units.
+  // Rotated and in other units.
   for (const double scale : { 1e-9, 1e6 })
   {
     Scene other(32, 32);
@@ -229,11 +229,11 @@ VTK_INDIRECT_TEST(SkyInAGroove)
   CompareSky(scene, counts, expect, 0.02, 0.06, "64 directions, 64 / 256 to the power -3/4");
 }
 
-// Pixels of a moving frame ask different directions: none of that may be seen. The sums of a still
-// frame over the same directions have the edges of 64 shadows, and those of a moving one no more.
+// Pixels of a moving frame sum different directions, without a visible pattern. The sums of a still
+// frame over the same directions have the edges of 64 shadows, and those of a moving frame no more.
 VTK_INDIRECT_TEST(SkyLeavesNoPattern)
 {
-  // Of sizes that are no multiples of the blocks.
+  // Sizes that are no multiples of the blocks.
   Scene scene(191, 161);
   AddDiskOverPlane(scene);
   vtkNew<vtkEnvironmentLight> sky;
@@ -269,7 +269,7 @@ VTK_INDIRECT_TEST(SkyLeavesNoPattern)
   }
 }
 
-// What nothing hides is the open sky's, whatever its normals and whichever directions are asked.
+// An unoccluded receiver gets the open sky's light, for all normals and sets of directions.
 VTK_INDIRECT_TEST(SkyOfAConvexBody)
 {
   for (const bool moving : { false, true })
@@ -300,8 +300,8 @@ VTK_INDIRECT_TEST(SkyOfAConvexBody)
   }
 }
 
-// Things of a pixel's width have no neighbours to ask: what moving frames find of them is right in
-// the mean, and no worse than the few directions that they ask.
+// Things of a pixel's width have no neighbours to share directions with: in moving frames they are
+// right on average, with the error of the few directions of one pixel.
 VTK_INDIRECT_TEST(SkyOfThinThings)
 {
   Scene scene(120, 90);
@@ -325,9 +325,8 @@ VTK_INDIRECT_TEST(SkyOfThinThings)
     FindRelativeError(moving, still, normal), 0.14, "64 directions, each hard");
 }
 
-// The renderer's environment texture is light that things hide. What VTK's physically based shading
-// adds of it, which nothing hides, is replaced: on a convex body the same light from the same
-// sides.
+// The renderer's environment texture is light that things occlude. It replaces the unoccluded light
+// that VTK's physically based shading adds: on a convex body the same light from the same sides.
 VTK_INDIRECT_TEST(SkyOfTheRenderer)
 {
   Scene scene(101, 101);
@@ -344,14 +343,13 @@ VTK_INDIRECT_TEST(SkyOfTheRenderer)
   texture->InterpolateOn();
   scene.Renderer->UseImageBasedLightingOn();
   auto decode = [](double v) { return std::pow(v, 2.2); };
-  // VTK takes what the surface reflects specularly from its diffuse light: 4 % with the index of
-  // 1.5, since 9.6.1 also what its roughness adds. Under light that is the same from all sides the
-  // rest is seen, at each pixel.
+  // VTK subtracts the specular reflection from the diffuse light: 4 % with the index of 1.5, and
+  // since 9.6.1 a term for the roughness. Uniform light shows the rest at each pixel.
   std::vector<double> left;
   double taken = 0.0;
   for (const bool turned : { false, true })
   {
-    // From all sides the same, then with all of the first band of spherical harmonics.
+    // Uniform light, then light with the whole first band of spherical harmonics.
     auto* p = static_cast<float*>(image->GetScalarPointer());
     for (int j = 0; j < 64; ++j)
     {
@@ -425,7 +423,7 @@ VTK_INDIRECT_TEST(SkyOfTheRenderer)
     "all but 4 %; 9.6.1 takes 2 % more");
 }
 
-// In a groove it is darker than what VTK alone shows, by the closed form.
+// In a groove it is darker than VTK alone, by the closed form.
 VTK_INDIRECT_TEST(SkyOfTheRendererInAGroove)
 {
   const double s = std::sqrt(0.5);
@@ -457,7 +455,7 @@ VTK_INDIRECT_TEST(SkyOfTheRendererInAGroove)
   CompareSky(scene, counts, expect, 0.01, 0.02, "256 directions, each hard");
 }
 
-// A sun shines from where it is, and its shadow falls there, wherever that is between directions.
+// A sun shines from its own position, and its shadow falls accordingly, also between directions.
 VTK_INDIRECT_TEST(SkySunIsWhereItIs)
 {
   constexpr int columns = 512;
@@ -500,7 +498,7 @@ VTK_INDIRECT_TEST(SkySunIsWhereItIs)
     double worst = 0.0;
     int lit = 0;
     int dark = 0;
-    // A texel of the sun's map, and the sun's own half width.
+    // Uncertain within a texel of the sun's map, and the sun's own half width.
     const double edge = 4.0 * ground / 1024 + height / way.y * 2.0 * vtkMath::Pi() / columns;
     for (size_t i = 0; i < receivers.size(); ++i)
     {
@@ -524,7 +522,7 @@ VTK_INDIRECT_TEST(SkySunIsWhereItIs)
   }
 }
 
-// A coarse body that is shaded smoothly: on the round one that it stands for nothing hides the sky.
+// A coarse body with smooth shading: nothing hides the sky on the round body that it represents.
 VTK_INDIRECT_TEST(SkyOfCoarseFacets)
 {
   for (const int resolution : { 24, 32, 64 })

@@ -15,7 +15,7 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// Where the eye is, three radii from the contact, and what it looks at. From an elevation phi it
+// Position of the eye, three radii from the contact, and its target. From an elevation phi the eye
 // sees the plane in front of the contact from the distance tan(phi / 2) radii on.
 struct View
 {
@@ -38,8 +38,8 @@ struct Ring
   int Count = 0;
 };
 
-// A sphere of radius 1 that touches the plane fills (1 + a^2)^(-3/2) of what an element of the
-// plane sees, at a distance a: its angular radius has the sine 1 / d, its centre the cosine 1 / d,
+// A sphere of radius 1 that touches the plane fills (1 + a^2)^(-3/2) of the view of an element of
+// the plane, at a distance a: its angular radius has the sine 1 / d, its centre the cosine 1 / d,
 // with d^2 = 1 + a^2, and none of it is below the horizon.
 double FindIrradiance(double a)
 {
@@ -111,8 +111,8 @@ void CheckContact(double halfEdge)
 }
 }
 
-// A tile has 128 texels over all that may hide something of something else, 37 of them along the
-// sphere's radius however large the ground is.
+// A tile has 128 texels over all casters of shadows on other things, 37 of them along the sphere's
+// radius, independent of the size of the ground.
 VTK_INDIRECT_TEST(SkyContactOfASphere)
 {
   for (const double halfEdge : { 3.0, 6.0, 30.0, 300.0 })

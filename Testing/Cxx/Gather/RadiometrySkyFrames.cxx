@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth maps of the sky that arrive over several frames: what is there stands for all of it.
+// Depth maps of the sky that arrive over several frames: complete maps represent the whole sky.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -22,8 +22,8 @@ namespace
 {
 const glm::dvec3 White(0.8);
 
-// Of 80,000 triangles a frame at this rate has time for 8 maps, for 128, for 129 as one of a camera
-// that stands, and for 769.
+// Update rates at which a frame of 80,000 triangles has time for 8 maps, for 128, for 129 with a
+// still camera, and for 769.
 constexpr double Moving = 15.0;
 constexpr double MovingAtOnce = 1.0;
 constexpr double Still = 0.99;
@@ -97,8 +97,8 @@ void CheckArrival(bool moving)
   const Image expected = whole.RenderAt(moving ? MovingAtOnce : StillAtOnce);
   const double all = whole.CountTiles();
   const double bytes = whole.ReadReport("bytes");
-  // Of a moving one also the sun's: its direction is none of the 64, but the nearest of some
-  // light.
+  // A moving frame also draws the sun's map: its direction is none of the 64, and the nearest of
+  // them has some light.
   CheckAtLeast(name + "maps at once", all, moving ? 64 : 256, "a direction each");
   const Image normal = whole.Copy("normal");
   whole.Pass->SetVisibilityToNone();
@@ -119,7 +119,7 @@ void CheckArrival(bool moving)
     const double step = frames == 0 ? error : FindRelativeError(image, last, normal) / without;
     std::printf("       %g maps: error %.3f, step %.3f of no visibility's, mean off by %.4f\n", now,
       error, step, FindShift(image, expected));
-    // The error of n directions goes with n to the power -3/4, and 8 of them leave so much.
+    // The error of n directions goes with n to the power -3/4, and 8 of them have this error.
     const double bound = 0.35 * std::pow(8.0 / now, 0.75);
     CheckAtMost(name + "error over that of no visibility", error, bound, "see there");
     CheckAtMost(name + "step over that error", step,
@@ -135,7 +135,7 @@ void CheckArrival(bool moving)
 }
 }
 
-// A frame that has no time for all maps sums the directions that have one, for all of the light.
+// A frame without time for all maps sums the directions with a map, scaled to all of the light.
 VTK_INDIRECT_TEST(SkyArrivesOverFrames)
 {
   CheckArrival(true);
@@ -146,7 +146,7 @@ VTK_INDIRECT_TEST(SkyArrivesOverFramesStill)
   CheckArrival(false);
 }
 
-// What nothing hides is as bright while maps arrive as when they are there.
+// Unoccluded receivers have constant brightness while maps arrive.
 VTK_INDIRECT_TEST(SkyArrivesWithoutFlicker)
 {
   for (const bool uniform : { true, false })
@@ -176,7 +176,7 @@ VTK_INDIRECT_TEST(SkyArrivesWithoutFlicker)
   }
 }
 
-// More strong directions than a frame has time for: nothing hides those that have no map yet.
+// More strong directions than a frame has time for: those without a map yet cast no shadow.
 VTK_INDIRECT_TEST(SkyArrivesWithManySuns)
 {
   vtkNew<vtkImageData> image;
@@ -214,8 +214,8 @@ VTK_INDIRECT_TEST(SkyArrivesWithManySuns)
   Check("and then all is as if drawn at once", now.Values == expected.Values);
 }
 
-// A prop that moves out of the scene's bounds, so that all tiles are fitted anew: what has been
-// drawn is used until its turn comes.
+// A prop that moves out of the scene's bounds, so that all tiles are refitted: old maps are used
+// until their turn comes.
 VTK_INDIRECT_TEST(SkyOfMovingThings)
 {
   vtkNew<vtkEnvironmentLight> sky;
@@ -231,7 +231,7 @@ VTK_INDIRECT_TEST(SkyOfMovingThings)
   const Image expected = whole.RenderAt(MovingAtOnce);
   const double all = whole.CountTiles();
   CheckEqual("all maps are drawn again", all, 2.0 * before);
-  // Where neither place of the ball hides or shows much.
+  // Receivers where neither position of the ball changes much.
   std::vector<char> counts;
   for (const Scene::Receiver& r : whole.GetReceivers())
   {
@@ -262,7 +262,7 @@ VTK_INDIRECT_TEST(SkyOfMovingThings)
   Check("and then all is as if drawn at once", now.Values == expected.Values);
 }
 
-// Maps of virtual lights and of the sky come out of one time, and neither waits for the other.
+// Maps of virtual lights and of the sky share one time budget, and neither waits for the other.
 VTK_INDIRECT_TEST(SkySharesTheTimeForMaps)
 {
   vtkNew<vtkEnvironmentLight> sky;

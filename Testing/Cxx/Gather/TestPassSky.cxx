@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light from the sky in still and in moving frames: the same by every way that can be forced, maps
-// that both look into, and nothing left of the one in the other.
+// Light from the sky in still and in moving frames: equal for all forced paths, with shared maps,
+// and without remains of one kind of frame in the other.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -83,7 +83,7 @@ VTK_INDIRECT_TEST(SkyPathsSame)
         const Difference difference = Compare(same, usual);
         std::cout << name << ", " << forced << ": " << difference.Mean / scale << " in the mean, "
                   << difference.Max / scale << " at most\n";
-        // Sums of 256 terms; a shadow's edge may take a pixel to its other side.
+        // Sums of 256 terms; a shadow's edge may move over a pixel.
         CONTRACT_CHECK(difference.Mean <= 1e-4 * scale, name << ", " << forced << difference);
       }
     }
@@ -130,7 +130,7 @@ VTK_INDIRECT_TEST(SkyMovingIsPartOfStill)
 }
 
 //------------------------------------------------------------------------------
-// A sun alone, which leaves nothing to sum besides; and no shadows at all.
+// A sky of only a sun, without other directions; and a sky without shadows.
 VTK_INDIRECT_TEST(SkySunAlone)
 {
   SkyView view(64, 48, false);
@@ -162,7 +162,7 @@ VTK_INDIRECT_TEST(SkySunAlone)
 }
 
 //------------------------------------------------------------------------------
-// What is held for a sky goes with it, and comes back.
+// A sky's resources are released with it, and made again.
 VTK_INDIRECT_TEST(SkyGoesAway)
 {
   SkyView view(64, 48, true);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Area lights that are seen: what they send is what the picture shows of them, and all else stays
-// as it is without.
+// Visible area lights: the picture shows their radiance, and the rest of it is the same as without.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -18,11 +17,11 @@ namespace
 {
 constexpr int Size = 120;
 constexpr double Radiance[3] = { 0.25, 0.5, 0.75 };
-// The lamp's square has a quarter of the picture's height on either side of its middle.
+// The lamp's square extends a quarter of the picture's height to either side of its middle.
 constexpr int Inside = Size / 2 + 6;
 constexpr int Outside = Size / 2 + 40;
 
-// A lamp that faces the eye before a wall, over a floor, and a ball in front of its left half.
+// A lamp that faces the eye in front of a wall, over a floor, with a ball before its left half.
 struct LampView : View
 {
   vtkNew<vtkIndirectIlluminationPass> Pass;
@@ -70,7 +69,7 @@ bool IsByte(const Pixels& picture, int x, int y, const Vec3& color)
   bool same = true;
   for (int c = 0; c < 3; ++c)
   {
-    // Rounded by OpenGL, which may be off by half a step beside the half.
+    // Rounded by OpenGL, which may be off by half a step near one half.
     same =
       same && std::abs(picture.Get(x, y, c) - 255.0 * color[static_cast<size_t>(c)]) <= 0.501 + 0.1;
   }
@@ -105,8 +104,8 @@ VTK_INDIRECT_TEST(VisibleLampShowsItsRadiance)
       shown += IsRadiance(picture, x, y) ? 1 : 0;
     }
   }
-  // A quarter of the picture less the ball's disk, seen under its radius / distance, whose edges
-  // are pixels of either.
+  // A quarter of the picture minus the ball's disk, seen under its radius / distance, whose edge
+  // pixels count to either.
   const double radius = 0.3 / std::sqrt(3.2 * 3.2 + 0.5 * 0.5 - 0.3 * 0.3) * Size;
   const double expected = 0.25 * Size * Size - std::acos(-1.0) * radius * radius;
   std::cout << shown << " pixels of " << expected << "\n";
@@ -127,7 +126,7 @@ VTK_INDIRECT_TEST(VisibleLampShowsItsRadiance)
 }
 
 //------------------------------------------------------------------------------
-// What receivers get of it that are seen in either case.
+// Light on receivers that are visible in both cases.
 VTK_INDIRECT_TEST(VisibleLampHidesNoLight)
 {
   LampView view;
@@ -168,9 +167,9 @@ VTK_INDIRECT_TEST(VisibleLampHidesNoLight)
     }
     std::cout << "rate " << rate << ": " << compared << " pixels, off by " << most << "\n";
     CONTRACT_CHECK(compared > Size * Size / 2, compared);
-    // Still frames: each pixel by itself. In moving ones pixels beside it interpolate no longer
-    // from samples that it covers, and have them for themselves: the error of interpolation, which
-    // is 0.7 % RMS.
+    // Still frames compute each pixel separately. In moving ones pixels beside the lamp no longer
+    // interpolate from samples that it covers, and are computed: the difference is the error of
+    // interpolation, 0.7 % RMS.
     CONTRACT_CHECK(most <= (rate < 1.0 ? 0.0 : 0.05), "rate " << rate << ": " << most);
   }
 }
@@ -187,7 +186,7 @@ VTK_INDIRECT_TEST(VisibleLampShowsItsImage)
   for (int i = 0; i < 16; ++i)
   {
     values[3 * i] = 0.05f * static_cast<float>(i);
-    values[3 * i + 1] = 2.0f; // brighter than can be shown
+    values[3 * i + 1] = 2.0f; // brighter than the picture can show
     values[3 * i + 2] = 0.9f - 0.05f * static_cast<float>(i);
   }
   view.Lamp->SetImage(image);
@@ -206,13 +205,14 @@ VTK_INDIRECT_TEST(VisibleLampShowsItsImage)
     }
     CONTRACT_CHECK(shown.Get(x, y, 1) == 255, "clamped, " << i);
   }
-  // A video's next picture.
+  // The next picture of a video.
   std::fill(values, values + 48, 0.5f);
   image->Modified();
   view.Grab();
   CONTRACT_CHECK(Read(view.Pass, "final").Get(Inside, Inside, 0) == 0.5f, "its next image");
 
-  // From afar an image of fine black and white pixels is grey: the mean of what shares a pixel.
+  // From afar an image of fine black and white pixels is grey: the mean of the pixels that share a
+  // pixel.
   constexpr int Edge = 512;
   vtkNew<vtkImageData> fine;
   fine->SetDimensions(Edge, Edge, 1);
@@ -233,7 +233,7 @@ VTK_INDIRECT_TEST(VisibleLampSides)
 {
   LampView view;
   view.Lamp->VisibleOn();
-  // Turned round, it sends no light to the eye.
+  // Turned around, it sends no light to the eye.
   view.Lamp->SetPoint1(-1, 1, 0);
   view.Lamp->SetPoint2(1, -1, 0);
   for (const bool parallel : { false, true })
@@ -250,7 +250,7 @@ VTK_INDIRECT_TEST(VisibleLampSides)
 }
 
 //------------------------------------------------------------------------------
-// Nobody fits the clipping range to it, and it may lie in a wall.
+// The clipping range is not fitted to the lamp, which may intersect a wall.
 VTK_INDIRECT_TEST(VisibleLampPlaces)
 {
   LampView view;
@@ -268,7 +268,7 @@ VTK_INDIRECT_TEST(VisibleLampPlaces)
   view.Renderer->GetActiveCamera()->SetClippingRange(2.0, 5.5);
   CONTRACT_CHECK(place(3.0, 0.25), "before the near plane");
   CONTRACT_CHECK(!place(-2.0, 1.5), "behind the wall and the far plane");
-  // Without the wall the floor is all that there is.
+  // Without the wall only the floor is left.
   vtkPropCollection* props = view.Renderer->GetViewProps();
   props->InitTraversal();
   props->GetNextProp()->VisibilityOff();
@@ -277,7 +277,7 @@ VTK_INDIRECT_TEST(VisibleLampPlaces)
 }
 
 //------------------------------------------------------------------------------
-// Where VTK encodes its pixels a lamp is encoded, too.
+// If VTK encodes its pixels, the lamp is encoded, too.
 VTK_INDIRECT_TEST(VisibleLampInEncodedPictures)
 {
   LampView view;
@@ -300,7 +300,7 @@ VTK_INDIRECT_TEST(VisibleLampHasSmoothEdges)
   const Pixels hard = view.Grab();
   view.Pass->AntialiasingOn();
   const Pixels soft = view.Grab();
-  // Along a column over the lamp's upper edge: pixels that are neither the lamp's nor the wall's.
+  // Mixed pixels along a column over the lamp's upper edge.
   size_t mixed[2] = { 0, 0 };
   for (int i = 0; i < 2; ++i)
   {
@@ -319,7 +319,7 @@ VTK_INDIRECT_TEST(VisibleLampHasSmoothEdges)
 }
 
 //------------------------------------------------------------------------------
-// Where the delegate alone draws, the report says what is not seen.
+// If only the delegate draws, the report lists the lamp as not visible.
 VTK_INDIRECT_TEST(VisibleLampInEmptyScene)
 {
   LampView view;

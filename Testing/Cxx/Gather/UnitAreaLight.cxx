@@ -12,7 +12,7 @@ using namespace vtkIndirectKernels;
 
 namespace
 {
-// Cut at the element's horizon, then Lambert's polygon, in double precision.
+// Clips at the element's horizon, then sums Lambert's polygon, in double precision.
 double Expect(const glm::dvec3& corner, const glm::dvec3& edge1, const glm::dvec3& edge2,
   const glm::dvec3& normal)
 {
@@ -46,7 +46,7 @@ double Measure(const glm::dvec3& corner, const glm::dvec3& edge1, const glm::dve
 
 VTK_INDIRECT_TEST(RectangleFormFactor)
 {
-  // Over the corner of a rectangle a by b at height h: a known value of handbooks.
+  // Over the corner of a rectangle a by b at height h: a known value from handbooks.
   const double x = 0.5;
   const double y = 0.8;
   const double p = std::sqrt(1.0 + x * x);
@@ -66,17 +66,17 @@ VTK_INDIRECT_TEST(RectangleFormFactor)
     const glm::dvec3 edge2(0.0, static_cast<float>(random.NextMagnitude(0.1, 1.0)), 0.0);
     const double distance = random.NextMagnitude(1e-3, 1e3);
     const glm::dvec3 nearest(random.Next(), random.Next() * edge2.y, 0.0);
-    // Of the very numbers that single precision gets.
+    // Uses the rounded inputs of single precision.
     const glm::dvec3 corner(glm::vec3(-nearest - distance * random.NextDirection()));
     const glm::dvec3 normal(glm::vec3(random.NextDirection()));
     if (std::abs(corner.z) < 1e-5)
     {
-      continue; // on which side of the light's plane it lies is a matter of rounding
+      continue; // rounding decides its side of the light's plane
     }
     const double expected = Expect(corner, edge1, edge2, normal);
     const double measured = Measure(corner, edge1, edge2, normal);
-    // Of all that it could get at this distance and angle of the light, to which the rest is
-    // nothing.
+    // Relative to the most that an element at this distance could get, beside which the rest is
+    // negligible.
     const double most = edge2.y / (3.14159265358979323846 * distance * distance + edge2.y);
     double& error = distance > 5.0 ? worstFar : worst;
     error = std::max(error, std::abs(measured - expected) / std::max(expected, 0.05 * most));
@@ -89,7 +89,7 @@ VTK_INDIRECT_TEST(RectangleFormFactor)
 
 VTK_INDIRECT_TEST(RectangleAtTheHorizon)
 {
-  // Half of it above the horizon, standing on it: the same as the upper half alone.
+  // Half of it above the horizon, standing on it: equal to the upper half alone.
   const glm::dvec3 normal(0, 0, 1);
   CheckRelative("cut in halves", Measure({ 1, -0.5, -1 }, { 0, 1, 0 }, { 0, 0, 2 }, normal),
     Measure({ 1, -0.5, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, normal), 1e-6, "single precision");
@@ -98,7 +98,7 @@ VTK_INDIRECT_TEST(RectangleAtTheHorizon)
   CheckRelative("all of the hemisphere",
     Measure({ -1e3, -1e3, 1e-2 }, { 2e3, 0, 0 }, { 0, 2e3, 0 }, normal), 1.0, 1e-5,
     "a square of 2000 at a hundredth");
-  // On the light itself, looking out of it.
+  // On the light itself, looking away from it.
   CheckAbsolute("in its plane", Measure({ -0.5, -0.5, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, normal), 0.0,
     1e-6, "what lies in the horizon sends nothing");
 }

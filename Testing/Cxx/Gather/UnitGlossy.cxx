@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The specular lobe of a receiver, and what is estimated of it over a patch of surface.
+// The specular lobe of a receiver, and its bounds over a patch of surface.
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkIndirectTestUtilities.h"
 #include "vtkMath.h"
@@ -53,7 +53,7 @@ VTK_INDIRECT_TEST(GlossyLobe)
   CheckEqual("mirror direction of an eye in the surface", mirror.z, 1.0);
 }
 
-// What a patch leaves out is bounded, whatever is on it.
+// The bound of a patch's error holds for anything on the patch.
 VTK_INDIRECT_TEST(GlossyVariation)
 {
   Random random(42);
@@ -86,7 +86,7 @@ VTK_INDIRECT_TEST(GlossyVariation)
     for (int k = 0; k < 16; ++k)
     {
       const glm::dvec3 p = random.NextDirection() * (radius * random.Next());
-      // A normal that is turned by so much at most.
+      // A normal turned by at most this angle.
       const glm::dvec3 axis = glm::normalize(glm::cross(n, random.NextDirection()));
       const double angle = turn * random.Next();
       const glm::dvec3 normal = std::cos(angle) * n + std::sin(angle) * axis;
@@ -94,7 +94,7 @@ VTK_INDIRECT_TEST(GlossyVariation)
       if (value > 0.0)
       {
         ++hits;
-        // Far out in a lobe 32-bit cosines are off by a few roundings times the power.
+        // Far out in a lobe 32-bit cosines have an error of a few roundings times the power.
         worst = std::max(worst, value / std::max(bound, 1e-30));
         hidden += horizon < 0.0f ? 1 : 0;
         tightest = std::min(tightest, bound / value);
@@ -110,7 +110,7 @@ VTK_INDIRECT_TEST(GlossyVariation)
 
 VTK_INDIRECT_TEST(GlossyBesideMirrors)
 {
-  // What is left out of a tile's list is not seen by any receiver in it.
+  // No receiver of a tile sees the lights left out of its list.
   Random random(61);
   double most = 0.0;
   int left = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What receivers reflect of rectangles in their specular lobes, against sums over the rectangle in
-// double precision of the lobes as VTK's lights evaluate them.
+// Specular reflection of rectangles by receivers, against sums over the rectangle in double
+// precision of the lobes as VTK's lights evaluate them.
 #include "LightMaps/vtkIndirectLobeTable.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkIndirectTestUtilities.h"
@@ -25,7 +25,7 @@ struct Rectangle
   glm::dvec3 Edge1;
   glm::dvec3 Edge2;
 
-  // The integral of a function of directions, by so many squared middles.
+  // The integral of a function of directions, over edge squared cells.
   double Sum(const std::function<double(const glm::dvec3&)>& function, int edge) const
   {
     const glm::dvec3 span = glm::cross(this->Edge1, this->Edge2);
@@ -64,7 +64,8 @@ glm::dvec3 View(double cosine)
   return { std::sqrt(1.0 - cosine * cosine), 0.0, cosine };
 }
 
-// About where the mirrored view meets a plane, and beside it; also through the horizon.
+// Rectangles around the point where the mirrored view meets a plane, and beside it; also across the
+// horizon.
 std::vector<Rectangle> MakeRectangles(const glm::dvec3& mirror)
 {
   std::vector<Rectangle> all;
@@ -147,8 +148,8 @@ VTK_INDIRECT_TEST(LobeOfAPower)
 
 VTK_INDIRECT_TEST(LobeOfTrowbridgeReitz)
 {
-  // As far as the light of any part of the sphere may be off: half of what fit_lobes.py --errors
-  // has, and what interpolation adds.
+  // Bound of the error for any part of the sphere: half of that of fit_lobes.py --errors, and the
+  // error of interpolation.
   struct Views
   {
     std::vector<double> Cosines;
@@ -197,8 +198,8 @@ VTK_INDIRECT_TEST(LobeOfTrowbridgeReitz)
   }
 }
 
-// Rectangles of all sizes, places and turns, and lobes from the whole hemisphere to a tenth of a
-// degree: never more than there is, and a number in any case.
+// Rectangles of all sizes, places and orientations, and lobes from the whole hemisphere to a tenth
+// of a degree: shares of at most one, and always numbers.
 VTK_INDIRECT_TEST(LobeExtremes)
 {
   Random random(11);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which directions stand for which part of the sky, and what an open sky gives, against integrals.
+// Directions that represent parts of the sky, and the irradiance of an open sky, against integrals.
 #include "Gather/vtkIndirectSkyDirections.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "VirtualLights/vtkIndirectSkyProjection.h"
@@ -17,7 +17,7 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// Radiance by the height of a direction.
+// Makes a sky whose radiance depends on the direction's height.
 void MakeImage(vtkImageData* image, const std::function<double(double)>& radiance)
 {
   const int columns = 512;
@@ -100,7 +100,7 @@ VTK_INDIRECT_TEST(SkyLosesNothing)
       std::all_of(sky.GetOthers().begin(), sky.GetOthers().end(),
         [&](const auto& other) { return other.Number < static_cast<size_t>(count[0]); }));
   }
-  // Half a sky is no sun, in however few directions it is summed.
+  // Half a sky is no sun, in any number of directions.
   MakeImage(image, [](double height) { return height > 0.0 ? 1.0 : 0.0; });
   image->Modified();
   for (const int count : { 16, 64, 256, 1024 })

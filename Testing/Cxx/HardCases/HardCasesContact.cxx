@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where senders and receivers meet, or lie in one plane.
+// Senders and receivers that touch, or lie in one plane.
 #include "vtkIndirectHardCase.h"
 
 #include "vtkMath.h"
@@ -10,14 +10,14 @@
 
 using namespace vtkIndirectTest;
 
-// Three walls that one sun lights alike send one radiance B: the irradiance of each is B times the
+// Three walls equally lit by one sun have one radiance B: the irradiance of each is B times the
 // form factor of the other two (Lambert).
 VTK_INDIRECT_TEST(Corner)
 {
   const double radiance = 0.75 / std::sqrt(3.0);
   for (double width : { 1.0, 1e-3, 1e-6 })
   {
-    // Where outlines are in view, whole texels of them count.
+    // Outlines in view count whole texels.
     const int texels = width == 1.0 ? 256 : 128;
     char name[64];
     std::snprintf(name, sizeof(name), "a corner, %g of it in view", width);
@@ -95,7 +95,7 @@ VTK_INDIRECT_TEST(Corner)
 
 VTK_INDIRECT_TEST(OnePlane)
 {
-  // Two quads in one plane, turned by all sorts of angles, in light of each kind.
+  // Two quads in one plane, rotated by various angles, in light of each kind.
   for (int turn = 0; turn < 6; ++turn)
   {
     const double angle = 0.37 * turn;
@@ -133,8 +133,8 @@ VTK_INDIRECT_TEST(OnePlane)
   }
 }
 
-// A plane lit at ever smaller angles reflects albedo sin(angle) of what falls on its area; a wall
-// behind it receives it.
+// A plane lit at ever smaller angles reflects albedo sin(angle) of the light per area; a wall
+// behind it receives that.
 VTK_INDIRECT_TEST(Grazing)
 {
   const int texels = 128;
@@ -144,11 +144,11 @@ VTK_INDIRECT_TEST(Grazing)
     std::snprintf(name, sizeof(name), "a sun of sine %g over the floor", sine);
     HardCase scene(name);
     scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, glm::dvec3(0.75));
-    // Along the sun, so that it is lit at no angle.
+    // Parallel to the sun, so that it is unlit.
     scene.AddQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, glm::dvec3(0.75));
     scene.Pass->SetReflectiveShadowMapResolution(texels);
     scene.AddDirectional({ -std::sqrt(1.0 - sine * sine), -sine, 0.0 });
-    // The floor is `sine` high in the map: it holds a whole number of rows, give or take two.
+    // The floor's height in the map is `sine`: a whole number of rows, plus or minus two.
     const double row = 2.0 * 1.01 * 0.5 * (std::sqrt(1.0 - sine * sine) + sine) / texels;
     scene.CheckEstimators(1,
       [&](const EstimatorEntry& estimator)

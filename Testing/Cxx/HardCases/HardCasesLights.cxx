@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lights at the worst places, of the worst shapes and strengths.
+// Lights at extreme positions, of extreme shapes and strengths.
 #include "vtkIndirectHardCase.h"
 
 #include "vtkLight.h"
@@ -33,7 +33,7 @@ void CheckDark(HardCase& scene)
 VTK_INDIRECT_TEST(LightOnSurface)
 {
   {
-    // All of a light in the floor falls on the walls: with falloff 1 / d^2, albedo 1 reflects as
+    // The walls get all light of a point in the floor: with falloff 1 / d^2, albedo 1 reflects as
     // much flux as the walls' solid angle.
     HardCase scene("a point light in the floor");
     scene.AddCorner();
@@ -88,8 +88,8 @@ VTK_INDIRECT_TEST(LightOnSurface)
   }
 }
 
-// How near to a surface a light may come: to 1 / 1024 of its farthest surface, along the axis of a
-// face of its map. Nearer, the surface is lost.
+// Least distance of a light from a surface: 1 / 1024 of its farthest surface, along the axis of a
+// face of its map. A nearer surface is lost.
 VTK_INDIRECT_TEST(LightNearSurface)
 {
   for (double height : { 0.1, 1e-2, 1.5e-3, 5e-4, 1e-6 })
@@ -252,7 +252,7 @@ VTK_INDIRECT_TEST(LightStrength)
     });
 }
 
-// From far away, a point light or a wide spot is a directional one.
+// From far away, a point light or a wide spot acts as a directional light.
 VTK_INDIRECT_TEST(FarLight)
 {
   const glm::dvec3 there = glm::normalize(glm::dvec3(0.7, 0.9, 0.5));
@@ -275,7 +275,7 @@ VTK_INDIRECT_TEST(FarLight)
       scene.AddCorner(Albedo);
       scene.AddSphere({ 0.6, 0.25, 0.5 }, 0.2, 48, Albedo);
       const glm::dvec3 place = glm::dvec3(0.5) + distance * there;
-      // Falls off to one at the scene.
+      // The falloff is one at the scene.
       vtkLight* light =
         scene.AddSpot(place, glm::dvec3(0.45), cone, 0, { 0, 0, 1.0 / (distance * distance) });
       light->SetIntensity(intensity);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth maps of virtual lights and of the sky at the edge of what they are made for: any size,
-// lights inside of things, sheets, nothing that casts shadows, nothing at all, half a sky, and many
-// props.
+// Depth maps of virtual lights and of the sky at their limits: any size, lights inside of things,
+// sheets, no casters, no props, half a sky, and many props.
 #include "vtkIndirectHardCase.h"
 
 #include "VirtualLights/vtkIndirectDirections.h"
@@ -51,7 +50,7 @@ struct MapScene : HardCase
     }
   }
 
-  /** A sky of an image: a value for each row and column. */
+  /** Sets a sky of an image: a value for each row and column. */
   void SetImage(int columns, int rows, const std::function<float(int, int)>& value)
   {
     vtkNew<vtkImageData> image;
@@ -84,7 +83,7 @@ double One(const Scene::Receiver&)
   return 1.0;
 }
 
-// Share of the pixels that are not the very same.
+// Share of the pixels that are not bitwise equal.
 double CountDifferent(const Image& image, const Image& expected)
 {
   return GetShareOfDifferent(image, expected, 0.0);
@@ -107,7 +106,7 @@ VTK_INDIRECT_TEST(MapsScale)
   for (const bool directional : { false, true })
   {
     Image expected[2];
-    // Nothing here is a round number: see HardCases.Scale.
+    // No number here is round: see HardCases.Scale.
     for (const double scale : { 1.0, 1e-9, 1e-4, 1e6 })
     {
       MapScene scene("maps");
@@ -147,8 +146,8 @@ VTK_INDIRECT_TEST(MapsScale)
   }
 }
 
-// A closed box hides what a light in it does, but for what its senders send to their horizons. Its
-// own outside sees the whole sky.
+// A closed box hides a light in it, except for light that its senders send along their horizons.
+// The outside of the box sees the whole sky.
 VTK_INDIRECT_TEST(MapsOfALightInside)
 {
   Image images[3]; // light, sky, both
@@ -189,7 +188,7 @@ VTK_INDIRECT_TEST(MapsOfALightInside)
     GetShareOfDifferent(images[2], sum, 1e-3), 0.0, "half floats, in another unit");
 }
 
-// A sheet hides the sky and senders from both of its sides, whichever way it is wound.
+// A sheet occludes the sky and senders from both of its sides, independent of its winding.
 VTK_INDIRECT_TEST(MapsOfASheet)
 {
   const Polygon sheet = { { -0.5, 0.4, -0.5 }, { 0.5, 0.4, -0.5 }, { 0.5, 0.4, 0.5 },
@@ -202,7 +201,7 @@ VTK_INDIRECT_TEST(MapsOfASheet)
       MapScene scene("a sheet", !lit);
       scene.AddQuad({ -2, 0, 2 }, { 2, 0, 2 }, { -2, 0, -2 }, Albedo);
       scene.AddQuad(sheet[0], sheet[turned ? 1 : 3], sheet[turned ? 3 : 1], Albedo);
-      // Under the sheet, and the floor around it.
+      // The eye sees the floor under the sheet and around it.
       scene.SetEye({ -2.4, 0.35, 0.3 }, { 0, 0.05, 0 }, { 0, 1, 0 }, 26, 0.5, 8);
       if (lit)
       {
@@ -234,7 +233,7 @@ VTK_INDIRECT_TEST(MapsOfASheet)
   }
 }
 
-// Where nothing casts shadows all see the open sky, and nothing reflects it.
+// Without casters all receivers see the open sky, and no surface reflects it.
 VTK_INDIRECT_TEST(MapsOfNoCasters)
 {
   for (const bool lit : { false, true })
@@ -256,7 +255,7 @@ VTK_INDIRECT_TEST(MapsOfNoCasters)
     Check("a light shines on them", (GetLargest(direct) > 0.1) == lit);
     CheckEqual("nothing else is reflected",
       GetShareOfDifferent(scene.Copy("irradiance"), scene.Copy("sky"), 1e-6), 0.0);
-    // And one that casts a shadow makes one.
+    // A caster makes a shadow.
     scene.AddQuad({ -3, 1.2, 3 }, { 3, 1.2, 3 }, { -3, 1.2, -3 }, Albedo);
     scene.SetEye({ 2, 0.9, 2 }, { 0, 0.2, 0 }, { 0, 1, 0 }, 32, 0.5, 6);
     scene.Render();
@@ -264,7 +263,8 @@ VTK_INDIRECT_TEST(MapsOfNoCasters)
   }
 }
 
-// What is translucent hides nothing; where all is, the delegate draws; nothing at all is a scene.
+// Translucent props cast no shadow; if all are translucent, the delegate draws; an empty scene is
+// valid.
 VTK_INDIRECT_TEST(MapsOfTranslucentThings)
 {
   MapScene scene("translucent things");
@@ -303,8 +303,8 @@ VTK_INDIRECT_TEST(MapsOfNothing)
   }
 }
 
-// A sky that shines from above or from below the horizon alone. Half a sky gives a ball (1 +- y) /
-// 2 by the normal's height y; what faces the other half gets nothing.
+// A sky that shines only from above or from below the horizon. Half a sky gives a ball (1 +- y) / 2
+// by the normal's height y; surfaces that face the other half get nothing.
 VTK_INDIRECT_TEST(MapsOfHalfASky)
 {
   for (const bool above : { false, true })
@@ -325,7 +325,7 @@ VTK_INDIRECT_TEST(MapsOfHalfASky)
         { 0.005, 0.015, "rows of 2.8 degrees; facets of 3.8 degrees hide grazing directions" },
         name + (moving ? ", moving" : ""));
     }
-    // A table seen from its lit side, with a sheet before it.
+    // A table seen from its lit side, with a sheet in front of it.
     MapScene scene("a table");
     scene.SetImage(128, 64, value);
     const double y = 0.5 * sign;
@@ -347,7 +347,7 @@ VTK_INDIRECT_TEST(MapsOfHalfASky)
   }
 }
 
-// An image that is black is no light, and changes none.
+// A black image is no light, and changes no light.
 VTK_INDIRECT_TEST(MapsOfABlackSky)
 {
   MapScene scene("a black image", false);
@@ -365,13 +365,13 @@ VTK_INDIRECT_TEST(MapsOfABlackSky)
   CheckEqual("its maps", scene.ReadReport("sky_tiles_drawn"), 0.0);
 }
 
-// One bright texel is a directional light: the same irradiance, the same shadow.
+// One bright texel acts as a directional light: the same irradiance, the same shadow.
 VTK_INDIRECT_TEST(MapsOfOneBrightTexel)
 {
   constexpr int columns = 512;
   constexpr int rows = 256;
   const double pi = vtkMath::Pi();
-  // A direction that the sky has a map of, so that nothing is moved to it.
+  // A direction with a map of the sky, so that the texel is not moved to another.
   const glm::dvec3 from = vtkIndirectDirections::MakeLattice(256)[60];
   const int column = static_cast<int>((0.5 * std::atan2(from.x, -from.z) / pi + 0.5) * columns);
   const int row = static_cast<int>((std::asin(from.y) / pi + 0.5) * rows);
@@ -379,7 +379,7 @@ VTK_INDIRECT_TEST(MapsOfOneBrightTexel)
   const double latitude = pi * ((row + 0.5) / rows - 0.5);
   const double solidAngle =
     2.0 * pi / columns * 2.0 * std::sin(0.5 * pi / rows) * std::cos(latitude);
-  // Irradiance in VTK's units is that over pi.
+  // Irradiance in VTK's units is physical irradiance over pi.
   const double facing = radiance * solidAngle / pi;
 
   MapScene scene("one bright texel");
@@ -388,8 +388,8 @@ VTK_INDIRECT_TEST(MapsOfOneBrightTexel)
   scene.AddQuad({ -2, 0, 2 }, { 2, 0, 2 }, { -2, 0, -2 }, Albedo);
   scene.AddQuad({ -0.5, 0.6, -0.5 }, { -0.5, 0.6, 0.5 }, { 0.5, 0.6, -0.5 }, Albedo);
   scene.SetEye({ 0, 7, 0.01 }, { 0, 0, 0 }, { 0, 0, -1 }, 34, 0.5, 12);
-  // Where the light's ray from a place of the floor meets the sheet's plane, and how far it is from
-  // the sheet's edge: inside below zero.
+  // Intersection of the light's ray from a position on the floor with the sheet's plane, and its
+  // distance from the sheet's edge: negative inside.
   auto beyondEdge = [&](const glm::dvec3& p)
   {
     const glm::dvec3 q = p + from * (0.6 / from.y);
@@ -413,7 +413,7 @@ VTK_INDIRECT_TEST(MapsOfOneBrightTexel)
 
 namespace
 {
-// Many props are the same picture as one prop that has all of their triangles. Most of them are
+// Many props give the same picture as one prop with all of their triangles. Most of them are
 // smaller than the texels of maps.
 void CheckManyProps(int edge)
 {
@@ -448,13 +448,13 @@ void CheckManyProps(int edge)
       scene.AddSource(all, Albedo);
     }
     scene.AddQuad({ -5, -1, 105 }, { 105, -1, 105 }, { -5, -1, -5 }, Albedo);
-    // Maps are fitted to bounds: those of two specks hold all of it in both scenes.
+    // Maps are fitted to bounds: two specks give both scenes the same.
     scene.AddTriangles({ { -5, -1, -5 }, { -4.99, -1, -5 }, { -5, -0.99, -5 }, { 105, 8, 105 },
                          { 104.99, 8, 105 }, { 105, 7.99, 105 } },
       {}, { 0, 1, 2, 3, 4, 5 }, Albedo);
     scene.AddDirectional({ -0.4173, -0.7331, -0.5719 });
     scene.SetEye({ 50, 60, 130 }, { 50, 0, 50 }, { 0, 1, 0 }, 50, 5, 300);
-    // Of so many props a frame draws a part of the maps.
+    // With so many props a frame draws only part of the maps.
     double drawn = 0.0;
     double before = -1.0;
     for (int frame = 0; frame < 20 && drawn > before; ++frame)

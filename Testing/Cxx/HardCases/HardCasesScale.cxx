@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes of any size and at any place: what is measured in them scales with them, the light stays.
+// Scenes of any size and at any place: measures scale with the scene, and its light stays.
 #include "vtkIndirectHardCase.h"
 
 #include "vtkActor.h"
@@ -28,8 +28,8 @@ enum Placing
 
 using Buffers = std::map<std::string, Image>; // by estimator and buffer
 
-// A corner and a ball in it, by `scale` and `place`, with normals. Nothing here is a round number:
-// edges through the very centre of a pixel or texel would go either way by rounding.
+// A corner and a ball in it, by `scale` and `place`, with normals. No number here is round: edges
+// through the centre of a pixel or texel would be decided by rounding.
 Buffers RenderAt(LightKind kind, double scale, const glm::dvec3& place, Placing placing)
 {
   HardCase scene(LightNames[kind], 48, 36);
@@ -111,7 +111,7 @@ void Compare(const std::string& what, LightKind kind, Buffers& buffers, Buffers&
         "split or not, a facet be told from its normal or not (2.9e-3)");
       continue;
     }
-    // A row each of positions with areas, of normals, of B A.
+    // One row each of positions with areas, of normals, of B A.
     Image rows[3];
     Image expectedRows[3];
     for (int k = 0; k < 3; ++k)
@@ -132,7 +132,7 @@ void Compare(const std::string& what, LightKind kind, Buffers& buffers, Buffers&
     const double most = 1.0 / expected.Height;
     const char* const origin = "one light may fall to the other side of an edge";
     how.Factor = scale;
-    // The buffer holds floats in world coordinates: rounding of the place itself.
+    // The buffer holds floats in world coordinates: rounding of the position itself.
     how.Least = 1e3 * 1.2e-7 * glm::length(place);
     CheckAtMost(
       text + " (places)", GetShareOfDifferent(rows[0], expectedRows[0], 1e-3, how), most, origin);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light that the sky sends and surfaces reflect, in scenes of any size, of surfaces that reflect
-// nothing, and under skies that change in every frame.
+// Light of the sky that surfaces reflect, in scenes of any size, on black surfaces, and under skies
+// that change in every frame.
 #include "vtkIndirectHardCase.h"
 
 #include "vtkActor.h"
@@ -23,7 +23,7 @@ namespace
 {
 const glm::dvec3 Albedo(0.75, 0.5, 0.25);
 
-// Every estimator once, where it works without a light's map.
+// Renders once with every estimator that works without a light's map.
 void ForEstimators(HardCase& scene, const std::function<void(const EstimatorEntry&)>& check)
 {
   for (const EstimatorEntry& estimator : GetEstimators())
@@ -35,7 +35,7 @@ void ForEstimators(HardCase& scene, const std::function<void(const EstimatorEntr
   }
 }
 
-// Means of `bounce` by estimator. Nothing here is a round number: see HardCases.Scale.
+// Means of `bounce` by estimator. No number here is round: see HardCases.Scale.
 std::map<std::string, double> MeasureAt(double scale, double radiance)
 {
   HardCase scene("a sky");
@@ -72,7 +72,7 @@ VTK_INDIRECT_TEST(SkyScale)
     const std::map<std::string, double> means = MeasureAt(c.Scale, c.Radiance);
     for (const auto& entry : expected)
     {
-      // Texels of outlines go either way by rounding, and clusters with them.
+      // Rounding decides texels of outlines, and clusters with them.
       const double tolerance = c.Scale == 1.0 ? 1e-3 : 0.01;
       CheckRelative(entry.first + ": mean at scale " + std::to_string(c.Scale) + ", radiance " +
           std::to_string(c.Radiance),
@@ -142,7 +142,7 @@ VTK_INDIRECT_TEST(SkyOverNothing)
   }
 }
 
-// VTK's light kit beside a sky: what each of them gives adds up.
+// VTK's light kit beside a sky: their light adds up.
 VTK_INDIRECT_TEST(SkyBesideALightKit)
 {
   Image images[3]; // the sky's, the kit's, both
@@ -173,7 +173,7 @@ VTK_INDIRECT_TEST(SkyBesideALightKit)
     0.0, "the order of a sum of floats");
 }
 
-// Another sky in every frame: its light is that of a scene which has never had another.
+// Another sky in every frame: its light equals that of a scene with only this sky.
 VTK_INDIRECT_TEST(SkyOfEveryFrame)
 {
   HardCase scene("a sky that changes");

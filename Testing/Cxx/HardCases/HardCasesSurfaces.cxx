@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces as data sets bring them: coincident, without area, without or with wrong normals.
+// Surfaces of real data sets: coincident, degenerate, without normals or with wrong ones.
 #include "vtkIndirectHardCase.h"
 
 #include "vtkActor.h"
@@ -39,7 +39,7 @@ void CheckSame(Results& a, Results& b, double tolerance, double share, const std
 {
   for (auto& result : a)
   {
-    // Its samples are texels around a pixel's own place: one may become the next.
+    // Its samples are texels around a pixel's own place, which rounding may move to the next texel.
     const bool own = result.first.find("neighborhood") != std::string::npos;
     CheckAtMost(result.first + ": share of pixels that differ",
       GetShareOfDifferent(
@@ -53,13 +53,13 @@ void AddLight(HardCase& scene)
   scene.AddSpot({ 0.613, 0.937, 0.713 }, { 0.357, 0, 0.411 }, 47, 1, { 0.2, 0, 1 });
 }
 
-// A tent over the floor: two triangles, whose normals are given or not.
+// A tent over the floor: two triangles, with or without given normals.
 enum NormalsType
 {
   GIVEN,
   NONE,
   REVERSED, // normals against the winding
-  FLIPPED   // both the other way round
+  FLIPPED   // winding and normals reversed
 };
 void AddTent(HardCase& scene, NormalsType kind, const glm::dvec3& color, double scale = 1.0)
 {
@@ -113,7 +113,7 @@ VTK_INDIRECT_TEST(CoincidentSurfaces)
     CheckSame(expected, results, 1e-4, 1e-3, "positions move by 1e-7");
   }
   {
-    // Triangles without area: a line, a point, and a line within a face of the corner.
+    // Degenerate triangles: a line, a point, and a line within a face of the corner.
     HardCase more("triangles without area");
     more.AddCorner(Albedo);
     const std::vector<glm::dvec3> points = { { 0.2, 0.3, 0.2 }, { 0.7, 0.3, 0.2 },
@@ -132,7 +132,7 @@ VTK_INDIRECT_TEST(CoincidentSurfaces)
 
 VTK_INDIRECT_TEST(BadNormals)
 {
-  // A square whose four corners have the normals (0, 0, 0), not a number, much too long, and right.
+  // A square whose four corners have the normals (0, 0, 0), NaN, much too long, and right.
   const std::vector<glm::dvec3> points = { { 0.2, 0.3, 0.2 }, { 0.2, 0.3, 0.6 }, { 0.6, 0.3, 0.2 },
     { 0.6, 0.3, 0.6 } };
   const struct
@@ -202,7 +202,7 @@ VTK_INDIRECT_TEST(ReversedNormals)
 {
   HardCase scene("a tent with normals against the winding");
   AddTent(scene, REVERSED, Albedo);
-  // Above it, so that it faces the light and the eye sees the same sides.
+  // Above the tent, so that it faces the light and the eye sees the same sides.
   scene.AddSpot({ 0.45, 1.6, 0.45 }, { 0.45, 0, 0.45 }, 40, 1, { 1, 0, 0 });
   scene.SetEye({ 0.45, 3.5, 0.45 }, { 0.45, 0, 0.45 }, { 0, 0, -1 }, 15, 0.5, 6);
   scene.CheckEstimators(1,
@@ -215,19 +215,19 @@ VTK_INDIRECT_TEST(ReversedNormals)
     });
 }
 
-// A sheet sends from the side that is lit, and receives on the side that is seen.
+// A sheet sends light from its lit side, and receives light on its visible side.
 VTK_INDIRECT_TEST(Sheet)
 {
   for (bool front : { true, false })
   {
     HardCase scene(front ? "a sheet, seen from its lit side" : "a sheet, seen from its dark side");
     scene.AddQuad({ -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, Albedo);
-    // A small plate on the eye's side, turned to the sheet and away from the eye's light.
+    // A small plate on the eye's side faces the sheet and away from the eye's light.
     const double side = front ? 1.0 : -1.0;
     scene.AddQuad(
       { -0.2, -0.2, 0.5 * side }, { 0.2, -0.2, 0.5 * side }, { -0.2, 0.2, 0.5 * side }, Albedo);
     scene.Radiance = Albedo.x;
-    // Passes beside the plate.
+    // The light passes beside the plate.
     scene.AddSpot({ 0.9, 0, 1.5 }, { 0.6, 0, 0 }, 12, 1, { 1, 0, 0 });
     scene.SetEye({ 0.3, 1.7, 0.22 * side }, { 0.1, 0, 0.25 * side }, { 0, 0, side }, 40, 0.3, 4);
     scene.CheckEstimators(1,
@@ -274,7 +274,7 @@ VTK_INDIRECT_TEST(Albedos)
   vtkNew<vtkRSMReferencePass> reference;
   white.Pass->SetEstimator(reference);
   white.Render();
-  // att d^2 <= 1 in the spot's cone: no more flux than its solid angle can be reflected.
+  // att d^2 <= 1 in the spot's cone: the reflected flux is at most its solid angle.
   CheckAtMost("reflected flux", white.GetReflectedFlux().x,
     2.0 * vtkMath::Pi() * (1.0 - std::cos(vtkMath::RadiansFromDegrees(47.0))), "albedo 1");
   {
@@ -303,7 +303,7 @@ VTK_INDIRECT_TEST(Albedos)
       });
   }
   {
-    // VTK's ambient coefficient is no part of what is reflected.
+    // VTK's ambient coefficient does not count as reflectance.
     HardCase scene("white surfaces that also glow");
     scene.AddCorner(glm::dvec3(1.0));
     vtkActorCollection* actors = scene.Renderer->GetActors();
@@ -325,7 +325,7 @@ VTK_INDIRECT_TEST(Albedos)
     }
   }
   {
-    // Its specular term comes to what is reflected diffusely, and takes nothing from it.
+    // VTK adds its specular term to diffuse reflection, without reducing that.
     HardCase scene("white surfaces that also shine");
     scene.AddCorner(glm::dvec3(1.0));
     vtkActorCollection* actors = scene.Renderer->GetActors();

@@ -20,7 +20,7 @@ void AddRoom(HardCase& scene)
 }
 }
 
-// A window of one column sees what the middle column of a wider one sees.
+// A window of one column sees the same as the middle column of a wider one.
 VTK_INDIRECT_TEST(Windows)
 {
   const int sizes[][2] = { { 1, 1 }, { 1, 2000 }, { 2000, 1 }, { 33, 2 }, { 2, 33 } };
@@ -29,7 +29,7 @@ VTK_INDIRECT_TEST(Windows)
     const std::string name = std::to_string(size[0]) + " x " + std::to_string(size[1]);
     HardCase scene("a window of " + name, size[0], size[1]);
     AddRoom(scene);
-    // An angle that keeps the scene in view where the window is wide: VTK's is the vertical one.
+    // The angle keeps the scene in view of a wide window: VTK's angle is the vertical one.
     const double angle = size[0] > 100 ? 0.02 : 32.0;
     scene.SetEye({ 2.2, 1.6, 2.3 }, { 0.4, 0.3, 0.4 }, { 0, 1, 0 }, angle, 0.5, 6);
     const Image truth = scene.CheckEstimators(1);
@@ -52,8 +52,8 @@ VTK_INDIRECT_TEST(Windows)
     GetShareOfDifferent(column, middle, 1e-4), 0.0);
 }
 
-// The range of the view's depth cannot matter where nothing lies behind another thing within the
-// depth buffer's step.
+// The view's depth range does not matter if no surface is behind another within the depth buffer's
+// step.
 VTK_INDIRECT_TEST(DepthRange)
 {
   Image expected;
@@ -102,8 +102,8 @@ VTK_INDIRECT_TEST(EmptyView)
   }
 }
 
-// Maps of one texel: its place and area are what they can be, and the flux is right where one
-// surface fills it.
+// Maps of one texel have possible positions and areas, and the right flux if one surface fills the
+// texel.
 VTK_INDIRECT_TEST(TinyMaps)
 {
   for (int texels : { 1, 2, 3 })

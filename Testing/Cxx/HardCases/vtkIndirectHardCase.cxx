@@ -160,7 +160,7 @@ void HardCase::CheckBuffersFit()
 }
 
 //------------------------------------------------------------------------------
-// With depth maps of the lights, after a frame without: each light counts or does not.
+// Checks depth maps of the lights, after a frame without: each light counts fully or not at all.
 void HardCase::CheckMaps(int numberOfMaps)
 {
   const Image open = this->Copy("irradiance");
@@ -187,7 +187,7 @@ Image HardCase::CheckEstimators(
   how.Least = this->Radiance;
   for (const EstimatorEntry& estimator : GetEstimators())
   {
-    // What is hard about numbers is hard at every hint, of a coarse grid as of a finer one.
+    // Extreme numbers are as hard at every hint of a coarse grid as of a finer one.
     if (estimator.Name == std::string("hints, finer"))
     {
       continue;
@@ -202,7 +202,7 @@ Image HardCase::CheckEstimators(
     estimator.Install(this->Pass, this->NumberOfLights);
     if (!this->NormalsAreDefined)
     {
-      // They come out otherwise when they are drawn again, so no other frame's sum can be compared.
+      // Lights of this estimator change with each frame, so no other frame's sum can be compared.
       this->Render();
     }
     else if (estimator.Sum != EstimatorEntry::OTHER)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene at the edge of what the formulas allow, rendered with every estimator of the table.
+// A scene at the limits of the formulas, rendered with every estimator of the table.
 #ifndef vtkIndirectHardCase_h
 #define vtkIndirectHardCase_h
 
 #include "vtkIndirectEstimatorTable.h"
 #include "vtkIndirectTestUtilities.h"
 
-#include <functional> // for what a case checks besides
+#include <functional> // for additional checks
 #include <string>     // for names
 
 namespace vtkIndirectTest
@@ -23,21 +23,21 @@ struct HardCase : Scene
     const std::vector<int>& corners, const glm::dvec3& color);
 
   /**
-   * Renders with every estimator. Each time every buffer is finite, what cannot be negative is not,
-   * the buffers fit together, and the irradiance is what vtkRSMReferencePass sums in double
-   * precision over the senders that the estimator promises; then `more` is called. Returns the sum
-   * over all texels.
+   * Renders with every estimator. Each time every buffer is finite, nonnegative quantities are not
+   * negative, the buffers are consistent, and the irradiance is the sum of vtkRSMReferencePass in
+   * double precision over the senders that the estimator promises; then `more` is called. Returns
+   * the sum over all texels.
    */
   Image CheckEstimators(
     int numberOfMaps, const std::function<void(const EstimatorEntry&)>& more = nullptr);
 
   /** Virtual lights in the next CheckEstimators; texels of all maps are summed as well. */
   int NumberOfLights = 64;
-  /** False where VTK normalizes what has no direction: then buffers only have to be in order. */
+  /** False if VTK normalizes a zero vector: then buffers are only checked for validity. */
   bool NormalsAreDefined = true;
   /**
-   * Differences of the irradiance are relative to at least this: for scenes in which all light
-   * comes from senders so near, or so nearly in the same plane, that its cosines are rounding.
+   * Differences of the irradiance are relative to at least this: for scenes whose light comes only
+   * from senders so near, or so nearly in the same plane, that its cosines are rounding.
    */
   double Radiance = 0.0;
 
@@ -49,12 +49,12 @@ private:
   std::string Name;
 };
 
-/** How images are compared, pixel by pixel: as vectors. */
+/** Options of the comparison of images, pixel by pixel, as vectors. */
 struct Comparison
 {
   double Factor = 1.0; // the image's unit over the expected one's
   /** Differences are relative to at least this, and to a five-thousandth of the largest value:
-   * below it, senders in nearly the same plane count, whose cosines are the steps of
+   * smaller values come from senders in nearly the same plane, whose cosines are the steps of
    * normals, 1.3e-4 at most (Unit.PackSurface), with few digits. */
   double Least = 0.0;
   int FirstComponent = 0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program around the contract tests: fails a test for every error or warning of VTK that it did
-// not expect.
+// The program of the contract tests: fails a test for every unexpected error or warning of VTK.
 #include "vtkIndirectContractUtilities.h"
 
 #include "vtkLogger.h"
@@ -17,7 +16,8 @@ int ErrorCount = 0;
 std::string ErrorText;
 std::string AllowedWarning;
 
-// What the window says once in a process on a machine whose card does not render: no pass's fault.
+// A window's one message in a process on a machine whose card does not render, which is not an
+// error of a pass.
 const char* const MachineWarning = "although there is a graphics card";
 
 void CountMessage(void*, const vtkLogger::Message& message)
@@ -94,7 +94,7 @@ int main(int argc, char* argv[])
       {
         vtkIndirectTest::Skip("no OpenGL context without a display can be made here");
       }
-      // VTK's errors are what is checked, if nothing else.
+      // A test without other checks still checks for VTK's errors.
       vtkIndirectTest::AddCheck();
     });
 }

@@ -13,7 +13,7 @@ namespace contract
 {
 namespace
 {
-// Every value by its place.
+// Collects every value by its path.
 void Collect(
   const nlohmann::json& value, const std::string& path, std::map<std::string, std::string>& values)
 {

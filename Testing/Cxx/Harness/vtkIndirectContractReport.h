@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the report of vtkIndirectIlluminationPass as strictly as JSON's grammar (RFC 8259) demands,
-// in any locale.
+// Reads the report of vtkIndirectIlluminationPass by JSON's strict grammar (RFC 8259), in any
+// locale.
 #ifndef vtkIndirectContractReport_h
 #define vtkIndirectContractReport_h
 
@@ -14,7 +14,8 @@ namespace contract
 class Report
 {
 public:
-  /** Of the pass's last frame; fails the test when it is not valid or a key of its schema lacks. */
+  /** Report of the pass's last frame; fails the test if it is invalid or lacks a key of its
+   * schema. */
   explicit Report(vtkIndirectIlluminationPass* pass);
   explicit Report(const std::string& text);
 
@@ -22,15 +23,15 @@ public:
   const std::string& GetText() const { return this->Text; }
   bool Has(const std::string& path) const { return this->Values.count(path) > 0; }
   /**
-   * A number, word or string (decoded) by its place, e.g. `settings.Caching` or `left_out.0.what`;
-   * of a list or object the number of its members. Empty when there is none.
+   * A number, word or string (decoded) by its path, e.g. `settings.Caching` or `left_out.0.what`;
+   * for a list or object the number of its members. Empty if there is none.
    */
   std::string Get(const std::string& path) const;
-  /** The same as a number; NaN when it is none. */
+  /** The value as a number; NaN if it is none. */
   double GetNumber(const std::string& path) const;
   /**
-   * The reason of what a list (`modelled`, `left_out`) has under a name, maybe with which props
-   * these are after it in parentheses; empty when it is not there.
+   * The reason for an item of a list (`modelled`, `left_out`) by its name, which may be followed by
+   * the names of props in parentheses; empty if the list lacks it.
    */
   std::string FindReason(const std::string& list, const std::string& what) const;
 

@@ -11,8 +11,8 @@
 
 namespace contract
 {
-// The room with something more, and all irradiance summed at every pixel: then nothing of it
-// depends on what the neighbouring pixels show.
+// The room with an additional prop, and all irradiance summed at every pixel, independent of the
+// neighbouring pixels.
 struct Room
 {
   View Window{ 160, 120 };
@@ -24,7 +24,7 @@ struct Room
     AddRoom(this->Window.Renderer);
     this->Gather->InterpolationOff();
     this->Pass->SetEstimator(this->Gather);
-    this->Pass->AntialiasingOff(); // it follows the neighbouring pixels, too
+    this->Pass->AntialiasingOff(); // it depends on the neighbouring pixels, too
   }
   vtkRenderer* GetRenderer() { return this->Window.Renderer; }
   Pixels Grab(bool indirect)

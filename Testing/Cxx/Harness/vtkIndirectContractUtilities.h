@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the contract tests of vtkIndirectIlluminationPass share: checks, headless windows, read-back
-// and small scenes.
+// Shared parts of the contract tests of vtkIndirectIlluminationPass: checks, headless windows,
+// read-back and small scenes.
 #ifndef vtkIndirectContractUtilities_h
 #define vtkIndirectContractUtilities_h
 
@@ -43,12 +43,12 @@ using vtkIndirectTest::Skip;
     }                                                                                              \
   } while (false)
 
-/** Lets warnings pass that hold this text: those of a driver about shaders that are VTK's alone. */
+/** Ignores warnings that contain this text: a driver's, about VTK's own shaders. */
 void AllowWarning(const std::string& text);
 
 /**
- * While one of these lives, errors and warnings are counted and not printed. Outside of it any of
- * them fails the test.
+ * During the lifetime of such an object, errors and warnings are counted and not printed. Otherwise
+ * any of them fails the test.
  */
 class ExpectedErrors
 {
@@ -95,15 +95,15 @@ struct View
 Pixels Grab(vtkRenderWindow* window, bool render = true);
 std::vector<float> GrabDepth(vtkRenderWindow* window);
 Pixels Crop(const Pixels& image, int x, int y, int width, int height);
-/** A channel of the last frame; fails the test when there is none. */
+/** A channel of the last frame; fails the test if it does not exist. */
 Floats Read(vtkIndirectIlluminationPass* pass, const std::string& name);
 
 struct Difference
 {
   double Max = 0.0;
   double Mean = 0.0; // over all components
-  size_t Pixels = 0; // that differ at all
-  int X = -1;        // where it is largest
+  size_t Pixels = 0; // number of differing pixels
+  int X = -1;        // position of the largest difference
   int Y = -1;
 };
 std::ostream& operator<<(std::ostream& os, const Difference& difference);
@@ -173,13 +173,14 @@ vtkSmartPointer<vtkLight> MakeLight(
 
 /** The unit room: red left and green right wall, a sphere, a spot below the ceiling, an eye. */
 void AddRoom(vtkRenderer* renderer);
-/** The same without the light. */
+/** The room without its light. */
 void AddRoomSurfaces(vtkRenderer* renderer);
 
 /** A letter that turns to the renderer's camera. */
 vtkSmartPointer<vtkProp3D> MakeFollower(vtkRenderer* renderer, double scale);
 
-/** One actor or prop of each kind that VTK draws as opaque, in a grid; names has which. */
+/** Adds one actor or prop of each kind that VTK draws as opaque, in a grid; names returns their
+ * kinds. */
 void AddKinds(vtkRenderer* renderer, std::vector<std::string>* names = nullptr,
   const std::string& only = std::string());
 }

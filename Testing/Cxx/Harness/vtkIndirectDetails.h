@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Changes one of the choices that a preset of an estimator makes, for tests that show what it is
-// worth.
+// Changes one of the settings that an estimator's preset makes, for tests of its effect.
 #ifndef vtkIndirectDetails_h
 #define vtkIndirectDetails_h
 

@@ -20,7 +20,7 @@ void InstallSampler(vtkIndirectIlluminationPass* pass, int pattern, int numberOf
   vtkNew<vtkUniformLightSampler> sampler;
   sampler->SetPattern(pattern);
   sampler->SetNumberOfLights(numberOfLights);
-  // Warped, random places draw some texels twice, however many they are.
+  // With warping, random samples hit some texels twice, whatever their number.
   sampler->SetLitTexels(pattern != vtkUniformLightSampler::JITTERED);
   pass->SetSampler(sampler);
   pass->SetErrorTolerance(0.0);
@@ -46,7 +46,7 @@ void InstallImportance(vtkIndirectIlluminationPass* pass, int numberOfLights)
   pass->SetSampler(sampler);
 }
 
-// Drivers may cut bits off, 2^-10 each time that an interpolated value is stored: four levels.
+// Drivers may truncate bits, 2^-10 each time that an interpolated value is stored: four levels.
 constexpr double HalfFloats = 4e-3;
 
 template <bool Finest>
@@ -74,8 +74,8 @@ void InstallSplatting(vtkIndirectIlluminationPass* pass, int numberOfLights)
   InstallSampler(pass, vtkUniformLightSampler::LOW_DISCREPANCY, numberOfLights);
 }
 
-// 11 and 16 hints along an edge, and fewer rays and voxels than by default, which would be most of
-// the time of these tests: what is hard about numbers is hard at every hint.
+// 11 and 16 hints along an edge, with fewer rays and voxels than by default, which would take most
+// of these tests' time: extreme numbers are as hard at every hint.
 template <bool Finer>
 void InstallHints(vtkIndirectIlluminationPass* pass, int)
 {
@@ -84,7 +84,7 @@ void InstallHints(vtkIndirectIlluminationPass* pass, int)
   SET_DETAIL(hints, NumberOfRays, Finer ? 144 : 64);
   hints->SetOccupancyResolution(64);
   pass->SetEstimator(hints);
-  pass->SetVisibilityToAuto(); // the grid knows by its voxels where it has room
+  pass->SetVisibilityToAuto(); // the grid needs its voxels to place hints
 }
 }
 
@@ -103,22 +103,22 @@ const std::vector<EstimatorEntry>& GetEstimators()
     { "gather, low discrepancy", Entry::LIGHTS, true, false, 0.0, 0.0,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::LOW_DISCREPANCY, false> },
     { "gather, importance", Entry::LIGHTS, true, false, 0.0, 0.0, InstallImportance },
-    // The error of interpolation stays, however many lights there are.
+    // The error of interpolation is independent of the number of lights.
     { "gather, interpolated", Entry::OTHER, false, false, 0.0, 0.0,
       InstallGather<Gather::VIRTUAL_LIGHTS, Sampler::LOW_DISCREPANCY, true> },
-    // Converges to the sum in its disk, which Radiometry.Neighborhood shows.
+    // Converges to the sum in its disk, see Radiometry.Neighborhood.
     { "gather, neighborhood", Entry::OTHER, false, true, 0.0, 0.0,
       InstallGather<Gather::NEIGHBORHOOD, Sampler::LOW_DISCREPANCY, false> },
-    // As with the interpolated gather; see Multiresolution.Defaults.
+    // As the interpolated gather; see Multiresolution.Defaults.
     { "multiresolution", Entry::OTHER, false, false, HalfFloats, 0.0,
       InstallMultiresolution<false> },
-    // The error of the far field's interpolation stays.
+    // The error of the far field's interpolation is constant.
     { "splatting", Entry::OTHER, false, false, 0.0, 0.0, InstallSplatting<false> },
     { "splatting, all", Entry::LIGHTS, true, false, 0.0, 0.0, InstallSplatting<true> },
-    // A field of a few harmonics at points of a grid: no sum over lights, however many there are.
-    // Band two of a hemisphere, which order 2 leaves out, is an eighth of it at the horizon; lit
-    // parts of a plane fill half of one at most: 1/16 and a little. Where the harmonics cancel,
-    // rounding is that of the whole sum: 1e-6 over a hundredth of it.
+    // A field of a few harmonics at points of a grid, which is no sum over lights, for any number
+    // of them. Order 2 leaves out band two of a hemisphere, an eighth of it at the horizon; lit
+    // parts of a plane fill at most half a hemisphere: 1/16 and a little. Where the harmonics
+    // cancel, rounding is that of the whole sum: 1e-6 over a hundredth of it.
     { "hints", Entry::OTHER, false, false, 1e-4, 0.07, InstallHints<false> },
     { "hints, finer", Entry::OTHER, false, false, 1e-4, 0.07, InstallHints<true> },
     { "multiresolution, finest", Entry::LIGHTS, true, false, 0.0, 0.0,
@@ -129,7 +129,7 @@ const std::vector<EstimatorEntry>& GetEstimators()
 
 double GetRounding(const std::string& text)
 {
-  // Of names that begin alike the longest is meant.
+  // The longest of several matching names counts.
   size_t longest = 0;
   double rounding = 0.0;
   for (const EstimatorEntry& estimator : GetEstimators())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every estimator with what it promises. Tests of all estimators go over this table: a new one
-// joins them by a line in vtkIndirectEstimatorTable.cxx.
+// Every estimator with its promises. Tests of all estimators use this table: a new estimator joins
+// them by a line in vtkIndirectEstimatorTable.cxx.
 #ifndef vtkIndirectEstimatorTable_h
 #define vtkIndirectEstimatorTable_h
 
@@ -13,24 +13,25 @@ namespace vtkIndirectTest
 {
 struct EstimatorEntry
 {
-  /** Which senders the irradiance is the sum over with the disk kernel, to rounding. */
+  /** Senders whose sum with the disk kernel is the irradiance, up to rounding. */
   enum SumType
   {
     ALL_TEXELS, // of all maps
     LIGHTS,     // those of the sampler
-    OTHER       // it approximates a sum: only what holds for any irradiance can be asked
+    OTHER       // an approximation: only general properties of irradiance are tested
   };
 
   const char* Name;
   SumType Sum;
   /** The error against all texels falls as virtual lights grow, as Convergence.* demands. */
   bool Converges;
-  /** It reads the lights' maps themselves: a headlight, which has none, is an error. */
+  /** It reads the lights' maps: a headlight, which has none, is an error. */
   bool NeedsMaps;
-  /** Relative rounding of the irradiance, beyond that of 32-bit floats: of its storage, or of where
-   * it is looked up. */
+  /** Relative rounding of the irradiance, beyond that of 32-bit floats, by its storage or its
+   * look-up. */
   double Rounding;
-  /** Share of a sender's radiance that it may show where the sum over lights is exactly zero. */
+  /** Largest share of a sender's radiance at receivers where the sum over lights is exactly
+   * zero. */
   double Blur;
   /** Puts the estimator into the pass, with about this many virtual lights. */
   void (*Install)(vtkIndirectIlluminationPass* pass, int numberOfLights);
@@ -38,7 +39,7 @@ struct EstimatorEntry
 
 const std::vector<EstimatorEntry>& GetEstimators();
 
-/** Rounding of the estimator whose name a text begins with; 0 when there is none. */
+/** Rounding of the estimator with whose name a text begins; 0 if there is none. */
 double GetRounding(const std::string& text);
 }
 

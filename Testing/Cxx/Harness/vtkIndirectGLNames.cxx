@@ -34,7 +34,7 @@ Names CountNames(vtkRenderWindow* window)
 {
   window->MakeCurrent();
   Names names;
-  // Names are handed out from one on, and reused: far below this many are ever alive here.
+  // Names are given from one on, and reused: here far fewer than this exist at a time.
   for (GLuint i = 1; i < 4000; ++i)
   {
     names.Textures += glIsTexture(i) ? 1 : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a context holds of OpenGL.
+// Numbers of a context's OpenGL objects.
 #ifndef vtkIndirectGLNames_h
 #define vtkIndirectGLNames_h
 
@@ -9,7 +9,7 @@ class vtkRenderWindow;
 
 namespace contract
 {
-/** Names of the current context that are in use, by probing. */
+/** Names in use in the current context, found by probing. */
 struct Names
 {
   int Textures = 0;
@@ -25,7 +25,7 @@ struct Names
 std::ostream& operator<<(std::ostream& os, const Names& names);
 
 Names CountNames(vtkRenderWindow* window);
-/** Checks all but programs, which are the window's own cache's. */
+/** Checks all but programs, which belong to the window's cache. */
 void CheckGivenBack(const Names& before, const Names& after);
 }
 #endif

@@ -20,14 +20,14 @@ struct Skipped
   std::string Reason;
 };
 
-// Filled before main by the tests themselves.
+// Filled by the tests' registrations before main.
 std::map<std::string, void (*)()>& Table()
 {
   static std::map<std::string, void (*)()> table;
   return table;
 }
 
-// Of the arguments with the tests: what CMake found must be what was compiled.
+// Compares the arguments with the compiled tests: CMake must have found the same names.
 int Compare()
 {
   std::set<std::string> found(Arguments.begin(), Arguments.end());

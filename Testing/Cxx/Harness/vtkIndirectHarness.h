@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The harness of all C++ tests. A program holds tests that register themselves and runs the one
-// that its first argument names, in a process of its own:
+// The harness of all C++ tests. A program contains tests that register themselves and runs the test
+// of its first argument, in a process of its own:
 //
-//   PROGRAM TEST [ARGUMENT...]   0 passed, 1 failed or unknown, 125 skipped
-//   PROGRAM --list               the names, one a line
-//   PROGRAM --compare NAME...    0 where these are the names
+//     PROGRAM TEST [ARGUMENT...]   0 passed, 1 failed or unknown, 125 skipped
+//     PROGRAM --list               the names, one a line
+//     PROGRAM --compare NAME...    0 if these are the names
 //
-// CMake finds them in the sources by their macro (vtkIndirectTests.cmake): no list is kept by hand.
+// CMake finds the tests in the sources by their macro (vtkIndirectTests.cmake): no list is kept by
+// hand.
 #ifndef vtkIndirectHarness_h
 #define vtkIndirectHarness_h
 
@@ -21,7 +22,7 @@ struct Registration
 };
 
 ///@{
-/** Counted by the checks of each kind of test; a test that checks nothing may say so and fails. */
+/** Called by the checks of each kind of test; a test without any check fails. */
 void AddFailure();
 void AddCheck();
 int GetNumberOfFailures();
@@ -30,10 +31,11 @@ int GetNumberOfFailures();
 /** Ends the test as skipped, with its reason. */
 [[noreturn]] void Skip(const std::string& reason);
 
-/** Of the program, behind the test's name. */
+/** Arguments of the program after the test's name. */
 const std::vector<std::string>& GetArguments();
 
-/** Runs what the arguments ask for; `prepare` is called with the test's name before it. */
+/** Runs the test or the option of the arguments; `prepare` is called before it with the test's
+ * name. */
 int Main(int argc, char* argv[], void (*prepare)(const std::string& name) = nullptr);
 }
 

@@ -255,7 +255,7 @@ Scene::Scene(int width, int height)
   this->Gather->InterpolationOff();
   this->Pass->SetEstimator(this->Gather);
   this->Pass->SetSampler(this->Sampler);
-  // Closed forms and sums in double precision know nothing of what stands between.
+  // Closed forms and sums in double precision do not include occlusion.
   this->Pass->SetVisibilityToNone();
   this->Pass->SetNumberOfBounces(1);
 }
@@ -400,7 +400,7 @@ Image Scene::Copy(const std::string& name)
   if (!this->Pass->CopyBuffer(name, data))
   {
     Check("copies buffer " + name, false);
-    // What follows would read nothing; a check has failed, hence so has the test.
+    // Later checks would read an empty image; one has failed, hence so has the test.
     Skip("no more to check");
   }
   image.Width = data->GetDimensions()[0];
@@ -474,7 +474,7 @@ void Scene::CheckBuffers(int numberOfMaps)
 {
   std::vector<std::string> names = { "final", "direct", "indirect", "irradiance", "glossy",
     "albedo", "normal", "depth" };
-  // Estimators that read the maps themselves have no virtual lights.
+  // Estimators that read the maps directly have no virtual lights.
   if (this->ReadReport("virtual_lights") > 0.0)
   {
     names.push_back("lights");
@@ -499,7 +499,7 @@ void Scene::CheckBuffers(int numberOfMaps)
         for (int c = 0; c < image.Components; ++c)
         {
           const float v = image.At(x, y)[c];
-          // Of the lights, positions and normals have signs.
+          // In the buffer of lights only positions and normals have signs.
           const bool negative =
             v < 0.0f && !signs && (name != "lights" || (x == 0 && c == 3) || x == 2);
           badHere += !std::isfinite(v) || negative ? 1 : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the numeric tests share: checks that print what they measured, deterministic numbers,
+// Shared parts of the numeric tests: checks that print their measurements, deterministic numbers,
 // quadrature, closed forms, and small scenes in a window without a display.
 //
 #ifndef vtkIndirectTestUtilities_h
@@ -26,7 +26,7 @@ class vtkUniformLightSampler;
 
 namespace vtkIndirectTest
 {
-// Checks: each prints what was measured, what was expected, the tolerance and where it comes from.
+// Checks print the measured and the expected value, the tolerance and its origin.
 bool Check(const std::string& what, bool condition, const std::string& origin = "");
 bool CheckEqual(const std::string& what, double measured, double expected);
 /** |measured - expected| <= tolerance */
@@ -39,7 +39,7 @@ bool CheckRelative(const std::string& what, double measured, double expected, do
 bool CheckAtMost(const std::string& what, double measured, double limit, const std::string& origin);
 bool CheckAtLeast(
   const std::string& what, double measured, double limit, const std::string& origin);
-/** What CheckRelative would answer, silently: for showing that a test can fail. */
+/** The result of CheckRelative without a message, to show that a test can fail. */
 bool WouldPass(double measured, double expected, double tolerance);
 
 // Numbers -----------------------------------------------------------------------------------------
@@ -72,7 +72,7 @@ double PerpendicularSquaresFormFactor();
 /** From coaxial disk 1 to disk 2, radii over distance. */
 double FacingDisksFormFactor(double radius1, double radius2);
 
-/** Value that a share of the values does not exceed; the vector is sorted. */
+/** The value that a share of the values does not exceed; sorts the vector. */
 double Percentile(std::vector<double>& values, double share);
 
 // Images ------------------------------------------------------------------------------------------
@@ -96,7 +96,7 @@ struct Image
   double Mean(int component = 0) const;
 };
 
-/** RMS of the difference over the mean of what is expected, where `normal` has a surface. */
+/** RMS of the difference over the mean of the expected image, where `normal` has a surface. */
 double FindRelativeError(const Image& image, const Image& expected, const Image& normal);
 
 /** A row of the buffer "lights". */
@@ -110,7 +110,8 @@ struct VirtualLight
 };
 
 // Scenes ------------------------------------------------------------------------------------------
-/** A window without a display, a renderer without lights, and the pass. Skips where there is none.
+/** A window without a display, a renderer without lights, and the pass. Skips the test if there is
+ * no window.
  */
 class Scene
 {
@@ -120,7 +121,7 @@ public:
 
   vtkNew<vtkRenderer> Renderer;
   vtkSmartPointer<vtkRenderWindow> Window;
-  vtkNew<vtkIndirectIlluminationPass> Pass; // nothing hides senders
+  vtkNew<vtkIndirectIlluminationPass> Pass; // without visibility of senders
   vtkNew<vtkRSMGatherPass> Gather;          // set as the pass's estimator, all texels
   vtkNew<vtkUniformLightSampler> Sampler;   // set as the pass's sampler
 
@@ -138,7 +139,7 @@ public:
   vtkLight* AddSpot(const glm::dvec3& position, const glm::dvec3& target, double coneAngle,
     double exponent, const glm::dvec3& attenuation);
   vtkLight* AddDirectional(const glm::dvec3& direction);
-  /** Of all lights. */
+  /** Sets the intensity of all lights. */
   void SetIntensities(double intensity);
 
   /** viewAngle: vertical, degrees. */
@@ -164,26 +165,27 @@ public:
   };
   std::vector<Receiver> GetReceivers();
 
-  /** A number of the last frame's report, by its key; -1 where there is none. */
+  /** A number of the last frame's report, by its key; -1 if there is none. */
   double ReadReport(const std::string& key);
-  /** Every buffer of the last frame is finite, and what cannot be negative is not. */
+  /** Checks that every buffer of the last frame is finite, and nonnegative except for signed
+   * quantities. */
   void CheckBuffers(int numberOfMaps);
 };
 
-/** What a mean and an RMS error over it may be off by, and why. */
+/** Tolerance of a mean, and of an RMS error over it, with its origin. */
 struct LightTolerance
 {
   double Mean;
   double RMS;
   std::string Origin;
 };
-/** Renders, and compares red of a buffer with what `expect` says of each receiver that counts. */
+/** Renders, and compares the red of a buffer with `expect` at each receiver that counts. */
 void CompareLight(Scene& scene, const std::string& buffer,
   const std::function<bool(const Scene::Receiver&)>& counts,
   const std::function<double(const Scene::Receiver&)>& expect, const LightTolerance& tolerance,
   const std::string& name = "");
 
-/** Sum of the virtual lights at a receiver in double precision, with the kernel written anew. */
+/** Sum of the virtual lights at a receiver in double precision, by an independent kernel. */
 glm::dvec3 Gather(
   const std::vector<VirtualLight>& lights, const glm::dvec3& position, const glm::dvec3& normal);
 }

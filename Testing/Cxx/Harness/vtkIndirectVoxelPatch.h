@@ -7,7 +7,7 @@
 
 namespace vtkIndirectTest
 {
-/** A parallelogram as two triangles, or cut into n x n pieces of two each. */
+/** A parallelogram as two triangles, or divided into n x n pieces of two each. */
 inline void AddPatch(vtkIndirectOccupancyVolume& volume, const glm::dvec3& origin,
   const glm::dvec3& u, const glm::dvec3& v, int n)
 {

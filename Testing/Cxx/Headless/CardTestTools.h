@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Machines and drivers that are made up: a tree of files that stands for "/", and an environment.
+// Simulated machines and drivers: a tree of files in place of "/", and an environment.
 
 #ifndef CardTestTools_h
 #define CardTestTools_h
@@ -9,7 +9,7 @@
 
 namespace headlesstest
 {
-// A tree of files in a temporary folder, which goes with the object.
+// A tree of files in a temporary folder, which is removed with the object.
 class FakeTree
 {
 public:
@@ -20,11 +20,11 @@ public:
 
   const std::string& GetRoot() const { return this->Root; }
 
-  // Paths begin with "/". Folders above are made too.
+  // Paths begin with "/". Creates parent folders, too.
   FakeTree& File(const std::string& path, const std::string& content = "");
   FakeTree& Folder(const std::string& path);
 
-  // What the kernel says of a render node, such as "renderD128", and its file in /dev/dri.
+  // The kernel's files of a render node, such as "renderD128"; Node adds its file in /dev/dri.
   FakeTree& KernelNode(const std::string& name, const std::string& driver);
   FakeTree& Node(const std::string& name, const std::string& driver);
 
@@ -34,10 +34,10 @@ private:
 
 using Settings = std::map<std::string, std::string>;
 
-// Sets these variables, and takes away all others that Mesa, EGL or NVIDIA's containers read.
+// Sets these variables, and unsets all others that Mesa, EGL or NVIDIA's containers read.
 void SetEnvironment(const Settings& settings);
 
-// A file that names a library to EGL, as vendors install it. Returns its whole path.
+// Writes a file that names a library to EGL, as vendors install it. Returns its whole path.
 std::string WriteVendorFile(FakeTree& tree, const std::string& path, const std::string& library);
 }
 

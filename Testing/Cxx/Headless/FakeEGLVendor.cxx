@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A vendor's library for EGL whose devices are made up, for tests of machines that nobody has at
-// hand. libEGL loads it as it loads a driver. What renders is Mesa; this library stands between
-// the two and answers for devices and displays.
+// A vendor's library for EGL with simulated devices, for tests of machines that are not at hand.
+// libEGL loads it as a driver. It forwards rendering to Mesa, and answers queries of devices and
+// displays itself.
 //
 // Environment:
-// FAKE_EGL_DEVICES      the devices, separated by ";", each "kind|render node|name|vendor|CUDA
-//                       number", of which all but the kind may be left out. Kinds: "works", "mute"
-//                       (no display), "broken" (no initialization), "contextless", "fallback" (it
-//                       renders in software), "software".
-// FAKE_EGL_ENUMERATION  "missing": no extension lists devices; "failing": the function does not
-// work. FAKE_EGL_PLATFORMS    "none": neither the surfaceless platform nor the default display is
-// there.
+//   FAKE_EGL_DEVICES      the devices, separated by ";", each "kind|render node|name|vendor|CUDA
+//                         number", optional except for the kind. Kinds: "works", "mute" (no
+//                         display), "broken" (no initialization), "contextless", "fallback" (it
+//                         renders in software), "software".
+//   FAKE_EGL_ENUMERATION  "missing": no extension lists devices; "failing": the function fails.
+//   FAKE_EGL_PLATFORMS    "none": neither the surfaceless platform nor the default display exists.
 #include <glvnd/libeglabi.h>
 
 #include <dlfcn.h>
@@ -36,7 +35,7 @@ const __EGLapiExports* Exports = nullptr;
 __EGLapiImports Mesa;
 thread_local EGLint PendingError = EGL_SUCCESS;
 
-// A device, and its display at once.
+// A device, which is also its display.
 struct Device
 {
   std::string Kind;
@@ -47,7 +46,7 @@ struct Device
   std::string Extensions;
   std::string GLName;
 };
-// A deque keeps its elements where they are: their addresses are handles.
+// Elements of a deque keep their addresses, which are handles.
 std::deque<Device> Devices;
 Device Surfaceless;
 
@@ -107,7 +106,7 @@ Function GetMesa(const char* name)
 }
 
 //------------------------------------------------------------------------------
-// All displays are one of Mesa's, which is never closed.
+// All displays share one of Mesa's, which is never closed.
 EGLDisplay GetMesaDisplay()
 {
   static EGLDisplay display = []()
@@ -162,7 +161,7 @@ const char* EGLAPIENTRY QueryString(EGLDisplay display, EGLint name)
 {
   if (display == EGL_NO_DISPLAY)
   {
-    // libEGL lists devices of those vendors alone that say so here.
+    // libEGL lists only devices of vendors with these extensions.
     const char* extensions = GetSetting("FAKE_EGL_ENUMERATION") == "missing"
       ? "EGL_EXT_client_extensions EGL_EXT_platform_base"
       : "EGL_EXT_client_extensions EGL_EXT_platform_base EGL_EXT_device_base "
@@ -265,8 +264,8 @@ const unsigned char* GetString(unsigned int name)
 }
 
 //------------------------------------------------------------------------------
-// A function of Mesa's whose first argument is the display, and whose place in the list of those is
-// `place`.
+// Forwards a function of Mesa's whose first argument is the display; `place` is its place in the
+// list of these functions.
 template <int place, typename Function>
 struct OnMesaDisplay;
 

@@ -111,7 +111,7 @@ ErrorCounter::ErrorCounter(vtkObject* object)
       auto counter = static_cast<ErrorCounter*>(self);
       ++counter->Count;
       counter->Text = static_cast<const char*>(text);
-      // Without the word that makes a test fail.
+      // Without the word that would fail the test.
       const size_t start = counter->Text.find("): ");
       std::cout << "expected: " << counter->Text.substr(start == std::string::npos ? 0 : start + 3)
                 << "\n";

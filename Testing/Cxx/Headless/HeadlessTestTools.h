@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of VTK::IndirectHeadless share: the scene and the checks.
+// Shared parts of the tests of VTK::IndirectHeadless: the scene and the checks.
 
 #ifndef HeadlessTestTools_h
 #define HeadlessTestTools_h
@@ -28,7 +28,7 @@
 
 namespace headlesstest
 {
-// Where a check stands.
+// The source line of a check.
 struct Place
 {
   const char* File;
@@ -50,7 +50,7 @@ std::ostream& Fail(const Place& place);
     }                                                                                              \
   } while (false)
 
-// Whether a text has these words.
+// True if a text contains these words.
 inline bool Has(const std::string& text, const std::string& words)
 {
   return text.find(words) != std::string::npos;
@@ -87,11 +87,11 @@ struct SceneWindow : Scene
 void CheckNoGLError(const Place& place);
 #define CHECK_NO_GL_ERROR() headlesstest::CheckNoGLError(HERE)
 
-// All pixels: left half in the given color, right half blue, in both buffers.
+// Checks all pixels: left half in the given color, right half blue, in both buffers.
 void CheckImage(vtkRenderWindow* window, const Color& color, const Place& place);
 #define CHECK_IMAGE(window, color) headlesstest::CheckImage(window, color, HERE)
 
-// Counts errors, which are then not printed, and keeps the last text.
+// Counts errors instead of printing them, and keeps the last text.
 struct ErrorCounter
 {
   int Count = 0;

@@ -7,7 +7,7 @@ int main(int argc, char* argv[])
   return vtkIndirectTest::Main(argc, argv,
     [](const std::string& name)
     {
-      // These expect that there is no support.
+      // These tests expect that windows are not supported.
       if (name == "NoEGL" || name == "OldOpenGL" || name == "WrongDeviceOfEnvironment")
       {
         return;

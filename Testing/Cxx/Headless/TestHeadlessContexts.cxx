@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several contexts, their resources, and the order in which they come and go.
+// Several contexts, their resources, and orders of creation and destruction.
 #include "HeadlessTestTools.h"
 
 #include "vtkOpenGLFramebufferObject.h"
@@ -26,7 +26,7 @@ VTK_INDIRECT_TEST(TwoWindows)
     CHECK(first.Window->IsCurrent(), "");
     second.Window->Render();
     CHECK(second.Window->IsCurrent() && !first.Window->IsCurrent(), "");
-    // Reading makes the window that is read current.
+    // Reading a window makes it current.
     CHECK_IMAGE(first.Window, Red);
     CHECK_IMAGE(second.Window, Green);
     first.Window->SetSize(64 + i, 48);
@@ -34,7 +34,7 @@ VTK_INDIRECT_TEST(TwoWindows)
   }
   CHECK(first.Window->GetGenericContext() != second.Window->GetGenericContext(), "");
 
-  // The end of one leaves the other current and usable.
+  // The end of one window leaves the other current and usable.
   first.Window->Render();
   second.Window->Finalize();
   CHECK(first.Window->IsCurrent(), "");
@@ -55,7 +55,7 @@ VTK_INDIRECT_TEST(TwoWindows)
 }
 
 //------------------------------------------------------------------------------
-// A framebuffer of one window keeps its content while the other one is drawn.
+// A framebuffer of one window keeps its content while the other window is drawn.
 VTK_INDIRECT_TEST(Framebuffers)
 {
   SceneWindow first(Red);
@@ -166,7 +166,7 @@ VTK_INDIRECT_TEST(Recreate)
   }
   CHECK(CountOpenFiles() == files, CountOpenFiles() << " instead of " << files);
 
-  // Graphics resources alone.
+  // Only graphics resources.
   scene.Window->Render();
   scene.Window->ReleaseGraphicsResources(scene.Window);
   scene.Window->Render();
@@ -176,7 +176,7 @@ VTK_INDIRECT_TEST(Recreate)
 //------------------------------------------------------------------------------
 VTK_INDIRECT_TEST(DestructionOrder)
 {
-  // The window before its renderer, which goes on in another window.
+  // The window before its renderer, which continues in another window.
   {
     SceneWindow scene(Red);
     scene.Window->Render();
@@ -203,7 +203,7 @@ VTK_INDIRECT_TEST(DestructionOrder)
     window->Render();
     CHECK_IMAGE(window, Green);
   }
-  // An actor that was taken out, and outlives the window.
+  // A removed actor that outlives the window.
   {
     SceneWindow scene(Red);
     scene.Window->Render();
@@ -232,7 +232,7 @@ VTK_INDIRECT_TEST(DestructionOrder)
     texture->Create2D(8, 8, 4, VTK_FLOAT, false);
     scene.Window = nullptr;
   }
-  // Never rendered.
+  // A window that never renders.
   {
     SceneWindow scene(Red);
   }
@@ -255,7 +255,7 @@ VTK_INDIRECT_TEST(Threads)
   scene.Window->Render();
   CHECK_IMAGE(scene.Window, Red);
 
-  // While it is current here, another thread gets an error rather than a crash.
+  // While the context is current here, another thread gets an error rather than a crash.
   ErrorCounter errors(scene.Window);
   std::thread refused([&scene]() { scene.Window->Render(); });
   refused.join();

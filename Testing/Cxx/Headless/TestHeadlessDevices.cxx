@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several devices, of which some do not work: which one is taken, and what is said. The devices are
-// those of a vendor's library for EGL that is made up; see FakeEGLVendor.cxx.
+// Several devices, of which some do not work: the chosen device, and the messages. The devices are
+// those of a simulated vendor's library for EGL; see FakeEGLVendor.cxx.
 #include "CardTestTools.h"
 #include "HeadlessTestTools.h"
 
@@ -10,7 +10,7 @@
 
 #include <cstdlib>
 
-// The path of the library; not built where libglvnd's header for vendors is missing.
+// The path of the library, which is not built without libglvnd's header for vendors.
 #ifndef FAKE_EGL_VENDOR
 #define FAKE_EGL_VENDOR ""
 #endif
@@ -20,7 +20,7 @@ using namespace headlesstest;
 namespace
 {
 //------------------------------------------------------------------------------
-// The devices, on a machine whose files are made up too. EGL reads the environment once.
+// The devices, on a machine with simulated files. EGL reads the environment once.
 struct FakeMachine
 {
   FakeTree Tree;
@@ -86,7 +86,7 @@ const char* const Several =
   "broken|/dev/dri/renderD128|Card A|Vendor A|0;mute;contextless;fallback|/dev/dri/renderD129;"
   "works|/dev/dri/renderD130|Card B|Vendor B|1;works|/dev/dri/renderD131;software";
 
-// None of those before is reported: a card renders.
+// Devices before the working card are not reported.
 VTK_INDIRECT_TEST(FirstThatWorks)
 {
   const FakeMachine machine(Several);
@@ -155,7 +155,7 @@ VTK_INDIRECT_TEST(Descriptions)
 }
 
 //------------------------------------------------------------------------------
-// One card that two drivers list, of which the first cannot render on it.
+// One card that two drivers list, the first of which cannot render on it.
 VTK_INDIRECT_TEST(TwoDriversFirstFails)
 {
   const FakeMachine machine("broken|/dev/dri/renderD128;works|/dev/dri/renderD128|A40|NVIDIA|0");
@@ -166,7 +166,7 @@ VTK_INDIRECT_TEST(TwoDriversFirstFails)
 }
 
 //------------------------------------------------------------------------------
-// Two libraries of vendors, the second of which is Mesa's own.
+// Two vendors' libraries, the second of which is Mesa's own.
 VTK_INDIRECT_TEST(TwoVendors)
 {
   const FakeMachine machine("works|/dev/dri/renderD128|A40|NVIDIA|0;broken", {}, true);
@@ -215,7 +215,7 @@ VTK_INDIRECT_TEST(DevicesFail)
 }
 
 //------------------------------------------------------------------------------
-// A device by its number, whose file is refused.
+// A device by its number, whose file cannot be opened.
 VTK_INDIRECT_TEST(ChosenDeviceRefused)
 {
   FakeMachine machine("broken|/dev/dri/renderD128;works");
@@ -228,7 +228,7 @@ VTK_INDIRECT_TEST(ChosenDeviceRefused)
 }
 
 //------------------------------------------------------------------------------
-// One warning in a process, that every window knows.
+// One warning in a process, which every window can return.
 VTK_INDIRECT_TEST(CardWithoutEGL)
 {
   FakeMachine machine("broken|/dev/dri/renderD128;software");
@@ -246,7 +246,7 @@ VTK_INDIRECT_TEST(CardWithoutEGL)
   const Outcome second = Render(-1);
   CHECK(second.Messages == 0, second.Messages);
   CHECK(second.Warning == first.Warning, second.Warning);
-  // Software by its number is what was asked for.
+  // Software chosen by its number is intended.
   const Outcome chosen = Render(1);
   CHECK(chosen.Messages == 0 && chosen.Warning.empty(), chosen.Warning);
 }
@@ -303,7 +303,7 @@ VTK_INDIRECT_TEST(NoCard)
 }
 
 //------------------------------------------------------------------------------
-// A device that the environment turns to software may be chosen.
+// A device that the environment makes software may be chosen.
 VTK_INDIRECT_TEST(SoftwareWanted)
 {
   FakeMachine machine("fallback|/dev/dri/renderD128", { { "LIBGL_ALWAYS_SOFTWARE", "1" } });
@@ -317,7 +317,7 @@ VTK_INDIRECT_TEST(SoftwareWanted)
 }
 
 //------------------------------------------------------------------------------
-// One error, which takes the place of the warning.
+// One error, in place of the warning.
 VTK_INDIRECT_TEST(NothingWorks)
 {
   FakeMachine machine("broken|/dev/dri/renderD128", { { "FAKE_EGL_PLATFORMS", "none" } });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said of a card that does not render, from facts alone.
+// Explanations of a card that does not render, from facts alone.
 #include "HeadlessTestTools.h"
 
 #include "vtkEGLDiagnosis.h"
@@ -13,7 +13,7 @@ using namespace headlesstest;
 namespace
 {
 //------------------------------------------------------------------------------
-// One line that has each of the words and begins as the end of a sentence; or nothing.
+// Checks for one line that contains each of the words and can end a sentence; or for an empty text.
 void CheckLine(const vtkEGLMachine& machine, const std::vector<std::string>& words, Place place)
 {
   vtkIndirectTest::AddCheck();
@@ -60,7 +60,7 @@ VTK_INDIRECT_TEST(DiagnosisNoCard)
 {
   vtkEGLMachine machine;
   CHECK_LINE(machine, {});
-  // What does not come from a card changes nothing.
+  // Facts that do not come from a card change nothing.
   machine.VendorFilenames = "/x.json";
   machine.DriverCapabilities = "all";
   machine.NvidiaLibrary = "/usr/lib/libEGL_nvidia.so.0";
@@ -125,7 +125,7 @@ VTK_INDIRECT_TEST(DiagnosisNvidia)
   CHECK_LINE(
     machine, { "lists no device", machine.NvidiaVendorFile, machine.NvidiaLibrary, "535.161.07" });
 
-  // Mesa's entry for the card says nothing of NVIDIA's driver.
+  // Mesa's entry for the card tells nothing about NVIDIA's driver.
   machine.Attempts.push_back(MakeAttempt(false, "/dev/dri/renderD128"));
   CHECK_LINE(machine, { "lists no device" });
   machine.Attempts.push_back(MakeAttempt(true));
@@ -145,14 +145,14 @@ VTK_INDIRECT_TEST(DiagnosisMesa)
   machine.Attempts.push_back(MakeAttempt(false));
   CHECK_LINE(machine,
     { "EGL device 3", "/dev/dri/renderD129 (amdgpu)", "EGL_NOT_INITIALIZED", "libgl1-mesa-dri" });
-  // Of several attempts the one on that card.
+  // If there are several attempts, the one on that card counts.
   machine.Attempts.push_back(MakeAttempt(false, "/dev/dri/renderD129"));
   machine.Attempts.back().Name = "EGL device 4";
   CHECK_LINE(machine, { "EGL device 4" });
-  // Where the kernel's driver is not known.
+  // With an unknown driver of the kernel.
   machine.RenderNodes[0].Driver = "";
   CHECK_LINE(machine, { "card /dev/dri/renderD129 does" });
-  // An attempt on another card or with software is none on this.
+  // Attempts on another card or with software do not count for this card.
   machine.Attempts.clear();
   machine.VendorFilenames = "";
   machine.Attempts.push_back(MakeAttempt(false, "/dev/dri/renderD128"));
@@ -174,7 +174,7 @@ VTK_INDIRECT_TEST(DiagnosisPermission)
   CHECK(Has(vtkEGLDiagnosis::ExplainRenderNode(machine, "/dev/dri/renderD128"), "dmesg"), "");
   CHECK(vtkEGLDiagnosis::ExplainRenderNode(machine, "/dev/dri/renderD129").empty(), "");
   CHECK(vtkEGLDiagnosis::ExplainRenderNode(machine, "").empty(), "");
-  // One card that can be opened is a better place to look.
+  // A card that can be opened takes precedence.
   machine.RenderNodes.push_back(MakeFile("/dev/dri/renderD129", "i915"));
   CHECK_LINE(machine, { "/dev/dri/renderD129" });
 
@@ -192,7 +192,7 @@ VTK_INDIRECT_TEST(DiagnosisContainer)
   vtkEGLMachine machine;
   machine.KernelNodes = { MakeFile("/dev/dri/renderD128", "xe") };
   CHECK_LINE(machine, { "xe", "no /dev/dri/renderD128", "--device /dev/dri" });
-  // The node of an NVIDIA card is of no use without /dev/nvidia0.
+  // The node of an NVIDIA card does not suffice without /dev/nvidia0.
   machine.KernelNodes = { MakeFile("/dev/dri/renderD128", "nvidia") };
   machine.RenderNodes = machine.KernelNodes;
   machine.HasNvidiaKernel = true;
@@ -200,7 +200,7 @@ VTK_INDIRECT_TEST(DiagnosisContainer)
   machine.KernelNodes.clear();
   machine.RenderNodes.clear();
   CHECK_LINE(machine, { "no /dev/nvidia0", "--gpus all" });
-  // A card that is here comes before one that is not.
+  // A present card takes precedence over an absent one.
   machine.RenderNodes = { MakeFile("/dev/dri/renderD129", "i915") };
   CHECK_LINE(machine, { "/dev/dri/renderD129" });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What drivers differ in: devices, limits and versions, and no driver at all.
+// Differences between drivers: devices, limits and versions, and no driver at all.
 #include "HeadlessTestTools.h"
 
 #include "vtkFloatArray.h"
@@ -19,7 +19,7 @@ VTK_INDIRECT_TEST(Devices)
 {
   vtkNew<vtkEGLHeadlessRenderWindow> any;
   CHECK(any->GetDeviceIndex() == -1, any->GetDeviceIndex());
-  // Where a card is there and does not render, the first window says so.
+  // On a machine with a card that does not render, the first window reports it.
   any->Initialize();
   const int count = any->GetNumberOfDevices();
   std::cout << count << " EGL devices\n";
@@ -32,7 +32,7 @@ VTK_INDIRECT_TEST(Devices)
     scene.Window->Render();
     if (errors.Count > 0)
     {
-      // A device that this user may not open.
+      // A device that this user cannot open.
       CHECK(errors.Count == 1, errors.Count);
       continue;
     }
@@ -52,7 +52,7 @@ VTK_INDIRECT_TEST(Devices)
   CHECK(errors.Count == 1, errors.Count);
   CHECK(errors.Text.find("There is no EGL device") != std::string::npos, errors.Text);
   CHECK(scene.Window->SupportsOpenGL() == 0, "");
-  // Another choice is another chance.
+  // Another device gets a new attempt.
   scene.Window->SetDeviceIndex(-1);
   scene.Window->Render();
   CHECK(errors.Count == 1, errors.Count);
@@ -86,7 +86,7 @@ void CheckUnsupported(const std::string& reason)
   CHECK(errors.Count == 1, errors.Count);
   CHECK(errors.Text.find(reason) != std::string::npos, errors.Text);
   CHECK(errors.Text.find("Tried: ") != std::string::npos, errors.Text);
-  // What to do depends on the machine.
+  // The remedy depends on the machine.
   CHECK(Has(errors.Text, "Install an EGL driver") || Has(errors.Text, "There is a graphics card: "),
     errors.Text);
   CHECK(!scene.Window->GetLastErrorMessage().empty(), "");
@@ -174,7 +174,7 @@ VTK_INDIRECT_TEST(WrongDeviceOfEnvironment)
     errors.Text);
   const std::string message = scene.Window->GetLastErrorMessage();
   CHECK(message.find('\n') == std::string::npos, message);
-  // What the program asks for comes first.
+  // The program's choice takes precedence.
   scene.Window->SetDeviceIndex(0);
   scene.Window->Render();
   CHECK(errors.Text.find("first", errors.Text.find("first") + 1) == std::string::npos, errors.Text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drawing, and reading back what was drawn: colors, depths, sizes, samples.
+// Drawing and reading back: colors, depths, sizes, samples.
 #include "HeadlessTestTools.h"
 
 #include "vtkCallbackCommand.h"
@@ -63,7 +63,7 @@ VTK_INDIRECT_TEST(Render)
   CHECK(image->GetScalarComponentAsDouble(0, 0, 0, 0) == 255, "");
   CHECK(image->GetScalarComponentAsDouble(63, 47, 0, 2) == 255, "");
 
-  // What is drawn follows the scene.
+  // The drawing follows the scene.
   scene.Actor->GetProperty()->SetColor(1, 1, 0);
   window->Render();
   CHECK_IMAGE(window, Yellow);
@@ -190,7 +190,7 @@ VTK_INDIRECT_TEST(MultiSamples)
   SceneWindow scene(Red, 65, 49);
   scene.Window->SetMultiSamples(4);
   scene.Actor->RotateZ(10);
-  // Even columns and rows away from the edge keep their color; the edge gets mixtures.
+  // Even columns and rows away from the edge keep their color; the edge is mixed.
   int mixtures[2] = { 0, 0 };
   for (int i = 0; i < 2; ++i)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The facts of a machine, from trees of files that are made up.
+// The facts of a machine, from simulated trees of files.
 #include "CardTestTools.h"
 #include "HeadlessTestTools.h"
 
@@ -35,7 +35,7 @@ VTK_INDIRECT_TEST(MachineEmpty)
   SetEnvironment({});
   CHECK(Says(tree, ""), "");
   CHECK(vtkEGLDiagnosis::Explain(Gather("/no/such/folder")).empty(), "");
-  // The root without what stands for it.
+  // The real root.
   const vtkEGLMachine machine = Gather("/");
   CHECK(!machine.WantsSoftware, "");
   CHECK(machine.NvidiaFiles.empty() != std::filesystem::exists("/dev/nvidia0"), "");
@@ -59,7 +59,7 @@ VTK_INDIRECT_TEST(MachineNodes)
   CHECK(machine.NvidiaFiles.empty() && !machine.HasNvidiaKernel, "");
   CHECK(Says(tree, "EGL lists no device of the graphics card /dev/dri/renderD128 (amdgpu)"), "");
 
-  // What cannot be opened says why. A folder serves root as well, who may open all else.
+  // A file that cannot be opened has a reason. Folders cannot be opened even by root.
   FakeTree closed;
   closed.KernelNode("renderD128", "xe").Folder("/dev/dri/renderD128");
   const vtkEGLMachine refused = Gather(closed.GetRoot());
@@ -71,7 +71,7 @@ VTK_INDIRECT_TEST(MachineNodes)
 VTK_INDIRECT_TEST(MachineContainer)
 {
   SetEnvironment({});
-  // The host's /sys, none of its devices.
+  // The host's /sys without its devices.
   FakeTree mesa;
   mesa.KernelNode("renderD128", "amdgpu").Folder("/sys/class/drm/card0");
   CHECK(Says(mesa, "--device /dev/dri"), "");
@@ -85,25 +85,25 @@ VTK_INDIRECT_TEST(MachineContainer)
   nvidia.Folder("/proc/driver/nvidia/gpus/0000:01:00.0");
   CHECK(Says(nvidia, "--gpus all"), "");
 
-  // The module is there, and its card is not.
+  // The module is loaded without a card.
   FakeTree without;
   without.Folder("/sys/module/nvidia").Folder("/proc/driver/nvidia/gpus");
   CHECK(Says(without, ""), "");
   FakeTree module;
   module.Folder("/sys/module/nvidia");
   CHECK(Says(module, "--gpus all"), "");
-  // The card is the display's too, and its node came without the rest.
+  // The card also drives the display, and only its node was passed on.
   FakeTree node;
   node.Node("renderD128", "nvidia");
   CHECK(Says(node, "--gpus all"), "");
-  // Other modules may be part of a kernel that has no card of theirs.
+  // Other modules may be part of a kernel without such a card.
   FakeTree others;
   others.Folder("/sys/module/i915").Folder("/sys/module/amdgpu").Folder("/sys/class/drm");
   CHECK(Says(others, ""), "");
 }
 
 //------------------------------------------------------------------------------
-// Cards that show pictures, and drivers that have no card.
+// Cards that only display pictures, and drivers without a card.
 VTK_INDIRECT_TEST(MachineFramebuffers)
 {
   SetEnvironment({});
@@ -121,7 +121,7 @@ VTK_INDIRECT_TEST(MachineFramebuffers)
     tree.Node("renderD128", driver);
     CHECK(Says(tree, ""), driver);
   }
-  // The host's features decide for virtio: the first is rendering.
+  // For virtio the host's features decide: the first is rendering.
   for (const char* path : { "/sys/class/drm/renderD128/device/features",
          "/sys/class/drm/renderD128/device/virtio3/features" })
   {
@@ -134,7 +134,7 @@ VTK_INDIRECT_TEST(MachineFramebuffers)
 }
 
 //------------------------------------------------------------------------------
-// A sandbox with the card's files and nothing of the kernel.
+// A sandbox with the card's files and none of the kernel's.
 VTK_INDIRECT_TEST(MachineSandbox)
 {
   SetEnvironment({});
@@ -168,7 +168,7 @@ VTK_INDIRECT_TEST(MachineNvidiaDriver)
   CHECK(machine.NvidiaLibraryIsFound, "");
   CHECK(Says(tree, "EGL lists no device"), "");
 
-  // The environment leads EGL elsewhere.
+  // The environment redirects EGL.
   SetEnvironment({ { "__EGL_VENDOR_LIBRARY_FILENAMES",
     "/gone.json:/usr/share/glvnd/egl_vendor.d/50_mesa.json" } });
   CHECK(Says(tree, "__EGL_VENDOR_LIBRARY_FILENAMES=" + standard + " (it is /gone.json:"), "");
@@ -177,7 +177,7 @@ VTK_INDIRECT_TEST(MachineNvidiaDriver)
   SetEnvironment({ { "__EGL_VENDOR_LIBRARY_DIRS", "/etc/glvnd/egl_vendor.d" } });
   CHECK(Says(tree, "__EGL_VENDOR_LIBRARY_FILENAMES=" + standard), "");
 
-  // A file that has the whole path, as NixOS writes it, and one whose library is nowhere.
+  // A file with the whole path of its library, as NixOS writes it, and one with a missing library.
   SetEnvironment({});
   const std::string stored = "/nix/store/a-nvidia-x11/lib/" + library;
   FakeTree whole;
@@ -196,7 +196,7 @@ VTK_INDIRECT_TEST(MachineNvidiaDriver)
   listed.File("/etc/ld.so.conf.d/nvidia.conf", "# NVIDIA\n/opt/nvidia/lib\n");
   CHECK(Gather(listed.GetRoot()).NvidiaLibraryIsFound, "");
 
-  // Drivers that were put into a folder of their own.
+  // Drivers in their own folder.
   struct Place
   {
     const char* Library;

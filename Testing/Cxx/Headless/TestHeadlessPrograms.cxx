@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How programs meet the window: through an interactor, and through the factory.
+// Programs' access to the window: through an interactor, and through the factory.
 #include "HeadlessTestTools.h"
 
 #include "vtkGenericRenderWindowInteractor.h"
@@ -73,7 +73,7 @@ VTK_INDIRECT_TEST(Factory)
     CHECK(interactorClass() == interactor, interactorClass());
   }
 
-  // A program as it is found everywhere.
+  // A typical program.
   vtkIndirectHeadlessFactory::Enable();
   {
     Scene scene(Red);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sum of B A over a light's map is the flux that the scene reflects, whatever the resolution.
+// The sum of B A over a light's map is the flux that the scene reflects, independent of the
+// resolution.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkLight.h"
@@ -16,7 +17,7 @@ namespace
 {
 const glm::dvec3 Albedo(0.75, 0.5, 0.25);
 
-// Flux that a spot sends onto a plane (point, normal) in front of it, by quadrature over its cone:
+// Flux of a spot onto a plane (point, normal) in front of it, by quadrature over its cone:
 // intensity att(d) d^2 cos^exponent, integrated over solid angle.
 double ConeFlux(double cone, double exponent, const glm::dvec3& attenuation, const glm::dvec3& axis,
   double distance, const glm::dvec3& normal)
@@ -93,8 +94,8 @@ VTK_INDIRECT_TEST(SpotFlux)
       scene.Pass->SetReflectiveShadowMapResolution(n);
       scene.Render();
       const glm::dvec3 sum = scene.GetReflectedFlux();
-      // The rim counts whole texels: 0.23 % of a disk of 64, 0.03 % of 256; weighed up where d^2
-      // grows.
+      // The rim counts whole texels: 0.23 % of a disk of 64, 0.03 % of 256; with a larger weight
+      // where d^2 grows.
       const std::string what = std::string(c.What) + ", " + std::to_string(n) + "^2";
       CheckRelative(what, sum.x, flux, n == 64 ? 0.005 : 0.002, "the cone's rim in whole texels");
       CheckRelative(what + ", green over red", sum.y / sum.x, 0.5 * Albedo.y / Albedo.x, 1e-5,
@@ -119,7 +120,7 @@ VTK_INDIRECT_TEST(WideSpotFlux)
     {
       Scene scene(8, 8);
       scene.AddBox({ -1, -1.2, -0.8 }, { 1, 1.2, 0.8 }, Albedo);
-      // A direction along nothing, so that the rim crosses faces of the map anyhow.
+      // A direction along no axis, so that the rim crosses faces of the map.
       const glm::dvec3 axis = glm::normalize(glm::dvec3(0.3, -0.5, 0.8));
       scene.AddSpot(
         { 0.1, 0.2, -0.1 }, glm::dvec3(0.1, 0.2, -0.1) + axis, cone, exponent, { 0, 0, 1 });
@@ -131,7 +132,7 @@ VTK_INDIRECT_TEST(WideSpotFlux)
       {
         scene.Pass->SetReflectiveShadowMapResolution(n);
         scene.Render();
-        // A cone of nearly 90 degrees runs along the faces' rows: half a row of them may be lost.
+        // A cone of nearly 90 degrees is parallel to the faces' rows: half a row may be lost.
         CheckRelative("cone " + std::to_string(cone) + ", exponent " + std::to_string(exponent) +
             ", " + std::to_string(n) + "^2",
           scene.GetReflectedFlux().x, flux, cone > 85.0 ? 1.0 / n : (n == 64 ? 0.005 : 0.002),
@@ -228,7 +229,7 @@ VTK_INDIRECT_TEST(DirectionalFlux)
   {
     scene.Pass->SetReflectiveShadowMapResolution(n);
     scene.Render();
-    // Facets turned away at the outline take their light along; half a texel of the rim is 1 / n.
+    // Facets turned away at the outline lose their light; half a texel of the rim is 1 / n.
     CheckRelative("a sphere's cross section, " + std::to_string(n) + "^2",
       scene.GetReflectedFlux().x, Albedo.x * vtkMath::Pi() * 2.25, n == 64 ? 0.01 : 0.004,
       "the outline in whole texels");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is in the lights' maps, and what has the shadows that follow from it.
+// Casters in the lights' maps, and the shadows that follow.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractRoom.h"
 
@@ -33,7 +33,7 @@ double Sum(const Floats& image, int component)
 }
 
 //------------------------------------------------------------------------------
-// A lit tube, made of a line, that nothing stands before: it does not shadow itself.
+// A lit tube, made of a line, without occluders: it does not shadow itself.
 VTK_INDIRECT_TEST(PropsTubes)
 {
   Room room;
@@ -64,7 +64,7 @@ VTK_INDIRECT_TEST(PropsTubes)
 }
 
 //------------------------------------------------------------------------------
-// Behind all that casts shadows: a tube below the gap between two tables is lit, and in shadow
+// A receiver behind all casters: a tube below the gap between two tables is lit, and in shadow
 // below the tables.
 VTK_INDIRECT_TEST(PropsBehindCasters)
 {
@@ -91,7 +91,7 @@ VTK_INDIRECT_TEST(PropsBehindCasters)
     pass->SetIndirectScale(0.0);
     view.Renderer->SetPass(pass);
     const Pixels image = view.Grab();
-    // The tube's upper side: what is lit there.
+    // The tube's upper, lit side.
     const int row = 60 - static_cast<int>(0.5 * 120 / (2 * 5 * std::tan(0.2618))) + 3;
     const auto red = [row](const Pixels& of, double x)
     { return of.Get(80 + static_cast<int>(x * 120 / (2 * 5 * std::tan(0.2618))), row, 0); };
@@ -105,8 +105,8 @@ VTK_INDIRECT_TEST(PropsBehindCasters)
 }
 
 //------------------------------------------------------------------------------
-// When data or mapper of an actor in an assembly change, maps follow as they do of one outside. Its
-// bounds stay, so that these do not give it away.
+// After a change of data or mapper maps follow an actor in an assembly as one outside. Its bounds
+// stay, so that they do not indicate the change.
 VTK_INDIRECT_TEST(PropsChangeInAssemblies)
 {
   Floats images[3][2][2]; // after changes, outside and inside, of two buffers
@@ -156,7 +156,7 @@ VTK_INDIRECT_TEST(PropsChangeInAssemblies)
       view.Grab();
       const long long first = CountOf(pass, "sky_tiles_drawn");
       CONTRACT_CHECK(change == 0 || first > before, change << ": no map is drawn");
-      // All are there, and stay.
+      // All maps are complete, and stay.
       view.Grab();
       view.Grab();
       CONTRACT_CHECK(CountOf(pass, "sky_tiles_drawn") == first, change << ": maps are drawn again");
@@ -169,7 +169,7 @@ VTK_INDIRECT_TEST(PropsChangeInAssemblies)
   {
     for (int i = 0; i < 2; ++i)
     {
-      // Depths of the same triangles by other matrices, and the pixels of an edge that they move.
+      // Depths of the same triangles by other matrices, and pixels of a moved edge.
       const Difference off = Compare(images[change][0][i], images[change][1][i]);
       CONTRACT_CHECK(off.Max < 0.02, change << ", " << i << ": off by " << off.Max);
       CONTRACT_CHECK(
@@ -180,7 +180,7 @@ VTK_INDIRECT_TEST(PropsChangeInAssemblies)
 }
 
 //------------------------------------------------------------------------------
-// Edges of faces: a map has the faces without them, and they put no shadows onto the faces.
+// Edges of faces: a map has the faces without them, and they cast no shadows onto the faces.
 VTK_INDIRECT_TEST(PropsEdges)
 {
   Floats density[2];
@@ -205,7 +205,7 @@ VTK_INDIRECT_TEST(PropsEdges)
   CONTRACT_CHECK(Compare(density[0], density[1]).Max == 0.0, Compare(density[0], density[1]));
   CONTRACT_CHECK(Compare(depth[0], depth[1]).Max == 0.0, Compare(depth[0], depth[1]));
 
-  // A box alone has no shadow on it but where it turns away from a light anyway.
+  // A single box has no shadow on it except on sides that face away from the light.
   View view(200, 200);
   auto box = MakeBox({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }, { 0.9, 0.2, 0.2 });
   box->GetProperty()->EdgeVisibilityOn();
@@ -234,7 +234,7 @@ VTK_INDIRECT_TEST(PropsEdges)
 }
 
 //------------------------------------------------------------------------------
-// Outlines, axes, widgets, labels, lines and points leave the lights' maps as they are.
+// Outlines, axes, widgets, labels, lines and points do not change the lights' maps.
 VTK_INDIRECT_TEST(PropsAnnotation)
 {
   using Add = std::function<vtkSmartPointer<vtkProp>(vtkRenderer*)>;
@@ -319,7 +319,7 @@ VTK_INDIRECT_TEST(PropsAnnotation)
 }
 
 //------------------------------------------------------------------------------
-// The two keys, of a sphere in the room and by a headlight.
+// The two keys, for a sphere in the room, and with a headlight.
 VTK_INDIRECT_TEST(PropsKeys)
 {
   Room room;
@@ -348,7 +348,7 @@ VTK_INDIRECT_TEST(PropsKeys)
     "without shadows it is not in the map");
   sphere->VisibilityOn();
 
-  // Where the sphere was in the map it sends nothing; elsewhere all is as it was.
+  // The sphere's texels of the map send nothing; others are unchanged.
   size_t of = 0;
   double sent = 0.0;
   double others = 0.0;
@@ -367,7 +367,7 @@ VTK_INDIRECT_TEST(PropsKeys)
   CONTRACT_CHECK(sent == 0.0, "it sends " << sent);
   CONTRACT_CHECK(others == 0.0, "others send other light: " << others);
 
-  // A headlight needs no map of its own, unless something is not to send.
+  // A headlight needs no map of its own, unless a prop must not send.
   View view(100, 100);
   AddRoomSurfaces(view.Renderer);
   vtkNew<vtkLight> headlight;

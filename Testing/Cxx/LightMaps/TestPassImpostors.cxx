@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spheres that a shader draws send as much light as those of triangles.
+// Spheres drawn by a shader send as much light as spheres of triangles.
 #include "vtkIndirectContractUtilities.h"
 
 #include "vtkCellArray.h"
@@ -67,8 +67,8 @@ VTK_INDIRECT_TEST(ImpostorsSendAsMeshes)
     }
     std::cout << (lamp ? "lamp: " : "sky: ") << bounce[0] << " of impostors, " << bounce[1]
               << " of meshes\n";
-    // 256 lights of a few texels a sphere; with slopes across what impostors discard it was 15
-    // times.
+    // 256 lights of a few texels a sphere. Slopes across discarded pixels of impostors would give
+    // 15 times as much.
     CONTRACT_CHECK(bounce[1] > 1e-3 && std::abs(bounce[0] / bounce[1] - 1.0) < 0.1,
       bounce[0] << " in place of " << bounce[1]);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Kinds of lights and their settings, as they show in direct light with shadows.
+// Kinds of lights and their settings, in direct light with shadows.
 #include "vtkIndirectContractUtilities.h"
 
 #include "vtkImageData.h"
@@ -17,7 +17,7 @@ using namespace contract;
 
 namespace
 {
-// A plane, and a square over it that a light above leaves a shadow of in the middle.
+// A plane, and a square over its middle, which casts a shadow from a light above.
 struct Stage
 {
   View Window{ 100, 100 };
@@ -61,7 +61,7 @@ struct Stage
   Vec3 Middle(const Floats& image) { return this->At(image, 0, 0, 0); }
   Vec3 Outside(const Floats& image) { return this->At(image, 0.7, 0, 0); }
   void Add(vtkLight* light) { this->Window.Renderer->AddLight(light); }
-  // Something for the plane to light.
+  // Adds a receiver of the plane's light.
   void AddWall()
   {
     this->Window.Renderer->AddActor(MakeQuad({ -1, 1, 0 }, { 1, 1, 0 }, { -1, 1, 1 }));
@@ -86,7 +86,7 @@ std::string Text(const Vec3& v)
 }
 
 //------------------------------------------------------------------------------
-// ShadowAttenuation is how much of a light its shadows take away.
+// ShadowAttenuation is the share of a light that its shadows remove.
 VTK_INDIRECT_TEST(LightShadowAttenuation)
 {
   Stage stage;
@@ -103,7 +103,7 @@ VTK_INDIRECT_TEST(LightShadowAttenuation)
 }
 
 //------------------------------------------------------------------------------
-// Each light's shadow takes that light away and no other; lights that are off do not count.
+// Each light's shadow removes only that light; lights that are off do not count.
 VTK_INDIRECT_TEST(LightColors)
 {
   Stage stage;
@@ -140,8 +140,8 @@ VTK_INDIRECT_TEST(LightColors)
 }
 
 //------------------------------------------------------------------------------
-// Shading follows VTK's through every setting that light code is shortened by: none may stay in a
-// shader that was built for another.
+// Shading follows VTK's for every setting by which light code is shortened: a shader built for one
+// must not serve another.
 VTK_INDIRECT_TEST(LightSettings)
 {
   std::vector<std::string> names;
@@ -157,7 +157,7 @@ VTK_INDIRECT_TEST(LightSettings)
     stage.Add(other);
     stage.Pass->ShadowsOff();
     stage.Pass->AntialiasingOff();
-    // Something, so that the capture draws; too little to be seen.
+    // A light too weak to be seen, so that the capture draws.
     stage.Pass->SetIndirectScale(1e-9);
     if (!indirect)
     {
@@ -199,7 +199,7 @@ VTK_INDIRECT_TEST(LightSettings)
   const std::vector<Pixels> expected = render(false);
   for (size_t i = 0; i < names.size(); ++i)
   {
-    // Two steps of a byte: of rounding, and where a cone's edge crosses a pixel.
+    // Two steps of a byte: rounding, and pixels on a cone's edge.
     const Difference difference = Compare(found[i], expected[i]);
     CONTRACT_CHECK(difference.Max <= 2, names[i] << ": " << difference);
     CONTRACT_CHECK(i == 0 || Compare(expected[i], expected[i - 1]).Max > 2,
@@ -234,14 +234,14 @@ VTK_INDIRECT_TEST(LightHeadlight)
   image = stage.Direct();
   CHECK_NEAR(stage.Outside(image),
     (Vec3{ headOutside[0] + 0.8, headOutside[1] + 0.8, headOutside[2] + 0.8 }), "out of shadows");
-  // What the eye sees has no headlight shadow.
+  // A headlight casts no visible shadow.
   CHECK_NEAR(stage.Middle(image), headMiddle, "in the other light's shadow");
   Read(stage.Pass, "rsm0.depth");
   Read(stage.Pass, "rsm1.depth");
 }
 
 //------------------------------------------------------------------------------
-// A camera light is where it would be as a scene light, and its shadow, too.
+// A camera light is equivalent to a scene light at its place, with its shadow.
 VTK_INDIRECT_TEST(LightOfCamera)
 {
   Stage stage;
@@ -283,7 +283,7 @@ VTK_INDIRECT_TEST(LightKit)
     CONTRACT_CHECK(shadowed.Values[i] <= lit.Values[i] + 1e-5f, "shadows add light");
   }
   CONTRACT_CHECK(Mean(lit, 0) > Mean(shadowed, 0) + 1e-3, "no shadow at all");
-  // The ground gets it of the square above it: 8e-4 with all texels as virtual lights.
+  // The ground receives light of the square above it: 8e-4 with all texels as virtual lights.
   CONTRACT_CHECK(Mean(irradiance, 0) > 3e-4, "no indirect light");
   for (int i = 0; i < 5; ++i)
   {
@@ -294,7 +294,7 @@ VTK_INDIRECT_TEST(LightKit)
 }
 
 //------------------------------------------------------------------------------
-// Shadows follow data whose source changes, actors that move, and go with what becomes invisible.
+// Shadows follow changed data and moved actors, and vanish with invisible ones.
 VTK_INDIRECT_TEST(ShadowFollows)
 {
   Stage stage;
@@ -333,7 +333,7 @@ VTK_INDIRECT_TEST(ShadowFollows)
 }
 
 //------------------------------------------------------------------------------
-// What the eye does not see casts shadows and reflects light all the same.
+// Props out of view cast shadows and reflect light.
 VTK_INDIRECT_TEST(ShadowFromOutside)
 {
   for (LightKind kind : { LightKind::Directional, LightKind::Spot, LightKind::Point })
@@ -341,12 +341,12 @@ VTK_INDIRECT_TEST(ShadowFromOutside)
     Stage stage;
     stage.Pass->SetNumberOfBounces(1); // the plane is white
     stage.Add(MakeLight(kind, { 0, 0, 2 }, { 0, 0, 0 }, 45.0));
-    // Something red that the eye never sees, on the light's way to the plane's edge.
+    // A red prop out of view, between the light and the plane's edge.
     stage.Window.Renderer->AddActor(
       MakeQuad({ -0.2, 0.4, 0.2 }, { 0.2, 0.4, 0.2 }, { -0.2, 0.7, 1.2 }, { 1, 0, 0 }));
     Floats image = stage.Direct();
     CHECK_NEAR(stage.Middle(image), (Vec3{ 0, 0, 0 }), GetName(kind));
-    // Straight down, from under the blocker.
+    // Looks straight down from under the blocker.
     vtkCamera* camera = stage.Window.Renderer->GetActiveCamera();
     camera->SetPosition(0, 0, 0.3);
     camera->SetFocalPoint(0, 0, 0);
@@ -363,24 +363,23 @@ VTK_INDIRECT_TEST(ShadowFromOutside)
 }
 
 //------------------------------------------------------------------------------
-// A blocker around a point light's cube: its shadow crosses the seams of the faces unbroken.
+// A square plate close to a point light: its shadow crosses the seams of the cube's faces unbroken.
 VTK_INDIRECT_TEST(ShadowSeams)
 {
-  // A rod that stands over the diagonal of a floor, along which two faces of the cube meet.
+  // The faces of the cube meet along the diagonals of a floor.
   for (LightKind kind : { LightKind::Point, LightKind::WideSpot })
   {
     View view(200, 200);
     vtkRenderer* renderer = view.Renderer;
     renderer->AddActor(MakeQuad({ -3, -3, 0 }, { 3, -3, 0 }, { -3, 3, 0 }));
-    // A ring of posts would shadow everything; a square plate close to the light shadows a square
-    // whose corners lie beyond the 45 degrees where the faces meet.
+    // The corners of the plate's shadow lie beyond the 45 degrees where the faces meet.
     renderer->AddActor(
       MakeQuad({ -0.35, -0.35, 0.75 }, { 0.35, -0.35, 0.75 }, { -0.35, 0.35, 0.75 }));
     renderer->AddLight(MakeLight(kind, { 0, 0, 1 }, { 0, 0, 0 }));
     vtkCamera* camera = renderer->GetActiveCamera();
     camera->ParallelProjectionOn();
     camera->SetParallelScale(2.0);
-    // From below the plate: the floor alone is seen.
+    // From below the plate only the floor is visible.
     camera->SetPosition(0, 0, 0.5);
     camera->SetFocalPoint(0, 0, 0);
     camera->SetViewUp(0, 1, 0);
@@ -422,7 +421,7 @@ VTK_INDIRECT_TEST(ParallelEye)
     {
       Stage stage;
       stage.AddWall();
-      // All texels are senders: what is left is the geometry of maps and eye.
+      // With all texels as senders only the geometry of maps and eye matters.
       vtkNew<vtkRSMGatherPass> gather;
       gather->SetModeToAllTexels();
       stage.Pass->SetEstimator(gather);
@@ -435,7 +434,7 @@ VTK_INDIRECT_TEST(ParallelEye)
       Floats image = stage.Direct();
       CHECK_NEAR(stage.Middle(image), (Vec3{ 0, 0, 0 }), GetName(kind));
       CONTRACT_CHECK(stage.Outside(image)[0] > 0.8, GetName(kind) << Text(stage.Outside(image)));
-      // Half of what a wall sees is the plane, lit from above by both lights.
+      // The plane fills half of a wall's view; both lights light it from above.
       const Floats irradiance = Read(stage.Pass, "irradiance");
       const Vec3 wall = stage.At(irradiance, 0, 1, 0.2);
       std::cout << GetName(kind) << (parallel ? ", parallel" : ", perspective")
@@ -443,10 +442,10 @@ VTK_INDIRECT_TEST(ParallelEye)
       CONTRACT_CHECK(wall[0] > 0.2 && wall[0] < 0.8, GetName(kind) << ": " << wall[0]);
       walls[parallel] = wall[0];
     }
-    // The two eyes see other points of the wall, up to 0.01 apart.
+    // The two eyes see different points of the wall, up to 0.01 apart.
     CONTRACT_CHECK(std::abs(walls[0] - walls[1]) < 0.02,
       GetName(kind) << ": " << walls[0] << ", parallel " << walls[1]);
-    // All that these lights reach lies in the narrowest cone.
+    // The narrowest cone contains everything that these lights reach.
     if (kind == LightKind::Spot)
     {
       positional = walls[0];

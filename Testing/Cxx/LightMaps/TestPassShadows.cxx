@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where shadows fall, how dark they are, and where there may be none.
+// Position and darkness of shadows, and lit surfaces without any.
 #include "vtkIndirectContractUtilities.h"
 
 #include "vtkMath.h"
@@ -12,13 +12,13 @@ using namespace contract;
 
 namespace
 {
-// A square plane at z = 0 seen by a parallel camera from above, and a square that stands over it.
+// A square plane at z = 0 seen by a parallel camera from above, and a square over it.
 struct ShadowScene
 {
   View Window;
   vtkNew<vtkIndirectIlluminationPass> Pass;
-  double Extent;    // half an edge of what the eye sees
-  double Center[2]; // of what the eye sees
+  double Extent;    // half an edge of the view
+  double Center[2]; // centre of the view
   vtkSmartPointer<vtkActor> Plane;
   vtkSmartPointer<vtkActor> Blocker;
   Vec3 BlockerCenter{ { 0, 0, 0 } };
@@ -67,7 +67,7 @@ struct ShadowScene
     this->Pass->ShadowsOn();
     this->Window.Grab();
     Floats shadowed = Read(this->Pass, "direct");
-    // Without shadows and without indirect light nothing but the delegate would run.
+    // Without shadows and without indirect light only the delegate would run.
     this->Pass->ShadowsOff();
     this->Pass->SetIndirectScale(1e-6);
     this->Window.Grab();
@@ -89,12 +89,11 @@ struct ShadowScene
     point[1] = this->Center[1] + (y + 0.5 - 0.5 * size[1]) * pixel;
   }
 
-  // How far inside (positive) or outside (negative) of the blocker's shadow a point of the plane
-  // is.
+  // Distance of a point of the plane from the edge of the blocker's shadow, positive inside.
   double GetDepthInShadow(const double point[2], vtkLight* light) const
   {
-    // Where the ray from the point to the light passes the blocker's plane, and by how much lengths
-    // on the plane shrink on the way there.
+    // Intersection of the ray from the point to the light with the blocker's plane, and the scale
+    // of lengths on the plane there.
     double position[3];
     light->GetPosition(position);
     double at[2];
@@ -158,7 +157,7 @@ ShadowErrors Measure(const ShadowScene& scene, const Floats& visibility, vtkLigh
       {
         errors.Misplaced += (v < 0.5f) != (depth > 0.0) ? 1 : 0;
       }
-      // The filter reaches 1.5 texels along both axes of the map.
+      // The filter extends 1.5 texels along both axes of the map.
       if (std::abs(depth) > 1.5 * std::sqrt(2.0) * texel)
       {
         (depth > 0.0 ? errors.Inside : errors.Outside) += 1;
@@ -203,7 +202,7 @@ double TexelOnPlane(vtkLight* light, LightKind kind, int resolution, double scen
   }
   const double halfWidth =
     kind == LightKind::Spot ? std::tan(vtkMath::RadiansFromDegrees(light->GetConeAngle())) : 1.0;
-  // The farthest point that is looked at, seen at the most grazing angle.
+  // The farthest tested point, seen at the smallest angle.
   const double farthest = std::sqrt(position[2] * position[2] + reach * reach);
   return 2.0 * halfWidth / resolution * farthest * farthest / position[2];
 }
@@ -250,7 +249,7 @@ VTK_INDIRECT_TEST(ShadowDistance)
       MakeLight(LightKind::Directional, { -0.9 / height, -0.9 / height, 1.0 }, { 0.0, 0.0, 0.0 });
     scene.Window.Renderer->AddLight(light);
     const double slant = std::sqrt(2.0 * 0.81 / height / height + 1.0);
-    // Seen along the light the scene is no wider than the plane and the blocker's way.
+    // Along the light the scene is no wider than the plane and the blocker's offset.
     const double texel = 1.01 * std::sqrt(18.0) / 512.0 * slant;
     const Floats visibility = scene.Visibility();
     CheckShadow(Measure(scene, visibility, light, texel), "height " + std::to_string(height));
@@ -258,7 +257,7 @@ VTK_INDIRECT_TEST(ShadowDistance)
 }
 
 //------------------------------------------------------------------------------
-// The map is square whatever the window is.
+// The map is square for any window.
 VTK_INDIRECT_TEST(ShadowAspect)
 {
   const int sizes[][2] = { { 200, 200 }, { 400, 200 }, { 100, 200 }, { 200, 400 } };
@@ -294,7 +293,7 @@ VTK_INDIRECT_TEST(ShadowAspect)
         }
       }
       std::cout << "  largest difference to the square window " << largest << "\n";
-      // Positions differ by rounding of the eye's own transform only; 1e-3 of a quarter step.
+      // Positions differ only by rounding of the eye's own transform; 1e-3 of a quarter step.
       CONTRACT_CHECK(largest < 0.02, GetName(kind) << " " << size[0] << " x " << size[1]);
     }
   }
@@ -303,7 +302,7 @@ VTK_INDIRECT_TEST(ShadowAspect)
 //------------------------------------------------------------------------------
 namespace
 {
-// A plane alone never shadows itself. Returns the darkest visibility; counts what is lit.
+// A single plane never shadows itself. Returns the darkest visibility; counts lit pixels.
 double DarkestOnPlane(LightKind kind, double degrees, double scale, int resolution,
   const Vec3& shift, int cells, bool parallelEye, size_t& lit)
 {
@@ -317,7 +316,7 @@ double DarkestOnPlane(LightKind kind, double degrees, double scale, int resoluti
   view.Renderer->AddActor(
     MakeQuad(place(-1, -1, 0), place(1, -1, 0), place(-1, 1, 0), { 0.8, 0.8, 0.8 }, cells));
   const double angle = vtkMath::RadiansFromDegrees(degrees);
-  // In no special direction, or the rounding would be kind.
+  // An arbitrary direction, because special ones round exactly.
   const double distance = kind == LightKind::Spot ? 2.5 : 1.3;
   const Vec3 position = place(distance * std::sin(angle) * std::cos(0.7),
     distance * std::sin(angle) * std::sin(0.7), distance * std::cos(angle));
@@ -346,8 +345,8 @@ double DarkestOnPlane(LightKind kind, double degrees, double scale, int resoluti
     if (unshadowed.Values[i] > 0.0f)
     {
       ++lit;
-      // At less than 2 % of the light's strength the facet's normal, a difference of floats, is not
-      // good enough to decide; a quarter of a step of 255 is all that may cost.
+      // Below 2 % of the light's strength the precision of the facet's normal, a difference of
+      // floats, does not suffice for a decision; it may cost at most a quarter of a step of 255.
       const double lost = unshadowed.Values[i] - shadowed.Values[i];
       if (unshadowed.Values[i] < 0.02 * 0.8 && lost < 0.001)
       {
@@ -402,7 +401,7 @@ VTK_INDIRECT_TEST(ShadowNoSelfScales)
         CheckNoSelfShadow(kind, degrees, scale, 256, { 0, 0, 0 }, 3, false);
       }
     }
-    // VTK's own vertices are floats: at a thousand scene sizes they are still good to 1e-4 of one.
+    // VTK's own vertices are floats: at a thousand scene sizes their error is 1e-4 of a size.
     CheckNoSelfShadow(kind, 40.0, 1.0, 256, { 100, -200, 300 }, 3, false);
   }
 }

@@ -69,7 +69,7 @@ glm::dvec3 PointIn(Random& random, const double bounds[6])
     random.Next(bounds[4], bounds[5]) };
 }
 
-// Whether a map of that projection shows a point of a face's view coordinates.
+// True if a map of that projection shows a point of a face's view coordinates.
 bool Shows(const vtkIndirectLightMap& map, const glm::dvec3& p)
 {
   const bool parallel = map.Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL;
@@ -112,7 +112,7 @@ VTK_INDIRECT_TEST(MapCameras)
           const glm::dvec3 inFace = glm::dvec3(sceneToFace * glm::dvec4(inScene, 1.0));
           worstView =
             std::max(worstView, glm::length(glm::dvec3(inView) * scene.Frame.SceneScale - inFace));
-          // The light's frame, then the kernel that shaders use.
+          // By the light's frame, and by the shaders' kernel.
           const glm::dvec3 inLight =
             glm::dvec3(map.WorldToLight * glm::dvec4(world, 1.0)) * scene.Frame.SceneScale;
           const glm::dvec3 byKernel =
@@ -184,7 +184,7 @@ VTK_INDIRECT_TEST(MapDepthRange)
         }
         ++tried;
         beyond += -p.z > map.Far;
-        // Nearer than this share of the farthest, surfaces are left out of a map.
+        // Surfaces nearer than this share of the farthest are left out of a map.
         before += -p.z < map.Near && -p.z > map.Far / 1024.0;
       }
     }
@@ -242,12 +242,12 @@ VTK_INDIRECT_TEST(MapCulling)
   CheckAtLeast("visible boxes tried", visible, 5000, "the test's own power");
   CheckAtLeast(
     "share of boxes culled", double(culled) / (culled + kept), 0.2, "culling does something");
-  // All six sides of the test, conservative as it is, keep few boxes that no ray meets.
+  // The conservative test of all six sides keeps few boxes that no ray meets.
   CheckAtLeast(
     "share of kept boxes that are visible", double(visible) / kept, 0.5, "culling is sharp");
 }
 
-// Rectangles hold a texel's centre or not, by trying all of them.
+// Checks for all texels that rectangles contain a texel's centre or not.
 VTK_INDIRECT_TEST(MapTexelCenters)
 {
   Random random(17);
@@ -310,7 +310,8 @@ VTK_INDIRECT_TEST(MapProjections)
         std::tan(vtkMath::RadiansFromDegrees(c.Cone)), 1e-12, "definition");
     }
   }
-  // From outside, one face aimed at the scene: no wider than it must be, and everything is in it.
+  // From outside, one face aimed at the scene: it contains the scene, and is no wider than
+  // necessary.
   for (int i = 0; i < 200; ++i)
   {
     const RandomScene other(random, 0.0);

@@ -43,8 +43,8 @@ VTK_INDIRECT_TEST(TexelSolidAngle)
         }
       }
       const std::string what = "half width " + std::to_string(halfWidth) + ", " + std::to_string(n);
-      // Midpoint rule: h^2 / 24 times the Laplacian of (1 + r^2)^-3/2 over itself, which is 6 at
-      // most.
+      // Midpoint rule: h^2 / 24 times the Laplacian of (1 + r^2)^-3/2 over itself, which is at most
+      // 6.
       CheckAtMost(what + ": worst texel against its exact solid angle", worst, h * h / 4 + 4e-6,
         "midpoint rule; differences of double-precision arctangents and floats");
       CheckRelative(
@@ -95,7 +95,7 @@ VTK_INDIRECT_TEST(CubeFaces)
   }
   CheckEqual("face of forward", vtkiFaceOf(-ez), 0);
   CheckEqual("face of backward", vtkiFaceOf(ez), 5);
-  // Wide spots of less than 90 degrees drop face 5: nothing in front may need it.
+  // Wide spots of less than 90 degrees lack face 5: no point in front may need it.
   int backward = 0;
   for (int i = 0; i < 100000; ++i)
   {
@@ -143,7 +143,7 @@ VTK_INDIRECT_TEST(Attenuation)
   for (float d : { 1e-19f, 1e-12f, 1.0f, 1e12f, 1e18f })
   {
     const float value = vtkiAttenuationTimesDistance2(vec3(0.0f, 0.0f, 2.0f), d);
-    // Below 1e-19 the square leaves the range of floats; scene units keep distances far above it.
+    // Below 1e-19 the square leaves the range of floats; scene units keep distances far above that.
     CheckRelative("pure quadratic at " + std::to_string(std::log10(d)), value, 0.5,
       d < 1e-18f ? 1e-3 : 1e-6, "denormals at the low end");
   }
@@ -186,7 +186,7 @@ VTK_INDIRECT_TEST(CosineRatio)
     const auto cosine = static_cast<float>(random.Next(0.01, 1.0));
     worst = std::max(worst, std::abs(vtkiCosineRatio(cosine, cosine, 0.001f) - 1.0));
     wrong += vtkiCosineRatio(-cosine, cosine, 0.001f) != 0.0f;
-    // Grazing: the surface that a texel covers is bounded, and so is what it reflects.
+    // Grazing: the surface of a texel is bounded, and so is its reflection.
     wrong += vtkiCosineRatio(cosine, 0.0f, 0.01f) > 1.0f / 0.01f;
   }
   CheckAtMost("equal normals: the cosine cancels", worst, 1e-7, "one division");

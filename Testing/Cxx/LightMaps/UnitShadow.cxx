@@ -12,7 +12,7 @@ using namespace vtkIndirectKernels;
 
 namespace
 {
-// What a depth buffer stores, in double precision: rows 2 and 3 of the projection, to [0,1].
+// Depth buffer value in double precision: rows 2 and 3 of the projection, to [0,1].
 double StoredDepth(double depth, double n, double f, bool parallel)
 {
   return parallel ? (depth - n) / (f - n) : f * (depth - n) / (depth * (f - n));
@@ -128,7 +128,7 @@ VTK_INDIRECT_TEST(Tent)
   CheckEqual("weight of the middle texel", vtkiShadowWeight(0.0f, 0.3f), 0.5);
 }
 
-// Texels are visited by the bits of their numbers, and stand in rows of three.
+// Texels are visited by the bits of their numbers, and lie in rows of three.
 VTK_INDIRECT_TEST(ShadowNeighbors)
 {
   for (int bits = 1; bits < 512; ++bits)
@@ -172,8 +172,8 @@ VTK_INDIRECT_TEST(PackSlope)
     "half a step");
 }
 
-// A map that looks straight down onto planes: each texel's depth and slope are those of the plane
-// that is nearest at its centre. seen: what a receiver on `plane` finds at a place.
+// A map that looks straight down onto planes: each texel has the depth and slope of the nearest
+// plane at its centre. look: visibility of a receiver on `plane` at a place.
 VTK_INDIRECT_TEST(ShadowVotes)
 {
   struct Plane
@@ -231,8 +231,7 @@ VTK_INDIRECT_TEST(ShadowVotes)
     }
     return static_cast<double>(vtkiShareOfShadow(seen, votes));
   };
-  // Depths count 1e-3 as the width of a texel. A wall, left, whose foot is at 0.3 on a floor,
-  // right.
+  // Depths count 1e-3 as the width of a texel. A wall, left, meets a floor, right, at 0.3.
   const std::vector<Plane> corner = { { 0.5 - 0.3e-3 * -3.0, -3e-3, -1e9, 0.3 },
     { 0.5 - 0.3e-3 * 0.5, 0.5e-3, 0.3, 1e9 } };
   double least = 1.0;
@@ -241,22 +240,22 @@ VTK_INDIRECT_TEST(ShadowVotes)
     least = std::min(least, look(corner, x < 0.3 ? 0 : 1, x, 0.2));
   }
   CheckEqual("least that is seen where a wall meets a floor", least, 1.0);
-  // A wall whose foot is at 0.3, before a floor that begins there, hides it as long as it is there,
-  // to 40.
+  // A wall with its foot at 0.3, in front of a floor that begins there, hides the floor up to its
+  // end at 40.
   std::vector<Plane> thin = { { 0.5 + 0.3e-3 * 3.0, -3e-3, 0.3, 40.0 },
     { 0.5 - 0.3e-3 * 0.5, 0.5e-3, 0.3, 1e9 } };
   for (const bool around : { false, true })
   {
     if (around)
     {
-      thin[1].Begin = -1e9; // the floor is on both sides of the wall
+      thin[1].Begin = -1e9; // the floor extends to both sides of the wall
     }
     double most = 0.0;
     for (double x = 0.33; x <= 38.0; x += 0.01)
     {
       most = std::max(most, look(thin, 1, x, -0.3));
     }
-    // Slopes are taken to be off by a hundredth: 0.01 of a texel from the foot.
+    // Slopes are assumed to have an error of a hundredth: 0.01 of a texel from the foot.
     CheckEqual("most light behind a thin wall", most, 0.0);
   }
   double lit = 1.0;
@@ -265,7 +264,7 @@ VTK_INDIRECT_TEST(ShadowVotes)
     lit = std::min(lit, look(thin, 1, x, -0.3));
   }
   CheckEqual("least that is seen before the thin wall", lit, 1.0);
-  // Far from what hides it a shadow's edge is as wide as the tent.
+  // Far from its caster a shadow's edge is as wide as the tent.
   const std::vector<Plane> edge = { { 0.4, 0.2e-3, 0.3, 1e9 }, { 0.5, 0.5e-3, -1e9, 1e9 } };
   CheckEqual("1.6 texels outside", look(edge, 1, 0.3 - 2.1, 0.1), 1.0);
   CheckEqual("1.6 texels inside", look(edge, 1, 0.3 + 2.1, 0.1), 0.0);
@@ -273,8 +272,7 @@ VTK_INDIRECT_TEST(ShadowVotes)
     "the edge is at a texel's border, half a texel off at most, where the tent has 0.3 of its "
     "weight");
   // Inside a closed body: its front rises from its rim at 0.3, and the receiver falls from there;
-  // beside the body lies a floor. The rim of a round one, whose planes meet farther out than it
-  // ends, too.
+  // beside the body is a floor. Also a round body, whose planes meet beyond its rim.
   for (const double beyond : { 0.0, 0.8 })
   {
     const std::vector<Plane> body = { { 0.5 - (0.3 + beyond) * -3e-3, -3e-3, -1e9, 0.3 },
@@ -353,7 +351,7 @@ VTK_INDIRECT_TEST(SameSurface)
     !same(vec3(1.0f, 0.0f, 0.0f), vec3(std::sin(0.9f * tilt), 0.0f, std::cos(0.9f * tilt))));
 }
 
-// What is found out once for several places must hold between any two of them.
+// A joint test of several positions must hold between any two of them.
 VTK_INDIRECT_TEST(OneSurface)
 {
   constexpr int count = 6;
@@ -362,7 +360,7 @@ VTK_INDIRECT_TEST(OneSurface)
   Random random(14);
   int accepted = 0;
   int wrong = 0;
-  int declined = 0; // though every pair agrees
+  int declined = 0; // although every pair agrees
   int planes = 0;
   double worstTurn = 0.0;
   for (int i = 0; i < 100000; ++i)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists of lights for specular subsplats: what they converge to, what they must not do, and what
-// they save.
+// Lists of lights for specular subsplats: their limit, their errors, and their savings.
 #include "Gather/vtkIndirectGlossyRoom.h"
 #include "vtkIndirectDetails.h"
 
@@ -42,7 +41,7 @@ struct ListedRoom : GlossyRoom
   }
 };
 
-/** What the report says of the lists. */
+/** The report's text about the lists. */
 std::string GetLists(Scene& scene)
 {
   const std::string report = scene.Pass->GetReport();
@@ -50,7 +49,7 @@ std::string GetLists(Scene& scene)
   return at == std::string::npos ? "" : report.substr(at, 240);
 }
 
-/** Evaluations over pixels times lights; negative where there are no lists. */
+/** Evaluations over pixels times lights; negative without lists. */
 double GetShare(Scene& scene)
 {
   const std::string text = GetLists(scene);
@@ -86,8 +85,8 @@ void RequireLists(Scene& scene)
 }
 }
 
-// A threshold that nothing meets resolves every light at every pixel, through all levels: residuals
-// and interpolations cancel. With none, the gather is used itself.
+// With an unreachable threshold every light is resolved at every pixel, through all levels:
+// residuals and interpolations cancel. With a threshold of zero the gather itself is used.
 VTK_INDIRECT_TEST(ListsConverge)
 {
   for (double power : { 1.0, 25.0, 128.0 })
@@ -121,7 +120,7 @@ VTK_INDIRECT_TEST(ListsConverge)
   }
 }
 
-// What hides a light from a pixel, by the depth map of the light, hides it from lists too.
+// A light that its depth map hides from a pixel is hidden from lists too.
 VTK_INDIRECT_TEST(ListsHidden)
 {
   ListedRoom scene(131, 97, 25.0);
@@ -181,7 +180,7 @@ VTK_INDIRECT_TEST(ListsThreshold)
   }
 }
 
-// Contexts before OpenGL 4.3 have no lists; the setting that does without them is what they get.
+// Contexts before OpenGL 4.3 have no lists, and use the setting without them.
 VTK_INDIRECT_TEST(ListsFallBack)
 {
   ListedRoom scene(64, 48, 25.0);
@@ -191,7 +190,7 @@ VTK_INDIRECT_TEST(ListsFallBack)
     Difference(scene.Splat(), exact) / Largest(exact), 1e-5, "the same sum");
   Check("the report says that all lights are summed, and why",
     GetLists(scene).find("because lists are off") != std::string::npos, GetLists(scene));
-  // The renderers that have lists have the same ones.
+  // All renderers with lists have the same ones.
   RequireLists(scene);
   SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::COMPUTE);
   const Image compute = scene.Splat();
@@ -224,15 +223,16 @@ VTK_INDIRECT_TEST(ListsStrength)
       char what[80];
       std::snprintf(what, sizeof(what), "strength %g, %s floats: RMS difference over the brightest",
         intensity, half ? "half" : "32-bit");
-      // A light at the threshold may go either way, by rounding of what it is held against.
+      // Rounding may decide on a light at the threshold.
       CheckAtMost(what, RootMeanSquare(scaled, unit) / Largest(unit), half ? 1e-3 : 1e-5,
         half ? "roundings of 2^-11 on each level" : "rounding");
     }
   }
 }
 
-// A mirror-like sheet before a floor of another lobe, whose highlight ends at the sheet's edge:
-// what one shows must not appear on the other, whose own sum in double precision is exactly zero.
+// A mirror-like sheet in front of a floor with another lobe, whose highlight ends at the sheet's
+// edge: the light of one must not appear on the other, whose sum in double precision is exactly
+// zero.
 VTK_INDIRECT_TEST(ListsDepthEdge)
 {
   double worst = 0.0;
@@ -243,7 +243,7 @@ VTK_INDIRECT_TEST(ListsDepthEdge)
     Random random(2300 + static_cast<std::uint64_t>(number));
     Scene scene(160 + 7 * number, 120);
     RequireLists(scene);
-    // Its sender lies below the sheets and beside the view, and lights the floor only.
+    // The sheets' sender lies below them and beside the view, and lights only the floor.
     scene.AddQuad({ -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, { 0, 0, 0 });
     const glm::dvec3 sender(1.3, -1.5, 0.5);
     scene.AddQuad(sender, sender + glm::dvec3(0, 3, 0), sender + glm::dvec3(2, 0, 0),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What interpolation between subsplats costs, against the gather at every pixel over the same
-// lights, and what each setting does to it.
+// Error of interpolation between subsplats, against the gather at every pixel over the same lights,
+// and the effect of each setting.
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectRandomFrame.h"
 
@@ -36,7 +36,7 @@ struct Ball : MultiresolutionScene
 
 VTK_INDIRECT_TEST(Defaults)
 {
-  // The lower the thresholds, the more subsplats, and the lower the error.
+  // Lower thresholds give more subsplats, and a lower error.
   const std::vector<double> factors = { 4.0, 1.0, 0.25, 0.0625 };
   std::vector<double> logarithms(factors.size(), 0.0);
   std::vector<double> defaults;
@@ -106,7 +106,7 @@ VTK_INDIRECT_TEST(HalfResolution)
     {
       for (int x = 0; x < expected.Width; ++x)
       {
-        // Each pixel has a value; but where light begins, that of a sample nearby may be 0.
+        // Each pixel has a value; but next to unlit pixels, a nearby sample may be 0.
         bool surrounded = true;
         for (int i = 0; i < 49; ++i)
         {
@@ -151,7 +151,7 @@ VTK_INDIRECT_TEST(NormalCorrection)
 
 VTK_INDIRECT_TEST(Lighting)
 {
-  // A wall that stands close to a lit stripe: flat, so that geometry splits nothing.
+  // A wall close to a lit stripe: flat, so that geometry splits nothing.
   MultiresolutionScene scene(160, 120);
   scene.AddQuad({ -1, 0, 0 }, { -1, 0, 1 }, { 2, 0, 0 }, glm::dvec3(0.75));
   scene.AddQuad({ -1, 0.06, 0 }, { 2, 0.06, 0 }, { -1, 2.06, 0 }, glm::dvec3(0.5));
@@ -173,8 +173,8 @@ VTK_INDIRECT_TEST(Lighting)
   CheckAtMost("the lowest over the default", errors[3] / errors[2], 0.9, "it splits more");
   CheckAtMost("the default over a higher one", errors[2] / errors[1], 1.0, "it splits more");
 
-  // What is split beside a coarse subsplat must not leave it without something to interpolate with:
-  // splitting would then make things worse (3 times the error).
+  // Splits beside a coarse subsplat must not leave it without neighbours for interpolation:
+  // splitting would then increase the error (3 times).
   SET_DETAIL(scene.Splatting, CoarsestResolution, 64);
   SET_DETAIL(scene.Splatting, LightingThreshold, 0.0);
   const double none = Compare(scene.Splat(), expected, Least).RootMeanSquare;
@@ -185,9 +185,9 @@ VTK_INDIRECT_TEST(Lighting)
 
 VTK_INDIRECT_TEST(NearLights)
 {
-  // A flat wall beside a floor with few virtual lights, each so near that what it gives the wall is
-  // narrower than the coarsest subsplats: probes there do not see how it bends. While the eye
-  // turns, subsplats slide over it, and what interpolation misses flickers.
+  // A flat wall beside a floor with few virtual lights, each so near that its light on the wall is
+  // narrower than the coarsest subsplats: probes there do not show its curvature. While the eye
+  // turns, subsplats slide over the wall, and the error of interpolation flickers.
   MultiresolutionScene scene(256, 192);
   scene.AddQuad({ -1, 0, 0 }, { -1, 0, 1 }, { 2, 0, 0 }, glm::dvec3(0.75));
   scene.AddQuad({ -1, 0.06, 0 }, { 2, 0.06, 0 }, { -1, 2.06, 0 }, glm::dvec3(0.5));
@@ -241,7 +241,7 @@ VTK_INDIRECT_TEST(NearLights)
 
 VTK_INDIRECT_TEST(Balance)
 {
-  // Levels that differ by more than one where they touch make steps.
+  // Neighbouring levels that differ by more than one make steps.
   double logarithm = 0.0;
   int differ = 0;
   int count = 0;

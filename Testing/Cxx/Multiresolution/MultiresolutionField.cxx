@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fields of which the upsampled image is known everywhere: constants, and light on one side of a
-// depth edge only.
+// Fields with a known upsampled image: constants, and light on only one side of a depth edge.
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectRandomFrame.h"
 
@@ -16,7 +15,7 @@ namespace
 {
 using Pass = vtkMultiresolutionSplattingPass;
 
-// Another combination of settings for each number.
+// A different combination of settings for each number.
 std::string Configure(Pass* pass, int number)
 {
   const int coarsest[] = { 64, 4, 16, 7 };
@@ -37,8 +36,8 @@ std::string Configure(Pass* pass, int number)
 VTK_INDIRECT_TEST(ConstantField)
 {
   // Parallel sheets at random depths, all of them within a thousandth of the distance to a lit
-  // wall: what they receive differs by as little, and what is interpolated between them, across
-  // their edges, to the background or from outside of the image must not show.
+  // wall: their irradiance differs by as little, and interpolation between them, across their
+  // edges, to the background or from outside of the image must not show.
   double worst[2] = {};
   double variation = 0.0;
   int gaps = 0;
@@ -111,9 +110,9 @@ VTK_INDIRECT_TEST(ConstantField)
 
 namespace
 {
-// A sender at half height beside the view lights all that lies below it and faces up; sheets above
-// it, parallel to the ground, are dark. The other way round, the sheets lean towards a sender below
-// the ground, which is dark. On every pixel the sum in double precision says which it is.
+// A sender at half height beside the view lights all surfaces below it that face up; sheets above
+// it, parallel to the ground, are dark. In the other case, the sheets lean towards a sender below
+// the ground, which is dark. The sum in double precision tells which pixels are dark.
 void CheckDepthEdge(bool nearIsLit)
 {
   double worstDark = 0.0;

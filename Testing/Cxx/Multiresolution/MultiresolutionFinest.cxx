@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// With thresholds of zero every subsplat is a pixel, and the result is the gather at every pixel
-// over the same lights.
+// With thresholds of zero every subsplat is a pixel, and the result equals the gather at every
+// pixel over the same lights.
 //
 // Tolerances are relative to a pixel's irradiance, or to a ten-thousandth of the brightest one:
-// below it, cosines of senders in nearly the same plane are rounding.
+// smaller irradiances come from senders in nearly the same plane, whose cosines are rounding.
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectRandomFrame.h"
 
@@ -25,7 +25,7 @@ constexpr int Frames = 30;
 
 void SetFinest(MultiresolutionScene& scene, bool half)
 {
-  // Any one threshold of the geometry at zero splits everything.
+  // A zero for any one threshold of the geometry splits everything.
   scene.Splatting->SetPlaneThreshold(0.0);
   SET_DETAIL(scene.Splatting, HalfFloats, half);
 }
@@ -53,7 +53,7 @@ VTK_INDIRECT_TEST(FinestIsGather)
         scene.Splatting->SetNormalThreshold(0.0);
       }
       const Image image = scene.Splat();
-      // Below 2^-14 of the unit of storage, half floats are multiples of 2^-24, each component.
+      // Below 2^-14 of the unit of storage, each component of half floats is a multiple of 2^-24.
       const double floor = half ? std::exp2(-13.0) * scene.Splatting->GetIrradianceUnit() : 0.0;
       const ImageError error = Compare(image, expected, Least, floor);
       worst[half] = std::max(worst[half], error.Worst);
@@ -85,7 +85,7 @@ VTK_INDIRECT_TEST(ManyLights)
     const std::string what = std::to_string(lights) + " lights: ";
     CheckAtMost(what + "worst relative difference to the gather",
       Compare(image, expected, Least).Worst, 1e-5, "the order of sums");
-    // One light less would show.
+    // The test can tell one light less.
     scene.Sampler->SetNumberOfLights(lights - 1);
     CheckAtLeast(what + "the same with one light less",
       Compare(image, scene.GatherAll(), Least).Worst, 1e-4, "the test's own power");
@@ -94,8 +94,8 @@ VTK_INDIRECT_TEST(ManyLights)
 
 VTK_INDIRECT_TEST(Views)
 {
-  // Lights and eyes one by one, at the defaults too: what differs is the number of lights that
-  // count, and where they are.
+  // Tests lights and eyes one by one, also with the defaults: they differ in the number and
+  // positions of the lights that count.
   for (int kind = 0; kind < NumberOfFrameLights; ++kind)
   {
     for (bool parallel : { false, true })
@@ -136,7 +136,7 @@ VTK_INDIRECT_TEST(Storage)
     const Image exact = scene.Splat();
     SET_DETAIL(scene.Splatting, HalfFloats, true);
     const ImageError error = Compare(scene.Splat(), exact, 1e-3);
-    // The mean of a frame with a bright spot in the dark says nothing about either.
+    // The mean is no measure for a frame with a bright spot in the dark.
     const double difference = error.RootMeanSquare * error.Mean / error.Power;
     std::printf("       %s: root mean square %.2e, worst pixel %.2e\n", scene.Name.c_str(),
       difference, error.Worst);
@@ -180,7 +180,7 @@ VTK_INDIRECT_TEST(Bytes)
   RandomFrame scene(8, { 1024, 1024 }, FrameLight::SPOT);
   scene.Sampler->SetNumberOfLights(16);
   scene.Splat();
-  // The uniform block has room for 1024 lights whatever their number.
+  // The uniform block has space for 1024 lights, whatever their number.
   const double constant = 1024 * 48 + 4096;
   const double pixels = 1024.0 * 1024.0;
   const double full = (static_cast<double>(scene.Splatting->GetBytes()) - constant) / pixels;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tree of subsplats itself: each lit pixel in one leaf, leaves that touch, the paper's
-// refinement against its criterion on the CPU, and the same leaves by every renderer.
+// The tree of subsplats: each lit pixel in one leaf, neighbouring leaves, the paper's refinement
+// against its criterion on the CPU, and equal leaves by every renderer.
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectPyramidReader.h"
 #include "vtkIndirectRandomFrame.h"
@@ -21,7 +21,7 @@ namespace
 {
 using Pass = vtkMultiresolutionSplattingPass;
 
-// A random frame whose pyramid is read.
+// A random frame, whose pyramid is read back.
 struct LeafFrame : RandomFrame
 {
   vtkNew<PyramidReader> Reader;
@@ -43,8 +43,8 @@ const std::vector<FrameSize> Sizes = { { 97, 61 }, { 127, 89 }, { 131, 1 }, { 1,
 
 VTK_INDIRECT_TEST(LeavesCoverOnce)
 {
-  // Whatever the settings, each lit pixel lies in exactly one leaf, the one that subsplat.level
-  // shows; and the lists of split texels hold each of them once.
+  // With all settings, each lit pixel lies in exactly one leaf, the one that subsplat.level shows;
+  // and the lists of split texels contain each of them once.
   double lit = 0.0;
   int coarse = 0;
   int wrong = 0;
@@ -93,7 +93,7 @@ VTK_INDIRECT_TEST(LeavesCoverOnce)
 
 VTK_INDIRECT_TEST(LeavesBalanced)
 {
-  // Levels of lit pixels that touch, also by a corner.
+  // Levels of neighbouring lit pixels, also at a corner.
   double pairs = 0.0;
   int steps[2] = {};
   for (int number = 0; number < 16; ++number)
@@ -135,8 +135,8 @@ VTK_INDIRECT_TEST(LeavesBalanced)
 namespace
 {
 // The paper's pyramid and criterion on the CPU (section 3.2 of Nichols and Wyman 2009): a subsplat
-// is split where its depths differ by more than one threshold, or a component of its normals by
-// more than another; the coarsest level always.
+// is split if its depths differ by more than one threshold, or a component of its normals by more
+// than another; the coarsest level always.
 struct PaperTree
 {
   struct Node
@@ -243,9 +243,9 @@ struct PaperTree
     return level;
   }
 
-  // What the page on the method adds to every refinement: splits where another surface rises over
-  // a texel's first pixel, one pixel beside it, by 0.05 to 8 widths of a pixel, and turns by more
-  // than 0.7.
+  // The addition to every refinement, described on the method's page: splits if another surface
+  // rises over a texel's first pixel, one pixel beside it, by 0.05 to 8 widths of a pixel, and
+  // differs in normal by more than 0.7.
   static bool IsCorner(const PyramidReader& reader, int x, int y)
   {
     auto place = [&](int u, int v, glm::dvec3& position, glm::dvec3& normal)
@@ -321,7 +321,7 @@ struct Comparison
 
 VTK_INDIRECT_TEST(LeavesOfThePaper)
 {
-  // Sheets that face the same way, at other depths: no corners, the paper's criterion alone.
+  // Sheets of one orientation at different depths: no corners, only the paper's criterion.
   Comparison sheets;
   for (int number = 0; number < 6; ++number)
   {

@@ -47,7 +47,7 @@ struct PyramidFrame : RandomFrame
     return x < of.Width && y < of.Height &&
       of.At(of.Surface, x, y)[3] != Kernels::VTKI_SUBSPLAT_EMPTY;
   }
-  // Depth and normal of a pixel, or as a level holds them.
+  // Depth and normal of a pixel, or of a level's texel.
   void Get(int level, int x, int y, double& depth, glm::dvec3& normal) const
   {
     if (level == 0)
@@ -65,7 +65,7 @@ struct PyramidFrame : RandomFrame
       normal = Kernels::vtkiOctahedralDecode({ p[0], p[1] });
     }
   }
-  // At the centre of those of its pixels that the image has.
+  // Position at the centre of a texel's pixels inside the image.
   glm::dvec3 GetPlace(int level, int x, int y, double depth) const
   {
     const double edge = std::exp2(level);
@@ -86,7 +86,7 @@ struct PyramidFrame : RandomFrame
 VTK_INDIRECT_TEST(PyramidMinMax)
 {
   double texels = 0.0;
-  double border = 0.0; // texels whose children the image lacks in part
+  double border = 0.0; // texels with children outside of the image
   int empty = 0;
   int depths = 0;
   int normals = 0;
@@ -130,7 +130,8 @@ VTK_INDIRECT_TEST(PyramidMinMax)
           depths += minimum[3] != least || maximum[3] != most;
           border += (x + 1) * edge > reader->Size[0] || (y + 1) * edge > reader->Size[1];
           texels += there;
-          // Normals: from pixels, whose decoding rounds; above bit for bit from the level below.
+          // Normals: of pixels, whose decoding rounds; of higher levels bit for bit from the level
+          // below.
           for (int c = 0; c < 3 && there; ++c)
           {
             float lower = 2.0f;
@@ -193,7 +194,7 @@ VTK_INDIRECT_TEST(PyramidMeans)
   {
     PyramidFrame scene(1500 + number);
     PyramidReader* const reader = scene.Reader;
-    // Nothing is split for the lighting's or the neighbours' sake: the state is the surface's.
+    // Neither the lighting nor neighbours split texels: the state depends on the surface.
     SET_DETAIL(reader, LightingThreshold, 0.0);
     SET_DETAIL(reader, Balance, false);
     scene.Render();
@@ -238,7 +239,7 @@ VTK_INDIRECT_TEST(PyramidMeans)
             ++count;
           }
           wrong += (count > 0) != scene.IsThere(level, x, y);
-          // Normals that all but cancel have no mean.
+          // Normals that nearly cancel have no mean.
           if (count == 0 || glm::length(normal) < 0.1 * count)
           {
             continue;
@@ -270,8 +271,8 @@ VTK_INDIRECT_TEST(PyramidMeans)
           glm::dvec3 found;
           scene.Get(level, x, y, depth, found);
           turn = std::max(turn, glm::length(found - normal));
-          // The depth lies on the plane through the mean place, before all children and their
-          // tangent planes on its ray: not off it by its share of a width.
+          // The depth lies on the plane through the mean position, in front of all children and of
+          // their tangent planes on its ray; this measures its distance over the texel's width.
           const glm::dvec3 at = scene.GetPlace(level, x, y, depth);
           const glm::dvec3 origin = scene.GetPlace(level, x, y, 0.0);
           const glm::dvec3 way = scene.GetPlace(level, x, y, 1.0) - origin;

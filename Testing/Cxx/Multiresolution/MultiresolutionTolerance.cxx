@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What ErrorTolerance means for multiresolution splatting, in random frames that it was not chosen
-// by: the error of interpolating between subsplats is within it, and where the choice of virtual
+// ErrorTolerance of multiresolution splatting in random frames not used for its calibration: the
+// error of interpolating between subsplats is within it, and if the error of choosing virtual
 // lights is not, the report says so.
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectRandomFrame.h"
@@ -18,7 +18,7 @@ namespace
 {
 constexpr int Lights = 256; // the default
 
-// Lights that the report says would meet the tolerance; 0 where it does not object.
+// Number of lights that the report recommends for the tolerance; 0 without a recommendation.
 int FindLightsNeeded(Scene& scene)
 {
   const std::string report = scene.Pass->GetReport();
@@ -105,7 +105,7 @@ VTK_INDIRECT_TEST(ToleranceLights)
     scene.Gather->SetModeToAllTexels();
     scene.Render();
     const Image all = scene.Copy("irradiance");
-    // Nothing but the choice of lights differs.
+    // Only the choice of lights differs.
     scene.Splatting->SetPlaneThreshold(0.0);
     SET_DETAIL(scene.Splatting, HalfFloats, false);
     const double measured = FindRelativeError(scene.SplatWithin(0.02), all, scene.Normal);

@@ -20,17 +20,17 @@ public:
   {
     int Width = 0;
     int Height = 0;
-    int NumberOfListed = -1;    // in the list of split texels; -1: there is none
+    int NumberOfListed = -1;    // in the list of split texels; -1: no list
     std::vector<float> Surface; // octahedral normal, depth, state
     std::vector<float> Second;  // deviation and spread, or minima
-    std::vector<float> Third;   // maxima, of the paper's refinement
+    std::vector<float> Third;   // maxima for the paper's refinement
     const float* At(const std::vector<float>& channel, int x, int y) const
     {
       return &channel[4 * (static_cast<size_t>(y) * this->Width + x)];
     }
   };
 
-  /** Of the last frame: the geometry buffer's surfaces, four floats a pixel, and its rays. */
+  /** The last frame's surfaces of the geometry buffer, four floats a pixel, and its rays. */
   int Size[2] = { 0, 0 };
   std::vector<float> Pixels;
   glm::dmat3 RayOrigin{ 0.0 };
@@ -40,7 +40,7 @@ public:
 
   bool IsLit(int x, int y) const;
   bool IsSplit(int level, int x, int y) const;
-  /** Levels of the leaves that a pixel lies in: those that are not split under one that is. */
+  /** Levels of the leaves that contain a pixel: unsplit texels under a split one. */
   std::vector<int> FindLeaves(int x, int y) const;
 
   vtkIndirectEstimate Estimate(const Input& input) override;

@@ -118,7 +118,7 @@ RandomFrame::RandomFrame(int number, const FrameSize& size, FrameLight light)
     this->Renderer->AddLight(head);
   }
 
-  // From in front of the open sides, near or far.
+  // The eye is in front of the open sides, near or far.
   const double distance = random.NextMagnitude(0.7, 2.5);
   const glm::dvec3 from =
     glm::normalize(glm::dvec3(random.Next(0.2, 1.0), random.Next(0.1, 0.8), random.Next(0.2, 1.0)));
@@ -159,7 +159,7 @@ ImageError Compare(const Image& image, const Image& expected, double least, doub
       const glm::dvec3 difference = image.Color(x, y) - wanted;
       const double relative =
         glm::length(difference) / std::max({ glm::length(wanted), least * largest, floor });
-      // Also where it is no number.
+      // Written so that NaN counts as the worst.
       error.Worst = relative <= error.Worst ? error.Worst : relative;
       sum += glm::dot(difference, difference) / 3.0;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random scenes under random cameras, from fixed seeds, and how multiresolution splatting compares
-// in them with the gather of the same lights.
+// Random scenes under random cameras, from fixed seeds, and comparisons of multiresolution
+// splatting with the gather of the same lights.
 #ifndef vtkIndirectRandomFrame_h
 #define vtkIndirectRandomFrame_h
 
@@ -20,7 +20,7 @@ struct FrameSize
 };
 const std::vector<FrameSize>& GetFrameSizes();
 
-/** Which light a frame has. HEADLIGHT: of the camera, for which there is no map. */
+/** The light of a frame. HEADLIGHT: of the camera, which has no map. */
 enum class FrameLight
 {
   SPOT,
@@ -31,7 +31,7 @@ enum class FrameLight
 };
 constexpr int NumberOfFrameLights = 5;
 
-/** A scene with the splatting and, to compare with, a gather over the same lights. */
+/** A scene with the splatting, and a gather over the same lights for comparison. */
 struct MultiresolutionScene : Scene
 {
   MultiresolutionScene(int width, int height);
@@ -56,11 +56,12 @@ struct RandomFrame : MultiresolutionScene
 /** Differences of an image to an expected one. */
 struct ImageError
 {
-  /** Largest of a pixel's colour, relative to the expected one, or to what `least` says. */
+  /** Largest difference of a pixel's colour, relative to the expected one, or to the bound by
+   * `least`. */
   double Worst = 0.0;
   double RootMeanSquare = 0.0; // over the expected mean
-  double Mean = 0.0;           // the expected one
-  double Power = 0.0;          // root of the expected one's mean square
+  double Mean = 0.0;           // of the expected image
+  double Power = 0.0;          // root mean square of the expected image
 };
 /** least: differences are relative to at least this share of the largest expected value, and to
  * at least `floor`. */

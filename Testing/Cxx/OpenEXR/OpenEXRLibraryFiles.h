@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that the OpenEXR library itself writes, for the tests of the reader.
+// Files written by the OpenEXR library, for the tests of the reader.
 
 #ifndef OpenEXRLibraryFiles_h
 #define OpenEXRLibraryFiles_h
@@ -49,7 +49,7 @@ struct Plane
     Random random(seed);
     for (int i = 0; i < this->Width * this->Height; ++i)
     {
-      // Smooth with some noise, so that each compression has something to do.
+      // Smooth with some noise, which compresses in part.
       const float value =
         std::abs(static_cast<float>(i % this->Width) * 0.25f + random.Value(1.0f));
       this->Floats.push_back(value);
@@ -58,7 +58,7 @@ struct Plane
     }
   }
 
-  // What the reader has to give.
+  // The value that the reader has to return.
   float Get(int column, int row) const
   {
     const std::size_t i = static_cast<std::size_t>(row * this->Width + column);
@@ -143,7 +143,7 @@ inline void WriteTiles(const std::string& path, const imath::Box2i& window,
   }
 }
 
-// The first part may be a deep one, of which there are then no pixels.
+// The first part may be a deep one, without pixels.
 inline void WriteParts(const std::string& path, const imath::Box2i& window,
   std::vector<std::vector<Plane>>& parts, bool deepFirst = false)
 {
@@ -190,7 +190,7 @@ inline void WriteDeep(const std::string& path)
   file.writePixels(2);
 }
 
-// The planes, in the order of the components, are what the image holds.
+// True if the image holds the planes, in the order of the components.
 inline bool Holds(
   vtkImageData* image, const imath::Box2i& window, const std::vector<const Plane*>& planes)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of VTK::IndirectOpenEXR share.
+// Shared parts of the tests of VTK::IndirectOpenEXR.
 
 #ifndef OpenEXRTestTools_h
 #define OpenEXRTestTools_h
@@ -124,7 +124,7 @@ inline bool IsEmpty(vtkImageData* image)
   return image->GetPointData()->GetNumberOfArrays() == 0 && dimensions[0] * dimensions[1] == 0;
 }
 
-// Has the reader read bytes, which must outlive it: from VTK's stream where there is one.
+// Makes the reader read bytes, which must outlive it: from VTK's stream if it has one.
 inline void SetBytes(vtkOpenEXRReader* reader, const std::vector<char>& bytes, std::size_t length)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
@@ -137,7 +137,7 @@ inline void SetBytes(vtkOpenEXRReader* reader, const std::vector<char>& bytes, s
 #endif
 }
 
-// Updates the reader, which must fail with exactly one error of one of those codes.
+// Updates the reader, which must fail with exactly one error of one of these codes.
 inline void ExpectReadError(vtkOpenEXRReader* reader, const std::vector<unsigned long>& codes)
 {
   vtkNew<Messages> messages;
@@ -157,7 +157,7 @@ inline void ExpectReadError(vtkOpenEXRReader* reader, unsigned long code)
   ExpectReadError(reader, std::vector<unsigned long>{ code });
 }
 
-// Writes, which must fail with exactly one error of that code.
+// Writes, which must fail with exactly one error of this code.
 inline void ExpectWriteError(vtkOpenEXRWriter* writer, unsigned long code)
 {
   vtkNew<Messages> messages;
@@ -189,7 +189,7 @@ inline vtkSmartPointer<vtkImageData> MakeImage(const std::vector<int>& extent, i
   return image;
 }
 
-// Writes, which must work.
+// Writes, which must succeed.
 inline void Write(vtkOpenEXRWriter* writer, const std::string& path)
 {
   writer->SetFileName(path.c_str());
@@ -197,7 +197,7 @@ inline void Write(vtkOpenEXRWriter* writer, const std::string& path)
   EXR_CHECK(writer->GetErrorCode() == vtkErrorCode::NoError);
 }
 
-// Reads, which must work, also where the file has changed since.
+// Reads, which must succeed, also after a change of the file.
 inline void Read(vtkOpenEXRReader* reader, const std::string& path)
 {
   reader->SetFileName(path.c_str());
@@ -212,14 +212,14 @@ inline float* FloatData(vtkImageData* image)
   return scalars ? scalars->GetPointer(0) : nullptr;
 }
 
-// The channel that a component of the output was read from.
+// Name of the channel of a component of the output.
 inline std::string ComponentName(vtkOpenEXRReader* reader, int component)
 {
   const char* name = reader->GetOutput()->GetPointData()->GetScalars()->GetComponentName(component);
   return name ? name : "";
 }
 
-// Same extent, same components, same bits.
+// True for equal extents, components and bits.
 inline bool SameBits(vtkImageData* a, vtkImageData* b)
 {
   int extentA[6];
@@ -253,7 +253,7 @@ inline int CountFiles(const std::string& directory)
     std::filesystem::directory_iterator(directory), std::filesystem::directory_iterator()));
 }
 
-// Where the running test writes, with a slash behind it; empty at first.
+// Folder of the running test, with a slash at its end; empty at first.
 inline std::string GetFolder()
 {
   return vtkIndirectTest::GetArguments().at(0) + "/";

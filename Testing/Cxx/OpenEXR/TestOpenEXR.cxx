@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program around the tests of VTK::IndirectOpenEXR: each has a folder of its own, which stays
-// where the test fails.
+// The program of the tests of VTK::IndirectOpenEXR: each test has its own folder, which is kept if
+// the test fails.
 #include "OpenEXRTestTools.h"
 
 #include "vtkOutputWindow.h"
 
 namespace
 {
-// Fails the test for all messages that no observer took, such as those of the pipeline.
+// Fails the test for all messages without an observer, such as the pipeline's.
 class Window : public vtkOutputWindow
 {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each failure is reported once, leaves nothing behind, and does not crash.
+// Each failure is reported once, leaves no files behind, and does not crash.
 
 #include "OpenEXRLibraryFiles.h"
 
@@ -69,7 +69,7 @@ VTK_INDIRECT_TEST(ReaderErrors)
     reader->SetFileName((folder + "foreign.exr").c_str());
     ExpectReadError(reader, vtkErrorCode::UnrecognizedFileTypeError);
 
-    // The same reader goes on with a good file, and empties the output with the next bad one.
+    // The same reader continues with a good file, and empties the output with the next bad one.
     reader->SetFileName(good.c_str());
     reader->Update();
     EXR_CHECK(reader->GetErrorCode() == vtkErrorCode::NoError);
@@ -106,7 +106,7 @@ VTK_INDIRECT_TEST(ReaderErrors)
     EXR_CHECK(reader->GetLayerName(0) == "albedo");
   }
   {
-    // The file goes away between the header and the pixels.
+    // The file is moved between reading the header and the pixels.
     vtkNew<vtkOpenEXRReader> reader;
     reader->SetFileName((folder + "named.exr").c_str());
     reader->SetLayer("albedo");
@@ -114,7 +114,7 @@ VTK_INDIRECT_TEST(ReaderErrors)
     std::filesystem::rename(folder + "named.exr", folder + "away.exr");
     ExpectReadError(reader, vtkErrorCode::FileNotFoundError);
 
-    // Or becomes another one.
+    // Or replaced by another one.
     std::filesystem::rename(folder + "away.exr", folder + "named.exr");
     reader->Modified();
     reader->UpdateInformation();
@@ -141,7 +141,7 @@ VTK_INDIRECT_TEST(HugeSizes)
   };
   auto expect = [&](const std::vector<char>& bytes, unsigned long code)
   { expectOneOf(bytes, { code }); };
-  // Too large, and without room for the table of chunks. Newer libraries look for that later.
+  // Too large, and without space for the table of chunks, which newer libraries read later.
   auto expectTooLarge = [&](const std::vector<char>& bytes) {
     expectOneOf(bytes, { vtkErrorCode::PrematureEndOfFileError, vtkErrorCode::FileFormatError });
   };
@@ -212,7 +212,7 @@ VTK_INDIRECT_TEST(HugeSizes)
   bytes[place + compression.size()] = 2;
   expect(bytes, vtkErrorCode::FileFormatError);
 
-  // The limit itself: 50 x 20 pixels are fine, 1024 x 1024 with three components are not.
+  // The limit itself: 50 x 20 pixels are accepted, 1024 x 1024 with three components are not.
   vtkNew<vtkOpenEXRWriter> writer;
   writer->SetInputData(MakeImage({ 0, 1023, 0, 1023, 0, 0 }, 3));
   writer->SetFileName((folder + "large.exr").c_str());
@@ -343,7 +343,7 @@ VTK_INDIRECT_TEST(WriterErrors)
   writer->RemoveAllLayers();
   EXR_CHECK(CountFiles(folder) == 0);
 
-  // What is in the way of the temporary folder stays.
+  // A folder with the temporary folder's name is kept.
   std::filesystem::create_directory(path + ".tmp0");
   writer->AddLayer(std::string(240, 'a'), image);
   writer->Write();
@@ -384,7 +384,7 @@ VTK_INDIRECT_TEST(UnwritablePath)
   EXR_CHECK(CountFiles(folder) == 2);
 
 #ifndef _WIN32
-  // A device is not replaced, whoever runs this.
+  // A device is not replaced, for any user.
   writer->SetFileName("/dev/null");
   ExpectWriteError(writer, vtkErrorCode::CannotOpenFileError);
   EXR_CHECK(std::filesystem::is_character_file("/dev/null"));
@@ -423,7 +423,7 @@ VTK_INDIRECT_TEST(ExistingFile)
 }
 
 //------------------------------------------------------------------------------
-// A limit on the size of files stands in for a full disk, with room for the header or the pixels or
+// A limit on the size of files simulates a full disk, with space for the header or the pixels or
 // all but the last byte.
 VTK_INDIRECT_TEST(DiskFull)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reader with files that the OpenEXR library writes.
+// The reader with files of the OpenEXR library.
 
-// One test sets the MemoryBuffer that VTK 9.6 calls deprecated.
+// One test sets the MemoryBuffer, which VTK 9.6 deprecates.
 #define VTK_DEPRECATION_LEVEL 0
 
 #include "OpenEXRLibraryFiles.h"
@@ -15,7 +15,7 @@ using namespace exrtest;
 namespace
 {
 //------------------------------------------------------------------------------
-// Every compression, against what the library reads: some of them lose.
+// Every compression, against the library's reader, since some are lossy.
 VTK_INDIRECT_TEST(Compressions)
 {
   const std::string folder = GetFolder();
@@ -89,7 +89,7 @@ VTK_INDIRECT_TEST(Tiled)
 }
 
 //------------------------------------------------------------------------------
-// The first part that is a flat image.
+// The first part with a flat image.
 VTK_INDIRECT_TEST(MultiPart)
 {
   const std::string folder = GetFolder();

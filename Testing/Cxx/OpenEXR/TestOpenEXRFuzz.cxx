@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged files: each must be read or reported as one error, without a crash. The mutations are
-// the same on every run. What takes for ever ends by ctest's timeout.
+// Damaged files: each must be read or reported as one error, without a crash. The mutations are the
+// same on every run. ctest's timeout ends endless loops.
 
 #include "OpenEXRLibraryFiles.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reader gives back what the writer was given around the values: layers and windows.
+// The reader returns the writer's layers and windows.
 
 #include "OpenEXRLibraryFiles.h"
 
@@ -109,7 +109,7 @@ VTK_INDIRECT_TEST(Windows)
 }
 
 //------------------------------------------------------------------------------
-// Whatever piece the pipeline asks for, the output is the whole image.
+// The output is always the whole image, whichever piece the pipeline requests.
 VTK_INDIRECT_TEST(SubExtent)
 {
   const std::string folder = GetFolder();
@@ -124,7 +124,7 @@ VTK_INDIRECT_TEST(SubExtent)
   reader->UpdateExtent(extent);
   EXR_CHECK(SameBits(image, reader->GetOutput()));
 
-  // A filter that asks for a piece gets its pixels.
+  // A filter that requests a piece gets its pixels.
   vtkNew<vtkExtractVOI> part;
   part->SetInputConnection(reader->GetOutputPort());
   part->SetVOI(extent);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reader gives back the values that the writer was given.
+// The reader returns the writer's values.
 
 #include "OpenEXRTestTools.h"
 
@@ -100,7 +100,7 @@ VTK_INDIRECT_TEST(RoundTrip)
     }
   }
 
-  // An array that keeps each component by itself.
+  // An array with separate components.
   vtkNew<vtkSOADataArrayTemplate<float>> separate;
   separate->SetNumberOfComponents(3);
   separate->SetNumberOfTuples(70);

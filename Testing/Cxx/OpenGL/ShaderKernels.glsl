@@ -1,5 +1,5 @@
-// Every kernel of glsl/lib by number, in the dialect that both sides compile: the shader calls it
-// with values from a texture, the test with the same values on the host.
+// Every kernel of glsl/lib by number, in the dialect of both sides: the shader calls it with values
+// from a texture, the test with the same values on the host.
 #ifndef ShaderKernels
 #define ShaderKernels
 
@@ -132,7 +132,7 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
   }
   if (kernel == 23)
   {
-    // A walk of a few columns: where it is, what it passes through, how far it has to go.
+    // A walk of a few columns: position, passed voxels, and remaining length.
     vtkiWalk walk = vtkiBeginWalk(60.0f * (a3 + 1.0f), 60.0f * (b3 + 1.0f));
     int length = walk.remaining;
     uvec4 bits = vtkiWalkBits(walk);
@@ -155,7 +155,7 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
   }
   if (kernel == 25)
   {
-    // Codes are made on the host; what is read are codes.
+    // Codes are packed on the host; here random codes are unpacked.
     vec4 plane = vtkiUnpackPlane(
       int(30.99f * a.w) | (int(30.99f * b.w * b.w) << 5) | (int(1.0f + 62.99f * a.w * a.w) << 10));
     vec3 place = 8.0f * (a3 + 1.0f);
@@ -167,7 +167,7 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
   }
   if (kernel == 27)
   {
-    // Words of many ones, so that runs are of all lengths.
+    // Words with many ones, so that runs have all lengths.
     uint bit = 1u << uint(int(31.0f * a.w));
     uint edges = floatBitsToUint(a.x) | 0xf0fff0ffu;
     uint breaks = floatBitsToUint(a.y) & floatBitsToUint(b.x) & floatBitsToUint(b.y) & bit;
@@ -191,7 +191,7 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
   }
   if (kernel == 29)
   {
-    // A sphere, seen from a place with the normal b3 under a light from around c3.
+    // A sphere, seen from a position with the normal b3 under a light from around c3.
     float sine = vtkiProxySine((0.2f + a.w) * a3, 0.3f * b.w, b3, false);
     vec4 zonal = -4.0f * vtkiProxyRow(sine) * vec4(1.0f, 1.4f, 1.3f, 1.0f);
     vtkiHarmonics4 seen = vtkiHarmonicsExp(vtkiZonalTo(zonal, a3));

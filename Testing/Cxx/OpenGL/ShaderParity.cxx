@@ -196,7 +196,7 @@ VTK_INDIRECT_TEST(StagesLink)
   window->MakeCurrent();
   int linked = 0;
   int computed = 0;
-  // As many images as a stage writes at most; all stages can be asked for.
+  // As many images as a stage writes at most; any stage can use them.
   const vtkIndirectChannel image = { "", "", "", GL_RGBA32F, "", "" };
   vtkIndirectChannel images[9] = { image, image, image, image, image, image, image, image,
     { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
@@ -211,9 +211,9 @@ VTK_INDIRECT_TEST(StagesLink)
   {
     const std::string name = entry->Name;
     const std::string text = entry->Text;
-    // The capture's files are parts of mappers' shaders; the frame above has linked them. Points,
-    // splats and lamps that are seen come with vertex stages of their own; the tests of both kinds
-    // of splatting and Contract.VisibleLamp* link them.
+    // The capture's files are parts of mappers' shaders, which the frame above has linked. Points,
+    // splats and visible lamps have their own vertex stages; the tests of both kinds of splatting
+    // and Contract.VisibleLamp* link them.
     const bool stage = name.size() > 7 && name.substr(name.size() - 7) == "FS.glsl" &&
       name.find("vtkIndirectCapture") != 0 && name.find("PointFS") == std::string::npos &&
       name != "vtkIndirectLampFS.glsl" && name != "vtkIndirectSplatFS.glsl" &&
@@ -231,7 +231,7 @@ VTK_INDIRECT_TEST(StagesLink)
       Check(name + (open ? std::string(" with ") + files[i] : "") + " links",
         kernel.Use(window) != nullptr);
       ++linked;
-      // Those that write every pixel of a target, and no integers.
+      // Stages that write every pixel of a target, and no integers.
       if (vtkIndirectComputeProgram::IsSupported() && text.find("discard") == std::string::npos &&
         text.find("\nout ") == std::string::npos)
       {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ways that are forced by name (VTK_INDIRECT_PATHS) are taken, and make the same frame.
+// Forced choices (VTK_INDIRECT_PATHS) take effect, and make the same frame.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 #include "vtkIndirectDetails.h"
@@ -42,11 +42,12 @@ Estimators MakeEstimators()
     { "hints", hints } };
 }
 
-// A room with three lights and a ball, of Phong's model where it is not solid.
+// A room with three lights and a ball, with Phong's specular term in scenes that are not all
+// opaque.
 enum class Lighting
 {
   Three,
-  Headlight // which has no map
+  Headlight // has no map
 };
 struct PathsView : View
 {
@@ -88,7 +89,7 @@ Frame Render(vtkIndirectEstimatorPass* estimator, bool specular, Report* report 
 {
   PathsView view(estimator, specular, lighting);
   view.Pass->SetSampler(sampler);
-  // The second frame may keep something of the first.
+  // The second frame may keep results of the first.
   view.Grab();
   view.Renderer->GetActiveCamera()->Azimuth(1.0);
   view.Renderer->ResetCameraClippingRange();
@@ -111,10 +112,11 @@ Frame Render(vtkIndirectEstimatorPass* estimator, bool specular, Report* report 
   return frame;
 }
 
-// Buffers of two frames. Sums of 256 terms in rows, and of 128 rows, in another order, or with
-// other operations fused, differ by 512 roundings of 32-bit floats at most; multiresolution
-// splatting rounds to the 11 bits of half floats behind them. At a threshold (interpolated or
-// summed, split or not) that makes a pixel what its neighbour is: few of them, and not far off.
+// Compares the buffers of two frames. Sums of 256 terms in rows, and of 128 rows, in another order,
+// or with other operations fused, differ by at most 512 roundings of 32-bit floats; multiresolution
+// splatting then rounds to the 11 bits of half floats. At a threshold (interpolated or summed,
+// split or not) a pixel may get its neighbour's kind of value: few pixels do, with small
+// differences.
 void CheckSame(const Frame& frame, const Frame& usual, const std::string& where)
 {
   const double rounding = where.find("multiresolution") != std::string::npos ? std::ldexp(1.0, -10)
@@ -152,7 +154,7 @@ void CheckSame(const Frame& frame, const Frame& usual, const std::string& where)
   CONTRACT_CHECK(depth <= std::ldexp(2.0, -24), where << ": depth of the window " << depth);
 }
 
-// Names and values, by the error that lists them.
+// Names and values, from the error that lists them.
 std::map<std::string, std::vector<std::string>> FindPaths()
 {
   ExpectedErrors errors;
@@ -173,7 +175,7 @@ std::map<std::string, std::vector<std::string>> FindPaths()
   return paths;
 }
 
-// How often a text stands in the sources of the context's programs that keep them.
+// Number of occurrences of a text in the sources of the context's programs that keep them.
 int CountInSources(const std::string& text)
 {
   int found = 0;
@@ -197,7 +199,7 @@ int CountInSources(const std::string& text)
   return found;
 }
 
-// Compute programs of the context with as many invocations in a row of a group; 0: of any number.
+// Number of the context's compute programs with this many invocations in a row of a group; 0: any.
 int CountComputePrograms(int invocations)
 {
   int found = 0;
@@ -211,7 +213,7 @@ int CountComputePrograms(int invocations)
     GLint size[3] = { 0, 0, 0 };
     if (glIsProgram(program))
     {
-      // Programs of other kinds leave it, with an error.
+      // Programs of other kinds cause an error and leave it unset.
       glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, size);
       glGetError();
     }
@@ -229,7 +231,7 @@ int CountComputePrograms(int invocations)
 }
 
 //------------------------------------------------------------------------------
-// Each value of each name makes the frame that the default makes.
+// Each value of each name makes the default's frame.
 VTK_INDIRECT_TEST(PathsSame)
 {
   const auto paths = FindPaths();
@@ -240,7 +242,7 @@ VTK_INDIRECT_TEST(PathsSame)
     {
       if (specular && entry.first == "hints")
       {
-        continue; // They know no specular light.
+        continue; // these estimators have no specular light
       }
       Force("");
       const Frame usual = Render(entry.second, specular);
@@ -263,15 +265,15 @@ VTK_INDIRECT_TEST(PathsSame)
 }
 
 //------------------------------------------------------------------------------
-// What is forced is what runs.
+// A forced choice is the one that runs.
 VTK_INDIRECT_TEST(PathsTake)
 {
   struct Row
   {
     const char* Forced;
-    int Estimator; // of MakeEstimators
+    int Estimator; // index in MakeEstimators
     bool Specular;
-    const char* Text; // in the sources
+    const char* Text; // text in the sources
     bool Expected;
   };
   const Estimators estimators = MakeEstimators();
@@ -316,8 +318,8 @@ VTK_INDIRECT_TEST(PathsTake)
 }
 
 //------------------------------------------------------------------------------
-// Kernels are the same as compute shaders: those that write into one image or eight, of floats or
-// halves, or add to what is there, in every mode of the estimators.
+// Kernels give equal results as compute shaders: with one image or eight, of floats or halves, or
+// adding to their content, in every mode of the estimators.
 VTK_INDIRECT_TEST(PathsKernels)
 {
   struct Case
@@ -444,7 +446,7 @@ VTK_INDIRECT_TEST(PathsKernels)
           programs[compute] = CountComputePrograms(0);
           estimator->ReleaseGraphicsResources(window);
           sampler->ReleaseGraphicsResources(window);
-          // A headlight's lights are made by the pass itself.
+          // The pass itself makes a headlight's lights.
           vtkRenderPass* pass = window->GetRenderers()->GetFirstRenderer()->GetPass();
           pass->ReleaseGraphicsResources(window);
           CONTRACT_CHECK(CountComputePrograms(0) == 0, one.Name << ": programs are left behind");
@@ -460,7 +462,7 @@ VTK_INDIRECT_TEST(PathsKernels)
 }
 
 //------------------------------------------------------------------------------
-// What is not known is one error, lists what there is, and loses nothing.
+// An unknown name is one error, which lists the known ones, and the frame is drawn as without it.
 VTK_INDIRECT_TEST(PathsErrors)
 {
   vtkNew<vtkRSMGatherPass> gather;
@@ -475,7 +477,7 @@ VTK_INDIRECT_TEST(PathsErrors)
     const Frame same = Render(gather, false, &report);
     if (wrong == std::string("nothing=so"))
     {
-      Render(gather, false, &report); // says it no second time
+      Render(gather, false, &report); // repeats no message
     }
     CONTRACT_CHECK(errors.GetCount() == 1, wrong << ": " << errors.GetText());
     CONTRACT_CHECK(errors.GetText().find("clear=draw|gl") != std::string::npos, errors.GetText());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shader files of glsl/lib keep to the dialect that compiles as GLSL and as C++.
+// Shader files of glsl/lib comply with the dialect that compiles as GLSL and as C++.
 #include "OpenGL/vtkIndirectFlatUniforms.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectShaderTable.h"
@@ -19,7 +19,7 @@ std::string WithoutComments(const std::string& text)
   return std::regex_replace(shorter, std::regex("/\\*(.|\n)*?\\*/"), "");
 }
 
-// What is wrong with a line, or nothing.
+// The violated rule of a line, or nothing.
 std::string Lint(const std::string& line)
 {
   static const std::pair<std::regex, const char*> rules[] = {
@@ -80,7 +80,7 @@ VTK_INDIRECT_TEST(PortableSubset)
         std::string::npos);
   }
   CheckAtLeast("files of glsl/lib", files, 8, "the folder");
-  // The rules find what they are for.
+  // Each rule finds its violation.
   for (const char* bad : { "x = 0.5;", "x = 1.;", "x = .5 * y;", "x = 1e-3;", "x = 2.5e-3;",
          "v.xy = a;", "v = a.rgb;", "uniform float a;", "sampler2D s;", "gl_FragCoord.x",
          "texture(s, t)", "void f(out vec3 v)", "x = 1.0f; // \xc3\xa9" })
@@ -161,7 +161,7 @@ VTK_INDIRECT_TEST(ShaderFiles)
     const std::string expanded =
       vtkIndirectShaderLibrary::GetText(name, "vtkIndirectGatherVirtualLights.glsl");
     Check(name + " expands", !expanded.empty() && expanded.find("#include") == std::string::npos);
-    // A file that comes in twice would define everything twice; #ifndef alone would hide that.
+    // A file included twice would define everything twice; #ifndef alone would hide that.
     const std::string guard = "#define vtkIndirectLibPortable";
     const size_t at = expanded.find(guard);
     Check(name + " includes each file once",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Presets of lights: what they do to the picture, and that the renderer's own lights are as before.
+// Presets of lights: their effect on the picture, with unchanged lights of the renderer.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractRoom.h"
 
@@ -24,7 +24,7 @@ using Pass = vtkIndirectIlluminationPass;
 
 const int Presets[] = { Pass::SOFT, Pass::FULL, Pass::GENTLE, Pass::STUDIO };
 
-// A ball and a floor that it stands on; nothing in it that lights.
+// A ball on a floor, without lights.
 struct Stage
 {
   View Window{ 80, 60 };
@@ -54,7 +54,7 @@ void AddKit(vtkRenderer* renderer)
   kit->AddLightsToRenderer(renderer);
 }
 
-// All that can be asked of the renderer's lights.
+// All properties of the renderer's lights.
 std::vector<double> Describe(vtkRenderer* renderer)
 {
   vtkLightCollection* lights = renderer->GetLights();
@@ -79,7 +79,8 @@ std::vector<double> Describe(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-// The picture changes, the lights do not; and with them comes the picture of before, bit by bit.
+// The picture changes and the lights do not; without the preset the picture is the former one, bit
+// by bit.
 VTK_INDIRECT_TEST(LightingComesAndGoes)
 {
   const std::function<void(vtkRenderer*)> kinds[] = { AddKit,
@@ -89,7 +90,7 @@ VTK_INDIRECT_TEST(LightingComesAndGoes)
     [](vtkRenderer* renderer) {
       renderer->AddLight(MakeLight(LightKind::Directional, { 2, 3, 2 }, { 0, -1, 0 }));
     },
-    // VTK makes one.
+    // VTK makes a light.
     [](vtkRenderer*) {} };
   for (size_t kind = 0; kind < 4; ++kind)
   {
@@ -118,7 +119,7 @@ VTK_INDIRECT_TEST(LightingComesAndGoes)
 }
 
 //------------------------------------------------------------------------------
-// What has no surface keeps the renderer's lights, and picking finds what it found.
+// Props without a surface keep the renderer's lights, and picking finds the same.
 VTK_INDIRECT_TEST(LightingOfTheRest)
 {
   Stage stage;
@@ -206,8 +207,8 @@ VTK_INDIRECT_TEST(LightingTurns)
       CONTRACT_CHECK(CountOf(pass, "sky_tiles_drawn") == tiles,
         "lighting " << preset << ": " << CountOf(pass, "sky_tiles_drawn") - tiles << " maps more");
       CONTRACT_CHECK(CountOf(pass, "shader_builds") == builds, "shaders of lighting " << preset);
-      // A ball looks the same from everywhere. 256 directions, and what their maps say of grazing
-      // light: measured 0.004 to 0.011 of the mean.
+      // A ball looks the same from all sides, within the error of 256 directions and of their maps
+      // at grazing angles: measured 0.004 to 0.011 of the mean.
       const Difference difference = Compare(before, after);
       const double mean = Mean(after, 0);
       std::cout << "lighting " << preset << ": differs by " << difference.Mean / mean
@@ -219,8 +220,8 @@ VTK_INDIRECT_TEST(LightingTurns)
 }
 
 //------------------------------------------------------------------------------
-// What is kept of the renderer's lights nothing hides: of soft exactly 0.6 of them, 0.4 of a
-// headlight; and of full no less in the shadow of its key, beside which the key is there whole.
+// The kept share of the renderer's lights casts no shadow: exactly 0.6 in soft, 0.4 of a headlight;
+// and in full the same in the shadow of its key, beside which the key counts fully.
 VTK_INDIRECT_TEST(LightingKept)
 {
   Stage stage;
@@ -266,7 +267,7 @@ VTK_INDIRECT_TEST(LightingKept)
   std::cout << "soft is off by " << off << "; " << lit << " values lit, " << hidden << " hidden\n";
   CONTRACT_CHECK(off < rounding, "soft: " << off);
   CONTRACT_CHECK(lit > 500 && hidden > 100, lit << " values lit, " << hidden << " hidden");
-  // A light that is kept has no map to draw.
+  // A kept light has no map to draw.
   stage.Grab(Pass::SOFT);
   const long long faces = CountOf(stage.IndirectPass, "faces_drawn");
   renderer->GetActiveCamera()->Azimuth(20.0);
@@ -308,7 +309,7 @@ VTK_INDIRECT_TEST(LightingReport)
         why.find("in place of 5 lights of the renderer") != std::string::npos,
       name << ": " << why);
   }
-  // What the user has set counts.
+  // The user's own settings take precedence.
   vtkNew<vtkEnvironmentLight> sky;
   sky->SetRadiance(0.25, 0.5, 0.75);
   pass->SetEnvironment(sky);
@@ -316,7 +317,7 @@ VTK_INDIRECT_TEST(LightingReport)
   const std::string why = Report(pass).FindReason("modelled", "lighting soft");
   CONTRACT_CHECK(why.find("the environment that is set") != std::string::npos, why);
   const Floats irradiance = Read(pass, "sky");
-  const int top = irradiance.Height / 8; // of the floor, which nothing hides the sky from
+  const int top = irradiance.Height / 8; // a row of the floor with an unoccluded sky
   CONTRACT_CHECK(std::abs(irradiance.Get(5, top, 2) / irradiance.Get(5, top, 0) - 3.0f) < 0.01f,
     irradiance.Get(5, top, 2) << " " << irradiance.Get(5, top, 0));
   pass->SetEnvironment(nullptr);
@@ -330,7 +331,7 @@ VTK_INDIRECT_TEST(LightingReport)
 }
 
 //------------------------------------------------------------------------------
-// Renderers that are hard to light.
+// Renderers with unusual lights.
 VTK_INDIRECT_TEST(LightingHardCases)
 {
   const std::pair<const char*, std::function<void(Stage&)>> cases[] = {

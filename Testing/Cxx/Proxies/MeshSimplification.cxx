@@ -19,7 +19,7 @@ using namespace proxytest;
 
 namespace
 {
-// The larger of both ways, at corners and samples.
+// The larger of both directions, at corners and samples.
 double Hausdorff(vtkPolyData* one, vtkPolyData* other)
 {
   double worst = 0.0;
@@ -98,7 +98,7 @@ VTK_INDIRECT_TEST(SimplificationTarget)
 
 VTK_INDIRECT_TEST(SimplificationBorder)
 {
-  // Flat: two triangles would do, but for the border.
+  // Flat: two triangles would suffice, but for the border.
   auto mesh = MakeSquare(20);
   mesh->GetPointData()->AddArray(Numbers("point", mesh->GetNumberOfPoints()));
   mesh->GetCellData()->AddArray(Numbers("cell", mesh->GetNumberOfCells()));
@@ -145,7 +145,7 @@ VTK_INDIRECT_TEST(SimplificationHardInput)
   std::string text;
   Check("a point that is no number: one error", CountErrors(filter, &text) == 1, text);
   Check("and nothing", filter->GetOutput()->GetNumberOfPolys() == 0);
-  // Three sheets at one edge, and points that no triangles share.
+  // Three sheets at one edge, and points of no triangle.
   auto torus = MakeTorus(40, 20);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

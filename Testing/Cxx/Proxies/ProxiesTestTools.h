@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tests of spheres and simplified meshes share: checks, messages, and distances by brute
-// force.
+// Shared parts of the tests of spheres and simplified meshes: checks, messages, and distances by
+// brute force.
 #ifndef ProxiesTestTools_h
 #define ProxiesTestTools_h
 
@@ -19,7 +19,7 @@ class vtkObject;
 
 namespace proxytest
 {
-// Checks: each prints what was measured, what was expected, and where the limit comes from.
+// Checks print the measured and the expected value, and the origin of the limit.
 bool Check(const std::string& what, bool condition, const std::string& origin = "");
 bool CheckAtMost(const std::string& what, double measured, double limit, const std::string& origin);
 bool CheckAtLeast(
@@ -27,7 +27,7 @@ bool CheckAtLeast(
 bool CheckNear(const std::string& what, double measured, double expected, double tolerance,
   const std::string& origin);
 
-/** Updates, and returns how many errors that brought; what they say goes to `text`. */
+/** Updates, and returns the number of errors; `text` gets their messages. */
 int CountErrors(vtkAlgorithm* algorithm, std::string* text = nullptr);
 
 struct Triangle
@@ -39,10 +39,10 @@ std::vector<Triangle> TrianglesOf(vtkPolyData* mesh);
 /** Even samples of all triangles, at random places of a fixed seed. */
 std::vector<glm::dvec3> SampleTriangles(const std::vector<Triangle>& triangles, int count);
 
-/** By all triangles, one after the other, at the foot of each and along its three edges. */
+/** Over all triangles, each with its inside and its three edges. */
 double DistanceToTriangles(const std::vector<Triangle>& triangles, const glm::dvec3& p);
 
-/** Whether a ray meets closed triangles an odd number of times. */
+/** True if a ray meets closed triangles an odd number of times. */
 bool IsInside(const std::vector<Triangle>& triangles, const glm::dvec3& p);
 
 struct Sphere

@@ -25,7 +25,7 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// A sphere wholly above a plane takes sin^2 cos of a uniform sky.
+// Irradiance that a sphere wholly above a plane removes: sin^2 cos of a uniform sky.
 double OverPlane(const Ball& ball, const glm::dvec3& p)
 {
   const glm::dvec3 c = ball.Center - p;
@@ -61,7 +61,7 @@ double LargestDifference(const Image& a, const Image& b)
   return largest;
 }
 
-// Of pixels where a value differs by more than `least`.
+// Share of pixels whose values differ by more than `least`.
 double ShareThatDiffers(const Image& a, const Image& b, double least)
 {
   size_t count = 0;
@@ -96,7 +96,7 @@ VTK_INDIRECT_TEST(ProxiesSphereOverAPlane)
 
 VTK_INDIRECT_TEST(ProxiesMeshesThatAreSpheres)
 {
-  // The same of a mesh, moved by its actor, scaled; and of spheres that a user gives.
+  // The same for a mesh, moved and scaled by its actor; and for spheres given by a user.
   ProxyScene scene;
   vtkActor* mesh = scene.AddSphere({ 0, 0, 0 }, 0.5, 48, White);
   mesh->SetScale(2.0);
@@ -130,7 +130,8 @@ VTK_INDIRECT_TEST(ProxiesTwoSpheres)
     const std::vector<Ball> balls = { { { -0.5 * apart, 1.2, 0 }, 0.7 },
       { { 0.5 * apart, 1.2 + 0.3 * (2.2 - apart), 0 }, 0.7 } };
     scene.SetBalls(balls);
-    // Side by side they are two; one behind the other hides twice what order 4 blurs.
+    // Side by side the spheres are separate; one behind the other counts twice a part that order 4
+    // blurs.
     const double bias = apart > 2.0 ? 0.01 : 0.04;
     CompareLight(
       scene, "sky", OnGround, [&](const Scene::Receiver& r) { return Open(balls, r.Position); },
@@ -161,7 +162,7 @@ VTK_INDIRECT_TEST(ProxiesCluster)
 
 VTK_INDIRECT_TEST(ProxiesPathsAreTheSame)
 {
-  // Tiles or the tree in compute shaders, and rectangles that are blended.
+  // Tiles or the tree in compute shaders, and blended rectangles.
   for (const bool groups : { true, false })
   {
     for (const int step : { 1, 4 })
@@ -226,8 +227,8 @@ VTK_INDIRECT_TEST(ProxiesFewerReceivers)
 
 VTK_INDIRECT_TEST(ProxiesSendLight)
 {
-  // A white sphere over a plane, both in a uniform sky. Light of the sphere's lower half comes from
-  // the sky beside the plane alone; unshadowed it is all of the sky's.
+  // A white sphere over a plane, both under a uniform sky. Only the sky beside the plane lights the
+  // sphere's lower half; without shadows the whole sky does.
   ProxyScene scene;
   const Ball ball = { { 0.3, 1.5, 0.0 }, 1.0 };
   scene.SetBalls({ ball });
@@ -264,7 +265,7 @@ VTK_INDIRECT_TEST(ProxiesSendLight)
 
 VTK_INDIRECT_TEST(ProxiesMove)
 {
-  // What moves in every frame is what a fresh pass finds there.
+  // In every frame moving spheres give the same as a new pass.
   ProxyScene moving;
   Image last;
   std::vector<Ball> balls = MakeCluster(60, 1.0);
@@ -310,7 +311,7 @@ VTK_INDIRECT_TEST(ProxiesHardCases)
       scene.SetBalls(entry.second);
       scene.Proxies->SetGroups(groups);
       scene.Render();
-      // VTK draws spheres around the eye behind it.
+      // VTK also draws spheres around the eye, behind it.
       const Image bounce = scene.Copy("bounce");
       Check(entry.first + ": finite",
         std::isfinite(bounce.Mean()) && std::isfinite(scene.Copy("sky").Mean()));
@@ -328,7 +329,7 @@ VTK_INDIRECT_TEST(ProxiesHardCases)
   CompareLight(
     scene, "sky", OnGround, [&](const Scene::Receiver& r) { return OverPlane(one, r.Position); },
     { 0.01, 0.015, "they are one" }, "100,000 at one place");
-  // Nearly at one place, so that none holds another: sums of many logarithms stay finite.
+  // Nearly at one place, so that none contains another: sums of many logarithms stay finite.
   Random random(2);
   std::vector<Ball> near;
   for (int i = 0; i < 5000; ++i)
@@ -342,7 +343,7 @@ VTK_INDIRECT_TEST(ProxiesHardCases)
 
 VTK_INDIRECT_TEST(ProxiesUnderASun)
 {
-  // 10,000 times as bright as the sky, in four degrees: of order 4 as broad as a cosine.
+  // 10,000 times as bright as the sky, in four degrees: in order 4 as broad as a cosine.
   ProxyScene scene;
   scene.SetBalls(MakeCluster(50, 1.0));
   vtkNew<vtkImageData> image;
@@ -355,7 +356,7 @@ VTK_INDIRECT_TEST(ProxiesUnderASun)
   scene.Sky->SetImage(image);
   scene.Render();
   scene.CheckBuffers(0);
-  double open = 1.0; // of the plane
+  double open = 1.0; // irradiance of the open plane
   for (int x = 0; x < 64; ++x)
   {
     for (int y = 16; y < 32; ++y)
@@ -366,7 +367,7 @@ VTK_INDIRECT_TEST(ProxiesUnderASun)
       open += x == 20 && y == 26 ? (1e4 - 1.0) * share : 0.0;
     }
   }
-  // In a corner, which the cluster hides little of.
+  // In a corner, where the cluster hides little.
   double found = 0.0;
   for (const Scene::Receiver& r : scene.GetReceivers())
   {

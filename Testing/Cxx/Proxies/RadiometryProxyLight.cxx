@@ -10,7 +10,7 @@ using namespace vtkIndirectTest;
 
 VTK_INDIRECT_TEST(ProxiesSendLightAmongSpheres)
 {
-  // Spheres that float, and spheres in a heap of which each is half inside of others.
+  // Floating spheres, and a heap of spheres, each half inside of others.
   for (const bool heap : { false, true })
   {
     Random random(9);
@@ -57,8 +57,8 @@ VTK_INDIRECT_TEST(ProxiesSendLightAmongSpheres)
 
 VTK_INDIRECT_TEST(ProxiesLightSpheresThatFloat)
 {
-  // Places on spheres over a ground: neither does what is below them darken their sky, nor does the
-  // open side of their neighbors stand for all of those.
+  // Senders on spheres over a ground: spheres below them do not darken their sky, and the open side
+  // of their neighbours does not represent the other sides.
   Random random(31);
   std::vector<Ball> balls;
   for (int i = 0; i < 150; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spheres in place of meshes: what is reported of them against brute force, motion, hard input.
+// Spheres that represent meshes: reported measures against brute force, motion, hard input.
 #include "ProxiesTestTools.h"
 
 #include "vtkCellArray.h"
@@ -19,7 +19,7 @@ using namespace proxytest;
 
 namespace
 {
-// What the filter says against brute force; `closed` meshes have an inside.
+// The filter's measures against brute force; `closed` meshes have an inside.
 void CheckMeasures(const std::string& name, vtkPolyData* mesh, vtkSphereProxyFilter* filter)
 {
   const std::vector<Triangle> triangles = TrianglesOf(mesh);
@@ -42,7 +42,7 @@ void CheckMeasures(const std::string& name, vtkPolyData* mesh, vtkSphereProxyFil
     std::max(gap, 0.0) / error, 0.3, "the largest of 20000 samples, twice");
   CheckNear(name + ": root mean square over the error", filter->GetRootMeanSquareError() / error,
     std::sqrt(squares / count) / error, 0.02, "two sets of 20000 samples");
-  // How far places on spheres that are outside stick out.
+  // Largest extent of spheres outside of the solid, at random points of them.
   Random random(3);
   double out = 0.0;
   for (const Sphere& sphere : spheres)
@@ -127,7 +127,7 @@ vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkPolyData*>& meshes)
 
 VTK_INDIRECT_TEST(SphereProxiesOfASphere)
 {
-  // One ball is one sphere, whichever way it is asked for.
+  // One ball is one sphere, for either target.
   auto mesh = MakeSphere(40, 26);
   for (bool byError : { false, true })
   {
@@ -170,7 +170,7 @@ VTK_INDIRECT_TEST(SphereProxiesMeasures)
 
 VTK_INDIRECT_TEST(SphereProxiesError)
 {
-  // What is asked for holds at places that the filter has not looked at.
+  // The bound holds at points that the filter has not sampled.
   auto mesh = MakeTorus(64, 32);
   const std::vector<Triangle> triangles = TrianglesOf(mesh);
   vtkIdType before = 0;
@@ -227,7 +227,7 @@ VTK_INDIRECT_TEST(SphereProxiesRefine)
 
 VTK_INDIRECT_TEST(SphereProxiesSheets)
 {
-  // A square, and half of a sphere: they enclose nothing, and no light gets through.
+  // A square, and half of a sphere: they enclose no volume, and transmit no light.
   auto ball = MakeSphere(32, 32);
   auto bowl = Map(ball, [](const glm::dvec3& p) { return p; });
   vtkNew<vtkCellArray> lower;
@@ -267,7 +267,7 @@ VTK_INDIRECT_TEST(SphereProxiesSheets)
     CheckNear(name + ": protrusion", filter->GetMaximumProtrusion(), filter->GetError(), 1e-9,
       "the radius");
   }
-  // A body with a hole of a twentieth of its surface is a body.
+  // A body with a hole of a twentieth of its surface is still a solid.
   auto holed = Map(ball, [](const glm::dvec3& p) { return p; });
   vtkNew<vtkCellArray> most;
   for (vtkIdType i = 0; i < holed->GetNumberOfPolys(); ++i)
@@ -294,7 +294,7 @@ VTK_INDIRECT_TEST(SphereProxiesSheets)
 
 VTK_INDIRECT_TEST(SphereProxiesMotion)
 {
-  // A mesh that swims; its spheres are bound to its points.
+  // A moving mesh; its spheres are bound to its points.
   auto mesh = MakeTorus(64, 32);
   vtkNew<vtkSphereProxyFilter> filter;
   filter->SetInputData(mesh);
@@ -317,7 +317,7 @@ VTK_INDIRECT_TEST(SphereProxiesMotion)
   }
   CheckAtMost("rigid motion: centers", off, 1e-6, "weights of sum one that reach the center");
   CheckAtMost("rigid motion: radii", grown, 1e-9, "distances stay");
-  // Bent around an axis, as skin over a joint is.
+  // Bent around an axis, like skin over a joint.
   auto bent = [](const glm::dvec3& p)
   {
     const double turn = 0.5 * std::tanh(2.0 * p.x);
@@ -408,7 +408,7 @@ VTK_INDIRECT_TEST(SphereProxiesSame)
   }
 }
 
-// Points that have moved to nowhere take none of the other spheres with them.
+// Points moved to NaN affect no other spheres.
 VTK_INDIRECT_TEST(SphereProxiesMovedToNowhere)
 {
   vtkNew<vtkSphereSource> source;
@@ -476,7 +476,7 @@ VTK_INDIRECT_TEST(SphereProxiesHardInput)
   Check("a point that is no number: no spheres", count(broken, &errors, &text) == 0);
   Check(
     "one error that names it", errors == 1 && text.find("point 12 ") != std::string::npos, text);
-  // No point is shared: the cube is as closed as before.
+  // Without shared points the cube is still closed.
   auto cube = MakeCube();
   vtkNew<vtkPolyData> soup;
   vtkNew<vtkPoints> points;
@@ -504,7 +504,7 @@ VTK_INDIRECT_TEST(SphereProxiesHardInput)
   };
   CheckNear("volume of a cube without shared points", volume(soup), 1.0, 0.01,
     "100000 places in a box around it");
-  // A polygon that is not convex: nothing stands in its notch.
+  // A nonconvex polygon has no spheres in its notch.
   vtkNew<vtkPolyData> notched;
   vtkNew<vtkPoints> corners;
   vtkNew<vtkCellArray> ell;
@@ -529,7 +529,7 @@ VTK_INDIRECT_TEST(SphereProxiesHardInput)
   }
   CheckNear("centers in the notch of an L", inNotch, 0, 0.0, "it is no surface");
   CheckAtLeast("spheres are in its foot", farthest, 1.0, "it is");
-  // Triangles that do not agree on a side, walls through the middle, one cube in another.
+  // Triangles of inconsistent orientation, walls through the middle, one cube in another.
   vtkNew<vtkPolyData> turned;
   vtkNew<vtkCellArray> mixed;
   for (vtkIdType i = 0; i < cube->GetNumberOfPolys(); ++i)

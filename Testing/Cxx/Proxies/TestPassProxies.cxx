@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkProxyAccumulationPass as users meet it: by itself on a renderer, its report, what it says of
-// wrong input.
+// vtkProxyAccumulationPass in use: by itself on a renderer, its report, its messages about wrong
+// input.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -90,7 +90,7 @@ VTK_INDIRECT_TEST(ProxiesAlone)
   CONTRACT_CHECK(Mean(Read(view.GetPass(), "sky"), 0) > 0.1,
     "the sky gives " << Mean(Read(view.GetPass(), "sky"), 0));
   CONTRACT_CHECK(Mean(Read(view.GetPass(), "bounce"), 0) > 0.01, "nothing is reflected");
-  // Without what hides it, all of it is there.
+  // Without visibility the whole sky counts.
   const double hidden = Mean(Read(view.GetPass(), "sky"), 0);
   view.GetPass()->SetVisibilityToNone();
   view.Grab();
@@ -107,7 +107,7 @@ VTK_INDIRECT_TEST(ProxiesAlone)
 }
 
 //------------------------------------------------------------------------------
-// Without groups the environment says how far spheres count, unless it is set.
+// Without groups the environment determines the spheres' reach, unless it is set.
 VTK_INDIRECT_TEST(ProxiesReachOfTheSky)
 {
   ProxyView view;
@@ -127,7 +127,7 @@ VTK_INDIRECT_TEST(ProxiesReachOfTheSky)
   const std::string chosen = Report(view.GetPass()).FindReason("modelled", "light from the sky");
   CONTRACT_CHECK(chosen.find("chosen") != std::string::npos, chosen);
   const Floats before = Read(view.GetPass(), "sky");
-  // A brighter sky is the same; one with a sun is not.
+  // A brighter sky has the same reach; one with a sun has another.
   view.Sky->SetScale(3.0);
   view.Grab();
   CONTRACT_CHECK(std::abs(view.Proxies->GetActiveInfluenceScale() - uniform) < 1e-2,
@@ -143,7 +143,7 @@ VTK_INDIRECT_TEST(ProxiesReachOfTheSky)
   view.Grab();
   CONTRACT_CHECK(view.Proxies->GetActiveInfluenceScale() > 1.2 * uniform,
     view.Proxies->GetActiveInfluenceScale());
-  // The paper's.
+  // The paper's reach.
   view.Sky->SetImage(nullptr);
   view.Sky->SetScale(1.0);
   view.Proxies->SetInfluenceScale(15.0);
@@ -162,7 +162,7 @@ VTK_INDIRECT_TEST(ProxiesReachOfTheSky)
 }
 
 //------------------------------------------------------------------------------
-// The same three spheres, beside one of the room, by every mapper that draws such.
+// The same three spheres, beside one of the room, by every mapper that draws spheres.
 VTK_INDIRECT_TEST(ProxiesOfMappers)
 {
   vtkNew<vtkOpenGLSphereMapper> spheres;
@@ -194,7 +194,7 @@ VTK_INDIRECT_TEST(ProxiesOfMappers)
     view.Grab();
     CONTRACT_CHECK(view.Proxies->GetNumberOfSpheres() == 4,
       mapper->GetClassName() << ": " << view.Proxies->GetNumberOfSpheres());
-    // On what is behind them all, in a corner of the picture.
+    // The surface behind all spheres, in a corner of the picture.
     const Floats sky = Read(view.GetPass(), "sky");
     if (count++ == 0)
     {
@@ -252,7 +252,7 @@ VTK_INDIRECT_TEST(ProxiesWrongInput)
 }
 
 //------------------------------------------------------------------------------
-// No spheres stand for an open sheet: it hides nothing, and one warning says so.
+// An open sheet has no spheres: it hides nothing, and one warning reports it.
 VTK_INDIRECT_TEST(ProxiesRefuseSheets)
 {
   ProxyView view;
@@ -284,7 +284,7 @@ VTK_INDIRECT_TEST(ProxiesRefuseSheets)
 }
 
 //------------------------------------------------------------------------------
-// Spheres stand for what is seen from outside: a camera within one is told so, and only then.
+// Spheres represent surfaces seen from outside: only a camera inside of one causes a message.
 VTK_INDIRECT_TEST(ProxiesSayWhereTheCameraIsWithin)
 {
   ProxyView view;
@@ -311,8 +311,8 @@ VTK_INDIRECT_TEST(ProxiesSayWhereTheCameraIsWithin)
 }
 
 //------------------------------------------------------------------------------
-// Receivers are closer where spheres are small; a camera that moves to and fro about that limit has
-// one step.
+// Receivers are closer if spheres are small; a camera that oscillates about that limit keeps one
+// step.
 VTK_INDIRECT_TEST(ProxiesStepIsSteady)
 {
   ProxyView view(256, 192);
@@ -331,7 +331,7 @@ VTK_INDIRECT_TEST(ProxiesStepIsSteady)
     view.Grab();
     return view.Proxies->GetActiveReceiverStep();
   };
-  // Of 2 pixels from there: at this size receivers are in every second pixel, or in all of them.
+  // Receivers of 2 pixels: at this size there is one in every second pixel, or in every pixel.
   const double pixel = 2.0 * distance * std::tan(vtkMath::RadiansFromDegrees(15.0)) / 192.0;
   auto* sizes = vtkFloatArray::SafeDownCast(view.Points->GetPointData()->GetArray("size"));
   sizes->FillValue(static_cast<float>(2.0 * pixel));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Who makes the sky where spheres move: spheres beside the estimator of lights, depth maps again
-// when they stand, and neither in between.
+// The source of the sky's light with moving spheres: the spheres beside the estimator of lights,
+// depth maps again when they stand still, and no frame without a source.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -31,9 +31,9 @@ using namespace contract;
 namespace
 {
 constexpr double Awaited = 15.0; // frames a second
-constexpr double Still = 1e-4;   // what a window gives by default
+constexpr double Still = 1e-4;   // a window's default
 
-// Twenty spheres over a ground, which swing.
+// Twenty swinging spheres over a ground.
 struct ParticleView : View
 {
   vtkNew<vtkIndirectIlluminationPass> Pass;
@@ -108,7 +108,7 @@ struct ParticleView : View
     this->Window->SetDesiredUpdateRate(rate);
     this->Grab();
   }
-  /** Who made the last frame's sky. */
+  /** The source of the last frame's sky. */
   std::string Who()
   {
     const Report report(this->Pass);
@@ -126,7 +126,7 @@ struct ParticleView : View
 }
 
 //------------------------------------------------------------------------------
-// What estimators give of a lamp is the same beside spheres as without a sky.
+// Estimators give the same bounce of a vtkLight beside spheres as without a sky.
 VTK_INDIRECT_TEST(SphereMotionBesideALamp)
 {
   vtkNew<vtkIndirectSplattingPass> splatting;
@@ -135,7 +135,7 @@ VTK_INDIRECT_TEST(SphereMotionBesideALamp)
     std::initializer_list<vtkIndirectEstimatorPass*>{ nullptr, splatting, hints })
   {
     const std::string name = estimator ? estimator->GetMethodName() : "by default";
-    Floats bounces[3]; // of both, of the lamp, of the sky
+    Floats bounces[3]; // of both, of the vtkLight, of the sky
     Floats sky;
     for (int i = 0; i < 3; ++i)
     {
@@ -163,8 +163,8 @@ VTK_INDIRECT_TEST(SphereMotionBesideALamp)
     double off = 0.0;
     for (size_t i = 0; i < bounces[0].Values.size(); ++i)
     {
-      // Without a lamp no more than the sky's radiance, one, gets anywhere: what is cut there is not
-      // cut beside one.
+      // Without the vtkLight irradiance is bounded by the sky's radiance, one: this bound does
+      // not apply beside it.
       if (bounces[2].Values[i] + sky.Values[i] > 1.0f - 1e-6f)
       {
         continue;
@@ -181,7 +181,7 @@ VTK_INDIRECT_TEST(SphereMotionBesideALamp)
 }
 
 //------------------------------------------------------------------------------
-// Still frames are those of a view that has never had spheres.
+// Still frames equal those of a view that has never had spheres.
 VTK_INDIRECT_TEST(SphereMotionEnds)
 {
   ParticleView view;
@@ -212,16 +212,16 @@ VTK_INDIRECT_TEST(SphereMotionEnds)
     {
       const double jump = std::abs(Mean(moving, c) / Mean(still, c) - 1.0);
       std::cout << "the mean jumps by " << jump << "\n";
-      // Of the sky 2 % (Documentation/methods/sphere-proxies.md), of the bounce, a tenth, 30 %. Still frames
-      // also have later bounces of spheres, 6.7 % in all.
+      // Errors: of the sky 2 % (Documentation/methods/sphere-proxies.md), of the bounce, a tenth of
+      // the light, 30 %. Still frames also have later bounces of spheres, 6.7 % in total.
       CONTRACT_CHECK(jump < 0.08, "the mean jumps by " << jump);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-// VTK's interactor renders once more when an interaction ends, at its StillUpdateRate: that frame
-// is the still one, complete, whatever an observer has moved meanwhile.
+// VTK's interactor renders once more at the end of an interaction, at its StillUpdateRate: that
+// frame is the complete still one, even if an observer has moved spheres meanwhile.
 VTK_INDIRECT_TEST(SphereMotionEndsWithAnInteraction)
 {
   ParticleView view;
@@ -254,7 +254,7 @@ VTK_INDIRECT_TEST(SphereMotionEndsWithAnInteraction)
 }
 
 //------------------------------------------------------------------------------
-// Data that come more slowly than frames do not change who makes the sky with each of them.
+// Data that arrive more slowly than frames do not change the source of the sky with each arrival.
 VTK_INDIRECT_TEST(SphereMotionSlowly)
 {
   ParticleView view;
@@ -278,7 +278,7 @@ VTK_INDIRECT_TEST(SphereMotionSlowly)
     ++idle;
   }
   CONTRACT_CHECK(idle + 2 == 9, "spheres for " << idle + 2 << " frames in which nothing moves");
-  // Where no other frame is awaited each that stands still is exact.
+  // If no other frame is expected, each frame that stands still is exact.
   changes = 0;
   for (int frame = 0; frame < 12; ++frame)
   {
@@ -288,7 +288,7 @@ VTK_INDIRECT_TEST(SphereMotionSlowly)
 }
 
 //------------------------------------------------------------------------------
-// Tiles and eyes of one picture have one answer.
+// All tiles and eyes of one picture have the same source.
 VTK_INDIRECT_TEST(SphereMotionInParts)
 {
   ParticleView view;
@@ -353,8 +353,8 @@ VTK_INDIRECT_TEST(SphereMotionOfMappers)
 }
 
 //------------------------------------------------------------------------------
-// Splats that are cut off like spheres are in no map: they hide the sky in still frames as in
-// motion, and those that fade out never do.
+// Splats clipped to spheres are in no map: they hide the sky in still frames as in motion; splats
+// that fade out never do.
 VTK_INDIRECT_TEST(SphereMotionOfSplats)
 {
   vtkNew<vtkPointGaussianMapper> splats;
@@ -386,7 +386,7 @@ VTK_INDIRECT_TEST(SphereMotionOfSplats)
 }
 
 //------------------------------------------------------------------------------
-// Splats in an assembly, and in one within it, are found as those outside are.
+// Splats in an assembly, and in a nested one, are found as those outside.
 VTK_INDIRECT_TEST(SphereMotionOfSplatsInAssemblies)
 {
   vtkNew<vtkPointGaussianMapper> splats;
@@ -411,9 +411,9 @@ VTK_INDIRECT_TEST(SphereMotionOfSplatsInAssemblies)
     CONTRACT_CHECK(view.BySpheres(), "in an assembly: " << view.Who());
     const std::string why = Report(view.Pass).FindReason("modelled", view.Who());
     CONTRACT_CHECK(why.find("20 splats") != std::string::npos, why);
-    // Float rounding of matrices that are multiplied once more.
+    // Float rounding of one more product of matrices.
     CONTRACT_CHECK(Compare(Read(view.Pass, "sky"), outside).Max <= 1e-5, "they hide otherwise");
-    // Their places are looked at again when data change.
+    // Their positions are examined again after a change of data.
     view.Render(true);
     CONTRACT_CHECK(
       Compare(Read(view.Pass, "sky"), outside).Max > 0.01, "they stay where they were");
@@ -430,7 +430,7 @@ VTK_INDIRECT_TEST(SphereMotionOfSplatsInAssemblies)
 }
 
 //------------------------------------------------------------------------------
-// Where spheres cannot stand for what is there, maps are drawn, and the report says why.
+// If spheres cannot represent a scene, maps are drawn, and the report gives the reason.
 VTK_INDIRECT_TEST(SphereMotionWhyNot)
 {
   ParticleView view;
@@ -445,7 +445,7 @@ VTK_INDIRECT_TEST(SphereMotionWhyNot)
       expected << ": " << view.Who() << ", " << why);
   };
   check("");
-  // A sphere that stands is one.
+  // A sphere that stands still counts as one.
   vtkSmartPointer<vtkActor> stands = MakeSphere({ 1.4, 0.3, 0.0 }, 0.3);
   view.Renderer->AddActor(stands);
   check("");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program around the tests of VTK::IndirectProxies, and what they share.
+// The program of the tests of VTK::IndirectProxies, and their shared parts.
 #include "ProxiesTestTools.h"
 
 #include "vtkAlgorithm.h"
@@ -23,7 +23,7 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-// Fails the test for all messages that no observer took.
+// Fails the test for all messages without an observer.
 class Window : public vtkOutputWindow
 {
 public:
@@ -289,7 +289,7 @@ vtkSmartPointer<vtkPolyData> MakeSphere(int around, int rings)
 
 vtkSmartPointer<vtkPolyData> MakeCube()
 {
-  // The sphere's grid, blown up: four sides, and lids of triangles at the poles.
+  // The sphere's grid scaled to a cube: four sides, and lids of triangles at the poles.
   return MakeGrid(4, 3, true, false,
     [](double u, double v)
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Radii within which spheres count, by brute force: what is cut off is at most 1/256, and with a
-// fifth less it is more than that.
+// Radii within which spheres count, by brute force: the cut-off error is at most 1/256, and larger
+// with a fifth less.
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Proxies/vtkIndirectCoefficient.h"
 #include "Proxies/vtkIndirectProxyLight.h"
@@ -69,8 +69,8 @@ struct Change
   double Exact = 0.0;
 };
 
-// The largest differences between a sphere that ends there and one that does not, over the largest
-// irradiance, at many normals, directions and distances. hides, sends: the reaches.
+// The largest differences between a sphere with these reaches and one that counts everywhere, over
+// the largest irradiance, at many normals, directions and distances. hides, sends: the reaches.
 Change FindChange(const Light& all, double hides, double sends)
 {
   std::vector<vec3> directions;
@@ -174,8 +174,8 @@ VTK_INDIRECT_TEST(ProxyReachOfEnvironments)
   sky->SetRadiance(0.3, 0.5, 1.0);
   const vtkIndirectProxyReach uniform =
     vtkIndirectProxyReach::Find(vtkIndirectProxyLight::Project(sky), false);
-  // A small sphere takes s^2 of the light from where it is, 17/16 of that with a cosine of order 3,
-  // and 1.013 where its weight begins to fall: 16.6 radii.
+  // A small sphere removes s^2 of the light from its direction, 17/16 of that with a cosine of
+  // order 3, and 1.013 at the place where its weight begins to fall: 16.6 radii.
   CheckAbsolute("radii of a uniform sky", uniform.Hides, 16.6, 0.05, "16 sqrt(17/16 1.013)");
   CheckAbsolute(
     "radii within which it sends", uniform.Sends, 16.6, 0.05, "the same without a table");
@@ -183,7 +183,7 @@ VTK_INDIRECT_TEST(ProxyReachOfEnvironments)
   Light sun;
   sun.fill(glm::dvec3(0.0));
   AddFrom(sun, vec3(0.0f, 1.0f, 0.0f), glm::dvec3(1.0));
-  // What the paper's radii cut off.
+  // The cut-off error of the paper's radii.
   const char* const measured = "as the header and the page say";
   CheckAbsolute(
     "15 radii, uniform", 1.0 / FindChange(Uniform(), 15.0, 4.0).Hides, 209.0, 3.0, measured);

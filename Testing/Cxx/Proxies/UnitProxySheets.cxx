@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which meshes enclose nothing, so that no spheres stand for them.
+// Meshes that enclose no volume, which spheres cannot represent.
 #include "Proxies/vtkIndirectProxyShapes.h"
 #include "vtkIndirectTestUtilities.h"
 
@@ -36,7 +36,7 @@ VTK_INDIRECT_TEST(ProxySheets)
   sphere->SetStartPhi(0.0);
   sphere->SetEndPhi(90.0);
   Check("half a sphere is one", isSheet(sphere));
-  vtkNew<vtkCubeSource> cube; // its sides share no points
+  vtkNew<vtkCubeSource> cube; // its sides do not share points
   Check("a cube is none", !isSheet(cube));
   vtkNew<vtkCylinderSource> tube;
   tube->SetResolution(16);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What spheres hide: together from afar, against disks in pictures, and what groups keep of it;
-// many of them at random, and those next to the receiver.
+// Occlusion by spheres: jointly from afar, against disks in pictures, and by groups of them; by
+// many random ones, and by those next to the receiver.
 #include "vtkIndirectTestUtilities.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
@@ -17,7 +17,7 @@ using Silhouette = vtkIndirectProxySilhouette;
 
 namespace
 {
-// The area that some opaque balls cover, meaned over directions, over pi: places in a square.
+// The area that some opaque balls cover, averaged over directions, over pi: by points in a square.
 double CoveredArea(const std::vector<Silhouette::Ball>& balls)
 {
   constexpr int directions = 24;
@@ -59,7 +59,7 @@ vtkiHarmonics4 Zero()
   return f;
 }
 
-// The zonal logarithm of what a sphere leaves to be seen.
+// The zonal logarithm of a sphere's visibility.
 vec4 Logarithm(double sine)
 {
   const float share = vtkiProxyRow(static_cast<float>(sine));
@@ -98,7 +98,8 @@ VTK_INDIRECT_TEST(ProxySilhouetteOfPairs)
 {
   CheckAbsolute("one in the other", Silhouette::FindOverlap(2.0, 1.0, 0.5), 1.0, 0.01, "wholly");
   CheckAbsolute("two at one place", Silhouette::FindOverlap(1.0, 1.0, 0.0), 1.0, 0.01, "wholly");
-  // Touching ones: half of the mean of lenses over directions, by a quadrature of its own.
+  // Touching balls: half of the mean of intersections over directions, by an independent
+  // quadrature.
   CheckAbsolute("touching ones", Silhouette::FindOverlap(1.0, 1.0, 2.0),
     Integrate(
       0.0, 1.0,
@@ -156,7 +157,7 @@ VTK_INDIRECT_TEST(ProxySilhouetteOfGroups)
 
 VTK_INDIRECT_TEST(ProxySharesAtRandom)
 {
-  // Disks that hide a share p of the light, at random all around, leave (1 - p a)^N on average.
+  // Random disks that hide a share p of the light leave (1 - p a)^N on average.
   Random random(5);
   for (const double share : { 0.3, 0.6 })
   {
@@ -183,8 +184,8 @@ VTK_INDIRECT_TEST(ProxySharesAtRandom)
 
 VTK_INDIRECT_TEST(ProxySmallSpheresAtRandom)
 {
-  // Spheres at random all around hide what they cover: each of N leaves 1 - a of every direction,
-  // and sets of them (1 - a)^N on average.
+  // Random spheres hide what they cover: each of N leaves 1 - a of every direction, and sets of
+  // them (1 - a)^N on average.
   Random random(17);
   for (const double sine : { 0.05, 0.1, 0.2 })
   {
@@ -211,7 +212,7 @@ VTK_INDIRECT_TEST(ProxySmallSpheresAtRandom)
 
 VTK_INDIRECT_TEST(ProxyDrawnSpheresNearby)
 {
-  // A sphere that is drawn, at a place of its surface, and one that it is cut by.
+  // A drawn sphere at a point of its surface, and an intersecting one.
   const vec3 n(0.0f, 0.0f, 1.0f);
   auto add = [&](vtkiHarmonics4& sum, const glm::dvec3& center)
   {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pixels from one receiver of proxies to the next: by radii in pixels, kept near the limits.
+// Pixels from one receiver of proxies to the next: by radii in pixels, with hysteresis at the
+// limits.
 #include "vtkIndirectTestUtilities.h"
 
 #include "Proxies/vtkIndirectProxyStep.h"
@@ -19,7 +20,7 @@ VTK_INDIRECT_TEST(ProxyStepBySpheres)
     double Radius;
     int Step;
   };
-  // About 16,384 receivers; four times as many, at most 8 pixels apart, where spheres are small.
+  // About 16,384 receivers; four times as many, at most 8 pixels apart, if spheres are small.
   for (const Case& c : { Case{ { 128, 96 }, none, 1 }, Case{ { 384, 288 }, none, 3 },
          Case{ { 384, 288 }, 3.0, 3 }, Case{ { 384, 288 }, 2.9, 2 }, Case{ { 384, 288 }, 0.1, 1 },
          Case{ { 1024, 1024 }, none, 8 }, Case{ { 1024, 1024 }, 5.5, 5 },
@@ -38,7 +39,7 @@ VTK_INDIRECT_TEST(ProxyStepKeeps)
   const int other[2] = { 1024, 1000 };
   vtkIndirectProxyStep step;
   CheckEqual("at first", step.Find(size, 5.9), 5);
-  // To and fro across 6 pixels, and as far as 0.15 of the radius; then beyond.
+  // Back and forth across 6 pixels, within 0.15 of the radius; then beyond.
   for (const double radius : { 6.1, 5.9, 6.8, 5.0, 4.4, 6.9 })
   {
     CheckEqual(std::to_string(radius) + " pixels", step.Find(size, radius), 5);

@@ -12,8 +12,8 @@
 using namespace vtkIndirectTest;
 
 //------------------------------------------------------------------------------
-// What spheres of a row hide, meaned over directions, is what the mantle does: Cauchy's quarter of
-// the area of either.
+// A row's spheres hide, averaged over directions, as much as the stick's mantle: Cauchy's quarter
+// of the area of either.
 VTK_INDIRECT_TEST(ProxySticksRow)
 {
   for (const double radius : { 1e-3, 0.075, 0.15, 2.0 })
@@ -41,7 +41,7 @@ VTK_INDIRECT_TEST(ProxySticksRow)
 }
 
 //------------------------------------------------------------------------------
-// Rows for segments lie inside of the stick, and are from any side hardly thinner.
+// Rows for segments lie inside of the stick, and are hardly thinner from any side.
 VTK_INDIRECT_TEST(ProxySticksInside)
 {
   for (const double radius : { 1e-3, 0.15, 2.0 })
@@ -56,8 +56,7 @@ VTK_INDIRECT_TEST(ProxySticksInside)
         continue;
       }
       CheckAtMost("spacing over the radius", apart / radius, 1.0 + 1e-12, "what it is made for");
-      // From the side, the mean half width over the radius: that of a circle up to half the
-      // spacing.
+      // Mean half width from the side over the radius: that of a circle up to half the spacing.
       double sum = 0.0;
       const int steps = 1000;
       for (int i = 0; i < steps; ++i)

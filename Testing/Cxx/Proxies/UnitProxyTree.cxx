@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spheres in groups: whatever the place, the weights of all that stand for a sphere add up to one.
-// And what meshes are found to be made of.
+// Spheres in groups: at any position, the weights of all entries that represent a sphere add up to
+// one. And shapes found for meshes.
 #include "vtkIndirectTestUtilities.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
@@ -49,7 +49,7 @@ double WeightOf(const Entry& entry, const glm::vec3& place)
     glm::length(entry.Center - place), entry.Inner);
 }
 
-// Sums the weights of an entry and what is above it, for each sphere below it.
+// Adds the weights of an entry and its ancestors, for each sphere below it.
 void AddWeights(const std::vector<Entry>& entries, int number, double above, const glm::vec3& place,
   std::vector<double>& sums)
 {
@@ -95,8 +95,8 @@ VTK_INDIRECT_TEST(ProxyTreeWeights)
 
 VTK_INDIRECT_TEST(ProxyTreeSkipsNothing)
 {
-  // What a receiver meets on its way down the tree is all that counts, and what lists by blocks
-  // hold.
+  // The entries of a receiver's descent through the tree are all that count, and those of the lists
+  // by blocks.
   vtkIndirectProxyTree tree;
   tree.Build(MakeSpheres(3000, 11), 0.4, 0.0);
   const std::vector<Entry>& entries = tree.GetEntries();
@@ -142,7 +142,7 @@ VTK_INDIRECT_TEST(ProxyTreeSkipsNothing)
 
 VTK_INDIRECT_TEST(ProxyTreeBounds)
 {
-  // What is wholly below a receiver is left out by the bound of what stands for it.
+  // The bound excludes only entries wholly below a receiver.
   vtkIndirectProxyTree tree;
   tree.Build(MakeSpheres(3000, 17), 0.4, 0.0);
   const std::vector<Entry>& entries = tree.GetEntries();
@@ -211,7 +211,7 @@ VTK_INDIRECT_TEST(ProxyRegionsInATexel)
 
 VTK_INDIRECT_TEST(ProxyTreeGroups)
 {
-  // Far away a group is about as large as its spheres together, and no larger than they.
+  // Far away a group's area is about that of its spheres, and no larger.
   Spheres cloud;
   Random random(7);
   double area = 0.0;
@@ -247,7 +247,7 @@ VTK_INDIRECT_TEST(ProxyTreeGroups)
 
 VTK_INDIRECT_TEST(ProxyTreeSenders)
 {
-  // A sender is one of the spheres that it stands for, never a place between them; entries name
+  // A sender is one of the spheres that it represents, never a point between them; entries refer to
   // senders, or means of them.
   for (const int count : { 1, 5, 300, 5000 })
   {
@@ -325,7 +325,7 @@ VTK_INDIRECT_TEST(ProxyShapesOfMeshes)
   plane->Update();
   Check("a plane is a polygon", Shapes::FindPolygon(plane->GetOutput(), shape));
   CheckEqual("with four corners", static_cast<double>(shape.Polygons.front().Corners.size()), 4.0);
-  // Its disk, seen from above its middle, gives what the polygon gives.
+  // Its disk, seen from above its middle, gives the polygon's irradiance.
   const std::vector<glm::dvec3>& corners = shape.Polygons.front().Corners;
   glm::dvec3 middle(0.0);
   for (const glm::dvec3& corner : corners)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What sums over spheres do in spherical harmonics of order 4, against quadrature and closed forms.
+// Sums over spheres in spherical harmonics of order 4, against quadrature and closed forms.
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Proxies/vtkIndirectCoefficient.h"
 #include "Proxies/vtkIndirectProxyTable.h"
@@ -92,7 +92,7 @@ vtkiHarmonics4 Project(const std::function<double(const glm::dvec3&)>& function)
 
 const char* const Midpoints = "midpoint rule of 160 rings: 1/160^2 times the second derivative";
 
-// The logarithm of what a sphere leaves to be seen.
+// The logarithm of a sphere's visibility.
 vtkiHarmonics4 LogVisibility(double sine, const glm::dvec3& d)
 {
   const double at = vtkiProxyRow(static_cast<float>(sine)) * (vtkIndirectProxyEntries - 1);
@@ -170,7 +170,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsProduct)
     const glm::dvec3 n = random.NextDirection();
     const vtkiHarmonics4 lit = vtkiLitCosine(vtkiMakeLightMatrix(f), vec3(n));
     matrix = std::max(matrix, Distance(lit, vtkiHarmonicProduct(f, vtkiClampedCosine(vec3(n)))));
-    // What is seen, times light, times cosine: cut once, the integral of all three is exact.
+    // The integral of visibility, light and cosine is exact, with one product cut to order 4.
     double sum = 0.0;
     const vtkiHarmonics4 h = vtkiClampedCosine(vec3(n));
     ForSphere([&](const glm::dvec3& d, double weight)
@@ -198,7 +198,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsExponential)
     for (int trial = 0; trial < 10; ++trial)
     {
       vtkiHarmonics4 f = RandomVector(random, size.first);
-      f.A.x = static_cast<float>(-2.0 * size.first); // as of what is hidden, of a mean below 1
+      f.A.x = static_cast<float>(-2.0 * size.first); // as for visibility with a mean below 1
       const vtkiHarmonics4 exact =
         Project([&](const glm::dvec3& d) { return std::exp(Value(f, d)); });
       worst = std::max(worst, Distance(vtkiHarmonicsExp(f), exact) / Distance(exact, Zero()));
@@ -206,7 +206,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsExponential)
     CheckAtMost("exponential of length " + std::to_string(size.first) + ", relative", worst,
       size.second, "squares are cut to order 4 before they are squared again: grows as the cube");
   }
-  // A logarithm of anything at all stays finite, and hides no less than nothing.
+  // The visibility of any logarithm is finite and at most one.
   for (double times : { 1.0, 10.0, 1e3, 1e5 })
   {
     for (double sine : { 0.3, 0.7, 1.0 })
@@ -221,15 +221,15 @@ VTK_INDIRECT_TEST(SphereHarmonicsExponential)
   }
 }
 
-// What the exponential's error is in irradiance, over that of an open sky: of sums over one to
-// sixty spheres at random, up to 65 degrees to either side, against what they leave to be seen and
-// against the exact exponential of the same sums. Sums as long as scenes have them.
+// Error of the exponential in irradiance, over that of an open sky: for sums over one to sixty
+// random spheres, up to 65 degrees to either side, against their visibility and against the exact
+// exponential of the same sums. The sums are as long as in real scenes.
 VTK_INDIRECT_TEST(SphereHarmonicsLongSums)
 {
   struct Band
   {
     double Longest;
-    double MostOff;   // RMS, from what is seen
+    double MostOff;   // RMS, from the visibility
     double MostApart; // from the exact exponential
     double Off = 0.0;
     double OffExact = 0.0;
@@ -304,8 +304,8 @@ VTK_INDIRECT_TEST(SphereHarmonicsLongSums)
 
 VTK_INDIRECT_TEST(SphereHarmonicsVisibility)
 {
-  // Irradiance of a uniform sky that one sphere hides a part of, by the table, its interpolation
-  // and the exponential, against that of the same sphere's visibility cut to order 4.
+  // Irradiance of a uniform sky partly hidden by one sphere, by the table, its interpolation and
+  // the exponential, against the same sphere's visibility cut to order 4.
   const vtkiLightMatrix sky = UniformSky();
   double fit = 0.0;
   for (double sine = 0.01; sine < 1.0; sine += 0.0133)
@@ -342,7 +342,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsVisibility)
 
 VTK_INDIRECT_TEST(SphereHarmonicsOverAPlane)
 {
-  // A sphere wholly above a plane takes sin^2 cos of a uniform sky.
+  // A sphere wholly above a plane removes sin^2 cos of a uniform sky.
   const vtkiLightMatrix sky = UniformSky();
   const vec3 n(0.0f, 0.0f, 1.0f);
   const vtkiHarmonics4 c = vtkiLitCosine(sky, n);
@@ -377,7 +377,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsOverAPlane)
 
 VTK_INDIRECT_TEST(SphereHarmonicsTwoSpheres)
 {
-  // Two spheres, beside each other and overlapping more and more: the bias of sums of logarithms.
+  // Two spheres beside each other with increasing overlap: the bias of sums of logarithms.
   const vtkiLightMatrix sky = UniformSky();
   const vtkiHarmonics4 c = vtkiLitCosine(sky, vec3(0.0f, 0.0f, 1.0f));
   for (double apart : { 1.2, 0.8, 0.4, 0.0 })
@@ -461,8 +461,8 @@ VTK_INDIRECT_TEST(SphereHarmonicsAverage)
 
 VTK_INDIRECT_TEST(SphereHarmonicsExactOperator)
 {
-  // A light of order 3 and a sphere lit by it, anywhere above a receiver: irradiance of each place
-  // of its disk as bright as its normal makes it, against that of one radiance for all of the disk.
+  // A light of order 3 and a sphere lit by it, anywhere above a receiver: irradiance from each
+  // point of its disk with its normal's radiance, against one radiance for the whole disk.
   Random random(13);
   double exact = 0.0;
   double averaged = 0.0;
@@ -504,7 +504,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsExactOperator)
                4) /
         around;
     }
-    // Over the solid angle, as all of these.
+    // Over the solid angle, as the other values.
     const float s = static_cast<float>(sine);
     const double disk = vtkiDiskIrradiance(s, static_cast<float>(glm::dot(n, d))) /
       (2.0 * vtkMath::Pi() * vtkiProxyRow(s));
@@ -524,7 +524,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsExactOperator)
     5.0 * std::sqrt(exact / all), "it is one for all of the disk");
   CheckAtLeast("of the radiance at the middle", std::sqrt(middle / all), std::sqrt(averaged / all),
     "it is that of the middle for all of the disk");
-  // A light from everywhere makes them one.
+  // Under uniform light they are equal.
   vtkiHarmonics4 uniform = Zero();
   uniform.A.x = 1.0f / VTKI_HARMONICS_Y00;
   for (const float s : { 0.1f, 0.6f, 1.0f })
@@ -545,7 +545,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
   CheckEqual("at the center: hides nothing", vtkiProxySine(vec3(0.0f), 1.0f, n, false), 0.0);
   CheckEqual(
     "inside, under the center", vtkiProxySine(vec3(0.0f, 0.0f, 0.5f), 1.0f, n, false), 1.0);
-  // Spheres of the receiver's own surface, which stick out of it a little.
+  // Spheres of the receiver's own surface, which extend beyond it a little.
   const vtkiLightMatrix sky = UniformSky();
   const vtkiHarmonics4 c = vtkiLitCosine(sky, n);
   double worst = 0.0;
@@ -559,7 +559,7 @@ VTK_INDIRECT_TEST(SphereHarmonicsReplacement)
   }
   CheckAtMost("what own spheres take of the sky", worst, 0.02,
     "order 4 lets the blocked lower half ring into the upper");
-  // Nothing jumps while a sphere moves past.
+  // Continuous while a sphere moves past.
   double jump = 0.0;
   for (double height : { -0.9, -0.3, 0.0, 0.1, 0.6, 0.95 })
   {

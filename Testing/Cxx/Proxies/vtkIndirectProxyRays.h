@@ -54,13 +54,13 @@ struct ProxyScene : Scene
   void SetBalls(const std::vector<Ball>& balls) { vtkIndirectTest::SetBalls(this->Points, balls); }
 };
 
-// Not on top of a sphere, whose places are at a distance.
+// True on the ground, false on top of a sphere.
 inline bool OnGround(const Scene::Receiver& r)
 {
   return r.Normal.y > 0.99 && std::abs(r.Position.y) < 1e-3 * glm::length(r.Position);
 }
 
-// Share of the cosine-weighted upper half space that spheres leave, by rays.
+// Share of the cosine-weighted upper half space that spheres leave visible, by rays.
 inline double Open(const std::vector<Ball>& balls, const glm::dvec3& p)
 {
   constexpr int count = 1500;
@@ -83,7 +83,7 @@ inline double Open(const std::vector<Ball>& balls, const glm::dvec3& p)
   return static_cast<double>(open) / count;
 }
 
-// Where a ray ends: at one of the balls or the ground of half width 3, which face the normal.
+// End of a ray: at one of the balls or on the ground of half width 3, if they face the normal.
 struct Hit
 {
   bool Any = false;
@@ -117,7 +117,7 @@ inline Hit Trace(const std::vector<Ball>& balls, const glm::dvec3& p, const glm:
   return hit;
 }
 
-// Directions about a normal as its cosine has them.
+// Cosine-distributed directions about a normal.
 inline std::vector<glm::dvec3> AboutNormal(const glm::dvec3& n, int count, double turn)
 {
   const glm::dvec3 x =
@@ -133,7 +133,7 @@ inline std::vector<glm::dvec3> AboutNormal(const glm::dvec3& n, int count, doubl
   return ways;
 }
 
-// Light of a uniform sky that white balls and the ground send to a place.
+// Light of a uniform sky that white balls and the ground reflect to a position.
 inline double Bounce(
   const std::vector<Ball>& balls, const glm::dvec3& p, const glm::dvec3& n, double ground)
 {

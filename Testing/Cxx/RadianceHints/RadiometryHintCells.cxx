@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Radiance hints between their look-ups: what every pixel shows, against joint bilateral
-// interpolation in double precision of a frame that is looked up at every pixel.
+// Radiance hints between their look-ups: every pixel's value, against joint bilateral interpolation
+// in double precision of a frame with a look-up at every pixel.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkProperty.h"
@@ -14,7 +14,7 @@ using namespace vtkIndirectTest;
 namespace
 {
 constexpr double MinimumCosine = 0.9;  // the estimator's defaults
-constexpr double PlaneTolerance = 0.5; // of the distance between samples
+constexpr double PlaneTolerance = 0.5; // share of the distance between samples
 
 struct Cells
 {
@@ -23,9 +23,9 @@ struct Cells
   glm::dvec3 Eye;
   glm::dvec3 Forward;
   double PixelSize; // at distance one
-  int Whole = 0;    // pixels with four samples, all of their own surface
-  int Mixed = 0;    // with some
-  int Alone = 0;    // with none
+  int Whole = 0;    // pixels whose four samples are on their own surface
+  int Mixed = 0;    // pixels with some samples on it
+  int Alone = 0;    // pixels with none on it
 
   const Scene::Receiver& At(const glm::ivec2& pixel) const
   {
@@ -73,8 +73,8 @@ struct Cells
 };
 }
 
-// Two walls and a floor with a box and a ball before them, and background beyond. The image ends in
-// the middle of cells.
+// Two walls and a floor with a box and a ball, and background beyond. The image ends in the middle
+// of cells.
 VTK_INDIRECT_TEST(HintsCells)
 {
   constexpr int width = 121;
@@ -87,7 +87,7 @@ VTK_INDIRECT_TEST(HintsCells)
   scene.AddQuad({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 2 }, { 0.8, 0.2, 0.2 });
   scene.AddQuad({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, { 0.2, 0.8, 0.2 });
   scene.AddBox({ 0.9, 0.0, 0.5 }, { 1.2, 0.4, 0.8 }, { 0.3, 0.3, 0.9 });
-  // Flat, because no buffer tells facets from the normals that are interpolated over them.
+  // Flat shading, because no buffer distinguishes facets from interpolated normals.
   scene.AddSphere({ 0.5, 0.3, 1.0 }, 0.25, 48, { 0.7, 0.7, 0.3 })
     ->GetProperty()
     ->SetInterpolationToFlat();
@@ -132,8 +132,8 @@ VTK_INDIRECT_TEST(HintsCells)
       }
     }
     const std::string what = "step " + std::to_string(step) + ": ";
-    // Facets of the ball lie on the tolerances now and then; a float decides otherwise than a
-    // double.
+    // Facets of the ball lie on the tolerances in places, where floats decide otherwise than
+    // doubles.
     CheckAtMost(what + "pixels that differ", differ, 1e-3 * lit, "rounding at the tolerances");
     CheckAtMost(what + "indirect light against albedo times it", composite, 1e-5 * mean, "floats");
     CheckAtLeast(

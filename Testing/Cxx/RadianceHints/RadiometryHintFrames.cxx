@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What radiance hints keep from frame to frame.
+// Radiance hints' results from frame to frame.
 #include "vtkIndirectHintScenes.h"
 
 #include "vtkActor.h"
@@ -78,7 +78,7 @@ VTK_INDIRECT_TEST(HintsTemporal)
     const Image wanted = scene.Copy("irradiance");
     set(1.0);
     scene.Hints->SetTemporalSmoothing(keep);
-    // A look-up that is nobody's successor is whole at once.
+    // A first look-up is not smoothed.
     scene.Pass->ReleaseGraphicsResources(scene.Window);
     scene.Render();
     const double first = scene.Copy("irradiance").Mean();
@@ -87,7 +87,7 @@ VTK_INDIRECT_TEST(HintsTemporal)
     const std::string what = "keep " + std::to_string(keep).substr(0, 3) + ": ";
     CheckRelative(what + "a share of the way in one frame", scene.Copy("irradiance").Mean(),
       (3.0 - 2.0 * keep) * first, 1e-3, "of 1 and 3; interpolation leaves some pixels out");
-    // Equal frames go the rest of the way, and then no further.
+    // Equal frames cover the rest of the change, and then end.
     const int frames = static_cast<int>(std::ceil(std::log(1.0 / 4096.0) / std::log(keep)));
     double before = 0.0;
     for (int i = 1; i < frames; ++i)
@@ -108,7 +108,7 @@ VTK_INDIRECT_TEST(HintsTemporal)
     scene.Render();
     scene.Render();
     CheckEqual(what + "look-ups at rest", scene.ReadReport("estimates") - estimates, 0);
-    // From there the next change is smoothed again.
+    // The next change is smoothed again from there.
     set(1.0);
     scene.Render();
     CheckRelative(what + "a share of the way back", scene.Copy("irradiance").Mean(),
@@ -116,9 +116,9 @@ VTK_INDIRECT_TEST(HintsTemporal)
   }
 }
 
-// Every pixel follows E = keep E_last + (1 - keep) E_now in each frame; once all stands still it is
-// the unsmoothed value bit for bit after the number of frames that the property's documentation
-// says, not one before, and then nothing is computed.
+// Every pixel follows E = keep E_last + (1 - keep) E_now in each frame; without further changes it
+// equals the unsmoothed value bit for bit after exactly the documented number of frames, and then
+// nothing is computed.
 VTK_INDIRECT_TEST(HintsTemporalSequence)
 {
   struct Row
@@ -134,7 +134,7 @@ VTK_INDIRECT_TEST(HintsTemporalSequence)
     scene.SetEye({ 0.2, 0.2, 1.8 }, { 3.0, 2.5, 0.2 }, { 0, 0, 1 }, 70.0, 0.05, 10.0);
     scene.Pass->SetReflectiveShadowMapResolution(32);
     scene.SetGrid(4);
-    scene.Hints->SetInterpolationStep(1); // every pixel is looked up, and so smoothed
+    scene.Hints->SetInterpolationStep(1); // every pixel is looked up, and smoothed
     const std::vector<double> intensities = { 1.0, 3.0, 2.0, 0.25, 4.0 };
     std::vector<Image> unsmoothed;
     for (double intensity : intensities)
@@ -158,7 +158,7 @@ VTK_INDIRECT_TEST(HintsTemporalSequence)
       {
         expected[i] =
           first ? now.Values[i] : row.Keep * expected[i] + (1.0 - row.Keep) * now.Values[i];
-        // Over the largest value that the sum has seen: four times that at one.
+        // Over the largest value in the sum: four times that at one.
         const double scale = 4.0 * std::max(unsmoothed[0].Values[i], 1e-30f);
         worst = std::max(worst, std::abs(shown.Values[i] - expected[i]) / scale);
       }

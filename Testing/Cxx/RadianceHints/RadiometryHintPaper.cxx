@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The paper's own method against its equations, written anew in double precision: the field of a
-// hint from the texels that are sampled for it (Eq. 1 to 4), further bounces from other hints (Eq.
-// 8 to 11) and the look-up at a pixel (Eq. 5 to 7). Only which texels and hints are sampled is the
-// shaders' own: that sequence of integers is no equation.
+// The paper's own method against an independent evaluation of its equations in double precision:
+// the field of a hint from its sampled texels (Eq. 1 to 4), further bounces from other hints (Eq. 8
+// to 11) and the look-up at a pixel (Eq. 5 to 7). Only the selection of texels and hints is the
+// shaders': that sequence of integers is no equation.
 #include "vtkIndirectHintScenes.h"
 
 #include "vtkLight.h"
@@ -20,11 +20,11 @@ using namespace vtkIndirectTest;
 namespace
 {
 constexpr int MapEdge = 32;
-constexpr int Layers = 7;         // a spot's and the six of a point light
-constexpr int Samples = 40;       // of all layers together, of the preset
-constexpr int BounceSamples = 32; // of the preset
+constexpr int Layers = 7;         // one of a spot and six of a point light
+constexpr int Samples = 40;       // samples of all layers together, as in the preset
+constexpr int BounceSamples = 32; // as in the preset
 constexpr int Grid[3] = { 6, 5, 4 };
-const glm::dvec3 Extent(4.0, 3.0, 2.0); // of the room, which has a corner at the origin
+const glm::dvec3 Extent(4.0, 3.0, 2.0); // extent of the room, which has a corner at the origin
 const glm::dvec3 Albedo(0.8, 0.5, 0.3);
 const double Pi = vtkMath::Pi();
 
@@ -63,7 +63,7 @@ std::array<double, 9> Harmonics(const glm::dvec3& d)
 struct Field
 {
   std::array<glm::dvec3, 9> C{};
-  double Nearest = 1e30; // sender, over the scene's diagonal
+  double Nearest = 1e30; // distance of a sender over the scene's diagonal
   double Farthest = 0.0;
 
   void Add(const glm::dvec3& light, const glm::dvec3& direction)
@@ -89,7 +89,7 @@ struct Field
 
 struct PaperRoom : HintScene
 {
-  std::vector<VirtualLight> Texels; // of all maps, by layer, row and column
+  std::vector<VirtualLight> Texels; // texels of all maps, by layer, row and column
   const double Diagonal = glm::length(Extent);
 
   PaperRoom()
@@ -117,9 +117,9 @@ struct PaperRoom : HintScene
       0.5 * Extent;
   }
 
-  // Eq. 1 to 4: the mean over each map's samples of radiance times solid angle, from a place in the
-  // hint's cell. A texel of area A is seen from the height sqrt(h^2 + A / 2 pi), see
-  // radiance-hints.md; `patches` leaves that away, as the paper does.
+  // Eq. 1 to 4: the mean over each map's samples of radiance times solid angle, from a position in
+  // the hint's cell. A texel of area A is seen from the height sqrt(h^2 + A / 2 pi), see
+  // radiance-hints.md; without `patches` from its real height, as in the paper.
   Field Inject(const vtkRadianceHintsPass::Hint& hint, int number, bool patches) const
   {
     Field field;
@@ -154,8 +154,8 @@ struct PaperRoom : HintScene
     return field;
   }
 
-  // Eq. 8 with weights normalized once, 9 and 11. ambiguous: a sample lies on a border between two
-  // cells, which rounding decides.
+  // Eq. 8 with weights normalized once, 9 and 11. ambiguous: rounding decides between two cells for
+  // a sample on their border.
   Field Exchange(const std::vector<vtkRadianceHintsPass::Hint>& hints,
     const std::vector<Field>& first, const std::vector<Field>& before, int number, int order,
     bool& ambiguous) const
@@ -233,7 +233,7 @@ struct PaperRoom : HintScene
           index[axis] = std::clamp(static_cast<int>(base[axis]) + shift, 0, Grid[axis] - 1);
           weight *= shift ? blend : 1.0 - blend;
         }
-        // Never quite zero: see vtkIndirectHintLookup.glsl.
+        // Above zero: see vtkIndirectHintLookup.glsl.
         weight = std::max(weight, 1e-4);
         const Field& field = fields[index[0] + Grid[0] * (index[1] + Grid[1] * index[2])];
         for (int k = 0; k < 9; ++k)
@@ -316,7 +316,7 @@ VTK_INDIRECT_TEST(HintsPaperEquations)
         1e-5, "42 terms in floats, each off by 2^-24 and by places' 2^-24 over r");
       if (bounces == 1)
       {
-        // A texel that all but touches a hint is seen otherwise than by cosine over r^2 alone.
+        // For a texel that nearly touches a hint the height changes more than cosine over r^2.
         CheckAtMost(which + "median field without the texels' own size, difference over its size",
           Percentile(plain, 0.5), 0.02, "measured");
         std::printf("       the same, worst: %.3g\n", Percentile(plain, 1.0));

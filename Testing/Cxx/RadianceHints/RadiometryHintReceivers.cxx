@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Radiance hints on receivers that no triangle list knows: a ball far above the floor that lights
-// it, drawn by each of VTK's ways to draw one, against the ball of plain polygons.
+// Radiance hints on receivers outside of the triangle list: a ball far above the floor that lights
+// it, by each of VTK's ways to draw a ball, against the ball of plain polygons.
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectTestUtilities.h"
 
@@ -60,7 +60,7 @@ vtkSmartPointer<vtkSphereSource> MakeBall(const double center[3])
   return source;
 }
 
-// One point with a vertex, where the ball's centre is.
+// One point with a vertex, at the ball's centre.
 vtkSmartPointer<vtkPolyData> MakePoint()
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -123,10 +123,9 @@ struct BallScene : Scene
     this->Hints->SetOccupancy(occupancy);
     this->Pass->SetReflectiveShadowMapResolution(128);
     this->AddQuad({ -2, -2, 0 }, { 2, -2, 0 }, { -2, 2, 0 }, glm::dvec3(0.8));
-    // The bounds, and with them the grid, are the same for each kind: mappers tell others of a
-    // ball.
+    // Makes bounds and grid equal for each kind: mappers report different bounds for a ball.
     this->AddQuad({ 1.9, 1.9, 4 }, { 2, 1.9, 4 }, { 1.9, 2, 4 }, glm::dvec3(0.8));
-    // The ball is outside of its cone: the floor alone sends light.
+    // The ball is outside of the light's cone: only the floor sends light.
     this->AddSpot({ 0.7, 0.2, 2.0 }, { 0.2, 0.0, 0.0 }, 40.0, 0.0, { 1.0, 0.0, 0.0 });
     this->SetEye(
       { 0.0, -2.5, 1.5 }, { Center[0], Center[1], Center[2] }, { 0, 0, 1 }, 16.0, 0.5, 10.0);
@@ -186,7 +185,7 @@ VTK_INDIRECT_TEST(HintsReceivers)
       int dark = 0;
       for (size_t i = 0; i < receivers.size(); ++i)
       {
-        // The lower half: the floor lies below the horizon of all of it.
+        // The lower half: for all of it the floor is below the horizon.
         if (receivers[i].Lit && places[i].Lit &&
           std::max(receivers[i].Normal.z, places[i].Normal.z) < -0.2)
         {
@@ -216,9 +215,9 @@ VTK_INDIRECT_TEST(HintsReceivers)
   }
 }
 
-// A table of rays that is too long for a texture with the usual rows: 262144 hints of 400 rays make
-// 25600 rows of 1024 texels, those of 256 rays 16384. What stands before a wall hides as much of
-// the lit floor by the one as by the other, for hints at the far end of the table.
+// A table of rays too long for a texture with the usual rows: 262144 hints of 400 rays make 25600
+// rows of 1024 texels, those of 256 rays 16384. A wall's occluder hides as much of the lit floor
+// with either table, for hints at the table's far end.
 VTK_INDIRECT_TEST(HintsManyRays)
 {
   double hidden[2];
@@ -231,7 +230,7 @@ VTK_INDIRECT_TEST(HintsManyRays)
     scene.Pass->SetVisibilityToAuto();
     hints->SetGridResolution(64, 64, 64);
     scene.Pass->SetReflectiveShadowMapResolution(128);
-    // Where the last axis is large; the rest of the space is empty.
+    // At large values of the last axis; the rest of the space is empty.
     const double z = 7.2;
     scene.AddQuad({ 0, 0, 0 }, { 0.01, 0, 0 }, { 0, 0.01, 0 }, glm::dvec3(0.8));
     scene.AddQuad({ 6, 6.5, z }, { 7, 6.5, z }, { 6, 7.5, z }, glm::dvec3(0.8));

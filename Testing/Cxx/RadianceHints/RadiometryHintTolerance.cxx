@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What ErrorTolerance means for radiance hints: the error of the irradiance against that of a much
-// finer grid, all else equal.
+// ErrorTolerance of radiance hints: the error of the irradiance against that of a much finer grid,
+// otherwise equal.
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectHintScenes.h"
 
@@ -10,11 +10,12 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// Of the finest grid: 35 hints along the longest edge, where the tolerances' have 8 to 25.
+// Tolerance of the finest grid: 35 hints along the longest edge, where the tested ones have 8 to
+// 25.
 constexpr double Converged = 0.01;
 
-// A ball in the middle of a room that its walls light: no sender is nearer to it than a quarter of
-// the room, which is what the number of hints is derived for.
+// A ball in the middle of a room lit by its walls: no sender is nearer than a quarter of the room,
+// the assumption of the number of hints.
 struct FarSenders : HintScene
 {
   FarSenders()
@@ -78,7 +79,7 @@ VTK_INDIRECT_TEST(HintsTolerance)
     CheckAtMost("far senders: error over the tolerance of " + std::to_string(tolerances[i]),
       errors[i] / tolerances[i], 1.0, "what the property says of light from that distance");
   }
-  // Light from nearer than that is not within the tolerance, and the report says so.
+  // Light from a nearer sender is not within the tolerance, and the report says so.
   Corner corner;
   errors = Measure("corner", corner, tolerances);
   Check("corner: the report says that it does not hold for nearer light",

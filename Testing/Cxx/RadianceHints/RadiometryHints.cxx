@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Radiance hints in absolute numbers: the closed sphere and its bounces, a half-space, the field
-// itself, light through walls, and what is kept between frames.
+// itself, light through walls, and results kept between frames.
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectHintScenes.h"
 
@@ -98,7 +98,7 @@ VTK_INDIRECT_TEST(HintsClosedSphere)
       Check("4 % more or less would be rejected", !WouldPass(1.0 + 0.04, 1.0, 0.03));
     }
   }
-  // What hints outside cost when nothing tells them apart: the reason for the weights.
+  // Error by outside hints without weights: the reason for the weights.
   scene.Hints->SetOrder(2);
   scene.SetGrid(4);
   const double all = [&]
@@ -124,7 +124,7 @@ VTK_INDIRECT_TEST(HintsBounces)
         scene.Measure(color, bounces), 1.0, 0.05, "the requirement: geometric series within 5 %");
     }
   }
-  // The mean albedo in place of each surface's own: the same, all surfaces being alike.
+  // The mean albedo in place of each surface's own: equal results, because all surfaces are alike.
   SET_DETAIL(scene.Hints, AlbedoVolume, false);
   CheckAbsolute("with the mean albedo", scene.Measure(0, 4), 1.0, 0.05, "one albedo");
   // Order 3, both layouts.
@@ -136,8 +136,8 @@ VTK_INDIRECT_TEST(HintsBounces)
 
 VTK_INDIRECT_TEST(HintsHalfSpace)
 {
-  // A dome of constant radiance L over a black floor of the same shape, a small receiver in the
-  // middle that faces it: E = L.
+  // A dome of constant radiance L over a black floor of the same shape, with a small receiver in
+  // the middle facing it: E = L.
   HintScene scene(24, 24);
   const double albedo = 0.8;
   const double radius = 2.0;
@@ -157,7 +157,7 @@ VTK_INDIRECT_TEST(HintsHalfSpace)
   scene.SetEye({ 0.3, 0, 0.8 }, { 0, 0, 0 }, { 0, 1, 0 }, 2.0, 0.05, 10.0);
   scene.Pass->SetReflectiveShadowMapResolution(128);
   scene.Hints->SetGridResolution(17, 17, 16);
-  // The lamp is a little off the middle: radiance albedo n.l, weighed by the cosine.
+  // The light is a little off the middle: radiance albedo n.l, weighted by the cosine.
   const double expected = Integrate(0.0, 1.0,
     [&](double z)
     {
@@ -182,7 +182,7 @@ VTK_INDIRECT_TEST(HintsHalfSpace)
 
 VTK_INDIRECT_TEST(HintsField)
 {
-  // Far from walls, with dense reads, the coefficients are those of the sum over all texels.
+  // Far from walls, with dense reads, the coefficients equal those of the sum over all texels.
   HintScene scene(48, 48);
   scene.AddBox({ 0, 0, 0 }, { 4, 3, 2 }, { 0.8, 0.4, 0.2 });
   scene.AddBox({ 2.6, 1.6, 0 }, { 3.4, 2.4, 0.8 }, glm::dvec3(0.7));
@@ -214,7 +214,7 @@ VTK_INDIRECT_TEST(HintsField)
       const glm::dvec3 position =
         glm::dvec3(hint.Position[0], hint.Position[1], hint.Position[2]) * diagonal +
         glm::dvec3(2.0, 1.5, 1.0);
-      // Where no sender is nearer than a quarter of the room's height.
+      // Positions at least a quarter of the room's height from every sender.
       double nearest = INFINITY;
       std::vector<double> expected(3 * static_cast<size_t>(order * order), 0.0);
       for (const VirtualLight& light : lights)
@@ -290,10 +290,10 @@ VTK_INDIRECT_TEST(HintsLeak)
 
 VTK_INDIRECT_TEST(HintsLeakFiner)
 {
-  // Finer grids, whose hints lie otherwise about the wall, let no more through.
+  // Finer grids, whose hints lie differently about the wall, let no more light through.
   for (double tolerance : { 0.05, 0.02, 0.01 })
   {
-    // A width at which no sample lies at the wall: those beside it are on both of its sides.
+    // The width avoids samples at the wall: neighbours are on both of its sides.
     TwoRooms closed(false, 100, 50);
     closed.Pass->SetNumberOfBounces(3);
     closed.Pass->SetErrorTolerance(tolerance);
@@ -314,7 +314,7 @@ VTK_INDIRECT_TEST(HintsLeakFiner)
 
 VTK_INDIRECT_TEST(HintsGrids)
 {
-  // Two grids are as right as one, also where they fade.
+  // Two grids are as accurate as one, also where they fade.
   ClosedSphere scene;
   scene.SetGrid(8);
   SET_DETAIL(scene.Hints, NumberOfRays, 144);
@@ -323,7 +323,7 @@ VTK_INDIRECT_TEST(HintsGrids)
   CheckAbsolute("two grids, E1 over albedo E0", scene.Measure(0, 1), 1.0, 0.03, SphereOrigin);
   CheckAbsolute("two grids, four bounces", scene.Measure(0, 4), 1.0, 0.05, SphereOrigin);
   CheckEqual("hints", scene.Hints->GetNumberOfHints(), 2 * 512);
-  // The finer one follows the camera's focal point.
+  // The finer grid follows the camera's focal point.
   const double updates = scene.ReadReport("hint_updates");
   scene.Renderer->GetActiveCamera()->SetFocalPoint(-1.5, -1.5, -1.5);
   scene.Render();
@@ -337,7 +337,7 @@ VTK_INDIRECT_TEST(HintsGrids)
 
 VTK_INDIRECT_TEST(HintsPaper)
 {
-  // The paper's own choices, and its options, on a scene they are made for.
+  // The paper's own settings and options, on a scene suited to them.
   TwoRooms scene(true);
   scene.Hints->SetPresetToPaper();
   scene.Pass->SetNumberOfBounces(2);
@@ -348,7 +348,7 @@ VTK_INDIRECT_TEST(HintsPaper)
   scene.Render();
   CheckEqual("values that differ in a second frame",
     static_cast<double>(plain.Values.size()) - CountSame(plain, scene.Copy("irradiance")), 0);
-  // From the side, where the wall between the rooms hides a part of them.
+  // From the side, where the wall hides a part of the rooms.
   scene.Renderer->GetActiveCamera()->Azimuth(40.0);
   scene.Render();
   const double seen = scene.Copy("irradiance").Mean();
@@ -375,7 +375,7 @@ VTK_INDIRECT_TEST(HintsPaper)
 
 VTK_INDIRECT_TEST(HintsHeadlight)
 {
-  // No map: the sampler's lights of the eye's own view.
+  // A headlight without a map: the sampler's lights of the eye's view.
   HintScene scene(48, 48);
   scene.AddQuad({ -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, glm::dvec3(0.8));
   scene.AddQuad({ -1, -1, 0 }, { -1, 1, 0 }, { -1, -1, 2 }, { 0.9, 0.2, 0.1 });
@@ -395,7 +395,7 @@ VTK_INDIRECT_TEST(HintsHeadlight)
 
 VTK_INDIRECT_TEST(HintsScales)
 {
-  // A room of any size, anywhere, has the same light; so has a flat scene, which has none to give.
+  // A room of any size, anywhere, has the same light; so does a flat scene, which has none.
   double reference = 0.0;
   for (const double scale : { 1.0, 1e-9, 1e6 })
   {

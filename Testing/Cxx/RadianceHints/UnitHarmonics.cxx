@@ -159,7 +159,7 @@ VTK_INDIRECT_TEST(PatchSolidAngle)
       2.0 * vtkMath::Pi() * (1.0 - 1.0 / std::sqrt(1.0 + 0.01 / height / height));
     const double measured =
       area * seen(vec3(0, 0, -height), static_cast<float>(area / (2.0 * vtkMath::Pi())));
-    // The limits are the same; between them 1 / (h^2 + a^2 / 2) is above the disk's own.
+    // The limits are equal; between them 1 / (h^2 + a^2 / 2) exceeds the disk's solid angle.
     CheckRelative("disk at " + std::to_string(height / 0.1) + " radii", measured, exact, 0.21,
       "same limits near and far; a fifth too much at half a radius");
     CheckAtMost(
@@ -167,8 +167,8 @@ VTK_INDIRECT_TEST(PatchSolidAngle)
   }
   CheckEqual("from behind", seen(vec3(0, 0, 1), 0.1f), 0.0);
   CheckEqual("from within", seen(vec3(0.0f), 0.0f), 0.0);
-  // A large plane of patches fills half of all directions, from however near it is seen, and light
-  // from it is light from a hemisphere.
+  // A large plane of patches fills half of all directions, at any distance, and its light is that
+  // of a hemisphere.
   const double edge = 0.1;
   const float softening = static_cast<float>(edge * edge / (2.0 * vtkMath::Pi()));
   for (double height : { 0.002, 0.02, 0.1, 0.3 })
@@ -180,7 +180,7 @@ VTK_INDIRECT_TEST(PatchSolidAngle)
     {
       for (int i = -count; i < count; ++i)
       {
-        // The point is above none of the patches' own corners or middles.
+        // The point is above no corner or middle of a patch.
         const vec3 toSender(edge * (i + 0.3), edge * (j + 0.2), -height);
         const vec3 offset = vtkiPatchOffset(toSender, up, softening);
         const double share = edge * edge * vtkiPatchSolidAngle(offset, up);
@@ -188,8 +188,8 @@ VTK_INDIRECT_TEST(PatchSolidAngle)
         vertical -= share * offset.z / glm::length(offset);
       }
     }
-    // Beyond the patches lie h'/R of all; h' is at most 0.3, R 60 and more. Sums over patches in
-    // place of an integral: the kernel is as wide as sqrt(s), 0.4 of a patch.
+    // Beyond the patches lies h'/R of the plane; h' is at most 0.3, R 60 and more. Sums over
+    // patches in place of an integral: the kernel is as wide as sqrt(s), 0.4 of a patch.
     CheckAbsolute("plane from a height of " + std::to_string(height / edge) + " patches",
       sum / (2.0 * vtkMath::Pi()), 1.0, 0.09, "sum over patches of a kernel half as wide");
     CheckAbsolute("its light straight up", vertical / vtkMath::Pi(), 1.0, 0.09, "as above");

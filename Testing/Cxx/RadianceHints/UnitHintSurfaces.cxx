@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What hints know of surfaces: colours, areas and planes in their cells.
+// Surfaces of hints: colours, areas and planes in their cells.
 #include "OpenGL/vtkIndirectKernels.h"
 #include "RadianceHints/vtkIndirectHintGrid.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
@@ -26,8 +26,8 @@ vtkIndirectHintGrid::Settings HintsInUnitCube(int edge)
 
 VTK_INDIRECT_TEST(HintSurfaces)
 {
-  // A wall of another colour on each side, thinner than a voxel, and a bar thinner than a voxel:
-  // hints see the colour that is turned to them, and as much of the bar as there is.
+  // A wall thinner than a voxel with different colours on its sides, and a bar thinner than a
+  // voxel: hints see the colour of the side that faces them, and the bar's true size.
   vtkIndirectOccupancyVolume volume;
   volume.KeepTriangles();
   volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 32);
@@ -74,7 +74,7 @@ VTK_INDIRECT_TEST(HintSurfaces)
     }
     if (left)
     {
-      // Solid angle of the bar: a rectangle's, from four of its corner ones.
+      // Solid angle of the bar: a rectangle's, from four corner terms.
       auto corner = [&](double y, double z)
       {
         const double d = std::abs(place - at.x);
@@ -99,7 +99,7 @@ VTK_INDIRECT_TEST(HintSurfaces)
 
 VTK_INDIRECT_TEST(HintMasks)
 {
-  // A wall between two rows of hints: a voxel sees the hints of its own side and no others.
+  // A wall between two rows of hints: a voxel sees only the hints of its own side.
   vtkIndirectOccupancyVolume volume;
   volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
   const double wall = 0.52;
@@ -135,8 +135,8 @@ VTK_INDIRECT_TEST(HintMasks)
 
 VTK_INDIRECT_TEST(HintPlanes)
 {
-  // A wall at any slant: from places in its own voxels one step leads to a free voxel, on the side
-  // that the place is on.
+  // A wall at any slant: from positions in its own voxels one step leads to a free voxel on the
+  // same side.
   Random random(11);
   int wrong = 0;
   int stuck = 0;
@@ -164,7 +164,8 @@ VTK_INDIRECT_TEST(HintPlanes)
       const glm::dvec3 at = volume.ToVoxels(place);
       const glm::ivec3 home(glm::floor(at));
       const double side = glm::dot(normal, place - middle) / voxel;
-      // Of five bits a coordinate: a sixtieth of a right angle and more off over half a diagonal.
+      // Five bits a coordinate have an error of a sixtieth of a right angle and more over half a
+      // diagonal.
       if (!volume.IsOccupied(home) || std::abs(side) < 0.1)
       {
         continue;

@@ -24,7 +24,7 @@ struct HintScene : Scene
   void SetGrid(int n) { this->Hints->SetGridResolution(n, n, n); }
 };
 
-// Two rooms along x with a thin wall between them, the first lit by a lamp. The wall may have a
+// Two rooms along x with a thin wall between them, the first lit by a light. The wall may have a
 // door.
 struct TwoRooms : HintScene
 {
@@ -32,7 +32,7 @@ struct TwoRooms : HintScene
     : HintScene(width, height)
   {
     const glm::dvec3 white(0.8);
-    // Faces turned inwards.
+    // The faces point inwards.
     this->AddQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 2, 0 }, white); // floor
     this->AddQuad({ 0, 0, 2 }, { 0, 2, 2 }, { 4, 0, 2 }, white); // ceiling
     this->AddQuad({ 0, 0, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, white); // x = 0
@@ -54,7 +54,7 @@ struct TwoRooms : HintScene
   }
 
   // Light of the dark room's receivers over that of all, seen through the near wall, which the near
-  // plane cuts away.
+  // plane removes.
   double GetLeak(double& dark)
   {
     this->Render();
@@ -75,7 +75,7 @@ struct TwoRooms : HintScene
   }
 };
 
-/** Values that two images share. */
+/** Number of values that two images share. */
 inline int CountSame(const Image& a, const Image& b)
 {
   int same = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Splatting where it is hard, and with what other stages bring: what a far field gives back, eyes
-// among splats, lights that touch, nothing to send, depth maps, voxels, branches, specular
-// receivers.
+// Splatting in hard cases and with other stages: the far field, eyes among splats, lights that
+// touch, no light, depth maps, voxels, branches, specular receivers.
 #include "vtkIndirectSplattingScene.h"
 
 #include "Gather/vtkIndirectGlossyRoom.h"
@@ -38,7 +37,7 @@ VTK_INDIRECT_TEST(FarFieldKeepsMean)
     SplattingFrame scene(200 + number, { 160, 128 }, static_cast<FrameLight>(number % 4));
     scene.Sampler->SetNumberOfLights(200);
     scene.Pass->SetReflectiveShadowMapResolution(64);
-    // As the default of 8 in an image of twice the size.
+    // Corresponds to the default of 8 in an image of twice the size.
     scene.Splats->SetFarFieldStep(4);
     const Image expected = scene.GatherAll();
     const double mean = Sum(expected);
@@ -130,7 +129,7 @@ VTK_INDIRECT_TEST(NothingIsSent)
 
 VTK_INDIRECT_TEST(AnyStrength)
 {
-  // Thresholds follow the lights: what they send may be anything.
+  // The threshold scales with the lights, whatever their strength.
   SplattingFrame scene(7, { 61, 47 }, FrameLight::SPOT);
   scene.Sampler->SetNumberOfLights(100);
   const Image one = scene.SplatLights(SplatWay::TILES);
@@ -154,7 +153,7 @@ VTK_INDIRECT_TEST(AnyStrength)
 
 VTK_INDIRECT_TEST(BranchesAndVisibility)
 {
-  // With all counting, the gather's own sums: of trees, and of what depth maps and voxels let by.
+  // With a threshold of zero the sums equal the gather's: of trees, and with depth maps and voxels.
   struct Case
   {
     const char* Name;
@@ -244,8 +243,8 @@ VTK_INDIRECT_TEST(SpecularSenders)
 
 VTK_INDIRECT_TEST(Overdraw)
 {
-  // Fewer for a higher threshold, never more than there are lights, and in tiles no fewer than
-  // ellipsoids need.
+  // Fewer splats for a higher threshold, never more than there are lights, and in tiles at least
+  // those of the ellipsoids.
   SplattingFrame scene(3, { 96, 80 }, FrameLight::SPOT);
   scene.Sampler->SetNumberOfLights(120);
   double last = 1e9;

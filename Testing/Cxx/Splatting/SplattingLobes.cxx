@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Splats of specular senders' lobes: against sums over the lights that count, against the gather,
-// what the far field gives back, and hard cases.
+// their far field, and hard cases.
 #include "vtkIndirectSplattingScene.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
@@ -24,7 +24,7 @@ using namespace vtkIndirectTest;
 namespace
 {
 constexpr double Least = 1e-4;
-// In a plane with a light a receiver's cosine is rounding, and a wide lobe has no other.
+// In a plane with a light a receiver's cosine is rounding, which a wide lobe does not reduce.
 constexpr double LeastOfLobes = 5e-3;
 
 double Brightest(const glm::dvec3& color)
@@ -32,7 +32,7 @@ double Brightest(const glm::dvec3& color)
   return std::max({ color.x, color.y, color.z });
 }
 
-/** Phong's model of some power, or, below zero, VTK's metal of minus that roughness. */
+/** Phong's model of a power, or, if negative, VTK's metal of minus that roughness. */
 void MakeSpecular(vtkActor* actor, double power)
 {
   vtkProperty* property = actor->GetProperty();
@@ -88,13 +88,14 @@ struct Corner : SplattingFrameOf<Scene>
 
 VTK_INDIRECT_TEST(LobesCutOff)
 {
-  // Without the far field: the sum over the lights and lobes that reach I_low at the receiver.
+  // Without the far field: the sum over the lights and lobes that exceed I_low at the receiver.
   double worst = 0.0;
   WaysAgainstTiles ways;
   double inLobes = 0.0;
   double cutOfLobes = 0.0;
   int receivers = 0;
-  // Not zero: what is all but in the plane of a sender would have all of its lobe, or none.
+  // No power of zero, because receivers nearly in the plane of a sender would have all of its lobe,
+  // or none.
   const double powers[] = { 5.0, 10.0, 20.0, 128.0, -0.2, -0.05 };
   int frames = 0;
   for (int number = 0; number < 12; ++number)
@@ -127,7 +128,7 @@ VTK_INDIRECT_TEST(LobesCutOff)
     {
       largest = std::max(largest, static_cast<double>(value));
     }
-    // Where all surfaces lie in a plane, and elsewhere nothing is lit, light is rounding.
+    // If all lit surfaces lie in a plane, light is rounding.
     if (largest < 1e-3)
     {
       continue;
@@ -188,7 +189,7 @@ VTK_INDIRECT_TEST(LobesCutOff)
 
 VTK_INDIRECT_TEST(LobesAllIsGather)
 {
-  // With all counting: eyes among splats and parallel ones, trees, depth maps and voxels.
+  // With a threshold of zero: eyes among splats and parallel ones, trees, depth maps and voxels.
   double worst[NumberOfSplatWays] = {};
   double least = 1e9;
   const double powers[] = { 0.0, 20.0, 128.0, -0.05 };
@@ -252,7 +253,7 @@ VTK_INDIRECT_TEST(LobesAroundTheEye)
 
 VTK_INDIRECT_TEST(LobesInReceiversLobes)
 {
-  // What specular receivers reflect, of lights and of lobes, by lists of tiles: nothing is lost.
+  // Specular reflection of lights and of lobes by receivers, by lists of tiles: no light is lost.
   double all = 0.0;
   double lists = 0.0;
   double moved = 0.0;
@@ -302,7 +303,7 @@ VTK_INDIRECT_TEST(LobesInReceiversLobes)
 
 VTK_INDIRECT_TEST(LobesKeepMean)
 {
-  // The ring, whose lights have narrow lobes, and nothing but these.
+  // The ring, which has only lights with narrow lobes.
   SplattingFrameOf<Scene> scene(96, 96);
   vtkNew<vtkCylinderSource> source;
   source->SetRadius(0.6);

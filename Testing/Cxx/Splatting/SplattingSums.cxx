@@ -3,7 +3,7 @@
 // precision.
 //
 // Tolerances are relative to a pixel's irradiance, or to a ten-thousandth of the brightest one:
-// below it, cosines of senders in nearly the same plane are rounding.
+// smaller irradiances come from senders in nearly the same plane, whose cosines are rounding.
 #include "vtkIndirectSplattingScene.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
@@ -59,8 +59,8 @@ VTK_INDIRECT_TEST(AllIsGather)
 
 VTK_INDIRECT_TEST(CutOff)
 {
-  // Without the far field: the sum over the lights that reach I_low at the receiver, in double
-  // precision from the lights and receivers that the frame had.
+  // Without the far field: the sum over the lights that exceed I_low at the receiver, in double
+  // precision from the frame's lights and receivers.
   double worst = 0.0;
   WaysAgainstTiles ways;
   double share = 1.0;
@@ -70,7 +70,7 @@ VTK_INDIRECT_TEST(CutOff)
   {
     SplattingFrame scene(100 + number, { 83, 61 }, static_cast<FrameLight>(number % 4));
     scene.Sampler->SetNumberOfLights(150);
-    scene.Sampler->LitTexelsOff(); // few samples tell little of lights that stand close together
+    scene.Sampler->LitTexelsOff(); // few samples may miss lights that stand close together
     scene.Pass->SetReflectiveShadowMapResolution(64);
     if (number == 5)
     {
@@ -107,7 +107,7 @@ VTK_INDIRECT_TEST(CutOff)
       {
         continue;
       }
-      // Lights that are about to count or not by rounding say nothing.
+      // Rounding decides on lights at the limit: they may count or not.
       glm::dvec3 sure(0.0);
       glm::dvec3 unsure(0.0);
       for (const VirtualLight& light : lights)

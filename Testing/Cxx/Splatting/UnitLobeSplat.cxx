@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bounds of senders' lobes: that nothing that counts lies outside of them, and little else inside.
+// Bounds of senders' lobes: they contain all places where a lobe counts, and little else.
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkIndirectTestUtilities.h"
 
@@ -33,15 +33,15 @@ struct Lobe
     return distance * (std::cos(angle) * this->Axis + std::sin(angle) * this->Side);
   }
 
-  /** As shaders evaluate it. */
+  /** Level by the shaders' kernel. */
   float GetLevel(double distance, double angle) const
   {
     return vtkiLobeLevel(vec3(-this->GetPlace(distance, angle)), vec3(this->Normal),
       vec3(this->Axis), this->Exponent, this->Area, this->Flux);
   }
 
-  /** The largest angle at which it counts at this distance, of those that are looked at; below
-   * zero: none. Levels fall with the angle, to the side on which the surface does not end them. */
+  /** The largest sampled angle at which the lobe counts at this distance; negative: none. Levels
+   * fall with the angle, on the side on which the surface does not end them. */
   double FindEdge(double distance) const
   {
     if (!(this->GetLevel(distance, 0.0) >= 1.0f))
@@ -63,7 +63,7 @@ struct Lobe
   }
 };
 
-/** Where a point lies in an ellipsoid, in double precision: 1 on it, more outside. */
+/** Place of a point relative to an ellipsoid, in double precision: 1 on it, more outside. */
 double FindPlace(const vtkiSplat& splat, const glm::dvec3& p)
 {
   const glm::dvec3 d = p - glm::dvec3(splat.center);
@@ -84,7 +84,7 @@ Lobe MakeLobe(Random& random, double exponent, double elevation)
   lobe.Position = glm::dvec3(0.0);
   lobe.Exponent = static_cast<float>(exponent);
   lobe.Area = static_cast<float>(random.NextMagnitude(1e-10, 0.5));
-  // From what counts nowhere to what counts everywhere.
+  // From lobes that count nowhere to lobes that count everywhere.
   lobe.Flux = static_cast<float>(lobe.Area * random.NextMagnitude(0.3, 1e8));
   return lobe;
 }
@@ -109,7 +109,7 @@ VTK_INDIRECT_TEST(LobeSplatHoldsKernel)
       {
         const Lobe lobe = MakeLobe(random, exponent, elevation);
         const vtkiSplat splat = lobe.GetSplat();
-        // The paper's, with nothing held of where the exponent is lower.
+        // The paper's ellipsoid, without the region of lower exponents.
         const vtkiSplat paper = vtkiMakeSplat(vec3(0.0f), vec3(lobe.Axis), lobe.Exponent,
           std::sqrt(
             lobe.Flux / vtkiLobeIntegral(lobe.Exponent, dot(vec3(lobe.Normal), vec3(lobe.Axis)))),
@@ -129,7 +129,7 @@ VTK_INDIRECT_TEST(LobeSplatHoldsKernel)
         }
         none += splat.across > 0.0f ? 0 : 1;
         outside = std::max(outside, splat.across > 0.0f ? farthest : 0.0);
-        // What hardly counts anywhere is bounded as if its light had no size.
+        // A lobe that hardly counts anywhere has the bounds of a light without size.
         const bool bright = lobe.Flux > 4.0f * lobe.Area;
         tightest = std::min(tightest, bright && farthest > 0.0 ? farthest : 1e9);
       }
@@ -147,8 +147,8 @@ VTK_INDIRECT_TEST(LobeSplatHoldsKernel)
 
 VTK_INDIRECT_TEST(LobeSplatAnywhere)
 {
-  // Turned and moved, where places are rounded by 6e-8 scene units, and against an ellipsoid about
-  // a ball within which the exponent may be any.
+  // Rotated and moved, where positions are rounded by 6e-8 scene units, and against an ellipsoid
+  // about a ball within which the exponent is arbitrary.
   Random random(52);
   double outside = 0.0;
   double narrower = 0.0;

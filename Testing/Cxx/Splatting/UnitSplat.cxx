@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bounds of virtual lights: that nothing that counts lies outside of them.
+// Bounds of virtual lights contain all places where these count.
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Splatting/vtkIndirectSplatMesh.h"
 #include "vtkIndirectTestUtilities.h"
@@ -14,7 +14,7 @@ using namespace vtkIndirectKernels;
 
 namespace
 {
-/** Where a point lies in an ellipsoid, in double precision: 1 on it, more outside. */
+/** Place of a point relative to an ellipsoid, in double precision: 1 on it, more outside. */
 double FindPlace(const vtkiSplat& splat, const glm::dvec3& p)
 {
   const glm::dvec3 d = p - glm::dvec3(splat.center);
@@ -23,7 +23,7 @@ double FindPlace(const vtkiSplat& splat, const glm::dvec3& p)
   return std::hypot(along / splat.along, glm::length(aside) / splat.across);
 }
 
-/** Of the iso-surface cos(a)^n / r^2 = 1, the largest place of any of its points. */
+/** The largest place of any point of the iso-surface cos(a)^n / r^2 = 1. */
 double FindFarthest(const vtkiSplat& splat, double exponent, double size)
 {
   double farthest = 0.0;
@@ -61,7 +61,7 @@ VTK_INDIRECT_TEST(SplatHoldsSurface)
   double printed = 0.0;
   double exact = 0.0;
   int exponents = 0;
-  // From none to 1e6, the paper's 1 to 1e4 among them, twelve a decade.
+  // From 0 to 1e6, including the paper's 1 to 1e4, twelve a decade.
   for (int i = -37; i <= 72; ++i, ++exponents)
   {
     const double n = i == -37 ? 0.0 : std::pow(10.0, i / 12.0);
@@ -69,7 +69,7 @@ VTK_INDIRECT_TEST(SplatHoldsSurface)
     const double farthest = FindFarthest(splat, n, 0.5);
     outside = std::max(outside, farthest);
     loosest = std::max(loosest, 1.0 / farthest);
-    // Where equation (8) is read as it is printed: n / (n + 2) times (n + 2) / 4.
+    // With equation (8) as printed: n / (n + 2) times (n + 2) / 4.
     vtkiSplat wrong = splat;
     const double c = n / 4.0;
     wrong.center = vec3(0.0f, 0.0f, static_cast<float>(0.5 * c));
@@ -77,7 +77,7 @@ VTK_INDIRECT_TEST(SplatHoldsSurface)
     wrong.across = static_cast<float>(0.5 * std::pow(c, n / (n + 2.0)) *
       std::sqrt(std::max(1.0 - std::pow(c, 4.0 / (n + 2.0)), 0.0)));
     printed = std::max(printed, FindFarthest(wrong, n, 0.5));
-    // The place of the widest in double precision, by its closed form.
+    // The widest place in double precision, by its closed form.
     const double k = n / (n + 2.0);
     const vec2 widest = vtkiSplatWidest(static_cast<float>(n));
     exact = std::max({ exact, std::abs(widest.x - (n > 0.0 ? std::pow(k, (n + 2.0) / 4.0) : 0.0)),
@@ -95,7 +95,7 @@ VTK_INDIRECT_TEST(SplatHoldsSurface)
 
 VTK_INDIRECT_TEST(SplatHoldsWidenedLobe)
 {
-  // Within `ball` the exponent is n r / ball: the surface there is any within the ball.
+  // Within `ball` the exponent is n r / ball: the surface there lies anywhere within the ball.
   Random random(31);
   double outside = 0.0;
   double inBall = 0.0;
@@ -150,12 +150,12 @@ VTK_INDIRECT_TEST(SplatMeshHoldsEllipsoid)
   CheckAtMost("mean area of its outline over the ball's", area / (4.0 * 3.14159265), 1.07,
     "a convex body's outline is a quarter of its surface in the mean; measured 1.064");
 
-  // Mapped to ellipsoids, the planes of the faces hold what they held.
+  // Mapped to ellipsoids, the planes of the faces still enclose them.
   Random random(32);
   double outside = 1e9;
   for (int i = 0; i < 200; ++i)
   {
-    // About the middle of the scene: elsewhere places are rounded by up to 3e-8 scene units.
+    // About the middle of the scene: elsewhere positions are rounded by up to 3e-8 scene units.
     vtkiSplat splat = RandomSplat(random);
     splat.center = vec3(0.0f);
     for (const auto& t : mesh.Triangles)
@@ -191,7 +191,7 @@ VTK_INDIRECT_TEST(SplatMeetsBox)
       static_cast<float>(random.NextMagnitude(1e-4, 0.3)),
       static_cast<float>(random.NextMagnitude(1e-4, 0.3)));
     const bool meets = vtkiSplatMeetsBox(splat, middle, halfSize);
-    // The box' point next to a point of the ellipsoid: if that is in the ellipsoid, both meet.
+    // The box's point nearest to a point of the ellipsoid: if that is in the ellipsoid, both meet.
     bool inside = false;
     for (int k = 0; k < 30; ++k)
     {
@@ -225,7 +225,7 @@ VTK_INDIRECT_TEST(SplatRange)
   for (int i = 0; i < 3000; ++i)
   {
     const vtkiSplat splat = RandomSplat(random);
-    // Any projection: x / w, w the distance from a plane, or one where it is parallel.
+    // Any projection: x / w, w the distance from a plane, or one for parallel projection.
     const bool parallel = i % 4 == 0;
     const vec3 x(random.NextDirection() * random.Next(0.5, 2.0));
     const vec3 w(parallel ? glm::dvec3(0.0) : random.NextDirection());
@@ -276,7 +276,7 @@ VTK_INDIRECT_TEST(SplatWithinScene)
   int outside = 0;
   for (int i = 0; i < 20000; ++i)
   {
-    // A receiver that the ellipsoid held is still held.
+    // A receiver in the ellipsoid is also in the result of vtkiWithinScene.
     const glm::dvec3 light = 0.5 * random.NextDirection() * random.Next();
     const glm::dvec3 receiver = 0.5 * random.NextDirection() * random.Next();
     const vtkiSplat splat = vtkiMakeSplat(vec3(light), vec3(random.NextDirection()),

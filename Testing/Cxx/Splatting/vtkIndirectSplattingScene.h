@@ -16,7 +16,7 @@
 
 namespace vtkIndirectTest
 {
-/** Forces a way by name for as long as it lives, for passes that are made or released after. */
+/** Forces a choice by name during its lifetime, for passes made or released in that time. */
 struct ForcedPath
 {
   explicit ForcedPath(const std::string& paths) { setenv("VTK_INDIRECT_PATHS", paths.c_str(), 1); }
@@ -25,7 +25,7 @@ struct ForcedPath
   void operator=(const ForcedPath&) = delete;
 };
 
-/** How splats are summed. */
+/** Method of summing splats. */
 enum class SplatWay
 {
   TILES,
@@ -38,7 +38,7 @@ inline const char* GetName(SplatWay way)
   return way == SplatWay::TILES ? "tiles" : way == SplatWay::QUADS ? "quads" : "ellipsoids";
 }
 
-/** A scene with splatting beside what it has. */
+/** Adds splatting to a scene. */
 template <typename Base>
 struct SplattingFrameOf : Base
 {
@@ -76,7 +76,7 @@ inline bool IsFinite(const Image& image)
 }
 
 /** The lowest intensity that counts, over a squared distance, at a threshold of 0.05: of the mean
- * of the intensities that are not zero at a twentieth of the scene's diagonal. */
+ * of the nonzero intensities at a twentieth of the scene's diagonal. */
 inline double FindLowest(Scene& scene, const std::vector<double>& intensities)
 {
   double bounds[6];
@@ -94,8 +94,8 @@ inline double FindLowest(Scene& scene, const std::vector<double>& intensities)
   return 0.05 * sum / std::max(count, 1.0) / (length * length);
 }
 
-/** Adds by how much a pixel lies outside of what it surely gets and what it may get besides, each
- * component over the sure part or `least`. */
+/** Adds the distance of a pixel from the range between its sure light and its sure and unsure
+ * light, each component over the sure part or `least`. */
 inline void AddErrors(const glm::dvec3& value, const glm::dvec3& sure, const glm::dvec3& unsure,
   double least, std::vector<double>& errors)
 {
@@ -106,7 +106,7 @@ inline void AddErrors(const glm::dvec3& value, const glm::dvec3& sure, const glm
   }
 }
 
-/** Differences of other ways to tiles. */
+/** Differences of other methods from tiles. */
 struct WaysAgainstTiles
 {
   double Worst[NumberOfSplatWays] = {};
@@ -120,7 +120,7 @@ struct WaysAgainstTiles
     }
   }
 
-  /** The same at each threshold; returns at how many of them there is light. */
+  /** Adds differences at each threshold; returns the number of thresholds with light. */
   int AddThresholds(SplattingFrame& scene, std::initializer_list<double> thresholds, double least)
   {
     int lit = 0;
@@ -144,7 +144,7 @@ struct WaysAgainstTiles
   }
 };
 
-/** An eye among the splats of a small scene, parallel in one of four frames. */
+/** Sets an eye among the splats of a small scene, parallel in one of four frames. */
 inline void SetEyeAmongSplats(SplattingFrame& scene, int number)
 {
   Random random(400 + static_cast<std::uint64_t>(number));

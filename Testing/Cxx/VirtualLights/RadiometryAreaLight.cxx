@@ -40,7 +40,7 @@ struct LampScene : Scene
   }
   ~LampScene() { this->Pass->SetEstimator(nullptr); }
 
-  // The part of the lamp from x = left on.
+  // Expected irradiance from the part of the lamp beyond x = left.
   double Expect(const Receiver& receiver, double left = -0.5) const
   {
     const double z = this->Height;
@@ -57,7 +57,7 @@ bool Everywhere(const Scene::Receiver&)
 }
 }
 
-// Lambert's polygon at every pixel, however near: also from a thousandth of the edge on.
+// Lambert's polygon at every pixel, down to a thousandth of the edge.
 VTK_INDIRECT_TEST(AreaLightOfOneRadiance)
 {
   for (const double height : { 1e-3, 0.03, 0.5, 1.0, 30.0 })
@@ -70,7 +70,7 @@ VTK_INDIRECT_TEST(AreaLightOfOneRadiance)
   }
 }
 
-// By default: maps of 64 points, of which nothing hides any.
+// By default: maps of 64 points, all of which are unoccluded.
 VTK_INDIRECT_TEST(AreaLightByDefault)
 {
   LampScene scene(1.0);
@@ -80,7 +80,7 @@ VTK_INDIRECT_TEST(AreaLightByDefault)
     { 1e-3, 2e-3, "a share of one, bit for bit" });
 }
 
-// As virtual lights, the way of the paper: pieces of a sixteenth of the edge.
+// As virtual lights, the paper's method: pieces of a sixteenth of the edge.
 VTK_INDIRECT_TEST(AreaLightAsVirtualLights)
 {
   for (const double height : { 0.5, 1.0, 3.0 })
@@ -99,20 +99,20 @@ VTK_INDIRECT_TEST(AreaLightAsVirtualLights)
   }
 }
 
-// What stands between: of each place of the floor a straight edge hides a part of the lamp, whose
+// Occlusion by a straight edge: it hides a part of the lamp from each point of the floor, and the
 // rest is a rectangle too.
 VTK_INDIRECT_TEST(AreaLightPenumbra)
 {
   LampScene scene(1.0);
   scene.Pass->SetVisibility(vtkIndirectIlluminationPass::MAPS);
-  // A screen half way up that covers all with x < 0.
+  // A screen half way up that covers x < 0.
   scene.AddQuad({ -2, -2, 0.5 }, { 0, -2, 0.5 }, { -2, 2, 0.5 }, { 0.5, 0.5, 0.5 });
   scene.SetEye({ 0.0, 0.0, -6.0 }, { 0, 0, 0 }, { 0, 1, 0 }, 35.0, 0.1, 20.0);
-  // From below through the floor's back: no. Beside the screen instead.
+  // Not from below, through the floor's back, but from beside the screen.
   scene.SetEye({ 4.0, 0.0, 3.0 }, { 0.4, 0, 0 }, { 0, 0, 1 }, 30.0, 0.1, 20.0);
   auto onFloor = [](const Scene::Receiver& r)
   { return std::abs(r.Position.z) < 1e-3 && std::abs(r.Position.x) < 1.5; };
-  // Seen from x on the floor the edge at half the height hides the lamp up to -x.
+  // From x on the floor the edge at half the height hides the lamp up to -x.
   auto expect = [&](const Scene::Receiver& r)
   { return scene.Expect(r, std::min(std::max(-r.Position.x, -0.5), 0.5)); };
   CompareLight(scene, "area", onFloor, expect,
@@ -154,7 +154,7 @@ VTK_INDIRECT_TEST(AreaLightWithAnImage)
         {
           continue;
         }
-        // Rows go along Point1 - Origin, which is y.
+        // Rows run along Point1 - Origin, which is y.
         const glm::dvec3 place((v + 0.5) / 256.0 - 0.5, (u + 0.5) / 256.0 - 0.5, scene.Height);
         const glm::dvec3 d = place - r.Position;
         const double square = glm::dot(d, d);
@@ -167,8 +167,8 @@ VTK_INDIRECT_TEST(AreaLightWithAnImage)
   }
 }
 
-// A lamp on the ceiling of a closed white box shines on floor and walls, which light the ceiling: a
-// surface that no light reaches directly. Against a sum over patches of the floor and the walls.
+// A lamp at the ceiling of a closed white box lights floor and walls, which light the ceiling: a
+// surface without direct light. Against a sum over patches of the floor and the walls.
 VTK_INDIRECT_TEST(AreaLightIsReflected)
 {
   Scene scene(48, 48);
@@ -216,7 +216,8 @@ VTK_INDIRECT_TEST(AreaLightIsReflected)
   CheckEqual("virtual lights of the floor", scene.ReadReport("virtual_lights"), 256);
 }
 
-// It shines to its front alone, unless it has two sides; off, dark or removed it does not.
+// It lights only its front, unless it has two sides; switched off, dark or removed it lights
+// nothing.
 VTK_INDIRECT_TEST(AreaLightSides)
 {
   LampScene scene(1.0);
@@ -229,7 +230,7 @@ VTK_INDIRECT_TEST(AreaLightSides)
   CheckAtLeast("towards the floor", front, 0.1, "a lamp of edge 1 over a floor of 4");
   scene.Lamp->SetPoint1(0.5, -0.5, 1.0);
   scene.Lamp->SetPoint2(-0.5, 0.5, 1.0);
-  // Nothing else is lit: the pass leaves the frame to its delegate, or writes zero.
+  // No other surface is lit: the pass leaves the frame to its delegate, or writes zero.
   scene.Lamp->TwoSidedOn();
   CheckRelative("away from it, with two sides", mean(), front, 1e-5, "the same rectangle");
   scene.Lamp->SetTwoSided(false);

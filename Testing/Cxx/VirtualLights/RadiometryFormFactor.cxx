@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plates whose form factors are known: one is lit, the other's irradiance is compared with B F.
+// Plates with known form factors: one is lit, and the other's irradiance is compared with B F.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkLightTreeSampler.h"
@@ -17,7 +17,7 @@ namespace
 const glm::dvec3 Albedo(0.75, 0.5, 0.25);
 using Polygon = std::vector<glm::dvec3>;
 
-// What the sender plate z = 0, facing up, reflects: the sum of B A of its lights.
+// Reflected flux of the sender plate z = 0, facing up: the sum of B A of its lights.
 double SenderFlux(Scene& scene)
 {
   double flux = 0.0;
@@ -37,8 +37,7 @@ VTK_INDIRECT_TEST(FacingSquares)
   const Polygon sender = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
   Scene scene(48, 48);
   scene.AddQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, Albedo);
-  // Its front faces down; the light slips in below its edge and its back is lit, which sends
-  // nothing downward.
+  // Its front faces down; the light passes below its edge, and the lit back sends nothing downward.
   scene.AddQuad({ 0, 0, 1 }, { 0, 1, 1 }, { 1, 0, 1 }, Albedo);
   const glm::dvec3 toLight = glm::normalize(glm::dvec3(1.5, 0.0, 1.0));
   scene.AddDirectional(-toLight);
@@ -124,7 +123,7 @@ struct Corner : Scene
   Corner(int n, int pixels)
     : Scene(pixels, pixels)
   {
-    // The wall stands in the light's own direction: only the floor is lit.
+    // The wall is parallel to the light: only the floor is lit.
     this->AddQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, Albedo);
     this->AddQuad({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, Albedo);
     this->AddDirectional({ 0, 0, -1 });
@@ -172,18 +171,19 @@ VTK_INDIRECT_TEST(PerpendicularSquaresBias)
   const double f = PerpendicularSquaresFormFactor();
   for (int n : { 16, 64 })
   {
-    // Pixels a quarter of a texel high: as high as one, they would hide the dark line on the edge.
+    // Pixels a quarter of a texel high: pixels of a whole texel would hide the dark line on the
+    // edge.
     Corner scene(n, 4 * n);
     CheckRelative(
       "reflected flux of the floor", SenderFlux(scene), Albedo.x, 1e-4, "edges between texels");
     const double bias = scene.Copy("irradiance").Mean() / Albedo.x / f - 1.0;
-    // A third of itself: the rule is rough, and no bias at all is three times as far off.
+    // A third of the bias: the rule is rough, and zero bias would be off three times as much.
     CheckAbsolute("bias with N = " + std::to_string(n * n), bias, -0.6 / n, 0.2 / n,
       "known of the disk kernel: about -0.6 / sqrt(N)");
   }
 }
 
-// Nearest to the edge even lights are far apart; what is below the tree's is not.
+// Nearest to the edge evenly spread lights are far apart; the tree's branches are not.
 VTK_INDIRECT_TEST(PerpendicularSquaresLightTree)
 {
   const Polygon floor = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };

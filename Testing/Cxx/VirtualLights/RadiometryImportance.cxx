@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lights that are drawn by importance: how many where, what they sum to, and how much nearer to the
-// sum over all texels they come than even ones.
+// Lights sampled by importance: their distribution, their sum, and their error against the sum over
+// all texels, compared with evenly spread ones.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkImportanceLightSampler.h"
@@ -77,8 +77,8 @@ int CountDark(const std::vector<VirtualLight>& lights)
 }
 }
 
-// As many lights on a patch as its share of the flux asks for, none on the black one; each light
-// sends the same, and all of them what all texels do.
+// The number of lights on a patch is its share of the flux, zero on the black one; each light sends
+// the same, and their sum is that of all texels.
 VTK_INDIRECT_TEST(ImportanceDistribution)
 {
   PatchScene scene;
@@ -109,7 +109,7 @@ VTK_INDIRECT_TEST(ImportanceDistribution)
     CheckEqual(what + "on the black patch", found[0], 0);
     CheckEqual(what + "without light", CountDark(lights), 0);
     // Random ones would have 14 with a deviation of 5.3; a lattice has less, and rows of texels on
-    // the patches' borders go to either.
+    // the patches' borders count for either.
     CheckAtMost(what + "chi-square of the patches' lights", chiSquare, 14.0 + 5.0 * 5.3,
       "fourteen degrees of freedom, five standard deviations");
     CheckAtMost(what + "a light's flux over the mean, less one", worst, 1e-4, "rounding");
@@ -117,7 +117,7 @@ VTK_INDIRECT_TEST(ImportanceDistribution)
   }
 }
 
-// Whatever it is drawn by, weights make the sum right.
+// Weights make the sum right for any importance.
 VTK_INDIRECT_TEST(ImportanceUnbiased)
 {
   PatchScene scene;
@@ -151,7 +151,7 @@ VTK_INDIRECT_TEST(ImportanceUnbiased)
   scene.CheckBuffers(2);
 }
 
-// One budget, split by flux; lights that light nothing have no part in it.
+// One budget, divided by flux; lights without lit surfaces get no share.
 VTK_INDIRECT_TEST(ImportanceBudget)
 {
   PatchScene scene;
@@ -181,7 +181,7 @@ VTK_INDIRECT_TEST(ImportanceBudget)
     }
   }
   scene.CheckBuffers(3);
-  // Nothing at all is lit.
+  // Nothing is lit.
   strong->SwitchOff();
   weak->SwitchOff();
   const std::vector<VirtualLight> none = scene.Draw(100);
@@ -190,7 +190,7 @@ VTK_INDIRECT_TEST(ImportanceBudget)
   scene.CheckBuffers(1);
 }
 
-// Where a bright patch is small, half as many lights leave less error; elsewhere no more.
+// With a small bright patch half as many lights leave less error; in other scenes no more.
 VTK_INDIRECT_TEST(ImportanceAgainstEven)
 {
   for (const bool patch : { true, false })
@@ -229,7 +229,7 @@ VTK_INDIRECT_TEST(ImportanceAgainstEven)
   }
 }
 
-// While a light moves a little, lights move a little.
+// A small motion of a light moves its virtual lights by little.
 VTK_INDIRECT_TEST(ImportanceDoesNotJump)
 {
   PatchScene scene;
@@ -266,7 +266,7 @@ VTK_INDIRECT_TEST(ImportanceDoesNotJump)
     follow(false, scene.Sampler, 1) / truth / change, 2.0, "the test's own power");
 }
 
-// What it holds it gives back, and makes anew.
+// The sampler releases its resources, and makes them again.
 VTK_INDIRECT_TEST(ImportanceRelease)
 {
   PatchScene scene;

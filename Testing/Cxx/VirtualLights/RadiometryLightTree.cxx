@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Virtual lights from a tree over the maps' texels, against all texels: how far they are from it,
-// beside as many that are spread evenly.
+// Virtual lights from a tree over the maps' texels, against all texels, and compared with as many
+// evenly spread lights.
 #include "vtkIndirectTestSheet.h"
 #include "vtkIndirectTestUtilities.h"
 
@@ -24,7 +24,7 @@ namespace
 struct Difference
 {
   double Squared; // mean squared relative difference
-  double Bias;    // of the mean, relative
+  double Bias;    // relative bias of the mean
 };
 
 Difference Compare(const Image& image, const Image& reference)
@@ -54,7 +54,7 @@ VTK_INDIRECT_TEST(LightTreeAgainstAllTexels)
   scene.Pass->SetVisibility(vtkIndirectIlluminationPass::NONE);
   scene.Gather->SetModeToAllTexels();
   scene.Gather->InterpolationOff();
-  // Nearer to an edge than texels are to each other this sum goes to zero.
+  // Nearer to an edge than the distance of texels this sum goes to zero.
   scene.Pass->SetReflectiveShadowMapResolution(1024);
   scene.Render();
   const Image reference = scene.Copy("bounce");
@@ -85,7 +85,7 @@ VTK_INDIRECT_TEST(LightTreeAgainstAllTexels)
   scene.Pass->SetEstimator(nullptr);
 }
 
-// Rough ground under a sun that sinks. Texels of the sun's map grow longer along the slopes, and
+// Rough ground under a setting sun. Texels of the sun's map grow longer along the slopes, and
 // clusters mix slopes that the sun reaches.
 VTK_INDIRECT_TEST(LightTreeOnHillsUnderALowSun)
 {
@@ -196,7 +196,7 @@ VTK_INDIRECT_TEST(LightTreeKeepsTheLight)
   Check("some are divided", divided > 0);
   CheckRelative("light of all", tops, all, 1e-6, "sums in double precision");
   CheckAtMost("light of branches", worst, 1e-6, "sums in double precision");
-  // A single texel has nothing below it.
+  // A single texel has no branches.
   senders.resize(1);
   clusters.SetSenders(senders);
   const Clusters::Lights one = clusters.MakeLights({ glm::dvec3(1.0) }, 64, 0.03);

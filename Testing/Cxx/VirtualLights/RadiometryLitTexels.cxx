@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Even lights are drawn from the texels that send light: what they sum to, where they are, and how
-// little they jump.
+// Evenly spread lights on texels that send light: their sum, their positions, and their small
+// jumps.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkLight.h"
@@ -54,18 +54,18 @@ struct MapScene : Scene
 }
 
 // Each texel of a plane under parallel light sends the same: the sum over any number of lights is
-// that of all texels, exactly.
+// exactly that of all texels.
 VTK_INDIRECT_TEST(LitTexelsSumExactly)
 {
   MapScene scene;
   scene.AddQuad({ -2, -2, 0 }, { 2, -2, 0 }, { -2, 2, 0 }, { 0.8, 0.4, 0.2 });
-  // Black: in the maps, but it sends nothing.
+  // Black: in the maps, but not a sender.
   scene.AddBox({ 1.0, 1.0, 0.5 }, { 1.9, 1.9, 1.5 }, { 0, 0, 0 });
   scene.AddDirectional({ 0.8, 0.3, -0.4 });
   for (const int resolution : { 3, 64, 100, 256, 600 })
   {
     scene.Pass->SetReflectiveShadowMapResolution(resolution);
-    // Of a map of more than 256 texels one stands for several.
+    // In a map of more than 256 texels one texel represents several.
     const glm::dvec3 all = resolution <= 256 ? Sum(scene.Draw(true)) : glm::dvec3(0.0);
     for (const int pattern : { 0, 1, 2 })
     {
@@ -87,7 +87,7 @@ VTK_INDIRECT_TEST(LitTexelsSumExactly)
   }
 }
 
-// Where texels send different light the sum comes near with the number of lights.
+// With different texels the sum converges with the number of lights.
 VTK_INDIRECT_TEST(LitTexelsConverge)
 {
   for (const bool point : { false, true })
@@ -97,7 +97,7 @@ VTK_INDIRECT_TEST(LitTexelsConverge)
     scene.AddQuad({ -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, { 0.7, 0.5, 0.2 });
     point ? scene.AddPoint({ -1.5, 0.5, 1.0 }, { 0, 0, 1 })
           : scene.AddSpot({ -1.5, 0.5, 2.0 }, { 1.5, 0, 0 }, 50.0, 2.0, { 0, 0, 1 });
-    // Within the sphere around all casters the map of the point light has faces.
+    // Inside of the sphere around all casters the map of the point light has faces.
     point ? (void)scene.AddBox({ -3, -3, 3 }, { -2.5, -2.5, 3.2 }, { 0, 0, 0 }) : (void)0;
     scene.Pass->SetReflectiveShadowMapResolution(128);
     const std::vector<VirtualLight> texels = scene.Draw(true);
@@ -121,7 +121,7 @@ VTK_INDIRECT_TEST(LitTexelsConverge)
   }
 }
 
-// A light without anything to light has rows without light; others keep theirs.
+// A light without lit surfaces has rows without light; others keep theirs.
 VTK_INDIRECT_TEST(LitTexelsNothingLit)
 {
   MapScene scene;
@@ -182,7 +182,8 @@ VTK_INDIRECT_TEST(LitTexelsDoNotJump)
     "lights there come and go at borders; measured 1.4");
 }
 
-// Lights of a plane alone send nothing then, those of a corner some, none more than it has.
+// With AmbientOcclusion lights of a plane send nothing, those of a corner some, and none more than
+// without.
 VTK_INDIRECT_TEST(LitTexelsAmbientOcclusion)
 {
   for (const bool corner : { false, true })

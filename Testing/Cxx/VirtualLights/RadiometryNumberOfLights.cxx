@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lights of what the sky lights are as many as the sampler is asked for, whichever it is.
+// Surfaces lit by the sky get the number of virtual lights that the sampler asks for, with every
+// sampler.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkEnvironmentLight.h"

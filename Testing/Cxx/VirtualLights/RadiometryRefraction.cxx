@@ -27,8 +27,7 @@ void MakeGlass(vtkActor* actor, double index)
   actor->GetProperty()->SetRoughness(0.1);
 }
 
-// Light on the ground that a scene's glass sends: its whole, and the share of it within a distance
-// of a place.
+// Light of a scene's glass on the ground: its total, and the share within a distance of a position.
 struct Found
 {
   double Flux = 0.0;
@@ -53,7 +52,7 @@ Found Sum(Scene& scene, const glm::dvec3& place, double radius, double width)
   return found;
 }
 
-// Black ground, so that glass is all that sends; the eye looks at it from below.
+// Black ground, so that only glass sends; the eye looks at it from below.
 void AddGround(Scene& scene, double height)
 {
   scene.AddQuad({ -1, height, -1 }, { -1, height, 1 }, { 1, height, -1 }, { 0, 0, 0 });
@@ -101,7 +100,7 @@ VTK_INDIRECT_TEST(RefractionOfPlate)
   MakeGlass(scene.AddBox({ -0.3, 0.0, -0.2 }, { 0.3, 0.1, 0.2 }, { 1, 1, 1 }), 1.5);
   scene.AddDirectional({ 0, -1, 0 });
   const Found found = Sum(scene, { 0, -0.3, 0 }, 0.4, 2.0);
-  // Two faces, each of which lets 0.96 through, and VTK's opacity twice.
+  // Two faces, each of which transmits 0.96, and VTK's opacity twice.
   CheckRelative("light that comes through a plate", found.Flux, 0.24 * std::pow(0.96 * 0.9, 2.0),
     0.05, "squares at its edges, 45 of which span its bounds' sphere");
   scene.CheckBuffers(1);
@@ -109,7 +108,7 @@ VTK_INDIRECT_TEST(RefractionOfPlate)
   CheckEqual("without specular transport none", Sum(scene, { 0, 0, 0 }, 1.0, 2.0).Flux, 0.0);
 }
 
-// A ball of index n gathers parallel light at n R / (2 (n - 1)) from its centre, paraxially.
+// A ball of index n focuses parallel light at n R / (2 (n - 1)) from its centre, paraxially.
 VTK_INDIRECT_TEST(RefractionOfBall)
 {
   const double radius = 0.25;
@@ -119,7 +118,7 @@ VTK_INDIRECT_TEST(RefractionOfBall)
   {
     const double h = (i + 0.5) / steps;
     const double cosine = std::sqrt(1.0 - h * h);
-    // Both faces are met at the same angles.
+    // The angles at both faces are equal.
     const double through = 1.0 - vtkIndirectRefraction::Reflectance(cosine, 1.0, 1.5);
     expected += 2.0 * vtkMath::Pi() * h * radius * radius * through * through * 0.81 / steps;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Samplers beside that of the maps: light from directions, several samplers in one frame, and a
+// Samplers other than that of the maps: light from directions, several samplers in one frame, and a
 // scene without any vtkLight.
 #include "vtkIndirectTestUtilities.h"
 
@@ -20,7 +20,7 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// The same radiance from all around, as directions.
+// Uniform radiance from all sides, as directions.
 class Sky : public vtkVirtualLightSampler
 {
 public:
@@ -115,12 +115,12 @@ double Worst(const Image& image, const glm::dvec3& expected)
 }
 }
 
-// A constant radiance L from all around gives every surface E = L, and a diffuse one sends out
-// albedo times that; no vtkLight is needed for it.
+// A uniform radiance L gives every surface E = L, and a diffuse surface reflects albedo times that,
+// without any vtkLight.
 VTK_INDIRECT_TEST(SamplersDirections)
 {
   SkyScene scene(48, 36);
-  // One quad that fills the view, seen from the side: it has no neighbour.
+  // One quad that fills the view, seen from the side, without neighbours.
   scene.AddQuad({ -9, -9, 0 }, { 9, -9, 0 }, { -9, 9, 3 }, { 0.5, 0.5, 0.5 });
   scene.SetEye({ 0, 0, 3 }, { 0.2, 0.1, 0 }, { 0, 1, 0 }, 50.0, 0.1, 20.0);
   for (vtkIndirectEstimatorPass* estimator : std::initializer_list<vtkIndirectEstimatorPass*>{
@@ -135,14 +135,14 @@ VTK_INDIRECT_TEST(SamplersDirections)
       "albedo E, the albedo in ten bits");
     CheckEqual(name + ": lights", scene.ReadReport("virtual_lights"), 2048);
   }
-  // Harmonics of order 2 hold a constant exactly.
+  // Harmonics of order 2 represent a constant exactly.
   const Image e = scene.Measure(scene.Hints, false);
   CheckAtMost("hints: worst E over L - 1", Worst(e, scene.Light->Radiance), 0.02,
     "Ramamoorthi and Hanrahan 2001: below 1 % of lighting is beyond order 2; half of the sphere "
     "comes through the surface's own back");
 }
 
-// The lights of two samplers are summed, and either can go.
+// The lights of two samplers are summed, and either can be removed.
 VTK_INDIRECT_TEST(SamplersSeveral)
 {
   SkyScene scene(48, 36);
@@ -186,7 +186,7 @@ VTK_INDIRECT_TEST(SamplersSeveral)
   }
 }
 
-// A roof hides its part of the sky: closed form of a square over its middle.
+// A roof hides a part of the sky: closed form of a square over the middle of the floor.
 VTK_INDIRECT_TEST(SamplersShadow)
 {
   SkyScene scene(16, 16);
@@ -202,7 +202,7 @@ VTK_INDIRECT_TEST(SamplersShadow)
     const std::string name = estimator->GetMethodName();
     CheckRelative(name + ": without Occupancy", scene.Measure(estimator, false).Mean(2), 1.0, 3e-3,
       "the whole sky");
-    // A voxel is 6 / 128: the roof is larger by one on each side at most.
+    // A voxel is 6 / 128: the roof is larger by at most one on each side.
     CheckRelative(name + ": under the roof", scene.Measure(estimator, true).Mean(2), 1.0 - roof,
       0.15, "edges of the roof are off by up to two voxels of 0.066");
   }

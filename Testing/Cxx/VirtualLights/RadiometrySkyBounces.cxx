@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What surfaces reflect of light from the sky, against quadrature, a closed form, and the same
-// light as a vtkLight.
+// Reflection of the sky's light by surfaces, against quadrature, a closed form, and the same light
+// as a vtkLight.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -26,7 +26,7 @@ namespace
 const glm::dvec3 Albedo(0.8, 0.4, 0.2);
 using Polygon = std::vector<glm::dvec3>;
 
-// A scene under a sky alone.
+// A scene lit only by a sky.
 struct SkyScene : Scene
 {
   vtkNew<vtkEnvironmentLight> Sky;
@@ -45,7 +45,7 @@ void CompareBounce(Scene& scene, const std::string& name,
   CompareLight(scene, "bounce", counts, expect, tolerance, name);
 }
 
-// A sender of a surface whose irradiance from the sky is known.
+// A sender on a surface with known irradiance from the sky.
 struct Patch
 {
   glm::dvec3 Position;
@@ -75,7 +75,7 @@ void AddRoom(Scene& scene)
 }
 }
 
-// Two squares that meet at a right angle, opening upward, see nothing but each other and the sky.
+// Two squares that meet at a right angle, opening upward, see only each other and the sky.
 VTK_INDIRECT_TEST(SkyBouncesInAGroove)
 {
   const double s = std::sqrt(0.5);
@@ -118,8 +118,8 @@ VTK_INDIRECT_TEST(SkyBouncesInAGroove)
   scene.Pass->SetEstimator(nullptr);
 }
 
-// Between any two places of a sphere the form factor is the same: in a hemispherical pit under a
-// uniform sky half of the sky is seen everywhere, and half of the pit.
+// The form factor between any two points of a sphere is constant: in a hemispherical pit under a
+// uniform sky every point sees half of the sky, and half of the pit.
 VTK_INDIRECT_TEST(SkyBouncesInAPit)
 {
   SkyScene scene(64, 64);
@@ -138,8 +138,8 @@ VTK_INDIRECT_TEST(SkyBouncesInAPit)
   CompareBounce(scene, "all texels", counts, expect,
     { 0.02, 0.03, "32 directions, each hard; maps of 64 texels" });
   scene.Gather->SetModeToVirtualLights();
-  // All lights are inside. Disks are low by ln(1 + n) / n, of the n = 512 of a whole sphere; here
-  // that is a share of half as much light.
+  // All lights are inside. Disks are low by ln(1 + n) / n, with n = 512 for a whole sphere; here
+  // this affects half as much light.
   CompareBounce(scene, "256 lights", counts, expect,
     { 0.02 + 2.0 * std::log(513.0) / 512.0, 0.06, "kernel of disks; maps as above" });
   const Image bounce = scene.Copy("bounce");
@@ -148,7 +148,7 @@ VTK_INDIRECT_TEST(SkyBouncesInAPit)
     scene.Copy("sky").Mean() + bounce.Mean(), 1e-5, "rounding");
 }
 
-// All of the sky's light from one direction is a directional light.
+// A sky with all its light from one direction is a directional light.
 VTK_INDIRECT_TEST(SkyBouncesOfASun)
 {
   constexpr int columns = 512;
@@ -201,7 +201,7 @@ VTK_INDIRECT_TEST(SkyBouncesOfASun)
     "single texels of the map's outlines");
 }
 
-// What lights send and what the sky sends add up, whoever has the maps.
+// The reflected light of lights and that of the sky add up, whichever has the maps.
 VTK_INDIRECT_TEST(SkyBouncesBesideLights)
 {
   enum
@@ -291,7 +291,7 @@ VTK_INDIRECT_TEST(SkyBouncesAreKept)
   scene.Render();
   CheckEqual("nothing has changed", scene.ReadReport("estimates"), estimates);
 
-  // A sky that has a dark half, and turns.
+  // A sky with a dark half, which turns.
   vtkNew<vtkImageData> image;
   image->SetDimensions(1, 2, 1);
   image->AllocateScalars(VTK_FLOAT, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What no light can reach stays dark, and nothing gets more light than there is: the backs of
-// curved sheets, surfaces of colours beyond one, crevices under a uniform sky.
+// Surfaces without light stay dark, and none gets more light than there is: the backs of curved
+// sheets, surfaces of colours beyond one, crevices under a uniform sky.
 #include "vtkIndirectTestSheet.h"
 #include "vtkIndirectTestUtilities.h"
 
@@ -21,7 +21,7 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// The bounce on unlit sides, by the eye outside, over that on lit ones, by another within.
+// The bounce on unlit sides, seen from outside, over that on lit ones, seen from within.
 void CheckUnlit(const std::string& name, Scene& scene, const std::function<void()>& lookAtUnlit,
   const std::function<void()>& lookAtLit, double most, const char* origin)
 {
@@ -104,7 +104,7 @@ VTK_INDIRECT_TEST(HillsAreDarkFromBelow)
     MakeSheet(64, [](double x, double y) { return 0.12 * std::sin(6.0 * x) * std::cos(6.0 * y); });
   scene.AddSource(sheet, { 0.8, 0.8, 0.8 });
   scene.AddDirectional({ 0.4, 0.2, -1 });
-  // Hilltops do shine onto the undersides of others, were there nothing between.
+  // Without visibility hilltops would light the undersides of others.
   scene.Pass->SetVisibility(vtkIndirectIlluminationPass::AUTO);
   CheckUnlit(
     "hills", scene,
@@ -130,7 +130,7 @@ VTK_INDIRECT_TEST(ColoursBeyondOneReflectNoMore)
   scene.Pass->SetNumberOfBounces(3);
   scene.Render();
   const double white = scene.Copy("bounce").Mean();
-  // Colours of 0 to 255: VTK clamps the picture, so that nobody sees it there.
+  // Colours of 0 to 255, which VTK clamps in the picture.
   wall->GetProperty()->SetColor(255.0, 255.0, 255.0);
   scene.Render();
   CheckRelative("a wall of 255 over a white one", scene.Copy("bounce").Mean(), white, 1e-5,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the report says of light from the sky, and that nothing of it is there without.
+// The report about light from the sky, which is absent without a sky.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -11,7 +11,7 @@
 using namespace contract;
 
 //------------------------------------------------------------------------------
-// Surfaces reflect the sky's light without any vtkLight, whoever sums it.
+// Surfaces reflect the sky's light without any vtkLight, with every estimator.
 VTK_INDIRECT_TEST(SkyBounceReported)
 {
   View view(60, 40);
@@ -19,7 +19,7 @@ VTK_INDIRECT_TEST(SkyBounceReported)
   vtkNew<vtkIndirectIlluminationPass> pass;
   vtkNew<vtkEnvironmentLight> sky;
   pass->SetEnvironment(sky);
-  pass->SetNumberOfBounces(1); // later ones have lights of their own
+  pass->SetNumberOfBounces(1); // later bounces have lights of their own
   view.Renderer->SetPass(pass);
   view.Renderer->AutomaticLightCreationOff();
   vtkNew<vtkRSMGatherPass> gather;
@@ -39,15 +39,15 @@ VTK_INDIRECT_TEST(SkyBounceReported)
     CONTRACT_CHECK(report.FindReason("left_out", "bounces of light from the sky").empty(),
       name << ": " << report.GetText());
     CONTRACT_CHECK(report.FindReason("left_out", "indirect light").empty(), report.GetText());
-    // Hints sum over more than the frame's sampler has, as of lights; the tree stops halfway where
-    // that is near enough.
+    // Hints sum over more lights than the frame's sampler has, as with lights' maps; the tree stops
+    // at half its number if that is accurate enough.
     const double lights = report.GetNumber("virtual_lights");
     CONTRACT_CHECK(estimator == hints ? lights == 1024 : lights >= 128 && lights <= 256,
       name << ": " << report.Get("virtual_lights"));
     CONTRACT_CHECK(Mean(Read(pass, "bounce"), 0) > 0.01, name << " has no bounce");
   }
 
-  // One that reads the lights' maps has no others beside them.
+  // An estimator that reads the lights' maps has no other lights.
   gather->SetModeToNeighborhood();
   pass->SetEstimator(gather);
   view.Grab();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Few lights for a rectangle of pixels: all of its light, from where it is.
+// A few lights that represent a rectangle of pixels: its total light, at its positions.
 #include "VirtualLights/vtkIndirectAreaClusters.h"
 #include "vtkAreaLight.h"
 #include "vtkImageData.h"
@@ -107,7 +107,7 @@ VTK_INDIRECT_TEST(AreaClustersKeepTheLight)
 
 VTK_INDIRECT_TEST(AreaClustersAreWhereTheLightIs)
 {
-  // Evenly bright: pieces of equal size, as nearly square as halving allows.
+  // Even radiance: pieces of equal size, as nearly square as halving allows.
   const Picture even(1, 1, [](int, int) { return glm::dvec3(3.0); });
   std::vector<Clusters::Light> lights = Clusters::MakeLights({ even.GetEmitter() }, 128);
   CheckEqual("pieces of a rectangle", static_cast<double>(lights.size()), 128);
@@ -123,7 +123,7 @@ VTK_INDIRECT_TEST(AreaClustersAreWhereTheLightIs)
   }
   CheckAtMost("a grid of squares", worst, 1e-9, "rounding of sums of 4096");
 
-  // A single bright pixel is one light of its own size, however many there may be.
+  // A single bright pixel is one light of its own size, for any number of lights.
   const Picture spark(
     300, 200, [](int x, int y) { return glm::dvec3(x == 123 && y == 45 ? 7.0 : 0.0); });
   lights = Clusters::MakeLights({ spark.GetEmitter() }, 256);
@@ -134,14 +134,14 @@ VTK_INDIRECT_TEST(AreaClustersAreWhereTheLightIs)
   lights = Clusters::MakeLights({ spark.GetEmitter() }, 1);
   CheckRelative("and by itself in a dark piece", lights[0].Area, 2.0 / 60000.0, 1e-9, "rounding");
 
-  // A step: light comes from the bright side alone.
+  // A step: light comes only from the bright side.
   const Picture step(100, 60, [](int x, int) { return glm::dvec3(x < 25 ? 1.0 : 0.0); });
   for (const Clusters::Light& light : Clusters::MakeLights({ step.GetEmitter() }, 64))
   {
     Check("the bright side", light.Position.x < 0.5);
   }
 
-  // Where half is a hundred times as bright, most of the lights are there.
+  // If half is a hundred times as bright, it has most of the lights.
   const Picture uneven(64, 64, [](int x, int) { return glm::dvec3(x < 32 ? 1.0 : 0.01); });
   lights = Clusters::MakeLights({ uneven.GetEmitter() }, 256);
   const auto bright = std::count_if(lights.begin(), lights.end(),

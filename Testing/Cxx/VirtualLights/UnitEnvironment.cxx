@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an environment sends, in total and by direction, against integrals over the sphere.
+// An environment's light, in total and by direction, against integrals over the sphere.
 #include "VirtualLights/vtkIndirectDirections.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
@@ -32,7 +32,7 @@ void MakeImage(vtkImageData* image, int columns, int rows, float value)
   std::fill(p, p + 3 * columns * rows, value);
 }
 
-// What directions stand for: each cell goes to the direction nearest to it.
+// Light of each direction, which represents the cells nearest to it.
 std::vector<glm::dvec3> Project(
   vtkEnvironmentLight* environment, const std::vector<glm::dvec3>& directions)
 {
@@ -92,7 +92,7 @@ VTK_INDIRECT_TEST(EnvironmentIsAllOfTheSphere)
 
 VTK_INDIRECT_TEST(EnvironmentLiesAsASkyboxDoes)
 {
-  // One bright pixel of 64 x 32; column, row, and where it shines from.
+  // One bright pixel of 64 x 32: column, row, and its direction.
   struct Case
   {
     int Column;
@@ -123,7 +123,7 @@ VTK_INDIRECT_TEST(EnvironmentLiesAsASkyboxDoes)
     const double direction[3] = { mean.x, mean.y, mean.z };
     environment->GetRadianceFrom(direction, radiance);
     CheckRelative("radiance from there", radiance[0], 1e6, 1e-12, "the pixel itself");
-    // Turned: what was up is now along x, what was right along y.
+    // Rotated: up is now along x, right along y.
     environment->SetUp(2.0, 0.0, 0.0);
     environment->SetRight(0.0, 3.0, 0.0);
     const glm::dvec3 turned = c.From.x * glm::dvec3(0, 1, 0) + c.From.y * glm::dvec3(1, 0, 0) +
@@ -170,7 +170,7 @@ VTK_INDIRECT_TEST(EnvironmentRefusesWhatIsNoRadiance)
   Check("a dark sky has no cells", dark->GetCells().empty());
 }
 
-// The first ones of a nested order are spread as evenly as a lattice of so many, nearly.
+// The first directions of a nested order are nearly as even as a lattice of that number.
 VTK_INDIRECT_TEST(EnvironmentNestedDirections)
 {
   Random random(3);
@@ -232,7 +232,7 @@ VTK_INDIRECT_TEST(EnvironmentNestedDirections)
         }
         widest = std::min(widest, cosine);
       }
-      // The least angle that so many circles cover a sphere with (of their areas, 1.209 of it).
+      // The least radius of that many circles that cover a sphere (1.209 times its area).
       const double least = std::acos(std::max(-1.0, 1.0 - 2.418 / static_cast<double>(part)));
       worstCover = std::max(worstCover, std::acos(widest) / least);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hierarchical warping, the shaders' own source: what is drawn, how often, and with which weight.
+// Hierarchical warping with the shaders' own source: selection, frequency and weight of samples.
 #include "OpenGL/vtkIndirectKernels.h"
 #include "VirtualLights/vtkIndirectSamplePattern.h"
 #include "vtkIndirectTestUtilities.h"
@@ -13,7 +13,7 @@ using namespace vtkIndirectKernels;
 
 namespace
 {
-// A chart with sums over its squares, in double precision on the way up.
+// A chart with sums over its squares, added in double precision.
 class Chart
 {
 public:
@@ -50,7 +50,7 @@ public:
     double Probability = 1.0;
     vec2 Place;
   };
-  // levels: that are warped, from the top on.
+  // levels: number of warped levels, from the top on.
   Choice Draw(vec2 place, int method, int levels) const
   {
     Choice choice;
@@ -82,7 +82,7 @@ private:
   std::vector<std::vector<double>> Sums;
 };
 
-// Rare, bright and empty places, whole empty quadrants among them.
+// Rare bright cells and empty ones, with whole empty quadrants.
 double Patchy(int x, int y)
 {
   Random random(static_cast<unsigned int>(1000 * y + x));
@@ -92,7 +92,7 @@ double Patchy(int x, int y)
 }
 }
 
-// Cells are drawn in proportion to their importance, and the probability says so exactly.
+// Cells are drawn in proportion to their importance, and the probability equals that exactly.
 VTK_INDIRECT_TEST(ImportanceWarpDistribution)
 {
   const Chart chart(4, Patchy);
@@ -131,7 +131,7 @@ VTK_INDIRECT_TEST(ImportanceWarpDistribution)
   CheckAtLeast("degrees of freedom", freedom, 80, "the test's own power");
 }
 
-// Whatever the method and the levels: weights make sums right, and nothing empty is drawn.
+// For every method and number of levels weights make sums right, and no empty cell is drawn.
 VTK_INDIRECT_TEST(ImportanceWarpMethods)
 {
   const Chart chart(4, Patchy);
@@ -170,7 +170,7 @@ VTK_INDIRECT_TEST(ImportanceWarpMethods)
 
 VTK_INDIRECT_TEST(ImportanceWarpEdges)
 {
-  // An even chart moves nothing: the place in the chart stays, to rounding.
+  // An even chart keeps each place, up to rounding.
   const Chart even(5, [](int, int) { return 3.0; });
   double worst = 0.0;
   for (int i = 0; i < 1000; ++i)
@@ -182,8 +182,8 @@ VTK_INDIRECT_TEST(ImportanceWarpEdges)
       std::abs((choice.Cell.y + choice.Place.y) / 32.0 - v) });
   }
   CheckAtMost("how far an even chart moves places", worst, 1e-6, "rounding");
-  // One cell alone is drawn from everywhere, the corners of the square too, with probability one;
-  // at the smallest and the largest numbers.
+  // A single cell is drawn from every place, also from the corners of the square, with probability
+  // one; for the smallest and the largest numbers.
   for (const double size : { 1e-30, 1e-9, 1.0, 1e6, 1e30 })
   {
     for (int cell = 0; cell < 16; ++cell)
@@ -213,7 +213,7 @@ VTK_INDIRECT_TEST(ImportanceWarpEdges)
     const vec2 place((i + 0.5) / 1000, vtkIndirectSamplePattern::GoldenRatioFraction(i));
     const Chart::Choice a = before.Draw(place, VTKI_WARP_APART, 99);
     const Chart::Choice b = after.Draw(place, VTKI_WARP_APART, 99);
-    // Columns are those of other rows beyond a border between halves: rows alone are continuous.
+    // Across a border between halves columns belong to other rows: only rows are continuous.
     farthest = std::max<double>(farthest,
       std::abs(
         (static_cast<float>(a.Cell.y) + a.Place.y) - (static_cast<float>(b.Cell.y) + b.Place.y)) /
@@ -225,7 +225,7 @@ VTK_INDIRECT_TEST(ImportanceWarpEdges)
 
 VTK_INDIRECT_TEST(ImportanceCharts)
 {
-  // Areas are kept: the mean of a place's direction is that of the cone's.
+  // The map preserves areas: the mean of a place's direction is that of the cone's.
   for (const double angle : { 61.0, 89.0, 180.0 })
   {
     const double cosCone = std::cos(angle * vtkMath::Pi() / 180.0);

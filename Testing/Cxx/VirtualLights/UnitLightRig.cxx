@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lights of presets: what their skies send, against closed forms.
+// The lights of presets: their skies' light, against closed forms.
 #include "VirtualLights/vtkIndirectLightRig.h"
 #include "vtkIndirectSettings.h"
 #include "vtkIndirectTestUtilities.h"
@@ -15,8 +15,8 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// Irradiance of a surface with this normal that nothing hides the sky from: (1 / pi) times the
-// integral of radiance and cosine, by rings around the normal.
+// Irradiance of a surface with this normal under the unoccluded sky: (1 / pi) times the integral of
+// radiance and cosine, by rings around the normal.
 glm::dvec3 FindIrradiance(
   const vtkIndirectLightRig& rig, const glm::dvec3& normal, const int count = 256)
 {
@@ -40,8 +40,8 @@ glm::dvec3 FindIrradiance(
 
 const char* const Quadrature = "quadrature by 65536 directions";
 
-// Mean irradiance of a ball that a camera far away along z sees: over its disk, all lights but the
-// sky by their cosines.
+// Mean irradiance of a ball seen by a distant camera along z: over its disk, all lights but the sky
+// by their cosines.
 double FindIrradianceOfBall(const vtkIndirectLightRig& rig, bool sky)
 {
   constexpr int Rings = 12;
@@ -66,7 +66,7 @@ double FindIrradianceOfBall(const vtkIndirectLightRig& rig, bool sky)
   return sum / (Rings * Sectors);
 }
 
-// vtkLightKit's: a headlight, a key, a fill and two at the back.
+// The lights of vtkLightKit: a headlight, a key, a fill and two at the back.
 std::vector<vtkIndirectLamp> MakeKit()
 {
   auto lamp = [](double elevation, double azimuth, const glm::dvec3& color) {
@@ -96,7 +96,7 @@ VTK_INDIRECT_TEST(LightRigLobes)
     CheckRelative(name + ", blue", facing.z, 2.0, 1e-3, Quadrature);
     CheckEqual(name + ", from behind", rig.GetRadiance(-direction).y, 0.0);
   }
-  // A hemisphere of constant radiance: half of it is seen from the side.
+  // A hemisphere of constant radiance, of which a vertical surface sees half.
   vtkIndirectLightRig half;
   half.Lobes.push_back({ { { 0, 0, 1 }, glm::dvec3(1.0) }, 0.0 });
   CheckRelative(
@@ -107,8 +107,8 @@ VTK_INDIRECT_TEST(LightRigLobes)
     "everywhere the same", FindIrradiance(everywhere, { 0, 1, 0 }).x, 0.7, 1e-12, "rounding");
 }
 
-// What presets are made to hold: a ball is as bright as with the renderer's own lights, times what
-// makes good for light that objects hide from themselves.
+// Goal of the presets: a ball is as bright as with the renderer's own lights, times a compensation
+// for self-shadowing.
 VTK_INDIRECT_TEST(LightRigBall)
 {
   const char* const why = "quadrature by 288 normals and 1024 directions";
@@ -147,7 +147,7 @@ VTK_INDIRECT_TEST(LightRigBall)
       {
         kept += vtkIndirectLightRig::GetIrradianceOfBall(fill);
       }
-      // At least: what comes from the viewer has no lobe in full and studio.
+      // At least: in full and studio the viewer's light has no lobe.
       CheckAtLeast(std::string(name) + ", " + title + ", without shadows",
         kept + (1.0 - rig.KeyShadow) * vtkIndirectLightRig::GetIrradianceOfBall(rig.Key),
         (1.0 - rest) * own.GetIrradianceOfBall() * (1.0 - 1e-12), "rounding");
@@ -160,8 +160,8 @@ VTK_INDIRECT_TEST(LightRigBall)
   }
 }
 
-// The sky of soft sends as much, and as much of it from one side, as the lights in whose place it
-// is: both sums over all directions, the vector in whichever direction it has.
+// The sky of soft has the same total light, and the same vector sum, as the lights that it
+// replaces: both sums over all directions.
 VTK_INDIRECT_TEST(LightRigSoftSky)
 {
   const std::vector<vtkIndirectLamp> kit = MakeKit();
@@ -224,7 +224,7 @@ VTK_INDIRECT_TEST(LightRigKit)
   CheckRelative("the key keeps its ratio to the others",
     full.KeyShadow * full.Key.Color.z / full.Lobes[0].Lamp.Color.z, 0.3 / 0.4, 1e-12, "rounding");
 
-  // No lights are a headlight, and all goes with its strength.
+  // No lights count as a headlight, and everything scales with its strength.
   for (const auto& [preset, title] : Presets)
   {
     const std::string name = title;
@@ -240,8 +240,8 @@ VTK_INDIRECT_TEST(LightRigKit)
   }
 }
 
-// Of white, concave parts that reflect all of what falls on them stay within what white leaves to
-// plain VTK's brightness, and convex ones are no darker than is promised.
+// A white object's concave parts, which reflect all light that falls on them, stay within the
+// headroom between white and plain VTK's brightness, and convex parts are as bright as promised.
 VTK_INDIRECT_TEST(LightRigHeadroom)
 {
   const std::vector<std::vector<vtkIndirectLamp>> lights = { {},
@@ -286,16 +286,16 @@ VTK_INDIRECT_TEST(LightRigHeadroom)
         const std::string name = std::string(title) + ", albedo " + std::to_string(albedo);
         const vtkIndirectLightRig rig =
           vtkIndirectLightRig::Make(preset, lamps, { albedo, albedo });
-        // What is kept is there of every lamp, of the key what its shadows leave.
+        // The kept share of every light, and for the key the share that its shadows leave.
         double kept = rig.Key.Color.x * (1.0 - rig.KeyShadow);
         for (const vtkIndirectLamp& fill : rig.Fills)
         {
           kept += fill.Color.x;
         }
-        double given = 0.0; // of the preset's own that comes from the viewer, without a shadow
+        double given = 0.0; // the preset's own unshadowed light from the viewer
         if (!sky && !lamps.empty())
         {
-          // As much of the headlight as of each lobe.
+          // The headlight's share equals that of each lobe.
           const auto& lobe = rig.Lobes.at(0).Lamp;
           const auto same = std::find_if(own.begin(), own.end(),
             [&](const vtkIndirectLamp& lamp) { return lamp.Direction == lobe.Direction; });
@@ -318,8 +318,8 @@ VTK_INDIRECT_TEST(LightRigHeadroom)
   }
 }
 
-// All that is dark changes maps when it turns, and no direction is so bright that it is drawn by
-// itself: skies have neither.
+// Dark parts of a sky would change its maps when it turns, and bright directions would be drawn
+// separately: the presets' skies have neither.
 VTK_INDIRECT_TEST(LightRigSkies)
 {
   for (const auto& [preset, title] : Presets)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sample patterns on both sides: the disk of the neighbourhood gather, and the samplers' lattices.
+// Sample patterns on CPU and GPU: the disk of the neighbourhood gather, and the samplers' lattices.
 #include "OpenGL/vtkIndirectKernels.h"
 #include "VirtualLights/vtkIndirectSamplePattern.h"
 #include "vtkIndirectTestUtilities.h"
@@ -63,7 +63,7 @@ VTK_INDIRECT_TEST(DiskSamples)
     CheckAbsolute(what + "moment of y^2", moments[3], 0.25 * vtkMath::Pi(), bound,
       "discrepancy of the golden rotation");
   }
-  // With the Jacobian xi^2, as if areas were wanted twice, the sum of weights would be 2 pi / 3.
+  // With the Jacobian xi^2, which counts areas twice, the sum of weights would be 2 pi / 3.
   Check("a weight of the radius squared would be rejected",
     !WouldPass(2.0 * vtkMath::Pi() / 3.0, vtkMath::Pi(), 2e-6));
 }
@@ -107,7 +107,7 @@ VTK_INDIRECT_TEST(SquareToDisk)
 
 VTK_INDIRECT_TEST(FibonacciLattice)
 {
-  // Every sixteenth of the square holds its share; random points miss by sqrt(n).
+  // Every sixteenth of the square has its share; random points deviate by sqrt(n).
   for (int n : { 64, 256, 1024, 4096 })
   {
     double worst = 0.0;
@@ -192,7 +192,7 @@ VTK_INDIRECT_TEST(SamplerPatterns)
         "pattern " + std::to_string(pattern) + ", " + std::to_string(lights) + " lights: ";
       const double map = 128.0 * 128.0;
       CheckEqual(what + "samples out of place", wrong, 0);
-      // Floats hold each weight.
+      // Floats represent each weight exactly.
       CheckRelative(
         what + "texels of the spot", texels[0], map * 0.25 * vtkMath::Pi(), 1e-6, "rounding");
       CheckRelative(what + "texels of the cube", texels[1], 6.0 * map, 1e-6, "rounding");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Few lights for the texels of many maps, and the sky in few directions: nothing gets lost.
+// A few lights that represent the texels of many maps, and the sky in a few directions: no light is
+// lost.
 #include "VirtualLights/vtkIndirectSenderClusters.h"
 #include "VirtualLights/vtkIndirectSkyGroups.h"
 #include "VirtualLights/vtkIndirectSkyProjection.h"
@@ -18,7 +19,7 @@ namespace
 {
 using Clusters = vtkIndirectSenderClusters;
 
-// A unit square of edge * edge texels across z that each of some maps sees.
+// A unit square of edge * edge texels perpendicular to z, in each of several maps.
 void AddSquare(std::vector<Clusters::Sender>& senders, int edge, int maps, double z, double up,
   const glm::vec3& albedo)
 {
@@ -108,7 +109,7 @@ VTK_INDIRECT_TEST(ClustersKeepTheLight)
   Check("no senders, no lights", Clusters().MakeLights(strengths, 256, 0.0).Tops.empty());
   Check("no light, no lights",
     clusters.MakeLights(std::vector<glm::dvec3>(3, glm::dvec3(0.0)), 256, 0.0).Tops.empty());
-  // A map that is dark has no say.
+  // A dark map has no weight.
   const std::vector<Clusters::Light> one =
     clusters.MakeLights({ glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.0) }, VTK_INT_MAX, 0.0)
       .Tops;
@@ -138,8 +139,8 @@ VTK_INDIRECT_TEST(ClustersKeepSidesApart)
   CheckRelative("light of the lower side", sides[1].x, 0.75, 1e-5, "floats of the senders");
 }
 
-// Ridges and furrows between them, of which there is half as much again, all facing up: the depth
-// map of a light in a furrow would show little but that.
+// Ridges and furrows between them, with half as much area again, all facing up: the depth map of a
+// light in a furrow would show little but the furrow.
 VTK_INDIRECT_TEST(ClustersAreSeenFromInFront)
 {
   std::vector<Clusters::Sender> senders;
@@ -159,7 +160,7 @@ VTK_INDIRECT_TEST(ClustersAreSeenFromInFront)
     }
     CheckEqual("lights in furrows of " + std::to_string(count), inFurrows, 0);
   }
-  // Apart from that a cluster stays in its middle.
+  // Otherwise a cluster stays in its middle.
   senders.clear();
   AddSquare(senders, 40, 1, 0.0, 1.0, glm::vec3(0.5f));
   clusters.SetSenders(senders);
@@ -169,7 +170,7 @@ VTK_INDIRECT_TEST(ClustersAreSeenFromInFront)
     "its mean is within a texel of its middle one");
 }
 
-// What no surface lies before sends to nobody.
+// Surfaces without receivers in front of them are no senders.
 VTK_INDIRECT_TEST(ClustersLeaveOutTheOutside)
 {
   // A floor of two sides, and a wall over its middle.
@@ -197,7 +198,7 @@ VTK_INDIRECT_TEST(ClustersLeaveOutTheOutside)
   Check("it is gone",
     std::none_of(senders.begin(), senders.end(),
       [](const Clusters::Sender& sender) { return sender.Normal.z < 0.0f; }));
-  // A box by itself lights nothing.
+  // A single box lights nothing.
   senders.resize(400);
   Clusters::RemoveOutermost(senders, { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
   CheckEqual("of a floor alone", static_cast<double>(senders.size()), 0);
@@ -215,7 +216,7 @@ VTK_INDIRECT_TEST(ClustersStay)
     clusters.MakeLights({ glm::dvec3(1e6), glm::dvec3(1.3e6) }, 50, 0.0).Tops;
   Check("where the sky changes by a part nothing moves", AreAtSamePlaces(before, brighter));
   CheckRelative("but the light", SumLight(brighter).x, 0.5 * 2.3e6, 1e-6, "floats of the senders");
-  // Another order of the same is the same.
+  // The result does not depend on the order.
   const std::vector<Clusters::Light> other =
     clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 30, 0.0).Tops;
   const std::vector<Clusters::Light> again =
@@ -273,7 +274,7 @@ VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
   }
   environment->SetImage(image);
   groups = vtkIndirectSkyGroups::Make(projection, environment);
-  // The lowest row of directions but one lies 9 degrees under the horizon: within half a group.
+  // The lowest row of directions but one is 9 degrees below the horizon: within half a group.
   CheckAtLeast("directions above the horizon, and the sun", static_cast<double>(groups.size()), 17,
     "half of 32");
   CheckAtMost("without those below it", static_cast<double>(groups.size()), 26,

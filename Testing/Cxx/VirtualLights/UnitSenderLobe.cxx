@@ -123,7 +123,7 @@ VTK_INDIRECT_TEST(SenderLobeFlux)
               std::sin(a) * (width / rings) * (2.0 * vtkMath::Pi() / steps);
           }
         }
-        // The light's own size is in the kernel's denominator.
+        // The kernel's denominator contains the light's own size.
         const double flux = sum *
           (distance * distance +
             static_cast<double>(
@@ -158,8 +158,7 @@ VTK_INDIRECT_TEST(SenderLobeLimits)
     const float variation = vtkiSenderLobeVariation(
       toSender, normal, direction, static_cast<float>(power), static_cast<float>(area), 0.01f);
     notFinite += std::isfinite(weight) && weight >= 0.0f && std::isfinite(variation) ? 0 : 1;
-    // What leaves a light of flux one is one over its area, and twice that where half of the lobe
-    // is cut off.
+    // A light of flux one sends one over its area, and twice that if half of the lobe is cut off.
     const double most = 2.0 / area;
     unbounded += weight <= 1.01 * most ? 0 : 1;
     behind += dot(normal, vec3(w)) <= 0.0f && weight > 0.0f ? 1 : 0;
@@ -168,7 +167,8 @@ VTK_INDIRECT_TEST(SenderLobeLimits)
   CheckEqual("weights beyond their bound", unbounded, 0);
   CheckEqual("weights of what is behind the sender", behind, 0);
 
-  // A flat mirror in pieces: with lobes no narrower than the pieces, their light on a wall is even.
+  // A flat mirror in pieces: with lobes at least as wide as the pieces, their light on a wall is
+  // even.
   for (const double distance : { 0.1, 1.0 })
   {
     const int edge = 40;

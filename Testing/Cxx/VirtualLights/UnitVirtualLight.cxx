@@ -39,7 +39,7 @@ VTK_INDIRECT_TEST(DiskFormFactor)
   }
   CheckAtMost("disk seen on its axis, worst relative error", worst, 1e-6, "ten roundings");
 
-  // The same by integration over the disk, so that the closed form above is not taken on trust.
+  // Integration over the disk confirms the closed form.
   const double integral = Integrate(
     0.0, 1.0, [](double x) { return 2.0 * x * 4.0 / std::pow(x * x + 4.0, 2.0); }, 8);
   CheckRelative(
@@ -105,7 +105,7 @@ VTK_INDIRECT_TEST(KernelExtremes)
     const float w =
       vtkiVirtualLightWeight(d, vec3(random.NextDirection()), vec3(random.NextDirection()), area);
     bad += !std::isfinite(w) || w < 0.0f;
-    // Where the denominator is a denormal, the bound holds only to its few bits.
+    // For a denormal denominator, the bound holds only to its few bits.
     const double r2 = glm::dot(glm::dvec3(d), glm::dvec3(d));
     const bool normal = r2 * (vtkMath::Pi() * r2 + area) > 1.2e-38;
     unbounded += normal && double(w) * area > 1.0 + 1e-6;
@@ -114,7 +114,7 @@ VTK_INDIRECT_TEST(KernelExtremes)
   CheckEqual("weights above one over the area", unbounded, 0);
 }
 
-// What the kernel makes of a closed sphere: the numbers that the radiometry tests rely on.
+// The kernel's bias in a closed sphere: numbers used by the radiometry tests.
 VTK_INDIRECT_TEST(ClosedSphereBias)
 {
   for (int n : { 64, 256, 1024, 4096 })
@@ -143,9 +143,9 @@ VTK_INDIRECT_TEST(ClosedSphereBias)
 
 VTK_INDIRECT_TEST(Curvature)
 {
-  // A light in a floor, at distance a from the wall that rises over it; receivers at height r. What
-  // linear interpolation misses midway, from the kernel itself, against what the curvature
-  // foretells.
+  // A light in a floor, at distance a from the wall that rises over it; receivers at height r.
+  // Error of linear interpolation midway, from the kernel itself, against the prediction by the
+  // curvature.
   const double a = 0.3;
   const double area = 1e-4;
   const glm::dvec3 across(1.0, 0.0, 0.0);
@@ -157,14 +157,14 @@ VTK_INDIRECT_TEST(Curvature)
       vtkiVirtualLightCurvature(vec3(static_cast<float>(a), 0.0f, static_cast<float>(-r)),
         Up * static_cast<float>(density), vec3(across), static_cast<float>(area));
   };
-  // Where the light is strongest, and all there is (a density of 1e9 times the other light).
+  // At the strongest irradiance, with no other light (a density of 1e9 times it).
   const double h = 0.02 * a;
   const double r = a / std::sqrt(3.0);
   const double missed = 1.0 - 0.5 * (at(r - 0.5 * h) + at(r + 0.5 * h)) / at(r);
   CheckRelative("error where the light is strongest", estimate(r, h, 1e9), missed, 0.01,
     "the next term goes with h^2 / d^2, 3e-4, the disk with area / d^2, 8e-4");
 
-  // Elsewhere no more than twice: 12 E / d^2 is the limit on both sides.
+  // Elsewhere at most twice: 12 E / d^2 is the limit on both sides.
   double least = 1e30;
   double greatest = 0.0;
   for (int i = 1; i < 200; ++i)
@@ -179,7 +179,7 @@ VTK_INDIRECT_TEST(Curvature)
   CheckAtMost("largest error over the estimate", greatest, 2.05, "12 over 6, and h of 0.02");
   CheckAtMost("smallest error over the estimate", least, 0.2, "there is a turning point at r = a");
 
-  // A light that gives a tenth of the irradiance bends a tenth of it, and behind a surface none.
+  // A light with a tenth of the irradiance has a tenth of its curvature, and behind a surface none.
   CheckRelative("light beside nine times as much",
     estimate(r, h, 1.0 / (9.0 * at(r))) / estimate(r, h, 1e9), 0.1, 1e-5, "float");
   CheckEqual("light from behind",
@@ -188,8 +188,8 @@ VTK_INDIRECT_TEST(Curvature)
     vtkiVirtualLightCurvature(vec3(0.0f), Up, vec3(across), 0.0f), 0.0f);
 }
 
-// A wall of square patches of area one down to the floor, and a plane of them, as receivers on the
-// floor and facing the plane see them: half of the light, and all of it, however near.
+// A wall of square patches of area one down to the floor, and a plane of them, for receivers on the
+// floor and facing the plane: half of the light, and all of it, at any distance.
 VTK_INDIRECT_TEST(PatchesOfPlanes)
 {
   constexpr int rows = 200;
@@ -223,7 +223,7 @@ VTK_INDIRECT_TEST(PatchesOfPlanes)
     {
       CheckRelative(
         "a wall" + at, sum(vec3(place, 0.0f, height), along, 0, patch), 0.5, 0.04, rest);
-      // Receivers that face it and are nearer may be on the other side of a sheet.
+      // Near receivers that face it may be on the other side of a sheet.
       if (height > 0.1f)
       {
         CheckRelative("a plane" + at, sum(vec3(place, place, height), -normal, -rows, patch), 1.0,
@@ -231,7 +231,7 @@ VTK_INDIRECT_TEST(PatchesOfPlanes)
       }
     }
   }
-  // In the wall's plane, beside it: h / sqrt(h^2 + y^2) of what half a plane gives.
+  // In the wall's plane, beside it: h / sqrt(h^2 + y^2) of half a plane's light.
   for (const float beside : { 2.0f, 5.0f })
   {
     const double found = sum(vec3(0.0f, -beside, 0.05f), along, 0, patch) / 0.5;
@@ -256,7 +256,7 @@ VTK_INDIRECT_TEST(PatchIsSecondOrder)
     {
       const vec3 way = vec3(random.NextDirection());
       const vec3 facing = vec3(random.NextDirection());
-      // All of it is before the receiver, which is before all of it.
+      // Patch and receiver are wholly in front of each other.
       if (way.z < 0.05f || glm::dot(facing, way) > -0.4f)
       {
         continue;

@@ -1,15 +1,16 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Test stage: the sum over virtual lights at a pixel's place, as the gather takes it. What stands between is asked
-// of voxels, spheres or depth maps (VTKI_VISIBILITY and what vtkIndirectVisibility.glsl takes), or not at all.
+// Test stage: the sum over virtual lights at a pixel's receiver, as in the gather. Visibility is
+// tested with voxels, spheres or depth maps (VTKI_VISIBILITY and the definitions of
+// vtkIndirectVisibility.glsl), or not at all.
 #include "vtkIndirectLibPortable.glsl"
 #ifdef VTKI_VISIBILITY
 #include "vtkIndirectVisibility.glsl"
 #endif
 
-uniform sampler2D vtkiPlaces;  // of receivers
-uniform sampler2D vtkiNormals; // 0 where there is none
-uniform sampler2D vtkiLights;  // places and areas; in the second row normals
+uniform sampler2D vtkiPlaces;  // positions of receivers
+uniform sampler2D vtkiNormals; // 0 for a missing receiver
+uniform sampler2D vtkiLights;  // positions and areas; in the second row normals
 uniform int vtkiLightCount;
 
 void main()

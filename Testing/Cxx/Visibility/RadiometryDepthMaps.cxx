@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth maps of virtual lights and of directions: what they hide, and when they are drawn again.
+// Depth maps of virtual lights and of directions: their shadows, and their redrawing.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -22,7 +22,7 @@ namespace
 {
 const glm::dvec3 White(0.8);
 
-// A box that is open towards the eye, with a sheet that keeps light from its right half.
+// A box open towards the eye, with a sheet that blocks light to its right half.
 void BuildRooms(Scene& scene)
 {
   scene.AddQuad({ 0, 0, 1 }, { 2, 0, 1 }, { 0, 0, 0 }, White);
@@ -36,8 +36,8 @@ void BuildRooms(Scene& scene)
   scene.SetEye({ 1, 0.5, 3.5 }, { 1, 0.5, 0 }, { 0, 1, 0 }, 24, 0.1, 10);
 }
 
-// Irradiance of a scene's virtual lights that nothing hides, that triangles hide, and that maps
-// hide which the gather looks up; and the receivers' normals.
+// Irradiance of a scene's virtual lights without occlusion, with occlusion by triangles, and with
+// the gather's look-ups in maps; and the receivers' normals.
 struct Irradiances
 {
   Image Open;
@@ -91,7 +91,7 @@ VTK_INDIRECT_TEST(DepthMapsHideAsTrianglesDo)
     FindRelativeError(scene.Copy("irradiance"), open, normal), 2e-3, "half floats");
 }
 
-// A square sender that a straight edge hides half of: what is left of its form factor.
+// A square sender half hidden by a straight edge: the form factor of its visible part.
 VTK_INDIRECT_TEST(DepthMapsMakePenumbrae)
 {
   Scene scene(48, 36);
@@ -100,7 +100,7 @@ VTK_INDIRECT_TEST(DepthMapsMakePenumbrae)
   scene.AddQuad({ -half, -half, 0 }, { half, -half, 0 }, { -half, half, 0 }, glm::dvec3(0.8));
   scene.AddQuad({ -1.0, -0.5, 0.5 }, { 0, -0.5, 0.5 }, { -1.0, 0.5, 0.5 }, black);
   scene.AddQuad({ -0.5, -0.5, 1 }, { -0.5, 0.5, 1 }, { 0.5, -0.5, 1 }, glm::dvec3(0.5));
-  // From far below the edge, so that it shines on the sender evenly and on nothing else that sends.
+  // Far below the edge, so that the light is even on the sender and reaches no other sender.
   const glm::dvec3 way = glm::normalize(glm::dvec3(0.0, -5.0, 2.0));
   scene.AddSpot(40.0 * way, { 0, 0, 0 }, 0.42, 0.0, { 1, 0, 0 });
   scene.SetEye({ 0, 0, 0.55 }, { 0, 0, 1 }, { 0, 1, 0 }, 80, 0.01, 4);
@@ -115,7 +115,7 @@ VTK_INDIRECT_TEST(DepthMapsMakePenumbrae)
   const double radiosity = 0.8 * way.z;
   double measured = 0.0;
   double expected = 0.0;
-  double shift = 0.0; // of the penumbra, by what it leaves to the left and to the right
+  double shift = 0.0; // shift of the penumbra, from the light to the left and to the right
   double whole = 0.0;
   for (size_t i = 0; i < receivers.size(); ++i)
   {
@@ -134,7 +134,7 @@ VTK_INDIRECT_TEST(DepthMapsMakePenumbrae)
         { { -half, -half, 0 }, { half, -half, 0 }, { half, half, 0 }, { -half, half, 0 } });
     measured += irradiance.Values[3 * i];
     expected += e;
-    // Where the mean step from nothing to all lies.
+    // Place of the mean step from zero to full light.
     shift += std::abs(p.x) < half ? irradiance.Values[3 * i] / open - e / open : 0.0;
     whole += std::abs(p.x) < half ? 1.0 : 0.0;
   }
@@ -144,7 +144,7 @@ VTK_INDIRECT_TEST(DepthMapsMakePenumbrae)
   CheckAbsolute("where the penumbra lies, over its width", shift / whole, 0.0, 0.02, "as before");
 }
 
-// A lit place on a ground, a wall that sees it from beyond 72 degrees off its normal, and between
+// A lit patch on a ground, a wall that sees it at more than 72 degrees from its normal, and between
 // them a sheet that hides it from parts of the wall.
 VTK_INDIRECT_TEST(DepthMapsReachTheHorizon)
 {
@@ -163,8 +163,8 @@ VTK_INDIRECT_TEST(DepthMapsReachTheHorizon)
   CheckRelative("mean with maps", gathered.Mean(), exact.Mean(), 0.02, "to either side");
 }
 
-// A ball on a lit ground: whatever of the ground is above the horizon of a place on it is seen from
-// there, at grazing angles too, as that of a wall that leans over the ground is down to its foot.
+// A ball on a lit ground: every part of the ground above a point's horizon is visible, at grazing
+// angles too, as for a wall that leans over the ground down to its foot.
 VTK_INDIRECT_TEST(DepthMapsUnderABall)
 {
   for (const int rows : { 20, 100 })
@@ -206,12 +206,12 @@ VTK_INDIRECT_TEST(DepthMapsUnderABall)
   }
 }
 
-// A frame that has no time for all maps shares what there is; in the end nothing shows that it did.
+// A frame without time for all maps shares the finished ones; the final result does not show this.
 VTK_INDIRECT_TEST(DepthMapsArriveOverFrames)
 {
   Scene scene(64, 48);
   BuildRooms(scene);
-  // What has so many triangles that a moving frame has time for eight maps.
+  // So many triangles that a moving frame has time for eight maps.
   scene.AddSphere({ 0.4, 0.2, 0.4 }, 0.1, 200, White);
   scene.Gather->SetModeToVirtualLights();
   scene.Gather->InterpolationOff();
@@ -254,7 +254,7 @@ VTK_INDIRECT_TEST(DepthMapsArriveOverFrames)
   CheckEqual("no more are drawn", scene.ReadReport("tiles_drawn"), drawn);
 }
 
-// Moving frames look up at two of four leaves side by side; a still one is what it is without them.
+// Moving frames look up at two of four neighbouring leaves; a still frame equals one without this.
 VTK_INDIRECT_TEST(DepthMapsOfMovingFrames)
 {
   Scene scene(128, 96);
@@ -285,7 +285,7 @@ VTK_INDIRECT_TEST(DepthMapsOfMovingFrames)
     FindRelativeError(scene.Copy("irradiance"), still, normal), 0.0);
 }
 
-// More lights than there is memory for maps: neighbours share.
+// More lights than the memory for maps allows: neighbours share maps.
 VTK_INDIRECT_TEST(DepthMapsAreBounded)
 {
   Scene scene(64, 48);
@@ -346,7 +346,7 @@ VTK_INDIRECT_TEST(DepthMapsAreKept)
 }
 
 // A ball at the border of the scene, behind a wall, moves in every frame: the maps of the wall's
-// lights, which cannot see it, are drawn again only when it needs more room.
+// lights, which cannot see it, are drawn again only if it enlarges the scene's bounds.
 VTK_INDIRECT_TEST(DepthMapsStayWhileTheBorderMoves)
 {
   Scene scene(48, 36);
@@ -363,7 +363,7 @@ VTK_INDIRECT_TEST(DepthMapsStayWhileTheBorderMoves)
   scene.Pass->SetVisibilityToMaps();
   auto count = [&]()
   { return scene.ReadReport("tiles_drawn") - scene.ReadReport("sky_tiles_drawn"); };
-  // What the sky's light has bounced from is the ball, too.
+  // The ball also reflects the sky's light, which is off here.
   sky->SetRadiance(0.0, 0.0, 0.0);
   auto place = [&](double z)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reference with exact visibility: penumbrae of closed forms, walls that let nothing through,
-// rooms that hide nothing, and the same picture at every scale.
+// The reference with exact visibility: penumbrae of closed forms, opaque walls, rooms without
+// occlusion, and the same picture at every scale.
 #include "vtkIndirectVisibilityScene.h"
 
 #include "vtkActor.h"
@@ -43,7 +43,7 @@ struct ExactScene : Scene
     return this->Copy("irradiance");
   }
 
-  // Six faces turned inwards.
+  // Six faces that point inwards.
   void AddRoom(
     const glm::dvec3& size, double scale = 1.0, const glm::dvec3& place = glm::dvec3(0.0))
   {
@@ -58,7 +58,7 @@ struct ExactScene : Scene
     this->AddQuad(at(0, 0, 0), at(0, 0, 1), at(1, 0, 0), white);
   }
 
-  // A room with things in it, two of which stand on its floor.
+  // A room with objects in it, two of which stand on its floor.
   void AddBlocks(double scale, const glm::dvec3& place)
   {
     auto at = [&](double x, double y, double z) { return place + scale * glm::dvec3(x, y, z); };
@@ -88,7 +88,7 @@ int CountOthers(const Image& a, const Image& b, double share)
 VTK_INDIRECT_TEST(ExactPenumbra)
 {
   // A lit square over a floor, and half way between them the edge of a plate: a point of the floor
-  // at x sees what of the square is beyond -x. The plate is one sheet, turned either way.
+  // at x sees the part of the square beyond -x. The plate is one sheet, of either orientation.
   constexpr double half = 0.1;
   for (const bool turned : { false, true })
   {
@@ -100,7 +100,7 @@ VTK_INDIRECT_TEST(ExactPenumbra)
     const glm::dvec3 along(0, -2, 1);
     const glm::dvec3 across(-2, 2, 1);
     scene.AddQuad(corner, turned ? across : along, turned ? along : across, glm::dvec3(0.8));
-    // Lights the square alone: its cone ends in empty space.
+    // The light reaches only the square: its cone ends in empty space.
     scene.AddSpot({ 0.0, 0.0, 1.2 }, { 0, 0, 2 }, 12.0, 0.0, { 1.0, 0.0, 0.0 });
     scene.SetEye({ 0.0, 0.0, 0.95 }, { 0, 0, 0 }, { 0, 1, 0 }, 10.0, 0.1, 5.0);
     scene.Sampler->SetNumberOfLights(1024);
@@ -127,18 +127,18 @@ VTK_INDIRECT_TEST(ExactPenumbra)
                                               : 0.0;
       total += e;
       expectedTotal += expected;
-      // The very senders that are beyond the edge.
+      // The senders beyond the edge.
       double sum = 0.0;
       bool grazes = false;
       for (const VirtualLight& light : lights)
       {
-        // Where the way passes the plate's height.
+        // Crossing of the segment at the plate's height.
         const double passes = 0.5 * (light.Position.x + p.x);
         grazes = grazes || std::abs(passes) < 4e-5;
         sum += passes > 0.0 ? Gather({ light }, p, receivers[i].Normal).x : 0.0;
       }
       worst = std::max(worst, grazes ? 0.0 : std::abs(e - sum) / open.Mean());
-      // Where half of the square is seen lies under the plate's edge.
+      // Half of the square is visible below the plate's edge.
       crossing += e > 0.5 * o ? 1.0 : 0.0;
     }
     CheckAtMost(what + "worst difference to the sum of the senders beyond the edge", worst, 1e-5,
@@ -155,7 +155,7 @@ VTK_INDIRECT_TEST(ExactPenumbra)
 
 VTK_INDIRECT_TEST(ExactWall)
 {
-  // A closed room with a wall through it, one sheet, straight and slanted, and turned either way.
+  // A closed room divided by a wall of one sheet, straight and slanted, and of either orientation.
   for (const double slant : { 0.0, 0.4 })
   {
     for (const bool turned : { false, true })
@@ -195,7 +195,7 @@ VTK_INDIRECT_TEST(ExactWall)
         CheckEqual(what + ": light behind the wall", leak[1], 0.0);
         CheckAtLeast(what + ": share of it without visibility", leak[0] / (leak[0] + lit[0]), 0.1,
           "the test's own power");
-        // A texel of so coarse a map whose centre is beside an edge may lie behind the wall there.
+        // A coarse map's texel whose centre is beside an edge may lie behind the wall there.
         CheckAtMost(what + ": light before the wall over that without visibility", lit[1] / lit[0],
           1.0 + 1e-6, "nothing is added");
         CheckAtLeast(what + ": light before the wall over that without visibility", lit[1] / lit[0],
@@ -208,7 +208,7 @@ VTK_INDIRECT_TEST(ExactWall)
 
 VTK_INDIRECT_TEST(ExactConvex)
 {
-  // In a convex room, and inside a ball, nothing hides anything: the same sums.
+  // In a convex room, and inside a ball, there is no occlusion: the same sums.
   for (const bool ball : { false, true })
   {
     const std::string what = ball ? "ball: " : "room: ";
@@ -234,7 +234,7 @@ VTK_INDIRECT_TEST(ExactConvex)
 
 VTK_INDIRECT_TEST(ExactSameAsLocator)
 {
-  // The same senders, with segments that VTK's own locator cuts with every triangle of the scene.
+  // The same senders, with segments tested by VTK's own locator against every triangle.
   for (const int mode : { vtkRSMReferencePass::VIRTUAL_LIGHTS, vtkRSMReferencePass::ALL_TEXELS })
   {
     ExactScene scene(40, 30);
@@ -299,8 +299,8 @@ VTK_INDIRECT_TEST(ExactSameAsLocator)
 
 VTK_INDIRECT_TEST(ExactScales)
 {
-  // The same picture at any scale. Far from the origin points are rounded to floats, there by 5e-5
-  // of the scene, and the lights with them: what that does without visibility is the measure.
+  // The same picture at any scale. Far from the origin points are rounded to floats, here by 5e-5
+  // of the scene, and the lights with them: the effect of this without visibility is the measure.
   Image first[2];
   for (const auto& [scale, place] : { std::pair(1.0, glm::dvec3(0.0)),
          std::pair(1e-9, glm::dvec3(0.0)), std::pair(1e-3, glm::dvec3(0.0)),
@@ -330,7 +330,7 @@ VTK_INDIRECT_TEST(ExactScales)
 
 VTK_INDIRECT_TEST(ExactDoubled)
 {
-  // A floor that is there twice, and one over another: what lies in or behind it hides nothing.
+  // A duplicated floor, and one over another: geometry in or behind the surface hides nothing.
   for (const double depth : { 0.0, 1e-7, 1e-3 })
   {
     ExactScene scene(32, 32);
@@ -349,7 +349,8 @@ VTK_INDIRECT_TEST(ExactDoubled)
 
 VTK_INDIRECT_TEST(ExactProperty)
 {
-  // NONE is what Occupancy says, VOXELS is Occupancy, EXACT needs none; voxels go with their use.
+  // With NONE Occupancy decides, VOXELS is Occupancy, EXACT needs none; voxels are released after
+  // use.
   ExactScene scene(40, 30);
   scene.AddBlocks(1.0, glm::dvec3(0.0));
   const Image open = scene.Measure(vtkRSMReferencePass::NONE);
@@ -374,7 +375,7 @@ VTK_INDIRECT_TEST(ExactProperty)
   CheckAtMost("main memory afterwards", scene.ReadReport("main_memory_bytes"), 0.1 * withTree,
     "triangles and voxels are let go");
   CheckEqual("NONE again", RootMeanSquare(scene.Copy("irradiance"), open), 0.0);
-  // What moves is where it is.
+  // A moved prop occludes at its new position.
   vtkActorCollection* actors = scene.Renderer->GetActors();
   actors->InitTraversal();
   vtkActor* block = nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Occupancy of the estimators that sum over virtual lights: what is hidden is dark, what is not
-// keeps its light, and every estimator sees the same.
+// Occupancy of the estimators that sum over virtual lights: hidden receivers are dark, others keep
+// their light, and all estimators agree.
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectVisibilityScene.h"
 
@@ -38,7 +38,7 @@ struct OccupancyScene : VisibilityScene
   }
 };
 
-// Six faces turned inwards, moved by a rotation about the vertical.
+// Six faces that point inwards, rotated about the vertical.
 void AddRoom(Scene& scene, const glm::dvec3& size, double angle, double scale = 1.0,
   const glm::dvec3& place = glm::dvec3(0.0))
 {
@@ -75,7 +75,7 @@ void AddBlocks(OccupancyScene& scene, double scale, const glm::dvec3& place)
 
 VTK_INDIRECT_TEST(OccupancyConvexRoom)
 {
-  // In an empty convex room nothing hides anything: what is lost is the price of the voxels.
+  // In an empty convex room there is no occlusion: any loss is the voxels' error.
   for (double angle : { 0.0, 31.0 })
   {
     const std::string what = "room turned by " + std::to_string(static_cast<int>(angle)) + ": ";
@@ -106,7 +106,7 @@ VTK_INDIRECT_TEST(OccupancyConvexRoom)
 
 VTK_INDIRECT_TEST(OccupancySphere)
 {
-  // From inside a ball every part sees every other.
+  // Inside a ball every part sees every other.
   OccupancyScene scene(48, 48);
   scene.AddSphere(glm::dvec3(0.0), 2.0, 96, glm::dvec3(0.7));
   scene.AddPoint(glm::dvec3(0.0), { 0.0, 0.0, 1.0 });
@@ -165,7 +165,7 @@ VTK_INDIRECT_TEST(OccupancyTwoRooms)
 
 VTK_INDIRECT_TEST(OccupancyExact)
 {
-  // Against the same lights and segments that are cut with every triangle of the scene.
+  // Against the same lights with segments tested against every triangle of the scene.
   OccupancyScene scene(40, 30);
   AddBlocks(scene, 1.0, glm::dvec3(0.0));
   const Image open = scene.Measure(scene.Gather, false);
@@ -242,7 +242,7 @@ VTK_INDIRECT_TEST(OccupancyExact)
 
 VTK_INDIRECT_TEST(OccupancySame)
 {
-  // The shader's walk and the processor's, at every pixel and through subsplats of one pixel.
+  // The shader's walk and the CPU's, at every pixel and through subsplats of one pixel.
   OccupancyScene scene(40, 30);
   AddBlocks(scene, 1.0, glm::dvec3(0.0));
   const Image exact = scene.Measure(scene.Reference, true);
@@ -270,7 +270,7 @@ VTK_INDIRECT_TEST(OccupancySame)
 
 VTK_INDIRECT_TEST(OccupancySubsplats)
 {
-  // Where lights become visible the picture has edges that no surface has.
+  // At borders of visibility the picture has edges inside surfaces.
   OccupancyScene scene(160, 120);
   AddBlocks(scene, 1.0, glm::dvec3(0.0));
   const Image full = scene.Measure(scene.Gather, true);
@@ -287,7 +287,7 @@ VTK_INDIRECT_TEST(OccupancySubsplats)
 
 VTK_INDIRECT_TEST(OccupancyManyLights)
 {
-  // More than a shader of any OpenGL can ask for in one draw: sums of several.
+  // More lights than any OpenGL's shader can test in one draw: several sums.
   OccupancyScene scene(24, 18);
   AddBlocks(scene, 1.0, glm::dvec3(0.0));
   scene.Sampler->SetNumberOfLights(2500);
@@ -353,7 +353,7 @@ VTK_INDIRECT_TEST(OccupancyUpdates)
   scene.Measure(scene.Splatting, true);
   CheckEqual("updates by another estimator: the voxels are shared", updates(), 1);
   scene.SetEye({ 3.9, 0.1, 1.8 }, { 1.0, 2.5, 0.4 }, { 0, 0, 1 }, 80.0, 0.05, 9.0);
-  // Out of the way, in the same frame; the bounds stay those of the room.
+  // Moved aside in the same frame; the bounds stay those of the room.
   wall->SetPosition(-1.85, 0.0, 0.0);
   const double moved = scene.Measure(scene.Gather, true).Mean();
   CheckEqual("updates when a wall moved", updates(), 2);
@@ -372,7 +372,7 @@ VTK_INDIRECT_TEST(OccupancyUpdates)
 
 VTK_INDIRECT_TEST(OccupancyThinPlate)
 {
-  // A plate a hundredth of a voxel thick in mid-air: each side sees what is before it.
+  // A plate a hundredth of a voxel thick in mid-air: each side sees the half space in front of it.
   OccupancyScene scene(32, 32);
   scene.AddQuad({ -2, -2, 2 }, { -2, 2, 2 }, { 2, -2, 2 }, glm::dvec3(0.8)); // ceiling
   scene.AddQuad({ -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, glm::dvec3(0.8));
@@ -383,7 +383,7 @@ VTK_INDIRECT_TEST(OccupancyThinPlate)
   const Image open = scene.Measure(scene.Gather, false);
   const Image top = scene.Measure(scene.Gather, true);
   CheckRelative("light on the plate", top.Mean(), open.Mean(), 0.01, "nothing is in the way");
-  // The floor below the plate sees no more of the ceiling than the rim leaves.
+  // The floor below the plate sees the ceiling only past the rim.
   scene.SetEye({ 0.1, 0.2, -0.5 }, { 0, 0, -2 }, { 0, 1, 0 }, 10.0, 0.1, 9.0);
   const Image below = scene.Measure(scene.Gather, true);
   const Image through = scene.Measure(scene.Gather, false);
@@ -393,14 +393,14 @@ VTK_INDIRECT_TEST(OccupancyThinPlate)
 
 VTK_INDIRECT_TEST(OccupancyNothing)
 {
-  // Without polygons there is nothing to look up; the report says so.
+  // Without polygons there are no voxels; the report says so.
   OccupancyScene scene(16, 16);
   scene.Gather->OccupancyOn();
   scene.Render();
   scene.AddQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, glm::dvec3(0.5));
   scene.AddDirectional({ 0, 0, -1 });
   scene.SetEye({ 0.5, 0.5, 2 }, { 0.5, 0.5, 0 }, { 0, 1, 0 }, 40, 0.1, 10);
-  // One plane: no voxel hides what is on it.
+  // One plane: no voxel hides the plane itself.
   const Image seen = scene.Measure(scene.Gather, true);
   for (float value : seen.Values)
   {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Penumbrae of VTK's lights against closed forms and brute force.
 //
-// Visible of a light behind a straight edge is what a plane through the receiver and the edge
-// leaves of it. The points of a positional light fill a disk evenly from wherever they are seen, so
-// that the share is that of a disk cut by a chord, at the plane's distance from the light's centre,
-// exactly.
+// The visible part of a light behind a straight edge is cut off by a plane through the receiver and
+// the edge. The points of a positional light fill a disk evenly in every direction, so that the
+// share is exactly that of a disk cut by a chord, at the plane's distance from the light's centre.
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkLight.h"
@@ -20,14 +19,14 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// Share of a unit disk on that side of a chord on which its centre lies where t > 0.
+// Share of a unit disk on the side of a chord that contains its centre for t > 0.
 double DiskShare(double t)
 {
   const double c = std::max(-1.0, std::min(1.0, t));
   return 0.5 + (c * std::sqrt(1.0 - c * c) + std::asin(c)) / vtkMath::Pi();
 }
 
-// Direct light with shadows over direct light without; -1 where there is none.
+// Direct light with shadows over direct light without; -1 for unlit pixels.
 std::vector<double> FindVisibility(Scene& scene)
 {
   scene.Pass->SetIndirectScale(0.0);
@@ -36,7 +35,7 @@ std::vector<double> FindVisibility(Scene& scene)
   scene.Pass->ShadowsOn();
   scene.Render();
   const Image shadowed = scene.Copy("direct");
-  // Without shadows and without indirect light nothing but the delegate would run.
+  // Without shadows and without indirect light only the delegate would run.
   scene.Pass->ShadowsOff();
   scene.Pass->SetIndirectScale(1e-6);
   scene.Render();
@@ -61,7 +60,7 @@ struct HalfPlane
   Scene Frame{ Width, 24 };
   double Height;
   double Unit;
-  double Left = 0.0; // of what is seen of the plane
+  double Left = 0.0; // ends of the visible part of the plane
   double Right = 0.0;
 
   HalfPlane(double height, double unit)
@@ -74,7 +73,7 @@ struct HalfPlane
     this->Frame.AddQuad({ -e, -e, h }, { 0, -e, h }, { -e, e, h }, glm::dvec3(0.8));
   }
 
-  // Sees the plane from x = left to x = right, both greater than 0.
+  // Looks at the plane from x = left to x = right, both greater than 0.
   void Look(double left, double right)
   {
     this->Left = left * this->Unit;
@@ -91,8 +90,8 @@ struct HalfPlane
   }
 };
 
-// Compares a row of pixels with the truth: where half is seen, and the mean difference, both over
-// the penumbra's width.
+// Compares a row of pixels with the truth: the place of half visibility, and the mean difference,
+// both over the penumbra's width.
 void CheckEdge(HalfPlane& scene, const std::function<double(double)>& truth, double width,
   const std::string& what)
 {
@@ -113,14 +112,14 @@ void CheckEdge(HalfPlane& scene, const std::function<double(double)>& truth, dou
     integral += (v - t) * pixel;
     squares += (v - t) * (v - t) * pixel;
     worst = std::max(worst, std::abs(v - t));
-    // The middle of what is neither one point less than half nor one more: light grows with x.
+    // The middle of the interval within one point of half visibility: light grows with x.
     darker = v <= 0.5 - 1.0 / 64.0 ? scene.GetX(x) : darker;
     brighter = v < 0.5 + 1.0 / 64.0 ? scene.GetX(x) : brighter;
     trueDarker = t <= 0.5 - 1.0 / 64.0 ? scene.GetX(x) : trueDarker;
     trueBrighter = t < 0.5 + 1.0 / 64.0 ? scene.GetX(x) : trueBrighter;
   }
-  // Outlines are rounded to texels; over 32 maps a tenth of one is left. They are 0.022 wide at
-  // most.
+  // Outlines are rounded to texels; over 32 maps a tenth of one remains. They are at most 0.022
+  // wide.
   const double texel = 0.1 * 0.022 / width;
   CheckAtLeast(what + ": pixels across the penumbra", width / pixel, 16.0, "the test's own power");
   CheckAbsolute(what + ": where half of the light is seen, in penumbrae",
@@ -139,14 +138,14 @@ VTK_INDIRECT_TEST(PenumbraPositional)
 {
   struct
   {
-    double Height; // of the sheet
+    double Height; // height of the sheet
     double Radius;
     double Cone;
   } cases[] = { { 0.5, 0.2, 50.0 }, { 1.0, 0.1, 50.0 }, { 0.5, 0.3, 50.0 }, { 0.25, 0.3, 50.0 },
     { 1.0, 0.2, 80.0 }, { 1.0, 0.2, 90.0 } };
   for (const auto& c : cases)
   {
-    // The light stands 2 above the plane and aside, so that its shadow is seen beside the sheet.
+    // The light is 2 above the plane and aside, so that its shadow is visible beside the sheet.
     const glm::dvec3 place(-1.5, 0.0, 2.0);
     HalfPlane scene(c.Height, 1.0);
     vtkLight* light = scene.Frame.AddSpot(place, { 0.4, 0, 0 }, c.Cone, 0.0, { 1, 0, 0 });
@@ -160,7 +159,7 @@ VTK_INDIRECT_TEST(PenumbraPositional)
     };
     auto truth = [&](double x) { return DiskShare(distance(x) / c.Radius); };
     const double middle = 1.5 * c.Height / (2.0 - c.Height);
-    // Where the share is 0 and 1, by bisection.
+    // Places of the shares 0 and 1, by bisection.
     auto find = [&](double value)
     {
       double low = -3.0;
@@ -193,8 +192,8 @@ VTK_INDIRECT_TEST(PenumbraDirectional)
       vtkLight* light = scene.Frame.AddDirectional(way);
       vtkIndirectIlluminationPass::SetLightAngle(light, angle);
       const double sine = std::sin(vtkMath::RadiansFromDegrees(angle));
-      // Directions are even over the disk as it is seen along the axis; the plane through a
-      // receiver and the edge cuts it in an ellipse, of which this is the chord where it is narrow.
+      // Directions are evenly distributed over the disk seen along the axis; the plane through a
+      // receiver and the edge cuts it in an ellipse, whose chord this is for narrow lights.
       auto truth = [&](double x)
       {
         const glm::dvec2 edge = glm::normalize(glm::dvec2(-x, height));
@@ -213,8 +212,8 @@ VTK_INDIRECT_TEST(PenumbraDirectional)
   }
 }
 
-// The same picture at any scale and far from the origin is what Contract.PenumbraScales has; here
-// the light's distance changes.
+// Contract.PenumbraScales tests scales and distance from the origin; this test changes the light's
+// distance.
 VTK_INDIRECT_TEST(PenumbraDistance)
 {
   for (double distance : { 16.0, 64.0 })
@@ -238,7 +237,7 @@ VTK_INDIRECT_TEST(PenumbraDistance)
   }
 }
 
-// A ball over a plane: brute force over many points of the light, with the ball as it is.
+// A ball over a plane: brute force over many points of the light, with the exact ball.
 VTK_INDIRECT_TEST(PenumbraOfBall)
 {
   Scene scene(96, 96);
@@ -254,7 +253,7 @@ VTK_INDIRECT_TEST(PenumbraOfBall)
   const std::vector<double> visibility = FindVisibility(scene);
   const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
 
-  // Points even in the disk that faces the receiver.
+  // Points evenly distributed in the disk that faces the receiver.
   constexpr int count = 2048;
   double squares = 0.0;
   double sum = 0.0;

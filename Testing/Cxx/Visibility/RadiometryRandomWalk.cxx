@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Virtual lights of a random walk against closed forms and the lights' own maps: one bounce, all
-// bounces, every kind of light, walls, materials, scales, and what has to stay as it is.
+// bounces, every kind of light, walls, materials, scales, and invariants.
 #include "vtkIndirectWalkScene.h"
 
 #include "vtkActor.h"
@@ -42,7 +42,8 @@ void CheckFlux(
 }
 }
 
-// In a sphere with a light at its centre all surfaces get the same: E0 rho^n in bounce n.
+// In a sphere with a light at its centre all surfaces have the same irradiance: E0 rho^n in bounce
+// n.
 VTK_INDIRECT_TEST(WalkFurnace)
 {
   const glm::dvec3 albedo(0.75, 0.5, 0.25);
@@ -69,8 +70,8 @@ VTK_INDIRECT_TEST(WalkFurnace)
     CheckRelative(what + "irradiance", scene.Copy("bounce").Mean(), sum.x, 0.015,
       "kernels of some thousand lights, facets");
   }
-  // The pass's own walk beside samplers of the first bounce, whose lights are more of the same
-  // kind, or a part of the tree.
+  // The pass's own walk beside samplers of the first bounce, whose lights are of the same kind, or
+  // a part of the tree.
   vtkNew<vtkLightTreeSampler> tree;
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   for (const bool own : { true, false })
@@ -125,7 +126,7 @@ VTK_INDIRECT_TEST(WalkKindsOfLights)
   }
 }
 
-// What follows the camera is lit as a light that stands there.
+// A light that follows the camera is equivalent to a light at the same position.
 VTK_INDIRECT_TEST(WalkHeadlight)
 {
   WalkScene scene;
@@ -144,7 +145,7 @@ VTK_INDIRECT_TEST(WalkHeadlight)
   CheckRelative("camera light", scene.GetReflectedFlux().x, flux.x, 1e-4, "the same direction");
 }
 
-// Nothing is lit behind a wall, after however many bounces.
+// Nothing is lit behind a wall, after any number of bounces.
 VTK_INDIRECT_TEST(WalkThroughNoWall)
 {
   WalkScene scene;
@@ -208,8 +209,8 @@ VTK_INDIRECT_TEST(WalkScales)
   }
 }
 
-// A light that moves a little moves its virtual lights a little; frames that change nothing of the
-// light keep them.
+// A small motion of a light moves its virtual lights by little; frames that do not change the light
+// keep them.
 VTK_INDIRECT_TEST(WalkMovesSmoothly)
 {
   WalkScene scene;
@@ -248,7 +249,7 @@ VTK_INDIRECT_TEST(WalkMovesSmoothly)
   CheckAtMost("change of the irradiance over its mean, RMS",
     std::sqrt(sum / static_cast<double>(image.Values.size())) / image.Mean(), 0.02,
     "a step of 0.0005 in a scene of 1.7; another set of paths would be 0.1");
-  // Colours are read anew, the tree of triangles stays.
+  // Colours are read again, the tree of triangles stays.
   vtkActor::SafeDownCast(scene.Renderer->GetViewProps()->GetItemAsObject(0))
     ->GetProperty()
     ->SetDiffuseColor(0.1, 0.1, 0.1);
@@ -260,7 +261,8 @@ VTK_INDIRECT_TEST(WalkMovesSmoothly)
   CheckEqual("trees after a new prop", scene.Walk->GetNumberOfTreeBuilds(), 2);
 }
 
-// Colours of points and cells, a texture, the back of a sheet, culling, PBR: as the maps have them.
+// Colours of points and cells, a texture, the back of a sheet, culling, PBR: equal to those in the
+// maps.
 VTK_INDIRECT_TEST(WalkMaterials)
 {
   for (int kind = 0; kind < 8; ++kind)
@@ -344,7 +346,7 @@ VTK_INDIRECT_TEST(WalkMaterials)
     {
       actor->GetProperty()->SetInterpolationToPBR();
       actor->GetProperty()->SetMetallic(0.25);
-      scene.Gather->SpecularTransportOff(); // paths reflect diffusely alone
+      scene.Gather->SpecularTransportOff(); // paths reflect only diffusely
     }
     if (kind == 7)
     {
@@ -363,7 +365,7 @@ VTK_INDIRECT_TEST(WalkMaterials)
 VTK_INDIRECT_TEST(WalkHardCases)
 {
   {
-    // All black, no light, nothing there.
+    // All black, no light, no surface.
     WalkScene scene;
     vtkActor* quad = scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, glm::dvec3(0.0));
     vtkLight* light = scene.AddPoint({ 0.5, 0.5, 0.5 }, { 1, 0, 0 });
@@ -383,8 +385,8 @@ VTK_INDIRECT_TEST(WalkHardCases)
     CheckRelative("white: flux", scene.GetReflectedFlux().x, 1.0, 1.0, "there is some");
   }
   {
-    // Triangles without area or with a corner that is no number; and normals against the winding,
-    // which VTK draws black.
+    // Degenerate triangles, or triangles with NaN; and normals against the winding, which VTK draws
+    // black.
     WalkScene scene;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     vtkNew<vtkPoints> points;
@@ -419,7 +421,7 @@ VTK_INDIRECT_TEST(WalkHardCases)
     scene.SetEye({ 2, 2, 2 }, { 0.5, 0, 0.5 }, { 0, 1, 0 }, 40, 0.5, 6);
     scene.UseWalk(1000, 3);
     scene.CheckBuffers(1);
-    // A square under light that falls at a right angle reflects once what its area gets.
+    // A square under perpendicular light reflects in its first bounce the light on its area.
     scene.UseWalk(4096, 1);
     CheckRelative("flux of the square", scene.GetReflectedFlux().x, 1.0, 0.005, "its area");
     data->GetPointData()->SetNormals(normals);
@@ -444,7 +446,7 @@ VTK_INDIRECT_TEST(WalkHardCases)
   }
 }
 
-// Without shadows no map is drawn; resources go and come again.
+// Without shadows no map is drawn; resources are released and made again.
 VTK_INDIRECT_TEST(WalkWithoutMaps)
 {
   WalkScene scene;
@@ -486,7 +488,7 @@ VTK_INDIRECT_TEST(WalkAddedSampler)
   scene.Pass->RemoveSampler(later);
 }
 
-// A walk that goes on while nothing changes ends as the one that is as long at once.
+// A walk that continues while nothing changes ends as one with the full length at once.
 VTK_INDIRECT_TEST(WalkExtendsOverFrames)
 {
   WalkScene scene;
@@ -521,7 +523,7 @@ VTK_INDIRECT_TEST(WalkExtendsOverFrames)
   CheckAtMost("RMSE to as many paths at once", differ(extended, atOnce), 1e-6,
     "the same sequence, but for rounding of the number of paths");
 
-  // In frames of interaction what is there stays; a light that moves begins anew.
+  // Frames of interaction keep the existing lights; a moved light begins anew.
   scene.Window->SetDesiredUpdateRate(30.0);
   scene.Render();
   CheckAtLeast("lights in a frame of interaction", scene.Walk->GetActualNumberOfLights(), 1024,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What mappers draw as spheres hides senders where voxels are asked: held to rays, light by light,
-// in double precision.
+// Spheres of mappers hide senders beside voxels: compared with rays, light by light, in double
+// precision.
 #include "Visibility/vtkIndirectSphereGrid.h"
 #include "vtkIndirectBalls.h"
 #include "vtkIndirectDetails.h"
@@ -32,7 +32,7 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// What is drawn of points by a mapper of its own.
+// Spheres drawn by a mapper from points.
 struct Balls
 {
   vtkNew<vtkPolyData> Points;
@@ -75,7 +75,7 @@ struct SegmentScene : VisibilityScene
   }
   std::string GetReport() { return this->Pass->GetReport(); }
 
-  // A ceiling that a spot lights from below, a floor, and the eye that sees the floor.
+  // A ceiling that a spot lights from below, a floor, and an eye that sees the floor.
   void AddFloorAndCeiling(double scale = 1.0, const glm::dvec3& place = glm::dvec3(0.0))
   {
     auto at = [&](double x, double y, double z) { return place + scale * glm::dvec3(x, y, z); };
@@ -87,8 +87,7 @@ struct SegmentScene : VisibilityScene
   }
 };
 
-// Whether a ball stands between two places, neither of which is in it: by the nearest place of the
-// segment.
+// True if a ball stands between two positions outside of it: by the nearest point of the segment.
 bool Hides(const Ball& ball, const glm::dvec3& a, const glm::dvec3& b)
 {
   const glm::dvec3 way = b - a;
@@ -97,7 +96,7 @@ bool Hides(const Ball& ball, const glm::dvec3& a, const glm::dvec3& b)
     glm::length(a - ball.Center) > ball.Radius && glm::length(b - ball.Center) > ball.Radius;
 }
 
-// An image beside sums over the lights that no ball hides.
+// An image compared with sums over the lights that no ball hides.
 struct Comparison
 {
   double Bias = 0.0;
@@ -164,7 +163,7 @@ const char* const Origin =
 
 VTK_INDIRECT_TEST(SphereSegmentsAreRays)
 {
-  // Balls between a lit ceiling and a floor, all estimators: voxels of the two hide nothing.
+  // Balls between a lit ceiling and a floor, all estimators: the voxels of these two hide nothing.
   SegmentScene scene(40, 30);
   scene.AddFloorAndCeiling();
   Balls balls;
@@ -191,7 +190,7 @@ VTK_INDIRECT_TEST(SphereSegmentsAreRays)
 
 VTK_INDIRECT_TEST(SphereSegmentsAlone)
 {
-  // Nothing but balls: one that is lit, one that sees it, small ones between. There are no voxels.
+  // Only balls: a lit one, one that sees it, small ones between. There are no voxels.
   SegmentScene scene(32, 24);
   Balls balls;
   std::vector<Ball> all = MakeCrowd(60, 0.09);
@@ -221,8 +220,8 @@ VTK_INDIRECT_TEST(SphereSegmentsAlone)
 
 VTK_INDIRECT_TEST(SphereSegmentsUmbra)
 {
-  // A ball that covers the whole lit patch from the floor under it: no light there, and none is
-  // lost where its shadow ends.
+  // A ball that hides the whole lit patch from the floor under it: no light there, and none is lost
+  // outside of its shadow.
   SegmentScene scene(48, 36);
   scene.AddQuad({ -2, -2, 0 }, { 2, -2, 0 }, { -2, 2, 0 }, glm::dvec3(0.8));
   scene.AddQuad({ -0.2, -0.2, 2 }, { -0.2, 0.2, 2 }, { 0.2, -0.2, 2 }, glm::dvec3(0.8));
@@ -234,7 +233,7 @@ VTK_INDIRECT_TEST(SphereSegmentsUmbra)
   scene.Renderer->AddActor(ball.Actor);
   const Image image = scene.Measure(scene.Gather, true);
   const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
-  // Cones through the patch's corners: tangents of its outer ones to the ball, on the floor.
+  // Cones through the patch's corners: tangents from its outer ones to the ball, on the floor.
   const double apart = 2.0 - center.z;
   const double sine = 0.5 / apart;
   const double tangent = sine / std::sqrt(1.0 - sine * sine);
@@ -299,7 +298,7 @@ VTK_INDIRECT_TEST(SphereSegmentsBesideVoxels)
 
 VTK_INDIRECT_TEST(SphereSegmentsScales)
 {
-  // Far from the origin, and as small or large as scenes are.
+  // Far from the origin, and at the smallest and largest scales of real scenes.
   for (const auto& [scale, place] :
     { std::pair(1e-9, glm::dvec3(0.0)), std::pair(1e6, glm::dvec3(1e4, -3e4, 2e4)) })
   {
@@ -319,7 +318,7 @@ VTK_INDIRECT_TEST(SphereSegmentsScales)
 
 VTK_INDIRECT_TEST(SphereSegmentsManyLights)
 {
-  // More rounds of a shader's loop than llvmpipe has, if all lights were asked for in one draw.
+  // More rounds than llvmpipe's loops allow, if one draw tested all lights.
   SegmentScene scene(16, 12);
   scene.AddFloorAndCeiling();
   Balls balls;
@@ -340,7 +339,7 @@ VTK_INDIRECT_TEST(SphereSegmentsManyLights)
 
 VTK_INDIRECT_TEST(SphereSegmentsLongLists)
 {
-  // Balls that lie inside each other, hundreds in a list, more rounds than a row of lights has.
+  // Nested balls, hundreds in a list, with more rounds than a row of lights allows.
   SegmentScene scene(16, 12);
   scene.AddFloorAndCeiling();
   Balls balls;
@@ -370,7 +369,7 @@ VTK_INDIRECT_TEST(SphereSegmentsLongLists)
 
 VTK_INDIRECT_TEST(SphereSegmentsUpdates)
 {
-  // Lists are made anew in the frame in which spheres are elsewhere, and in no other.
+  // Lists are rebuilt in the frame in which spheres have moved, and in no other.
   SegmentScene scene(24, 18);
   scene.AddFloorAndCeiling();
   vtkActor* const box = scene.AddBox({ 1.5, 1.5, 0.1 }, { 1.7, 1.7, 0.3 }, glm::dvec3(0.7));
@@ -425,7 +424,7 @@ VTK_INDIRECT_TEST(SphereSegmentsUpdates)
 
 VTK_INDIRECT_TEST(SphereSegmentsKinds)
 {
-  // What counts as a sphere, and what casts shadows.
+  // Props that count as spheres, and casters among them.
   SegmentScene scene(24, 18);
   scene.AddFloorAndCeiling();
   const std::vector<Ball> crowd = MakeCrowd(40, 0.2);
@@ -460,7 +459,7 @@ VTK_INDIRECT_TEST(SphereSegmentsKinds)
     scene.Renderer->RemoveActor(balls.Actor);
   }
   {
-    // Cut off by shader code as in ParaView; they have no surface, but look like spheres.
+    // Splats clipped by shader code as in ParaView; they have no surface, but look like spheres.
     vtkNew<vtkPointGaussianMapper> splats;
     splats->SetScaleArray("size");
     splats->SetScaleFactor(1.0);

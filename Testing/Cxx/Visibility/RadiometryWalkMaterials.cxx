@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours that rays and voxels read of an actor are those that VTK draws into lights' maps: of
-// blocks, of textures, of physically based shading; a shader of the user's own is named.
+// Rays and voxels read the same colours of an actor that VTK draws into lights' maps: of blocks, of
+// textures, of physically based shading; users' shaders are reported.
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 
 #include "Frame/vtkIndirectFrame.h"
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkPolyData> MakeFloor(double x, double width)
   return plane->GetOutput();
 }
 
-// Of four colours in a square, or of one.
+// A texture of four colours in a square, or of one.
 vtkSmartPointer<vtkTexture> MakeTexture(bool plain, bool encoded)
 {
   vtkNew<vtkImageData> image;
@@ -88,8 +88,8 @@ struct FloorScene : WalkScene
 };
 }
 
-// One has a colour of its own, before VTK 9.4 in place of scalars, one scalars, one is hidden;
-// those of a block around them; and without scalars.
+// One block has its own colour, before VTK 9.4 in place of scalars, one has scalars, one is hidden;
+// blocks inherit a colour; and without scalars.
 VTK_INDIRECT_TEST(WalkBlocks)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -177,7 +177,7 @@ VTK_INDIRECT_TEST(WalkTextures)
   }
 }
 
-// A mean of its texture is what a triangle sends where it has one colour.
+// A triangle of one colour sends the mean of its texture.
 VTK_INDIRECT_TEST(OccupancyTextures)
 {
   vtkNew<vtkActor> actor;
@@ -203,7 +203,7 @@ VTK_INDIRECT_TEST(OccupancyTextures)
   CheckEqual("it is said", volume.GetLeftOutColors().size(), size_t(1));
 }
 
-// What a shader does is not known: the report names it, and the property's colour is sent.
+// A shader's effect is unknown: the report names it, and the property's colour is sent.
 VTK_INDIRECT_TEST(WalkShaderCode)
 {
   FloorScene scene;

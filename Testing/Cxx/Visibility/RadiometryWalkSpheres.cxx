@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What mappers draw as impostors and glyphs, in a random walk: it blocks, and it sends, as the same
-// shapes do as meshes.
+// Impostors and glyphs in a random walk: they occlude and send as the same shapes do as meshes.
 #include "vtkIndirectWalkScene.h"
 
 #include "vtkActor.h"
@@ -54,7 +53,7 @@ vtkSmartPointer<vtkActor> MakeBalls(
 const std::vector<glm::dvec3> Places = { { 0.3, 0.15, 0.3 }, { 0.5, 0.5, 0.2 }, { 0.7, 0.2, 0.6 },
   { 0.2, 0.4, 0.7 } };
 
-// A corner of walls, in which something stands, under a light; its flux of so many bounces.
+// A corner of walls with an object under a light; its flux for a number of bounces.
 struct Corner : WalkScene
 {
   Corner()
@@ -90,8 +89,8 @@ void Compare(const std::string& what, Corner& scene, Corner& meshes, double tole
 }
 }
 
-// Around a light balls overlap without a gap: all that they get falls on them again, so that bounce
-// n has rho^n of the lamp's flux.
+// Overlapping balls enclose a light without a gap: all their light falls on them again, so that
+// bounce n has rho^n of the light's flux.
 VTK_INDIRECT_TEST(WalkFurnaceOfSpheres)
 {
   constexpr int count = 300;
@@ -104,9 +103,9 @@ VTK_INDIRECT_TEST(WalkFurnaceOfSpheres)
     const double r = std::sqrt(1.0 - z * z);
     places.push_back(glm::dvec3(r * std::cos(angle), r * std::sin(angle), z));
   }
-  const glm::dvec3 albedo = glm::dvec3(191, 128, 64) / 255.0; // VTK has bytes, which it cuts off
+  const glm::dvec3 albedo = glm::dvec3(191, 128, 64) / 255.0; // VTK truncates colours to bytes
   WalkScene scene;
-  // The nearest of so many are 0.2 apart, and gaps between three of them 0.12 wide.
+  // The nearest balls are 0.2 apart, and gaps between three of them 0.12 wide.
   scene.Renderer->AddActor(MakeBalls(places, 0.2, albedo + 1e-4));
   scene.AddPoint(glm::dvec3(0.0), { 0, 0, 1 });
   scene.SetEye({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 90, 0.1, 10);
@@ -156,7 +155,7 @@ VTK_INDIRECT_TEST(WalkSpheresBesideMeshes)
   }
 }
 
-// Turned, scaled, and one of two shapes each.
+// Rotated and scaled glyphs, each of one of two shapes.
 VTK_INDIRECT_TEST(WalkGlyphsBesideMeshes)
 {
   Corner scene;
@@ -192,7 +191,7 @@ VTK_INDIRECT_TEST(WalkGlyphsBesideMeshes)
   mapper->SetSourceConnection(1, ball->GetOutputPort());
   mapper->SetSourceIndexing(true);
   mapper->SetSourceIndexArray("kind");
-  mapper->SetRange(0.0, 10.0); // by which nothing is chosen
+  mapper->SetRange(0.0, 10.0); // unused here
   mapper->SetScaleArray("size");
   mapper->SetScaleModeToScaleByMagnitude();
   mapper->SetOrientationArray("way");
@@ -203,7 +202,7 @@ VTK_INDIRECT_TEST(WalkGlyphsBesideMeshes)
   scene.Renderer->AddActor(actor);
   for (int i = 0; i < 4; ++i)
   {
-    // The x axis goes to y or to z, by half a turn about the middle between them.
+    // Maps the x axis to y or to z, by half a turn about the middle between them.
     const double size = 0.2 + 0.05 * i;
     const glm::dvec3 half =
       0.5 * size * (i % 2 ? glm::dvec3(0.4, 1.0, 0.6) : glm::dvec3(0.6, 0.4, 1.0));

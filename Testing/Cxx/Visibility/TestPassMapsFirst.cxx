@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth maps that arrive over several frames: with MapsFirst light is summed once, when all are
-// there, and the picture is the one that frames without it arrive at.
+// Depth maps that arrive over several frames: with MapsFirst light is summed once, after all maps,
+// and the picture equals the final one without it.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -12,7 +12,7 @@ using namespace contract;
 
 namespace
 {
-// A lamp and a sky over a ball of so many triangles that a frame has time for the least number of
+// A light and a sky over a ball of so many triangles that a frame has time for the least number of
 // depth maps, 64 (vtkIndirectPlan::FindTilesPerFrame).
 struct MapsView : View
 {
@@ -97,7 +97,7 @@ VTK_INDIRECT_TEST(MapsFirst)
 }
 
 //------------------------------------------------------------------------------
-// A camera that moves has its light in every frame, and so have frames that keep nothing.
+// Every frame of a moving camera has its light, and so has every frame without caching.
 VTK_INDIRECT_TEST(MapsFirstNeverWaits)
 {
   MapsView view(true);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sizes of lights: what is taken, what they change and what not, when maps are drawn, and the
-// worst.
+// Sizes of lights: accepted values, their effects and limits, redrawing of maps, and extreme cases.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -68,7 +67,7 @@ VTK_INDIRECT_TEST(PenumbraSettings)
   CONTRACT_CHECK(Pass::GetLightRadius(light) == VTK_DOUBLE_MAX, "a radius without an end");
   Pass::SetLightAngle(light, 100.0);
   CONTRACT_CHECK(Pass::GetLightAngle(light) == 90.0, Pass::GetLightAngle(light));
-  // A copy is another light.
+  // A copy is a different light.
   vtkNew<vtkLight> copy;
   copy->DeepCopy(light);
   Pass::SetLightRadius(copy, 3.0);
@@ -83,7 +82,7 @@ VTK_INDIRECT_TEST(PenumbraSettings)
 }
 
 //------------------------------------------------------------------------------
-// A light at the place in memory of one that is gone has no size.
+// A new light at the address of a destroyed one has no size.
 VTK_INDIRECT_TEST(PenumbraLightDeleted)
 {
   for (int i = 0; i < 100; ++i)
@@ -104,8 +103,8 @@ VTK_INDIRECT_TEST(PenumbraLightDeleted)
 }
 
 //------------------------------------------------------------------------------
-// Without a size nothing is otherwise, bit for bit, and where nothing is in the way neither with
-// one.
+// Without a size nothing changes, bit for bit, and without occluders nothing changes with a size
+// either.
 VTK_INDIRECT_TEST(PenumbraNone)
 {
   for (LightKind kind :
@@ -115,7 +114,7 @@ VTK_INDIRECT_TEST(PenumbraNone)
     const Pixels before = room.Window.Grab();
     const Floats irradiance = Read(room.GetPass(), "irradiance");
     const double bytes = Report(room.GetPass()).GetNumber("bytes");
-    // Those of the other kind of light say nothing.
+    // Sizes of the other kind of light are ignored.
     Pass::SetLightRadius(room.Light, kind == LightKind::Directional ? 0.3 : 0.0);
     Pass::SetLightAngle(room.Light, kind == LightKind::Directional ? 0.0 : 5.0);
     Difference difference = Compare(room.Window.Grab(), before);
@@ -133,7 +132,7 @@ VTK_INDIRECT_TEST(PenumbraNone)
     CONTRACT_CHECK(difference.Max == 0.0, GetName(kind) << ", once more: " << difference);
     CONTRACT_CHECK(Report(room.GetPass()).GetNumber("bytes") == bytes, "maps are kept for nothing");
   }
-  // A plane alone, at all angles to the light.
+  // A single plane, at all angles to the light.
   View view(96, 96);
   vtkNew<vtkIndirectIlluminationPass> pass;
   view.Renderer->SetPass(pass);
@@ -205,7 +204,7 @@ VTK_INDIRECT_TEST(PenumbraReport)
   CONTRACT_CHECK(what.find("32 points") != std::string::npos, report.GetText());
   CONTRACT_CHECK(
     !report.FindReason("left_out", "size of light 0 beyond its shadows").empty(), report.GetText());
-  // The eye sees the penumbrae of a headlight that has a size.
+  // The eye sees the penumbrae of a headlight with a size.
   View view;
   AddRoomSurfaces(view.Renderer);
   vtkNew<vtkLight> headlight;
@@ -292,17 +291,17 @@ VTK_INDIRECT_TEST(PenumbraExtremes)
         GetName(kind) << " of radius " << c.Radius << ": " << soft << " of " << open);
     }
   }
-  // As small as that, it is a point.
+  // A light of this size is a point.
   Room room;
   const double hard = MeanDirect(room);
   Pass::SetLightRadius(room.Light, 1e-30);
   const double soft = MeanDirect(room);
-  // Maps have other texels than the centre's.
+  // Maps of points have different texels from the centre's map.
   CONTRACT_CHECK(std::abs(soft - hard) < 0.01 * hard, soft << " and " << hard);
 }
 
 //------------------------------------------------------------------------------
-// Many lights of all kinds, hard ones beside soft ones, and everything that VTK draws.
+// Many lights of all kinds, hard and soft ones, and everything that VTK draws.
 VTK_INDIRECT_TEST(PenumbraKinds)
 {
   View view(200, 150);
@@ -338,7 +337,7 @@ VTK_INDIRECT_TEST(PenumbraKinds)
 }
 
 //------------------------------------------------------------------------------
-// What only mappers can draw casts the same penumbra as its polygons.
+// Props that only mappers can draw cast the same penumbra as their polygons.
 VTK_INDIRECT_TEST(PenumbraOfGlyphs)
 {
   for (LightKind kind : { LightKind::Directional, LightKind::Spot, LightKind::Point })

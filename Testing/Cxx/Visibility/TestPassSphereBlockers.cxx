@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spheres between senders and receivers: what is wrong with them is said once, what they are made
-// of is in the report, and what is no sphere is named there.
+// Spheres between senders and receivers: errors are reported once, and the report lists the
+// spheres' sources and other props.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
@@ -22,7 +22,7 @@ using namespace contract;
 
 namespace
 {
-// A ground, a lamp, and what is drawn of points.
+// A ground, a light, and a prop drawn from points.
 struct BlockerView : View
 {
   vtkNew<vtkIndirectIlluminationPass> Pass;
@@ -98,7 +98,7 @@ VTK_INDIRECT_TEST(SphereBlockersWrongRadii)
 }
 
 //------------------------------------------------------------------------------
-// Atoms, and what lies inside of bonds.
+// Atoms, and spheres inside of bonds.
 VTK_INDIRECT_TEST(SphereBlockersOfMolecules)
 {
   BlockerView view;
@@ -126,7 +126,7 @@ VTK_INDIRECT_TEST(SphereBlockersOfMolecules)
   view.Grab();
   CONTRACT_CHECK(
     view.GetWhat().find("4 spheres of the data, in") != std::string::npos, view.GetWhat());
-  // An assembly of something else is named still.
+  // An assembly of other props is still named.
   CONTRACT_CHECK(
     Report(view.Pass).FindReason("left_out", "vtkOpenGLActor").empty(), "its atoms block light");
 }

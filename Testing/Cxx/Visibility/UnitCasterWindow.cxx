@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What can hide an area light, and the part of its view that holds it.
+// Casters between an area light and its receivers, and the part of the light's view that holds
+// them.
 #include "Frame/vtkIndirectFrame.h"
 #include "Visibility/vtkIndirectCasterWindow.h"
 #include "Visibility/vtkIndirectDepthTile.h"
@@ -37,7 +38,7 @@ vtkSmartPointer<vtkActor> MakeBox(const double bounds[6])
   return MakeActor(source);
 }
 
-// Boxes of which none moves, in world units that are scene units.
+// Unmoving boxes, in world units that equal scene units.
 vtkIndirectFrame MakeFrame(const std::vector<vtkSmartPointer<vtkActor>>& actors)
 {
   vtkIndirectFrame frame;
@@ -85,7 +86,7 @@ VTK_INDIRECT_TEST(CasterWindowConvex)
     "one hides the other from light beside them");
 }
 
-// A lamp over a table, on which a box stands: the window is the box's, whatever the table's size.
+// A lamp over a table with a box on it: the window fits the box, for any size of the table.
 VTK_INDIRECT_TEST(CasterWindowFits)
 {
   const double table[6] = { -5, 5, -5, 5, -0.2, 0 };
@@ -98,7 +99,7 @@ VTK_INDIRECT_TEST(CasterWindowFits)
   Check("and stays", !window.Update(MakeFrame(actors), lamp), "nothing has changed");
   vtkIndirectDepthTile tile = vtkIndirectDepthTile::FromPlace({ 0, 0, 2 }, { 0, 0, -1 });
   window.Fit({ &tile });
-  // The top of the box is the nearest: 1.5 away; 0.1 and 0.4 to the sides.
+  // The box's top is nearest: 1.5 away; 0.1 and 0.4 to the sides.
   const glm::dvec3 across = tile.Right * tile.HalfWidth.x + tile.Up * tile.HalfWidth.y;
   CheckRelative("half its width", std::abs(across.x), 0.1 / 1.5, 0.03, "a margin");
   CheckRelative(
@@ -115,12 +116,12 @@ VTK_INDIRECT_TEST(CasterWindowFits)
   CheckAtLeast("then it holds the table", whole.HalfWidth.x, 2.4, "half of 10 over 2");
 }
 
-// A lamp that a box sees at 85 degrees from its normal, and from a place beside it at 50: the box
-// is in a strip of both together, and in the view ahead of the second one.
+// A lamp seen by a box at 85 degrees from its normal, and from a second position at 50: the box is
+// in a strip of both together, and in the second position's forward view.
 VTK_INDIRECT_TEST(CasterWindowFitsStrips)
 {
   const double far[6] = { 5.9, 6.1, -0.2, 0.2, -0.6, -0.4 };
-  // Which the first one hides from the lamp.
+  // The first box hides this one from the lamp.
   const double behind[6] = { 7, 8, -1, 1, -0.7, -0.5 };
   const std::vector<vtkSmartPointer<vtkActor>> actors = { MakeBox(far), MakeBox(behind) };
   vtkIndirectCasterWindow window;

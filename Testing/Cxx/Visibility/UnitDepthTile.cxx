@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth maps of single emitters: their axes, their depths, and the planes of receivers in them.
+// Depth maps of single virtual lights and directions: their axes, their depths, and the planes of
+// receivers in them.
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Visibility/vtkIndirectDepthTile.h"
@@ -66,8 +67,8 @@ VTK_INDIRECT_TEST(DepthTileDepths)
   CheckAtMost("depths come back from the buffer", worst, 1.3e-4, "steps of a float times 2048");
 }
 
-// A receiver is seen where what is stored is not nearer than its plane there, or than itself, in
-// doubles.
+// A receiver is visible if the stored depth is not nearer than its plane there, or than the
+// receiver, in doubles.
 VTK_INDIRECT_TEST(DepthTilePlanes)
 {
   Random random(11);
@@ -91,7 +92,7 @@ VTK_INDIRECT_TEST(DepthTilePlanes)
     const bool found =
       vtkiIsSeenInPerspectiveTile(static_cast<float>(1.0 / stored), static_cast<float>(p.z),
         static_cast<float>(facing), static_cast<float>(along), static_cast<float>(bias));
-    // Where a float may round to either side it does not count.
+    // Values that a float may round to either side do not count.
     wrong += found != expected && std::abs(stored - mine) > 1e-5 && std::abs(facing) > 1e-5 &&
         std::abs(along) > 1e-5
       ? 1
@@ -105,8 +106,8 @@ VTK_INDIRECT_TEST(DepthTilePlanes)
   CheckEqual("receivers that are seen and should not be, or the other way round", wrong, 0);
 }
 
-// The five views of a tile hold all of the half space that its emitter faces, each receiver is
-// looked up in the view, and at the place in it, where what hides it is drawn.
+// The five views of a tile cover the half space in front of it, and each receiver is looked up in
+// the view, and at the place, where its occluders are drawn.
 VTK_INDIRECT_TEST(DepthTileHoldsAHalfSpace)
 {
   Random random(23);
@@ -213,7 +214,7 @@ VTK_INDIRECT_TEST(DepthTileOfADirection)
   }
 }
 
-// A receiver is seen where what is stored is behind its plane at the texel's centre, in doubles.
+// A receiver is visible if the stored depth is behind its plane at the texel's centre, in doubles.
 VTK_INDIRECT_TEST(DepthTileSeesOverPlanes)
 {
   Random random(17);
@@ -222,7 +223,7 @@ VTK_INDIRECT_TEST(DepthTileSeesOverPlanes)
   int hidden = 0;
   for (int i = 0; i < 20000; ++i)
   {
-    const glm::dvec3 n = random.NextDirection(); // right, up, towards the emitter
+    const glm::dvec3 n = random.NextDirection(); // right, up, and towards the light
     const double range = random.Next(0.3, 2.0);
     const glm::dvec2 texel(random.Next(0.005, 0.05), random.Next(0.005, 0.05));
     const glm::dvec2 shift = glm::dvec2(random.Next(-0.5, 0.5), random.Next(-0.5, 0.5)) * texel;
@@ -232,7 +233,7 @@ VTK_INDIRECT_TEST(DepthTileSeesOverPlanes)
     {
       continue;
     }
-    // Depth grows away from the emitter: the plane's at the centre, not beyond the receiver's.
+    // Depth grows away from the light: the plane's at the centre, not beyond the receiver's.
     const double plane = std::min(glm::dot(glm::dvec2(n), shift) / n.z / range, 0.0);
     const double margin = stored - (depth + plane);
     if (std::abs(margin) < 1e-5)
@@ -250,7 +251,7 @@ VTK_INDIRECT_TEST(DepthTileSeesOverPlanes)
   Check("of both kinds", seen > 1000 && hidden > 1000);
 }
 
-// Whatever hides a receiver has its place in the tile, also where flat casters reach beyond it.
+// Every occluder of a receiver has its place in the tile, also flat casters that extend beyond it.
 VTK_INDIRECT_TEST(DepthTileHasAllThatHides)
 {
   Random random(29);
@@ -267,7 +268,7 @@ VTK_INDIRECT_TEST(DepthTileHasAllThatHides)
       const bool flat = random.Next() < 0.7;
       for (int axis = 0; axis < 3; ++axis)
       {
-        // Planes that meet, lie in each other, or pass.
+        // Planes that meet, coincide, or pass each other.
         const double middle = 0.1 * std::floor(random.Next(-4.0, 5.0));
         const double half = flat && axis == across ? 0.0 : 0.05 * std::floor(random.Next(1.0, 8.0));
         caster.Bounds[2 * axis] = middle - half;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The voxels of the scene: walls are watertight however thin, slanted or finely cut, and space that
-// is free is free.
+// The voxels of the scene: walls are watertight, however thin, slanted or finely divided, and free
+// space stays free.
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Visibility/vtkIndirectDistanceField.h"
@@ -23,8 +23,8 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// Segments between random points on both sides of the plane z = f(x, y) of a wall over the whole
-// volume: how many get through, by either walk.
+// Number of segments that pass a wall in the plane z = f(x, y) over the whole volume, between
+// random points on both sides of it, by either walk.
 int CountLeaks(vtkIndirectOccupancyVolume& volume, const glm::dvec3& normal, double offset,
   int count, double clearance)
 {
@@ -40,7 +40,7 @@ int CountLeaks(vtkIndirectOccupancyVolume& volume, const glm::dvec3& normal, dou
     }
     const double d0 = glm::dot(normal, ends[0]) - offset;
     const double d1 = glm::dot(normal, ends[1]) - offset;
-    // Ends in the wall's own voxels do not count as hidden by them.
+    // Ends in the wall's own voxels are not hidden by them.
     if (d0 * d1 >= 0.0 || std::min(std::abs(d0), std::abs(d1)) < clearance)
     {
       continue;
@@ -85,8 +85,8 @@ VTK_INDIRECT_TEST(OccupancyBits)
 
 VTK_INDIRECT_TEST(OccupancyWatertight)
 {
-  // Planes through the cube at all slants, whole and cut into pieces smaller than a voxel, at three
-  // resolutions: one to eight voxels of wall.
+  // Planes through the cube at all slants, whole and divided into pieces smaller than a voxel, at
+  // three resolutions: one to eight voxels of wall.
   Random random(3);
   for (int resolution : { 16, 64, 128 })
   {
@@ -123,8 +123,8 @@ VTK_INDIRECT_TEST(OccupancyWatertight)
 
 VTK_INDIRECT_TEST(OccupancyThickWalls)
 {
-  // Two faces of a wall of one to five voxels, and a gap in it: closed it lets nothing through,
-  // open just what passes the gap.
+  // Two faces of a wall of one to five voxels, and a gap in it: closed it is opaque, open it
+  // transmits just the segments through the gap.
   for (int thickness = 1; thickness <= 5; ++thickness)
   {
     vtkIndirectOccupancyVolume volume;
@@ -162,8 +162,8 @@ VTK_INDIRECT_TEST(OccupancyThickWalls)
 
 VTK_INDIRECT_TEST(OccupancyFree)
 {
-  // A segment is blocked exactly when a dense march along it meets an occupied voxel: from column
-  // to column, and by leaps.
+  // A segment is blocked exactly if a dense march along it meets an occupied voxel: from column to
+  // column, and by leaps.
   Random random(11);
   vtkIndirectOccupancyVolume volume;
   volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 128);
@@ -183,8 +183,8 @@ VTK_INDIRECT_TEST(OccupancyFree)
     const bool free[2] = { volume.IsFree(glm::vec3(a), glm::vec3(b)),
       volume.GetDistanceField().IsFree(glm::vec3(a), glm::vec3(b)) };
     bool met = false;
-    bool deep = false; // and by more than rounding
-    bool near = false; // within rounding of one
+    bool deep = false; // met by more than rounding
+    bool near = false; // an occupied voxel is within rounding
     const glm::ivec3 first(glm::floor(a));
     const glm::ivec3 last(glm::floor(b));
     const int steps = static_cast<int>(50.0 * glm::length(b - a)) + 1;
@@ -294,7 +294,7 @@ VTK_INDIRECT_TEST(OccupancyAlbedo)
   CheckEqual("triangles that nobody asked for", volume.GetTriangles().GetNumberOfTriangles(), 0);
 }
 
-// What reflects in voxels is what reflects in maps: coefficients of both kinds of shading count.
+// Voxels have the same reflectance as maps: coefficients of both kinds of shading count.
 VTK_INDIRECT_TEST(OccupancyMaterials)
 {
   vtkNew<vtkPlaneSource> plane;
@@ -326,7 +326,7 @@ VTK_INDIRECT_TEST(OccupancyMaterials)
 
 VTK_INDIRECT_TEST(TriangleHits)
 {
-  // Against every triangle by itself, with another formula: the plane, and the three areas.
+  // Against every triangle separately, with another formula: the plane, and the three areas.
   Random random(17);
   vtkIndirectOccupancyVolume volume;
   volume.KeepTriangles();
@@ -338,7 +338,7 @@ VTK_INDIRECT_TEST(TriangleHits)
     const double size = i % 3 == 0 ? 0.6 : 0.03;
     triangles.push_back(
       { at, at + size * random.NextDirection(), at + size * random.NextDirection() });
-    // What reaches out of the bounds is in no voxel there.
+    // Parts of triangles outside of the bounds are in no voxel.
     for (glm::dvec3& corner : triangles.back())
     {
       corner = glm::clamp(corner, glm::dvec3(0.0), glm::dvec3(1.0));
@@ -404,7 +404,7 @@ VTK_INDIRECT_TEST(TriangleHits)
   CheckAtLeast("rays that meet one", met, 1500, "the test's own power");
   CheckAtLeast("rays that meet none", compared - met, 1500, "the test's own power");
 
-  // Nothing gets out of a closed box, not through its edges and corners either.
+  // No ray leaves a closed box, not through its edges and corners either.
   vtkIndirectOccupancyVolume box;
   box.KeepTriangles();
   box.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 32);

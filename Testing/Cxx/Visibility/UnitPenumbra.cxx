@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points of a light that has a size, and the maps from each of them.
+// Points of a light with a size, and the maps from each of them.
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Visibility/vtkIndirectPenumbra.h"
@@ -33,8 +33,8 @@ std::vector<glm::dvec3> MakePoints()
   return points;
 }
 
-// What edges of all places across a direction see of the points, against a disk: RMS over the
-// disk's width, and the largest difference.
+// Share of the points on one side of edges at all places across a direction, against a disk: RMS
+// over the disk's width, and the largest difference.
 void Compare(
   const std::vector<glm::dvec3>& points, const glm::dvec3& across, double& rms, double& most)
 {
@@ -87,7 +87,7 @@ vtkIndirectPenumbra::Light Fit(
 }
 
 // The largest coordinate of a caster's corner in the images of the tiles, 1 at their border;
-// infinite where one is not between the planes.
+// infinite if a corner is not between the depth planes.
 double FindReach(const vtkIndirectFrame& frame, const vtkIndirectPenumbra::Light& fit)
 {
   double reach = 0.0;
@@ -137,7 +137,7 @@ VTK_INDIRECT_TEST(LightPoints)
     worstRMS = std::max(worstRMS, rms);
     squares += rms * rms;
   }
-  // Points at random have an RMS of sqrt(v (1 - v) / 32): 0.062 in the mean over the disk's width.
+  // Random points have an RMS of sqrt(v (1 - v) / 32): 0.062 on average over the disk's width.
   CheckAtMost("share of the disk behind an edge, RMS over edges of all directions",
     std::sqrt(squares / directions), 0.03, "half of that of points at random");
   CheckAtMost("worst direction, RMS", worstRMS, 0.06, "that of points at random");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays and patterns of the random walk: the tree meets what a loop over all triangles meets first,
-// and points are spread as evenly as their order promises.
+// Rays and patterns of the random walk: the tree finds the same first hit as a loop over all
+// triangles, and points are as even as their order promises.
 #include "VirtualLights/vtkIndirectSamplePattern.h"
 #include "Visibility/vtkIndirectTriangleTree.h"
 #include "vtkIndirectTestUtilities.h"
@@ -69,7 +69,7 @@ VTK_INDIRECT_TEST(NearestTriangle)
       direction = glm::dvec3(0.0);
       direction[i / 7 % 3] = i % 2 ? 1.0 : -1.0;
     }
-    // A loop with a formula of its own: where the plane is, and the three edges' sides.
+    // A loop with an independent formula: the plane's place, and the three edges' sides.
     double least = std::numeric_limits<double>::infinity();
     size_t first = triangles.size();
     for (size_t k = 0; k < triangles.size(); ++k)
@@ -112,8 +112,8 @@ VTK_INDIRECT_TEST(NearestTriangle)
   Check("an empty tree", !empty.FindNearest({ 0, 0, 0 }, { 0, 0, 1 }, 0, hit));
 }
 
-// Beside VTK's locator, whose answer is a different program's: the same distances. An argument is
-// the number of triangles about, for times.
+// Compares with VTK's locator, an independent program: the same distances. The argument is the
+// approximate number of triangles, for timing.
 VTK_INDIRECT_TEST(NearestTriangleBesideVTK)
 {
   const int asked = GetArguments().empty() ? 20000 : std::stoi(GetArguments().front());
@@ -210,7 +210,7 @@ VTK_INDIRECT_TEST(ScrambledPoints)
   using vtkIndirectSamplePattern::ScrambledPoint;
   for (const std::uint32_t seed : { 0u, 17u, 4711u })
   {
-    // Each box of area 1/256, of whatever shape, holds one of the first 256 points, and of the
+    // Each box of area 1/256, of any shape, contains one of the first 256 points, and one of the
     // next.
     for (const std::uint32_t first : { 0u, 256u })
     {
@@ -233,7 +233,7 @@ VTK_INDIRECT_TEST(ScrambledPoints)
       CheckEqual("boxes without one point", wrong, 0);
     }
   }
-  // Two sequences know nothing of each other.
+  // The two sequences are uncorrelated.
   double product = 0.0;
   for (std::uint32_t i = 0; i < 1024; ++i)
   {

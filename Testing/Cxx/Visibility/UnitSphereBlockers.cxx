@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Segments against spheres in a grid find what a loop over all spheres does, and more than voxels.
+// Tests of segments against spheres in a grid agree with a loop over all spheres, and are more
+// accurate than voxels.
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "Visibility/vtkIndirectSphereGrid.h"
@@ -15,8 +16,8 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-// In double precision, by the distance of the segment from the center. margin: by how much of a
-// radius the answer is near to the other one.
+// In double precision, by the distance of the segment from the center. margin: distance, over a
+// radius, to the opposite answer.
 bool IsFreeByAll(const std::vector<glm::dvec4>& spheres, const glm::dvec3& start,
   const glm::dvec3& end, double& margin)
 {
@@ -32,7 +33,7 @@ bool IsFreeByAll(const std::vector<glm::dvec4>& spheres, const glm::dvec3& start
     const double nearest = glm::length(start + glm::clamp(t, 0.0, 1.0) * along - center);
     const double inside = 1.0 - nearest / sphere.w;
     const bool blocks = s > 0.0 && e > 0.0 && inside > 0.0;
-    // What decides; that of an end that faces away decides nothing.
+    // The decisive distance; an end that faces away decides nothing.
     margin = std::min({ margin, std::abs(inside), std::abs(s), std::abs(e) });
     free = free && !blocks;
   }
@@ -112,7 +113,7 @@ VTK_INDIRECT_TEST(SphereBlockersAreAllSpheres)
       const bool free = IsFreeByAll(spheres, ends[0], ends[1], margin);
       const bool found = grid.IsFree(ends[0], ends[1]);
       blocked += !free;
-      // Single precision of places in up to 60 cells, over radii of a tenth of one and more.
+      // Single precision of positions in up to 60 cells, over radii of a tenth of a cell and more.
       const bool unsure = margin < 1e-4;
       near += unsure;
       wrong += !unsure && free != found;
@@ -125,8 +126,8 @@ VTK_INDIRECT_TEST(SphereBlockersAreAllSpheres)
 }
 
 //------------------------------------------------------------------------------
-// Hundreds of spheres around one place, many more than 8 bits could count in any cell, rows of them
-// that are longer than a grid's cells, and few entries: none is lost. By either formula.
+// Hundreds of spheres around one position, many more than 8 bits can count in any cell, rows of
+// them longer than a grid's cells, and few entries: none is lost. By either formula.
 VTK_INDIRECT_TEST(SphereBlockersAreNotDropped)
 {
   struct Case
@@ -134,7 +135,7 @@ VTK_INDIRECT_TEST(SphereBlockersAreNotDropped)
     const char* Name;
     std::vector<glm::dvec4> Spheres;
     size_t Entries;
-    size_t LongestList; // at least
+    size_t LongestList; // least length
   };
   Random random(61);
   std::vector<Case> cases;
@@ -181,7 +182,7 @@ VTK_INDIRECT_TEST(SphereBlockersAreNotDropped)
     const int count = 1000;
     for (int i = 0; i < count; ++i)
     {
-      // Past a sphere, closely.
+      // Closely past a sphere.
       const glm::dvec4& target = test.Spheres[random.NextBits() % test.Spheres.size()];
       const glm::dvec3 middle = glm::dvec3(target) + 1.3 * target.w * random.NextDirection();
       const glm::dvec3 way = random.NextDirection();
@@ -190,7 +191,7 @@ VTK_INDIRECT_TEST(SphereBlockersAreNotDropped)
       double margin = 0.0;
       const bool free = IsFreeByAll(test.Spheres, start, end, margin);
       blocked += !free;
-      // Single precision of places in 256 cells, over radii of a fortieth of one and more.
+      // Single precision of positions in 256 cells, over radii of a fortieth of a cell and more.
       wrong[0] += margin > 2e-3 && grid.IsFree(start, end) != free;
       wrong[1] += margin > 1e-4 && grid.IsFreeExactly(start, end) != free;
     }
@@ -205,7 +206,7 @@ VTK_INDIRECT_TEST(SphereBlockersAreNotDropped)
 }
 
 //------------------------------------------------------------------------------
-// A sphere does not hide its own surface, whatever the scale: no lift, no tolerance.
+// A sphere does not hide its own surface, at any scale, without offset or tolerance.
 VTK_INDIRECT_TEST(SphereBlockersDoNotHideThemselves)
 {
   Random random(43);
@@ -224,7 +225,7 @@ VTK_INDIRECT_TEST(SphereBlockersDoNotHideThemselves)
       const glm::dvec3 start = glm::dvec3(spheres[0]) + radius * n;
       const glm::dvec3 end = glm::dvec3(spheres[1]) + radius * m;
       const glm::dvec3 way = glm::normalize(end - start);
-      // Cosines within rounding of none are of either side.
+      // Rounding decides the side of cosines near zero.
       if (glm::dot(way, n) > 1e-3 && glm::dot(way, m) < -1e-3)
       {
         ++faced;
@@ -240,8 +241,8 @@ VTK_INDIRECT_TEST(SphereBlockersDoNotHideThemselves)
 }
 
 //------------------------------------------------------------------------------
-// Between places on spheres that face each other, as a gather asks: who is wrong how often. The
-// order is what Testing/Benchmark/sphere_blockers.py finds in larger scenes.
+// Between points on spheres that face each other, as in a gather: how often each method is wrong.
+// The order agrees with Testing/Benchmark/sphere_blockers.py in larger scenes.
 VTK_INDIRECT_TEST(SphereBlockersBesideVoxels)
 {
   Random random(47);

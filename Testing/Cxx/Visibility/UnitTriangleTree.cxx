@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Segments against all triangles of a scene: the tree answers as a loop over them would, nothing
-// gets through edges and corners, and surfaces do not hide their own light.
+// Segments against all triangles of a scene: the tree agrees with a loop over them, edges and
+// corners are watertight, and surfaces do not hide their own light.
 #include "Visibility/vtkIndirectSightLines.h"
 #include "Visibility/vtkIndirectTriangleTree.h"
 #include "vtkIndirectTestUtilities.h"
@@ -65,8 +65,8 @@ enum Answer
   UNDECIDED // within `margin` of an edge, or of an end
 };
 
-// A loop over all triangles with a formula of its own: where the plane is crossed, and how far
-// inside of each edge that is.
+// A loop over all triangles with an independent formula: the crossing of the plane, and its
+// distance inside each edge.
 Answer LoopOverAll(const std::vector<Corners>& triangles, const glm::dvec3& start,
   const glm::dvec3& end, double margin)
 {
@@ -92,7 +92,7 @@ Answer LoopOverAll(const std::vector<Corners>& triangles, const glm::dvec3& star
     {
       return BLOCKED;
     }
-    // NaN, of a segment in the plane, is undecided too.
+    // NaN, for a segment in the plane, is undecided too.
     answer = inside < -margin ? answer : UNDECIDED;
   }
   return answer;
@@ -193,7 +193,7 @@ VTK_INDIRECT_TEST(TreeSameAsLoop)
 VTK_INDIRECT_TEST(TreeWatertight)
 {
   // From inside to outside of closed surfaces: through corners, through edges, and anywhere. None
-  // of a cube's numbers is rounded, all of a turned ball's are.
+  // of a cube's numbers is rounded, all of a rotated ball's are.
   Random random(31);
   for (int kind = 0; kind < 4; ++kind)
   {
@@ -243,7 +243,7 @@ VTK_INDIRECT_TEST(TreeWatertight)
 
 VTK_INDIRECT_TEST(TreeScales)
 {
-  // The same answers at any scale, and at any place that leaves positions digits enough.
+  // The same answers at any scale, and at any place with enough digits for positions.
   Random random(37);
   const std::vector<Corners> triangles = MakeTriangles(random, 300);
   std::vector<std::array<glm::dvec3, 2>> segments;
@@ -252,7 +252,7 @@ VTK_INDIRECT_TEST(TreeScales)
   {
     const glm::dvec3 start = NextInCube(random);
     segments.push_back({ start, NextInCube(random) });
-    // What rounding 1e6 edges away may decide: 1e6 times 2^-52, with room.
+    // Margin of rounding at a distance of 1e6 edges: 1e6 times 2^-52, and more.
     expected.push_back(LoopOverAll(triangles, start, segments.back()[1], 1e-8));
   }
   for (const auto& [scale, place] :
@@ -312,7 +312,8 @@ VTK_INDIRECT_TEST(TreeOddTriangles)
   Check("not where the segment ends on it", !tree.IsBlocked({ 0.2, 0.2, 0 }, { 0.2, 0.2, 0.5 }));
   Check("not a segment without length", !tree.IsBlocked({ 0.2, 0.2, 0.5 }, { 0.2, 0.2, 0.5 }));
 
-  // Thousands at one place, which no plane parts, and sizes over 600 decades, which bins cannot.
+  // Thousands at one place, which no plane separates, and sizes over 600 decades, which bins cannot
+  // separate.
   tree.Clear();
   for (int i = 0; i < 5000; ++i)
   {
@@ -338,7 +339,7 @@ VTK_INDIRECT_TEST(TreeOddTriangles)
 
 VTK_INDIRECT_TEST(TreeFacets)
 {
-  // Points beside a bumpy sheet are brought back to the triangle that they came from.
+  // Finds for points beside a bumpy sheet the triangle that they come from.
   Random random(41);
   const std::vector<Corners> triangles = MakeBall(40);
   vtkIndirectTriangleTree tree;
@@ -361,7 +362,7 @@ VTK_INDIRECT_TEST(TreeFacets)
       const glm::dvec3 point =
         v[0] + a * (v[1] - v[0]) + b * (v[2] - v[0]) + height * side * normal;
       vtkIndirectTriangleTree::Facet facet;
-      // A shading normal is the ball's own.
+      // The shading normal is the ball's own.
       const bool found = tree.FindFacet(point, side * glm::normalize(point), 2e-4, facet);
       const double outwards = glm::dot(normal, v[0]) > 0.0 ? 1.0 : -1.0;
       wrong += !found || glm::length(facet.Normal - side * outwards * normal) > 1e-9 ||
@@ -373,7 +374,7 @@ VTK_INDIRECT_TEST(TreeFacets)
   CheckEqual("points led to another plane, of " + std::to_string(tested), wrong, 0);
   vtkIndirectTriangleTree::Facet facet;
   Check("out of reach there is none", !tree.FindFacet({ 0, 0, 0.99 }, { 0, 0, 1 }, 2e-4, facet));
-  // Where walls meet the normal decides.
+  // At an edge of walls the normal decides.
   Fill(tree, MakeCube(1));
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -386,8 +387,8 @@ VTK_INDIRECT_TEST(TreeFacets)
 
 VTK_INDIRECT_TEST(SightOwnSurfaces)
 {
-  // Inside of convex bodies every point sees every other, however far buffers put it from its
-  // triangle, up to walls' edges; and no point outside sees any through the triangle it lies on.
+  // Inside of convex bodies every point sees every other, at any rounding of buffers, up to walls'
+  // edges; and no point outside sees another through its own triangle.
   Random random(43);
   for (const bool ball : { false, true })
   {
@@ -412,7 +413,7 @@ VTK_INDIRECT_TEST(SightOwnSurfaces)
       }
       const glm::dvec3 point = v[0] + a * (v[1] - v[0]) + b * (v[2] - v[0]);
       const glm::dvec3 cross = glm::cross(v[1] - v[0], v[2] - v[0]);
-      // No triangle of a pole that is as good as a line.
+      // Avoids a pole's degenerate triangles.
       const glm::dvec3 outward =
         glm::length(cross) > 1e-9 ? glm::normalize(cross) : glm::normalize(point);
       const glm::dvec3 normal = side * (glm::dot(outward, point) > 0.0 ? outward : -outward);
@@ -425,7 +426,7 @@ VTK_INDIRECT_TEST(SightOwnSurfaces)
     {
       const auto a = next(-1.0);
       const auto b = next(-1.0);
-      // On one facet neither is in front of the other, but for rounding.
+      // Points on one facet are not in front of each other, but for rounding.
       if (glm::dot(a.Normal, b.Normal) < 1.0 - 1e-9)
       {
         hidden += !lines.IsVisible(a, b);
@@ -434,8 +435,7 @@ VTK_INDIRECT_TEST(SightOwnSurfaces)
       const auto c = next(1.0);
       const auto d = next(1.0);
       seen += lines.IsVisible(c, a);
-      // Neighbours see each other where both are nearer to their edge than the lift over their
-      // angle.
+      // Neighbours see each other if both are nearer to their edge than the lift over their angle.
       seen += glm::dot(c.Normal, d.Normal) < 0.98 && lines.IsVisible(c, d);
     }
     const std::string what = ball ? "ball: " : "cube: ";
@@ -447,7 +447,7 @@ VTK_INDIRECT_TEST(SightOwnSurfaces)
 
 VTK_INDIRECT_TEST(SightContact)
 {
-  // What stands nearer than the lift does not hide, what stands farther does.
+  // Triangles nearer than the lift do not occlude, those farther do.
   const double lift = vtkIndirectSightLines::Lift;
   for (const double gap : { 0.5, 2.0 })
   {
@@ -471,8 +471,8 @@ VTK_INDIRECT_TEST(SightContact)
 
 VTK_INDIRECT_TEST(TreeSpeed)
 {
-  // Printed, not judged: segments between points of 100 000 triangles that fill a room's space, and
-  // of as many that are one surface.
+  // Printed without a limit: segments between points of 100 000 triangles that fill a room, and of
+  // as many that are one surface.
   for (const bool ball : { false, true })
   {
     Random random(47);

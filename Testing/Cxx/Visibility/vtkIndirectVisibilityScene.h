@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene whose estimators sum the same virtual lights at every pixel, so that pictures differ by
-// what hides senders from receivers alone.
+// A scene whose estimators sum the same virtual lights at every pixel, so that pictures differ only
+// by the visibility of senders.
 #ifndef vtkIndirectVisibilityScene_h
 #define vtkIndirectVisibilityScene_h
 
@@ -26,7 +26,7 @@ struct VisibilityScene : Scene
   {
     this->Gather->SetModeToVirtualLights();
     this->Gather->InterpolationOff();
-    this->Splatting->SetPlaneThreshold(0.0); // every pixel for itself
+    this->Splatting->SetPlaneThreshold(0.0); // every pixel has its own sample
     SET_DETAIL(this->Splatting, HalfFloats, false);
     this->Reference->SetModeToVirtualLights();
     this->Sampler->SetNumberOfLights(256);
@@ -43,7 +43,7 @@ struct VisibilityScene : Scene
   }
 };
 
-/** Of the difference, over the mean of b. */
+/** Root mean square of the difference, over the mean of b. */
 inline double RootMeanSquare(const Image& a, const Image& b)
 {
   double sum = 0.0;

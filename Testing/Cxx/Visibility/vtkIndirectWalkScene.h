@@ -51,7 +51,7 @@ struct WalkScene : Scene
     this->SetEye(at(2.2, 1.6, 2.3), at(0.4, 0.3, 0.4), { 0, 1, 0 }, 36, 0.5 * scale, 6 * scale);
   }
 
-  // Flux and irradiance of the first bounce, by rays and by maps.
+  // Compares flux and irradiance of the first bounce, by rays and by maps.
   void CompareWithMaps(const std::string& what, int maps, double tolerance = 0.02)
   {
     this->UseMaps();

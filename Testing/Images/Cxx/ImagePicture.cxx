@@ -39,14 +39,14 @@ void CompareByVTK(vtkRenderWindow* window)
   {
     pointers.push_back(&word[0]);
   }
-  // The macro's, whose threshold depends on the version.
+  // Main of the macro, whose threshold depends on the version.
   const int argc = static_cast<int>(pointers.size());
   char** const argv = pointers.data();
   const int verdict = vtkRegressionTestImage(window);
   CONTRACT_CHECK(verdict == vtkTesting::PASSED, "VTK's metric");
 }
 
-// What of a frame differs from one baseline.
+// Differences of a frame from one baseline.
 std::vector<std::string> FindDifferences(const contract::Pixels& pixels, const Grids& grids,
   const std::string& path, const Tolerance& tolerance)
 {
@@ -103,7 +103,7 @@ Picture::Picture(int width, int height)
 {
   this->Pass->SetEstimator(this->Gather);
   this->Pass->SetSampler(this->Sampler);
-  // Cases of its own show it: steps of edges tell more of what the others are about.
+  // Separate cases test antialiasing: aliased edges show more of the other cases' subjects.
   this->Pass->AntialiasingOff();
   this->AddBuffers("", this->Pass);
 }
@@ -142,7 +142,7 @@ void Run(const std::string& name, void (*draw)(Picture& picture))
   {
     grids[buffer.Label] = MakeGrid(contract::Read(buffer.Pass, buffer.Channel));
   }
-  // What `renew` collects.
+  // Files that `renew` collects.
   WritePNG(folder + "/" + name + ".now.png", pixels);
   WriteGrids(folder + "/" + name + ".now.json", grids);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures of the C++ side of the image suite: a case is a name and a function that sets a picture
-// up. What is compared, and by how much it may differ, is in ImageReference.h.
+// up. ImageReference.h has the comparison and its tolerances.
 #ifndef ImagePicture_h
 #define ImagePicture_h
 
@@ -16,11 +16,11 @@ namespace images
 {
 /**
  * A window of 160 x 120 pixels with one renderer and a pass, which sums 256 virtual lights at each
- * pixel unless a case wants another method: not the automatic choice, which may change.
+ * pixel unless a case sets another method: not the automatic choice, which may change.
  */
 struct Picture : contract::View
 {
-  /** A buffer of a pass that is compared beside the picture; the label is its name in the file. */
+  /** A buffer of a pass, compared beside the picture; the label is its name in the file. */
   struct Buffer
   {
     std::string Label;
@@ -40,17 +40,17 @@ struct Picture : contract::View
   void AddBuffers(const std::string& prefix, vtkIndirectIlluminationPass* pass);
 };
 
-/** An argument of VTK's harness: -T folder, -V baseline. Fails the test when it is not there. */
+/** An argument of VTK's harness: -T folder, -V baseline. Fails the test if it is missing. */
 std::string GetArgument(const std::string& flag);
 
-/** Sets the picture up, renders it, writes what came out, and compares it with the baseline. */
+/** Sets the picture up, renders it, writes the results, and compares it with the baseline. */
 void Run(const std::string& name, void (*draw)(Picture& picture));
 
 ///@{
 /** Scenes: a room with coloured walls, a court without ceiling; a sphere in each. */
 void AddRoom(Picture& picture);
 void AddRoomSurfaces(Picture& picture);
-/** Of the room's light. */
+/** Sets the intensity of the room's light. */
 void SetIntensity(Picture& picture, double intensity);
 void AddCourt(vtkRenderer* renderer);
 /** The sun of the court. */

@@ -101,7 +101,7 @@ Deviation Compare(const Grid& now, const Grid& stored, const Tolerance& toleranc
       const double allowed =
         tolerance.BlockRelative * std::abs(stored.Values[k]) + tolerance.BlockAbsolute * mean;
       const double difference = std::abs(now.Values[k] - stored.Values[k]);
-      // What is no number, or not finite, is the worst there is.
+      // NaN and infinity count as the largest deviation.
       const double deviation = std::isfinite(difference) ? difference / allowed : 1e30;
       worst = std::max(worst, difference == 0.0 ? 0.0 : deviation);
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What baselines hold beside a picture: block means of float buffers, and the metrics. The same in
-// Python: reference.py.
+// Data of baselines beside a picture: block means of float buffers, and the metrics. reference.py
+// has the same in Python.
 //
-// VTK's own metric takes the least difference among neighbours, and a uniform change of 40 of 255
-// is none to it in its versions before 9.4. So pictures are also compared pixel by pixel, and
-// buffers by the means of 16 x 12 blocks.
+// VTK's own metric takes the least difference among neighbours, and before VTK 9.4 it ignores a
+// uniform change of 40 of 255. So pictures are also compared pixel by pixel, and buffers by the
+// means of 16 x 12 blocks.
 #ifndef ImageReference_h
 #define ImageReference_h
 
@@ -16,7 +16,7 @@
 
 namespace images
 {
-/** tolerance.json, which says where each number comes from. */
+/** The numbers of tolerance.json, which gives the origin of each. */
 struct Tolerance
 {
   int PixelStep = 0;
@@ -27,7 +27,7 @@ struct Tolerance
   double BlockShare = 0.0;
   double BlockLimit = 0.0;
 };
-/** Fails the test when a number lacks. */
+/** Fails the test if a number is missing. */
 Tolerance ReadTolerance(const std::string& path);
 
 /** Means over blocks, first row at the bottom; components side by side. */
@@ -44,16 +44,16 @@ Grid MakeGrid(const contract::Floats& buffer);
 struct Deviation
 {
   double Worst = 0.0;
-  int X = -1; // where it is worst
+  int X = -1; // position of the worst block
   int Y = -1;
-  double Share = 0.0; // of the blocks that are off by more than 1
+  double Share = 0.0; // share of blocks with a deviation above 1
   bool IsSmall = false;
 };
 std::ostream& operator<<(std::ostream& os, const Deviation& deviation);
 Deviation Compare(const Grid& now, const Grid& stored, const Tolerance& tolerance);
 
 using Grids = std::map<std::string, Grid>;
-/** Of a file; empty when there is none. A file that is damaged fails the test. */
+/** Reads a file; empty if it does not exist. A damaged file fails the test. */
 Grids ReadGrids(const std::string& path);
 void WriteGrids(const std::string& path, const Grids& grids);
 
@@ -66,7 +66,7 @@ struct PixelDifference
 {
   int Largest = 0;
   double Mean = 0.0;
-  double Share = 0.0; // of the pixels that are off by more than PixelStep
+  double Share = 0.0; // share of pixels with a difference above PixelStep
   bool IsSmall = false;
 };
 PixelDifference Compare(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes that several cases share.
+// Scenes of several cases.
 #include "ImagePicture.h"
 
 #include "vtkLightCollection.h"
@@ -10,7 +10,7 @@ namespace images
 void AddRoomSurfaces(Picture& picture)
 {
   contract::AddRoomSurfaces(picture.Renderer);
-  // The room fills the picture, and is not looked at along its walls: rasterizers differ in pixels
+  // The room fills the picture, and the view is oblique to its walls: rasterizers differ in pixels
   // whose centre lies on an edge.
   vtkCamera* camera = picture.Renderer->GetActiveCamera();
   camera->SetPosition(0.61, 0.58, 2.97);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The metrics must find what they are for. On the baseline of EstimatorVirtualLights.
+// The metrics must detect certain errors, tested on the baseline of EstimatorVirtualLights.
 #include "ImagePicture.h"
 #include "ImageReference.h"
 
@@ -50,7 +50,7 @@ VTK_INDIRECT_TEST(Tolerance)
   CONTRACT_CHECK(!IsSame(brighter, stored["irradiance"], tolerance, "irradiance times 1.03"),
     "3 % more irradiance is not found");
 
-  // A tenth less of it is seen in the picture, too.
+  // A tenth less indirect light is also visible in the picture.
   picture.Pass->SetIndirectScale(0.9);
   const images::PixelDifference darker =
     images::Compare(picture.Grab(), images::ReadPNG(baseline), tolerance);
@@ -73,7 +73,7 @@ VTK_INDIRECT_TEST(Tolerance)
   CONTRACT_CHECK(!images::Compare(lighter, images::ReadPNG(baseline), tolerance).IsSmall,
     "8 of 255 more is not found in the picture");
 
-  // A value that is none.
+  // A NaN.
   contract::Floats undefined = final;
   undefined.Values[0] = std::nanf("");
   CONTRACT_CHECK(!IsSame(undefined, stored["final"], tolerance, "final with a NaN"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn beside the opaque props, and where: behind, in front, in several renderers.
+// Drawing beside the opaque props: behind, in front, in several renderers.
 #include "ImagePicture.h"
 
 #include "vtkMultiresolutionSplattingPass.h"
@@ -70,7 +70,7 @@ VTK_INDIRECT_IMAGE(CompositionTranslucent)
   AddGlass(picture.Renderer, { -0.3, 0, 0.3 }, { 0.4, 0.7, 1.0 }, { 0.3, 0.8, 0.6 });
 }
 
-// Two glasses, one in the other, and depth peeling: the inner one shows through the outer.
+// Two glasses, one in the other, with depth peeling: the inner one is visible through the outer.
 VTK_INDIRECT_IMAGE(CompositionDepthPeeling)
 {
   LookAtCourt(picture);
@@ -81,10 +81,10 @@ VTK_INDIRECT_IMAGE(CompositionDepthPeeling)
   picture.Renderer->SetOcclusionRatio(0.0);
 }
 
-// A cloud that the box stands in.
+// A cloud around the box.
 VTK_INDIRECT_IMAGE(CompositionVolume)
 {
-  // Newer VTKs' own volume shader; Mesa says so with no pass as well.
+  // A warning about newer VTKs' own volume shader, which Mesa gives without a pass as well.
   AllowWarning("`g_dataPos' used uninitialized");
   LookAtCourt(picture);
   constexpr int n = 24;
@@ -164,7 +164,7 @@ VTK_INDIRECT_IMAGE(CompositionTexturedBackground)
   picture.Renderer->TexturedBackgroundOn();
 }
 
-// A second layer with a pass of its own in front of the first one's picture.
+// A second layer with its own pass in front of the first one's picture.
 VTK_INDIRECT_IMAGE(CompositionLayers)
 {
   LookAtCourt(picture);
@@ -185,12 +185,12 @@ VTK_INDIRECT_IMAGE(CompositionLayers)
   picture.AddBuffers("above.", pass);
 }
 
-// The same court by two estimators, side by side, and a renderer with a background alone above the
-// right one: what no renderer covers is not defined.
+// The same court by two estimators, side by side, and a renderer with only a background above the
+// right one: pixels outside of all renderers are undefined.
 VTK_INDIRECT_IMAGE(CompositionViewports)
 {
   LookAtCourt(picture);
-  // A viewport of few pixels has blocks of fewer, in which one of a silhouette counts for too much.
+  // In a small viewport blocks have few pixels, and a single silhouette pixel counts too much.
   picture.Window->SetSize(256, 192);
   picture.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
   picture.Renderer->SetBackground(0.3, 0.1, 0.1);
@@ -231,7 +231,7 @@ VTK_INDIRECT_IMAGE(CompositionFXAA)
   picture.Renderer->UseFXAAOn();
 }
 
-// Around the pass, which then draws a larger picture.
+// A pass around this pass, which makes it draw a larger picture.
 VTK_INDIRECT_IMAGE(CompositionSSAA)
 {
   LookAtCourt(picture);
@@ -240,7 +240,7 @@ VTK_INDIRECT_IMAGE(CompositionSSAA)
   picture.Renderer->SetPass(outer);
 }
 
-// Shadows, and no indirect light: they are black.
+// Shadows without indirect light are black.
 VTK_INDIRECT_IMAGE(CompositionScaleZero)
 {
   LookAtCourt(picture);
@@ -254,7 +254,7 @@ VTK_INDIRECT_IMAGE(CompositionShadowsOff)
   picture.Pass->ShadowsOff();
 }
 
-// Neither: VTK's own picture.
+// Neither shadows nor indirect light: VTK's own picture.
 VTK_INDIRECT_IMAGE(CompositionDelegateAlone)
 {
   LookAtCourt(picture);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What each estimator and each sampler makes of the same room.
+// The same room by each estimator and each sampler.
 #include "ImagePicture.h"
 
 #include "vtkActor.h"
@@ -51,7 +51,7 @@ VTK_INDIRECT_IMAGE(EstimatorAllTexels)
   picture.Gather->SetModeToAllTexels();
 }
 
-// Particles over a ground under a sky that is bright on one side: soft shadows away from it, and
+// Particles over a ground under a sky with a bright side: soft shadows on the other side, and
 // colour on the ground.
 VTK_INDIRECT_IMAGE(EstimatorProxies)
 {
@@ -126,8 +126,7 @@ VTK_INDIRECT_IMAGE(EstimatorInterpolationOff)
   picture.Gather->InterpolationOff();
 }
 
-// What stands between keeps light away: the dark place is behind the sphere as seen from where the
-// spot falls.
+// Occlusion: the dark place is behind the sphere as seen from the spot's lit area.
 VTK_INDIRECT_IMAGE(EstimatorOccupancy)
 {
   images::AddRoom(picture);
@@ -147,8 +146,7 @@ VTK_INDIRECT_IMAGE(EstimatorSplatting)
   picture.Pass->SetEstimator(vtkNew<vtkIndirectSplattingPass>());
 }
 
-// As in the paper each splat ends where its light counts no more: rims on the walls, and less
-// light.
+// As in the paper each splat ends at its bound: rims on the walls, and less light.
 VTK_INDIRECT_IMAGE(EstimatorSplattingCutOff)
 {
   images::AddRoom(picture);
@@ -206,7 +204,7 @@ VTK_INDIRECT_IMAGE(EstimatorMultiresolutionGlossy)
   picture.Buffers.push_back({ "glossy", picture.Pass, "glossy" });
 }
 
-// The paper's own tests.
+// With the paper's own criteria.
 VTK_INDIRECT_IMAGE(EstimatorMultiresolutionPaper)
 {
   images::AddRoom(picture);
@@ -221,7 +219,7 @@ VTK_INDIRECT_IMAGE(EstimatorHints)
   picture.Pass->SetEstimator(vtkNew<vtkRadianceHintsPass>());
 }
 
-// Brighter than EstimatorHints where light comes by more than one way.
+// Brighter than EstimatorHints where light arrives after more than one bounce.
 VTK_INDIRECT_IMAGE(EstimatorHintsBounces)
 {
   images::AddRoom(picture);
@@ -244,7 +242,7 @@ VTK_INDIRECT_IMAGE(EstimatorAutomatic)
   picture.Pass->SetSampler(nullptr);
 }
 
-// An estimator that is set on the renderer by itself.
+// An estimator set on the renderer by itself.
 VTK_INDIRECT_IMAGE(EstimatorAsPass)
 {
   images::AddRoom(picture);
@@ -254,8 +252,8 @@ VTK_INDIRECT_IMAGE(EstimatorAsPass)
   picture.Renderer->SetPass(picture.Gather);
 }
 
-// Lights of three bounces without maps. Brighter than EstimatorGather where light comes by more
-// than one way.
+// Lights of three bounces without maps. Brighter than EstimatorGather where light arrives after
+// more than one bounce.
 VTK_INDIRECT_IMAGE(SamplerRandomWalk)
 {
   images::AddRoom(picture);
@@ -273,7 +271,7 @@ VTK_INDIRECT_IMAGE(EstimatorBounces)
   picture.Pass->SetNumberOfBounces(16);
 }
 
-// So few lights that each shows.
+// So few lights that each is visible.
 VTK_INDIRECT_IMAGE(SamplerUniformFew)
 {
   images::AddRoom(picture);
@@ -294,7 +292,7 @@ VTK_INDIRECT_IMAGE(SamplerUniformJittered)
   picture.Sampler->SetPatternToJittered();
 }
 
-// The spread over whole maps: some of the nine lights are lost.
+// Samples spread over whole maps: some of the nine lights are lost.
 VTK_INDIRECT_IMAGE(SamplerUniformWholeMaps)
 {
   images::AddRoom(picture);
@@ -322,7 +320,7 @@ VTK_INDIRECT_IMAGE(SamplerAutomatic)
   picture.Pass->SetSampler(nullptr);
 }
 
-// A headlight alone: virtual lights are places that the eye sees.
+// A single headlight: virtual lights lie on visible surfaces.
 VTK_INDIRECT_IMAGE(SamplerHeadlight)
 {
   images::AddRoomSurfaces(picture);

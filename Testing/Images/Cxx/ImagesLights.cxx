@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each kind of light. The court is open above; what is in shadow is lit indirectly alone.
+// Each kind of light. The court is open above; only indirect light reaches its shadows.
 #include "ImagePicture.h"
 
 #include "vtkLightKit.h"
@@ -52,7 +52,7 @@ VTK_INDIRECT_IMAGE(LightHeadlight)
   picture.Renderer->AddLight(light);
 }
 
-// None of the user's: the one that VTK makes by itself.
+// The light that VTK creates if there is none.
 VTK_INDIRECT_IMAGE(LightCreatedByVTK)
 {
   images::AddCourt(picture.Renderer);
@@ -108,7 +108,7 @@ VTK_INDIRECT_IMAGE(LightSeveral)
   }
 }
 
-// Of two suns one is off.
+// One of two suns is off.
 VTK_INDIRECT_IMAGE(LightSwitchedOff)
 {
   images::AddCourt(picture.Renderer);

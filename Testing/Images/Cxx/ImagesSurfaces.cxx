@@ -252,7 +252,7 @@ VTK_INDIRECT_IMAGE(SurfaceFlatAndBackface)
   picture.Renderer->AddActor(actor);
 }
 
-// No light reaches the left one, which has its own colour; the right one is ambient in part.
+// The left sphere is unlit, in its own colour; the right one is ambient in part.
 VTK_INDIRECT_IMAGE(SurfaceUnlitAndAmbient)
 {
   AddYard(picture.Renderer);

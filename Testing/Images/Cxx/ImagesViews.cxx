@@ -20,7 +20,7 @@ void Show(images::Picture& picture, const std::string& channel)
   property->SetSpecularColor(1.0, 0.9, 0.7);
   picture.Pass->SetReflectiveShadowMapResolution(160);
   picture.ShowChannel(channel);
-  // Indirect light alone is dark beside what makes it.
+  // Indirect light alone is too dark at the light's usual intensity.
   if (channel == "indirect" || channel == "irradiance" || channel == "glossy")
   {
     images::SetIntensity(picture, channel == "glossy" ? 4.0 : 1.5);
@@ -110,8 +110,8 @@ VTK_INDIRECT_IMAGE(ViewMapOfPoint)
   picture.ShowChannel("rsm0.density");
 }
 
-// The number of splats at each pixel, here of each tile of 16 x 16 pixels, white for 256 of its 256
-// lights.
+// The number of splats at each pixel, here of each tile of 16 x 16 pixels; white means 256, the
+// number of lights.
 VTK_INDIRECT_IMAGE(ViewSplatOverdraw)
 {
   images::AddRoom(picture);

@@ -11,7 +11,7 @@
 
 namespace
 {
-// Rows of a light: three of the matrix, map, depths, and of penumbrae the size.
+// Number of uniform rows of a light: three of the matrix, map, depths, and for a penumbra the size.
 int CountRows(const vtkIndirectLightConstants::Group& group)
 {
   return group.Penumbra ? 6 : 5;
@@ -22,13 +22,13 @@ std::string GetName(const vtkIndirectLightConstants::Group& group)
   return (group.Penumbra ? "vtkiSoftShadows" : "vtkiShadows") + std::to_string(group.Projection);
 }
 
-// A row of one of the group's lights, which is a uniform of its own: no array can be a varying.
+// A row of one light of the group, as a uniform of its own, because arrays cannot be varyings.
 std::string GetRow(const vtkIndirectLightConstants::Group& group, size_t light, int row)
 {
   return GetName(group) + "_" + std::to_string(light) + "_" + std::to_string(row);
 }
 
-// Values of several lights, by the light's number in the loop.
+// Shader expression that chooses among the values of several lights by the loop's index.
 std::string Choose(const std::vector<std::string>& values)
 {
   std::string text = values.back();
@@ -143,7 +143,8 @@ std::string vtkIndirectCaptureLights::GetLookUps(
   }
   if (lights > 1)
   {
-    // The end is no constant: the loop stays one. Pixels of maps take no step of it.
+    // The loop's end is not a constant, so that compilers keep the loop. Pixels of maps run none of
+    // it.
     begin +=
       "  for (int vtkiLight = 0; vtkiLight < (vtkiStage != 0 ? 0 : " + std::to_string(lights) +
       "); ++vtkiLight)\n";

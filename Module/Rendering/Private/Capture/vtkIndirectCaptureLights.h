@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a surface mapper's shader reads of the lights beside VTK's own uniforms: the cosine of each
-// cone, and where each light's shadow map is.
+// Uniforms of the lights that a surface mapper's shader reads beside VTK's own: the cosine of each
+// cone, and the place of each light's shadow map.
 #ifndef vtkIndirectCaptureLights_h
 #define vtkIndirectCaptureLights_h
 
@@ -17,26 +17,26 @@ struct vtkIndirectShadowMaps;
 class vtkIndirectCaptureLights
 {
 public:
-  /** Takes the frame's lights, and the maps that their shadows are looked up in, or null. */
+  /** Takes the frame's lights, and the maps for their shadows, or null. */
   void Update(const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows);
 
   /** Name of VTK's cosine of the cone's angle, which its own code takes at every pixel. */
   static std::string GetConeCosine(int light);
 
   /**
-   * Declarations of what a look-up of these lights' shadows reads. named: each row is a uniform by
-   * itself, which can be a varying, and the loop chooses among them; else rows of several lights
-   * are an array.
+   * Declarations for a shadow look-up of these lights. named: each row is a separate uniform, which
+   * can be a varying, and the loop chooses among them; otherwise the rows of several lights are an
+   * array.
    */
   static std::string GetDeclarations(const vtkIndirectLightConstants::Group& group, bool named);
 
   /**
-   * Text in front of VTK's light code: shares of the lights that are seen, as factors on VTK's own
-   * colours of them.
+   * Text in front of VTK's light code: visibilities of the lights, as factors on VTK's own light
+   * colours.
    */
   static std::string GetLookUps(const vtkIndirectLightConstants::Group& group, bool named);
 
-  /** Sets what the program has of them. */
+  /** Sets those uniforms that the program has. */
   void SetUniforms(
     vtkShaderProgram* program, const std::vector<vtkIndirectLightConstants::Group>& groups) const;
 
@@ -49,7 +49,7 @@ private:
     glm::vec4 ShadowDepth{ 0.0f };
     glm::vec4 Size{ 0.0f };
   };
-  std::vector<Light> Lights; // by vtkIndirectLight::Index
+  std::vector<Light> Lights; // indexed by vtkIndirectLight::Index
 };
 
 #endif

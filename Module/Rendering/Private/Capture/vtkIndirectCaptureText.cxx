@@ -19,8 +19,8 @@ void ReplaceAll(std::string& text, const std::string& from, const std::string& t
   }
 }
 
-// Lights whose uniforms, and those of their shadows, are all handed on as flat varyings: 35
-// components each, and 50 of all else. Beyond, triangles cost more than pixels save.
+// Number of lights whose uniforms, and those of their shadows, are all passed as flat varyings: 35
+// components each, and 50 of all else. With more lights, triangles cost more than pixels save.
 constexpr int MostNamedLights = 3;
 constexpr int MostFlatComponents = 160;
 
@@ -29,9 +29,10 @@ bool Contains(const std::string& text, const char* what)
   return text.find(what) != std::string::npos;
 }
 
-// Instances and impostors stand where their data say, in floats, which VTK's mappers do not shift:
-// far from the origin matrices times places are rounded by more than shapes measure, otherwise in
-// each view. What is left of a place within the scene is exact, and so are views of that.
+// Counts instances and impostors from the scene's centre. Their data place them in floats, which
+// VTK's mappers do not shift: far from the origin the product of matrix and position has a rounding
+// error larger than the shapes, and a different one in each view. Positions relative to the centre
+// are exact, and so is their product with the view.
 void CountFromWithin(std::string& vertexShader, bool soft)
 {
   const std::string glyph = "vec4 vertex = GCMCMatrix * vertexMC;\n";
@@ -39,7 +40,7 @@ void CountFromWithin(std::string& vertexShader, bool soft)
   std::string declarations = "uniform vec3 vtkiWithin;\nuniform mat4 vtkiWithinToView;\n";
   if (Contains(vertexShader, glyph.c_str()) && Contains(vertexShader, "MCDCMatrix * vertex;"))
   {
-    // The place first: what the source adds is small.
+    // Subtract from the instance's position first: the source adds small offsets.
     ReplaceAll(vertexShader, glyph,
       glyph +
         "  mat4 vtkiGlyph = GCMCMatrix;\n"
@@ -60,8 +61,8 @@ void CountFromWithin(std::string& vertexShader, bool soft)
   vtkShaderProgram::Substitute(vertexShader, "void main()", declarations + "void main()", false);
 }
 
-// Edges of faces have a width in pixels: none in a map. VTK draws them within the faces, which up
-// to 9.2 it widens for it.
+// Edges of faces have a width in pixels and are left out of maps. VTK draws them within the faces,
+// which VTK up to 9.2 widens for this.
 void LeaveEdgesOutOfMaps(std::string& geometryShader, std::string& fragmentShader)
 {
   if (!Contains(geometryShader, "edgeEqn") || !Contains(fragmentShader, "edgeEqn"))
@@ -78,7 +79,7 @@ void LeaveEdgesOutOfMaps(std::string& geometryShader, std::string& fragmentShade
       false);
   };
   replace(geometryShader, "uniform int vtkiStage;\n", "0.0");
-  // So thin that no pixel is near enough to have a share of it.
+  // So thin that no pixel is near enough to have a share of an edge.
   replace(fragmentShader, "", "-1.0e6");
 }
 }
@@ -114,7 +115,7 @@ void vtkIndirectCaptureText::Add(
   const bool pbr = Contains(fragmentShader, "vec3 albedo =");
   const bool textured = !pbr && Contains(fragmentShader, "vec4 tcolor =");
 
-  // Visibility, light by light, as a factor on VTK's own light colour.
+  // Multiplies VTK's own light colours by the visibility of each light.
   std::string visibility;
   int lights = 0;
   for (;; ++lights)
@@ -124,11 +125,11 @@ void vtkIndirectCaptureText::Add(
     {
       break;
     }
-    // The only piece of light code that is matched as text: a cosine of a uniform at every pixel.
+    // The only light code matched as text: VTK computes this cosine of a uniform at every pixel.
     ReplaceAll(fragmentShader, "cos(radians(lightConeAngle" + n + "))",
       vtkIndirectCaptureLights::GetConeCosine(lights));
   }
-  // All of so many lights' uniforms can be varyings.
+  // With few lights all uniforms can be varyings.
   const bool flat = this->FlatUniforms && geometryShader.empty();
   const bool named = flat && lights <= MostNamedLights;
   for (const vtkIndirectLightConstants::Group& group : this->LightConstants.GetGroups())
@@ -138,11 +139,11 @@ void vtkIndirectCaptureText::Add(
   }
   if (lit)
   {
-    // Derivatives belong in front of anything that may discard. Impostors of spheres and sticks
-    // have discarded what they do not cover, and their normal is that of the surface.
+    // Derivatives must precede any discard. Impostors of spheres and sticks have discarded
+    // uncovered pixels already; their normal is that of the surface.
     const bool impostor = Contains(fragmentShader, "radiusVCVSOutput") &&
       Contains(fragmentShader, "centerVCVSOutput") && Contains(fragmentShader, "discard");
-    // Neither lines nor what VTK draws in place of lines and points, tubes and spheres, has facets.
+    // Lines have no facets, nor do the tubes and spheres that VTK draws for lines and points.
     const bool analytic = impostor || Contains(fragmentShader, "tubeBasis1") ||
       Contains(fragmentShader, "ZCalcS") || Contains(fragmentShader, "cross(vec3(fdx.y");
     visibility = std::string("  vec2 vtkiSlope = ") +
@@ -173,10 +174,10 @@ void vtkIndirectCaptureText::Add(
   {
     declarations += "uniform int vtkiParallel;\n";
   }
-  // What the sky replaces: PBR's diffuse light of the renderer's environment texture.
+  // The sky replaces this part: PBR's diffuse light of the renderer's environment texture.
   if (Contains(fragmentShader, "envMatrix") && Contains(fragmentShader, "vec3 irradiance = "))
   {
-    // Since 9.6.1 a part of it is specular, what rough surfaces reflect more than once.
+    // Since 9.6.1 a part of it is specular: multiple reflections of rough surfaces.
     const std::string both = "(FmsEms + k_D) * irradiance";
     if (Contains(fragmentShader, both.c_str()))
     {
@@ -201,7 +202,7 @@ void vtkIndirectCaptureText::Add(
     !lit ? "VTKI_SURFACE_UNLIT" : (pbr ? "VTKI_SURFACE_ENCODED" : "VTKI_SURFACE_LINEAR");
   if (pbr)
   {
-    // One; by it SetShaderParameters knows the programs whose colours are encoded.
+    // Always one: SetShaderParameters recognises programs with encoded colours by this uniform.
     declarations += "uniform float vtkiEncoded;\n";
   }
   declarations += "#define VTKI_ALBEDO " + albedo + "\n";
@@ -218,7 +219,7 @@ void vtkIndirectCaptureText::Add(
   }
   LeaveEdgesOutOfMaps(geometryShader, fragmentShader);
   CountFromWithin(vertexShader, this->Soft);
-  // Extensions stand before all but what the preprocessor reads; see vtkIndirectLibAlbedo.glsl.
+  // Extensions must precede all but preprocessor directives; see vtkIndirectLibAlbedo.glsl.
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
     std::string("//VTK::System::Dec\n") + vtkIndirectShaderLibrary::Extensions, false);
   vtkShaderProgram::Substitute(fragmentShader, "void main()", declarations + "void main()", false);
@@ -233,7 +234,7 @@ void vtkIndirectCaptureText::Add(
   }
   if (this->Specular)
   {
-    // VTK declares these where a surface is lit; its PBR has them too and does not use them.
+    // VTK declares these for lit surfaces; its PBR declares them, too, without using them.
     const bool phong = lit && !pbr && Contains(fragmentShader, "vec3 specularColor =") &&
       Contains(fragmentShader, "float specularPower =");
     const bool physical = lit && pbr && Contains(fragmentShader, "vec3 F0 =") &&

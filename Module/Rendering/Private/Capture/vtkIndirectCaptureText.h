@@ -10,18 +10,18 @@ class vtkIndirectLightConstants;
 struct vtkIndirectCaptureText
 {
   const vtkIndirectLightConstants& LightConstants;
-  bool Shadows;       // whether shadows are looked up
-  bool Specular;      // whether the specular colour and power are written
-  bool SpecularOfPBR; // whether F0 and roughness are, in the same place
-  bool FlatUniforms;  // whether uniforms come as flat varyings
-  bool Soft;          // whether alpha says where the mapper draws a surface
+  bool Shadows;       // shadows are looked up
+  bool Specular;      // the specular colour and power are written
+  bool SpecularOfPBR; // F0 and roughness are written in the same place
+  bool FlatUniforms;  // uniforms come as flat varyings
+  bool Soft;          // alpha tells where the mapper draws a surface
 
   /**
-   * Leaves a marker in front of VTK's light code: what the mapper declares is known only after it
+   * Leaves a marker in front of VTK's light code: the mapper's declarations are known only after it
    * has written its own text.
    */
   static void Prepare(std::string& fragmentShader);
-  /** Whether a shader has the text already. */
+  /** True if a shader has the text already. */
   static bool IsAdded(const std::string& fragmentShader);
   /** Adds the text to shaders that are prepared and otherwise complete. */
   void Add(

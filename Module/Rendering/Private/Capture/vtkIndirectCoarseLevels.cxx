@@ -26,7 +26,7 @@ vtkPolyData* FindMesh(vtkActor* actor)
   return mapper ? mapper->GetInput() : nullptr;
 }
 
-// The most by which the actor's matrix lengthens anything, or a bound of it.
+// Largest scale of the actor's matrix, or a bound of it.
 double FindScale(vtkActor* actor)
 {
   const glm::dmat3 m(vtkIndirectFrame::ToGLM(actor->GetMatrix()));
@@ -186,14 +186,15 @@ void vtkIndirectCoarseLevels::Update(vtkIndirectFrame& frame)
       it = this->Entries.erase(it);
       continue;
     }
-    // As renderers release what a mapper has.
+    // Release as renderers release a removed prop's mapper.
     if (!frame.Renderer->HasViewProp(it->Actor))
     {
       this->DiscardBuffers(*it);
     }
     for (vtkIndirectCaster& caster : frame.Casters)
     {
-      // Maps that were drawn without it are stale, and those with it when it is gone.
+      // Maps drawn before the level was added are stale, and so are maps drawn with it after it is
+      // gone.
       caster.Revision = caster.Prop == it->Actor
         ? vtkIndirectRevision::Join(caster.Revision, it->Time)
         : caster.Revision;

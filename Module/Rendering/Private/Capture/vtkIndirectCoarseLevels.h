@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes of fewer triangles that users have given for props, each with how far it is from what the
-// prop draws. Depth maps are drawn of one where that distance is below a share of a texel. It
-// depends on the map and on the prop alone which one is taken, never on time, so that complete maps
-// are the same however many frames they arrived in.
+// Coarse meshes that users have given for props, each with its distance from the prop's own mesh.
+// Depth maps draw a level whose distance is below a share of a texel. The choice depends only on
+// the map and the prop, never on time, so that complete maps are equal, however many frames they
+// took.
 #ifndef vtkIndirectCoarseLevels_h
 #define vtkIndirectCoarseLevels_h
 
@@ -37,32 +37,32 @@ public:
     std::vector<float> Positions;
     std::vector<unsigned int> Indices;
     glm::dvec3 Middle{ 0.0 };
-    double Error = 0.0; // in the mesh's lengths
+    double Error = 0.0; // distance from the prop's mesh, in the mesh's units
     vtkWeakPointer<vtkPolyData> Source;
     vtkSmartPointer<vtkOpenGLBufferObject> PositionBuffer;
     vtkSmartPointer<vtkOpenGLBufferObject> IndexBuffer;
   };
 
-  /** Adds a level of what a prop draws now. Returns why it cannot be, or empty. */
+  /** Adds a level for the prop's current mesh. Returns the reason if it is refused, else empty. */
   std::string Add(vtkProp* prop, vtkPolyData* mesh, double error);
   void Remove(vtkProp* prop);
 
-  /** Forgets levels of what is gone or has changed, and dates casters that have some. Of an actor
-   * that is not in the renderer OpenGL's part is released. */
+  /** Removes levels of props that are gone or have changed, and dates casters that have levels.
+   * Releases the OpenGL objects of an actor that is not in the renderer. */
   void Update(vtkIndirectFrame& frame);
 
-  /** Whether a prop has levels. */
+  /** True if a prop has levels. */
   bool Has(vtkProp* prop) const;
-  /** The least triangles no farther off than this, in world units; null: what the prop draws. On
-   * success also the level's distance in world units. */
+  /** The coarsest level at most this far off, in world units; null: the prop's own mesh. Also
+   * returns the level's distance in world units. */
   Level* Find(vtkProp* prop, double mostError, double& error) const;
 
-  /** Counts what maps were drawn of. */
+  /** Counts the triangles that maps drew, and those of the full meshes. */
   void Count(size_t drawn, size_t full) const;
-  /** Adds what pictures depend on: which levels there are. */
+  /** Adds the levels to a key of pictures. */
   void AppendTo(vtkIndirectKey& key) const;
   void AddToReport(vtkIndirectReport& report) const;
-  /** Releases OpenGL's part; levels stay. */
+  /** Releases OpenGL objects; the levels stay. */
   void Release(vtkWindow* window);
 
 private:
@@ -70,12 +70,12 @@ private:
   {
     vtkWeakPointer<vtkActor> Actor;
     vtkWeakPointer<vtkPolyData> Mesh;
-    vtkTypeUInt64 MeshRevision = 0; // of its shape
-    vtkMTimeType Time = 0;          // of the last level that was added
+    vtkTypeUInt64 MeshRevision = 0; // revision of the mesh's shape
+    vtkMTimeType Time = 0;          // time of the last added level
     std::vector<std::unique_ptr<Level>> Levels;
   };
   std::vector<Entry> Entries;
-  std::vector<vtkSmartPointer<vtkOpenGLBufferObject>> Unused; // until the next frame
+  std::vector<vtkSmartPointer<vtkOpenGLBufferObject>> Unused; // released in the next frame
   mutable double Drawn = 0.0;
   mutable double Full = 0.0;
 

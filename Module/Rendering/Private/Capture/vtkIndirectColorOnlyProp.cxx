@@ -58,7 +58,7 @@ int vtkIndirectColorOnlyProp::RenderOpaqueGeometry(vtkViewport* viewport)
   {
     return 0;
   }
-  // Light of a sky does not reach what has no surface.
+  // The sky's light does not illuminate props without a surface.
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
   const vtkIndirectLightScope lights(renderer, this->Lights);
   if (lights.GetReplaced())

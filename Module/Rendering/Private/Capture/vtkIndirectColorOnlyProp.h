@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stands for a prop that writes colour alone while the geometry buffer is drawn. What a shader does
-// not write is undefined in all other channels, so this lets the prop draw into the colour, and
-// then once more, with nothing blended, into the surface: zero, which is no surface. Without a prop
-// it ends the list of those that are captured: whatever a pass draws after them is colour alone.
+// Stands in for a prop that writes only colour while the geometry buffer is drawn. Outputs that a
+// shader does not write are undefined, so this draws the prop into the colour, and then once more
+// without blending into the surface: zero, which is no surface. Without a prop it ends the list of
+// captured props: passes that draw after it write only colour.
 #ifndef vtkIndirectColorOnlyProp_h
 #define vtkIndirectColorOnlyProp_h
 
@@ -18,8 +18,8 @@ public:
   vtkTypeMacro(vtkIndirectColorOnlyProp, vtkProp);
 
   /**
-   * All must outlive what is drawn through this. prop may be null. lights: those to draw it with;
-   * null: the ones that the renderer has then.
+   * All must outlive the draws through this. prop may be null. lights: lights to draw it with;
+   * null: those that the renderer has at that time.
    */
   void Set(vtkProp* prop, vtkSurfaceCapturePass* capture, vtkLightCollection* lights);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A light that emits nothing, in a renderer that has none, while this lives: without any light VTK
-// draws surfaces unlit, in their full colour and without normals.
+// Adds a light that emits nothing to a renderer without lights, for the lifetime of this object:
+// without any light VTK draws surfaces unlit, in their full colour and without normals.
 #ifndef vtkIndirectDarkLight_h
 #define vtkIndirectDarkLight_h
 
@@ -21,9 +21,9 @@ public:
     {
       this->Light->SetIntensity(0.0);
       this->Light->SetLightTypeToSceneLight();
-      // Not by the renderer, for whom nothing changes.
+      // Added directly to the collection, so that the renderer is not modified.
       this->Renderer->GetLights()->AddItem(this->Light);
-      // Mappers that draw before the eye's lights pass shall know it, too.
+      // Mappers that draw before the eye's lights pass must know the light, too.
       auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
       if (renderer)
       {

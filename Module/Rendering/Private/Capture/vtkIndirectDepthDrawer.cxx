@@ -24,7 +24,7 @@
 
 namespace
 {
-// What mappers and props keep to themselves.
+// Access to private members of mappers and props.
 class MapperAccess : public vtkOpenGLPolyDataMapper
 {
 public:
@@ -50,7 +50,7 @@ public:
 class PropAccess : public vtkProp
 {
 public:
-  // Asking the prop for it would make one.
+  // The prop's getter would create a property.
   static vtkShaderProperty* GetShaders(vtkProp* prop)
   {
     return prop->*(&PropAccess::ShaderProperty);
@@ -69,7 +69,7 @@ vtkOpenGLPolyDataMapper* FindMapper(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   auto* mapper = actor ? vtkOpenGLPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
-  // Of subclasses it is not known what they draw.
+  // Subclasses may draw something else.
   const bool plain = mapper && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
     std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
   return plain ? mapper : nullptr;
@@ -96,7 +96,7 @@ bool vtkIndirectDepthDrawer::CanDraw(vtkProp* prop)
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
   if (actor->GetCoordinateSystem() != vtkProp3D::WORLD)
   {
-    return false; // its matrix is not all that places it
+    return false; // its matrix is not its only placement
   }
 #endif
   vtkProperty* property = actor->GetProperty();

@@ -30,15 +30,15 @@ const vtkIndirectChannel Channels[] = {
     "view", "VTK radiance" },
   { "geometry.surface", "vtkiSurface", "linear depth, octahedral normal and kind, facet's normal",
     GL_RGBA32F, "view", "scene units, 1" },
-  // Only where not all is solid, or something is specular.
+  // Only if not everything is opaque, or a material is specular.
   { "geometry.albedo", "vtkiAlbedo", "albedo", GL_R32F, "-", "1" },
-  // Only where a material of the scene is specular.
+  // Only if a material of the scene is specular.
   { "geometry.specular", "vtkiSpecular", "specular reflectance, power of the lobe or -roughness",
     GL_RGBA16F, "-", "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-// What stands for props that draw colour alone, and one behind all props.
+// Stand-ins for props that draw only colour, and one after all props.
 using StandIns = std::vector<vtkSmartPointer<vtkIndirectColorOnlyProp>>;
 
 StandIns ReplaceColorOnly(
@@ -90,7 +90,7 @@ bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirec
     return false;
   }
   this->Target->Begin();
-  // Where nothing is blended, pixels that something is drawn to need not be cleared before.
+  // Without blending, pixels that are drawn need not be cleared before.
   const bool byGL = vtkIndirectPaths::Get(vtkIndirectPaths::Clear) == vtkIndirectPaths::ClearByGL;
   const bool clearAfter = !byGL && this->HasAlbedoInLit() && this->DepthTellsBackground(frame);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
@@ -102,23 +102,23 @@ bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirec
   }
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
-  // VTK draws opaque props blended too: textures and point sprites have soft edges. Only colour is
-  // mixed: the other channels' alphas hold bits and powers.
+  // VTK also blends opaque props: textures and point sprites have soft edges. Only colour is
+  // blended: the other channels' alphas hold bits and powers.
   state->vtkglEnable(GL_BLEND);
   DisableBlending(state, this->NumberOfChannels);
 
   vtkRenderState s2(s->GetRenderer());
   std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
-  // Flat props are drawn after the composite: labels look the depth of their places up.
+  // Flat props are drawn after the composite: labels read the depth at their places.
   props.erase(std::remove_if(props.begin(), props.end(), vtkIndirectPropKind::IsFlat), props.end());
-  // Where all is solid there are none.
+  // A scene of opaque surfaces has no color-only props.
   const StandIns standIns =
     this->HasAlbedoInLit() ? StandIns() : ReplaceColorOnly(frame, capture, props);
   s2.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   s2.SetFrameBuffer(this->Target->GetFramebuffer());
   s2.SetRequiredKeys(s->GetRequiredKeys());
   capture->BeginEye(frame, shadows, this->Target->GetFramebuffer(), this->NumberOfChannels);
-  // The background is not for this buffer, whatever passes draw into it.
+  // The background stays out of this buffer, whatever passes draw into it.
   vtkTypeBool& clearing = vtkIndirectRendererAccess::Clearing(s->GetRenderer());
   const vtkTypeBool erase = clearing;
   clearing = 0;
@@ -127,7 +127,7 @@ bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirec
   capture->EndStage();
   this->Encoded = capture->HasEncoded();
   this->NumberOfRenderedProps = capture->GetNumberOfRenderedProps();
-  // All draw buffers as VTK's state has them.
+  // Restores the blending of all draw buffers to that of VTK's state.
   state->vtkglEnable(GL_BLEND);
   for (int i = Surface; i < this->NumberOfChannels; ++i)
   {
@@ -144,7 +144,7 @@ bool vtkIndirectGeometryBuffer::DrawDepthOfSamples(
 {
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
-  // Only where it is needed: opaque props are drawn once more.
+  // Only if needed, because it draws opaque props once more.
   if (samples < 2 || !vtkIndirectSwitches::LooksDepthUp(s))
   {
     return false;
@@ -191,8 +191,8 @@ bool vtkIndirectGeometryBuffer::DrawMore(
 //------------------------------------------------------------------------------
 bool vtkIndirectGeometryBuffer::DepthTellsBackground(const vtkIndirectFrame& frame) const
 {
-  // From which share of the far plane's distance on depths are those of the background: half a step
-  // of the depth buffer, over the slope of depth there.
+  // Least share of the far plane's distance whose depths equal the background's: half a step of the
+  // depth buffer, over the slope of depth there.
   constexpr double mostLost = 1e-3;
   const double slope = frame.Parallel ? 1.0 : frame.Near / frame.Far;
   return 0.5 * this->Target->GetDepthStep() < mostLost * slope;
@@ -215,7 +215,7 @@ bool vtkIndirectGeometryBuffer::Clear(vtkOpenGLRenderWindow* window, bool backgr
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDepthFunc(GL_LEQUAL);
     state->vtkglDepthMask(GL_FALSE);
-    // VTK's state does not know the range, and has the default.
+    // VTK's state does not track the depth range and assumes the default.
     glDepthRange(1.0, 1.0);
   }
   this->ClearKernel->Draw();

@@ -13,7 +13,7 @@ void vtkIndirectGeometryChannels::DisableBlending(vtkOpenGLState* state, int cha
     state->vtkglDisable(GL_BLEND);
     return;
   }
-  // VTK's state knows one switch for all draw buffers, and compares it with the first.
+  // VTK's state has one switch for all draw buffers, which it compares with the first.
   for (int i = Surface; i < channels; ++i)
   {
     glDisablei(GL_BLEND, static_cast<unsigned int>(i));

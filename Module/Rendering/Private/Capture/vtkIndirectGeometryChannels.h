@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The channels of the geometry buffer, for what draws into it and what owns it.
+// The channels of the geometry buffer, shared by its owner and the pass that draws into it.
 #ifndef vtkIndirectGeometryChannels_h
 #define vtkIndirectGeometryChannels_h
 
@@ -15,12 +15,12 @@ struct vtkIndirectGeometryChannels
     Specular
   };
 
-  /** Whether a buffer of so many channels has the albedo in its lit texels. */
+  /** True if a buffer with this number of channels has the albedo in its lit texels. */
   static bool IsAlbedoInLit(int channels) { return channels == Albedo; }
 
   /**
-   * Keeps the channels that hold bits or powers from being blended: all but the lit image, and that
-   * too where it holds the albedo. VTK may have switched blending for all of them since.
+   * Disables blending of the channels that hold bits or powers: all but the lit image, and that one
+   * too if it holds the albedo. VTK may have enabled blending for all of them since.
    */
   static void DisableBlending(vtkOpenGLState* state, int channels);
 };

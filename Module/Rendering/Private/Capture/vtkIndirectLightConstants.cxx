@@ -32,7 +32,7 @@ bool vtkIndirectLightConstants::Update(const vtkIndirectFrame& frame, bool shado
     add("int", "lightPositional", n, light.Positional ? "1" : "0");
     if (!light.Positional)
     {
-      continue; // it has no cone
+      continue;
     }
     if (light.ConeAngle >= 90.0)
     {
@@ -69,8 +69,8 @@ std::string vtkIndirectLightConstants::GetDeclarations(const std::string& fragme
       text += constant.Declaration;
     }
   }
-  // A local variable of VTK's already. Where no material of the scene has a lobe, none is
-  // evaluated.
+  // specularColor is a local variable of VTK. If no material of the scene has a lobe, the compiler
+  // drops its evaluation.
   if (!this->Specular && fragmentShader.find("vec3 specularColor =") != std::string::npos)
   {
     text += "  specularColor = vec3(0.0);\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the capture reads of lights' maps, as numbers: it draws into them and looks shadows up in
-// them, and knows nothing else of them.
+// Description of lights' maps for the capture, which draws into them and looks shadows up in them,
+// without access to the maps' owner.
 #ifndef vtkIndirectShadowMaps_h
 #define vtkIndirectShadowMaps_h
 
@@ -31,22 +31,22 @@ struct vtkIndirectShadowMap
   double Attenuation = 1.0; // vtkLight::ShadowAttenuation
 };
 
-/** The maps of a light that has a size, one from each of its points: tiles of one texture. */
+/** The maps of a light with a size, one from each of its points: tiles of one texture. */
 struct vtkIndirectPenumbraMap
 {
-  vtkIndirectShadowMap Map; // of all of them; the first layer is a tile
+  vtkIndirectShadowMap Map; // common values of all maps; the first layer is a tile
   double Size = 0.0; // radius in scene units of a positional light, else sine of its angular radius
-  bool HoldsAll = true; // whether nothing casts shadows beyond the maps
+  bool HoldsAll = true; // no caster is outside the maps
 };
 
 struct vtkIndirectShadowMaps
 {
   std::vector<vtkIndirectShadowMap> Maps;
   int Texels = 0; // along an edge of a map
-  int Unit = -1;  // texture unit that the rows of depths are bound to; -1 where there are none
+  int Unit = -1;  // texture unit of the rows of depths; -1 for none
 
   ///@{
-  /** In place of those maps, of lights that have a size. */
+  /** In place of Maps, for lights with a size. */
   std::vector<vtkIndirectPenumbraMap> Penumbrae;
   int TileTexels = 0; // along an edge of a tile
   int TileColumns = 1;

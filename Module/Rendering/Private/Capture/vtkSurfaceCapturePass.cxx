@@ -58,37 +58,37 @@ struct vtkSurfaceCapturePass::Internals
 
   // Uniforms of the current stage.
   int Stage = Eye;
-  int Channels = 0; // of the geometry buffer
+  int Channels = 0; // number of the geometry buffer's channels
   float SceneScale = 1.0f;
   float Magnitude = 0.0f;
   float DepthRange[3] = { 0.0f, 1.0f, 0.0f };
   int StageIsParallel = 0;
-  bool Encoded = false; // whether the stage has drawn encoded colours
+  bool Encoded = false; // the stage has drawn encoded colours
   vtkIndirectCaptureLights Lights;
   int ShadowUnit = -1;
   bool OwnsUnit = false;
   int TileUnit = -1;
   bool OwnsTileUnit = false;
 
-  // Props by the order in which the eye's stage has drawn them: what has no normal is told apart by
-  // these numbers.
+  // Number of each prop, in the order in which the eye's stage has drawn them: antialiasing tells
+  // surfaces without a normal apart by these numbers.
   std::unordered_map<vtkProp*, int> Numbers;
 
-  // Two numbers a prop: lines and points that are drawn onto faces are shapes of their own.
+  // Each prop has two numbers: lines and points drawn onto its faces count as separate shapes.
   int FindNumber(vtkProp* prop, bool triangles)
   {
     const int next = static_cast<int>(this->Numbers.size());
     return 2 * this->Numbers.emplace(prop, next).first->second + (triangles ? 1 : 0);
   }
 
-  // The geometry buffer.
+  // Framebuffer of the geometry buffer.
   vtkOpenGLFramebufferObject* Framebuffer = nullptr;
   bool Redirected = false;
-  std::unique_ptr<vtkOpenGLState::ScopedglBlendFuncSeparate> Blending; // while there is no surface
+  std::unique_ptr<vtkOpenGLState::ScopedglBlendFuncSeparate> Blending; // while only colour is drawn
 
-  // Draws a shader's outputs to `count` channels from `first` on, and no others. VTK's state keeps
-  // draw buffers by their place in the list and does not see one that becomes shorter: the list
-  // always has all channels.
+  // Draws a shader's outputs to `count` channels from `first` on, and to no others. VTK's state
+  // caches draw buffers by their place in the list and misses a shorter list: the list always has
+  // all channels.
   void UseChannels(int first, int count)
   {
     unsigned int buffers[vtkIndirectGeometryChannels::Specular + 1];
@@ -100,7 +100,7 @@ struct vtkSurfaceCapturePass::Internals
     this->Window->GetState()->vtkglDrawBuffers(static_cast<unsigned int>(this->Channels), buffers);
   }
 
-  // Whether colours and depth of what a map's stage draws next are written.
+  // Selects the writes of the map stage's next draw.
   void UseMap(bool colors, bool depth)
   {
     vtkOpenGLState* state = this->Window->GetState();
@@ -112,15 +112,15 @@ struct vtkSurfaceCapturePass::Internals
   vtkIndirectLightConstants LightConstants;
   vtkOpenGLRenderWindow* Window = nullptr;
 
-  // A stage without shadows looks none up, but its sampler still needs a texture unit that no
-  // sampler of another type uses.
+  // Reserves a texture unit for shaders' shadow samplers in a stage without shadow maps: samplers
+  // of different types cannot share a unit.
   void ReserveUnit()
   {
     this->ShadowUnit = this->Window->GetState()->GetTextureUnitManager()->Allocate();
     this->OwnsUnit = true;
     this->ReserveTileUnit();
   }
-  // The same for the depths of penumbrae, where shaders have their sampler.
+  // Reserves a unit for the depths of penumbrae in the same way, if shaders have that sampler.
   void ReserveTileUnit()
   {
     if (this->LightConstants.HasPenumbrae())
@@ -130,11 +130,11 @@ struct vtkSurfaceCapturePass::Internals
     }
   }
 
-  // Whether uniforms come as flat varyings, for which there must be enough pixels a triangle.
+  // True if uniforms come as flat varyings, which pays if triangles cover enough pixels.
   bool FlatUniforms = false;
 
-  // Returns whether that has changed, which rebuilds all shaders: with hysteresis, so that it is
-  // rare.
+  // Updates FlatUniforms and returns true if it has changed, which rebuilds all shaders: with
+  // hysteresis, to make this rare.
   bool UpdateFlatUniforms(const vtkIndirectFrame& frame)
   {
     const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
@@ -146,7 +146,7 @@ struct vtkSurfaceCapturePass::Internals
     return changed;
   }
 
-  // The camera that a program's lighting uniforms were last set for.
+  // The camera for which a program's lighting uniforms were last set.
   std::unordered_map<vtkShaderProgram*, vtkCamera*> ProgramCameras;
   vtkLightCollection* LightsInUse = nullptr; // to be compared only
   vtkCamera* Camera = nullptr;
@@ -157,8 +157,8 @@ struct vtkSurfaceCapturePass::Internals
 };
 
 //------------------------------------------------------------------------------
-// See CountFromWithin in vtkIndirectCaptureText.cxx: places count from the scene's centre, in the
-// data's own coordinates and rounded as these are.
+// Sets the uniforms of CountFromWithin in vtkIndirectCaptureText.cxx: positions relative to the
+// scene's centre, in the data's own coordinates and rounding.
 void vtkSurfaceCapturePass::Internals::SetWithin(vtkShaderProgram* program, vtkProp* prop) const
 {
   auto* actor = vtkActor::SafeDownCast(prop);
@@ -194,7 +194,7 @@ void vtkSurfaceCapturePass::Internals::SetWithin(vtkShaderProgram* program, vtkP
 
 namespace
 {
-// Which of its primitives a mapper is about to draw.
+// Tells which of its primitives a mapper is about to draw.
 class MapperPrimitive : public vtkOpenGLPolyDataMapper
 {
 public:
@@ -203,7 +203,7 @@ public:
     auto* actor = vtkActor::SafeDownCast(prop);
     auto* polygons = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
     const vtkOpenGLHelper* drawn = polygons ? polygons->*(&MapperPrimitive::LastBoundBO) : nullptr;
-    // Splats are triangles of VTK up to 9.3.
+    // VTK up to 9.3 draws splats as triangles.
     return (!actor || actor->GetProperty()->GetRepresentation() == VTK_SURFACE) && drawn &&
       !mapper->IsA("vtkOpenGLPointGaussianMapperHelper") &&
       (drawn->PrimitiveType == PrimitiveTris || drawn->PrimitiveType == PrimitiveTriStrips);
@@ -284,7 +284,7 @@ void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
   {
     this->SourceTime.Modified();
   }
-  // Other lights may be older than what programs were last given.
+  // Programs may hold uniforms of lights newer than these.
   if (this->Internal->LightsInUse != frame.Renderer->GetLights())
   {
     this->Internal->LightsInUse = frame.Renderer->GetLights();
@@ -338,7 +338,7 @@ void vtkSurfaceCapturePass::BeginEye(const vtkIndirectFrame& frame,
   in.Redirected = false;
   in.Numbers.clear();
   in.Window = frame.Window;
-  // Where all is solid there is nothing that writes colour alone.
+  // In a scene of opaque surfaces no prop writes only colour.
   in.UseChannels(vtkIndirectGeometryChannels::Lit,
     vtkIndirectGeometryChannels::IsAlbedoInLit(channels) ? channels : 1);
   in.Encoded = false;
@@ -350,8 +350,8 @@ void vtkSurfaceCapturePass::BeginEye(const vtkIndirectFrame& frame,
   in.Camera = frame.Renderer->GetActiveCamera();
   in.Renderer = frame.Renderer;
   in.SceneCenter = frame.SceneCenter;
-  // Vertices are floats in the data's own coordinates, up to the distance from the origin at which
-  // VTK's mappers shift them.
+  // Vertices are floats in the data's own coordinates up to this distance from the origin, from
+  // which VTK's mappers shift them.
   constexpr double shiftedFrom = 1e3;
   const double fromOrigin = glm::length(frame.SceneCenter) * frame.SceneScale;
   const double fromEye = glm::length(glm::dvec3(frame.ViewToScene[3]));
@@ -417,8 +417,7 @@ void vtkSurfaceCapturePass::DrawChannel(UnattachedChannel channel)
 void vtkSurfaceCapturePass::BeginCaster(bool sendsLight)
 {
   this->Internal->MapLight.z = sendsLight ? 1.0f : 0.0f;
-  // Depth is the same whoever draws; colours are undefined where the capture's outputs are not
-  // written.
+  // Every shader writes depth; colours are undefined without the capture's outputs.
   this->Internal->UseMap(false, true);
 }
 
@@ -564,11 +563,12 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   {
     program->SetUniformi("vtkiPenumbraTiles", in.TileUnit);
   }
-  // Whatever has switched blending since the stage began must not mix bits.
+  // Disable blending again, which other code may have enabled since the stage began: it would blend
+  // bits.
   if (in.Stage == Internals::Eye)
   {
     in.Lights.SetUniforms(program,
-      in.LightConstants.GetGroups()); // a map holds surfaces, whatever shines on them
+      in.LightConstants.GetGroups()); // a map holds surfaces, independent of lights
     this->UseEyeChannels(prop);
   }
   else if (in.Stage == Internals::Map)
@@ -578,7 +578,7 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
     in.UseMap(triangles, triangles);
   }
 
-  // VTK sends light directions in view coordinates only when the camera or a light has changed; it
+  // VTK sends light directions in view coordinates only if the camera or a light has changed, and
   // does not notice that the program last drew for another camera.
   vtkCamera*& last = in.ProgramCameras[program];
   if (last != in.Camera)
@@ -596,7 +596,7 @@ void vtkSurfaceCapturePass::UseEyeChannels(vtkProp* prop)
   if (vtkIndirectGeometryChannels::IsAlbedoInLit(in.Channels))
   {
     vtkIndirectGeometryChannels::DisableBlending(in.Window->GetState(), in.Channels);
-    return; // all else is as the stage began
+    return; // the stage's initial state holds
   }
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
@@ -608,7 +608,7 @@ void vtkSurfaceCapturePass::UseEyeChannels(vtkProp* prop)
   vtkPointGaussianMapper* splats = FindSplats(prop);
   if (splats && splats->GetEmissive())
   {
-    // Light that is added to what lies behind, whose surface stays; it covers nothing.
+    // This prop adds light to the surface behind it and covers nothing.
     in.UseChannels(vtkIndirectGeometryChannels::Lit, 1);
     in.Window->GetState()->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
     return;
@@ -619,8 +619,8 @@ void vtkSurfaceCapturePass::UseEyeChannels(vtkProp* prop)
     in.UseChannels(vtkIndirectGeometryChannels::Lit, in.Channels);
     return;
   }
-  // Their alpha is one or zero in these channels, see VTKI_SOFT: bits are kept whole. The power of
-  // a lobe has the place of an alpha, and splats have no lobe.
+  // Their alpha is one or zero in these channels, see VTKI_SOFT, so that bits are kept whole. The
+  // lobe's power takes the place of an alpha; splats have no lobe.
   in.UseChannels(vtkIndirectGeometryChannels::Lit, vtkIndirectGeometryChannels::Specular);
   glEnablei(GL_BLEND, vtkIndirectGeometryChannels::Surface);
   glEnablei(GL_BLEND, vtkIndirectGeometryChannels::Albedo);

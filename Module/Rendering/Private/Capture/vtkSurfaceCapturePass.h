@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSurfaceCapturePass
- * @brief Draws surfaces into whatever target is bound, from the eye or from a light
+ * @brief Draws surfaces into the bound target, from the eye or from a light
  *
  * The only object of the module that hooks into mappers' shaders. A light's map is a geometry
- * buffer seen from the light: one object attached to the props serves both, the stage being a
- * uniform. Two objects that alternate would make VTK rebuild every actor's shader source twice a
- * frame.
+ * buffer seen from the light: one object attached to the props serves both, and a uniform tells the
+ * stage. Two alternating objects would make VTK rebuild every actor's shader source twice a frame.
  *
  * From the eye it writes VTK's own shading times each light's visibility, the surface (unit normal
  * in view coordinates, linear depth, kind of shading, albedo). From a light it writes the
  * reflected density per unit light intensity, the surface and the cosine at the geometric normal.
  *
- * Visibility enters VTK's shading by a local variable that shadows the uniform lightColorN, and
- * what the frame's lights and materials make needless (cones, powers and lobes that none of them
- * has) leaves it the same way: by constants that a compiler folds. Of VTK's own code only the
- * cosine of a cone's angle, the width of faces' edges and the declaration of an environment's
- * irradiance are matched as text, and where these are not found nothing changes, so every material
- * of VTK keeps working.
+ * Visibility enters VTK's shading by a local variable that shadows the uniform lightColorN.
+ * Constants in the same place let the compiler drop cones, powers and lobes that no light or
+ * material of the frame has. Of VTK's own code only the cosine of a cone's angle, the width of
+ * faces' edges and the declaration of an environment's irradiance are matched as text; without a
+ * match nothing changes, so every material of VTK keeps working.
  *
  * Approximations: PBR's diffuse part is taken as albedo (1 - metallic) / pi, without VTK's (1 - F):
  * high by the Fresnel reflectance, about 4 %.
@@ -53,23 +51,24 @@ public:
   ///@}
 
   /**
-   * Draws the opaque props of the state in the current stage. Props that are not attached are drawn
-   * as VTK draws them.
+   * Draws the opaque props of the state in the current stage. Unattached props are drawn as VTK
+   * draws them.
    */
   void Render(const vtkRenderState* s) override;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
-   * How often VTK asked for a shader source since construction. A frame in which only lights, the
-   * camera or float properties changed asks for none, but for a light that becomes or ceases to be
-   * positional, a cone or of exponent 0 or 1, and the scene's first or last specular material.
+   * Number of shader sources that VTK has requested since construction. A frame in which only
+   * lights, the camera or float properties changed requests none, except for a light that becomes
+   * or ceases to be positional, a cone or of exponent 0 or 1, and for the scene's first or last
+   * specular material.
    */
   vtkGetMacro(NumberOfShaderBuilds, vtkIdType);
 
   ///@{
   /**
-   * Whether mappers look shadows up. Default on. Shader sources differ, so a change rebuilds them.
+   * Lets mappers look up shadows. Default on. A change rebuilds shaders.
    */
   void SetShadows(bool shadows);
   vtkGetMacro(Shadows, bool);
@@ -78,14 +77,14 @@ public:
 
   ///@{
   /**
-   * Whether mappers write the specular colour and power of what the eye sees, as a third output,
-   * and of what a light sees, of VTK's PBR F0 and minus the roughness.
-   * Default off. Shader sources differ, so a change rebuilds them.
+   * Lets mappers write the specular colour and power as a third output of the eye's stage, and of
+   * light maps, there also F0 and minus the roughness of VTK's PBR. Default off. A change rebuilds
+   * shaders.
    */
   void SetSpecular(bool specular);
   /**
-   * Whether they write F0 and minus the roughness of VTK's PBR of what the eye sees, too; off:
-   * zero. Default off.
+   * Lets the eye's stage write F0 and minus the roughness of VTK's PBR, too; off: zero. Default
+   * off.
    */
   void SetSpecularOfPBR(bool specular);
   vtkGetMacro(Specular, bool);
@@ -94,8 +93,8 @@ public:
 
   ///@{
   /**
-   * Whether VTK's physically based shading adds diffuse light of the renderer's environment
-   * texture, which nothing hides. Default on.
+   * Lets VTK's physically based shading add diffuse light of the renderer's environment texture,
+   * without occlusion. Default on.
    */
   vtkSetMacro(ImageLight, bool);
   vtkGetMacro(ImageLight, bool);
@@ -114,41 +113,40 @@ public:
   ///@{
   /**
    * Attaches this object to those props of a frame whose surfaces it can capture, and detaches it
-   * from those it is attached to. Between the two, mappers of these props draw with the capture's
-   * outputs.
+   * from all. Between the two calls mappers of these props write the capture's outputs.
    */
   void Attach(const vtkIndirectFrame& frame);
   void Detach();
   ///@}
 
   /**
-   * Next stage: from the eye into the first channels of a framebuffer, which is bound, with shadows
-   * from the maps unless null. Whatever does not write the capture's outputs draws into the first
-   * channel alone.
+   * Begins the eye's stage: draws into the first channels of the bound framebuffer, with shadows
+   * from the maps unless null. Props without the capture's outputs draw only into the first
+   * channel.
    */
   void BeginEye(const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows,
     vtkOpenGLFramebufferObject* framebuffer, int channels);
-  /** What the next draw from the eye writes that is not attached; see vtkIndirectColorOnlyProp. */
+  /** Output of the next draw of unattached props from the eye; see vtkIndirectColorOnlyProp. */
   enum UnattachedChannel
   {
     Color,    // the picture
-    NoSurface // zero to the surface
+    NoSurface // a zero surface
   };
   void DrawChannel(UnattachedChannel channel);
   /**
-   * Next stage, after that of the eye: the same once more into the framebuffer that is bound, whose
+   * Begins the stage after the eye's: draws the same again into the bound framebuffer, whose
    * colours are masked.
    */
   void BeginDepth();
-  /** Before each prop that is drawn into a map; whether it sends light too. */
+  /** Precedes each prop drawn into a map. sendsLight: the prop is a sender, too. */
   void BeginCaster(bool sendsLight);
-  /** Next stage: one face of a light's map. */
+  /** Begins the stage of one face of a light's map. */
   void BeginMap(const vtkIndirectFrame& frame, const vtkIndirectMapView& map);
   /** Ends a stage; unbinds its textures. */
   void EndStage();
-  /** Whether the last stage drew physically based materials, whose colours are encoded. */
+  /** True if the last stage drew physically based materials, whose colours are encoded. */
   bool HasEncoded() const;
-  /** Whether what is attached was drawn into another framebuffer in the last stage from the eye. */
+  /** True if attached props were drawn into another framebuffer in the last stage from the eye. */
   bool IsRedirected() const;
 #endif
 
@@ -162,7 +160,7 @@ protected:
   bool Specular = false;
   bool SpecularOfPBR = false;
   bool ImageLight = true;
-  vtkTimeStamp SourceTime; // of the last change to injected text
+  vtkTimeStamp SourceTime; // time of the last change to injected text
 
 private:
   vtkSurfaceCapturePass(const vtkSurfaceCapturePass&) = delete;

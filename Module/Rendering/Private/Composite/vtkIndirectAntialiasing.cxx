@@ -16,8 +16,8 @@
 
 namespace
 {
-// The picture comes in the format of the framebuffer that it is copied from: eight bits, or floats,
-// where what is brighter than white must stay so.
+// The picture has the format of the framebuffer that it is copied from: eight bits, or floats,
+// which keep values above white.
 const vtkIndirectChannel Pictures[][2] = {
   { { "antialiasing.picture", "vtkiPicture", "the picture before", GL_RGBA8, "view",
       "VTK radiance" },
@@ -48,8 +48,8 @@ const vtkIndirectChannel TileChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-// Pixels along an edge of a tile, a divisor of 32: smaller ones leave more pixels alone, larger
-// ones are fewer points.
+// Pixels along an edge of a tile, a divisor of 32: smaller tiles skip more pixels, larger tiles are
+// fewer points.
 constexpr int Tile = 8;
 }
 
@@ -57,7 +57,7 @@ constexpr int Tile = 8;
 struct vtkIndirectAntialiasing::Internals
 {
   std::unique_ptr<vtkIndirectTarget> Picture;
-  unsigned int Format = 0; // of OpenGL, of the picture
+  unsigned int Format = 0; // OpenGL format of the picture
   vtkIndirectTarget Contrasts{ ContrastChannels, false };
   vtkIndirectFullScreenProgram FindContrasts{ "vtkIndirectContrastFS.glsl" };
   vtkIndirectFullScreenProgram FindContrastTiles{ "vtkIndirectContrastTilesFS.glsl" };
@@ -69,11 +69,11 @@ struct vtkIndirectAntialiasing::Internals
   vtkIndirectFullScreenProgram FindTiles{ "vtkIndirectEdgeTilesFS.glsl" };
   vtkIndirectPointProgram Blend{ "vtkIndirectEdgePointVS.glsl", "vtkIndirectEdgePointFS.glsl" };
 
-  bool Refused = false; // something has been, and an error has said so
-  std::string WhyNot;   // of the last frame
+  bool Refused = false; // OpenGL has refused, and an error was reported
+  std::string WhyNot;   // reason of the last frame
 
-  // Sizes and shader definitions that all stages of a frame use.
-  int Rows = 0; // of the edges' image, before those of columns
+  // Sizes and shader definitions of all stages of a frame.
+  int Rows = 0; // rows of the edges' image before those of columns
   int TileCount[2] = { 0, 0 };
   std::string Definitions;
 
@@ -95,7 +95,7 @@ struct vtkIndirectAntialiasing::Internals
     program->SetUniformi("vtkiRows", this->Rows);
   }
 
-  // A copy of the frame's part of the framebuffer that is bound for drawing.
+  // Copies the frame's part of the framebuffer that is bound for drawing.
   bool Copy(const vtkIndirectFrame& frame)
   {
     const unsigned int format = vtkIndirectTarget::FindBoundColorFormat();
@@ -129,7 +129,7 @@ void vtkIndirectAntialiasing::Apply(
   const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
 {
   Internals& in = *this->Internal;
-  // Lines of both directions lie below each other in one image.
+  // The lines of both directions lie one below the other in one image.
   const int lines = frame.Size[0] + frame.Size[1] + 2;
   const int most = vtkTextureObject::GetMaximumTextureSize(frame.Window);
   if (lines > most)
@@ -177,8 +177,8 @@ bool vtkIndirectAntialiasing::Internals::Apply(
 }
 
 //------------------------------------------------------------------------------
-// Contrasts that are seen, then those among them that are no outlines multiplied by zero: what the
-// scene is made of is looked at in tiles with a contrast alone.
+// Finds visible contrasts, then multiplies those that are no outline by zero: surfaces are examined
+// only in tiles with a contrast.
 bool vtkIndirectAntialiasing::Internals::FindOutlines(
   const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
 {
@@ -217,7 +217,7 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
   this->Contrasts.Begin();
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ZERO);
-  // All tiles: the last may reach over the image.
+  // All tiles; the last may extend beyond the image.
   state->vtkglViewport(0, 0, this->TileCount[0] * Tile, this->TileCount[1] * Tile);
   geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
   geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
@@ -274,10 +274,10 @@ bool vtkIndirectAntialiasing::Internals::BlendEdges(
   {
     return false;
   }
-  // Without the test no depth is written.
+  // Disabling the test also disables writing depth.
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_BLEND);
-  // All tiles; the scissor of the frame leaves out what is not the frame's.
+  // All tiles; the frame's scissor removes pixels outside the frame.
   state->vtkglViewport(
     frame.Origin[0], frame.Origin[1], this->TileCount[0] * Tile, this->TileCount[1] * Tile);
   this->Picture->Activate(0, program);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Antialiased edges: morphological antialiasing of the picture that has been composed.
+// Antialiased edges: morphological antialiasing of the composed picture.
 //
 // Reshetov 2009, "Morphological antialiasing"; Jimenez, Echevarria, Sousa, Gutierrez 2012, "SMAA:
-// Enhanced subpixel morphological antialiasing". Edges are where a surface ends, at the background,
-// at another or at a crease, and is seen to: data on a surface stays as it is. Their runs are found
-// in words of 32 bits, and areas are computed rather than looked up. Pixels without an edge are not
-// written, and depth is not either.
+// Enhanced subpixel morphological antialiasing". Edges are visible ends of surfaces, at the
+// background, at another surface or at a crease; data on a surface stays unchanged. Their runs are
+// found in words of 32 bits, and areas are computed rather than looked up. Pixels without an edge,
+// and depth, are not written.
 
 #ifndef vtkIndirectAntialiasing_h
 #define vtkIndirectAntialiasing_h
@@ -25,12 +25,12 @@ public:
   ~vtkIndirectAntialiasing();
 
   /**
-   * Works on the frame's part of the framebuffer that is bound for drawing, where the opaque props
-   * have been composed. Where OpenGL refuses, that picture is left as it is, and after one error
-   * nothing is tried again before Release.
+   * Works on the frame's part of the framebuffer that is bound for drawing, which holds the
+   * composed opaque props. If OpenGL refuses, the picture stays unchanged, and after one error
+   * there is no further attempt before Release.
    */
   void Apply(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
-  /** Why the last frame's edges are left as they are; empty where they are not. */
+  /** Reason why the last frame's edges are not antialiased; empty if they are. */
   const std::string& GetWhyNot() const;
 
   size_t GetBytes() const;

@@ -24,15 +24,15 @@ const vtkIndirectChannel ImageChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-// What can be looked at: names, debug views, PrintSelf and the documentation come from here.
+// Channels for viewing: names, debug views, PrintSelf and the documentation use this table.
 struct Shown
 {
   const char* Name;
   const char* Meaning;
   const char* Unit;
-  int Number; // in shaders
+  int Number; // number in shaders
   int Components;
-  // How it is shown: value * scale + bias. Lengths are shown over the far plane; see ShowImage.
+  // Shown colour: value * scale + bias. Lengths are shown over the far plane; see ShowImage.
   float Scale;
   float Bias;
 };
@@ -73,7 +73,7 @@ const Shown MapChannels[] = {
 struct vtkIndirectComposite::Internals
 {
   vtkIndirectTarget Image{ ImageChannels, false };
-  // Linear colours only, or encoded ones too.
+  // One program for linear colours only, one for encoded colours too.
   vtkIndirectFullScreenProgram Composite[2] = { { "vtkIndirectCompositeFS.glsl" },
     { "vtkIndirectCompositeFS.glsl" } };
   vtkIndirectFullScreenProgram DrawChannel{ "vtkIndirectChannelFS.glsl" };
@@ -87,7 +87,7 @@ struct vtkIndirectComposite::Internals
     return input.Estimate && input.Estimate->Glossy && input.Geometry.HasSpecular();
   }
 
-  // Programs are built for how the irradiance comes.
+  // The program depends on the form of the irradiance.
   static vtkShaderProgram* Use(
     vtkIndirectFullScreenProgram& kernel, const Input& input, const std::string& definitions)
   {
@@ -273,8 +273,7 @@ bool vtkIndirectComposite::Composite(const Input& input)
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   const bool encoded = input.Geometry.HasEncoded();
   vtkIndirectFullScreenProgram& kernel = in.Composite[encoded];
-  // Where nothing has been drawn before, copying depth is cheaper than testing and writing each
-  // pixel's.
+  // On an empty target, copying depth is cheaper than testing and writing it pixel by pixel.
   const bool copied = input.DepthDrawn ||
     (input.DepthCleared &&
       vtkIndirectPaths::Get(vtkIndirectPaths::Depth) == vtkIndirectPaths::DepthByCopy &&
@@ -292,7 +291,7 @@ bool vtkIndirectComposite::Composite(const Input& input)
   }
   else
   {
-    // The depth test keeps what an earlier layer has drawn in front.
+    // The depth test keeps earlier layers in front.
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDepthFunc(GL_LEQUAL);
     state->vtkglDepthMask(GL_TRUE);
@@ -396,7 +395,7 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::function
   const int components = draw();
   in.Image.End();
   in.Channel = &shown[components == 3];
-  in.Farthest = 8.0; // what a length of one component, such as a level, is shown over
+  in.Farthest = 8.0; // scale of a component such as a level
   return components > 0;
 }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Direct light plus albedo times irradiance, and every channel of a frame as an image
 //
-// Draws over what the target holds: background, gradients and transparency stay as they are, and
-// the depth of the opaque props is written. Pixels of VTK's PBR are decoded with gamma 2.2, added
-// to and encoded again; others are linear. VTK divides PBR's diffuse reflection by pi in its
-// lights, while the irradiance here is physical over pi, so both kinds add albedo times E.
+// Draws over the target: background, gradients and transparency stay as they are, and the depth of
+// the opaque props is written. Pixels of VTK's PBR are decoded with gamma 2.2, added to and encoded
+// again; others are linear. VTK divides PBR's diffuse reflection by pi in its lights, while the
+// irradiance here is physical over pi, so both kinds add albedo times E.
 //
 // Channels, as floats in world units and coordinates, background 0: `final`, `direct`, `indirect`
-// (albedo E + glossy), `irradiance` (E) and its parts `sky`, `area` and `bounce`, `glossy` (what
-// receivers reflect specularly), `albedo`, `normal`, `depth` (along the view axis), `specular`
-// (reflectance, and in a fourth component the power of the lobe, of VTK's PBR minus its roughness;
-// zero where nothing is computed of it).
+// (albedo E + glossy), `irradiance` (E) and its parts `sky`, `area` and `bounce`, `glossy`
+// (specular reflection by receivers), `albedo`, `normal`, `depth` (along the view axis), `specular`
+// (reflectance, and in a fourth component the power of the lobe, for VTK's PBR minus its roughness;
+// zero if no specular reflection is computed).
 
 #ifndef vtkIndirectComposite_h
 #define vtkIndirectComposite_h
@@ -44,42 +44,42 @@ public:
     const vtkReflectiveShadowMapPass* Maps; // null without maps
     const vtkIndirectEstimate* Estimate;    // null for none
     const vtkIndirectTarget* Sky;           // irradiance from the environment, null for none
-    const vtkIndirectTarget* SkyBounce;     // what is reflected of that, null for none beside
-    int SkyBounceChannel;                   // the estimate; of that image
+    const vtkIndirectTarget* SkyBounce;     // reflection of the sky's light, null for none
+    int SkyBounceChannel;                   // channel of that image which holds the estimate
     const vtkIndirectTarget* Area;          // irradiance from area lights
-    const vtkIndirectTarget* AreaGlossy;    // what is reflected specularly of these
-    glm::dvec3 Greatest; // irradiance that nothing exceeds, of all but VTK's lights
+    const vtkIndirectTarget* AreaGlossy;    // specular reflection of area lights
+    glm::dvec3 Greatest;                    // upper bound of the irradiance, without VTK's lights
     double IndirectScale;
-    bool DepthCleared; // of the framebuffer that is bound: nothing is drawn there yet
-    bool DepthDrawn;   // there: the depth of the frame's opaque props is there already
+    bool DepthCleared; // the bound framebuffer is empty
+    bool DepthDrawn;   // the bound framebuffer has the depth of the frame's opaque props
   };
 
   /** Index of a channel of the frame, or -1. */
   static int FindChannel(const std::string& name);
   /** Map and channel (0 depth, 1 normal, 2 density) of a name such as rsm0.depth. */
   static bool ParseMapChannel(const std::string& name, int& map, int& channel);
-  /** Names that FindChannel and ParseMapChannel know, for messages. */
+  /** Names accepted by FindChannel and ParseMapChannel, for messages. */
   static std::string GetChannelNames();
-  /** A line each: name, meaning, unit, number of components. */
+  /** Prints a line for each channel: name, meaning, unit, number of components. */
   static void PrintChannels(std::ostream& os, vtkIndent indent);
 
-  /** Draws the frame into the framebuffer that is bound. */
+  /** Draws the frame into the bound framebuffer. */
   bool Composite(const Input& input);
 
   /**
-   * Renders a channel into an image of this pass's own. Returns false for unknown names and maps
-   * that the frame does not have.
+   * Renders a channel into an own image. Returns false for unknown names and maps that the frame
+   * does not have.
    */
   bool RenderChannel(const Input& input, const std::string& name);
   /**
-   * The same for a buffer of somebody else's: `draw` draws it, and returns the number of its
-   * components, 1 or 3, or 0 when it cannot.
+   * Renders another object's buffer: `draw` draws it, and returns the number of its components, 1
+   * or 3, or 0 if it cannot.
    */
   bool RenderChannel(const Input& input, const std::function<int()>& draw);
-  /** Copies that image: float, one component for lengths, three for colours and vectors,
+  /** Copies the rendered channel: float, one component for lengths, three for colours and vectors,
    * four for specular. */
   void CopyImage(vtkImageData* image);
-  /** Shows that image in the framebuffer that is bound. */
+  /** Shows the rendered channel in the bound framebuffer. */
   bool ShowImage(const Input& input);
   void Release(vtkWindow* window);
 

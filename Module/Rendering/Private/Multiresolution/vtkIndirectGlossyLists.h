@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists of texels with the sets of lights that are still to be resolved for each, in a storage
-// buffer, with the sizes of the indirect dispatches that work through them; see
-// vtkIndirectGlossyStorage.glsl. Needs OpenGL 4.3.
+// Lists of texels, each with the set of lights that it still has to resolve, in a storage buffer,
+// with the sizes of the indirect dispatches for them; see vtkIndirectGlossyStorage.glsl. Needs
+// OpenGL 4.3.
 #ifndef vtkIndirectGlossyLists_h
 #define vtkIndirectGlossyLists_h
 
@@ -18,25 +18,25 @@ class vtkIndirectGlossyLists
 public:
   vtkIndirectGlossyLists();
 
-  /** Bytes that the lists of so many texels and lights take. */
+  /** Bytes of the lists for this many texels and lights. */
   static size_t GetBytes(size_t entries, int lights);
 
-  /** Empties the lists; capacities[i] texels are room enough for list i. */
+  /** Empties the lists; list i has space for capacities[i] texels. */
   void Begin(
     vtkOpenGLRenderWindow* window, const std::vector<size_t>& capacities, int numberOfLights);
 
   /** Binds the buffer to a program. */
   void Activate(vtkShaderProgram* program) const;
-  /** Where in the buffer a list begins, in words. */
+  /** Begin of a list in the buffer, in words. */
   int GetFirst(size_t list) const { return static_cast<int>(this->First[list]); }
   void Deactivate() const { this->Buffer.Deactivate(); }
 
-  /** Between programs that append and those that read. */
+  /** Separates programs that append from those that read. */
   static void Wait();
   /** One invocation for each entry, rounded up to groups; the program must be current. */
   void Dispatch(size_t list) const { this->Buffer.Dispatch(list); }
 
-  /** Entries of a list, and lights in their sets together. Waits for the GPU. */
+  /** Entries of a list, and the total number of lights in their sets. Waits for the GPU. */
   struct Size
   {
     size_t Texels = 0;
@@ -52,7 +52,7 @@ private:
   size_t GetStride() const;
 
   vtkIndirectCommandBuffer Buffer;
-  int Words = 0; // of a set
+  int Words = 0; // words of a set
   std::vector<size_t> First;
 };
 

@@ -40,7 +40,7 @@ size_t GetMaximumBytes()
 #endif
 }
 
-// Texels of each list: those that are split, and those that are whole.
+// Texels of each list: split ones, and whole ones.
 std::vector<size_t> GetCapacities(const vtkIndirectSubsplatPyramid& pyramid)
 {
   std::vector<size_t> capacities;
@@ -48,7 +48,7 @@ std::vector<size_t> GetCapacities(const vtkIndirectSubsplatPyramid& pyramid)
   {
     const vtkIndirectTarget& level = pyramid.GetSurface(number);
     const size_t texels = static_cast<size_t>(level.GetWidth()) * level.GetHeight();
-    // The last level is split in any case.
+    // The last level is always split.
     capacities.insert(
       capacities.end(), { texels, number < pyramid.GetNumberOfLevels() ? texels : 0 });
   }
@@ -204,7 +204,7 @@ void vtkIndirectGlossySubsplats::SetLevelUniforms(
   program->SetUniformf("vtkiEdge", vtkIndirectSubsplatPyramid::EdgeOf(number));
   program->SetUniformf("vtkiCoarserEdge", vtkIndirectSubsplatPyramid::EdgeOf(number + 1));
   program->SetUniformf("vtkiStorageScale", static_cast<float>(settings.StorageScale));
-  // Also with the paper's test of depths: lobes see what lies beside a plane.
+  // Also with the paper's test of depths, because lobes show surfaces beside the plane.
   program->SetUniformf(
     "vtkiSamePlane", static_cast<float>(std::max(settings.PlaneThreshold, 0.01)));
   program->SetUniformf(
@@ -317,7 +317,7 @@ bool vtkIndirectGlossySubsplats::Evaluate(
   const GLenum format = this->HalfFloats ? GL_RGBA16F : GL_RGBA32F;
   glBindImageTexture(0, target.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, format);
   program->SetUniformi("vtkiGlossyImage", 0);
-  // What was drawn into the image must have arrived: llvmpipe does not wait for it by itself.
+  // Waits for draws into the image, which llvmpipe does not do by itself.
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   this->Lists.Dispatch(list);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
@@ -351,7 +351,7 @@ bool vtkIndirectGlossySubsplats::Fill(const Input& input, const Settings& settin
   {
     vtkIndirectTarget& target = number == 0 ? glossy : *this->Levels[number - 1];
     done = this->Interpolate(work, number, target) && this->Evaluate(work, number, target, false);
-    // No texel of the last level is whole.
+    // The last level has no whole texel.
     done =
       done && (number + 1 == this->Levels.size() || this->Evaluate(work, number, target, true));
   }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Indirect light in receivers' specular lobes, refined light by light. Nichols and Wyman 2009,
 // "Multiresolution splatting for indirect illumination", section 4.1: a list of subsplats for each
-// virtual light, refined by the illumination that is computed.
+// virtual light, refined by the computed illumination.
 //
 // From the coarsest level down, each listed texel holds the set of lights that its level does not
-// resolve. A light whose values at the children are what its coarse samples interpolate to ends
-// there; where it does not, the residual is added to the children's level. The picture of a level
-// is that of the level above, interpolated, plus its residuals, so lights that end on different
-// levels do not mix.
+// resolve. A light ends at a texel if its values at the children agree with the interpolation of
+// its coarse samples; otherwise the residual is added to the children's level. The picture of a
+// level is the interpolated picture of the level above plus its residuals, so lights that end on
+// different levels stay separate.
 #ifndef vtkIndirectGlossySubsplats_h
 #define vtkIndirectGlossySubsplats_h
 
@@ -25,16 +25,17 @@ public:
   using Input = vtkIndirectEstimateInput;
   using Settings = vtkIndirectSubsplatSettings;
 
-  /** Whether the lists of a frame fit into memory that drivers give to one buffer. */
+  /** True if the lists of a frame fit into the largest buffer of the driver. */
   static bool Fits(const vtkIndirectSubsplatPyramid& pyramid, int numberOfLights);
 
-  /** Creates or resizes the levels. Returns false, after an error, when OpenGL refuses. */
+  /** Creates or resizes the levels. Returns false, after an error, if OpenGL refuses. */
   bool Resize(
     vtkOpenGLRenderWindow* window, const vtkIndirectSubsplatPyramid& pyramid, bool halfFloats);
 
   /**
-   * Fills `glossy`, of the frame's size. irradiance: of the same frame, stored alike; what a light
-   * may be left out or interpolated with is GlossyThreshold times it over the number of lights.
+   * Fills `glossy`, of the frame's size. irradiance: of the same frame, in the same storage; a
+   * light may be left out or interpolated up to an error of GlossyThreshold times the irradiance
+   * over the number of lights.
    */
   bool Fill(const Input& input, const Settings& settings, const vtkIndirectSubsplatPyramid& pyramid,
     vtkIndirectLightBlock& lights, const vtkIndirectTarget& irradiance, vtkIndirectTarget& glossy);
@@ -46,7 +47,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  struct Work; // what the steps below share
+  struct Work; // data that the steps below share
   bool FillLobes(const Work& work);
   bool ListFirst(const Work& work);
   bool Interpolate(const Work& work, size_t number, vtkIndirectTarget& target);
@@ -58,13 +59,13 @@ private:
   std::vector<std::unique_ptr<vtkIndirectTarget>> Lobes;  // [i] is level i + 1
   std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // the same
   bool HalfFloats = true;
-  vtkIndirectGlossyLists Lists; // of level n: 2 n - 2 the split texels, 2 n - 1 the whole ones
+  vtkIndirectGlossyLists Lists; // level n: list 2 n - 2 of split texels, 2 n - 1 of whole ones
   vtkIndirectFullScreenProgram LobeOfPixels{ "vtkIndirectGlossyLobeFS.glsl" };
   vtkIndirectFullScreenProgram Lobe{ "vtkIndirectGlossyLobeFS.glsl" };
   vtkIndirectFullScreenProgram UpsamplePixels{ "vtkIndirectGlossyUpsampleFS.glsl" };
   vtkIndirectFullScreenProgram Upsample{ "vtkIndirectGlossyUpsampleFS.glsl" };
   vtkIndirectComputeProgram First{ "vtkIndirectGlossyFirstCS.glsl" };
-  // Of texels and of pixels, each under split and under whole texels.
+  // For texels and for pixels, each under split and under whole texels.
   vtkIndirectComputeProgram Sums[4] = { vtkIndirectComputeProgram("vtkIndirectGlossyCS.glsl"),
     vtkIndirectComputeProgram("vtkIndirectGlossyCS.glsl"),
     vtkIndirectComputeProgram("vtkIndirectGlossyCS.glsl"),

@@ -30,8 +30,8 @@ const vtkIndirectChannel FloatChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-// Split texels of one invocation, which fetches a light once for all below them, and invocations of
-// a group of 64.
+// Split texels for one invocation, which fetches a light once for all texels below them, and
+// invocations in a group of 64.
 std::string GetGrouping()
 {
   return vtkIndirectPaths::Get(vtkIndirectPaths::Grouping) == vtkIndirectPaths::GroupingOfFour
@@ -116,7 +116,7 @@ void vtkIndirectSubsplatIllumination::SetUniforms(vtkShaderProgram* program, con
   program->SetUniformi("vtkiSplits", !settings.HalfResolution);
   program->SetUniformi("vtkiCorrectNormals", settings.NormalCorrection);
   program->SetUniformf("vtkiSurfaceDetail", static_cast<float>(settings.SurfaceDetail));
-  // The paper takes all neighbours that have illumination.
+  // The paper interpolates from all illuminated neighbours.
   const double any = 1.0e6;
   program->SetUniformf(
     "vtkiSamePlane", static_cast<float>(settings.DepthRange ? any : settings.PlaneThreshold));
@@ -144,9 +144,9 @@ const vtkIndirectTarget& vtkIndirectSubsplatIllumination::ActivateSurface(
 }
 
 //------------------------------------------------------------------------------
-// Where a level's neighbourhood is smooth a filter fetch does; the first draw writes depth one half
-// there and leaves one elsewhere, so that the second runs on the rest only. Early depth tests
-// branch where shaders cannot.
+// A filtered fetch interpolates smooth neighbourhoods: the first draw writes depth one half there
+// and leaves one elsewhere, so that the second draw runs only on the rest. Early depth tests branch
+// where shaders cannot.
 bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
 {
   vtkIndirectFullScreenProgram& smooth = work.Number == 0 ? this->SmoothPixels : this->SmoothTexels;
@@ -222,7 +222,7 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
   }
   const vtkIndirectSubsplatList& lists = work.Pyramid.GetLists();
   lists.Activate(program, work.Number);
-  // What was drawn into the images must have arrived: llvmpipe does not wait for it by itself.
+  // Waits for draws into the images, which llvmpipe does not do by itself.
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   lists.Dispatch(work.Number);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);

@@ -13,44 +13,44 @@ class vtkIndirectSubsplatIllumination
 public:
   enum Renderer
   {
-    Points,    // one for each leaf and light, added by blending
-    Fragments, // full-screen passes in which leaves sum over the lights
-    Compute    // invocations for lists of split texels, four leaves each
+    Points,    // a blended point for each leaf and light
+    Fragments, // full-screen passes whose leaves sum over the lights
+    Compute    // compute invocations for lists of split texels, four leaves each
   };
 
   using Input = vtkIndirectEstimateInput;
   using Settings = vtkIndirectSubsplatSettings;
 
-  /** Creates or resizes the levels; pixels: the image to be filled, whose depth they share. */
+  /** Creates or resizes the levels; pixels: the image to fill, whose depth they share. */
   bool Resize(vtkOpenGLRenderWindow* window, const vtkIndirectSubsplatPyramid& pyramid,
     const vtkIndirectTarget& pixels, bool halfFloats);
 
   /** Illuminates all levels but pixels, coarse to fine. */
   bool FillLevels(const Input& input, const Settings& settings, Renderer renderer,
     vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights);
-  /** Then the image. */
+  /** Fills the image from these levels. */
   bool FillPixels(const Input& input, const Settings& settings, Renderer renderer,
     vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights, vtkIndirectTarget& pixels);
 
-  /** Irradiance, vector irradiance and what they are, of level `number`, from 1 on. */
+  /** Irradiance, vector irradiance and their states at level `number`, from 1 on. */
   const vtkIndirectTarget& GetLevel(size_t number) const { return *this->Levels[number - 1]; }
 
   size_t GetBytes() const;
   void Release(vtkWindow* window);
 
 private:
-  // What the steps below share.
+  // Data that the steps below share.
   struct Work
   {
     const Input& In;
     const Settings& Set;
     vtkIndirectSubsplatPyramid& Pyramid;
     vtkIndirectLightBlock& Lights;
-    vtkIndirectTarget& Target; // of the level that is written
-    size_t Number;             // of that level, 0 for pixels
+    vtkIndirectTarget& Target; // target of the written level
+    size_t Number;             // number of that level, 0 for pixels
   };
-  // Whether leaves side by side share what they ask of depth maps: in moving frames, where the
-  // look-ups are half of the time and a shadow's border may be a leaf aside.
+  // True if neighbouring leaves share shadow look-ups: in moving frames, where look-ups take half
+  // of the time and a shadow's border may be off by a leaf.
   static bool SharesLooks(const Work& work);
   void Define(const Work& work, Renderer renderer);
   bool Fill(const Work& work, Renderer renderer);
@@ -70,7 +70,7 @@ private:
     "vtkIndirectSubsplatPointFS.glsl" };
   vtkIndirectPointProgram PixelPoints{ "vtkIndirectSubsplatPointVS.glsl",
     "vtkIndirectSubsplatPointFS.glsl" };
-  // Of still frames, and of those that share looks into depth maps.
+  // For still frames, and for frames with shared look-ups.
   vtkIndirectComputeProgram TexelBlocks[2] = { vtkIndirectComputeProgram(
                                                  "vtkIndirectSubsplatBlockCS.glsl"),
     vtkIndirectComputeProgram("vtkIndirectSubsplatBlockCS.glsl") };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists of the texels that are split, one a level, in a storage buffer, with the sizes of the
-// indirect dispatches that work through them; see vtkIndirectSubsplatStorage.glsl. Needs
-// OpenGL 4.3.
+// Lists of split texels, one for each level, in a storage buffer, with the sizes of the indirect
+// dispatches for them; see vtkIndirectSubsplatStorage.glsl. Needs OpenGL 4.3.
 #ifndef vtkIndirectSubsplatList_h
 #define vtkIndirectSubsplatList_h
 
@@ -18,12 +17,12 @@ class vtkIndirectSubsplatList
 public:
   vtkIndirectSubsplatList();
 
-  /** Empties the lists; capacities[i] entries are room enough for list i. */
+  /** Empties the lists; list i has space for capacities[i] entries. */
   void Begin(vtkOpenGLRenderWindow* window, const std::vector<size_t>& capacities);
 
-  /** After the last program that appends: makes the lists visible to those that read them. */
+  /** Follows the last program that appends: makes the lists visible to programs that read them. */
   void End();
-  /** Replaces all lists, where shaders cannot append to them. */
+  /** Replaces all lists if shaders cannot append to them. */
   void Fill(vtkOpenGLRenderWindow* window, const std::vector<std::vector<unsigned int>>& lists);
 
   /** Binds the buffer to a program that appends to, or reads, one of the lists. */
@@ -35,7 +34,7 @@ public:
 
   /** Entries in a list. Waits for the GPU. */
   int Count(size_t list) const { return static_cast<int>(this->Buffer.Count(list)); }
-  /** The buffer, and where in it the entries of a list begin. */
+  /** The buffer, and the begin of a list's entries in it. */
   unsigned int GetBuffer() const { return this->Buffer.GetHandle(); }
   size_t GetOffset(size_t list) const { return this->Buffer.GetOffset(this->First[list]); }
 
@@ -45,7 +44,7 @@ public:
 
 private:
   vtkIndirectCommandBuffer Buffer;
-  std::vector<unsigned int> First; // of each list, in entries
+  std::vector<unsigned int> First; // begin of each list, in entries
 };
 
 #endif

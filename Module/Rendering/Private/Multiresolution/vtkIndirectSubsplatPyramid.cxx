@@ -219,7 +219,7 @@ bool vtkIndirectSubsplatPyramid::Build(
   std::string definitions;
   if (settings.HasCompute)
   {
-    // As an extension of older versions some compilers lack its atomic functions.
+    // Version 4.30, because some compilers lack the extension's atomic functions.
     definitions += "#version 430\n#define VTKI_LIST_SPLIT\n";
     std::vector<size_t> texels;
     for (const auto& level : this->Levels)
@@ -275,10 +275,10 @@ double vtkIndirectSubsplatPyramid::EstimateSamplingError() const
   const std::vector<float> values = this->Probe ? this->Probe->ReadBack(0) : std::vector<float>();
   for (size_t i = 0; i < values.size(); i += 4)
   {
-    // The fourth component is 1 where something is lit.
+    // The fourth component is 1 at lit probes.
     if (values[i + 3] > 0.5f)
     {
-      // The halves are not doubled: A - B as sums is half of A - B as estimates.
+      // The halves are not doubled: the difference of sums is half that of estimates.
       squares += static_cast<double>(values[i + 1]) * values[i + 1];
       sum += values[i];
       ++count;

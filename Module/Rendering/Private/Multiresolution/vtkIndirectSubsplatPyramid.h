@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cuts the image into subsplats: a pyramid of surfaces over the geometry buffer, in which each
-// texel is whole or split. Nichols and Wyman 2009, "Multiresolution splatting for indirect
+// Divides the image into subsplats: a pyramid of surfaces over the geometry buffer, whose texels
+// are whole or split. Nichols and Wyman 2009, "Multiresolution splatting for indirect
 // illumination", sections 3.2 and 3.3.
 //
 // Level n has texels of 2^n pixels. The last level has no leaves: all of it is split.
@@ -18,7 +18,7 @@
 
 class vtkIndirectLightBlock;
 
-/** Of a frame: thresholds as the frame's tolerance has them. */
+/** Settings of a frame, with thresholds for the frame's tolerance. */
 struct vtkIndirectSubsplatSettings : vtkIndirectSubsplatDetails
 {
   bool HalfResolution = false;
@@ -34,26 +34,26 @@ struct vtkIndirectSubsplatSettings : vtkIndirectSubsplatDetails
 class vtkIndirectSubsplatPyramid
 {
 public:
-  /** Creates or resizes the levels for an image. Returns false, after an error, when it cannot. */
+  /** Creates or resizes the levels for an image. Returns false, after an error, if it cannot. */
   bool Resize(
     vtkOpenGLRenderWindow* window, const int size[2], const vtkIndirectSubsplatSettings& settings);
 
-  /** Looks how the lighting varies, then builds all levels. */
+  /** Measures the variation of the lighting, then builds all levels. */
   bool Build(const vtkIndirectEstimateInput& input, const vtkIndirectSubsplatSettings& settings,
     vtkIndirectLightBlock& lights);
 
   size_t GetNumberOfLevels() const { return this->Levels.size(); }
   /** Octahedral normal, depth and state of level `number`, from 1 on. */
   const vtkIndirectTarget& GetSurface(size_t number) const { return *this->Levels[number - 1]; }
-  /** List i: the texels of level i + 1 that are split. */
+  /** List i: the split texels of level i + 1. */
   vtkIndirectSubsplatList& GetLists() { return this->Lists; }
 
-  /** Makes the lists on the CPU, where OpenGL has no storage buffers; reads back. */
+  /** Makes the lists on the CPU if OpenGL has no storage buffers; reads back. */
   void FillLists(vtkOpenGLRenderWindow* window);
 
   /**
-   * Error that the choice of lights leaves, from two halves of them at the probes: RMS(A - B) / 2
-   * over the mean. Needs ReportsError; reads back.
+   * Sampling error of the lights, estimated from the two halves of them at the probes: RMS(A - B) /
+   * 2 over the mean. Needs ReportsError; reads back.
    */
   double EstimateSamplingError() const;
 

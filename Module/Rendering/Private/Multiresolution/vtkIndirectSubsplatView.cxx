@@ -65,7 +65,7 @@ int vtkIndirectSubsplatView::Draw(const std::string& name, const vtkIndirectFram
   }
   for (size_t number = coarsest + 1; number-- > finest;)
   {
-    // Pixels are no level of the pyramid; any texture serves for what is not looked at then.
+    // Pixels are no level of the pyramid: any texture serves for the unread sampler.
     const size_t own = std::max<size_t>(number, 1);
     program->SetUniform2i("vtkiSize", frame.Size);
     program->SetUniformi("vtkiLevel", static_cast<int>(number));

@@ -20,11 +20,12 @@ public:
   /**
    * Names of the views for that many levels: subsplat.level, each pixel's level; subsplat.outline,
    * the subsplats over the irradiance; subsplat.evaluated<n>, the illumination of level n's leaves;
-   * subsplat.upsampled<n>, level n with all that is coarser interpolated into it. 0 is pixels.
+   * subsplat.upsampled<n>, level n with the interpolation of coarser levels. Level 0 is pixels.
    */
   static std::vector<std::string> GetNames(size_t levels);
 
-  /** Draws one into the bound target of the frame's size. Returns its components, 0 for no view. */
+  /** Draws a view into the bound target of the frame's size. Returns its number of components, 0 if
+   * the name is no view. */
   int Draw(const std::string& name, const vtkIndirectFrame& frame,
     const vtkIndirectGeometryBuffer& geometry, const vtkIndirectSubsplatPyramid& pyramid,
     const vtkIndirectSubsplatIllumination& illumination, const vtkIndirectTarget& pixels,

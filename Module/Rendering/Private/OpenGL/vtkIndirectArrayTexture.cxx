@@ -25,7 +25,7 @@ void vtkIndirectArrayTexture::Allocate(
   this->SetWrapS(ClampToEdge);
   this->SetWrapT(ClampToEdge);
   this->SetMaxLevel(0);
-  // CreateTexture sets them; VTK up to 9.4 does not know how to for layers later on, and asserts.
+  // CreateTexture sets them; VTK up to 9.4 cannot set them for layers later on, and asserts.
   this->AutoParametersOff();
   this->Context->ActivateTexture(this);
   this->CreateTexture();

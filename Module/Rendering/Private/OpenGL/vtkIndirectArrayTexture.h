@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK 9.1's texture object knows no two-dimensional arrays; this one adds them and leaves binding,
-// parameters and release to it.
+// Adds two-dimensional arrays to VTK 9.1's texture object, which does binding, parameters and
+// release.
 #ifndef vtkIndirectArrayTexture_h
 #define vtkIndirectArrayTexture_h
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a stage's textures hold, declared once: texture formats, uniform names, PrintSelf and the
-// documentation are read off these tables.
+// Description of a stage's textures, declared once: these tables give texture formats, uniform
+// names, PrintSelf and the documentation.
 #ifndef vtkIndirectChannel_h
 #define vtkIndirectChannel_h
 
@@ -10,7 +10,7 @@
 
 struct vtkIndirectChannel
 {
-  const char* Name;    // as users meet it
+  const char* Name;    // public name
   const char* Uniform; // sampler in shaders
   const char* Meaning;
   unsigned int InternalFormat; // OpenGL; 0 ends a table

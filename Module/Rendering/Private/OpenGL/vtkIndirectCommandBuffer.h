@@ -21,9 +21,9 @@ public:
   }
   ~vtkIndirectCommandBuffer();
 
-  /** Empties the lists; words is room for the entries of all. */
+  /** Empties the lists; words: space for the entries of all lists. */
   void Begin(vtkOpenGLRenderWindow* window, size_t words);
-  /** Replaces all of it, where shaders cannot write; words begin with the commands. */
+  /** Replaces the whole buffer if shaders cannot write it; words begin with the commands. */
   void Fill(vtkOpenGLRenderWindow* window, const unsigned int* words, size_t count);
 
   /** Binds the buffer to a program's storage block of that name. */
@@ -35,16 +35,17 @@ public:
 
   /** Entries in a list. Waits for the GPU; the buffer's context must be current. */
   unsigned int Count(size_t list) const;
-  /** Words of entries, from the first on; as above. */
+  /** Reads words of entries, from the first on. Waits for the GPU; the buffer's context must be
+   * current. */
   void Read(size_t first, size_t count, unsigned int* words) const;
 
   unsigned int GetHandle() const { return this->Handle; }
-  /** Where in the buffer that word of the entries is. */
+  /** Offset of a word of the entries in the buffer. */
   size_t GetOffset(size_t word) const;
-  /** Null where there is no buffer. */
+  /** Null without a buffer. */
   vtkOpenGLRenderWindow* GetWindow() const;
   size_t GetBytes() const { return this->Bytes; }
-  /** What a buffer takes whose entries have so many words. */
+  /** Bytes of a buffer whose entries have this many words. */
   static size_t GetBytes(size_t lists, size_t words);
   /** The buffer's context must be current. */
   void Release();
@@ -53,7 +54,7 @@ private:
   void Create(vtkOpenGLRenderWindow* window);
 
   size_t NumberOfLists;
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the buffer
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // window of the buffer's context
   unsigned int Handle = 0;
   size_t Bytes = 0;
 };

@@ -84,7 +84,7 @@ protected:
   }
 
 private:
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the program
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // window of the program's context
 };
 
 //------------------------------------------------------------------------------
@@ -135,7 +135,7 @@ vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
   {
     std::string text =
       this->Stage.empty() ? this->Text : vtkIndirectShaderLibrary::GetText(this->Stage);
-    // The first line is where VTK puts the version of the other stages.
+    // VTK puts the version of other stages into the first line.
     text.replace(0, text.find('\n') + 1, "#version 430\n" + this->Definitions);
     auto built = vtkSmartPointer<Program>::New();
     if (!built->Build(window, text))
@@ -144,7 +144,7 @@ vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
     }
     this->Built = built;
   }
-  // The cache would take the program that it bound last for the current one.
+  // Otherwise the cache would take the program that it bound last for the current one.
   window->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(static_cast<GLuint>(this->Built->GetHandle()));
   return this->Built;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A compute program made from an embedded stage file. VTK 9.1 knows no compute shaders; to those
-// who set uniforms this is a vtkShaderProgram like any other.
+// A compute program made from an embedded stage file. VTK 9.1 has no compute shaders; for setting
+// uniforms this is an ordinary vtkShaderProgram.
 #ifndef vtkIndirectComputeProgram_h
 #define vtkIndirectComputeProgram_h
 
@@ -15,20 +15,21 @@ class vtkWindow;
 class vtkIndirectComputeProgram
 {
 public:
-  /** stage: file in glsl/stage, or empty where SetText gives another text. */
+  /** stage: file in glsl/stage, or empty if SetText sets another text. */
   explicit vtkIndirectComputeProgram(const char* stage);
   ~vtkIndirectComputeProgram();
 
-  /** Whether the current context has compute shaders and storage buffers: OpenGL 4.3. */
+  /** True if the current context has compute shaders and storage buffers: OpenGL 4.3. */
   static bool IsSupported();
 
-  /** Lines that the text begins with, such as macros; new ones build the program anew. */
+  /** Sets the first lines of the text, such as macros; a change rebuilds the program. */
   void SetDefinitions(const std::string& definitions);
 
-  /** A text in place of the stage's, whose first line is not used; another one builds anew. */
+  /** Sets a text in place of the stage's, whose first line is ignored; a change rebuilds the
+   * program. */
   void SetText(const std::string& text);
 
-  /** Makes the program current. Returns nullptr, after an error, when it does not compile. */
+  /** Makes the program current. Returns nullptr, after an error, if it does not compile. */
   vtkShaderProgram* Use(vtkOpenGLRenderWindow* window);
 
   void Release(vtkWindow* window);

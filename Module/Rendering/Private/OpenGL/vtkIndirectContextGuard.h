@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reports when the OpenGL context that something was made in is about to end.
+// Reports the end of the OpenGL context in which its owner has made objects.
 #ifndef vtkIndirectContextGuard_h
 #define vtkIndirectContextGuard_h
 
@@ -9,24 +9,24 @@
 
 #include <functional> // for the callback
 
-// VTK's windows ask their textures, and no one else, to let go of a context: this is a texture
-// that never allocates anything. SetContext with another window lets go of the earlier one, too.
+// VTK's windows notify only their textures of the end of a context: this is a texture that never
+// allocates anything. SetContext with another window releases the earlier one, too.
 class vtkIndirectContextGuard : public vtkTextureObject
 {
 public:
   static vtkIndirectContextGuard* New() { VTK_STANDARD_NEW_BODY(vtkIndirectContextGuard); }
   vtkTypeMacro(vtkIndirectContextGuard, vtkTextureObject);
 
-  /** Called with the window whose context is let go of; it is current. */
+  /** Called with the window whose context ends; the context is current. */
   std::function<void(vtkWindow*)> Release;
 
-  /** Whether nothing can have been made in a context of another window. */
+  /** False only if all objects were made in the context of another window. */
   bool CanBeOf(vtkWindow* window) { return !this->GetContext() || this->GetContext() == window; }
 
-  /** Lets go of the window's context, whichever is current. */
+  /** Releases the window's context, whichever is current. */
   void LetGo(vtkWindow* window)
   {
-    // It makes the context current and comes back to the method below.
+    // The superclass makes the context current and calls the method below.
     this->Superclass::ReleaseGraphicsResources(window);
   }
 

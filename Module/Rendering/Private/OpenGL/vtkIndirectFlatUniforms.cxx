@@ -7,7 +7,8 @@
 
 namespace
 {
-// Components of a type, columns of three as they are packed; 0 for those that cannot be handed on.
+// Components of a type, with columns of three as they are packed; 0 for a type that cannot be a
+// varying.
 int CountComponents(const std::string& type)
 {
   static const struct
@@ -26,7 +27,7 @@ int CountComponents(const std::string& type)
   return 0;
 }
 
-// Whether a name stands in a text behind `at`, as a whole word.
+// True if a name occurs in a text behind `at`, as a whole word.
 bool IsUsed(const std::string& text, const std::string& name, size_t at)
 {
   auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };

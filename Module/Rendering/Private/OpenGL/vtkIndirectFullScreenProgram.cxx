@@ -26,7 +26,7 @@ vtkIndirectFullScreenProgram::~vtkIndirectFullScreenProgram() = default;
 
 namespace
 {
-// VTK's quad helper insists on both attributes; stages need neither past the position.
+// VTK's quad helper requires both attributes; stages need only the position.
 const char* const VertexShader = R"(//VTK::System::Dec
 in vec4 ndCoordIn;
 in vec2 texCoordIn;
@@ -36,7 +36,7 @@ void main()
 }
 )";
 
-// As the shader declares it; all formats of targets have one.
+// Layout qualifier of an image; all formats of targets have one.
 const char* GetImageFormat(unsigned int internalFormat)
 {
   switch (internalFormat)
@@ -54,7 +54,7 @@ const char* GetImageFormat(unsigned int internalFormat)
   }
 }
 
-// Invocations of a group: a tile, or a piece of a row where there are few rows.
+// Invocations of a group: a tile, or a piece of a row if there are few rows.
 std::array<int, 2> FindGroup(const vtkIndirectTarget& target)
 {
   return target.GetHeight() < 8 ? std::array<int, 2>{ 64, 1 } : std::array<int, 2>{ 8, 8 };
@@ -100,7 +100,7 @@ vtkShaderProgram* vtkIndirectFullScreenProgram::Use(vtkOpenGLRenderWindow* windo
     std::string vertex = VertexShader;
     if (vtkIndirectPaths::Get(vtkIndirectPaths::Uniforms) == vtkIndirectPaths::UniformsFlat)
     {
-      // What OpenGL on the processor has; the compiler drops those that no result depends on.
+      // Limit of OpenGL on the processor; the compiler drops varyings that no result depends on.
       GLint maximum = 128;
       glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &maximum);
       vtkIndirectFlatUniforms::Move(vertex, fragment, std::min(maximum, 128));
@@ -150,8 +150,8 @@ vtkShaderProgram* vtkIndirectFullScreenProgram::Use(
 }
 
 //------------------------------------------------------------------------------
-// The stage's text with its place and its outputs as variables, and around it an entry point that
-// knows where it is and stores them.
+// The stage's text with its position and its outputs as variables, and an entry point that sets the
+// position and stores the outputs.
 std::string vtkIndirectFullScreenProgram::GetComputeText(
   const vtkIndirectTarget& target, bool adds) const
 {
@@ -175,8 +175,8 @@ std::string vtkIndirectFullScreenProgram::GetComputeText(
     stores += "  imageStore(" + image + ", place, vtkiOutput[" + number + "]" +
       (adds ? " + imageLoad(" + image + ", place)" : "") + ");\n";
   }
-  // Extensions come before all else. The place has a value because compilers warn where a function
-  // uses what main sets later.
+  // Extensions come first. The position has an initial value, because compilers warn about
+  // functions that use a variable before main sets it.
   const size_t at = stage.rfind("#extension");
   stage.insert(stage.find('\n', at) + 1, declarations);
   return stage +
@@ -206,12 +206,11 @@ void vtkIndirectFullScreenProgram::Dispatch()
   };
   bind(true);
   const std::array<int, 2> group = FindGroup(target);
-  // What was drawn into the images, and into what the kernel reads, must have arrived: llvmpipe
-  // does not wait for it by itself.
+  // Waits for draws into the images and the kernel's inputs, which llvmpipe does not do by itself.
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   glDispatchCompute(static_cast<GLuint>((size[0] + group[0] - 1) / group[0]),
     static_cast<GLuint>((size[1] + group[1] - 1) / group[1]), 1);
-  // Whoever comes next samples it, draws over it, adds to it, reads it back or replaces it.
+  // The next user may sample the image, draw over it, add to it, read it back or replace it.
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
   bind(false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The OpenGL loader of the VTK at hand; include in sources only, before any other GL header.
+// The OpenGL loader of this VTK; include in sources only, before any other GL header.
 #ifndef vtkIndirectGL_h
 #define vtkIndirectGL_h
 

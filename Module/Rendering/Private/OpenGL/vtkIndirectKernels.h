@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernels of glsl/lib as C++, through GLM: the source that runs on the GPU, on the CPU.
+// The kernels of glsl/lib as C++, through GLM: the GPU's source code on the CPU.
 #ifndef vtkIndirectKernels_h
 #define vtkIndirectKernels_h
 

@@ -18,19 +18,19 @@ class vtkWindow;
 class vtkIndirectLayeredTarget
 {
 public:
-  /** channels: table ended by InternalFormat 0. A depth array for shadow look-ups always comes too.
+  /** channels: table ended by InternalFormat 0. A depth array for shadow look-ups is always added.
    */
   explicit vtkIndirectLayeredTarget(const vtkIndirectChannel* channels);
   ~vtkIndirectLayeredTarget();
 
-  /** Uses only so many of the table's channels, from the first on; takes effect with Resize. */
+  /** Uses only this many of the table's channels, from the first on; takes effect with Resize. */
   void SetNumberOfChannels(int count) { this->NumberOfChannels = count; }
   /** After Resize. */
   int GetNumberOfChannels() const { return static_cast<int>(this->Textures.size()); }
 
   /**
-   * Creates the textures; layers grow as needed and never shrink. Sets `lost` when the old content
-   * is gone. Returns false when OpenGL cannot hold them, after one error for each new attempt.
+   * Creates the textures; layers grow as needed and never shrink. Sets `lost` if the old content is
+   * gone. Returns false if OpenGL cannot hold them, after one error for each new attempt.
    */
   bool Resize(vtkOpenGLRenderWindow* window, int texels, int layers, bool& lost);
 
@@ -55,7 +55,7 @@ private:
   int NumberOfChannels = 0;
   int Texels = 0;
   int Layers = 0;
-  int RefusedTexels = 0; // what the window could not hold
+  int RefusedTexels = 0; // sizes that the window could not hold
   int RefusedLayers = 0;
   vtkOpenGLRenderWindow* RefusedBy = nullptr;
   vtkOpenGLRenderWindow* Window = nullptr;

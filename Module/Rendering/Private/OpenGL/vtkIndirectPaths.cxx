@@ -21,7 +21,7 @@ struct Entry
   const char* Name;
   std::array<const char*, 2> Values;
   const char* Meaning;
-  // The default where OpenGL runs on the processor (Mesa's llvmpipe), and on a GPU. Reasons:
+  // Defaults for OpenGL on the processor (Mesa's llvmpipe), and on a GPU. Reasons:
   int OnProcessor;
   int OnGPU;
   std::array<bool, 2> NeedsCompute;
@@ -29,27 +29,26 @@ struct Entry
 
 // In the order of Path.
 const std::array<Entry, NumberOfPaths> Entries{ {
-  // Software clears textures of floats pixel by pixel, which takes longer than to draw over them.
-  // Not measured on a GPU, where clears are fast, but a solid frame is cleared only where nothing
-  // was drawn.
+  // Software clears float textures pixel by pixel, which takes longer than drawing over them. Not
+  // measured on a GPU, where clears are fast, but an opaque frame clears only undrawn pixels.
   { "clear", { "draw", "gl" }, "the geometry buffer is emptied by a drawn quad or by glClear",
     ClearByDraw, ClearByDraw, { false, false } },
-  // A copy is fewer operations a pixel than a test and a write. Not measured on a GPU.
+  // A copy takes fewer operations a pixel than a test and a write. Not measured on a GPU.
   { "depth", { "copy", "draw" },
     "depth is copied to the frame where formats allow it or drawn by the composite", DepthByCopy,
     DepthByCopy, { false, false } },
-  // A light is fetched once for all texels of an invocation. On a processor a fetch costs more than
-  // registers that spill: with four the sums take 0.8 of the time with two. Eight would save a
-  // tenth more, and take a second more to compile.
+  // One invocation fetches a light once for all its texels. On a processor a fetch costs more than
+  // spilled registers: with four split texels the sums take 0.8 of the time with two. Eight would
+  // save a tenth more, and take a second more to compile.
   { "grouping", { "two", "four" },
     "split texels that one invocation of multiresolution splatting sums lights for", GroupingOfFour,
     GroupingOfTwo, { true, true } },
-  // Nothing to choose between on the processor. Not measured on a GPU, where fragment shaders may
-  // run on fewer of its multiprocessors than compute shaders do.
+  // Equally fast on the processor. Not measured on a GPU, where fragment shaders may run on fewer
+  // of its multiprocessors than compute shaders.
   { "kernels", { "fragment", "compute" },
     "full-screen kernels that write all of a target are fragment or compute shaders",
     KernelsFragment, KernelsFragment, { false, true } },
-  // Tiles sum lights in registers, in a fixed order, where blending reads and writes 16 bytes of each
+  // Tiles sum lights in registers, in a fixed order; blending reads and writes 16 bytes of each
   // pixel for each splat.
   { "splats", { "blend", "tiles" },
     "splats of virtual lights are drawn and blended, or summed by compute shaders in tiles",
@@ -78,12 +77,12 @@ int GetDefault(int path)
   return CanDo(path, value) || !CanDo(path, 1 - value) ? value : 1 - value;
 }
 
-// What the environment says.
+// Choices in the environment variable.
 struct Choice
 {
   std::string Text;
-  std::array<int, NumberOfPaths> Values; // -1: nothing
-  std::string Unknown;                   // an item of it
+  std::array<int, NumberOfPaths> Values; // -1: no choice
+  std::string Unknown;                   // an unknown item
   bool Reported = false;
 
   Choice() { this->Values.fill(-1); }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ways of doing the same thing, of which one is faster here and another there. Each has a default
-// for the OpenGL at hand, and is forced by its name in the environment, so that they can be
-// compared on any card: VTK_INDIRECT_PATHS="clear=gl,uniforms=plain".
+// Choices between equivalent implementations, whose speed depends on the OpenGL. Each has a default
+// for the current OpenGL, and can be forced by its name in the environment for comparisons on any
+// card: VTK_INDIRECT_PATHS="clear=gl,uniforms=plain".
 //
-// What users choose by a property (multiresolution's Renderer and Storage) is not among them.
+// Choices that users make by a property (multiresolution's Renderer and Storage) are not included.
 #ifndef vtkIndirectPaths_h
 #define vtkIndirectPaths_h
 
@@ -15,12 +15,12 @@ namespace vtkIndirectPaths
 {
 enum Path
 {
-  Clear,    // how the geometry buffer's colours are emptied
-  Depth,    // how depth gets to the framebuffer that the frame goes to
-  Grouping, // split texels that an invocation of multiresolution splatting works for
-  Kernels,  // what full-screen kernels run as, where they write all of a target without tests
-  Splats,   // how splats of virtual lights are summed
-  Uniforms, // how fragment shaders get their uniforms
+  Clear,    // clearing of the geometry buffer's colours
+  Depth,    // transfer of depth to the frame's target framebuffer
+  Grouping, // split texels in one invocation of multiresolution splatting
+  Kernels,  // stage of full-screen kernels that write all of a target without tests
+  Splats,   // summation of virtual lights' splats
+  Uniforms, // form of fragment shaders' uniforms
   NumberOfPaths
 };
 
@@ -57,16 +57,16 @@ enum UniformsValue
 };
 
 /**
- * The value in force in the current context. The environment is read at each call: it counts for
- * passes that are made, or released, after it has changed. What it names that is not known, or that
- * this OpenGL cannot do, is one error, and all of it is ignored.
+ * The value in force in the current context. The environment is read at each call: a change affects
+ * passes made, or released, afterwards. An unknown name, or a choice that this OpenGL does not
+ * support, is one error, and the whole variable is ignored.
  */
 int Get(Path path);
 
-/** All that this OpenGL can do: name and value in force. */
+/** All choices that this OpenGL supports: name and value in force. */
 std::vector<std::pair<std::string, std::string>> GetAll();
 
-/** Each name with its values, whatever this OpenGL can do. */
+/** Each name with its values, independent of this OpenGL. */
 std::vector<std::pair<std::string, std::vector<std::string>>> List();
 }
 

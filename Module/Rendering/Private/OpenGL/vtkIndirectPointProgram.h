@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program that draws points which its vertex shader makes from their numbers, or one integer
+// A program that draws points which its vertex shader makes from their numbers, or from one integer
 // each; or a rectangle of four.
 #ifndef vtkIndirectPointProgram_h
 #define vtkIndirectPointProgram_h
@@ -22,20 +22,20 @@ public:
   void operator=(const vtkIndirectPointProgram&) = delete;
 
   /**
-   * Makes the program current, with these lines at the beginning of both texts. Returns nullptr
-   * when it does not compile; VTK has reported why. Set every uniform before each Draw.
+   * Makes the program current, with these lines at the beginning of both texts. Returns nullptr if
+   * it does not compile; VTK has reported why. Set every uniform before each Draw.
    */
   vtkShaderProgram* Use(vtkOpenGLRenderWindow* window, const std::string& definitions);
 
-  /** Draws points 0 to count - 1, squares of so many pixels. */
+  /** Draws points 0 to count - 1, squares of this many pixels. */
   void Draw(int count, int pixels);
 
-  /** Draws the rectangle of corners 0 to 3, the last two beside the first two in order. */
+  /** Draws the rectangle of corners 0 to 3, corners 2 and 3 beside 0 and 1. */
   void DrawRectangle();
 
   /**
-   * Draws points of one pixel, each so many times; an unsigned integer of each, from a buffer at
-   * that offset, goes to the vertex shader's attribute.
+   * Draws points of one pixel, each in `instances` instances; an unsigned integer of each, from a
+   * buffer at that offset, goes to the vertex shader's attribute.
    */
   void DrawInstances(int attribute, unsigned int buffer, size_t offset, int count, int instances);
 

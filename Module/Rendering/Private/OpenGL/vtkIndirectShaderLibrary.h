@@ -8,24 +8,25 @@
 namespace vtkIndirectShaderLibrary
 {
 /**
- * Text of a file with its includes expanded, each once, depth first. The name `gather` stands for
- * VTKI_GATHER, the one include that a stage leaves open. Returns an empty string, after one error,
- * for a file that is not embedded.
+ * Text of a file with its includes expanded, each once, depth first. `gather` replaces VTKI_GATHER,
+ * the one include that a stage leaves open. Returns an empty string, after one error, for a file
+ * that is not embedded.
  */
 std::string GetText(const std::string& fileName, const std::string& gather = std::string());
 
-/** What all shaders enable: a part of OpenGL since 3.3 that VTK's GLSL 1.50 lacks, bits of floats.
+/** Extensions that all shaders enable: bits of floats, in OpenGL since 3.3, but not in VTK's GLSL
+ * 1.50.
  */
 extern const char* const Extensions;
 
 /**
- * Text of a shader: GetText with the extensions and then `definitions` behind its first line, in
- * place of which VTK puts version 1.50; definitions that begin with a #version line bring their own.
+ * Text of a shader: GetText with the extensions and then `definitions` after its first line, which
+ * VTK replaces by version 1.50; definitions may begin with their own #version line.
  */
 std::string GetShader(const std::string& fileName, const std::string& definitions,
   const std::string& gather = std::string());
 
-/** MD5 of all shader text, so that a figure can be traced to the shaders that made it. */
+/** MD5 of all shader text, which lets figures be traced to their shaders. */
 std::string GetHash();
 }
 

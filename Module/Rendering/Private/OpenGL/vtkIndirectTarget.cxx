@@ -47,8 +47,8 @@ const Format& FindFormat(unsigned int internalFormat)
   return Formats[0];
 }
 
-// Between the framebuffers that are bound for reading and drawing; whether OpenGL did. That of
-// VTK's state may read OpenGL's error itself, or return without a word.
+// Copies between the framebuffers bound for reading and drawing; true on success. The method of
+// VTK's state may read OpenGL's error itself, or return silently.
 bool Blit(vtkOpenGLState* state, const int from[2], const int to[2], int width, int height,
   unsigned int what)
 {
@@ -59,8 +59,8 @@ bool Blit(vtkOpenGLState* state, const int from[2], const int to[2], int width, 
   return glGetError() == GL_NO_ERROR;
 }
 
-// vtkTextureObject's name for the depth format of the framebuffer that is bound for drawing; -1
-// when that has none, has samples or stencil, or is the window's own.
+// vtkTextureObject's name for the depth format of the framebuffer that is bound for drawing; -1 if
+// it has none, has samples or stencil, or is the window's own.
 int FindBoundDepthFormat()
 {
   GLint name = 0;
@@ -233,7 +233,7 @@ bool vtkIndirectTarget::CopyDepth(const int origin[2]) const
   state->PushReadFramebufferBinding();
   this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
   const int own[2] = { 0, 0 };
-  // A driver may report the size of what it holds rather than the name of the format.
+  // A driver may report the size of its storage rather than the name of the format.
   this->DepthRefused = !Blit(state, own, origin, this->Width, this->Height, GL_DEPTH_BUFFER_BIT);
   state->PopReadFramebufferBinding();
   return !this->DepthRefused;
@@ -327,7 +327,7 @@ void vtkIndirectTarget::Begin()
   this->ActivateChannels();
   if (!this->SharedDepth && !this->Textures.empty())
   {
-    // Insists on attachments of one size.
+    // Requires attachments of one size.
     this->Framebuffer->StartNonOrtho(this->Width, this->Height);
   }
   state->vtkglViewport(0, 0, this->Width, this->Height);

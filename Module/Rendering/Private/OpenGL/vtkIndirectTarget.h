@@ -20,17 +20,17 @@ class vtkWindow;
 class vtkIndirectTarget
 {
 public:
-  /** channels: table ended by InternalFormat 0; depth: whether a depth texture comes too, of 32-bit
-   * floats or 16 bits, or alone where the table is empty. */
+  /** channels: table ended by InternalFormat 0; depth: adds a depth texture, of 32-bit floats or 16
+   * bits, or only that if the table is empty. */
   vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth, int depthBits = 32);
   ~vtkIndirectTarget();
 
-  /** Uses only so many of the table's channels, from the first on; before Resize. */
+  /** Uses only this many of the table's channels, from the first on; before Resize. */
   void SetNumberOfChannels(int count) { this->Limit = static_cast<size_t>(count); }
 
   /**
-   * Creates or resizes the textures. `shared`: a target whose depth texture, at least as large, is
-   * attached in place of one of its own. Returns false, after an error, when OpenGL refuses.
+   * Creates or resizes the textures. `shared`: a target whose depth texture, at least as large,
+   * replaces an own one. Returns false, after an error, if OpenGL refuses.
    */
   bool Resize(vtkOpenGLRenderWindow* window, int width, int height,
     const vtkIndirectTarget* shared = nullptr);
@@ -41,19 +41,19 @@ public:
    */
   void MatchDepth();
   /**
-   * Copies depth to the framebuffer that is bound for drawing, whose size it has from `origin` on.
-   * Returns false when the formats differ or either has samples; nothing is drawn then.
+   * Copies depth to the framebuffer that is bound for drawing, from `origin` on. Returns false,
+   * without drawing, if the formats differ or either has samples.
    */
   bool CopyDepth(const int origin[2]) const;
 
   /**
-   * The format, among those of targets, that holds what the first colour buffer of the framebuffer
-   * that is bound for drawing has.
+   * The target format for the content of the first colour buffer of the framebuffer that is bound
+   * for drawing.
    */
   static unsigned int FindBoundColorFormat();
   /**
    * Copies that buffer, from `origin` on, to the first channel; of several samples their mean.
-   * Returns false, after an error, when OpenGL refuses.
+   * Returns false, after an error, if OpenGL refuses.
    */
   bool CopyBoundColor(const int origin[2]);
 
@@ -66,13 +66,13 @@ public:
 
   /** Clears all channels to zero and depth to one; between Begin and End. */
   void Clear();
-  /** The depth alone: colours of many bytes cost as much to clear as to draw. */
+  /** Clears only depth: colours of many bytes cost as much to clear as to draw. */
   void ClearDepth();
 
   vtkOpenGLFramebufferObject* GetFramebuffer() const { return this->Framebuffer; }
   /** After Resize. */
   int GetNumberOfChannels() const { return static_cast<int>(this->Textures.size()); }
-  /** Of OpenGL. */
+  /** Format of OpenGL. */
   unsigned int GetInternalFormat(int channel) const
   {
     return this->Channels[channel].InternalFormat;
@@ -82,7 +82,7 @@ public:
 
   /** Binds a channel's texture and sets its sampler uniform; pair with Deactivate. */
   void Activate(int channel, vtkShaderProgram* program) const;
-  /** The same under another name than the channel's own. */
+  /** Binds under another name than the channel's own. */
   void Activate(int channel, vtkShaderProgram* program, const char* uniform) const;
   void ActivateDepth(vtkShaderProgram* program, const char* uniform) const;
   void Deactivate() const;
@@ -107,11 +107,11 @@ private:
   const vtkIndirectChannel* Channels;
   bool WithDepth;
   int DepthBits;
-  int DepthFormat = -1; // of vtkTextureObject, to be matched; -1: by DepthBits, nothing to match
+  int DepthFormat = -1; // format of vtkTextureObject to match; -1: none, use DepthBits
   int AllocatedDepth = -1;
   mutable bool DepthRefused = false; // OpenGL has refused to copy this format
   size_t Limit = static_cast<size_t>(-1);
-  vtkSmartPointer<vtkTextureObject> SharedDepth; // as attached
+  vtkSmartPointer<vtkTextureObject> SharedDepth; // the attached texture
   int Width = 0;
   int Height = 0;
   vtkOpenGLRenderWindow* Window = nullptr;

@@ -40,7 +40,7 @@ void vtkIndirectUniformBlock::Activate(vtkShaderProgram* program) const
 {
   const auto handle = static_cast<GLuint>(program->GetHandle());
   const GLuint index = glGetUniformBlockIndex(handle, this->Name);
-  if (index != GL_INVALID_INDEX) // compilers drop what a program does not read
+  if (index != GL_INVALID_INDEX) // compilers drop unread blocks
   {
     glUniformBlockBinding(handle, index, Binding);
   }

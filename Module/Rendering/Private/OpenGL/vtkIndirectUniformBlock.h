@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A uniform block that is filled from main memory. OpenGL guarantees 16384 bytes; llvmpipe reads
-// one once for a group of fragments, and plain uniforms once for each.
+// A uniform block filled from main memory. OpenGL guarantees 16384 bytes; llvmpipe reads a block
+// once for a group of fragments, and plain uniforms once for each fragment.
 #ifndef vtkIndirectUniformBlock_h
 #define vtkIndirectUniformBlock_h
 
@@ -22,7 +22,7 @@ public:
   vtkIndirectUniformBlock(const vtkIndirectUniformBlock&) = delete;
   void operator=(const vtkIndirectUniformBlock&) = delete;
 
-  /** Replaces what the block holds; in std140 arrays of four floats lie without gaps. */
+  /** Replaces the block's content; in std140 arrays of four floats have no gaps. */
   void Update(vtkOpenGLRenderWindow* window, const void* data, size_t bytes);
   /** Binds it to the block of that name in a program. */
   void Activate(vtkShaderProgram* program) const;
@@ -33,7 +33,7 @@ public:
 
 private:
   const char* Name;
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the buffer
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // window of the buffer's context
   unsigned int Buffer = 0;
   size_t Bytes = 0;
 };

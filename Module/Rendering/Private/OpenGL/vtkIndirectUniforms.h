@@ -32,7 +32,7 @@ inline void vtkIndirectSetUniform(vtkShaderProgram* program, const char* name, g
   program->SetUniformMatrix4x4(name, glm::value_ptr(m));
 }
 
-/** No depth test, no blending, no scissor while it lives. */
+/** Disables depth test, blending and scissor during its lifetime. */
 class vtkIndirectFullScreenState
 {
 public:

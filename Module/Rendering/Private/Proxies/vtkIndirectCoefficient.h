@@ -4,7 +4,7 @@
 #define vtkIndirectCoefficient_h
 
 /** One of the 16 coefficients of vtkiHarmonics4, by l (l + 1) + m. The type is a parameter, because
- * each file that includes the kernels has one of its own. */
+ * each file that includes the kernels has its own. */
 template <typename Harmonics>
 auto& vtkIndirectCoefficient(Harmonics& f, int i)
 {

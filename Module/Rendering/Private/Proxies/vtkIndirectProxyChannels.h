@@ -9,7 +9,7 @@
 
 namespace vtkIndirectProxyChannels
 {
-// One of several of the same meaning.
+// One of several channels with the same meaning.
 constexpr vtkIndirectChannel MakeChannel(
   const char* name, const char* uniform, const char* meaning, const char* unit = "VTK irradiance")
 {

@@ -22,9 +22,10 @@
 
 namespace
 {
-// Of larger meshes no shape is asked for: looking into one takes a millisecond for so many.
+// Larger meshes are not examined for a shape: examining this many cells takes a millisecond.
 constexpr vtkIdType MostCells = 20000;
-// A sphere whose center is so many radii off its origin moves when its glyph is turned.
+// A sphere whose centre is farther off its origin than this many radii moves if its glyph is
+// rotated.
 constexpr double MostOffset = 1e-3;
 
 enum MapperType
@@ -123,7 +124,7 @@ void vtkIndirectProxyKinds::AddActor(vtkActor* actor, Kind& kind)
     case MOLECULE:
       if (vtkOpenGLMoleculeMapper::SafeDownCast(mapper)->GetRenderBonds())
       {
-        // Two sticks of a bond, one an atom: no more than these.
+        // A bond has two sticks, one for each atom: this is an upper bound.
         vtkDataObject* molecule = mapper->GetInputDataObject(0, 0);
         kind.NumberOfSpheres += !molecule ? 0.0
                                           : 2.0 * vtkIndirectProxySticks::MostSpheresOfAStick *
@@ -157,7 +158,7 @@ std::string vtkIndirectProxyKinds::FindWhyNoGlyphs(vtkMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-// Mappers of other classes draw something of their own.
+// Mappers of other classes may draw other things.
 void vtkIndirectProxyKinds::AddMesh(vtkMapper* mapper, Kind& kind)
 {
   const bool plain = std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 ||

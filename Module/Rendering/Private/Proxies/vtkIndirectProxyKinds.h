@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether spheres stand for all that a prop draws, found without collecting them: by its mappers,
-// and by shapes of meshes, which are looked into once.
+// Tells if spheres can represent everything that a prop draws, without collecting them: by its
+// mappers, and by the shapes of meshes, each examined once.
 #ifndef vtkIndirectProxyKinds_h
 #define vtkIndirectProxyKinds_h
 
 #include "vtkType.h" // for times
 
 #include <string>        // for reasons
-#include <unordered_map> // for what is known
+#include <unordered_map> // for known meshes
 #include <vector>        // for numbers
 
 class vtkActor;
@@ -20,25 +20,27 @@ class vtkIndirectProxyKinds
 public:
   struct Kind
   {
-    /** Balls that a mapper draws by itself: atoms, particles, glyphs that are spheres. */
+    /** Balls that a mapper draws by itself: atoms, particles, spherical glyphs. */
     double NumberOfSpheres = 0.0;
     size_t NumberOfPolygons = 0; // flat and convex
-    /** What vtkProxyAccumulationPass has nothing exact for; empty: there is no such thing. */
+    /** Content for which vtkProxyAccumulationPass has no exact representation; empty if there is
+     * none. */
     std::string Other;
-    /** Changes with the places of these spheres: times of data, and of matrices the elements. */
+    /** Changes with the positions of these spheres: times of data, elements of matrices. */
     std::vector<double> Places;
   };
 
-  /** What draws spheres alone; without Other's reasons, and without looking into meshes. */
+  /** Counts the spheres of mappers that draw only spheres; without reasons in Other, and without
+   * examining meshes. */
   static Kind FindSpheres(vtkProp* prop);
-  /** Whether an actor draws opaque splats that its shader code cuts off by `discard`, so that they
-   * look like spheres. Others fade out, and light comes through them. */
+  /** True if an actor draws opaque splats that its shader code clips by `discard`, so that they
+   * look like spheres. Other splats fade out and are translucent. */
   static bool IsOfCutSplats(vtkActor* actor);
-  /** All of a prop. */
+  /** Examines all of a prop. */
   Kind Find(vtkProp* prop);
-  /** Why what a vtkGlyph3DMapper draws are not spheres; empty where they are. */
+  /** Reason why the glyphs of a vtkGlyph3DMapper are not spheres; empty if they are. */
   std::string FindWhyNoGlyphs(vtkMapper* mapper);
-  /** Ends a frame: forgets meshes that it did not ask for. */
+  /** Ends a frame: forgets unused meshes. */
   void Forget();
 
 private:

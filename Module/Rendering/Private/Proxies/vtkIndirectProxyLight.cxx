@@ -75,7 +75,7 @@ glm::dvec3 vtkIndirectProxyLight::FindNormal(const vtkIndirectProxyPolygon& poly
 }
 
 //------------------------------------------------------------------------------
-// Triangles about its middle, each in m^2 equal ones.
+// Triangles about the polygon's middle, each divided into m^2 equal ones.
 std::vector<glm::dvec3> vtkIndirectProxyLight::FindPlaces(
   const vtkIndirectProxyPolygon& polygon, size_t numberOfPolygons)
 {
@@ -113,7 +113,7 @@ double vtkIndirectProxyLight::FindSize(const vtkIndirectProxyPolygon& polygon)
 }
 
 //------------------------------------------------------------------------------
-// Rows as vtkIndirectProxyBlock.glsl has them.
+// Rows in the layout of vtkIndirectProxyBlock.glsl.
 void vtkIndirectProxyLight::AddPolygons(std::vector<glm::vec4>& rows,
   const std::vector<vtkIndirectProxyPolygon>& polygons, int firstPlace)
 {

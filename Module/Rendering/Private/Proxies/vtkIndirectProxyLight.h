@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An environment in spherical harmonics, and what sums over spheres read of it beside the spheres:
-// a uniform block with the light and the flat polygons.
+// An environment in spherical harmonics, and the other input of sums over spheres: a uniform block
+// with the light and the flat polygons.
 #ifndef vtkIndirectProxyLight_h
 #define vtkIndirectProxyLight_h
 
@@ -23,22 +23,21 @@ public:
   static constexpr size_t MostFinePolygons = 4;
   using Coefficients = std::array<glm::dvec3, NumberOfCoefficients>;
 
-  /** Of order 4, by l (l + 1) + m, in world coordinates. */
+  /** Coefficients of order 4, by l (l + 1) + m, in world coordinates. */
   static Coefficients Project(vtkEnvironmentLight* environment);
 
   /**
-   * Fills the block; null: no light. Polygons are those of ChoosePolygons, whose places are the
-   * senders from that number on, those of one side after the other. Returns whether anything has
-   * changed.
+   * Fills the block; null: no light. polygons: from ChoosePolygons; their places are the senders
+   * from firstPlace on, one side after the other. Returns true if anything has changed.
    */
   bool Update(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment,
     const std::vector<vtkIndirectProxyPolygon>& polygons, int firstPlace, bool changed);
-  /** Those that count: of too many the largest. */
+  /** The polygons that count: if there are too many, the largest. */
   static std::vector<vtkIndirectProxyPolygon> ChoosePolygons(
     std::vector<vtkIndirectProxyPolygon> polygons);
   /**
-   * Places evenly spread over one, at which its light is found: four times as many as it has
-   * corners, or as many where polygons are more than a few.
+   * Places evenly spread over a polygon, at which its light is computed: four times its number of
+   * corners, or just that number if there are more than a few polygons.
    */
   static std::vector<glm::dvec3> FindPlaces(
     const vtkIndirectProxyPolygon& polygon, size_t numberOfPolygons);

@@ -16,9 +16,9 @@ using namespace vtkIndirectKernels;
 namespace
 {
 constexpr int Directions = 256;
-constexpr int Pairs = 8; // that are climbed from
+constexpr int Pairs = 8; // starting points of the search
 
-// Climbs from two directions to where a function of both is largest.
+// Climbs from two directions to a maximum of a function of both.
 double Climb(const std::function<double(const vec3&, const vec3&)>& f, vec3& a, vec3& b)
 {
   double best = f(a, b);
@@ -47,7 +47,7 @@ double Climb(const std::function<double(const vec3&, const vec3&)>& f, vec3& a, 
   return best;
 }
 
-// Bands of what a sphere takes of what is seen, turned to a direction, as many as it has weight.
+// Bands of the visibility that a sphere removes, turned to a direction, times its weight.
 vec4 FindTaken(double sine, float weight)
 {
   const double row =
@@ -64,11 +64,11 @@ vec4 FindTaken(double sine, float weight)
   return vec4(1.0f / VTKI_HARMONICS_Y00 - seen.A.x, -seen.A.z, -seen.B.z, -seen.D.x);
 }
 
-// Distances over the reach at which what is cut off may be most: the weight begins to fall slower
-// than the sphere gets smaller.
+// Distances over the reach at which the cut-off error may be largest: there the weight begins to
+// fall more slowly than the sphere's solid angle.
 const double Places[] = { 1.0, 0.99, 0.985, 0.98, 0.97, 0.95 };
 
-// The smallest reach of which what is cut off is no more than that much.
+// The smallest reach whose cut-off error is at most this.
 double Solve(const std::function<double(double sine, float weight)>& change, double most)
 {
   auto isSmall = [&](double reach)
@@ -94,7 +94,7 @@ double Solve(const std::function<double(double sine, float weight)>& change, dou
   return high;
 }
 
-// One colour.
+// Reach for one colour.
 vtkIndirectProxyReach FindColor(const vtkiHarmonics4& light, bool middle)
 {
   vtkIndirectProxyReach reach;
@@ -126,7 +126,7 @@ vtkIndirectProxyReach FindColor(const vtkiHarmonics4& light, bool middle)
   }
   reach.Contrast = radiance / irradiance;
 
-  // Pairs of a normal and a direction in which a small sphere takes or rings most.
+  // Pairs of a normal and a direction in which a small sphere removes or rings most.
   struct Pair
   {
     double Value;
@@ -170,7 +170,7 @@ vtkIndirectProxyReach FindColor(const vtkiHarmonics4& light, bool middle)
     },
     vtkIndirectProxyReach::Cut * irradiance);
 
-  // A sphere sends most to a normal that faces it.
+  // A normal that faces the sphere gets most of its light.
   auto send = [&](const vec3& d, double sine)
   {
     return static_cast<double>(middle ? vtkiProxyRadianceAtMiddle(light, d)

@@ -36,7 +36,7 @@
 
 namespace
 {
-// Members that VTK keeps to its derived classes.
+// Access to protected members of VTK.
 struct SphereAccess : public vtkOpenGLSphereMapper
 {
   static const char* GetArray(vtkOpenGLSphereMapper* mapper)
@@ -46,7 +46,7 @@ struct SphereAccess : public vtkOpenGLSphereMapper
 };
 const char* const NoBlockers = "they block no indirect light; the result is too bright";
 
-// Whether a mapper draws spheres or sticks of given radii.
+// True if a mapper draws spheres or sticks of given radii.
 bool IsOfSpheres(vtkMapper* mapper)
 {
 #ifdef VTKI_MOLECULES
@@ -60,7 +60,7 @@ bool IsOfSpheres(vtkMapper* mapper)
     vtkPointGaussianMapper::SafeDownCast(mapper);
 }
 
-// All data sets of an input.
+// Calls for all data sets of an input.
 void ForDataSets(vtkDataObject* input, const std::function<void(vtkDataSet*)>& call)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
@@ -84,7 +84,7 @@ void ForDataSets(vtkDataObject* input, const std::function<void(vtkDataSet*)>& c
   }
 }
 
-// The polygons of a mapper that draws them as they are, or of data sets.
+// The polygons of a mapper that draws them unchanged, or of data sets.
 vtkDataObject* FindMeshes(vtkMapper* mapper)
 {
   auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
@@ -102,7 +102,7 @@ bool IsOfSplats(vtkActor* actor)
   return vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) != nullptr;
 }
 
-// Whether an actor, or one in an assembly, draws splats.
+// True if an actor, or one in an assembly, draws splats.
 bool HasSplats(vtkProp* prop)
 {
   bool any = false;
@@ -117,12 +117,12 @@ struct vtkIndirectProxyScene::Part
 {
   vtkActor* Actor;
   vtkMapper* Mapper;
-  vtkProp* Prop; // of the renderer
+  vtkProp* Prop; // the renderer's prop
   bool Sends;
   bool PhysicallyBased;
   glm::dmat4 ToWorld;
   glm::dmat4 ToScene;
-  double Scale; // of lengths
+  double Scale; // scale of lengths
 };
 
 //------------------------------------------------------------------------------
@@ -140,7 +140,7 @@ bool vtkIndirectProxyScene::Update(
   {
     drawn.push_back({ caster.Prop, caster.SendsLight });
   }
-  // Splats have no surface, and are no casters, but some of them look like spheres.
+  // Splats have no surface and are no casters, but some of them look like spheres.
   for (vtkProp* prop : frame.Props)
   {
     if (HasSplats(prop) && vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::CastsShadows()) &&
@@ -208,7 +208,7 @@ bool vtkIndirectProxyScene::Update(
     ? ""
     : std::to_string(this->Wrong) + " spheres of " + this->WrongProp +
       " have radii that are negative or not finite, or no place; they are left out.";
-  // Not again for another colour.
+  // Reports the same message only once, also for later colours.
   if (!wrong.empty() && wrong != this->Said)
   {
     vtkErrorWithObjectMacro(caller, << wrong);
@@ -241,13 +241,13 @@ void vtkIndirectProxyScene::Add(
 {
   const glm::dvec3 place(part.ToScene * glm::dvec4(center[0], center[1], center[2], 1.0));
   const double scaled = radius * part.Scale;
-  // A radius that no float squares is none.
+  // A radius whose square overflows is invalid.
   if (!(scaled >= 0.0) || !(scaled < 1e18) || !std::isfinite(place.x + place.y + place.z))
   {
     this->WrongProp = this->Wrong++ ? this->WrongProp : vtkIndirectPropKind::GetFullName(part.Prop);
     return;
   }
-  // Of the scene's diagonal; a smaller one hides nothing.
+  // Relative to the scene's diagonal; a smaller sphere hides nothing.
   if (scaled > 1e-12 &&
     !(this->User == SEGMENTS &&
       IsCutOff(part, glm::dvec3(part.ToWorld * glm::dvec4(center[0], center[1], center[2], 1.0)))))
@@ -258,7 +258,7 @@ void vtkIndirectProxyScene::Add(
 }
 
 //------------------------------------------------------------------------------
-// VTK's spheres are there as a whole where their center is; glyphs that a plane cuts count so, too.
+// VTK clips a sphere as a whole by its centre; clipped glyphs are treated the same.
 bool vtkIndirectProxyScene::IsCutOff(const Part& part, const glm::dvec3& place)
 {
   vtkPlaneCollection* planes = part.Actor->GetMapper()->GetClippingPlanes();
@@ -271,7 +271,7 @@ bool vtkIndirectProxyScene::IsCutOff(const Part& part, const glm::dvec3& place)
 }
 
 //------------------------------------------------------------------------------
-// Whether its matrix stretches spheres, by more than rounding.
+// True if the actor's matrix makes ellipsoids of spheres, beyond rounding.
 bool vtkIndirectProxyScene::IsOfEllipsoids(const Part& part)
 {
   const glm::dmat3 turned(part.ToWorld);
@@ -397,8 +397,8 @@ void vtkIndirectProxyScene::AddPoints(
 }
 
 //------------------------------------------------------------------------------
-// Those whose shader cuts a disk out of each splat, of radius one in its coordinates; others are
-// blobs that fade out, through which light comes.
+// Adds splats whose shader clips them to a disk, of radius one in its coordinates; other splats
+// fade out and are translucent.
 void vtkIndirectProxyScene::AddGaussians(const Part& part)
 {
   auto* mapper = vtkPointGaussianMapper::SafeDownCast(part.Mapper);
@@ -469,7 +469,8 @@ bool vtkIndirectProxyScene::AddGlyphs(const Part& part, vtkDataSet* data)
       }
       const vtkIndirectProxySphere& sphere = source->Spheres.front();
       const glm::dvec3 place(instance.ToData * glm::dvec4(sphere.Center, 1.0));
-      // Of an ellipsoid the ball of equal volume. Negative magnitudes there are none.
+      // An ellipsoid is represented by the ball of equal volume. Spheres of negative radius do not
+      // occur.
       const glm::dvec3& factors = instance.Factors;
       const double volume = factors.x * factors.y * factors.z;
       this->Add(part, &place[0], std::cbrt(std::abs(volume)) * sphere.Radius,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The spheres and flat polygons that stand for what a frame draws: atoms, glyphs and points that
-// are drawn as spheres straight from their data, other meshes by what vtkIndirectProxyShapes finds.
-// For segments, which voxels are there for as well, those that are drawn as spheres alone.
+// The spheres and flat polygons that represent a frame's surfaces: atoms, glyphs and points drawn
+// as spheres directly from their data, other meshes by vtkIndirectProxyShapes. For segments, which
+// voxels occlude as well, only surfaces drawn as spheres.
 #ifndef vtkIndirectProxyScene_h
 #define vtkIndirectProxyScene_h
 
@@ -30,8 +30,8 @@ public:
 
   enum UserType
   {
-    SUMS,    // over what spheres hide and send: meshes too, sticks and ellipsoids in the mean
-    SEGMENTS // and rays: spheres as they are drawn, and what lies inside of sticks
+    SUMS,    // sums of occlusion and light: also meshes, sticks, and ellipsoids on average
+    SEGMENTS // segments and rays: spheres as drawn, and spheres inside sticks
   };
   explicit vtkIndirectProxyScene(UserType user = SUMS)
     : User(user)
@@ -39,29 +39,29 @@ public:
   }
 
   /**
-   * Collects what casts shadows in a frame, in scene units. Returns whether anything may have
-   * changed since the last call. caller: whose error it is when radii are negative or not finite.
+   * Collects the casters of a frame, in scene units. Returns true if anything may have changed
+   * since the last call. caller: reports negative or infinite radii.
    */
   bool Update(const vtkIndirectFrame& frame, const Given& given, vtkObject* caller);
 
   const std::vector<vtkIndirectProxySphere>& GetSpheres() const { return this->Spheres; }
-  /** How many of them hold a place, in scene units. */
+  /** Number of spheres that contain a position, in scene units. */
   size_t CountAround(const glm::dvec3& place) const;
-  /** The spheres, which are not kept here any longer. */
+  /** The spheres, which are moved out of this object. */
   std::vector<vtkIndirectProxySphere> TakeSpheres() { return std::move(this->Spheres); }
   const std::vector<vtkIndirectProxyPolygon>& GetPolygons() const { return this->Polygons; }
-  /** The renderer's props that have such. */
+  /** The renderer's props with spheres or polygons. */
   const std::vector<const vtkProp*>& GetProps() const { return this->Props; }
-  /** Mappers of actors that have such. */
+  /** Mappers of actors with spheres or polygons. */
   const std::vector<const vtkMapper*>& GetMappers() const { return this->Mappers; }
-  /** How many spheres of what. */
+  /** Numbers of spheres by their source, as text. */
   std::string GetWhat() const;
-  /** What else there is, and what is lost. */
+  /** Surfaces that are not represented, and the reasons. */
   const std::vector<std::pair<std::string, std::string>>& GetLeftOut() const
   {
     return this->LeftOut;
   }
-  /** How often meshes have been looked into. */
+  /** Number of times that a mesh was examined. */
   int GetNumberOfFits() const { return this->Shapes.GetNumberOfFits(); }
   void AddToReport(vtkIndirectReport& report) const;
   void Forget() { this->Key.Clear(); }
@@ -76,7 +76,7 @@ private:
   bool AddGlyphs(const Part& part, vtkDataSet* data);
   void AddMesh(const Part& part, vtkPolyData* mesh);
   void AddMeshes(const Part& part);
-  // exact: it is drawn as it is.
+  // exact: the sphere is drawn as such.
   void Add(
     const Part& part, const double center[3], double radius, const glm::dvec3& albedo, bool exact);
   void LeaveOut(const std::string& what, const std::string& why);
@@ -93,14 +93,14 @@ private:
   vtkIndirectProxyKinds Kinds;
   glm::dvec3 SceneCenter{ 0.0 };
   double SceneScale = 1.0;
-  size_t Exact = 0;    // spheres straight from the data
-  size_t OfSticks = 0; // rows of them, see vtkIndirectProxySticks
-  size_t Fitted = 0;   // of meshes
-  size_t Wrong = 0;    // radii or places that are not
-  size_t Sheets = 0;   // meshes for which nothing stands
+  size_t Exact = 0;    // spheres directly from the data
+  size_t OfSticks = 0; // spheres of sticks, see vtkIndirectProxySticks
+  size_t Fitted = 0;   // spheres fitted to meshes
+  size_t Wrong = 0;    // invalid radii or positions
+  size_t Sheets = 0;   // meshes without a representation
   bool SaidSheets = false;
   std::string WrongProp;
-  std::string Said; // of these, last
+  std::string Said; // last message about these
   std::vector<std::pair<std::string, std::string>> LeftOut;
 };
 #endif

@@ -19,18 +19,17 @@
 
 namespace
 {
-// Points of a sphere lie at its distance within this share of it, and are so many: 8 of a cube
-// would do, too.
+// Largest deviation of a sphere's points from its surface over the radius, and their least number:
+// 8 points of a cube would pass, too.
 constexpr double Roundness = 1e-3;
 constexpr vtkIdType LeastPoints = 14;
-// Points of a flat mesh lie within this share of its size of their plane.
+// Largest distance of a flat mesh's points from their plane, over its size.
 constexpr double Flatness = 1e-4;
-// The area inside of a flat mesh's outline that may be missing, and its corners: of a rounder
-// outline so many are chosen and moved outwards until the area is that of all.
+// Area that may be missing inside a flat mesh's outline; and its number of corners: from a rounder
+// outline this many are chosen and moved outwards until the area matches.
 constexpr double MissingArea = 1e-3;
 constexpr size_t MostCorners = 8;
-// Who makes spheres of meshes, in a module that need not be there: it registers itself by that
-// name.
+// Class that fits spheres to meshes, in an optional module: it registers itself by this name.
 const char* const FilterName = "vtkSphereProxyFilter";
 
 void ForCells(vtkPolyData* mesh, const std::function<void(vtkIdType, const vtkIdType*)>& call)
@@ -58,7 +57,7 @@ glm::dvec3 GetPoint(vtkPolyData* mesh, vtkIdType i)
   return { p[0], p[1], p[2] };
 }
 
-// The sphere through points in the sense of least squares: |p|^2 = 2 p c + k about their mean.
+// Least-squares sphere through points: |p|^2 = 2 p c + k about their mean.
 bool FitSphere(
   vtkPolyData* mesh, const vtkIdType* points, size_t count, vtkIndirectProxySphere& sphere)
 {
@@ -79,7 +78,7 @@ bool FitSphere(
     squares += glm::dot(p, p);
   }
   const double size = squares / static_cast<double>(count);
-  if (!(size > 0.0) || !(glm::determinant(left / squares) > 1e-4)) // of a sphere 1/27
+  if (!(size > 0.0) || !(glm::determinant(left / squares) > 1e-4)) // a sphere has 1/27
   {
     return false;
   }
@@ -150,7 +149,7 @@ bool vtkIndirectProxyShapes::CanFit()
 }
 
 //------------------------------------------------------------------------------
-// Pieces that hang together by their points, each a sphere.
+// Finds connected pieces of the mesh, each a sphere.
 bool vtkIndirectProxyShapes::FindSpheres(vtkPolyData* mesh, Shape& shape)
 {
   const size_t count = static_cast<size_t>(mesh->GetNumberOfPoints());
@@ -169,7 +168,7 @@ bool vtkIndirectProxyShapes::FindSpheres(vtkPolyData* mesh, Shape& shape)
     }
     return i;
   };
-  std::vector<vtkIdType> cellOf(count, -1); // by point: any of its cells
+  std::vector<vtkIdType> cellOf(count, -1); // any cell of each point
   vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   ForCells(mesh,
     [&](vtkIdType size, const vtkIdType* points)
@@ -279,7 +278,7 @@ bool vtkIndirectProxyShapes::FindPolygon(vtkPolyData* mesh, Shape& shape)
   }
   if (hull.size() > MostCorners)
   {
-    // Evenly along the outline's corners, about its middle.
+    // Chooses corners evenly along the outline, about its middle.
     std::vector<glm::dvec2> chosen;
     for (size_t i = 0; i < MostCorners; ++i)
     {
@@ -307,11 +306,11 @@ bool vtkIndirectProxyShapes::FindPolygon(vtkPolyData* mesh, Shape& shape)
 }
 
 //------------------------------------------------------------------------------
-// By its border, of edges that one triangle has: a flat sheet's is at least 3.5 times the root of
-// its area (a disk), that of holes in a body and of cut ends far less.
+// Tests the length of the border, edges with one triangle: a flat sheet's is at least 3.5 times the
+// root of its area (a disk), that of holes in a body and of cut ends far less.
 bool vtkIndirectProxyShapes::IsSheet(vtkPolyData* mesh)
 {
-  // Points of one place are one.
+  // Merges points at the same position.
   std::map<std::array<double, 3>, vtkIdType> places;
   std::vector<vtkIdType> merged;
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -395,7 +394,7 @@ void vtkIndirectProxyShapes::Fit(Known& known, vtkPolyData* mesh)
     known.Made.LeftOut = "the module IndirectProxies, which makes spheres of meshes, is not loaded";
     return;
   }
-  // The filter's own copy: what it was fitted to stays when the mesh moves.
+  // The filter gets its own copy: its input stays unchanged if the mesh moves.
   vtkNew<vtkPolyData> copy;
   copy->SetPoints(vtkSmartPointer<vtkPoints>::New());
   copy->GetPoints()->DeepCopy(mesh->GetPoints());
@@ -407,7 +406,7 @@ void vtkIndirectProxyShapes::Fit(Known& known, vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-// Takes the filter's spheres, moved with the mesh's points where there is one.
+// Takes the filter's spheres, moved with the points of the mesh, if there is one.
 bool vtkIndirectProxyShapes::Move(Known& known, vtkPolyData* mesh)
 {
   if (mesh)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands for a mesh: the spheres or the flat polygon that it is made of, where it is, or else
-// spheres that a filter makes of it. Kept while the mesh is the same; where its points alone have
-// moved the filter's spheres move with them.
+// The representation of a mesh: the spheres or the flat polygon that it consists of, or else
+// spheres that a filter fits to it. Kept while the mesh is the same; if only its points move, the
+// filter's spheres move with them.
 #ifndef vtkIndirectProxyShapes_h
 #define vtkIndirectProxyShapes_h
 
@@ -10,7 +10,7 @@
 #include "vtkSmartPointer.h" // for the filter
 #include "vtkType.h"         // for times
 
-#include <map>     // for what is kept
+#include <map>     // for known shapes
 #include <string>  // for reasons
 #include <utility> // for pairs
 #include <vector>  // for lists
@@ -28,40 +28,40 @@ public:
     std::vector<vtkIndirectProxySphere> Spheres;
     std::vector<vtkIndirectProxyPolygon> Polygons;
     ///@{
-    /** A point and a cell of each sphere's surface, empty where the filter made them. */
+    /** A point and a cell of each sphere's surface, empty for the filter's spheres. */
     std::vector<vtkIdType> Points;
     std::vector<vtkIdType> Cells;
     ///@}
-    std::string LeftOut; // why there is nothing
+    std::string LeftOut; // reason for an empty shape
     int Kind = 0;
   };
   enum KindType
   {
     NOTHING,
-    SPHERES, // it is made of them
-    POLYGON, // it is one
-    FITTED,  // by a filter
-    SHEET    // for which nothing stands
+    SPHERES, // the mesh consists of spheres
+    POLYGON, // the mesh is a flat polygon
+    FITTED,  // spheres fitted by a filter
+    SHEET    // a sheet, which has no representation
   };
 
-  /** Whether the class that makes spheres of meshes is loaded. */
+  /** True if the class that fits spheres to meshes is loaded. */
   static bool CanFit();
 
-  /** What stands for a mesh that this prop draws. */
+  /** The representation of a mesh drawn by this prop. */
   const Shape& Find(vtkProp* prop, vtkPolyData* mesh);
-  /** The same of a body that is one sphere or is left out. */
+  /** The representation of a closed body: one sphere, or none. */
   const Shape& FindBody(vtkProp* prop, vtkPolyData* mesh);
 
-  /** Ends a frame: forgets what was not asked for since the last call. */
+  /** Ends a frame: forgets meshes not used since the last call. */
   void Forget();
-  /** How often a mesh has been looked into. */
+  /** Number of times that a mesh was examined. */
   int GetNumberOfFits() const { return this->NumberOfFits; }
 
   ///@{
-  /** The parts of Find: false where the mesh is no such thing. */
+  /** The parts of Find: false if the mesh has no such shape. */
   static bool FindSpheres(vtkPolyData* mesh, Shape& shape);
   static bool FindPolygon(vtkPolyData* mesh, Shape& shape);
-  /** Whether a mesh encloses nothing, by the length of its border. */
+  /** True if a mesh encloses no volume, by the length of its border. */
   static bool IsSheet(vtkPolyData* mesh);
   ///@}
 
@@ -69,8 +69,8 @@ private:
   struct Known
   {
     Shape Made;
-    vtkMTimeType Time = 0;      // of the mesh
-    vtkMTimeType CellsTime = 0; // and of its cells
+    vtkMTimeType Time = 0;      // time of the mesh
+    vtkMTimeType CellsTime = 0; // time of its cells
     vtkIdType NumberOfPoints = 0;
     vtkSmartPointer<vtkPolyDataAlgorithm> Filter;
     bool Used = false;

@@ -8,12 +8,12 @@
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-// Of the table: ratios of radii from 0 to 1, distances from 0 to Farthest times both radii.
+// Ranges of the table: ratios of radii from 0 to 1, distances from 0 to Farthest times both radii.
 constexpr int Ratios = 16;
 constexpr int Distances = 64;
 constexpr double Farthest = 2.0;
 
-// The area of the lens of two disks whose middles are so far apart, over pi; first >= second.
+// The area of the intersection of two disks at this distance, over pi; first >= second.
 double FindLens(double first, double second, double apart)
 {
   if (apart >= first + second)
@@ -32,7 +32,7 @@ double FindLens(double first, double second, double apart)
   return (a2 * std::atan2(half, toFirst) + b2 * std::atan2(half, toSecond) - apart * half) / Pi;
 }
 
-// Over the smaller one's area; distance over the sum of the radii.
+// Overlap over the smaller disk's area; distance: over the sum of the radii.
 double Integrate(double ratio, double distance)
 {
   constexpr int steps = 64;
@@ -53,7 +53,7 @@ Table MakeTable()
   Table table;
   for (int i = 0; i <= Ratios; ++i)
   {
-    // Of a point that may be anywhere behind a disk.
+    // The least ratio is that of a point anywhere behind a disk.
     const double ratio = std::max(static_cast<double>(i) / Ratios, 1e-3);
     for (int k = 0; k <= Distances; ++k)
     {
@@ -74,7 +74,7 @@ double vtkIndirectProxySilhouette::FindOverlap(double first, double second, doub
   const double place = distance / (first + second) * (Distances / Farthest);
   if (!(place < Distances))
   {
-    // Both areas over that of the sphere of directions, and its second order.
+    // The product of both areas over that of the sphere of directions, with its second-order term.
     const double share = large * large / (distance * distance);
     return 0.5 * share + 0.125 * share * (share + small * small / (distance * distance));
   }

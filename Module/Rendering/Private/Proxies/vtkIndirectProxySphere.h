@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What hides light and sends it in place of surfaces: spheres and flat convex polygons.
+// Spheres and flat convex polygons that occlude and send light in place of surfaces.
 #ifndef vtkIndirectProxySphere_h
 #define vtkIndirectProxySphere_h
 
@@ -12,12 +12,12 @@ struct vtkIndirectProxySphere
   double Radius = 0.0;
   glm::vec3 Albedo{ 0.0f };
   bool PhysicallyBased = false; // see vtkIndirectMaterial
-  bool Exact = false;           // it is drawn as it is; else it stands for a surface nearby
+  bool Exact = false;           // drawn as a sphere; else it represents a surface nearby
 };
 
 struct vtkIndirectProxyPolygon
 {
-  std::vector<glm::dvec3> Corners; // three or more, around it
+  std::vector<glm::dvec3> Corners; // three or more, in order around it
   glm::vec3 Albedo{ 0.0f };
 };
 #endif

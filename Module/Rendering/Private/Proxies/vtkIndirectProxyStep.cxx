@@ -9,8 +9,8 @@
 
 namespace
 {
-// The median radius of spheres before the eye, in pixels; infinite where there is none. Of many
-// some are looked at.
+// The median radius of spheres in front of the eye, in pixels; infinite without spheres. Samples
+// large sets.
 double FindRadiusInPixels(
   const vtkIndirectFrame& frame, const std::vector<vtkIndirectProxySphere>& spheres)
 {
@@ -38,9 +38,9 @@ double FindRadiusInPixels(
   return *middle;
 }
 
-// What is seen of a scene in so many receivers is about as fine as spheres of thousands; more of
-// them cost as much more. Pixels between receivers of different spheres have no light of their own:
-// where the next receiver would be on another sphere there are up to four times as many.
+// A view with this many receivers is about as fine as thousands of spheres; the cost goes with
+// their number. Pixels between receivers on different spheres have no light of their own: if the
+// next receiver would be on another sphere, there are up to four times as many.
 int FindStep(const int size[2], double radius)
 {
   constexpr double receivers = 16384.0;
@@ -67,7 +67,7 @@ int vtkIndirectProxyStep::Find(
 int vtkIndirectProxyStep::Find(const int size[2], double radius)
 {
   const bool first = this->Last == 0 || !std::equal(size, size + 2, this->Size);
-  // Steps grow with the radius: what either end of the margin asks for encloses all between.
+  // Steps grow with the radius: the steps at both ends of the margin enclose all between.
   if (first || this->Last < FindStep(size, (1.0 - Margin) * radius) ||
     this->Last > FindStep(size, (1.0 + Margin) * radius))
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pixels from one receiver of proxies to the next, by the picture's size and by how large spheres
-// are in it. The step of the last frame is kept near a limit, so that a camera that moves to and
-// fro there, both eyes of a picture, or spheres that swing do not have the light flicker.
+// Pixels from one receiver of proxies to the next, by the picture's size and the spheres' size in
+// it. Hysteresis keeps the step near a limit, so that the light does not flicker with a camera that
+// oscillates there, between both eyes of a picture, or with swinging spheres.
 #ifndef vtkIndirectProxyStep_h
 #define vtkIndirectProxyStep_h
 
@@ -14,16 +14,16 @@ struct vtkIndirectFrame;
 class vtkIndirectProxyStep
 {
 public:
-  /** Most of the step without regard to spheres. */
+  /** Largest step, independent of spheres. */
   static constexpr int Most = 8;
-  /** Share of a radius by which it may pass the limit of the last step, either way. */
+  /** Hysteresis: share of the radius by which it may pass the last step's limit, either way. */
   static constexpr double Margin = 0.15;
 
-  /** The step of a frame by what is in view. */
+  /** The step of a frame for the visible spheres. */
   int Find(const vtkIndirectFrame& frame, const std::vector<vtkIndirectProxySphere>& spheres);
-  /** By a radius in pixels, which may be infinite. Another size forgets the last step. */
+  /** The step for a radius in pixels, which may be infinite. Another size forgets the last step. */
   int Find(const int size[2], double radius);
-  /** The next step is found as if there had been none. */
+  /** Finds the next step without hysteresis. */
   void Forget() { this->Last = 0; }
 
 private:

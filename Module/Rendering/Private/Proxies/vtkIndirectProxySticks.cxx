@@ -13,7 +13,7 @@
 
 namespace
 {
-// Members that VTK keeps to its derived classes.
+// Access to protected members of VTK.
 struct StickAccess : public vtkOpenGLStickMapper
 {
   static const char* GetScale(vtkOpenGLStickMapper* mapper)
@@ -62,7 +62,7 @@ int vtkIndirectProxySticks::FindRow(double length, double radius, double& radius
   {
     return 0;
   }
-  // Clamped before it becomes an integer.
+  // Clamped before the conversion to an integer.
   const double touching =
     std::min(std::max(length / (2.0 * radius), 1.0), double(MostSpheresOfAStick));
   const int count = static_cast<int>(std::lround(touching));
@@ -81,8 +81,8 @@ int vtkIndirectProxySticks::FindRowInside(double length, double radius)
 }
 
 //------------------------------------------------------------------------------
-// As vtkOpenGLStickMapper draws them: about their points, lengths and radii the first two
-// components of their scales.
+// As vtkOpenGLStickMapper draws sticks: centred at their points, with length and radius in the
+// first two components of their scales.
 void vtkIndirectProxySticks::ForEach(vtkMapper* mapper, vtkDataSet* data, RowType type,
   const std::function<void(vtkIdType, const double[3], double)>& call)
 {
@@ -99,7 +99,7 @@ void vtkIndirectProxySticks::ForEach(vtkMapper* mapper, vtkDataSet* data, RowTyp
     double way[3];
     data->GetPoint(i, middle);
     ways->GetTuple(i, way);
-    // What is drawn is as long as the product of both.
+    // The drawn length is the product of both.
     const double length = scales->GetComponent(i, 0) * vtkMath::Norm(way);
     double radius = scales->GetComponent(i, 1);
     const int count =

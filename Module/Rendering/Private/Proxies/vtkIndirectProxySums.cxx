@@ -24,7 +24,7 @@ constexpr int RowLength = vtkIndirectKernels::VTKI_ROW_LENGTH;
 constexpr int TileSize = 16;
 constexpr int SharedTile = vtkIndirectKernels::VTKI_PROXY_TILE;
 constexpr int SharedBlock = vtkIndirectKernels::VTKI_PROXY_BLOCK;
-// Of images of pixels, beside those of receivers.
+// First image unit of images of pixels, after those of receivers.
 constexpr int PixelUnit = 4;
 // Entries in one draw: long draws stall a desktop.
 constexpr int EntriesPerDraw = 16 * RowLength;
@@ -37,8 +37,8 @@ enum ModeType
 };
 
 #ifdef GL_COMPUTE_SHADER
-// Whoever comes next samples what was stored, draws over it, adds to it, reads it back or replaces
-// it.
+// The next user of the images may sample them, draw over them, add to them, read them back or
+// replace them.
 void FinishImages()
 {
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
@@ -84,7 +84,7 @@ void vtkIndirectProxySums::SetEnvironment(
 }
 
 //------------------------------------------------------------------------------
-// What falls on senders, and means of it.
+// Light that falls on senders, and its means.
 bool vtkIndirectProxySums::LightSenders(const Input& input)
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
@@ -200,7 +200,7 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
   {
     return false;
   }
-  // From border to border.
+  // Receivers from border to border.
   for (int i = 0; i < 2; ++i)
   {
     this->CoarseSize[i] = (frame.Size[i] - 1 + input.Step - 1) / input.Step + 1;
@@ -235,7 +235,7 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
 }
 
 //------------------------------------------------------------------------------
-// Light of pixels that no coarse receiver stands for.
+// Light of pixels that no coarse receiver represents.
 bool vtkIndirectProxySums::SumRest(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
@@ -318,7 +318,7 @@ bool vtkIndirectProxySums::ShareRest(
 }
 
 //------------------------------------------------------------------------------
-// All channels of a target as images from a unit on, or nothing there.
+// Binds all channels of a target as images from a unit on, or unbinds them.
 void vtkIndirectProxySums::BindImages(vtkIndirectTarget& target, int unit, bool binds)
 {
 #ifdef GL_COMPUTE_SHADER
@@ -362,7 +362,7 @@ bool vtkIndirectProxySums::SumInTiles(
     }
   };
   bind(true);
-  // What the kernel reads must have arrived: llvmpipe does not wait for it by itself.
+  // Waits for the kernel's inputs, which llvmpipe does not do by itself.
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   if (mode == REST)
   {
@@ -468,7 +468,8 @@ bool vtkIndirectProxySums::Upsample(
   {
     return false;
   }
-  // The depth test branches where software's shaders cannot: most of many pictures is background.
+  // The depth test branches where software's shaders cannot: background fills most of many
+  // pictures.
   vtkOpenGLState* state = input.Frame.Window->GetState();
   vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
   vtkOpenGLState::ScopedglDepthMask depthMask(state);

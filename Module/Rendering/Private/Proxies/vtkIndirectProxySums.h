@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums a tree of spheres for what the eye sees: irradiance of the sky that they leave, and of what
-// they send. In compute shaders by tiles of 16 x 16 receivers, or by rectangles that are drawn and
-// blended; both give the same within rounding.
+// Sums a tree of spheres at the visible surfaces: irradiance of the sky that they leave visible,
+// and of their own light. Compute shaders sum in tiles of 16 x 16 receivers, or rectangles are
+// drawn and blended; both give the same result within rounding.
 #ifndef vtkIndirectProxySums_h
 #define vtkIndirectProxySums_h
 
@@ -23,30 +23,30 @@ class vtkIndirectProxySums
 public:
   vtkIndirectProxySums();
 
-  /** Whether this OpenGL sums in tiles now; see vtkIndirectPaths. */
+  /** True if this OpenGL sums in tiles; see vtkIndirectPaths. */
   static bool UsesTiles();
 
   struct Input
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
-    int Step = 1;            // every so many pixels is a receiver
-    bool Hides = true;       // else nothing hides the sky
+    int Step = 1;            // pixels from one receiver to the next
+    bool Hides = true;       // false: the sky is unoccluded
     bool Middle = false;     // radiance of spheres at their middles
-    bool Exact = false;      // radiance of spheres at each place of theirs
-    bool Shadowed = true;    // spheres hide the light from each other that they send
+    bool Exact = false;      // radiance of spheres at each of their points
+    bool Shadowed = true;    // spheres occlude each other's light
     double LightReach = 0.0; // radii within which a sphere sends; 0: everywhere
   };
 
-  /** Uploads entries. Returns false, after an error, when OpenGL refuses. */
+  /** Uploads entries. Returns false, after an error, if OpenGL refuses. */
   bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree,
     const std::vector<vtkIndirectProxyPolygon>& polygons);
-  /** The light that all is summed under; null: none. After Update. */
+  /** Sets the environment of the sums; null: none. After Update. */
   void SetEnvironment(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment);
 
   /**
    * Fills an image of the frame's size, of RGBA32F: irradiance of the sky and, in a second channel
-   * if it has that, of what proxies send. Within a vtkIndirectFullScreenState. Returns false when a
+   * if present, of the proxies' light. Within a vtkIndirectFullScreenState. Returns false if a
    * program does not compile.
    */
   bool Sum(const Input& input, vtkIndirectTarget& image);
@@ -73,17 +73,17 @@ private:
   bool Changed = true; // since the light was set
   bool SendersAreLit = false;
   int CoarseSize[2] = { 0, 0 };
-  vtkIndirectTarget SenderLight; // what falls on senders
-  vtkIndirectTarget AllLight;    // the same, and means of it, in pairs
+  vtkIndirectTarget SenderLight; // light that falls on senders
+  vtkIndirectTarget AllLight;    // that light and its means, in pairs
   vtkIndirectTarget Coarse;
   vtkIndirectTarget Shared;  // receivers of tiles
-  vtkIndirectTarget Counts;  // of them
+  vtkIndirectTarget Counts;  // number of receivers
   vtkIndirectTarget Blended; // sums
   vtkIndirectSplatMesh Mesh;
-  vtkIndirectCommandBuffer Rest{ 2 }; // tiles' receivers, pixels that they serve
+  vtkIndirectCommandBuffer Rest{ 2 }; // tiles' receivers, and the pixels that they represent
   vtkIndirectComputeProgram Choosing{ "vtkIndirectProxyChooseCS.glsl" };
   vtkIndirectComputeProgram Sharing{ "vtkIndirectProxyShareCS.glsl" };
-  // Of coarse receivers, of all pixels, of tiles' receivers, of senders.
+  // For coarse receivers, all pixels, tiles' receivers, senders.
   vtkIndirectComputeProgram Tiles[4]{ vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
     vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
     vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),

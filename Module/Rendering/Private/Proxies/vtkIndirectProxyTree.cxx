@@ -9,13 +9,13 @@
 
 namespace
 {
-// Up to so many spheres have light of their own. Of more of them so many or fewer are found
-// together, or more where else there would be more senders: as groups have four parts that is a
-// sender for two to eight.
+// Up to this many spheres each have light of their own. Of more spheres about SpheresTogether share
+// a sender, or more where there would otherwise be too many senders: as groups have four parts, a
+// sender covers two to eight spheres.
 constexpr size_t FewSpheres = 2048;
 constexpr size_t SpheresTogether = 8;
 constexpr size_t MostSenders = 4096;
-// Everywhere, in scene units, whose square and cube are floats still.
+// A reach that covers everything, in scene units, whose square and cube are finite floats.
 constexpr double Everywhere = 1e8;
 // Sums of r^2, r^2 center, r^2 (center^2 + 3/5 r^2), r^2 albedo.
 constexpr int NumberOfMoments = 8;
@@ -79,7 +79,7 @@ void vtkIndirectProxyTree::Build(
 }
 
 //------------------------------------------------------------------------------
-// Into two halves along the longest axis of the centres' box.
+// Splits the spheres into halves along the longest axis of their centres' box.
 void vtkIndirectProxyTree::Split(
   const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end)
 {
@@ -105,7 +105,7 @@ void vtkIndirectProxyTree::Split(
 }
 
 //------------------------------------------------------------------------------
-// The sphere that all others of a group are inside of; `end` where there is none.
+// The sphere that contains all others of a group; `end` if there is none.
 size_t vtkIndirectProxyTree::FindHolding(
   const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end) const
 {
@@ -160,7 +160,7 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
   const size_t holds = this->FindHolding(spheres, first, end);
   if (holds < end)
   {
-    // The others are inside of it, and are not seen.
+    // The others are inside of it and invisible.
     std::swap(this->Order[first], this->Order[holds]);
     this->Nodes.pop_back();
     return this->MakeNode(spheres, first, first + 1, angle, moments);
@@ -194,7 +194,7 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
       moments[k] += own[k];
     }
   }
-  const double s = moments[0]; // may underflow, as of radii of 1e-200
+  const double s = moments[0]; // may underflow for radii of 1e-200
   node.Center = s > 0.0 ? glm::dvec3(moments[1], moments[2], moments[3]) / s
                         : this->Nodes[node.Children[0]].Center;
   node.Albedo = s > 0.0 ? glm::dvec3(moments[5], moments[6], moments[7]) / s : glm::dvec3(0.0);
@@ -205,9 +205,10 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
     largest = std::max(largest, glm::length(child.Center - node.Center) + child.Radius);
   }
   const double spread = s > 0.0 ? (moments[4] / s - glm::dot(node.Center, node.Center)) / 0.6 : 0.0;
-  // What cancels in it is small beside the squared distance from the origin, which is of order one.
+  // The cancellation error is small against the squared distance from the origin, which is of order
+  // one.
   node.Radius = std::min(std::sqrt(std::max(spread, 1e-4 * largest * largest)), largest);
-  // No smaller than what it hides.
+  // At least as large as the disk that it hides.
   vtkIndirectProxySilhouette::Ball balls[4];
   for (int i = 0; i < node.NumberOfChildren; ++i)
   {
@@ -218,7 +219,7 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
   node.Radius = std::max(node.Radius, std::sqrt(area));
   node.Bound = node.Radius;
   node.Share = area > 0.0 ? std::min(area / (node.Radius * node.Radius), 1.0) : 0.0;
-  // Where it begins to count its children count in full.
+  // At its inner limit the children count in full.
   node.Inner = node.Radius / angle;
   for (int i = 0; i < node.NumberOfChildren; ++i)
   {
@@ -228,7 +229,7 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
       std::max(node.Inner, (child.Inner + distance) / vtkIndirectKernels::VTKI_PROXY_BAND);
     node.Bound = std::max(node.Bound, distance + child.Bound);
   }
-  // Radii as they are in texels: where it ends its children begin.
+  // Rounded as in texels: the children begin where it ends.
   node.Inner =
     vtkIndirectKernels::vtkiPairedAbove(static_cast<float>(std::min(node.Inner, Everywhere)));
   this->Nodes[number] = node;
@@ -236,14 +237,14 @@ size_t vtkIndirectProxyTree::MakeNode(const std::vector<vtkIndirectProxySphere>&
 }
 
 //------------------------------------------------------------------------------
-// own: the sender that it belongs to; below zero: none. Means are numbered from -1 down.
+// own: the sender of the group; negative: none. Means are numbered from -1 down.
 void vtkIndirectProxyTree::AddSenders(size_t number, int own)
 {
   Node& node = this->Nodes[number];
   if (own < 0 && node.NumberOfSpheres <= this->SpheresOfSender)
   {
     own = static_cast<int>(this->Senders.size());
-    // One of its spheres: where the group itself is, there may be none.
+    // Placed on one of its spheres, because the group's centre may be empty.
     size_t inside = number;
     while (this->Nodes[inside].NumberOfChildren > 0)
     {

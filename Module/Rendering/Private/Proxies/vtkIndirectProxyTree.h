@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spheres in groups of groups: from afar a group is summed as one sphere that lets a share of the
-// light through. After the hierarchies of Ren, Wang, Snyder, Zhou, Liu, Sun, Hua, Guo, Shum 2006,
+// Spheres in groups of groups: from afar a group is summed as one sphere that transmits a share of
+// the light. After the hierarchies of Ren, Wang, Snyder, Zhou, Liu, Sun, Hua, Guo, Shum 2006,
 // "Real-time soft shadows in dynamic scenes using spherical harmonic exponentiation".
 //
-// A group's sphere has the second moment of its spheres' cross sections, those of a ball; it hides
-// the share of its disk that is the area of their silhouette, meaned over directions: spheres of a
-// group lie beside each other rather than at random, and hide less of each other than those would,
-// or are half inside of each other. Sums of logarithms hide twice what lies behind each other; a
-// group does not.
+// A group's sphere has the second moment of its spheres' cross sections, taken as a ball's; it
+// hides the share of its disk that the silhouette of its spheres covers, averaged over directions.
+// Spheres of a group lie beside each other rather than at random, and overlap less than random ones
+// would, or are half inside of each other. Sums of logarithms hide a part twice if spheres lie
+// behind each other; a group does not.
 //
-// Every entry says itself where it counts: within `Outer` of its parent's centre, where the parent
-// is too near to stand for it, and beyond `Inner` of its own. Both change over smoothly, and over
-// any place the weights of all that stand for a sphere add up to one. So each entry can be tested
-// alone, in any order.
+// Every entry holds the region where it counts: within `Outer` of its parent's centre, where the
+// parent is too near to represent it, and beyond `Inner` of its own. Both limits are smooth, and at
+// any position the weights of all entries that represent a sphere add up to one. So each entry can
+// be tested alone, in any order.
 #ifndef vtkIndirectProxyTree_h
 #define vtkIndirectProxyTree_h
 
@@ -28,31 +28,32 @@ public:
     glm::vec3 Center;
     float Radius;
     glm::vec3 OuterCenter;
-    float Outer; // it counts within; all of it within vtkiProxyBand of that
+    float Outer; // radius in which it counts, fully within vtkiProxyBand of that
     glm::vec3 Albedo;
-    float Share; // of the light that its disk hides
-    float Inner; // the same the other way round: nothing of it counts well within; 0: it does, as
-                 // a sphere that stands for a surface; -1: as one that is drawn
-    int Sender; // whose light it sends: a place among the senders, or from there on among the means
-    int Next;   // the entry after it and all below it, which follow it; -1: none
-    float Bound; // radius about its centre that it and all below it are within
+    float Share; // hidden share of the light through its disk
+    float Inner; // radius deep inside which it counts nothing; 0: none, for a sphere that
+                 // represents a surface; -1: none, for a drawn sphere
+    // index of the sender of its light: among the senders, or from there on among the means
+    int Sender;
+    int Next;    // the entry after it and its descendants, which follow it; -1: none
+    float Bound; // radius about its centre that bounds the entry and its descendants
   };
   /**
-   * A sphere whose light stands for that of those next to it, too. It is one of them: between
-   * spheres that are far apart there is more light than at any of them.
+   * A sphere whose light represents that of its neighbours, too. Its position is on one of them:
+   * between spheres that are far apart there is more light than on any of them.
    */
   struct Sender
   {
     glm::vec3 Center;
     float Radius;
   };
-  /** Senders that are sent as one: so many from one on. */
+  /** A range of senders whose mean an entry sends. */
   struct Mean
   {
     int First;
     int Count;
   };
-  /** A box about the places where any of VTKI_ROW_LENGTH entries counts. */
+  /** A bounding box of the regions of VTKI_ROW_LENGTH entries. */
   struct Block
   {
     glm::vec3 Lower;
@@ -61,12 +62,12 @@ public:
 
   /**
    * Makes entries of spheres whose lengths are of order one, all radii positive and finite. angle:
-   * the largest radius over distance under which a group is one; 0: no groups, and a sphere counts
-   * within `reach` times its radius, or everywhere if that is 0.
+   * the largest radius over distance at which a group counts as one; 0: no groups, and a sphere
+   * counts within `reach` times its radius, or everywhere if that is 0.
    */
   void Build(const std::vector<vtkIndirectProxySphere>& spheres, double angle, double reach);
 
-  /** Whether there are groups: entries with others below them. */
+  /** True if there are groups: entries with children. */
   bool HasGroups() const { return !this->Nodes.empty(); }
   const std::vector<Entry>& GetEntries() const { return this->Entries; }
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
@@ -98,7 +99,7 @@ private:
   void AddEntries(size_t node, const Node* parent);
   void MakeBlocks();
 
-  std::vector<size_t> Order; // of the spheres
+  std::vector<size_t> Order; // order of the spheres
   size_t SpheresOfSender = 4;
   std::vector<Node> Nodes;
   std::vector<Entry> Entries;

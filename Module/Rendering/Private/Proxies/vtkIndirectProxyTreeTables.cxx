@@ -17,7 +17,7 @@ namespace
 {
 constexpr int RowLength = vtkIndirectKernels::VTKI_ROW_LENGTH;
 
-// Of a table. Powers of two: numbers that change a little keep the textures.
+// Rows of a table. Powers of two: small changes of the number of entries keep the textures.
 int FindRows(size_t entries)
 {
   int rows = 1;
@@ -28,8 +28,7 @@ int FindRows(size_t entries)
   return rows;
 }
 
-// The table with so many entries that the nearest one does: a texel takes longer than what is done
-// with it.
+// Long enough for a look-up of the nearest entry: a texel takes longer than the arithmetic on it.
 constexpr int TableLength = vtkIndirectKernels::VTKI_PROXY_TABLE;
 std::vector<float> MakeTable()
 {
@@ -164,7 +163,7 @@ bool vtkIndirectProxyTreeTables::UpdateSenders(
     }
   }
   const int rows = FindRows(places.size() / 4);
-  // What is read of a texture has been written.
+  // Every texel that shaders may read is written.
   ranges.resize(std::max(ranges.size(), size_t(4)), 0.0f);
   const int meanRows = FindRows(ranges.size() / 4);
   if (!this->Senders.Resize(window, RowLength, rows) ||

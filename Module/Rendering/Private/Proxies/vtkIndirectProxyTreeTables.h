@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tree of spheres as shaders read it: tables of entries, of boxes around blocks of them, and of
-// what sends light.
+// A tree of spheres in the form that shaders read: tables of entries, of bounding boxes of blocks
+// of them, and of senders.
 #ifndef vtkIndirectProxyTreeTables_h
 #define vtkIndirectProxyTreeTables_h
 
@@ -15,26 +15,27 @@ class vtkIndirectProxyTreeTables
 public:
   vtkIndirectProxyTreeTables();
 
-  /** Uploads entries. Returns false, after an error, when OpenGL refuses. */
+  /** Uploads entries. Returns false, after an error, if OpenGL refuses. */
   bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree,
     const std::vector<vtkIndirectProxyPolygon>& polygons);
 
   void Activate(vtkShaderProgram* program) const;
   void Deactivate() const;
-  /** A texel of a table with rows of VTKI_ROW_LENGTH, over its width and height. */
+  /** Sets the size of a table's texel over the table's width and height, for rows of
+   * VTKI_ROW_LENGTH. */
   static void SetTexelSize(
     vtkShaderProgram* program, const char* name, const vtkIndirectTarget& table);
 
-  /** Those that send light: the largest ones of what Update was given. */
+  /** The polygons that send light: the largest of those given to Update. */
   const std::vector<vtkIndirectProxyPolygon>& GetPolygons() const { return this->Polygons; }
   bool HasGroups() const { return this->HasAnyGroups; }
   int GetNumberOfEntries() const { return this->NumberOfEntries; }
   int GetNumberOfSenders() const { return this->NumberOfSenders; }
-  /** The first of the senders that are places of polygons. */
+  /** Number of the first sender that is a place of a polygon. */
   int GetFirstPlace() const { return this->FirstPlace; }
   const vtkIndirectTarget& GetEntries() const { return this->Rows; }
   const vtkIndirectTarget& GetSenders() const { return this->Senders; }
-  /** Of senders, of which an entry sends the mean. */
+  /** Ranges of senders whose mean an entry sends. */
   const vtkIndirectTarget& GetRanges() const { return this->Ranges; }
 
   size_t GetBytes() const;
@@ -53,6 +54,6 @@ private:
   vtkIndirectTarget Rows;   // entries
   vtkIndirectTarget Blocks; // boxes
   vtkIndirectTarget Senders;
-  vtkIndirectTarget Ranges; // of means
+  vtkIndirectTarget Ranges; // ranges of means
 };
 #endif

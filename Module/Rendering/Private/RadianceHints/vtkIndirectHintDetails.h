@@ -1,52 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the presets of vtkRadianceHintsPass choose: steps of the method that no user can choose
-// well. Documentation/methods/radiance-hints.md has what each is worth.
+// Settings made by the presets of vtkRadianceHintsPass: details of the method that users rarely
+// have a reason to change. Documentation/methods/radiance-hints.md tells the effect of each.
 #ifndef vtkIndirectHintDetails_h
 #define vtkIndirectHintDetails_h
 
 /** The defaults are those of the preset ROBUST. */
 struct vtkIndirectHintDetails
 {
-  // How order 3 holds colours: 11 numbers, all of the luma and of the two chroma differences the
-  // mean; else RGB, 27 numbers. Order 2 is RGB, 12 numbers.
+  // Order 3 stores 11 numbers, all of the luma and the mean of the two chroma differences; else
+  // RGB, 27 numbers. Order 2 is RGB, 12 numbers.
   bool LumaChroma = true;
-  // All of every map is read, in blocks of texels; else NumberOfSamples texels, others for each
+  // Reads every map completely, in blocks of texels; else NumberOfSamples texels, others for each
   // hint.
   bool Dense = true;
-  int BlocksPerEdge = 24; // dense: of a face of a map
-  // Sampled: share of a map, about the hint's own place in it, that samples are spread over. What
-  // lies outside is lost.
+  int BlocksPerEdge = 24; // dense: along an edge of a map's face
+  // Sampled: share of a map's area, around the hint's own place in it, for the samples. Light from
+  // outside is lost.
   double Coverage = 1.0;
-  // A sender is at least as large as a share of the hint's cell: a hint stands for its cell and
-  // does not resolve what is nearer. It steps back from a sender's plane instead.
+  // Makes a sender at least as large as a share of the hint's cell, whose inside one hint does not
+  // resolve, by moving the hint back from the sender's plane.
   bool Softening = true;
-  // The irradiance is rid of the ringing of spherical harmonics: never negative, and for order 2 as
-  // bright in front of concentrated light as it should be.
+  // Removes the ringing of spherical harmonics from the irradiance: never negative, and for order 2
+  // without loss in front of concentrated light.
   bool Deringing = true;
-  // Without visibility: hints behind the surfaces that send light weigh less.
+  // Without visibility: reduces the weight of hints behind senders.
   bool FacingWeights = true;
-  // Hints far from every surface are left out, in frames that show nothing but polygons: where
-  // glyphs, impostors, lines, points or shaders of the user's own draw, only they know where.
+  // Leaves out hints far from every surface in frames that draw only polygons: glyphs, impostors,
+  // lines, points and users' shaders have no known bounds.
   bool SkipEmptyCells = true;
-  // Later bounces take the albedo of the surfaces where they happen; else the scene's mean.
+  // Later bounces use the albedo of the surfaces around each hint; else the scene's mean.
   bool AlbedoVolume = true;
-  // Later bounces come from other hints, at random (Eq. 8 to 11); else from what rays of the hint
-  // meet.
+  // Later bounces come from other hints, at random (Eq. 8 to 11); else from surfaces that the
+  // hint's rays meet.
   bool FromHints = false;
   int NumberOfRays = 400;         // at least; an even square number
   int NumberOfBounceSamples = 32; // FromHints: other hints
-  // FromHints: farthest that a bounce comes from, over the scene's diagonal, the unit of stored
+  // FromHints: largest distance of a bounce over the scene's diagonal, the unit of stored
   // distances.
   double BounceRange = 1.0;
-  // 1, half a cell above the surface, or 4, the paper's: one above and three at 80 degrees on a
+  // 1: half a cell above the surface; or 4, the paper's: one above and three at 80 degrees on a
   // hemisphere as wide as a cell's diagonal.
   int NumberOfLookups = 1;
-  bool LookupRotation = false; // the four turn from pixel to pixel, which is noise
-  // Section 8, DepthOcclusion: places on each way that are tested, and what a hidden one leaves.
+  bool LookupRotation = false; // the four turn from pixel to pixel, which adds noise
+  // Section 8, DepthOcclusion: tested points on each segment, and the share left by a hidden one.
   int NumberOfDepthSamples = 5;
   double DepthAttenuation = 0.6;
 
-  /** Of the preset PAPER. */
+  /** Settings of the preset PAPER. */
   static vtkIndirectHintDetails OfPaper()
   {
     vtkIndirectHintDetails details;

@@ -40,7 +40,7 @@ const vtkIndirectChannel RadiosityChannels[] = {
 };
 
 // Least area of a sender over that of a face of the hint's cell. A sender of area A is softened
-// over sqrt(A / 2 pi): a fifth of a cell's edge for this, less than a hint's distance from its own
+// over sqrt(A / 2 pi): here a fifth of a cell's edge, less than a hint's distance from its own
 // wall.
 constexpr double SofteningShare = 0.25;
 
@@ -49,7 +49,7 @@ std::string Define(const std::string& name, int value)
   return "#define " + name + " " + std::to_string(value) + "\n";
 }
 
-// What stages with fields begin with; grids: how many.
+// Common definitions of stages with fields; grids: their number.
 std::string GetDefinitions(int layout, bool occupancy, int grids)
 {
   return Define("VTKI_HINT_LAYOUT", layout) + Define("VTKI_GRIDS", grids) +
@@ -145,7 +145,7 @@ bool vtkIndirectHintFields::Inject(
   const Input& input, const Settings& settings, vtkIndirectHintGrid& grid)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  // In the paper's way samples of the maps are taken anew for each hint.
+  // The paper's method samples the maps anew for each hint.
   const bool list = input.Lights != nullptr;
   vtkIndirectFullScreenProgram& kernel = list ? this->DenseKernel : this->SampledKernel;
   kernel.SetDefinitions(GetDefinitions(this->Layout, settings.Visibility, grid.GetNumberOfGrids()) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light that the hints hold: brought to them from the maps, bounced, and looked up.
+// The light stored in the hints: injected from the maps, bounced, and looked up.
 #ifndef vtkIndirectHintFields_h
 #define vtkIndirectHintFields_h
 
@@ -30,17 +30,18 @@ public:
   vtkIndirectHintFields();
   ~vtkIndirectHintFields();
 
-  /** Computes the fields of all active hints. Returns false, after an error, when it cannot. */
+  /** Computes the fields of all active hints. Returns false, after an error, if it cannot. */
   bool Fill(const Input& input, const Settings& settings, vtkIndirectHintGrid& grid);
 
-  /** What a stage with vtkIndirectHintLookup.glsl begins with, to be built anew for others. */
+  /** Definitions for a stage with vtkIndirectHintLookup.glsl, which must be rebuilt if they
+   * change. */
   static std::string GetLookupDefinitions(const Settings& settings, int grids);
-  /** Binds what it reads; pair with Deactivate. */
+  /** Binds the stage's textures; pair with Deactivate. */
   void ActivateLookup(const Input& input, const Settings& settings, vtkIndirectHintGrid& grid,
     vtkShaderProgram* program);
   void Deactivate(const Input& input, vtkIndirectHintGrid& grid);
 
-  /** Textures of the field that is looked up, four floats a hint; empty before the first Fill. */
+  /** Textures of the current field, four floats a hint; empty before the first Fill. */
   std::vector<std::vector<float>> ReadBack() const;
   int GetLayout() const { return this->Layout; }
 
@@ -55,10 +56,10 @@ private:
   bool Bounce(const Input& input, const Settings& settings, vtkIndirectHintGrid& grid);
   void ActivateField(int field, vtkShaderProgram* program);
 
-  // The first bounce, all bounces, and those before while bounces go from hint to hint.
+  // The first bounce, all bounces, and the previous sum while bounces go from hint to hint.
   std::unique_ptr<vtkIndirectTarget> Fields[3];
   int Layout = -1;
-  int Current = 0; // which of them is looked up
+  int Current = 0; // field for look-ups
   vtkIndirectTarget Radiosity;
   vtkIndirectFullScreenProgram DenseKernel;
   vtkIndirectFullScreenProgram SampledKernel;

@@ -14,10 +14,10 @@
 
 namespace
 {
-// Texels in a row of the table of rays: OpenGL's least limit on textures. Longer where rows would
-// be too many.
+// Texels in a row of the table of rays: OpenGL's least limit on textures. Rows are longer if there
+// would be too many.
 constexpr int LeastRayRowLength = 1024;
-// Hints whose rays are followed before what they meet is gathered.
+// Hints whose rays are traced before their hits are collected.
 constexpr int RayBatch = 256;
 
 glm::ivec3 Unfold(int index, const glm::ivec3& size)
@@ -53,7 +53,7 @@ glm::dvec4 vtkIndirectHintGrid::GetDirection(int ray, int edge)
   {
     const double u = 2.0 * (ray % edge + (i % points + 0.5) / points) / edge - 1.0;
     const double v = 2.0 * (ray / edge + (i / points + 0.5) / points) / edge - 1.0;
-    // |v|^2 at the point of the octahedron that the square's point unfolds to.
+    // |v|^2 at the octahedron's point for the square's point.
     const double z = 1.0 - std::abs(u) - std::abs(v);
     const double fold = std::max(-z, 0.0);
     const double x = std::abs(u) - fold;
@@ -109,7 +109,7 @@ void vtkIndirectHintGrid::Clear()
   this->Hints.clear();
   this->First.clear();
   this->Masks.clear();
-  std::vector<float>().swap(this->Hits); // the largest: not kept for what comes
+  std::vector<float>().swap(this->Hits); // the largest table: frees its memory
   this->Surfels.clear();
   this->Directions.clear();
   this->Albedo.clear();
@@ -170,7 +170,7 @@ void vtkIndirectHintGrid::Place(int grid)
         const glm::ivec3 at = Unfold(static_cast<int>(i), region.Size);
         glm::dvec3 position = region.Lower + (glm::dvec3(at) + 0.5) * cell;
         bool active = true;
-        // Only where the voxels hold all that can be seen: what else is drawn lies anywhere.
+        // Only if the voxels hold all visible surfaces: others have no known position.
         if (volume && this->Current.SkipEmpty && volume->HoldsAll())
         {
           const glm::dvec3 reach = (this->Current.Reach + 1.0) * cell;
@@ -181,7 +181,7 @@ void vtkIndirectHintGrid::Place(int grid)
           glm::ivec3(glm::floor(volume ? volume->ToVoxels(position) : position));
         if (active && move && volume->IsOccupied(home))
         {
-          // The nearest free voxel, less than half a cell away; none: the hint is in a solid.
+          // Nearest free voxel, less than half a cell away; without one the hint is in a solid.
           const glm::ivec3 range = glm::ivec3(glm::floor(0.5 * cell / voxel));
           double nearest = INFINITY;
           glm::ivec3 best = home;
@@ -212,9 +212,9 @@ void vtkIndirectHintGrid::Place(int grid)
 //------------------------------------------------------------------------------
 namespace
 {
-// Offsets from a voxel, near ones first, each with the place in the list of the one before it on
-// the way back. A step between two is at most one voxel along each axis: a surface between their
-// centres touches one of the two.
+// Offsets from a voxel, near ones first, each with the list index of the previous offset on the way
+// to it. Two successive offsets differ by at most one voxel along each axis: a surface between
+// their centres touches one of the two voxels.
 struct Way
 {
   glm::ivec3 Offset;
@@ -253,8 +253,8 @@ std::vector<Way> MakeWays(const glm::ivec3& reach)
 }
 
 //------------------------------------------------------------------------------
-// Visibility spreads from each hint over the voxels of the cells around it: a voxel is seen when it
-// is free and the one before it on the way back is seen.
+// Spreads visibility from each hint over the voxels of the cells around it: a voxel is visible if
+// it is free and its predecessor is visible.
 void vtkIndirectHintGrid::FindMasks(int grid)
 {
   const Region& region = this->Current.Regions[grid];
@@ -262,11 +262,11 @@ void vtkIndirectHintGrid::FindMasks(int grid)
   const vtkIndirectOccupancyVolume* volume = this->Volume;
   const glm::ivec3 size = this->MaskSize;
   const double voxel = volume->GetVoxelSize();
-  // A cell to each side, half a cell more that a hint may have been moved; beyond the outermost
-  // hints there is half a cell, and the volume's border.
+  // A cell to each side, and half a cell that a hint may have been moved; beyond the outermost
+  // hints there is half a cell up to the volume's border.
   const glm::ivec3 reach = glm::ivec3(glm::ceil(1.5 * cell / voxel)) + 2;
   const std::vector<Way> ways = MakeWays(reach);
-  // By voxel and axis, the lower of the two hints that it lies between.
+  // For each voxel and axis, the lower of the two hints around it.
   std::vector<int> bases[3];
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -277,8 +277,7 @@ void vtkIndirectHintGrid::FindMasks(int grid)
         static_cast<int>(std::floor((center - region.Lower[axis]) / cell[axis] - 0.5)));
     }
   }
-  // Which corners (0: lower, 1: upper, as bits) of a voxel's surroundings a hint is, along one
-  // axis.
+  // Corners (0: lower, 1: upper, as bits) at which a hint lies around a voxel, along one axis.
   auto corners = [&](int axis, int hint, int at)
   {
     const int last = region.Size[axis] - 1;
@@ -313,7 +312,7 @@ void vtkIndirectHintGrid::FindMasks(int grid)
             glm::min(glm::ivec3(glm::floor(volume->ToVoxels(middle + cell))), size - 1);
           for (int axis = 0; axis < 3; ++axis)
           {
-            // Beyond the outermost hints these stand for all others.
+            // Beyond the outermost hints these represent all others.
             lower[axis] = at[axis] == 0 ? 0 : lower[axis];
             upper[axis] = at[axis] == region.Size[axis] - 1 ? size[axis] - 1 : upper[axis];
             lower[axis] = std::max(lower[axis], home[axis] - reach[axis]);
@@ -333,7 +332,8 @@ void vtkIndirectHintGrid::FindMasks(int grid)
             if (glm::any(glm::lessThan(there, glm::ivec3(0))) ||
               glm::any(glm::greaterThanEqual(there, size)))
             {
-              // Nothing is outside; but ways out and in again do not matter.
+              // Voxels outside the range do not count as visible, although a path might leave it
+              // and return.
               seen[k] = 0;
               continue;
             }
@@ -363,7 +363,8 @@ void vtkIndirectHintGrid::FindMasks(int grid)
 }
 
 //------------------------------------------------------------------------------
-// Places in a wall's own voxels see no hint: what they need is the side that they are on.
+// Positions in a wall's own voxels see no hint: they need the plane that tells their side of the
+// wall.
 void vtkIndirectHintGrid::FindPlanes()
 {
   const vtkIndirectTriangleGrid& triangles = this->Volume->GetTriangles();
@@ -429,7 +430,7 @@ void vtkIndirectHintGrid::FindHits()
           }
         }
       });
-    // In the order of hints: the surfaces do not depend on the threads.
+    // In the order of hints, so that the surfaces do not depend on the threads.
     for (int i = 0; i < count; ++i)
     {
       glm::vec4& albedo = this->Albedo[begin + i];
@@ -446,7 +447,8 @@ void vtkIndirectHintGrid::FindHits()
       albedo /= std::max(albedo.w, 1.0f);
     }
   }
-  // How far behind the plane a sender may lie and still be on it: as far as what makes it may.
+  // Depth behind the plane at which a sender still lies on the surface: as for the surface's own
+  // hits.
   const float depth =
     static_cast<float>(vtkIndirectHintSurfaces::PlaneDepth * this->Volume->GetVoxelSize());
   for (int i = 0; i < surfaces.GetNumberOfSurfaces(); ++i)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the hints are and what of the scene they see: all that depends on geometry alone.
+// Positions of the hints and the surfaces visible from them: all data that depend only on geometry.
 //
-// Hints of all grids make one list; hint i is texel (i mod RowLength, i div RowLength). A hint that
-// would lie in a wall is moved to the nearest free voxel of its cell. Hints that no surface needs
-// are inactive.
+// Hints of all grids make one list; hint i is texel (i mod RowLength, i div RowLength). A hint
+// inside a wall is moved to the nearest free voxel of its cell. Hints that no surface needs are
+// inactive.
 //
-// From the occupancy volume come, for every voxel, which of the eight hints around it can be
-// reached in a straight line; for every hint and direction, which surface a ray meets; and the
-// surfaces themselves, two sides of each block of voxels where both are free.
+// The occupancy volume gives, for every voxel, the hints among the eight around it that a straight
+// line reaches; for every hint and direction, the surface that a ray meets; and the surfaces
+// themselves, two sides of each block of voxels if both are free.
 #ifndef vtkIndirectHintGrid_h
 #define vtkIndirectHintGrid_h
 
@@ -46,9 +46,9 @@ public:
   struct Settings
   {
     std::vector<Region> Regions; // the coarsest first
-    bool Masks = false;          // voxels know which hints they see
+    bool Masks = false;          // voxels store the hints visible from them
     bool SkipEmpty = false;
-    double Reach = 0.0;   // cells that a look-up may lie from its surface
+    double Reach = 0.0;   // greatest distance of a look-up from its surface, in cells
     int NumberOfRays = 0; // at least; 0: no rays, no surfaces
     bool operator==(const Settings& other) const
     {
@@ -64,7 +64,7 @@ public:
     glm::vec3 Position;
     glm::vec3 Normal;
     glm::vec3 Albedo;
-    float Depth; // how far parts of the surface may lie behind its plane, scene units
+    float Depth; // greatest depth of the surface behind its plane, scene units
   };
 
   vtkIndirectHintGrid();
@@ -72,8 +72,8 @@ public:
 
   ///@{
   /**
-   * Why textures of an edge of so many texels at most cannot hold the tables, in a sentence; empty
-   * when they can. Before Build from the settings, after it from what was found.
+   * Reason why textures of at most this edge length cannot hold the tables, in a sentence; empty if
+   * they can. Before Build from the settings, after Build from the actual sizes.
    */
   static std::string FindObstacle(const Settings& settings, int longestEdge);
   std::string FindObstacle(int longestEdge) const;
@@ -81,7 +81,7 @@ public:
 
   /** Forgets all hints. */
   void Clear();
-  /** Makes the tables anew; volume may be null, then nothing is known of the scene. */
+  /** Makes all tables; without a volume they contain no visibility. */
   void Build(const Settings& settings, const vtkIndirectOccupancyVolume* volume);
 
   int GetNumberOfHints() const { return static_cast<int>(this->Hints.size()); }
@@ -123,24 +123,24 @@ private:
   void FindMasks(int grid);
   void FindPlanes();
   void FindHits();
-  // A table's texture, made when there is none.
+  // Binds a table's texture, which it makes if there is none.
   void Bind(
     Table table, vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* uniform);
   void Make(Table table, vtkOpenGLRenderWindow* window);
-  // Along the edge of the octahedral map of at least so many rays, an even number.
+  // Edge of the octahedral map of at least this many rays, an even number.
   static int FindRayEdge(int rays);
 
   Settings Current;
   const vtkIndirectOccupancyVolume* Volume = nullptr; // while tables are made
-  std::vector<int> First;                             // hint of each grid
+  std::vector<int> First;                             // first hint of each grid
   std::vector<glm::vec4> Hints;                       // position (scene units), 1 active or 0
-  // Two a voxel: free, one a grid; occupied, 16 bits of vtkiPackPlane.
+  // Two bytes a voxel: if free, one for each grid; if occupied, 16 bits of vtkiPackPlane.
   std::vector<unsigned char> Masks;
   glm::ivec3 MaskSize{ 0 };
   std::vector<float> Hits; // surfel of each ray of each hint, -1: none
   std::vector<glm::vec4> Directions;
   std::vector<Surfel> Surfels;
-  std::vector<glm::vec4> Albedo; // of what a hint sees around it
+  std::vector<glm::vec4> Albedo; // mean albedo of the surfaces around each hint
   int NumberOfActive = 0;
   int RayEdge = 0;
   int RayRowLength = 0; // texels in a row of the table of rays

@@ -69,7 +69,7 @@ vtkIndirectHintGrid::Region vtkIndirectHintRegions::FindCoarse(const vtkIndirect
       upper = most;
     }
   }
-  // A flat scene still has room in front of it.
+  // Gives a flat scene space in front of it.
   const double longest = glm::length(upper - lower);
   const glm::dvec3 room = glm::max(glm::dvec3(0.0), 0.02 * longest - 0.5 * (upper - lower));
   vtkIndirectHintGrid::Region region;
@@ -93,7 +93,7 @@ vtkIndirectHintGrid::Region vtkIndirectHintRegions::FindFine(
     (glm::dvec3(focal[0], focal[1], focal[2]) - frame.SceneCenter) * frame.SceneScale;
   const glm::dvec3 corner =
     glm::clamp(center - 0.5 * edge, coarse.Lower, coarse.Upper - edge) - coarse.Lower;
-  // Four cells at a time: a step of one would make new hints for every small movement.
+  // Moves by four cells at a time: steps of one would make new hints for every small movement.
   fine.Lower = coarse.Lower + glm::floor(corner / (4.0 * cell) + 0.5) * (4.0 * cell);
   fine.Upper = fine.Lower + edge;
   return fine;

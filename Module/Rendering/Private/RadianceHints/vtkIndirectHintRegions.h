@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which part of the scene the grids of radiance hints span, and how many hints there are along each
-// axis. As the properties of vtkRadianceHintsPass.
+// Bounds of the grids of radiance hints, and the number of hints along each axis, from the
+// properties of vtkRadianceHintsPass.
 #ifndef vtkIndirectHintRegions_h
 #define vtkIndirectHintRegions_h
 
@@ -15,13 +15,13 @@ struct vtkIndirectHintRegions
 {
   static constexpr int MaximumResolution = 64;
 
-  bool OfView = false; // only what the eye can see
+  bool OfView = false; // only the visible part of the scene
   glm::ivec3 Resolution{ 0 };
-  double Tolerance = 0.0; // for axes whose resolution is 0; not read where there are none
+  double Tolerance = 0.0; // tolerance for axes of resolution 0; otherwise not read
   bool HasFine = false;
   double FineExtent = 0.4;
 
-  /** The coarse grid, and the fine one where there is one. */
+  /** The coarse grid, and the fine one if there is one. */
   std::vector<vtkIndirectHintGrid::Region> Find(const vtkIndirectFrame& frame) const;
 
 private:

@@ -14,8 +14,8 @@ vtkStandardNewMacro(vtkIndirectHintSenders);
 
 namespace
 {
-// Texels of a block that are read, along its edge: more change its sums by less than its share of
-// the map's noise.
+// Texels read along a block's edge: more would change its sums by less than its share of the map's
+// noise.
 constexpr int ReadsPerBlockEdge = 8;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A coarser level of the lights' maps: blocks of their texels as virtual lights, which hints sum
+// Blocks of the lights' map texels as virtual lights, a coarser level of the maps that hints sum
 // over.
 #ifndef vtkIndirectHintSenders_h
 #define vtkIndirectHintSenders_h
@@ -15,11 +15,11 @@ public:
   static vtkIndirectHintSenders* New();
   vtkTypeMacro(vtkIndirectHintSenders, vtkVirtualLightSampler);
 
-  /** Along an edge of each map's face. */
+  /** Number of blocks along an edge of each map's face. */
   void SetBlocksPerEdge(int blocks) { this->BlocksPerEdge = blocks; }
 
   bool Update(const Input& input) override;
-  /** What the eye sees has no blocks: more lights than usual, as many as a map has. */
+  /** The headlight's map has no blocks: it gets more lights than usual, as many as another map. */
   vtkMapLightSampler* GetViewPattern() override { return this->ViewPattern; }
   int GetNumberOfLights() override { return this->ViewPattern->GetNumberOfLights(); }
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -35,7 +35,7 @@ private:
   int BlocksPerEdge = 24;
   vtkNew<vtkUniformLightSampler> ViewPattern;
   vtkIndirectFullScreenProgram Program{ "vtkIndirectHintSendersFS.glsl" };
-  // What the lights were made from.
+  // Inputs of the current lights.
   vtkMTimeType MapTime = 0;
   int Blocks = 0;
 };

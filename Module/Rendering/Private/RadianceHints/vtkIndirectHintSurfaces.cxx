@@ -8,7 +8,7 @@ namespace
 {
 // Voxels along a block's edge.
 constexpr int BlockEdge = 2;
-// Cosine between normals that still are of one surface, bent a little.
+// Least cosine between normals of one slightly bent surface.
 constexpr double LeastCosine = 0.95;
 
 bool IsSame(const vtkIndirectTriangleGrid::Hit& a, const vtkIndirectTriangleGrid::Hit& b)

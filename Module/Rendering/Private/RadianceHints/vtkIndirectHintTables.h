@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Textures of what a hint grid knows, each made when it is first bound.
+// Textures of a hint grid's tables, each made when it is first bound.
 #ifndef vtkIndirectHintTables_h
 #define vtkIndirectHintTables_h
 
@@ -34,17 +34,17 @@ public:
   ~vtkIndirectHintTables();
 
   bool Has(Table table) const { return this->Textures[table] != nullptr; }
-  /** Rows of `width` texels of four floats; the last is filled up with zeros. */
+  /** Rows of `width` texels of four floats; the last row is padded with zeros. */
   void Make(
     Table table, vtkOpenGLRenderWindow* window, std::vector<glm::vec4> texels, int width);
   /** A volume of two bytes a texel. */
   void Make(Table table, vtkOpenGLRenderWindow* window, const glm::ivec3& size,
     const std::vector<unsigned char>& bytes);
 
-  /** Forgets all, whose content is out of date. */
+  /** Releases all textures, whose content is out of date. */
   void Clear();
 
-  /** Pair with Deactivate, one for all. */
+  /** Pair with Deactivate, one for all tables. */
   void Bind(Table table, vtkShaderProgram* program, const char* uniform);
   void Deactivate();
 

@@ -33,8 +33,8 @@ std::string GetDefinitions(
 {
   const vtkIndirectVisibility& visibility = input.Visibility;
   const bool many = input.Lights->GetNumberOfLights() > visibility.GetMaximumNumberOfSenders();
-  // Pixels that no sample around faces the way of are summed anew, or, with too many lights for one
-  // draw, get nothing.
+  // Pixels without a nearby sample of their orientation are summed anew, or, with too many lights
+  // for one draw, get no far field.
   return visibility.GetDefinitions() + input.Lights->GetDefinitions() +
     table.GetDefinitions(input.Lights->HasLobes()) + "#define VTKI_STEP " + std::to_string(step) +
     "\n" + (many ? "#define VTKI_SPLAT_MANY\n" : "");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What splats cut off: summed at every n-th pixel, measured, and given back to pixels between.
+// The far field: the light that splats cut off, summed at every n-th pixel, measured, and
+// interpolated.
 #ifndef vtkIndirectFarField_h
 #define vtkIndirectFarField_h
 
@@ -15,21 +16,21 @@ public:
   vtkIndirectFarField();
 
   /**
-   * Sums it at every step-th pixel. Within a vtkIndirectFullScreenState. Returns false, after an
-   * error, when OpenGL refuses.
+   * Sums the far field at every step-th pixel. Within a vtkIndirectFullScreenState. Returns false,
+   * after an error, if OpenGL refuses.
    */
   bool Sum(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, int step);
-  /** Adds it to `irradiance`, of the frame's size; after Sum with the same. */
+  /** Adds the sum to `irradiance`, of the frame's size; after Sum with the same arguments. */
   bool AddTo(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, int step,
     vtkIndirectTarget& irradiance);
 
   /**
    * Share of the last frame's irradiance that splats cut off, by luminance, over the pixels of the
-   * sum; 0 where there is none. Reads the sum back, once a frame.
+   * sum; 0 without a sum. Reads the sum back, once a frame.
    */
   double FindShare() const;
 
-  /** Forgets the sum where nothing is cut off. */
+  /** Releases the sum's images if no light is cut off. */
   void ReleaseSum(vtkWindow* window);
   size_t GetBytes() const { return this->Coarse.GetBytes(); }
   void Release(vtkWindow* window);

@@ -35,7 +35,7 @@ vtkIndirectSplatMesh::Polyhedron vtkIndirectSplatMesh::MakePolyhedron()
       mesh.Corners.push_back(glm::normalize(p));
     }
   }
-  // Its faces: corners that are an edge apart, which is 2 in the rectangles.
+  // Its faces: corners an edge apart, which is 2 in the rectangles.
   const double edge = 2.0 / std::sqrt(1.0 + golden * golden);
   auto touch = [&](Index a, Index b)
   { return glm::length(mesh.Corners[a] - mesh.Corners[b]) < 1.1 * edge; };
@@ -56,7 +56,7 @@ vtkIndirectSplatMesh::Polyhedron vtkIndirectSplatMesh::MakePolyhedron()
       }
     }
   }
-  // Each face in four, by the middles of its edges.
+  // Splits each face into four at the middles of its edges.
   std::map<std::pair<Index, Index>, Index> middles;
   auto middle = [&](Index a, Index b)
   {
@@ -79,7 +79,7 @@ vtkIndirectSplatMesh::Polyhedron vtkIndirectSplatMesh::MakePolyhedron()
     mesh.Triangles.push_back({ f[2], m[2], m[1] });
     mesh.Triangles.push_back({ m[0], m[1], m[2] });
   }
-  // All of it as large as the nearest face needs.
+  // Enlarges the polyhedron until its nearest face is outside the unit ball.
   double nearest = 1.0;
   for (const std::array<Index, 3>& t : mesh.Triangles)
   {

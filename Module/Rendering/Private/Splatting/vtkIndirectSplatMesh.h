@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn for each splat: a polyhedron about the unit ball, or a rectangle.
+// Geometry of a splat: a polyhedron about the unit ball, or a rectangle.
 #ifndef vtkIndirectSplatMesh_h
 #define vtkIndirectSplatMesh_h
 
@@ -21,9 +21,9 @@ public:
   };
 
   /**
-   * An icosahedron whose faces are cut into four each, enlarged until it holds the unit ball: 42
-   * corners, 80 triangles. An affine map keeps that, so it holds any ellipsoid that the ball is
-   * mapped to.
+   * An icosahedron whose faces are split into four each, enlarged until it encloses the unit ball:
+   * 42 corners, 80 triangles. An affine map preserves that, so it encloses any ellipsoid that the
+   * ball is mapped to.
    */
   static Polyhedron MakePolyhedron();
 
@@ -32,8 +32,8 @@ public:
   vtkIndirectSplatMesh(const vtkIndirectSplatMesh&) = delete;
   void operator=(const vtkIndirectSplatMesh&) = delete;
 
-  /** Draws so many instances of the polyhedron or of the square from -1 to 1; the corners go to
-   * that attribute. */
+  /** Draws this many instances of the polyhedron or of the square from -1 to 1; the corners go to
+   * the attribute. */
   void Draw(vtkOpenGLRenderWindow* window, int attribute, bool rectangles, int instances);
 
   size_t GetBytes() const { return this->Bytes; }
@@ -46,7 +46,7 @@ private:
   unsigned int VertexArray = 0;
   unsigned int Buffers[2] = { 0, 0 }; // corners, triangles
   int NumberOfIndices = 0;
-  int FirstOfRectangle = 0; // its first corner
+  int FirstOfRectangle = 0; // first corner of the rectangle
   size_t Bytes = 0;
 };
 

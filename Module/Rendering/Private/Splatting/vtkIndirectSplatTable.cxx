@@ -27,7 +27,7 @@ const vtkIndirectChannel MeanChannels[] = {
     "VTK radiance times scene units squared over pi, 1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-constexpr int ChannelsOfLobes = 2; // the last ones
+constexpr int ChannelsOfLobes = 2; // the last channels of the table
 const vtkIndirectChannel BoundsChannels[] = {
   { "splats.center", "vtkiSplatCenter", "centre, half length", GL_RGBA32F, "scene", "scene units" },
   { "splats.axis", "vtkiSplatAxis", "axis, half width", GL_RGBA32F, "scene", "1, scene units" },

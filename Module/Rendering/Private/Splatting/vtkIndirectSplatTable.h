@@ -17,30 +17,28 @@ public:
   vtkIndirectSplatTable();
 
   /**
-   * Brings it up to date; threshold: IntensityThreshold; fades: there is a
-   * far field. Returns false, after an error, when OpenGL
-   * refuses.
+   * Updates the ellipsoids. threshold: IntensityThreshold; fades: there is a far field. Returns
+   * false, after an error, if OpenGL refuses.
    */
   bool Update(const vtkIndirectEstimateInput& input, double threshold, bool fades);
 
   ///@{
-  /** Bind what vtkIndirectSplatLight.glsl and vtkIndirectSplatBounds.glsl read; pair. */
+  /** Bind the textures of vtkIndirectSplatLight.glsl and vtkIndirectSplatBounds.glsl; pair. */
   void Activate(vtkShaderProgram* program) const;
   void Deactivate() const;
   ///@}
 
   ///@{
-  /** Bind these and what a sum over them at receivers reads besides: eye, surfaces, lights and
-   * their lobes, visibility; pair. */
+  /** Bind these and the inputs of a sum at receivers: eye, surfaces, lights and their lobes,
+   * visibility; pair. */
   void Activate(const vtkIndirectEstimateInput& input, vtkShaderProgram* program) const;
   void Deactivate(const vtkIndirectEstimateInput& input) const;
   ///@}
 
-  /** Lines that what reads it begins with: whether lights have lobes, and splats fade. */
+  /** Definitions for shaders that read the table: lights have lobes, splats fade. */
   std::string GetDefinitions(bool lobes) const;
 
-  /** Centre and half length, axis and half width, as shaders read them; where lights have lobes
-   * theirs, too. */
+  /** Centre and half length, axis and half width; also of lobes if lights have them. */
   const vtkIndirectTarget& GetBounds() const { return this->Bounds; }
 
   size_t GetBytes() const;
@@ -55,7 +53,7 @@ private:
   vtkIndirectFullScreenProgram SumColumns{ "vtkIndirectSplatMeanFS.glsl" };
   vtkIndirectFullScreenProgram SumAll{ "vtkIndirectSplatMeanFS.glsl" };
   vtkIndirectFullScreenProgram MakeBounds{ "vtkIndirectSplatTableFS.glsl" };
-  // What it was made of.
+  // Inputs of the current table.
   vtkMTimeType ContentTime = 0;
   int NumberOfLights = -1;
   double Threshold = 0.0;

@@ -27,8 +27,8 @@ constexpr int RowLength = vtkVirtualLightSampler::RowLength;
 constexpr int SplatsPerDraw = 16 * RowLength;
 constexpr int TileSize = 16;
 
-// Back faces in front of which a surface lies, not cut at the near and far planes, added. The state
-// of vtkIndirectFullScreenState comes back.
+// Draws back faces that lie behind a surface, not clipped at the near and far planes, with additive
+// blending. Restores the state of vtkIndirectFullScreenState.
 class SplatState
 {
 public:
@@ -102,7 +102,7 @@ vtkShaderProgram* vtkIndirectSplats::Use(
       vtkIndirectShaderLibrary::GetShader("vtkIndirectSplatFS.glsl", definitions);
     if (vtkIndirectPaths::Get(vtkIndirectPaths::Uniforms) == vtkIndirectPaths::UniformsFlat)
     {
-      // Beside the light's own.
+      // In addition to the light's own varyings.
       vtkIndirectFlatUniforms::Move(shaders.VertexText, shaders.FragmentText, 44);
     }
   }
@@ -148,7 +148,7 @@ bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
   const vtkIndirectFrame& frame = input.Frame;
   table.Activate(input, program);
   vtkIndirectSetUniform(program, "vtkiSceneToClip", frame.FindSceneToClip());
-  // Normalized device coordinates are twice depths; the surface's and the splat's are rounded.
+  // Normalized device coordinates are twice depths; the surface's and the splat's are both rounded.
   program->SetUniformf(
     "vtkiDepthMargin", static_cast<float>(8.0 * input.Geometry.GetTarget().GetDepthStep()));
   const int attribute = program->FindAttributeArray("vtkiCorner");
@@ -186,7 +186,7 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   }
   glBindImageTexture(
     0, sum.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
-  // What the kernel reads must have arrived: llvmpipe does not wait for it by itself.
+  // Waits for the kernel's inputs, which llvmpipe does not do by itself.
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   const int rows = input.Lights->GetNumberOfRows();
   const int rowsPerDraw = input.Visibility.GetMaximumNumberOfSenders() / RowLength;
@@ -199,7 +199,7 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
       static_cast<GLuint>((frame.Size[1] + TileSize - 1) / TileSize), 1);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   }
-  // Whoever comes next samples it, draws over it, adds to it, reads it back or replaces it.
+  // The next user of the image may sample it, draw over it, add to it, read it back or replace it.
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
   glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums virtual lights and their lobes, each where it counts: by splats that are drawn and blended,
-// or by compute shaders in tiles of 16 x 16 pixels. Both give the same within rounding.
+// Sums virtual lights and their lobes within their bounds: by blended splats, or by compute shaders
+// in tiles of 16 x 16 pixels. Both give the same result within rounding.
 #ifndef vtkIndirectSplats_h
 #define vtkIndirectSplats_h
 
@@ -17,20 +17,20 @@ class vtkShaderProgram;
 class vtkIndirectSplats
 {
 public:
-  /** Whether this OpenGL sums in tiles now; see vtkIndirectPaths. */
+  /** True if this OpenGL sums in tiles; see vtkIndirectPaths. */
   static bool UsesTiles();
 
   /**
    * Fills `sum`, of the frame's size and RGBA32F; its fourth component is the number of splats at a
-   * pixel. Where it does not use tiles the target shares the geometry buffer's depth. Within a
-   * vtkIndirectFullScreenState. Returns false when a program does not compile.
+   * pixel. Without tiles the target shares the geometry buffer's depth. Within a
+   * vtkIndirectFullScreenState. Returns false if a program does not compile.
    */
   bool Sum(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectTarget& sum, bool rectangles);
 
   /**
-   * Fills `glossy`, of the frame's size and RGBA32F, with what specular receivers reflect of the
-   * lights and their lobes. Where it uses tiles; else vtkIndirectGlossyGather and
+   * Fills `glossy`, of the frame's size and RGBA32F, with the specular reflection of the lights and
+   * their lobes by receivers. Only with tiles; without them vtkIndirectGlossyGather and
    * vtkIndirectLobeGather sum the same. Otherwise as Sum.
    */
   bool SumGlossy(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
@@ -40,7 +40,7 @@ public:
   void Release();
 
 private:
-  /** What is drawn for lights, or for their lobes. */
+  /** Programs for lights, or for their lobes. */
   struct Shaders
   {
     std::string Definitions;
@@ -53,7 +53,7 @@ private:
     vtkIndirectTarget& sum, bool rectangles);
   bool Draw(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkShaderProgram* program, bool rectangles);
-  /** Runs it for blocks of lights. */
+  /** Runs the compute program for blocks of lights. */
   static bool SumInTiles(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum);
 

@@ -1,4 +1,5 @@
-// Albedo at a pixel of the geometry buffer: beside the light with VTKI_ALBEDO_IN_ALPHA, in place of alpha, which is one.
+// Albedo at a pixel of the geometry buffer. With VTKI_ALBEDO_IN_ALPHA the lit image has it in place
+// of alpha, which is one.
 #include "vtkIndirectLibAlbedo.glsl"
 
 uniform sampler2D vtkiLit;

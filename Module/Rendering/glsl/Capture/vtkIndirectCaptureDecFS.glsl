@@ -1,32 +1,33 @@
-// Added to the fragment shader of every surface mapper. One text serves both stages, so that a
-// frame that draws a light's map and then the eye's view rebuilds no shader source.
+// This text is added to the fragment shader of every surface mapper. One text serves light maps and
+// the eye's view, so that a frame that draws both rebuilds no shader source.
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibAlbedo.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 #include "vtkIndirectLibShadow.glsl"
 
 uniform int vtkiStage;          // 0: from the eye, 1: from a light
-uniform int vtkiAlbedoInAlpha;          // 1: alpha is one wherever the eye sees something, and makes room
-uniform int vtkiNumber;         // of what is drawn: a prop's faces, or its lines and points
+uniform int vtkiAlbedoInAlpha;  // 1: albedo takes the place of alpha, which is one on surfaces
+uniform int vtkiNumber;         // number of the prop's faces, or of its lines and points
 uniform float vtkiSceneScale;   // scene units per world unit
 uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel projection
 
 #ifdef VTKI_SHADOWS
-uniform float vtkiMagnitude; // of the numbers that positions are differences of [scene units]
-uniform sampler2DArray vtkiShadowMaps; // depths of a texel and its neighbours in the row
+uniform float vtkiMagnitude; // size of the numbers whose differences are positions [scene units]
+uniform sampler2DArray vtkiShadowMaps; // depths of a texel and of its neighbours in the row
 #endif
 
-// From a light: the light whose map is drawn.
+// Shape of the light map that is drawn.
 uniform vec3 vtkiMapLight; // 1 if positional, texel size in tangents or scene units, 1 if the prop sends
 
-// Least squared sine of the angle between a facet and the normal that it is shaded by; and how far positions, and their
-// differences from pixel to pixel, are off by rounding: share of the distance. Seen through a narrow angle a pixel
-// measures hardly more, and says nothing of its facet.
+// Least squared sine of the angle between a facet and its shading normal; rounding error of
+// positions, and of their differences between pixels, as a share of the distance. Under a narrow
+// angle of view a pixel measures hardly more than that error, and its derivatives do not tell the
+// facet.
 const float VTKI_FACET_SINE2 = 1.0e-5f;
 const float VTKI_FACET_ROUNDING = 1.0e-6f;
 
-// Unit normal of the facet at a position, on the side of the normal that it is shaded by; that normal where both agree
-// within what derivatives of the position tell.
+// Unit normal of the facet at a position, on the side of its shading normal; the shading normal
+// itself where the two differ by less than the derivatives of the position can resolve.
 vec3 vtkiFacetNormal(vec3 position, vec3 normal)
 {
   vec3 dx = dFdx(position);
@@ -41,13 +42,13 @@ vec3 vtkiFacetNormal(vec3 position, vec3 normal)
 }
 
 #ifdef VTKI_SHADOWS
-// Facets stand for curved surfaces: a concave one rises over its neighbour's plane by less than this
-// share of a texel over the filter's reach as long as they meet at less than 18 degrees.
+// Facets approximate curved surfaces: if facets meet at less than 18 degrees, a concave neighbour
+// rises over the receiver's plane by less than this share of a texel within the filter's radius.
 const float VTKI_SURFACE_ROUGHNESS = 0.5f;
-// Shadows whose casters are nearer than so many texels' widths along depth are told by planes: steep ones cross
-// those that are less steep within the texels around a receiver.
+// Below this distance between caster and receiver, in texel widths along depth, planes decide the
+// shadow: a steep plane crosses a flatter one within the texels around the receiver.
 const float VTKI_SHADOW_CONTACT = 16.0f;
-// Positions, here and in the map, are off by a few roundings of the numbers that they come from.
+// Rounding error of positions, here and in the map, relative to the numbers they are computed from.
 const float VTKI_POSITION_ROUNDING = 4.8e-7f;
 
 int vtkiBitsOf(bvec3 are)
@@ -55,11 +56,11 @@ int vtkiBitsOf(bvec3 are)
   return (are.x ? 1 : 0) | (are.y ? 2 : 0) | (are.z ? 4 : 0);
 }
 
-// A light's visibility from a place the eye sees. viewToLight: columns are rows of the matrix from view
-// coordinates to the light's frame in scene units; map: first layer (-1: none), projection, half width,
-// texels; depthRange: near, far, shadow strength, number of layers. projection: of the light's map,
-// VTKI_MAP_FACES where only the map knows whether it has several; a literal, so that nothing is evaluated
-// that the light cannot have.
+// A light's visibility from a position that the eye sees. viewToLight: its columns are the rows of
+// the matrix from view coordinates to the light's frame in scene units; map: first layer (-1:
+// none), projection, half width, texels; depthRange: near, far, shadow strength, number of layers;
+// projection: of the light's map, VTKI_MAP_FACES where only the map knows whether it has several
+// faces. The projection is a literal, so that the compiler drops code for other kinds of light.
 float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projection, vec3 positionVC,
   vec3 normalVC, vec3 facetNormalVC)
 {
@@ -94,8 +95,8 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   {
     return 1.0f;
   }
-  // The facet is what the map has drawn. Where it turns away from a light that the interpolated
-  // normal still faces, only that normal can say how the surface was meant to run.
+  // The map has drawn the facet. Where the facet faces away from the light and the interpolated
+  // normal does not, only that normal tells how the curved surface runs.
   float texel = 2.0f * map.z / map.w;
   vtkiShadowPlane plane;
   plane.turned = !((parallel ? facet.z : -dot(facet, p)) > 0.0f);
@@ -111,11 +112,11 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   float slope = vtkiDepthToBufferSlope(depth, depthRange.x, depthRange.y, parallel);
   float rounding = VTKI_DEPTH_ROUNDING +
     VTKI_POSITION_ROUNDING * (vtkiMagnitude + length(p)) * slope;
-  float length1 = texel * (parallel ? 1.0f : depth) * slope; // of a texel, along depth
+  float length1 = texel * (parallel ? 1.0f : depth) * slope; // depth over a texel's width
   plane.perTexel = 1.0f / length1;
   plane.rounding = rounding;
   plane.bias = rounding + VTKI_SURFACE_ROUGHNESS * length1;
-  // The texel that the receiver is in, and its eight neighbours; beyond the map is its last row or column.
+  // The receiver's texel and its eight neighbours, clamped to the map's last row or column.
   vec2 at = (0.5f * ndc + 0.5f) * map.w - 0.5f;
   vec2 center = min(floor(at + 0.5f), vec2(map.w - 1.0f));
   vec2 toCenter = center - at;
@@ -124,8 +125,8 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   float width = 1.0f / map.w;
   vec3 columns = clamp(center.x + vec3(-1.0f, 0.0f, 1.0f), vec3(0.0f), last.xxx) - at.x;
   vec3 rows[3];
-  int before = 0; // bits of texels that lie before the receiver's plane
-  int asked = 0;  // and of those that may not see the receiver
+  int before = 0; // one bit a texel that lies before the receiver's plane
+  int asked = 0;  // one bit a texel that may not see the receiver
   bool deep = true;
   for (int j = 0; j < 3; ++j)
   {
@@ -139,8 +140,9 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
       all(lessThan(rows[j], min(there, vec3(plane.reference)) - VTKI_SHADOW_CONTACT * length1));
   }
   asked = plane.turned ? 511 : (before != 0 ? asked : 0);
-  // Where texels differ, and at contact, the planes of what they hold decide: not of those behind the receiver, which
-  // see it. Not a branch: OpenGL on the processor takes both sides of one, and of a loop one step at least.
+  // If texels differ, and at contact, their planes decide; texels behind the receiver see it and
+  // need no test. A loop, not a branch: OpenGL on the processor takes both sides of a branch, and
+  // at least one step of a loop.
   vtkiShadowVotes votes = vtkiBeginShadow();
   votes.seen = 511 - asked;
   float end = depthRange.y / (depthRange.y - depthRange.x);
@@ -151,12 +153,13 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
     vec2 neighbor = vtkiShadowNeighbor(i);
     vec2 place = clamp(center + neighbor, vec2(0.0f), last);
     vec4 stored = textureLod(vtkiShadowMaps, vec3((place + 0.5f) * width, layer), 0.0f);
-    // Inverse depth falls where depth grows: depth times the slope of what is stored, by depth.
+    // Inverse depth falls where depth grows: this is depth times the stored slope, in units of
+    // depth.
     float scale = texel * (parallel ? slope : stored.g - end);
     vtkiVoteOnShadow(plane, place - at, stored.g, scale * vtkiUnpackSlope(stored.a),
       vtkiShadowWeight(neighbor.x, toCenter.x) * vtkiShadowWeight(neighbor.y, toCenter.y), i, votes);
     left &= left - 1;
-    // Where none sees the receiver one that hides it is enough.
+    // If no texel sees the receiver, one that hides it is enough.
     bool found = votes.seen == 0 && (left & before) == left && (votes.hidden > 0.0f || votes.contact);
     left = found ? 0 : left;
   }
@@ -174,21 +177,22 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
 }
 #endif
 
-// How a surface runs in a light's map: change of depth (parallel) or of inverse depth times depth
-// (perspective) over one texel's width. On a plane both are affine, so two derivatives give the facet's
-// normal. Cosines are made of it when the map is sampled, at far fewer texels than are drawn here.
+// Slope of a surface in a light's map: change of depth (parallel), or of inverse depth times depth
+// (perspective), over one texel's width. Both are affine on a plane, so two derivatives give the
+// facet's normal. Cosines are computed when the map is sampled, for far fewer texels than are drawn
+// here.
 vec2 vtkiDepthSlope(float depth)
 {
-  // Not mix: far from the light, a sum with the depth leaves nothing of its inverse.
+  // mix() would lose precision: far from the light, a sum with the depth cancels its inverse.
   bool positional = vtkiMapLight.x > 0.5f;
   float s = positional ? 1.0f / depth : depth;
   return vec2(dFdx(s), dFdy(s)) * ((positional ? depth : 1.0f) / vtkiMapLight.y);
 }
 
-// The same of the plane through a place, in view coordinates, with this normal.
+// vtkiDepthSlope of the plane through a position, in view coordinates, with this normal.
 vec2 vtkiNormalSlope(vec3 normal, vec3 place)
 {
-  // Seen from its side nothing of a surface is seen.
+  // A surface seen edge-on covers no pixel: bound the divisor.
   const float least = 1.0e-4f;
   bool positional = vtkiMapLight.x > 0.5f;
   float across = positional ? dot(normal, place) / min(place.z, -1.0e-30f) : normal.z;

@@ -1,7 +1,7 @@
-  // The mapper's names are bound to these by vtkSurfaceCapturePass: VTKI_ALBEDO, VTKI_NORMAL, VTKI_FACET,
-  // VTKI_SLOPE, VTKI_KIND, VTKI_DEPTH, VTKI_SENDER_SCALE; and where something in the scene is specular,
-  // VTKI_SPECULAR: the mapper's specular colour and power, of VTK's PBR F0 and minus the roughness; zero where it has
-  // none; and VTKI_SPECULAR_SENDER, the same as lights' maps have it.
+  // vtkSurfaceCapturePass binds the mapper's names to VTKI_ALBEDO, VTKI_NORMAL, VTKI_FACET,
+  // VTKI_SLOPE, VTKI_KIND, VTKI_DEPTH, VTKI_SENDER_SCALE; and, if the scene has a specular surface,
+  // VTKI_SPECULAR: the mapper's specular colour and power, for VTK's PBR F0 and minus the
+  // roughness, zero if it has none; and VTKI_SPECULAR_SENDER, the same for light maps.
   {
     // VTK clamps the picture, so colours may be anything; no surface reflects more than it gets.
     vec3 vtkiAlbedo = clamp(VTKI_ALBEDO, vec3(0.0f), vec3(1.0f));
@@ -11,8 +11,8 @@
     float vtkiDepth = VTKI_DEPTH;
     if (!(dot(vtkiNormal, vtkiNormal) > 0.5f) || !(abs(vtkiDepth) < 1.0e18f))
     {
-      // A zero or undefined normal, or an impostor whose size is none or overflows when it is squared: the surface is
-      // drawn, and takes no part in indirect light.
+      // The normal is zero or undefined, or the impostor has no size or one whose square overflows:
+      // the surface is drawn and takes no part in indirect light.
       vtkiNormal = vec3(0.0f, 0.0f, 1.0f);
       vtkiFacet = vtkiNormal;
       vtkiKind = VTKI_SURFACE_UNLIT;
@@ -32,15 +32,15 @@
     }
     else
     {
-      // Light on an undefined normal is not a number. Images of bytes show it as black; one of
-      // floats would keep it, and hand it on to whatever reads a neighbourhood.
+      // Light on an undefined normal is not a number. Images of bytes show it as black; an image of
+      // floats would keep it and pass it on to filters.
       vec3 vtkiLit = gl_FragData[0].rgb;
       gl_FragData[0].rgb = min(mix(vtkiLit, vec3(0.0f), isnan(vtkiLit)), vec3(1.0e38f));
-      // In place of alpha where that says nothing: no texture of its own then.
+      // Alpha is one here, so the albedo takes its place and needs no texture of its own.
       gl_FragData[2] = vec4(vtkiPackAlbedo(vtkiAlbedo), 0.0f, 0.0f, 1.0f);
       gl_FragData[0].a = vtkiAlbedoInAlpha != 0 ? gl_FragData[2].r : gl_FragData[0].a;
 #ifdef VTKI_SOFT
-      // Where more than half shines through, what lies behind stays the surface.
+      // If the surface is less than half opaque, the surface behind it stays the receiver.
       gl_FragData[1].a = gl_FragData[0].a < 0.5f ? 0.0f : 1.0f;
       gl_FragData[2].a = gl_FragData[1].a;
 #endif

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Zero in all of the geometry buffer's channels. Software clears textures of floats pixel by pixel, which
-// takes longer than to draw over them.
+// Writes zero to all channels of the geometry buffer. Software clears float textures pixel by
+// pixel, which takes longer than drawing over them.
 void main()
 {
   gl_FragData[0] = vec4(0.0f);

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// Depth comes by itself.
+// Draws depth only, which OpenGL writes.
 void main()
 {
 }

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// Positions alone, for depth maps.
+// Transforms positions for depth maps.
 in vec4 vertexMC;
 uniform mat4 vtkiToClip;
 

@@ -1,14 +1,15 @@
-// Added to the fragment shader of surface mappers where a light has a size: its visibility is the mean
-// over points of it, each with a depth map of its own.
+// This text is added to the fragment shader of surface mappers where a light has a size: the
+// light's visibility is the mean over points of it, each with its own depth map.
 #include "vtkIndirectLibDepthTile.glsl"
 #include "vtkIndirectLibPenumbra.glsl"
 
-// Depths of a texel, of the next one in the row, and of those two in the next row.
+// Depths of a texel, of the next texel in the row, and of the two in the next row.
 uniform sampler2D vtkiPenumbraTiles;
 
-// What a point of the light sees of a receiver, whose position, normals and place in the map's image,
-// [-1,1], are in the map's view coordinates: x its visibility, y 1, or 0 where the point does not count.
-// tile: the map's number; map, depthRange, size: see vtkiPenumbra; rounding: of positions.
+// Visibility of a receiver from one point of the light (x), and its weight: 1, or 0 where the point
+// does not count (y). The receiver's position, normals and place in the map's image, [-1,1], are in
+// the map's view coordinates. tile: the map's number; map, depthRange, size: see vtkiPenumbra;
+// rounding: of positions.
 vec2 vtkiSeeLightPoint(float tile, vec4 map, vec4 depthRange, vec4 size, bool parallel, vec3 p, vec3 n,
   vec3 facet, vec2 place, float depth, float rounding)
 {
@@ -19,9 +20,10 @@ vec2 vtkiSeeLightPoint(float tile, vec4 map, vec4 depthRange, vec4 size, bool pa
   {
     gradient = vtkiPlaneDepthGradient(p, n, texel, depthRange.x, depthRange.y, parallel);
   }
-  // A point below the receiver's horizon: VTK's cosine is that of the centre, whatever lies below.
+  // A point below the receiver's horizon does not count: VTK's cosine is that of the light's
+  // centre, whatever part of the light lies below.
   float counts = gradient.z * max(inside, size.y);
-  // Half of a texel's diagonal for facets that stand for curved surfaces, on each side.
+  // Half of a texel's diagonal on each side allows for facets that approximate curved surfaces.
   float offset = 2.0f * VTKI_TILE_ROUGHNESS * texel * (parallel ? 1.0f : depth) + rounding;
   float compared = vtkiDepthToBuffer(depth, depthRange.x, depthRange.y, parallel) -
     VTKI_DEPTH_ROUNDING -
@@ -33,7 +35,8 @@ vec2 vtkiSeeLightPoint(float tile, vec4 map, vec4 depthRange, vec4 size, bool pa
   vec2 corner = vec2(tile - row * size.z, row) * map.w;
   vec4 stored =
     textureLod(vtkiPenumbraTiles, (corner + first + 0.5f) / (size.zw * map.w), 0.0f);
-  // Each texel is compared with the plane's own depth there; see vtkiVisibility.
+  // Each texel is compared with the depth of the receiver's plane at that texel; see
+  // vtkiVisibility.
   vec2 toFirst = first - at;
   float plane = dot(gradient.xy, toFirst);
   vec4 planes = min(
@@ -44,15 +47,15 @@ vec2 vtkiSeeLightPoint(float tile, vec4 map, vec4 depthRange, vec4 size, bool pa
   return counts * vec2(seen, 1.0f);
 }
 
-// A light's visibility from a place the eye sees; as vtkiVisibility. map: first tile (-1: none),
-// projection, half width, texels; depthRange: near, far, shadow strength, tiles of a point; size: radius
-// in scene units or sine of the angular radius, 1 where nothing casts beyond the maps, columns and
-// rows of tiles in the texture.
+// A light's visibility from a position that the eye sees, as vtkiVisibility. map: first tile (-1:
+// none), projection, half width, texels; depthRange: near, far, shadow strength, tiles of a point;
+// size: radius in scene units or sine of the angular radius, 1 if nothing casts beyond the maps,
+// columns and rows of tiles in the texture.
 float vtkiPenumbra(mat3x4 viewToLight, vec4 map, vec4 depthRange, vec4 size, int projection,
   vec3 positionVC, vec3 normalVC, vec3 facetNormalVC)
 {
-  // Not a branch around the loop: OpenGL on the processor takes both sides of one, and unrolls a loop whose
-  // end it knows. Pixels of maps would pay for all points.
+  // A loop of count rounds replaces a branch: OpenGL on the processor takes both sides of a
+  // branch and unrolls a loop of known length, so pixels of maps would pay for all points.
   int count = vtkiStage != 0 || map.x < 0.0f ? 0 : VTKI_LIGHT_PAIRS;
   float scale = 1.0f / vtkiSceneScale;
   vec3 p = vec4(positionVC, 1.0f) * viewToLight;
@@ -85,7 +88,7 @@ float vtkiPenumbra(mat3x4 viewToLight, vec4 map, vec4 depthRange, vec4 size, int
         vec3 q = (p - size.x * point) * axes;
         int face = cube ? vtkiFaceOf(q) : 0;
         q = vtkiToFace(q, face);
-        // Of a wide spot, what lies behind it is in no map.
+        // A wide spot light has no map of its backward face.
         float there = float(face) < depthRange.w ? 1.0f : 0.0f;
         float depth = -q.z;
         vec2 place = q.xy / (max(depth, depthRange.x) * map.z);

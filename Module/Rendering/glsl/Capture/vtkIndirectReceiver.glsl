@@ -11,14 +11,14 @@ struct vtkiReceiver
 {
   vec3 positionVC;
   vec3 normalVC;
-  vec3 position; // scene
-  vec3 normal;   // scene
-  vec3 facetVC; // normal of the plane that is drawn, see vtkIndirectLibSurface.glsl
-  vec3 facet;   // scene
+  vec3 position; // scene units
+  vec3 normal;   // scene coordinates
+  vec3 facetVC; // normal of the drawn plane, see vtkIndirectLibSurface.glsl
+  vec3 facet;   // facetVC in scene coordinates
   float depth;
 };
 
-// Returns false where nothing lit was drawn.
+// Returns false where no lit surface was drawn.
 bool vtkiFetchReceiver(ivec2 pixel, out vtkiReceiver receiver)
 {
   vec2 place = (vec2(pixel) + 0.5f) / vec2(vtkiSize);

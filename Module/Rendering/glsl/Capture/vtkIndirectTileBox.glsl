@@ -1,5 +1,5 @@
-// The box about the receivers of a group of invocations: coordinates as unsigned integers in the same order, which
-// can be compared atomically.
+// Bounding box of the receivers of a group of invocations. Coordinates are stored as unsigned
+// integers of the same order, which can be compared atomically.
 shared uint vtkiLowest[3];
 shared uint vtkiHighest[3];
 
@@ -19,7 +19,7 @@ vec3 vtkiFromOrdered(uint bits[3])
   return vec3(vtkiFromOrdered(bits[0]), vtkiFromOrdered(bits[1]), vtkiFromOrdered(bits[2]));
 }
 
-// Of all invocations, in this order: begin, add the receivers that count, end.
+// All invocations call these in order: begin, add each receiver that counts, end.
 void vtkiBeginBox()
 {
   int number = int(gl_LocalInvocationIndex);
@@ -41,7 +41,7 @@ void vtkiAddToBox(vec3 position)
   }
 }
 
-// Returns false where nothing was added.
+// Returns false where no receiver was added.
 bool vtkiEndBox(out vec3 middle, out vec3 halfSize)
 {
   barrier();
@@ -49,7 +49,7 @@ bool vtkiEndBox(out vec3 middle, out vec3 halfSize)
   vec3 lower = any ? vtkiFromOrdered(vtkiLowest) : vec3(0.0f);
   vec3 upper = any ? vtkiFromOrdered(vtkiHighest) : vec3(0.0f);
   middle = 0.5f * (lower + upper);
-  // Room for what the middle is rounded by.
+  // The margin covers the rounding of the middle.
   halfSize = 0.5f * (upper - lower) + 1.0e-6f;
   return any;
 }

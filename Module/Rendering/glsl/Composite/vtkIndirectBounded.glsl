@@ -1,5 +1,5 @@
-// What surfaces reflect, beside what comes directly: together no more than there can be. Errors of the first are largest
-// in crevices, where all that surfaces can do is to reflect all of the light that there is.
+// Bounds the bounced light: together with direct light it cannot exceed all the light in the scene.
+// Errors of the bounce are largest in crevices, where this bound applies.
 uniform vec3 vtkiGreatest;
 
 vec3 vtkiBoundBounce(vec3 bounce, vec3 direct)

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// One channel of the frame as floats, in world units and world coordinates; background 0.
+// Copies one channel of the frame as floats, in world units and world coordinates; background 0.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectAlbedo.glsl"
 #include "vtkIndirectBounded.glsl"

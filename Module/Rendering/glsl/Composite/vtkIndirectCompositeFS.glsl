@@ -1,12 +1,12 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Direct light plus albedo times irradiance, with VTKI_SKY also that of the environment, with VTKI_SKY_BOUNCE what is
-// reflected of that beside it, with VTKI_AREA that of area lights, with VTKI_AREA_GLOSSY what receivers reflect
-// specularly of these, and with VTKI_GLOSSY what is reflected specularly.
-// Background is left as it was drawn. Depth comes too, unless with VTKI_DEPTH_COPIED it is there already.
-// VTKI_ALBEDO_IN_ALPHA where the lit image has the albedo in place of alpha, VTKI_ENCODED where the scene has
-// physically based materials, whose colours are encoded. VTKI_GATHER names the file that knows where the
-// irradiance is.
+// Adds albedo times irradiance to direct light. VTKI_SKY adds the irradiance of the environment,
+// VTKI_SKY_BOUNCE its reflection by surfaces, VTKI_AREA the irradiance of area lights,
+// VTKI_AREA_GLOSSY their specular reflection, VTKI_GLOSSY specular reflection of indirect light.
+// The background stays as it was drawn. Writes depth unless VTKI_DEPTH_COPIED says that the target
+// has it. VTKI_ALBEDO_IN_ALPHA: the lit image has the albedo in place of alpha; VTKI_ENCODED: the
+// scene has physically based materials, whose colours are encoded; VTKI_GATHER names the file that
+// fetches the irradiance.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectAlbedo.glsl"
 #include "vtkIndirectBounded.glsl"
@@ -46,7 +46,7 @@ void main()
   vec3 albedo = vtkiUnpackAlbedo(lit.a);
   lit.a = 1.0f;
 #else
-  // What emits light without covering anything has no alpha.
+  // Surfaces that emit light without covering the background have no alpha.
   bool drawn = any(greaterThan(lit, vec4(0.0f)));
   vec3 albedo = vtkiUnpackAlbedo(textureLod(vtkiAlbedo, pixel, 0.0f).r);
 #endif
@@ -58,7 +58,7 @@ void main()
   {
     discard;
   }
-  // Estimators write zero where nothing is lit.
+  // Estimators write zero where no lit surface was drawn.
   if (vtkiIndirectScale > 0.0f)
   {
     vec3 bounce = vtkiFetchIrradiance(position) * vtkiIrradianceUnit;

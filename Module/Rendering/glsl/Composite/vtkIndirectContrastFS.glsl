@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Contrasts of a pixel with the one to its left (r) and with the one below it (g), where there may be an outline;
-// else zero. There is none at the picture's border.
+// Contrasts of a pixel with its left neighbour (r) and with the one below it (g), where an outline
+// is possible; else, and at the picture's border, zero.
 #include "vtkIndirectShown.glsl"
 
 uniform ivec2 vtkiSize;

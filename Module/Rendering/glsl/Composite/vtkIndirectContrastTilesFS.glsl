@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Whether a tile of vtkiTile x vtkiTile pixels has a contrast.
+// Marks tiles of vtkiTile x vtkiTile pixels that have a contrast.
 uniform sampler2D vtkiContrasts;
 uniform ivec2 vtkiSize;
 uniform int vtkiTile;
@@ -10,7 +10,7 @@ void main()
   vec2 texel = 1.0f / vec2(vtkiSize);
   vec2 first = floor(gl_FragCoord.xy) * float(vtkiTile) + 0.5f;
   vec2 any = vec2(0.0f);
-  // The last tiles may reach over the picture, whose last pixels they read again.
+  // Tiles at the picture's border may extend beyond it and read its last pixels again.
   for (int y = 0; y < vtkiTile; ++y)
   {
     for (int x = 0; x < vtkiTile; ++x)

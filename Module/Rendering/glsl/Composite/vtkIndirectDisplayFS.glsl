@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Shows a channel in the window: colours as they are, vectors and lengths mapped to [0,1].
+// Shows a channel in the window: colours unchanged, vectors and lengths mapped to [0,1].
 uniform sampler2D vtkiImage;
 uniform vec2 vtkiViewSize;
 uniform ivec2 vtkiOrigin;

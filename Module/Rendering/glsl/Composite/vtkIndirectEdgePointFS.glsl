@@ -1,8 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Blends pixels on either side of the picture's edges; others are left as they were drawn. Where edges are is in
-// vtkIndirectEdgesFS.glsl's words. Backgrounds and what earlier layers have drawn stay as they are: one of the two
-// pixels is this frame's.
+// Blends pixels on either side of the picture's edges and leaves others as they were drawn.
+// vtkIndirectEdgesFS.glsl describes the words of edge bits. Pixels of the background and of earlier
+// layers stay unchanged: one of the two pixels belongs to this frame.
 #include "vtkIndirectShown.glsl"
 
 uniform sampler2D vtkiDepth;
@@ -11,14 +11,14 @@ flat in vec2 vtkiTexel;
 flat in vec2 vtkiEdgeTexel;
 flat in ivec3 vtkiPlaces; // the viewport's origin, and the first line of columns
 
-// Of a line and the word of a position, which may be one before the picture's first or behind its last. Sampled:
-// software takes the nearest texel faster than it fetches one.
+// Word of edge bits of a line that holds a position, which may be one before the picture's first or
+// after its last. Sampled, because software samples the nearest texel faster than it fetches one.
 uvec4 vtkiFetchEdges(int position, int line)
 {
   return textureLod(vtkiEdges, (vec2(float((position + 32) >> 5), float(line)) + 0.5f) * vtkiEdgeTexel, 0.0f);
 }
 
-// Four bits from that position on, of a channel each.
+// Four bits of each channel, beginning at a position.
 uvec3 vtkiFetchFour(int position, int line)
 {
   uvec3 lower = vtkiFetchEdges(position, line).rgb;
@@ -28,16 +28,17 @@ uvec3 vtkiFetchFour(int position, int line)
            vtkiBitWindow(lower.b, upper.b, first)) & 15u;
 }
 
-// At a run's end, which is at that position of lines that begin at `lines`; the crossing lines begin at `others`.
+// Kind of end of a run at a position. The run's lines begin at `lines`, the crossing lines at
+// `others`.
 float vtkiFetchRunEnd(int position, int line, int others, bool first)
 {
-  // Edges of the run's direction are the crossing ones there.
+  // At the run's end, edges along the run are the crossing edges of the other direction.
   uvec3 four = vtkiFetchFour(line - 2, others + position);
   return vtkiRunEnd(four.r, four.g, four.b, first);
 }
 
-// Of a line's words at a position: whether there is an edge, and whether an outline that turns that way comes
-// to it from the position before.
+// Bits of a line's words at a position: is there an edge, and does an outline with this turn reach
+// the position from the one before.
 bool vtkiHasEdge(uvec4 words, int position)
 {
   return ((words.r >> uint(position & 31)) & 1u) != 0u;
@@ -48,13 +49,13 @@ bool vtkiHasStep(uvec4 words, int position, int turn)
   return (((turn > 0 ? words.g : words.b) >> uint(position & 31)) & 1u) != 0u;
 }
 
-// Lines up to two away from an edge: one beyond the picture has none.
+// Words of lines up to two away from an edge, clamped: lines beyond the picture have no edges.
 uvec4 vtkiFetchNear(int position, int line)
 {
   return vtkiFetchEdges(position, clamp(line, 0, textureSize(vtkiEdges, 0).y - 1));
 }
 
-// The areas of vtkiDiagonalAreas at an edge of a diagonal that turns that way. count: positions of the diagonal.
+// vtkiDiagonalAreas at an edge of a diagonal with this turn. count: positions of the diagonal.
 vec2 vtkiFetchDiagonal(int position, int line, int lines, int turn, out int count)
 {
   int at = position;
@@ -74,7 +75,7 @@ vec2 vtkiFetchDiagonal(int position, int line, int lines, int turn, out int coun
   float firstEnd = 0.0f;
   if (backward < VTKI_DIAGONAL_REACH)
   {
-    // The outline goes on behind an end: a corner says nothing of where the line is.
+    // The outline continues after this end: such a corner does not tell where the line lies.
     uvec4 aside = vtkiFetchEdges(at - 1, row);
     uvec4 behind = vtkiFetchEdges(at - 2, row - turn);
     bool isFlat = vtkiHasEdge(aside, at - 1) && vtkiHasStep(aside, at - 1, turn) &&
@@ -111,7 +112,7 @@ vec2 vtkiFetchDiagonal(int position, int line, int lines, int turn, out int coun
   return vtkiDiagonalAreas(backward, forward, firstEnd, lastEnd, turn);
 }
 
-// The areas of vtkiRunAreas at an edge, or of vtkiDiagonalAreas.
+// vtkiRunAreas or vtkiDiagonalAreas at an edge.
 vec2 vtkiFetchAreas(int position, int line, int lines, int others)
 {
   int bit = position & 31;
@@ -128,7 +129,8 @@ vec2 vtkiFetchAreas(int position, int line, int lines, int others)
   int backward = vtkiRunBackward(ending, endingBreaks);
   if (backward + forward + 1 < VTKI_DIAGONAL_LENGTH)
   {
-    // An outline rises from an edge at its first end or at its last, or falls; where others cross it, both.
+    // An outline rises or falls from the first or the last end of an edge; where outlines cross, it
+    // does both.
     uvec4 after = vtkiFetchEdges(position + forward + 1, lines + line);
     uvec4 start = vtkiFetchEdges(position - backward, lines + line);
     int longest = VTKI_DIAGONAL_LENGTH - 1;
@@ -137,7 +139,7 @@ vec2 vtkiFetchAreas(int position, int line, int lines, int others)
       vtkiHasStep(after, position + forward + 1, -1);
     bool falls = vtkiHasStep(start, position - backward, -1) &&
       vtkiHasStep(after, position + forward + 1, 1);
-    // A loop, which software leaves out where it has no round; it takes both sides of a branch.
+    // A loop, because software skips one of no rounds, but takes both sides of a branch.
     while (rises || falls)
     {
       int turn = rises ? 1 : -1;
@@ -185,7 +187,7 @@ void main()
   {
     uint side = sides & (~sides + 1u);
     bool columns = side > 2u;
-    bool far = (side & 10u) != 0u; // the neighbour is behind this pixel, not before it
+    bool far = (side & 10u) != 0u; // the neighbour comes after this pixel, not before it
     int line = (columns ? pixel.x : pixel.y) + (far ? 1 : 0);
     vec2 cut = vtkiFetchAreas(columns ? pixel.y : pixel.x, line, columns ? rows : 0,
       columns ? 0 : rows);
@@ -197,8 +199,8 @@ void main()
       side == 8u ? area : 0.0f);
     sides ^= side;
   }
-  // Both directions have found the same outline where they are about to blend both: the one that sees more of it
-  // is the one along which it runs.
+  // If both directions would blend, they have found the same outline: keep the direction that sees
+  // more of it, along which it runs.
   bool alongRows = max(areas.x, areas.y) >= max(areas.z, areas.w);
   vec2 shares = alongRows ? vtkiNeighborShares(areas.x, areas.y) : vtkiNeighborShares(areas.z, areas.w);
   if (shares.x + shares.y == 0.0f)

@@ -1,5 +1,6 @@
 //VTK::System::Dec
-// A point as large as a tile for each tile that has an edge: other pixels are not looked at.
+// Draws a point the size of a tile for each tile that has an edge, so that other pixels cost
+// nothing.
 uniform sampler2D vtkiTiles;
 uniform ivec2 vtkiTileCount;
 uniform ivec2 vtkiSize;
@@ -12,7 +13,7 @@ flat out ivec3 vtkiPlaces; // the viewport's origin, and the first line of colum
 
 void main()
 {
-  // As floats, which hold all numbers of tiles: integers are divided one by one in software.
+  // Floats represent all tile numbers exactly; software divides integers one by one.
   float row = floor((float(gl_VertexID) + 0.5f) / float(vtkiTileCount.x));
   vec2 tile = vec2(float(gl_VertexID) - row * float(vtkiTileCount.x), row);
   vec2 at = (tile + 0.5f) / vec2(vtkiTileCount);
@@ -20,6 +21,6 @@ void main()
   vtkiTexel = 1.0f / vec2(vtkiSize);
   vtkiEdgeTexel = 1.0f / vec2(vtkiEdgeSize);
   vtkiPlaces = ivec3(vtkiOrigin, vtkiRows);
-  // The viewport is as large as all tiles, of which the last may reach over the picture.
+  // The viewport is the size of all tiles, which may extend beyond the picture.
   gl_Position = hasEdges ? vec4(2.0f * at - 1.0f, 0.0f, 1.0f) : vec4(2.0f, 2.0f, 2.0f, 1.0f);
 }

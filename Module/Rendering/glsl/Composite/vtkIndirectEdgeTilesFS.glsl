@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Whether a tile of vtkiTile x vtkiTile pixels, 32 at most, has a pixel with an edge on a side of it.
+// Marks tiles of vtkiTile x vtkiTile pixels, 32 at most, that have a pixel with an edge on a side.
 uniform usampler2D vtkiEdges;
 uniform int vtkiRows;
 uniform int vtkiTile;
@@ -9,7 +9,7 @@ void main()
 {
   ivec2 first = ivec2(gl_FragCoord.xy) * vtkiTile;
   uint bits = vtkiTile == 32 ? 0xffffffffu : (1u << uint(vtkiTile)) - 1u;
-  // Tiles divide words; the last may reach over the picture.
+  // Tiles divide words evenly; the last tile may extend beyond the picture.
   ivec2 end = min(first + vtkiTile, ivec2(textureSize(vtkiEdges, 0).y - vtkiRows, vtkiRows) - 1);
   uint any = 0u;
   for (int y = first.y; y <= end.y; ++y)

@@ -1,22 +1,22 @@
 //VTK::System::Dec
-// Outlines of the picture as bits: 32 positions of a line in a texel. The lines are the picture's rows, and below
-// them (in the image above, from row vtkiRows on) its columns. A word on either side is left empty, so that
-// whoever reads runs needs no borders; pixels beyond the picture equal those of its border.
-// r: edges of this line. g, b: crossing edges of the line before and of this one. See
-// vtkIndirectLibAntialiasing.glsl.
+// Outlines of the picture as bits, 32 positions of a line in a texel. The lines are the picture's
+// rows and, from row vtkiRows on, its columns. An empty word on either side spares readers of runs
+// a test for borders; pixels beyond the picture equal those of its border. r: edges of this line;
+// g, b: crossing edges of the line before and of this line. See vtkIndirectLibAntialiasing.glsl.
 #include "vtkIndirectLibAntialiasing.glsl"
 
-uniform sampler2D vtkiContrasts; // at outlines, with the pixel to the left and with the one below
+uniform sampler2D vtkiContrasts; // at outlines: with the left pixel, and with the pixel below
 uniform ivec2 vtkiSize;
 uniform int vtkiRows;
 
 out uvec4 vtkiEdges;
 
-// Of a pixel: contrast with the position before, and with the line before.
+// Contrasts of a pixel with the position before and with the line before.
 vec2 vtkiFetchContrasts(vec2 place, bool columns)
 {
   vec2 contrasts = textureLod(vtkiContrasts, place, 0.0f).rg;
-  // Beyond the picture what is read is that of its border, where only outlines across it go on.
+  // Beyond the picture this reads the border's contrast, of which only outlines across the border
+  // continue.
   contrasts *= vec2(lessThan(place, vec2(1.0f)));
   return columns ? contrasts.gr : contrasts;
 }
@@ -24,14 +24,14 @@ vec2 vtkiFetchContrasts(vec2 place, bool columns)
 void main()
 {
   bool columns = gl_FragCoord.y > float(vtkiRows);
-  float line = gl_FragCoord.y - (columns ? float(vtkiRows) : 0.0f); // its middle
+  float line = gl_FragCoord.y - (columns ? float(vtkiRows) : 0.0f); // middle of the line
   float first = 32.0f * (floor(gl_FragCoord.x) - 1.0f);
   vec2 texel = 1.0f / vec2(vtkiSize);
   vec2 along = columns ? vec2(0.0f, texel.y) : vec2(texel.x, 0.0f);
   vec2 across = columns ? vec2(texel.x, 0.0f) : vec2(0.0f, texel.y);
   vec2 begin = (first + 0.5f) * along + line * across;
 
-  float edge = 0.0f;      // of the position before
+  float edge = 0.0f;      // contrast at the position before
   float strongest = 0.0f; // crossing edge at its beginning
   uint edges = 0u;
   uint crossing = 0u;
@@ -46,7 +46,7 @@ void main()
     float next = max(side, sideBelow);
     bool isEdge = i > 0 && edge >= VTKI_EDGE_CONTRAST &&
       edge * VTKI_EDGE_DOMINANCE >= max(strongest, next);
-    // The bit of the position before; there is none when i is zero.
+    // The bit of the position before; when i is zero, none.
     edges |= isEdge ? (bit >> 1u) : 0u;
     crossing |= side >= VTKI_EDGE_CONTRAST ? bit : 0u;
     crossingBelow |= sideBelow >= VTKI_EDGE_CONTRAST ? bit : 0u;

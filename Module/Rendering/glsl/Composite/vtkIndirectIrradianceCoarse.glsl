@@ -1,6 +1,6 @@
-// The irradiance from what hints have at every vtkiStep-th pixel. Where a cell of pixels between four
-// samples is one surface it is the samples' bilinear mean; vtkIndirectHintCell.glsl has found that out
-// once for the cell. Pixels of mixed cells have a value of their own.
+// Irradiance interpolated from the hints' values at every vtkiStep-th pixel. If the cell of pixels
+// between four samples is one surface, this is their bilinear mean; vtkIndirectHintCell.glsl has
+// tested that once a cell. Pixels of mixed cells have their own value.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectLibInterpolation.glsl"
 
@@ -21,7 +21,8 @@ vec3 vtkiFetchIrradiance(vec2 position)
   vec3 below = mix(corner.rgb, textureLod(vtkiCoarse, vec2(second.x, first.y), 0.0f).rgb, blend.x);
   vec3 above = mix(textureLod(vtkiCoarse, vec2(first.x, second.y), 0.0f).rgb,
     textureLod(vtkiCoarse, second, 0.0f).rgb, blend.x);
-  // Whole cells leave the image alone: a texel of it costs more than the four above, which neighbours share.
+  // Whole cells do not read the image: one of its texels costs more than the four above, which
+  // neighbours share.
   vec2 at = corner.a == VTKI_CELL_WHOLE ? vec2(0.0f) : position / vec2(vtkiSize);
   vec3 own = textureLod(vtkiIrradiance, at, 0.0f).rgb;
   return corner.a == VTKI_CELL_WHOLE ? mix(below, above, blend.y)

@@ -1,4 +1,4 @@
-// The irradiance where an estimator has a value for every pixel.
+// Irradiance of an estimator that has a value for every pixel.
 uniform sampler2D vtkiIrradiance;
 
 // position: centre of a pixel, in pixels of the view.

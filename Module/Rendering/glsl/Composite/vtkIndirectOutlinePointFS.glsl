@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// One where a surface ends between a pixel and the one to its left (r) or the one below it (g), else zero: blending
-// multiplies contrasts by it. Data that ends within a surface is no outline.
+// One where a surface ends between a pixel and its left neighbour (r) or the one below it (g), else
+// zero; blending multiplies contrasts by it. A change of data within a surface is no outline.
 #include "vtkIndirectLibAntialiasing.glsl"
 
 uniform sampler2D vtkiDepth;
@@ -14,7 +14,7 @@ float vtkiFetchDepth(vec2 place)
   return inside ? textureLod(vtkiDepth, place, 0.0f).r : 1.0f;
 }
 
-// Between the pixel and the one that lies a step before it.
+// Outline between the pixel and the one a step before it.
 float vtkiFindOutline(vec2 place, vec2 step)
 {
   vec4 depth = vec4(vtkiFetchDepth(place - 2.0f * step), vtkiFetchDepth(place - step), vtkiFetchDepth(place),

@@ -1,5 +1,5 @@
-// The picture before antialiasing, and as it is shown: with VTKI_FLOATS it may be darker than black and brighter
-// than white.
+// The picture before antialiasing, and its colour as shown: with VTKI_FLOATS values may lie below
+// black and above white.
 #include "vtkIndirectLibAntialiasing.glsl"
 
 uniform sampler2D vtkiPicture;

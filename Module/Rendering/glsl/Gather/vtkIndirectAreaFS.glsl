@@ -1,13 +1,13 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What comes directly from an area light of one radiance if nothing hid it, in closed form.
+// Irradiance of an area light of one radiance in closed form, without occlusion.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibAreaLight.glsl"
 
 uniform vec3 vtkiAreaCorner; // scene units
 uniform vec3 vtkiAreaEdge1;
 uniform vec3 vtkiAreaEdge2;
-uniform vec3 vtkiAreaNormal; // where it sends light to
+uniform vec3 vtkiAreaNormal; // the side that sends light
 uniform bool vtkiAreaTwoSided;
 uniform vec3 vtkiAreaRadiance;
 

@@ -1,13 +1,14 @@
-// The mean of an image over a rectangle as a receiver sees it: by a descent of a pyramid of the image, to where
-// what is below differs from its mean by so little that it does not matter.
+// Mean of an image over a rectangle as a receiver sees it. The descent of the image's pyramid ends
+// where the texels below differ too little from their mean to matter.
 #include "vtkIndirectLibAreaLight.glsl"
 
-// Radiance; variance of what is below, summed over the colours, times three: no less than that of the sum of the
-// colours. Lamps lie above each other.
+// Radiance, and three times the variance of the texels below, summed over the colours: at least the
+// variance of the sum of the colours. The lamps' pyramids lie above each other.
 uniform sampler2D vtkiAreaPyramid;
 uniform float vtkiAreaTolerance;
 
-// Levels lie beside each other, the finest one alone to the left. image: first row, level of the single texel.
+// Levels lie beside each other, the finest one alone on the left. image: first row, level of the
+// single texel.
 vec4 vtkiFetchAreaTexel(ivec2 image, int level, ivec2 texel)
 {
   int edge = 1 << image.y;
@@ -15,8 +16,9 @@ vec4 vtkiFetchAreaTexel(ivec2 image, int level, ivec2 texel)
   return texelFetch(vtkiAreaPyramid, ivec2(0, image.x) + first + texel, 0);
 }
 
-// whole: form factor of all of it, or 0 where nobody asks. The signs of the pieces' errors are as good as independent:
-// the square of each may have the share of the tolerance's square that the piece has of the whole.
+// whole: form factor of the whole rectangle, or 0 if no value is wanted. The pieces' errors have
+// practically independent signs: the square of each may take the share of the squared tolerance
+// that the piece has of the whole.
 vec3 vtkiMeanOfImage(ivec2 image, vec3 corner, vec3 edge1, vec3 edge2, vec3 normal, float whole)
 {
   int top = image.y;
@@ -33,7 +35,7 @@ vec3 vtkiMeanOfImage(ivec2 image, vec3 corner, vec3 edge1, vec3 edge2, vec3 norm
   int level = whole > 0.0f ? top : top + 1;
   ivec2 texel = ivec2(0);
   vec4 sum = vec4(0.0f);
-  // More are not worth their time: what is left is taken as it is.
+  // Bound of the time: after this many rounds, the remaining pieces count with their mean.
   for (int round = 0; round < 4096 && level <= top; ++round)
   {
     float width = 1.0f / float(1 << (top - level));
@@ -52,7 +54,8 @@ vec3 vtkiMeanOfImage(ivec2 image, vec3 corner, vec3 edge1, vec3 edge2, vec3 norm
     bool below = height + up <= 0.0f;
     bool taken = level == 0 || below || radiance.a == 0.0f || round > 3072 ||
       (!near && radiance.a * vtkiPieceVariance(piece) * factor <= goal);
-    // A loop of one round, which software leaves where nobody needs it. No compiler knows that it has but one.
+    // A loop of one round, which software skips where it is not needed. Compilers cannot know that
+    // it has only one.
     for (int n = near && taken && !below ? 1 : 0; n > 0; n -= top)
     {
       factor = vtkiRectangleFormFactor(middle - (0.5f * width) * (edge1 + edge2), width * edge1,

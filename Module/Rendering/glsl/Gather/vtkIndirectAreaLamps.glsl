@@ -1,6 +1,7 @@
-// Area lights of a moving frame: irradiance if nothing hid them, and what of it points of them find hidden.
-// VTKI_AREA_LAMPS: in the block; VTKI_AREA_POINTS: of each; VTKI_VISIBILITY: without it nothing hides them.
-// VTKI_AREA_IMAGE: some have images. VTKI_AREA_STEP: pixels between places where light is known if nothing hid it.
+// Area lights of a moving frame: irradiance without occlusion, and the share that shadow tests from
+// points of the lights leave. VTKI_AREA_LAMPS: lamps in the block; VTKI_AREA_POINTS: points of
+// each; VTKI_VISIBILITY: without it lamps cast no shadow; VTKI_AREA_IMAGE: some lamps have images;
+// VTKI_AREA_STEP: pixels between positions where unoccluded irradiance is known.
 #ifndef VTKI_AREA_LAMPS
 #define VTKI_AREA_LAMPS 16
 #define VTKI_AREA_POINTS 16
@@ -18,28 +19,31 @@
 
 layout(std140) uniform vtkiAreaBlock
 {
-  vec4 vtkiAreaCorner[VTKI_AREA_LAMPS];   // scene units; whether it has two sides
+  vec4 vtkiAreaCorner[VTKI_AREA_LAMPS];   // scene units; 1 if it has two sides
   vec4 vtkiAreaEdge1[VTKI_AREA_LAMPS];    // level of the single texel of its image, or -1
   vec4 vtkiAreaEdge2[VTKI_AREA_LAMPS];    // first row of its image
-  vec4 vtkiAreaNormal[VTKI_AREA_LAMPS];   // where it sends light to; area of a point's disk
-  vec4 vtkiAreaRadiance[VTKI_AREA_LAMPS]; // the mean
-  // Of the depth maps of its front, and of those of its back; one over the depths at which they begin and end.
+  vec4 vtkiAreaNormal[VTKI_AREA_LAMPS];   // the side that sends light; area of a point's disk
+  vec4 vtkiAreaRadiance[VTKI_AREA_LAMPS]; // mean
+  // For the depth maps of the front and of the back: their axes; one over the depths at which they
+  // begin and end.
   vec4 vtkiAreaRight[2 * VTKI_AREA_LAMPS];
   vec4 vtkiAreaUp[2 * VTKI_AREA_LAMPS];
   vec4 vtkiAreaStripRange[2 * VTKI_AREA_LAMPS]; // the same depths of the maps' strips
-  vec4 vtkiAreaStrips[8 * VTKI_AREA_LAMPS];     // windows of these, of vtkiIsSeenInWindow
-  // By lamps: places along these axes, from the corner; the middle of the tile, or -1 where there is none.
+  vec4 vtkiAreaStrips[8 * VTKI_AREA_LAMPS];     // windows of the strips, see vtkiIsSeenInWindow
+  // By lamps: positions along these axes, from the corner; middle of the tile, or -1 if there is
+  // none.
   vec4 vtkiAreaFront[VTKI_AREA_LAMPS * VTKI_AREA_POINTS];
   vec4 vtkiAreaBack[VTKI_AREA_LAMPS * VTKI_AREA_POINTS];
-  vec4 vtkiAreaFrontWindow[VTKI_AREA_LAMPS * VTKI_AREA_POINTS]; // of vtkiIsSeenInWindow
+  vec4 vtkiAreaFrontWindow[VTKI_AREA_LAMPS * VTKI_AREA_POINTS]; // see vtkiIsSeenInWindow
   vec4 vtkiAreaBackWindow[VTKI_AREA_LAMPS * VTKI_AREA_POINTS];
-  vec4 vtkiAreaSent[VTKI_AREA_LAMPS * VTKI_AREA_POINTS]; // radiance times the area that the point stands for
+  // radiance times the area that the point represents
+  vec4 vtkiAreaSent[VTKI_AREA_LAMPS * VTKI_AREA_POINTS];
 };
 uniform int vtkiAreaCount; // lamps
 
-// Irradiance if nothing hid the lamps; the distance of the nearest one. front: a bit for each that sends light to
-// the receiver's side of it. Zero where nobody asks: software leaves loops that nobody takes, and takes both sides of
-// a branch.
+// Irradiance of the lamps without occlusion, and the distance of the nearest lamp. front: a bit for
+// each lamp that sends light to the receiver's side of its plane. asked: false returns zero;
+// software skips loops of no rounds but takes both sides of a branch.
 vec4 vtkiFindOpen(vtkiReceiver receiver, bool asked, out float front)
 {
   front = 0.0f;
@@ -71,7 +75,8 @@ vec4 vtkiFindOpen(vtkiReceiver receiver, bool asked, out float front)
 }
 
 #ifdef VTKI_VISIBILITY
-// What a receiver gets of some points of each lamp, and what it would if it saw them all. None where count is 0.
+// Adds the irradiance from some points of each lamp to all, and of the visible points to seen. Adds
+// none if count is 0.
 void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen, inout vec3 all)
 {
   int lamps = count > 0 ? vtkiAreaCount : 0;
@@ -98,7 +103,7 @@ void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen,
       int row = i * VTKI_AREA_POINTS + k;
       vec4 point = front ? vtkiAreaFront[row] : vtkiAreaBack[row];
       vec3 away = vec3(place.xy - point.xy, place.z);
-      // The disk of vtkiVirtualLightWeight.
+      // The disk has vtkiVirtualLightWeight.
       float r2 = max(dot(away, away), 1.0e-30f);
       float weight = place.z * max(-dot(normal, away), 0.0f) / (r2 * (VTKI_PI * r2 + area));
       vtkiTileView view = vtkiFindTileView(away, facet, VTKI_WINDOW_TANGENT);
@@ -107,7 +112,8 @@ void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen,
       window = ahead ? window : vtkiAreaStrips[4 * side + max(view.strip, 0)];
       bool visible = vtkiIsSeenInWindow(
         point.zw, view, window, ahead ? range : vtkiAreaStripRange[side].xy);
-      // Points below the facet that the normal faces still take no part, as directions of the sky.
+      // Points below the facet and above the shading normal's horizon take no part, as sky
+      // directions do not.
       vec3 given =
         lit && point.z >= 0.0f && dot(facet, away) < 0.0f ? weight * vtkiAreaSent[row].rgb : vec3(0.0f);
       all += given;
@@ -116,13 +122,13 @@ void vtkiAddShares(int first, int count, vtkiReceiver receiver, inout vec3 seen,
   }
 }
 
-// Where no point faces the receiver nothing is known of what hides the rest.
+// If no point faces the receiver, the share is unknown: assume no occlusion.
 vec3 vtkiShareOf(vec3 seen, vec3 all)
 {
   return mix(vec3(1.0f), seen / max(all, vec3(1.0e-30f)), greaterThan(all, vec3(0.0f)));
 }
 
-// By all points; one where nobody asks.
+// Share of all points; one if it is not asked for.
 vec3 vtkiFindOwnShare(vtkiReceiver receiver, bool asked)
 {
   vec3 seen = vec3(0.0f);

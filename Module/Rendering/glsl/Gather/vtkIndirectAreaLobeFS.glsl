@@ -1,10 +1,10 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What receivers reflect of one area light in their specular lobes: in closed form (of VTK's PBR by transformed cosines,
-// of powers by an integral over the edges) if nothing hid it, times the share of it that is seen, by depth maps of a few
-// points of it, each by what the lobe gets of it.
-// VTKI_AREA_POINTS: points in the block. VTKI_VISIBILITY: without it nothing hides the light.
-// VTKI_AREA_IMAGE: its radiance is an image. VTKI_LOBE_TABLE: some receivers are VTK's PBR.
+// Specular reflection of one area light by the receivers. The closed form without occlusion
+// (transformed cosines for VTK's PBR, an integral over the edges for powers) is multiplied by the
+// visible share, which depth maps of a few points of the light give, weighted by the lobe.
+// VTKI_AREA_POINTS: points in the block; VTKI_VISIBILITY: without it the light casts no shadow;
+// VTKI_AREA_IMAGE: its radiance is an image; VTKI_LOBE_TABLE: some receivers are VTK's PBR.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibGlossy.glsl"
 #include "vtkIndirectLibLobe.glsl"
@@ -16,7 +16,7 @@ uniform sampler2D vtkiSpecular;
 uniform vec3 vtkiAreaCorner; // scene units
 uniform vec3 vtkiAreaEdge1;
 uniform vec3 vtkiAreaEdge2;
-uniform vec3 vtkiAreaNormal; // where it sends light to
+uniform vec3 vtkiAreaNormal; // the side that sends light
 uniform bool vtkiAreaTwoSided;
 #ifndef VTKI_AREA_IMAGE
 uniform vec3 vtkiAreaRadiance;
@@ -27,7 +27,7 @@ uniform sampler2D vtkiLobeTransforms;
 uniform sampler2D vtkiLobeIntegrals;
 uniform vec2 vtkiLobeShape; // entries along an edge, least roughness
 
-// Between the middles of texels.
+// Interpolates between the middles of the table's texels.
 vec4 vtkiFetchLobe(sampler2D table, vec2 place)
 {
   return textureLod(table, (place * (vtkiLobeShape.x - 1.0f) + 0.5f) / vtkiLobeShape.x, 0.0f);
@@ -38,11 +38,13 @@ vec4 vtkiFetchLobe(sampler2D table, vec2 place)
 layout(std140) uniform vtkiAreaLobeBlock
 {
   vec4 vtkiAreaPlace[VTKI_AREA_POINTS];       // scene units
-  vec4 vtkiAreaWeight[VTKI_AREA_POINTS];      // radiance of what it stands for, over the mean
-  vec4 vtkiAreaMiddles[VTKI_AREA_POINTS];     // of the tiles of the front and the back, or -1 where there is none
-  vec4 vtkiAreaFrontWindow[VTKI_AREA_POINTS]; // of vtkiIsSeenInWindow
+  vec4 vtkiAreaWeight[VTKI_AREA_POINTS];      // radiance of the point's part over the mean
+  // middles of the front and back tiles, or -1 if there is none
+  vec4 vtkiAreaMiddles[VTKI_AREA_POINTS];
+  vec4 vtkiAreaFrontWindow[VTKI_AREA_POINTS]; // see vtkiIsSeenInWindow
   vec4 vtkiAreaBackWindow[VTKI_AREA_POINTS];
-  // Of the front and the back: one over the depths at which maps begin and end, and strips of them; windows of these.
+  // For the front and the back: one over the depths at which maps and their strips begin and end;
+  // windows of the strips.
   vec4 vtkiAreaRange[2];
   vec4 vtkiAreaStrips[8];
 };
@@ -66,14 +68,14 @@ void main()
   asked = asked && max(max(specular.r, specular.g), specular.b) > 0.0f && (front || vtkiAreaTwoSided);
   vec3 toMirror = mat3(vtkiViewToScene) * vtkiMirror(receiver.positionVC, receiver.normalVC);
   vtkiTransform transform = vtkiPowerTransform(toMirror, max(specular.a, 0.0f));
-  // Powers, and with a minus sign roughnesses.
+  // Powers are positive; a negative sign marks roughness.
   bool physical = specular.a < 0.0f;
   vec3 reflected = specular.rgb *
     (vtkiPowerIntegral(corner, vtkiAreaEdge1, vtkiAreaEdge2, receiver.normal, toMirror,
        max(specular.a, 0.0f), asked && !physical) /
       VTKI_PI);
 #ifdef VTKI_LOBE_TABLE
-  // The mirror direction mirrored.
+  // The direction to the eye is the mirror direction reflected at the normal.
   vec3 toEye = 2.0f * dot(receiver.normal, toMirror) * receiver.normal - toMirror;
   float cosine = min(max(dot(receiver.normal, toEye), 0.0f), 1.0f);
   vec2 place = vtkiTablePlace(cosine, min(-specular.a, 1.0f), vtkiLobeShape.y);
@@ -91,7 +93,7 @@ void main()
   vec3 edge2 = vtkiTransformWay(transform, vtkiAreaEdge2);
   vec3 first = vtkiTransformWay(transform, corner);
 #ifdef VTKI_AREA_IMAGE
-  // As the lobe sees it: transformed, as a cosine does.
+  // The lobe's transform applies to the image as it applies to the rectangle.
   vec3 up = vec3(0.0f, 0.0f, 1.0f);
   reflected *= vtkiMeanOfImage(vtkiAreaImage, first, edge1, edge2, up,
     asked ? vtkiRectangleFormFactor(first, edge1, edge2, up) : 0.0f);
@@ -132,7 +134,7 @@ void main()
     all += there ? sent : vec3(0.0f);
     seen += visible ? sent : vec3(0.0f);
   }
-  // Where the lobe meets no point nothing is known of what hides the rest.
+  // If the lobe meets no point, the share is unknown: assume no occlusion.
   reflected *= mix(vec3(1.0f), seen / max(all, vec3(1.0e-30f)), greaterThan(all, vec3(0.0f)));
 #endif
   gl_FragData[0] = vec4(asked ? reflected : vec3(0.0f), 1.0f);

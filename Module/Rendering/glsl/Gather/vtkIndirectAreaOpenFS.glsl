@@ -1,7 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Irradiance from area lights if nothing hid them, at every VTKI_AREA_STEP-th pixel; distance of the nearest lamp;
-// the surface there; and which lamps send light to its side of them.
+// At every VTKI_AREA_STEP-th pixel: irradiance of area lights without occlusion; distance of the
+// nearest lamp; the surface's plane; a bit for each lamp that sends light to the surface's side of
+// it.
 #include "vtkIndirectAreaLamps.glsl"
 
 void main()

@@ -1,15 +1,16 @@
-// Samples around a pixel that lie on its surface.
+// Interpolation between samples around a pixel that lie on its surface.
 #include "vtkIndirectLibInterpolation.glsl"
 
-// Between samples light is interpolated that comes from so many times their distance at least: what falls with a
-// power of the distance is then off by less than half a hundredth. Where not all samples around are on the surface, so that
-// their middle is elsewhere, from three times that.
+// Light is interpolated if it comes from at least this many sample distances away: an inverse power
+// of the distance is then off by less than half a hundredth. If not all four samples are on the
+// surface, so that their mean position is off the pixel, three times that distance is required.
 #ifndef VTKI_AREA_DISTANCES
 #define VTKI_AREA_DISTANCES 14.0f
 #endif
 const float VTKI_AREA_DISTANCES_BESIDE = 3.0f * VTKI_AREA_DISTANCES;
 
-// Least cosine of normals between which light is interpolated; what hides it may be between others.
+// Least cosine between normals over which light is interpolated; other normals may be shadowed by
+// other surfaces.
 const float VTKI_AREA_COSINE = 0.99f;
 
 // Pixels between samples.
@@ -22,21 +23,22 @@ float vtkiPixelWidth(float depth)
   return length(dx) * (2.0f / float(vtkiSize.x));
 }
 
-// Whether a surface, its facet's normal and its height along it, is that of a receiver. cosine: least of the normals.
+// True if a surface, given by its facet's normal and its height along that normal, is the
+// receiver's surface. cosine: least cosine of the normals.
 bool vtkiIsOnPlane(vec4 plane, vtkiReceiver receiver, float tolerance, float cosine)
 {
   return abs(dot(plane.xyz, receiver.positionVC) - plane.w) <= tolerance &&
     dot(plane.xyz, receiver.facetVC) >= cosine;
 }
 
-// Where a pixel is between samples that are so many pixels apart, but the last ones, which are at the border.
+// Place of a pixel between samples that are step pixels apart; the last samples lie on the border.
 vec2 vtkiBetween(ivec2 pixel, ivec2 cell, int step)
 {
   ivec2 width = max(min(step * (cell + 1), vtkiSize - 1) - step * cell, ivec2(1));
   return vec2(pixel - step * cell) / vec2(width);
 }
 
-// Weight of one of four samples, k, around a place between them.
+// Bilinear weight of sample k of four.
 float vtkiBilinear(vec2 between, int k)
 {
   return ((k & 1) == 1 ? between.x : 1.0f - between.x) * (k > 1 ? between.y : 1.0f - between.y);

@@ -1,8 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// At a pixel of each block: irradiance from area lights if nothing hid them, interpolated from where it is known, times
-// the share that four pixels around, which ask all points between them, find not to be hidden; that share; and the
-// surface there.
+// At one pixel of each block: irradiance of area lights, which is the interpolated unoccluded
+// irradiance times the visible share; that share, which four surrounding pixels find by testing all
+// points between them; and the surface's plane.
 #include "vtkIndirectAreaLamps.glsl"
 #include "vtkIndirectAreaSamples.glsl"
 
@@ -23,7 +23,7 @@ vec3 vtkiFindShare(ivec2 pixel, vtkiReceiver receiver, vec4 plane, float width, 
     vtkiReceiver probe;
     bool same = vtkiFetchReceiver(clamp(at, ivec2(0), vtkiSize - 1), probe);
     same = vtkiIsOnPlane(plane, probe, VTKI_INTERPOLATION_DISTANCE * width, VTKI_INTERPOLATION_COSINE) && same;
-    // Beside thin things the block's pixel asks for others.
+    // Beside thin things the block's pixel tests the points of its four neighbours.
     probe.position = same ? probe.position : receiver.position;
     probe.normal = same ? probe.normal : receiver.normal;
     probe.facet = same ? probe.facet : receiver.facet;
@@ -62,7 +62,7 @@ void main()
     least = same ? min(least, front) : least;
     most = same ? max(most, front) : most;
   }
-  // Where the plane of a lamp runs through, its light ends: there it is not interpolated further.
+  // The receivers cross a lamp's plane, where its light ends: do not interpolate across it.
   bool crossed = weights > 0.0f && least != most;
   bool even = !crossed && weights > 0.99f &&
     nearest >= VTKI_AREA_DISTANCES * float(VTKI_AREA_STEP) * width;

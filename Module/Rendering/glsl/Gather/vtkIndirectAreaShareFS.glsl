@@ -1,11 +1,11 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What a pixel gets of points of an area light, and what it would if it saw them all: added to what other rounds and
-// lights give.
+// Adds the light of an area light's points at a pixel, once of visible points and once of all, to
+// the sums of other rounds and lights.
 #define VTKI_VISIBILITY
 #include "vtkIndirectAreaLamps.glsl"
 
-uniform int vtkiAreaPoints; // of the block, in use
+uniform int vtkiAreaPoints; // points in use
 
 void main()
 {

@@ -1,11 +1,11 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What comes directly from area lights in a moving frame: of the four samples around a pixel, where they stand for it;
-// else what it finds itself.
+// Irradiance of area lights in a moving frame: interpolated from the four samples around a pixel if
+// they are on its surface, else computed at the pixel.
 #include "vtkIndirectAreaLamps.glsl"
 #include "vtkIndirectAreaSamples.glsl"
 
-uniform sampler2D vtkiAreaLight; // distance of the nearest lamp over that of samples
+uniform sampler2D vtkiAreaLight; // w: distance of the nearest lamp over that of samples
 uniform sampler2D vtkiAreaPlane;
 uniform sampler2D vtkiAreaShare;
 uniform ivec2 vtkiAreaSamples;

@@ -6,14 +6,14 @@
 uniform sampler2D vtkiCoarse;
 uniform ivec2 vtkiCoarseSize;
 
-// Bilinear sum of those of the four samples around that lie on the receiver's surface, the sum of
-// their weights, and their number.
+// Bilinear sum of the four surrounding samples that lie on the receiver's surface, the sum of their
+// weights, and their number.
 void vtkiInterpolateCoarse(
   ivec2 pixel, vtkiReceiver receiver, out vec3 sum, out float weights, out int agreeing)
 {
   float tolerance = VTKI_INTERPOLATION_DISTANCE * vtkiSampleDistance(receiver.depth);
 
-  // The last samples may lie closer.
+  // The last samples may be closer together.
   ivec2 corner = pixel / vtkiStep;
   ivec2 first = corner * vtkiStep;
   vec2 blend = vec2(pixel - first) / vec2(max(min(first + vtkiStep, vtkiSize - 1) - first, 1));

@@ -7,7 +7,7 @@
 #endif
 
 uniform int vtkiSampleCount;
-uniform float vtkiRadius; // of the disk, as a fraction of the map's width
+uniform float vtkiRadius; // the disk's radius as a fraction of the map's width
 uniform int vtkiLayerCount;
 
 // A sample of the disk in a map.
@@ -15,10 +15,10 @@ struct vtkiMapSample
 {
   int layer;
   vec2 at;      // map coordinates
-  float texels; // that it stands for
+  float texels; // texels that the sample represents
 };
 
-// In the plane of the map.
+// Sample of a map of one face: the disk lies in the map's plane.
 vtkiMapSample vtkiSampleOnPlane(int layer, vec4 map, vec2 uv, vec3 pattern)
 {
   // Texels in a square as wide as the disk's radius: the pattern's weights are for a unit disk.
@@ -26,9 +26,9 @@ vtkiMapSample vtkiSampleOnPlane(int layer, vec4 map, vec2 uv, vec3 pattern)
   return vtkiMapSample(layer, uv + vtkiRadius * pattern.xy, pattern.z * texels);
 }
 
-// On a cube, whose faces meet without a seam for it: the disk touches the sphere of directions where the
-// receiver lies, as wide as it is on a face there. direction: to the receiver, unit, in the coordinates of
-// the face of this layer.
+// Sample of a cube map, without a seam between faces: the disk touches the sphere of directions at
+// the receiver and is as wide as on the face. direction: to the receiver, unit, in the coordinates
+// of this layer's face.
 vtkiMapSample vtkiSampleOnCube(int layer, vec4 map, vec3 direction, vec3 pattern)
 {
   vec3 helper = abs(direction.x) < 0.5f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
@@ -37,17 +37,18 @@ vtkiMapSample vtkiSampleOnCube(int layer, vec4 map, vec3 direction, vec3 pattern
   vec2 offset = 2.0f * map.y * vtkiRadius * pattern.xy;
   vec3 ray = direction + offset.x * tangent + offset.y * bitangent;
   int own = int(texelFetch(vtkiMapTable, ivec2(VTKI_MAP_AXIS, layer), 0).w + 0.5f);
-  // Back to the light's coordinates: sides are each other's inverse, forward and backward their own.
+  // Transforms back to the light's coordinates: opposite side faces are each other's inverse,
+  // forward and backward are their own.
   int inverse = own == 0 || own == 5 ? own : (own == 1 || own == 3 ? own + 1 : own - 1);
   vec3 inLight = vtkiToFace(ray, inverse);
   int face = vtkiFaceOf(inLight);
   vec3 inFace = vtkiToFace(inLight, face);
   int there = layer - own + face;
-  // Wide spots have no backward face.
+  // Maps of wide spot lights have no backward face.
   bool has = there < vtkiLayerCount &&
     int(texelFetch(vtkiMapTable, ivec2(VTKI_MAP_AXIS, clamp(there, 0, vtkiLayerCount - 1)), 0).w + 0.5f) == face;
   vec2 tangents = inFace.xy / -inFace.z;
-  // Solid angle of the pattern's share of the disk, over that of the face's plane.
+  // Solid angle of the pattern's share of the disk over its solid angle on the face's plane.
   float stretch = (1.0f + dot(tangents, tangents)) / (1.0f + dot(offset, offset));
   float texels = map.z * map.z * vtkiRadius * vtkiRadius * stretch * sqrt(stretch);
   return vtkiMapSample(

@@ -1,5 +1,4 @@
-// Sum over a block of virtual lights.
-// VTKI_VISIBILITY: those that the receiver sees.
+// Sum over a block of virtual lights. VTKI_VISIBILITY: only visible lights count.
 #include "vtkIndirectLightRow.glsl"
 #ifdef VTKI_DIVIDED
 #include "vtkIndirectBranches.glsl"
@@ -22,8 +21,8 @@ void vtkiFetchLight(int light, out vec4 sender, out vec4 senderNormal, out vec3 
   density = texelFetch(vtkiLightDensity, at, 0).rgb;
 }
 
-// What comes of a light as a whole, of this density. Returns whether the receiver is near to it, so that what is
-// below is to be added.
+// Adds the light of a cluster as a whole, with this density. Returns true if the receiver is near
+// to the cluster, so that its branches are to be added.
 bool vtkiAddSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
   inout vec3 irradiance)
 {
@@ -52,7 +51,7 @@ bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, inout vec3 i
 }
 
 #ifdef VTKI_DIVIDED
-// What comes of what is below a light that the receiver is near to and sees.
+// Adds the light of the branches of a cluster that the receiver is near to and sees.
 void vtkiAddBelow(vec3 position, vec3 normal, int light, inout vec3 irradiance)
 {
   vec4 sender;

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Indirect light in the specular lobe, at every pixel that is specular. VTKI_GATHER names the file
-// that sums over the senders: the sum of the irradiance, with another weight.
+// Indirect light in the specular lobe, at every specular pixel. VTKI_GATHER names the file that
+// sums over the senders, as for irradiance but with the lobe's weight.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibGlossy.glsl"
 
@@ -21,7 +21,7 @@ void main()
     mat3(vtkiViewToScene) * vtkiMirror(receiver.positionVC, receiver.normalVC);
   vtkiReceiverPower = specular.a;
   vec3 sum = vec3(0.0f);
-  // Powers below zero are roughnesses of VTK's PBR, which area lights alone know.
+  // Negative powers are roughnesses of VTK's PBR; only area lights support these.
   if (lit && specular.a >= 0.0f && max(max(specular.r, specular.g), specular.b) > 0.0f)
   {
     sum = vtkiGather(receiver.position, receiver.normal, receiver.facet);

@@ -1,5 +1,5 @@
-// Interpolation of a texel or pixel from the whole texels of the level above on the same surface. The
-// picture is interpolated with the very weights against which each light's residual is held.
+// Interpolates a texel or pixel from whole texels of the level above on the same surface. The
+// picture uses the same weights that each light's residual is tested with.
 #include "vtkIndirectSubsplatPlane.glsl"
 #include "vtkIndirectGlossyState.glsl"
 
@@ -8,14 +8,14 @@ uniform sampler2D vtkiCoarserLobe;
 uniform ivec2 vtkiCoarserSize;
 uniform float vtkiCoarserEdge; // pixels along the edge of a coarser texel
 
-// The four texels above around: the own one first, then along x, along y, and across.
+// The four surrounding texels above: its own, the next along x, along y, and across.
 ivec2 vtkiCoarserTexel(ivec2 texel, int i)
 {
   ivec2 shift = ivec2(i & 1, i >> 1) * (2 * (texel & 1) - 1);
   return clamp((texel >> 1) + shift, ivec2(0), vtkiCoarserSize - 1);
 }
 
-// Their weights, of sum one. The own texel counts in any case: it is whole.
+// Weights of these texels, of sum one. The pixel's own texel always counts: it is whole.
 vec4 vtkiCoarserWeights(ivec2 texel, vec3 position, vec3 normal, float depth, float power)
 {
   vtkiTangentPlane plane = vtkiMakeTangentPlane(

@@ -1,7 +1,8 @@
-// Sums over senders as of the irradiance, in a receiver's specular lobe: includes that follow take these weights.
+// Replaces the irradiance weight of the files included after this one by the weight of the
+// receiver's specular lobe.
 #include "vtkIndirectLibGlossy.glsl"
 
-// Set by main; compilers warn of values that functions before it use.
+// main() sets these; the initial values avoid warnings about functions that precede it.
 vec3 vtkiReceiverMirror = vec3(0.0f);
 float vtkiReceiverPower = 0.0f;
 float vtkiWeightInLobe(vec3 toSender, vec3 normalS, vec3 normalR, float area)

@@ -1,8 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// An area light that is seen: its radiance, as a surface that is not lit. VTKI_LAMP_IMAGE: that is an image.
-// VTKI_ENCODED: the frame has pixels of VTK's PBR, which are encoded, and so is this. VTKI_ALBEDO_IN_ALPHA: see
-// vtkIndirectAlbedo.glsl.
+// Draws a visible area light: its radiance, as an unlit surface. VTKI_LAMP_IMAGE: the radiance is
+// an image. VTKI_ENCODED: the frame has pixels of VTK's PBR, which are encoded, so the lamp's are
+// too. VTKI_ALBEDO_IN_ALPHA: see vtkIndirectAlbedo.glsl.
 #include "vtkIndirectLibAlbedo.glsl"
 #include "vtkIndirectLibColor.glsl"
 #include "vtkIndirectLibSurface.glsl"

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// A corner of an area light that is seen, by its number.
+// A corner of a visible area light, by its number.
 uniform vec4 vtkiLampCorner[4]; // clip coordinates
 uniform vec4 vtkiLampDepth;     // along the view axis, scene units
 

@@ -1,13 +1,13 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What the lobes of virtual lights give. VTKI_COARSE: at every vtkiStep-th pixel, with what interpolation between these
-// may change of it; VTKI_INTERPOLATED: at every pixel, from those where that is little; VTKI_GLOSSY: in the specular lobe
-// of the receiver; otherwise at every pixel.
+// Light from the lobes of virtual lights. VTKI_COARSE: at every vtkiStep-th pixel, with the error
+// that interpolation may have there; VTKI_INTERPOLATED: at every pixel, interpolated where that
+// error is small; VTKI_GLOSSY: in the receiver's specular lobe; otherwise at every pixel.
 #include "vtkIndirectReceiver.glsl"
 #ifdef VTKI_INTERPOLATED
 #include "vtkIndirectCoarse.glsl"
-uniform float vtkiLeast;     // that is worth a sum
-uniform float vtkiTolerance; // of interpolation, over the light there
+uniform float vtkiLeast;     // light that is worth a sum
+uniform float vtkiTolerance; // error of interpolation, relative to the light
 #endif
 #ifdef VTKI_COARSE
 uniform int vtkiStep;
@@ -18,7 +18,7 @@ uniform float vtkiStorageScale;
 #ifdef VTKI_GLOSSY
 #include "vtkIndirectLibGlossy.glsl"
 uniform sampler2D vtkiSpecular;
-// Set by main; compilers warn of values that functions before it use.
+// main() sets these; the initial values avoid warnings about functions that precede it.
 vec3 vtkiReceiverMirror = vec3(0.0f);
 float vtkiReceiverPower = 0.0f;
 float vtkiLobeWeight(vec3 toSender, vec3 normalS, vec3 normalR, vec3 direction, float exponent, float area)
@@ -35,7 +35,7 @@ float vtkiLobeWeight(vec3 toSender, vec3 normalS, vec3 normalR, vec3 direction, 
 #include "vtkIndirectLobes.glsl"
 
 #ifdef VTKI_INTERPOLATED
-// The largest variation among the samples around.
+// The largest variation among the surrounding samples.
 float vtkiCoarseVariation(ivec2 pixel)
 {
   ivec2 corner = pixel / vtkiStep;
@@ -60,14 +60,15 @@ void main()
   float radius = 0.0f;
   vec3 light = vec3(0.0f);
 #ifdef VTKI_COARSE
-  // Half the diagonal of the square of pixels between samples, as far apart as the surface runs away from the eye.
+  // Half the diagonal of the square between samples, stretched where the surface is inclined to the
+  // view.
   vec3 right = (vtkiRayOrigin[0] + receiver.depth * vtkiRayDirection[0]) * (2.0f / float(vtkiSize.x));
   float facing = abs(dot(receiver.normalVC, normalize(vtkiRayOrigin[2] + receiver.depth * vtkiRayDirection[2])));
   radius = 0.7071f * float(vtkiStep) * length(right) / max(facing, 0.1f);
 #endif
 #ifdef VTKI_GLOSSY
   vec4 specular = texelFetch(vtkiSpecular, pixel, 0);
-  // Powers below zero are roughnesses of VTK's PBR, which area lights alone know.
+  // Negative powers are roughnesses of VTK's PBR; only area lights support these.
   wanted = wanted && specular.a >= 0.0f && max(max(specular.r, specular.g), specular.b) > 0.0f;
   vtkiReceiverMirror = mat3(vtkiViewToScene) * vtkiMirror(receiver.positionVC, receiver.normalVC);
   vtkiReceiverPower = specular.a;

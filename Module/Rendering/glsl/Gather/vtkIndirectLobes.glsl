@@ -1,4 +1,4 @@
-// Sum over the lobes of virtual lights. VTKI_VISIBILITY: those that the receiver sees.
+// Sum over the lobes of virtual lights. VTKI_VISIBILITY: only visible lights count.
 #include "vtkIndirectLibTable.glsl"
 #include "vtkIndirectLibSenderLobe.glsl"
 #ifdef VTKI_VISIBILITY
@@ -15,10 +15,10 @@ uniform int vtkiLightCount;
 struct vtkiLobeSum
 {
   vec3 light;
-  float variation; // what interpolation over the receiver's patch may change of it, its brightest component
+  float variation; // possible error of interpolation over the receiver's patch, brightest component
 };
 
-// What one light's lobe gives. radius: of the patch of surface that the receiver stands for, 0 where it stands for itself.
+// Adds one light's lobe. radius: of the surface patch that the receiver represents, 0 for a point.
 void vtkiAddLobe(vec3 position, vec3 normal, vec3 open, float radius, int light, inout vtkiLobeSum sum)
 {
   ivec2 at = vtkiTableTexel(light);

@@ -1,7 +1,7 @@
-// Directions of the sky, as a block has them, and what a receiver gets from one.
+// Directions of the sky in a uniform block, and a receiver's irradiance from one direction.
 // VTKI_SKY_BLOCK: directions in the block, at most 204: 16384 bytes, which every OpenGL has.
-// VTKI_VISIBILITY: if nothing hides it; VTKI_FILTERED: of few strong directions, whose shadows have edges that
-// are seen.
+// VTKI_VISIBILITY: tests occlusion; VTKI_FILTERED: filters the shadow edges, which are visible if
+// few strong directions make the sky.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibDepthTile.glsl"
 
@@ -9,8 +9,9 @@ layout(std140) uniform vtkiSkyBlock
 {
   vec4 vtkiSkyRight[VTKI_SKY_BLOCK]; // rows of the matrix from scene to texels of the tile
   vec4 vtkiSkyUp[VTKI_SKY_BLOCK];
-  vec4 vtkiSkyDepth[VTKI_SKY_BLOCK]; // and to what the depth buffer holds, [0,1], less the bias
-  vec4 vtkiSkyLight[VTKI_SKY_BLOCK]; // irradiance of what faces it, times the range of depth; sum over colours
+  vec4 vtkiSkyDepth[VTKI_SKY_BLOCK]; // row to the depth buffer's value, [0,1], less the bias
+  // irradiance facing it, times the range of depth; sum over colours
+  vec4 vtkiSkyLight[VTKI_SKY_BLOCK];
   vec4 vtkiSkyPlace[VTKI_SKY_BLOCK]; // first texel of the tile; a texel's width over the range, squared
 };
 
@@ -33,24 +34,24 @@ vtkiSkyDirection vtkiFetchSkyDirection(int i)
 uniform sampler2D vtkiDepthTiles;
 uniform vec3 vtkiTileShape; // columns and rows of tiles in the atlas, texels along an edge of a tile
 
-// Whether the sky is seen over one texel of a direction's tile. first: the tile's first texel; at: the
-// receiver's place, centre: the texel's, in the tile; slope: how the receiver's plane runs, see
+// True if the sky is visible over one texel of a direction's tile. first: the tile's first texel;
+// at: the receiver's place, centre: the texel's, in the tile; slope: of the receiver's plane, see
 // vtkiIsSeenInParallelTile.
 bool vtkiIsSkySeen(vec2 first, vec2 at, vec2 centre, float depth, float facing, vec2 slope)
 {
   // A look-up at a texel's centre is exact, and in software faster than a fetch.
   float stored = textureLod(vtkiDepthTiles,
     (first + centre) * (1.0f / (vtkiTileShape.xy * vtkiTileShape.z)), 0.0f).r;
-  // Nothing casts beyond the tile's border.
+  // There are no casters beyond the tile's border.
   vec2 beyond = abs(centre - 0.5f * vtkiTileShape.z);
   return max(beyond.x, beyond.y) > 0.5f * vtkiTileShape.z ||
     vtkiIsSeenInParallelTile(stored, depth, facing, dot(slope, centre - at));
 }
 #endif
 
-// Irradiance, and in the fourth component its sum over the colours if nothing hid it. facet: the normal of the
-// receiver's plane. Directions below that plane, which the shading normal faces still, take no part: of the curved
-// surface that facets stand for they are not hidden.
+// Irradiance, and in the fourth component its unoccluded sum over the colours. facet: the normal of
+// the receiver's plane. Directions below that plane and above the shading normal's horizon take no
+// part: the curved surface that facets approximate does not hide them.
 vec4 vtkiFromSky(vtkiSkyDirection sky, vec3 position, vec3 normal, vec3 facet)
 {
   float facing = max(-dot(normal, sky.down.xyz), 0.0f);
@@ -66,7 +67,7 @@ vec4 vtkiFromSky(vtkiSkyDirection sky, vec3 position, vec3 normal, vec3 facet)
   float open = max(-dot(facet, sky.down.xyz), 0.0f);
   vec2 tile = sky.place.xy;
 #ifdef VTKI_FILTERED
-  // The four nearest texels, so that the edge of a shadow is as wide as one of them.
+  // Blend of the four nearest texels, which widens the shadow's edge to a texel.
   vec2 first = floor(at - 0.5f) + 0.5f;
   vec2 blend = at - first;
   vec4 four = vec4(vtkiIsSkySeen(tile, at, first, depth, open, slope),

@@ -1,10 +1,11 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What comes directly from the sky: the sum over a block's directions of those that the receiver sees, each by
-// a parallel depth map of its own. VTKI_SKY_STEP: edge of a block of pixels of which each sums other
-// directions; those of one place in their blocks lie together in a part of the target, and are drawn together.
-// VTKI_SKY_PIXELS: 1, or 4 pixels of a square, each into an image of its own: what software spends most of its
-// time with is to fetch the directions, which is then done once for four.
+// Direct irradiance from the sky: the sum over a block's visible directions, each with its own
+// parallel depth map. VTKI_SKY_STEP: edge of a block of pixels, each of which sums other
+// directions; pixels of one place in their blocks lie together in a part of the target and are
+// drawn together. VTKI_SKY_PIXELS: 1, or the 4 pixels of a square, each into its own image:
+// software spends most of its time on fetching directions, which are then fetched once for four
+// pixels.
 #ifndef VTKI_SKY_STEP
 #define VTKI_SKY_STEP 2
 #define VTKI_SKY_BLOCK 16
@@ -14,10 +15,10 @@
 #endif
 #include "vtkIndirectSkyDirections.glsl"
 
-uniform int vtkiSkyCount; // of the block's directions
+uniform int vtkiSkyCount; // directions in the block
 #if VTKI_SKY_STEP > 1
 uniform ivec2 vtkiSkyPart;  // pixels of a part
-uniform ivec2 vtkiSkyClass; // place in a block
+uniform ivec2 vtkiSkyClass; // place of the pixels in their blocks
 #endif
 
 void main()

@@ -1,10 +1,11 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Irradiance from the sky, of sums over the directions that a pixel and its neighbours have asked.
-// VTKI_SKY_STEP: edge of the blocks of pixels that have asked all of them between them. First with VTKI_SKY_ROWS
-// along rows, then along columns, weights fall linearly over a block's edge to either side: those of the
-// pixels that asked the same add up to one, so that each direction's shadow is interpolated between the
-// pixels that asked it, and no pattern of blocks stays. Neighbours on other surfaces take no part.
+// Filters irradiance from the sky: pixels of a block have each summed other directions.
+// VTKI_SKY_STEP: edge of the blocks, whose pixels together sum all directions. The filter is a tent
+// of a block's edge to either side, along rows with VTKI_SKY_ROWS, then along columns. Weights of
+// pixels that summed the same directions add up to one, so that each direction's shadow is
+// interpolated between these pixels and no pattern of blocks remains. Neighbours on other surfaces
+// take no part.
 #ifndef VTKI_SKY_STEP
 #define VTKI_SKY_STEP 2
 #define VTKI_SKY_BLOCK 16
@@ -16,24 +17,26 @@
 #if VTKI_SKY_STEP > 1 && !defined(VTKI_SKY_ROWS)
 #include "vtkIndirectSkyDirections.glsl"
 
-uniform int vtkiSkyCount; // of the block's directions
+uniform int vtkiSkyCount; // directions in the block
 
-// Of what all directions give, what neighbours must have found between them: of a corner of a surface less than
-// nine sixteenths are within reach, and its pixels have asked all of them still. All give less where the facet leans away
-// from the normal: a cosine's lobe keeps half of one plus the cosine between the two above the facet's plane.
+// Least share of the light of all directions that the neighbours must have summed: at a corner of a
+// surface less than nine sixteenths of the neighbours are within the filter, and these pixels have
+// summed all directions. All directions give less where the facet leans away from the shading
+// normal: a cosine lobe keeps half of one plus the cosine between the two above the facet's plane.
 const float VTKI_SKY_COVERAGE = 0.55f;
 #endif
 
 uniform sampler2D vtkiSkySums;
 #if VTKI_SKY_STEP == 1
-uniform sampler2D vtkiSkySums1; // of the squares' other pixels: right, above, right above
+uniform sampler2D vtkiSkySums1; // other pixels of the squares: right, above, right above
 uniform sampler2D vtkiSkySums2;
 uniform sampler2D vtkiSkySums3;
 #endif
 #ifdef VTKI_SKY_ROWS
-uniform ivec2 vtkiSkyPart; // pixels of a part, which those of one place in their blocks lie in
+uniform ivec2 vtkiSkyPart; // pixels of a part, which holds the pixels of one place in their blocks
 #else
-uniform sampler2D vtkiOpenSky; // irradiance if nothing hid any of the sky; what all directions give then
+// irradiance without occlusion; sum of all directions without occlusion
+uniform sampler2D vtkiOpenSky;
 uniform vec3 vtkiOpenFlux;     // the odd halves of these, see vtkIndirectLibSky.glsl
 uniform vec3 vtkiSummedFlux;
 uniform float vtkiSkyUnit;
@@ -61,7 +64,7 @@ vec4 vtkiFetchSum(ivec2 pixel)
 #endif
 }
 
-// Over the pixel's neighbours along the axis that lie on its surface.
+// Sum over the pixel's neighbours along the axis that lie on its surface.
 vec4 vtkiSumAlong(ivec2 pixel, vtkiReceiver receiver)
 {
 #if VTKI_SKY_STEP == 1
@@ -105,7 +108,7 @@ void main()
   vec2 open = textureLod(vtkiOpenSky, vtkiOpenSkyPlace(receiver.normal), 0.0f).rg +
     vec2(dot(vtkiOpenFlux, receiver.normal), dot(vtkiSummedFlux, receiver.normal));
 #if VTKI_SKY_STEP > 1
-  // Thin and small things have too few neighbours: their pixels ask for themselves.
+  // Thin and small things have too few neighbours: their pixels sum all directions.
   bool covered = !lit || sum.w >=
       VTKI_SKY_COVERAGE * open.g * 0.5f * (1.0f + dot(receiver.normal, receiver.facet));
   vec4 own = vec4(0.0f);

@@ -1,7 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Irradiance at every pixel: interpolated from the coarse samples where at least three of the four
-// around lie on the same surface, gathered anew elsewhere (Dachsbacher and Stamminger 2005, 5.2).
+// Irradiance at every pixel: interpolated from the coarse samples if at least three of the four
+// neighbours lie on the same surface, otherwise gathered anew (Dachsbacher and Stamminger 2005,
+// 5.2).
 #include "vtkIndirectCoarse.glsl"
 #include VTKI_GATHER
 
@@ -18,7 +19,7 @@ void main()
   float weights;
   int agreeing;
   vtkiInterpolateCoarse(pixel, receiver, sum, weights, agreeing);
-  // Three of four agreeing always leave more than zero weight, except exactly on a sample.
+  // Three of four agreeing samples have more than zero weight, except exactly on a sample.
   if (agreeing >= 3 && weights > 0.0f)
   {
     gl_FragData[0] = vec4(sum / weights, 1.0f);

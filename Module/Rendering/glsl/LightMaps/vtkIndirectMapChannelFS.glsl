@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// One channel of a light's map as floats, its faces in a row; world units and coordinates.
+// Copies one channel of a light's map as floats, its faces in a row; world units and coordinates.
 #include "vtkIndirectMapTexel.glsl"
 #include "vtkIndirectLibChannel.glsl"
 

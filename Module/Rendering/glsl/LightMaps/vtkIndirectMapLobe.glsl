@@ -4,7 +4,7 @@
 #include "vtkIndirectLibLobe.glsl"
 
 uniform sampler2DArray vtkiMapSpecular; // specular colour and power, or F0 and minus the roughness
-uniform sampler2D vtkiMapFresnel;       // what VTK's PBR reflects; see vtkiTablePlace
+uniform sampler2D vtkiMapFresnel;       // reflectance of VTK's PBR; see vtkiTablePlace
 uniform vec2 vtkiMapFresnelShape;       // its entries along an edge, its least roughness
 
 struct vtkiTexelLobe
@@ -14,8 +14,8 @@ struct vtkiTexelLobe
   vec3 densityArea; // flux of one texel, with the light's colour and intensity
 };
 
-// A texel's surface, in its face's view coordinates, and what it reflects specularly. Returns false where it reflects
-// nothing.
+// A texel's surface in its face's view coordinates, and its specular reflectance. Returns false if
+// it reflects nothing specularly.
 bool vtkiFetchMirror(int layer, ivec2 texel, vec4 map, out vec3 p, out vec3 normal, out vec3 toLight, out vec4 specular)
 {
   specular = texelFetch(vtkiMapSpecular, ivec3(texel, layer), 0);
@@ -31,12 +31,12 @@ bool vtkiFetchMirror(int layer, ivec2 texel, vec4 map, out vec3 p, out vec3 norm
     normal = vtkiSurfaceNormal(surface);
     toLight = parallel ? toLight : -p / max(length(p), 1.0e-20f);
   }
-  // VTK lights nothing whose normal is turned away.
+  // VTK does not light a surface whose normal faces away from the light.
   return lit && dot(normal, toLight) > 0.0f;
 }
 
-// Squared angle by which lobes turn over so many texels along an axis of the map, from a texel to its neighbours on the
-// same side and piece of surface.
+// Squared angle by which lobes turn over so many texels along an axis of the map, from a texel to
+// neighbours on the same side and surface.
 float vtkiTurnOfMirror(int layer, ivec2 texel, ivec2 axis, float texels, vec4 map, vec3 p, vec3 direction)
 {
   int count = int(map.z + 0.5f);
@@ -53,7 +53,7 @@ float vtkiTurnOfMirror(int layer, ivec2 texel, ivec2 axis, float texels, vec4 ma
     if (vtkiFetchMirror(layer, clamp(at, ivec2(0), ivec2(count - 1)), map, position, normal, toLight, specular) && inside)
     {
       vec3 other = vtkiMirroredLight(toLight, normal);
-      // An edge is no turn of the surface: what is beyond it has lobes of its own.
+      // Beyond an edge another surface begins, which has its own lobes: its angle does not count.
       float turn2 = dot(other - direction, other - direction);
       float scale = texels / float(reach);
       most = max(most, turn2 < 0.5f ? turn2 * scale * scale : 0.0f);
@@ -62,8 +62,9 @@ float vtkiTurnOfMirror(int layer, ivec2 texel, ivec2 axis, float texels, vec4 ma
   return most;
 }
 
-// The lobe of a texel that stands for so many. Its flux is what VTK's specular term sends to all sides, in VTK units
-// (over pi): of Phong's model ks I vtkiPhongFlux / pi, of PBR what the lobe reflects of I cos, over pi.
+// Lobe of a texel that represents so many texels. Its flux is the light that VTK's specular term
+// sends to all directions, in VTK units (over pi): for Phong's model ks I vtkiPhongFlux / pi, for
+// PBR the lobe's reflection of I cos, over pi.
 bool vtkiLobeFromTexel(int layer, ivec2 texel, float texels, out vtkiTexelLobe lobe)
 {
   vec4 map = texelFetch(vtkiMapTable, ivec2(VTKI_MAP_SHAPE, layer), 0);
@@ -103,7 +104,8 @@ bool vtkiLobeFromTexel(int layer, ivec2 texel, float texels, out vtkiTexelLobe l
     lobe.exponent = specular.a;
   }
   vec3 direction = vtkiMirroredLight(toLight, normal);
-  // Neighbours' lobes meet: the variance of what the texels' directions are evenly spread over, a twelfth of the square.
+  // Neighbours' lobes shall join: widen the lobe by the variance of the texels' evenly spread
+  // directions, a twelfth of the squared angle.
   float along = vtkiTurnOfMirror(layer, texel, ivec2(1, 0), sqrt(texels), map, p, direction);
   float across = vtkiTurnOfMirror(layer, texel, ivec2(0, 1), sqrt(texels), map, p, direction);
   lobe.exponent /= 1.0f + lobe.exponent * max(along, across) * (1.0f / 12.0f);

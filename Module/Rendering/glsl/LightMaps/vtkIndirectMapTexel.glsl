@@ -1,4 +1,5 @@
-// A map's texel as a virtual light. The table has one row a layer; see vtkIndirectLibTable.glsl.
+// Makes a virtual light of a map's texel. The table has one row a layer; see
+// vtkIndirectLibTable.glsl.
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 #include "vtkIndirectLibTable.glsl"
@@ -8,7 +9,7 @@ uniform sampler2DArray vtkiMapAlbedo;
 uniform sampler2DArray vtkiMapSurface;
 uniform sampler2DArray vtkiMapSlope;
 
-// Far below the least cosine that a texel of any map can have; keeps divisions defined.
+// Far below the least cosine that a map's texel can have; keeps divisions defined.
 const float VTKI_COSINE_MIN = 1.0e-6f;
 
 // Position of a texel's surface in its face's view coordinates.
@@ -19,8 +20,8 @@ vec3 vtkiMapPosition(vec4 map, ivec2 texel, float depth)
                                                 : vec3(centre * depth, -depth);
 }
 
-// att(d) d^2 cone at a place in a face's view coordinates, what makes reflected density of the map's
-// reflectance; 1 for directional lights.
+// att(d) d^2 cone at a position in a face's view coordinates, the factor between the map's
+// reflectance and reflected density; 1 for directional lights.
 float vtkiMapFalloff(int layer, vec4 map, vec3 p)
 {
   if (int(map.x + 0.5f) == VTKI_MAP_PARALLEL)
@@ -32,7 +33,7 @@ float vtkiMapFalloff(int layer, vec4 map, vec3 p)
   float d = length(p);
   float along = dot(p, axis);
   vec3 across = cross(p, axis);
-  // Over tangents: the cosine of a narrow cone is one but for rounding.
+  // Compares tangents: the cosine of a narrow cone rounds to one.
   if (!(d > 0.0f) || (falloff.w >= 0.0f &&
     (along <= 0.0f || dot(across, across) > falloff.w * along * along)))
   {
@@ -59,15 +60,15 @@ float vtkiMapFacetCosine(vec4 map, vec2 slope, vec3 p)
   return max(cosine, max(length(p) * texelSize, VTKI_COSINE_MIN));
 }
 
-// Least sine, squared, of the angle between a facet and the normal that it is shaded by: slopes of eleven bits are
-// off by less.
+// Least squared sine of the angle between a facet and its shading normal; the error of slopes of
+// eleven bits is smaller.
 const float VTKI_MAP_FACET_SINE2 = 1.0e-5f;
-// Slopes are differences of depths, which are off by some roundings of a float, over texels: those of narrow cones
-// say little. Twice that error.
+// Slopes are differences of depths, which have a few roundings of a float, over texels: those of
+// narrow cones are unreliable. Twice that error.
 const float VTKI_MAP_SLOPE_ERROR = 1.0e-6f;
 
-// Normal of the facet that a texel sees, in the face's view coordinates: what sends, whatever normal it is lit by. See
-// vtkiMapFacetCosine.
+// Normal of the facet at a texel, in the face's view coordinates: the facet sends, whichever normal
+// lights it. See vtkiMapFacetCosine.
 vec3 vtkiMapFacet(vec4 map, vec4 surface, vec2 slope, vec3 p)
 {
   vec2 tangent = p.z < 0.0f ? p.xy / -p.z : vec2(0.0f);
@@ -93,8 +94,8 @@ struct vtkiVirtualLight
 {
   vec3 position; // scene units
   vec3 normal;
-  float area;       // of one texel, scene units squared
-  vec3 reflected;   // the same without the light's colour and intensity
+  float area;       // area of one texel, scene units squared
+  vec3 reflected;   // densityArea without the light's colour and intensity
   vec3 densityArea; // reflected density times area of one texel
   float source;     // light index
 };
@@ -106,7 +107,7 @@ vec3 vtkiTransformRows(int layer, int row, vec4 v)
     dot(texelFetch(vtkiMapTable, ivec2(row + 2, layer), 0), v));
 }
 
-// Returns false where the map holds no surface.
+// Returns false if the map holds no surface.
 bool vtkiVirtualLightFromTexel(int layer, ivec2 texel, out vtkiVirtualLight light)
 {
   vec4 map = texelFetch(vtkiMapTable, ivec2(VTKI_MAP_SHAPE, layer), 0);

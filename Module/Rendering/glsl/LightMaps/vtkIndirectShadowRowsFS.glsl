@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// A texel's depth in a light's map between those of its neighbours in the row, and the slope of what it holds; see
-// vtkIndirectCaptureDecFS.glsl.
+// Depth of a texel and of its neighbours in the row of a light's map, and the slope of the texel's
+// surface; see vtkIndirectCaptureDecFS.glsl.
 #include "vtkIndirectLibShadow.glsl"
 
 uniform sampler2DArray vtkiShadowMaps;

@@ -1,9 +1,9 @@
 //VTK::System::Dec
-// One invocation a listed texel: the lights of its set at the four children. Under a texel that is
-// split (VTKI_UNDER_SPLIT) each light counts in full. Under a whole one the picture above, interpolated,
-// is there already: what counts is the residual against that light's own coarse samples, interpolated
-// with the same weights, so that lights that end on different levels leave nothing behind. A child is
-// listed in its turn with the lights that it does not resolve.
+// One invocation a listed texel evaluates the texel's set of lights at its four children. Under a
+// split texel (VTKI_UNDER_SPLIT) each light counts in full. Under a whole texel the interpolated
+// picture of the level above is present; only the residual against the light's own coarse samples,
+// interpolated with the same weights, is added, so that lights that end on different levels leave
+// no error. A child is listed with the lights that it does not resolve.
 #include "vtkIndirectGlossyTexel.glsl"
 #include "vtkIndirectGlossyStorage.glsl"
 #include "vtkIndirectLightUniforms.glsl"
@@ -25,12 +25,12 @@ uniform sampler2D vtkiLightNormal;
 uniform sampler2D vtkiLightDensity;
 #endif
 #ifndef VTKI_PIXELS
-uniform int vtkiSplitList; // of the children's level
+uniform int vtkiSplitList; // list of the children's level
 uniform int vtkiSplitFirst;
 uniform int vtkiWholeList;
 uniform int vtkiWholeFirst;
 uniform float vtkiGlossyThreshold; // over the number of lights
-uniform sampler2D vtkiIrradiance;  // of the image, as stored
+uniform sampler2D vtkiIrradiance;  // irradiance of the image, as stored
 #ifdef VTKI_DEPTH_RANGE
 uniform sampler2D vtkiFinerMinimum;
 uniform sampler2D vtkiFinerMaximum;
@@ -43,7 +43,7 @@ uniform float vtkiNormalThreshold;
 
 struct vtkiPoint
 {
-  vec3 position; // scene
+  vec3 position; // scene coordinates
   vec3 normal;
   vec3 mirror;
 };
@@ -72,8 +72,8 @@ bool vtkiSeesLight(vtkiPoint point, int light, vec4 sender, vec3 senderNormal)
 #endif
 }
 
-// What a sample gets of a light: nothing where it is hidden. Notes what the samples would get if nothing hid
-// it, and which of them see it.
+// Weight of a light at a sample: zero if occluded. Also notes the unoccluded weight and which
+// samples see the light.
 float vtkiSeenWeight(vtkiPoint point, int light, vec4 sender, vec3 senderNormal, float weight,
   inout float open, inout bool someSee, inout bool someDoNot)
 {
@@ -153,13 +153,13 @@ void main()
     turn[i] = spread.y;
     bool mixed = spread.x > vtkiPlaneThreshold || spread.y > vtkiNormalThreshold;
 #endif
-    // Normals are known at the centres of pixels, which do not reach to the texel's border.
+    // Normals are known at the centres of pixels, which do not extend to the texel's border.
     turn[i] *= vtkiEdge / (vtkiEdge - 1.0f);
     toEye[i] = length(receiver.position);
-    // Half the diagonal, drawn out where the surface is seen at an angle.
+    // Half the diagonal, stretched where the surface is inclined to the view.
     float facing = toEye[i] > 0.0f ? -dot(receiver.normal, receiver.position) / toEye[i] : 1.0f;
     radius[i] = width * (0.7072f / max(facing, 0.05f) + deviation);
-    // A mixture of surfaces may be anywhere: it hands its lights on.
+    // A mixture of surfaces has no position: it passes its lights on.
     radius[i] = mixed ? 1.0e6f : radius[i];
     vec2 center = vtkiSubsplatCenter(vec2(inside), vtkiEdge, vec2(vtkiSize));
     float irradiance = vtkiLuminance(textureLod(vtkiIrradiance, 0.5f * center + 0.5f, 0.0f).rgb);
@@ -233,7 +233,7 @@ void main()
       }
 #ifndef VTKI_PIXELS
       float brightness = vtkiLuminance(density);
-      // A shadow's edge runs between the samples: none of them stands for the others.
+      // A shadow's edge runs between the samples: no sample represents the others.
       float atEdge = someSee && someDoNot ? open * brightness : 0.0f;
       for (int i = 0; i < 4; ++i)
       {
@@ -246,8 +246,8 @@ void main()
           state[i] == VTKI_GLOSSY_WHOLE && horizon > 0.0f);
         bool further = mixed || (horizon >= 0.0f && variation * brightness > limit[i]);
 #ifndef VTKI_UNDER_SPLIT
-        // Where samples are closer than the lobe is wide, what they showed counts: the next
-        // level's residuals are a quarter of these, half of them to be safe.
+        // If samples are closer than the lobe is wide, their residuals predict those of the next
+        // level: a quarter of these, taken as half to be safe.
         float shift = 2.0f * turn[i] + (toEye[i] > radius[i] ? radius[i] / toEye[i] : 1.0f);
         bool resolved = horizon > 0.0f && power[i] * 4.0f * shift * shift < 1.0f;
         further = further && !(resolved && 0.5f * greatest * brightness <= limit[i]);
@@ -277,7 +277,7 @@ void main()
       value += imageLoad(vtkiGlossyImage, texel).rgb;
 #endif
 #ifdef VTKI_PIXELS
-      // Residuals may leave a rounding below zero.
+      // Rounding may leave residuals below zero.
       value = max(value, vec3(0.0f));
 #endif
       imageStore(vtkiGlossyImage, texel, vec4(value, 1.0f));

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// Lists the coarsest texels in which something is specular, with all lights.
+// Lists the coarsest texels that have a specular pixel, with all lights.
 #include "vtkIndirectGlossyState.glsl"
 #include "vtkIndirectGlossyStorage.glsl"
 

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What of a texel of a level is specular: the power of its lobe, and whether one evaluation of a light
-// can stand for it. A pyramid over the specular target of the geometry buffer.
+// Specular lobe of a level's texel: its power, and whether one evaluation of a light can represent
+// the texel. The levels are a pyramid over the specular target of the geometry buffer.
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibSubsplat.glsl"
 #include "vtkIndirectGlossyState.glsl"
@@ -18,7 +18,7 @@ uniform sampler2D vtkiLevelSurface;
 void main()
 {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  float least = 65504.0f; // of half floats
+  float least = 65504.0f; // largest half float
   float most = -1.0f;
   bool split = false;
   for (int i = 0; i < 4; ++i)
@@ -42,7 +42,7 @@ void main()
       most = max(most, power);
     }
   }
-  // Lobes of different powers do not stand for each other.
+  // Lobes of different powers do not represent each other.
   split = split || least < most ||
     texelFetch(vtkiLevelSurface, texel, 0).w != VTKI_SUBSPLAT_WHOLE;
   gl_FragData[0] = vec4(

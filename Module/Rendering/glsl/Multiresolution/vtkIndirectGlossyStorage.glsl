@@ -1,15 +1,15 @@
-// Lists of texels with the set of lights that each still has to be resolved for; see
-// vtkIndirectGlossyLists.h. Two lists a level: texels that are split, and whole ones.
+// Lists of texels, each with the set of lights that it still has to resolve; see
+// vtkIndirectGlossyLists.h. Each level has two lists: split texels and whole ones.
 #define VTKI_GLOSSY_LISTS 32
 #define VTKI_GLOSSY_GROUP 64u
-#define VTKI_GLOSSY_HEADER 2u // x, y in 16 bits each; the limit below which a light is left alone
+#define VTKI_GLOSSY_HEADER 2u // x, y in 16 bits each; the limit below which a light is not refined
 
 layout(std430) buffer vtkiGlossyLists
 {
   uvec4 vtkiGlossyCommand[VTKI_GLOSSY_LISTS]; // groups of the dispatch, and the number of entries
   uint vtkiGlossyEntry[];                     // header, then a bit a light
 };
-uniform int vtkiGlossyWords; // of a set
+uniform int vtkiGlossyWords; // words of a set
 uniform int vtkiLightCount;
 
 uint vtkiGlossyStride()
@@ -17,7 +17,7 @@ uint vtkiGlossyStride()
   return VTKI_GLOSSY_HEADER + uint(vtkiGlossyWords);
 }
 
-// Opens an entry; its set is written word by word. Returns where it begins.
+// Opens an entry, whose set is written word by word, and returns its begin.
 uint vtkiAppendGlossy(int list, int first, ivec2 texel, float limit)
 {
   uint place = atomicAdd(vtkiGlossyCommand[list].w, 1u);

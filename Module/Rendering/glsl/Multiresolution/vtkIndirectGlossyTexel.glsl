@@ -18,7 +18,7 @@ struct vtkiGlossyReceiver
   vec3 normal;
   float depth;
   float power;
-  float state; // a pixel is whole where it is specular
+  float state; // specular pixels are whole
 };
 
 vtkiGlossyReceiver vtkiFetchGlossyReceiver(ivec2 texel)

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What the level above reflects, interpolated; lights that this level resolves further are added
-// afterwards. Nothing under a texel that is split: its lights are all summed here.
+// Interpolates the reflection of the level above; lights that this level resolves further are added
+// afterwards. Zero under a split texel, whose lights are all summed on this level.
 #include "vtkIndirectGlossyTexel.glsl"
 
 uniform sampler2D vtkiCoarserGlossy;

@@ -2,11 +2,11 @@
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibSubsplat.glsl"
 
-uniform ivec2 vtkiSize; // of the image
+uniform ivec2 vtkiSize; // pixels of the image
 uniform mat3 vtkiRayOrigin;
 uniform mat3 vtkiRayDirection;
 
-// Equation (2) of the paper: detail that was not resolved, guessed from the angle to the eye.
+// Equation (2) of the paper: guesses unresolved detail from the angle to the eye.
 #ifdef VTKI_SURFACE_DETAIL
 uniform float vtkiSurfaceDetail;
 float vtkiDetail(vec2 ndc, vec3 normal)

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// The irradiance from a further batch of lights, to be added.
+// Adds the irradiance from a further batch of lights.
 uniform sampler2D vtkiBatch;
 
 void main()

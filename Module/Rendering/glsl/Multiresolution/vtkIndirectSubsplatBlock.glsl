@@ -1,6 +1,7 @@
-// Evaluates up to four texels, or pixels, under each of VTKI_BLOCKS texels that are split. Lights are
-// fetched once for all of them: on llvmpipe, where the fetch is what takes time, with two of them
-// three times as fast as one by one. VTKI_SHARES_LOOKS: two of the four ask for all whether lights are seen.
+// Evaluates up to four texels, or pixels, under each of VTKI_BLOCKS split texels. Lights are
+// fetched once for all of them: llvmpipe spends most time on these fetches and is three times as
+// fast with two blocks as with single texels. VTKI_SHARES_LOOKS: two of the four texels test
+// visibility for all.
 #include "vtkIndirectSubsplatLeaf.glsl"
 
 #ifndef VTKI_PIXELS
@@ -8,7 +9,6 @@ layout(VTKI_FORMAT) uniform image2D vtkiVectorImage;
 #endif
 layout(VTKI_FORMAT) uniform image2D vtkiIrradianceImage;
 
-// Stores what was summed for a texel.
 void vtkiStoreLeaf(ivec2 texel, vec3 normal, vec3 irradiance, vec3 vectorIrradiance)
 {
   mat3 rotation = mat3(vtkiViewToScene);
@@ -18,7 +18,7 @@ void vtkiStoreLeaf(ivec2 texel, vec3 normal, vec3 irradiance, vec3 vectorIrradia
   value *= vtkiDetail(ndc, normal * rotation);
   imageStore(vtkiIrradianceImage, texel, vec4(value, 1.0f));
 #else
-  // What lies around was marked before.
+  // The alpha of both images was written before; keep it.
   float state = imageLoad(vtkiIrradianceImage, texel).a;
   float parted = imageLoad(vtkiVectorImage, texel).a;
   imageStore(vtkiIrradianceImage, texel, vec4(value, state));
@@ -28,7 +28,7 @@ void vtkiStoreLeaf(ivec2 texel, vec3 normal, vec3 irradiance, vec3 vectorIrradia
 }
 
 #ifdef VTKI_SEGMENTS
-// One at a time: the ways to the lights are what takes time, and differ.
+// One child at a time: the walks to the lights take most time and differ between children.
 void vtkiEvaluateChild(ivec2 block, int child, bool exists)
 {
   ivec2 texel = 2 * block + ivec2(child & 1, child >> 1);
@@ -57,7 +57,7 @@ void vtkiEvaluateChild(ivec2 block, int child, bool exists)
 #define VTKI_WITH_LOOKS
 #endif
 
-// How much each receiver sees of a light.
+// Share of a light that each receiver sees.
 void vtkiFindShares(int light, vec4 sender, vec4 senderNormal, vec3 position[4 * VTKI_BLOCKS],
   vec3 normal[4 * VTKI_BLOCKS], vec3 facet[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, out float share[4 * VTKI_BLOCKS])
 {
@@ -68,7 +68,7 @@ void vtkiFindShares(int light, vec4 sender, vec4 senderNormal, vec3 position[4 *
     bool seen[VTKI_LOOKS];
     for (int i = 0; i < VTKI_LOOKS; ++i)
     {
-      // A direction has no tile.
+      // Directions have no tile and are not tested.
       seen[i] = sender.w < 0.0f ||
         vtkiIsSeenInTile(tile, looks[block].position[i], looks[block].normal[i]);
     }
@@ -89,7 +89,7 @@ void vtkiFindShares(int light, vec4 sender, vec4 senderNormal, vec3 position[4 *
 #endif
 }
 
-// What all blocks get of a light as a whole. Returns whether some of them are near to it.
+// Adds the light of a cluster as a whole to all blocks. Returns true if one of them is near to it.
 bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, vec3 position[4 * VTKI_BLOCKS],
   vec3 normal[4 * VTKI_BLOCKS], vec3 facet[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, inout vec3 irradiance[4 * VTKI_BLOCKS],
   inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
@@ -112,7 +112,7 @@ bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, ve
 }
 
 #ifdef VTKI_DIVIDED
-// What all blocks get of what is below a light.
+// Adds the light of a cluster's branches to all blocks.
 void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS],
   vec3 normal[4 * VTKI_BLOCKS], vec3 facet[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, inout vec3 irradiance[4 * VTKI_BLOCKS],
   inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
@@ -150,8 +150,8 @@ void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS],
 }
 #endif
 
-// blocks: indices of texels that are split, one level above those that are evaluated; exists: whether
-// there is one.
+// blocks: indices of split texels, one level above the evaluated texels; exists: false for an
+// unused index.
 void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
 {
   vec3 position[4 * VTKI_BLOCKS];

@@ -1,6 +1,6 @@
 //VTK::System::Dec
-// One invocation for VTKI_BLOCKS split texels: evaluates the four below each. With VTKI_SEGMENTS each of the
-// four has an invocation of its own.
+// One invocation for VTKI_BLOCKS split texels evaluates the four texels below each. With
+// VTKI_SEGMENTS each of the four has its own invocation.
 #include "vtkIndirectSubsplatStorage.glsl"
 #include "vtkIndirectSubsplatBlock.glsl"
 
@@ -21,7 +21,7 @@ void main()
   vtkiEvaluateChild(block, int(gl_LocalInvocationID.y), listed);
 }
 #else
-// VTKI_GROUP / VTKI_BLOCKS, which GLSL before 4.40 does not work out here.
+// VTKI_GROUP / VTKI_BLOCKS: before 4.40, GLSL allows no expression here.
 layout(local_size_x = VTKI_INVOCATIONS) in;
 
 void main()

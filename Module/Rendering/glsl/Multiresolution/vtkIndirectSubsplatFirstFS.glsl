@@ -1,12 +1,12 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// First level of the pyramid: from pixels of the geometry buffer.
+// Makes the first level of the pyramid from pixels of the geometry buffer.
 #include "vtkIndirectSubsplatJoin.glsl"
 
 uniform sampler2D vtkiSurface;
 
-// What makes a corner: heights over the tangent plane in widths of a pixel, above rounding and
-// below where surfaces are merely seen side by side; normals that differ by 41 degrees.
+// Criteria of a corner: heights over the tangent plane in pixel widths, above rounding and below
+// those of surfaces that only overlap in the view; normals that differ by 41 degrees.
 const float VTKI_LEAST_RISE = 0.05f;
 const float VTKI_GREATEST_RISE = 8.0f;
 const float VTKI_LEAST_TURN = 0.7f;
@@ -32,8 +32,8 @@ void main()
     children.present[i] =
       vtkiSurfaceIsLit(surface) && pixel.x < vtkiSize.x && pixel.y < vtkiSize.y;
   }
-  // Light bends within a pixel where a surface meets another that rises over it, also when no texel
-  // holds both: one pixel on each side is looked at.
+  // Irradiance bends within a pixel where a second surface rises over the first, even if no texel
+  // holds both surfaces: test one pixel on each side.
   vec3 alongOrigin = children.normal[0] * vtkiRayOrigin;
   vec3 alongDirection = children.normal[0] * vtkiRayDirection;
   float offset = dot(children.normal[0], children.position[0]);

@@ -1,20 +1,20 @@
-// Illumination at a texel or pixel from the level above.
+// Interpolates illumination at a texel or pixel from the level above.
 #include "vtkIndirectSubsplatPlane.glsl"
 
 uniform sampler2D vtkiCoarserSurface;
-uniform sampler2D vtkiCoarserIrradiance; // irradiance; whether there is any
+uniform sampler2D vtkiCoarserIrradiance; // irradiance; 1 where there is one
 uniform sampler2D vtkiCoarserVector;     // luminance of the vector irradiance
 uniform ivec2 vtkiCoarserSize;
 uniform float vtkiCoarserEdge; // pixels along the edge of a coarser texel
 
 struct vtkiCoarser
 {
-  bool counts; // has illumination, of the same surface
+  bool counts; // has illumination, on the same surface
   vec3 irradiance;
   vec3 vectorIrradiance;
 };
 
-// trusted: on the surface whatever its plane says.
+// trusted: skips the test of the plane.
 vtkiCoarser vtkiFetchCoarser(ivec2 place, vtkiTangentPlane plane, bool trusted)
 {
   ivec2 at = clamp(place, ivec2(0), vtkiCoarserSize - 1);
@@ -25,15 +25,16 @@ vtkiCoarser vtkiFetchCoarser(ivec2 place, vtkiTangentPlane plane, bool trusted)
     sampled.a > 0.0f && same, sampled.rgb, texelFetch(vtkiCoarserVector, at, 0).xyz);
 }
 
-// Difference to the neighbour that is nearer; where that is of another surface, from the one across:
-// towards a place where surfaces meet the light goes on as it comes.
+// Difference to the nearer neighbour; if that is on another surface, to the one across: towards an
+// edge where surfaces meet, the slope continues.
 vec3 vtkiSlopeTowards(vec3 own, vec3 near, bool nearCounts, vec3 across, bool acrossCounts)
 {
   return nearCounts ? near - own : (acrossCounts ? own - across : vec3(0.0f));
 }
 
-// Linear along both axes from the coarser texel that this one lies in; without that, the mean of the
-// nearer neighbours. trusted: the own one counts in any case. Returns whether there was any.
+// Linear along both axes from the coarser texel that holds this one; if that is missing, the mean
+// of the nearer neighbours. trusted: the own texel counts in any case. Returns false if no texel
+// counts.
 bool vtkiInterpolateSubsplat(ivec2 texel, vtkiTangentPlane plane, bool trusted,
   out vec3 irradiance, out vec3 vectorIrradiance)
 {
@@ -47,7 +48,7 @@ bool vtkiInterpolateSubsplat(ivec2 texel, vtkiTangentPlane plane, bool trusted,
   vtkiCoarser acrossY = vtkiFetchCoarser(place - alongY, plane, false);
   if (own.counts)
   {
-    // A quarter of the coarser edge lies between the centres. No light is less than none.
+    // The centres are a quarter of the coarser edge apart. Irradiance is at least zero.
     irradiance = max(own.irradiance + 0.25f *
         (vtkiSlopeTowards(
            own.irradiance, x.irradiance, x.counts, acrossX.irradiance, acrossX.counts) +

@@ -1,4 +1,4 @@
-// Joins up to four surfaces into the texel above them.
+// Joins up to four surfaces into the texel of the level above.
 #include "vtkIndirectSubsplat.glsl"
 #ifdef VTKI_LIST_SPLIT
 #include "vtkIndirectSubsplatStorage.glsl"
@@ -9,27 +9,27 @@ uniform float vtkiNormalThreshold; // length of the difference of unit normals
 uniform float vtkiDepthThreshold;  // scene units
 #ifdef VTKI_VARIATION
 uniform sampler2D vtkiVariation;      // error of interpolation on the coarsest level; nearest light
-uniform sampler2D vtkiProbeSender;    // that light's place in view coordinates, and area
-uniform float vtkiVariationThreshold; // what of that error is too much on this level
+uniform sampler2D vtkiProbeSender;    // position of the nearest light in view coordinates, and area
+uniform float vtkiVariationThreshold; // limit of that error on this level
 uniform float vtkiLightingThreshold;  // relative error of interpolation
 #endif
-uniform bool vtkiSplits;           // whether this level may be split
-uniform bool vtkiLast;             // whether it always is
-uniform float vtkiEdge;            // pixels along the edge of a texel that is written
+uniform bool vtkiSplits;           // this level may be split
+uniform bool vtkiLast;             // this level is always split
+uniform float vtkiEdge;            // pixels along the edge of a written texel
 
 struct vtkiJoin
 {
   vec3 position[4]; // view coordinates
   vec3 normal[4];
 #ifdef VTKI_DEPTH_RANGE
-  vec4 minimum[4]; // of the normal's components and the depth
+  vec4 minimum[4]; // least components of the normal, and least depth; maximum: the largest
   vec4 maximum[4];
 #else
   float deviation[4]; // farthest from the tangent plane, over the child's width
   float spread[4];    // largest difference to the normal
 #endif
   bool present[4];
-  bool split; // what the children ask for
+  bool split; // the children require it to be split
 };
 
 // Writes the texel: octahedral normal, depth, state; deviation and spread, or the ranges.
@@ -65,12 +65,12 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
   }
   position /= count;
   float norm = length(normal);
-  // Opposite normals cancel: the texel is split whatever stands here.
+  // Opposite normals cancel: the texel is split, whatever its normal.
   normal = norm > 0.0f ? normal / norm : children.normal[first];
 
   float width = vtkiPixelWidth(0.5f * (nearest + farthest)) * vtkiEdge;
 #ifdef VTKI_DEPTH_RANGE
-  // Section 3.2 of the paper: a depth or a component of the normal differs by too much.
+  // Section 3.2 of the paper: splits if the depth or a component of the normal differs by too much.
   vec4 minimum = vec4(0.0f);
   vec4 maximum = vec4(0.0f);
   bool begun = false;
@@ -95,7 +95,7 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
   {
     if (children.present[i])
     {
-      // The child's own deviation is in units of its width, half of this one's.
+      // The child's own deviation is in units of its width, which is half of this texel's.
       deviation = max(deviation,
         abs(dot(normal, children.position[i] - position)) / width + 0.5f * children.deviation[i]);
       spread = max(spread, length(children.normal[i] - normal) + children.spread[i]);
@@ -114,7 +114,7 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
   vec4 sender = textureLod(vtkiProbeSender, 0.5f * center + 0.5f, 0.0f);
   float curvature =
     vtkiVirtualLightCurvature(sender.xyz - position, variation.yzw, normal, sender.w);
-  // What a surface that is seen at a grazing angle hides in a pixel is as much longer.
+  // On a surface seen at a grazing angle, a pixel spans a longer stretch.
   float cosine = dot(normal, direction);
   forced = variation.x > vtkiVariationThreshold ||
     0.125f * curvature * width * width * dot(direction, direction) >
@@ -123,21 +123,21 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
   float depth;
   if (mixed)
   {
-    // A mixture of surfaces is nowhere; the nearest of them stands for itself.
+    // No plane fits a mixture of surfaces: use the nearest child.
     normal = children.normal[first];
     depth = vtkiPlaneDepth(normal, children.position[first], origin, direction,
       nearest - width, nearest + width);
   }
   else
   {
-    // Where some of the pixels show nothing the centre may lie beyond the others' depths, and must
-    // still lie on the plane: behind it is what lights the other side.
-    // (Depths of a parallel projection may be negative.)
+    // If some pixels are background, the centre may lie beyond the depths of the others and must
+    // still lie on the plane: light from the other side illuminates points behind it. (Depths of a
+    // parallel projection may be negative.)
     float lower = min(0.5f * nearest, 2.0f * nearest);
     float upper = max(0.5f * farthest, 2.0f * farthest);
     depth = vtkiPlaneDepth(normal, position, origin, direction, lower, upper);
-    // The mean of places on a curved surface lies behind that, too: a sample stands before all children, and before
-    // their tangent planes where these meet its ray.
+    // The mean of positions on a curved surface lies behind it, too: place the sample before all
+    // children, and before their tangent planes at the sample's ray.
     vec3 middle = origin + depth * direction;
     float before = dot(normal, children.position[first] - middle);
     for (int i = 0; i < 4; ++i)

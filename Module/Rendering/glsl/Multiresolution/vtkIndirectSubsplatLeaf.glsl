@@ -1,7 +1,8 @@
-// What is evaluated under a split texel: with VTKI_PIXELS a pixel, else a texel of a level.
+// A leaf under a split texel: with VTKI_PIXELS a pixel, otherwise a texel of a level.
 #include "vtkIndirectSubsplatTexel.glsl"
 
-// Position, normal and that of the facet in scene units and coordinates. Returns whether there is something to evaluate.
+// Position, normal and facet normal in scene units and coordinates. Returns false if there is no
+// surface to evaluate.
 bool vtkiFetchLeaf(ivec2 texel, out vec3 position, out vec3 normal, out vec3 facet)
 {
   ivec2 inside = min(texel, vtkiLevelSize - 1);

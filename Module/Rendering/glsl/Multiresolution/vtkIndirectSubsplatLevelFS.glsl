@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Illumination of a level near edges: evaluated at leaves, here or afterwards in blocks, and
-// interpolated where the level above is whole. Marks what lies inside one surface.
+// interpolated if the level above is whole. Marks texels inside one surface.
 #include "vtkIndirectSubsplatTexel.glsl"
 #include "vtkIndirectSubsplatInterpolate.glsl"
 

@@ -17,10 +17,10 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet)
 uniform sampler2D vtkiLightPosition; // lights beyond the block's
 uniform sampler2D vtkiLightNormal;
 uniform sampler2D vtkiLightDensity;
-uniform int vtkiFirstLight; // in the table
+uniform int vtkiFirstLight; // the first light's number in the table
 uniform int vtkiLightCount;
 
-// A light from the textures: its position with the area, normal with its reach, and density times area.
+// Fetches a light from the textures: position and area, normal and reach, density times area.
 void vtkiFetchLight(int i, out vec4 sender, out vec4 senderNormal, out vec3 density)
 {
   ivec2 at = vtkiTableTexel(vtkiFirstLight + i);
@@ -29,7 +29,7 @@ void vtkiFetchLight(int i, out vec4 sender, out vec4 senderNormal, out vec3 dens
   density = texelFetch(vtkiLightDensity, at, 0).rgb;
 }
 
-// share: of the light as a whole, 0 where something hides it.
+// share: of the light as a whole, 0 if it is occluded.
 void vtkiAddSeenLight(vec3 position, vec3 normal, float share, float bluntArea, vec4 sender, vec4 senderNormal,
   vec3 density, inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
@@ -41,13 +41,13 @@ void vtkiAddSeenLight(vec3 position, vec3 normal, float share, float bluntArea, 
   vectorIrradiance += (strength * vtkiLuminance(density)) * light.toPlace;
 }
 
-// Whether a receiver sees a light. open: see vtkiOpenPlace; light: its number in the table; both of no meaning
-// without VTKI_VISIBILITY. division: the share of it that comes from what is below it.
+// True if a receiver sees a light. open: see vtkiOpenPlace; light: its number in the table; both
+// are unused without VTKI_VISIBILITY. division: share of the light that comes from its branches.
 bool vtkiSees(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
   float division)
 {
 #ifdef VTKI_VISIBILITY
-  // Nothing to walk where there is nothing to get.
+  // A light that gives the receiver nothing needs no walk.
   vec3 toSender = vtkiToSender(sender, position);
   vtkiPatchLight sent = vtkiFindSender(toSender, senderNormal, normal, sender.w, sender.w);
   bool lit = max(max(density.r, density.g), density.b) > 0.0f &&
@@ -58,7 +58,8 @@ bool vtkiSees(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec
 #endif
 }
 
-// What a receiver gets of a light as a whole. Returns whether it is near to it, so that what is below is to be added.
+// Adds the light of a cluster as a whole. Returns true if the receiver is near to it, so that its
+// branches are to be added.
 bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
   inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
@@ -74,7 +75,8 @@ bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
 }
 
 #ifdef VTKI_DIVIDED
-// What is below a light that the receiver is near to and sees. light: its number in the table.
+// Adds the branches of a cluster that the receiver is near to and sees. light: its number in the
+// table.
 void vtkiAddBelow(vec3 position, vec3 normal, int light, vec4 sender, float reach, inout vec3 irradiance,
   inout vec3 vectorIrradiance)
 {
@@ -98,7 +100,7 @@ void vtkiAddBelow(vec3 position, vec3 normal, int light, vec4 sender, float reac
 }
 #endif
 
-// A light and what is below it.
+// Adds a cluster and its branches.
 void vtkiAddWholeLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
   inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
@@ -109,7 +111,7 @@ void vtkiAddWholeLight(vec3 position, vec3 normal, vec3 open, int light, vec4 se
 #endif
 }
 
-// Irradiance, and the luminance of the vector irradiance; zero, and no work, where not wanted.
+// Irradiance, and the luminance of the vector irradiance; if not wanted, zero without any work.
 void vtkiEvaluateSubsplat(
   vec3 position, vec3 normal, vec3 facet, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
 {

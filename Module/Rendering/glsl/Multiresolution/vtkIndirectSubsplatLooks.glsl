@@ -1,16 +1,16 @@
-// In moving frames two of a texel's four children look into the depth maps for all of them: look-ups are what
-// takes time.
+// In moving frames two of a texel's four children look up the depth maps for all of them, because
+// look-ups take most time.
 const int VTKI_LOOKS = 2;
 
 struct vtkiLooks
 {
   vec3 position[VTKI_LOOKS];
   vec3 normal[VTKI_LOOKS];
-  bool second[4]; // which look a child takes
+  bool second[4]; // true if the child takes the second look
 };
 
-// How far two children are from sharing a look. width: squared, of what lies side by side on one surface, so
-// that what faces another way is far as well.
+// Distance of two children, which share a look if it is small. width: squared width of neighbours
+// on one surface, which scales the difference of normals to a distance.
 float vtkiApart(vec3 position1, vec3 normal1, vec3 position2, vec3 normal2, float width)
 {
   vec3 way = position1 - position2;
@@ -18,7 +18,8 @@ float vtkiApart(vec3 position1, vec3 normal1, vec3 position2, vec3 normal2, floa
   return dot(way, way) + 2.0f * width * dot(turn, turn);
 }
 
-// The first child that is wanted looks, and the one that is farthest from it; the others take the nearer look.
+// The first wanted child looks, and so does the child farthest from it; the others take the nearer
+// look.
 vtkiLooks vtkiMakeLooks(vec3 position[4], vec3 normal[4], bool wanted[4])
 {
   vec3 right = position[1] - position[0];

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Next level of the pyramid: from the level below.
+// Makes the next level of the pyramid from the level below.
 #include "vtkIndirectSubsplatJoin.glsl"
 
 uniform sampler2D vtkiFinerSurface;
@@ -36,9 +36,9 @@ void main()
     children.present[i] = surface.w != VTKI_SUBSPLAT_EMPTY && at == inside;
     children.split = children.split || (vtkiSubsplatIsSplit(surface.w) && at == inside);
   }
-  // Leaves that touch differ by one level at most: a texel is split when the ring of texels of the
-  // level below around its children holds one that is.
-  // Outside of the image the texture's edge answers, which is one of the children.
+  // Neighbouring leaves may differ by one level: a texel is split if the ring of finer texels
+  // around its children holds a split one. At the image's border the clamped texture returns one of
+  // the children.
 #ifdef VTKI_BALANCE
   for (int i = 0; i < 16; ++i)
   {

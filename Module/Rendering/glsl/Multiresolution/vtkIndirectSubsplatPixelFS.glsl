@@ -1,11 +1,11 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Irradiance at a pixel near an edge: interpolated from those samples of the first level that lie
-// on its surface, evaluated where that level is split and where there is no such sample.
+// Irradiance at a pixel near an edge: interpolated from samples of the first level that lie on its
+// surface, evaluated if that level is split or has no such sample.
 #include "vtkIndirectSubsplatTexel.glsl"
 #include "vtkIndirectSubsplatInterpolate.glsl"
 
-uniform bool vtkiSplits; // whether pixels are the finest level
+uniform bool vtkiSplits; // pixels are the finest level
 uniform bool vtkiCorrectNormals;
 
 void main()

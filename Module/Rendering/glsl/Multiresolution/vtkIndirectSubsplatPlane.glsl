@@ -1,10 +1,10 @@
-// What lies on the same surface.
+// Tests that samples lie on the same surface.
 #include "vtkIndirectSubsplat.glsl"
 
 uniform float vtkiSamePlane;  // fraction of the texels' edge
 uniform float vtkiSameNormal; // difference of octahedral coordinates
 
-// A tangent plane against which samples are held: their distance is affine in place and depth.
+// A tangent plane for the test of samples: their distance is affine in place and depth.
 struct vtkiTangentPlane
 {
   vec3 alongOrigin;

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// The paper's splats: one point for each subsplat and virtual light, the light an instance.
+// The paper's splats: one point for each subsplat and virtual light; the light is an instance.
 #include "vtkIndirectSubsplatLeaf.glsl"
 
 in uint vtkiSplitTexel; // x, y in 16 bits each, one level up

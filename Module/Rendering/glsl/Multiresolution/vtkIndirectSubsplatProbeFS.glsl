@@ -1,10 +1,10 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Luminance of the irradiance at one pixel in each texel of the coarsest level, to see how the
-// lighting varies before the image is cut up; and of the difference between the sums over lights
-// of even and of odd number, which shows how much the choice of lights matters. With them the
-// light that bends the irradiance most there: what it does between probes is computed where it is
-// near.
+// At one pixel in each texel of the coarsest level: luminance of the irradiance, which shows how
+// the lighting varies before the image is subdivided; and of the difference between the sums over
+// even and over odd lights, which shows how much the choice of lights matters. Also the light whose
+// curvature of the irradiance is largest there: texels between the probes compute its effect where
+// they are near to it.
 #include "vtkIndirectSubsplatTexel.glsl"
 
 struct vtkiProbeSums
@@ -12,9 +12,9 @@ struct vtkiProbeSums
   float sum;
   float difference;
   float sign;
-  float curvature; // the greatest of a light
-  vec4 sender;     // whose it is: position, area
-  vec4 normal;     // normal; luminance of density times area
+  float curvature; // largest of a light
+  vec4 sender;     // position and area of that light
+  vec4 normal;     // its normal; luminance of density times area
 };
 
 void vtkiAddToProbe(inout vtkiProbeSums sums, vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
@@ -27,7 +27,7 @@ void vtkiAddToProbe(inout vtkiProbeSums sums, vec3 position, vec3 normal, vec3 o
   sums.sum += luminance;
   sums.difference += sums.sign * luminance;
   sums.sign = -sums.sign;
-  // What comes from a direction bends the irradiance of no plane.
+  // Light from a direction does not bend the irradiance of a plane.
   vec3 toSender = sender.xyz - position;
   float spread = sender.w > 0.0f ? dot(toSender, toSender) + sender.w / VTKI_PI : 0.0f;
   float curvature = spread > 0.0f ? luminance / spread : 0.0f;
@@ -67,7 +67,7 @@ void main()
   }
   gl_FragData[0] = vec4(sums.sum * vtkiStorageScale, sums.difference * vtkiStorageScale,
     0.0f, lit ? 1.0f : 0.0f);
-  // In view coordinates, where the texels are that ask.
+  // Texels test the light in view coordinates.
   vec3 senderVC = (sums.sender.xyz - vtkiViewToScene[3].xyz) * mat3(vtkiViewToScene);
   gl_FragData[1] = vec4(senderVC, sums.sender.w);
   float density = sums.sum > 0.0f ? sums.normal.w / sums.sum : 0.0f;

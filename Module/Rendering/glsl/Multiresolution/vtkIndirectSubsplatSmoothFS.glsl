@@ -1,8 +1,9 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Illumination inside one surface: the texture unit's own bilinear filter over the level above. Other
-// places keep their depth of one and are left to the stage that looks at each sample. With VTKI_TEXELS for the
-// texels of a level, else for pixels, with the correction for their normals.
+// Illumination inside one surface, by the texture unit's bilinear filter over the level above.
+// Other texels keep their depth of one and are left to the stage that tests each sample. With
+// VTKI_TEXELS for the texels of a level, otherwise for pixels, with the correction for their
+// normals.
 #include "vtkIndirectSubsplat.glsl"
 
 #ifndef VTKI_TEXELS
@@ -18,13 +19,13 @@ void main()
   vec2 place = 0.5f * gl_FragCoord.xy / vec2(vtkiCoarserSize);
   vec4 irradiance = textureLod(vtkiCoarserIrradiance, place, 0.0f);
   vec4 vectorIrradiance = textureLod(vtkiCoarserVector, place, 0.0f);
-  // The texel's own weight in the filter is 9/16: what lies under a split one is evaluated, with
-  // VTKI_BLOCKS_FOLLOW after this. All four that the filter takes must be smooth for what is
-  // written to be known as smooth itself (with one amiss it is 0.94 at most); for a pixel the own one
-  // must: that says that the others lie on its surface.
+  // The texel's own weight in the filter is 9/16; children of a split texel are evaluated, with
+  // VTKI_BLOCKS_FOLLOW after this stage. The result is marked smooth only if all four samples of
+  // the filter are smooth (with one exception alpha is at most 0.94); for a pixel its own sample
+  // must be smooth, which implies that the others lie on its surface.
 #ifdef VTKI_TEXELS
   bool inside = irradiance.a > 0.97f && vectorIrradiance.a < 0.5f;
-  // What lies around is within the neighbourhood that is known to be smooth.
+  // The neighbours are within the region known to be smooth.
   gl_FragData[0] = vec4(irradiance.rgb, VTKI_ILLUMINATION_SMOOTH);
   gl_FragData[1] = vec4(vectorIrradiance.xyz, 0.0f);
   if (!inside)

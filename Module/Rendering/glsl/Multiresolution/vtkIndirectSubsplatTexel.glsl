@@ -1,9 +1,9 @@
-// A texel of a level and what is written for it.
+// A texel of a level and the values written for it.
 #include "vtkIndirectSubsplatPlane.glsl"
 #include "vtkIndirectSubsplatLights.glsl"
 #include "vtkIndirectLibInterpolation.glsl"
 
-uniform sampler2D vtkiSurface; // of pixels
+uniform sampler2D vtkiSurface; // surface of the pixels
 uniform sampler2D vtkiLevelSurface;
 uniform ivec2 vtkiLevelSize;
 uniform float vtkiEdge; // pixels along a texel's edge
@@ -16,7 +16,8 @@ vec3 vtkiTexelPosition(ivec2 texel, float depth)
   return vtkiReconstruct(center, depth, vtkiRayOrigin, vtkiRayDirection);
 }
 
-// The facet's normal in the middle of a texel, where that is of the texel's surface; levels hold mean normals alone.
+// The facet's normal in the middle of a texel, if that is on the texel's surface; levels store only
+// mean normals.
 vec3 vtkiTexelFacet(ivec2 texel, vec3 normalVC)
 {
   vec2 center = vtkiSubsplatCenter(vec2(texel), vtkiEdge, vec2(vtkiSize));
@@ -26,7 +27,7 @@ vec3 vtkiTexelFacet(ivec2 texel, vec3 normalVC)
   return same ? vtkiSurfaceFacet(surface) : normalVC;
 }
 
-// The sum over the lights as stored; the vector in view coordinates, where receivers' normals are.
+// The sum over the lights as stored; the vector is in view coordinates, as receivers' normals are.
 void vtkiEvaluateStored(
   vec3 positionVC, vec3 normalVC, vec3 facetVC, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
 {
@@ -37,7 +38,7 @@ void vtkiEvaluateStored(
   vectorIrradiance = (vectorIrradiance * mat3(vtkiViewToScene)) * vtkiStorageScale;
 }
 
-// Whether the texel and its eight neighbours are samples of one surface.
+// True if the texel and its eight neighbours are samples of one surface.
 bool vtkiIsInsideSurface(ivec2 texel, vec4 surface, vec3 position, vec3 normal)
 {
   bool inside = surface.w == VTKI_SUBSPLAT_WHOLE || surface.w == VTKI_SUBSPLAT_PARTED;

@@ -1,9 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Error of linear interpolation between probes, relative: each probe against the mean of its two
-// neighbours on the same surface, as a coarse value is held against its children. On a grid half
-// as wide it is a quarter of that. With it the probe's nearest light, whose curvature is larger
-// between probes than they can show.
+// Relative error of linear interpolation between probes: compares each probe with the mean of its
+// two neighbours on the same surface. On a grid of half the width the error is a quarter. Also the
+// probe's nearest light, whose curvature between probes exceeds what the probes can show.
 #include "vtkIndirectSubsplatPlane.glsl"
 
 uniform sampler2D vtkiSurface;
@@ -43,8 +42,8 @@ void main()
       second += same ? there - own : 0.0f;
     }
     // Interpolation's error midway is an eighth of the second difference. At an end of the surface
-    // there is the first one only; light that comes from what meets it there goes as one over the
-    // distance, whose second difference is as large.
+    // only the first difference is known; light from a surface that meets it there falls as one
+    // over the distance, whose second difference is as large.
     error = max(error, 0.125f * abs(second));
   }
   gl_FragData[0] = vec4(greatest > 0.0f ? error / greatest : 0.0f, nearest);

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What multiresolution splatting did, for the eye: drawn level by level, coarse to fine.
+// Visualizes multiresolution splatting: drawn level by level, coarse to fine.
 #include "vtkIndirectSubsplat.glsl"
 
 uniform sampler2D vtkiSurface;
@@ -31,7 +31,7 @@ void main()
   }
   else if (vtkiView == 1 && leaf)
   {
-    // Lines where a subsplat begins, over the irradiance.
+    // Draws the borders of subsplats over the irradiance.
     bool border = vtkiLevel > 0 && (pixel.x % edge == 0 || pixel.y % edge == 0);
     vec3 irradiance = texelFetch(vtkiIrradiance, pixel, 0).rgb * vtkiIrradianceUnit;
     gl_FragData[0] = vec4(border ? vec3(1.0f, 0.4f, 0.0f) : irradiance, 1.0f);

@@ -1,9 +1,10 @@
-// How well the light of one receiver serves another.
+// Agreement of two receivers: how well the light of one represents the other.
 
-// The plane's distance, over that of samples, at which a receiver counts half.
+// Distance from the plane, over the distance of samples, at which a receiver's weight is one half.
 const float VTKI_PROXY_DEPTH = 0.5f;
 
-// What a receiver counts that faces elsewhere: power 8 of the cosine, as irradiance is turned to the pixel's normal.
+// Weight of a receiver of another normal: power 8 of the cosine, because irradiance is evaluated at
+// the pixel's normal.
 float vtkiProxyFacing(float cosine)
 {
   float c = max(cosine, 0.0f);
@@ -12,7 +13,8 @@ float vtkiProxyFacing(float cosine)
   return c4 * c4;
 }
 
-// By how far each is from the other's plane, and by normals. distance: between two samples.
+// Agreement by the distance of each from the other's plane, and by normals. distance: between two
+// samples.
 float vtkiProxyAlike(vtkiReceiver receiver, vtkiReceiver other, float distance)
 {
   vec3 offset = other.positionVC - receiver.positionVC;

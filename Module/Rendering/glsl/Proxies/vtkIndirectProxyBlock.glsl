@@ -2,8 +2,8 @@
 #include "vtkIndirectLibSphereProxy.glsl"
 #include "vtkIndirectLibProxyRegion.glsl"
 
-const int VTKI_PROXY_COLOR_ROWS = 40;  // nine columns and the light itself, of four rows each
-const int VTKI_PROXY_LIGHT_ROWS = 120; // of three colours
+const int VTKI_PROXY_COLOR_ROWS = 40;  // nine columns and the light itself, four rows each
+const int VTKI_PROXY_LIGHT_ROWS = 120; // for three colours
 const int VTKI_POLYGON_ROWS = 10;      // normal, corners; albedo, size; the corners
 const int VTKI_POLYGON_CORNERS = 8;
 layout(std140) uniform vtkiProxyBlock
@@ -18,7 +18,7 @@ vtkiHarmonics4 vtkiProxyHarmonics(int row)
     vtkiProxyRows[row], vtkiProxyRows[row + 1], vtkiProxyRows[row + 2], vtkiProxyRows[row + 3]);
 }
 
-// The first nine coefficients of the light of one colour, the others of the last two vectors apart.
+// Coefficients of the light of one colour.
 vtkiHarmonics4 vtkiProxyLightOf(int color)
 {
   return vtkiProxyHarmonics(VTKI_PROXY_COLOR_ROWS * color + 36);

@@ -1,7 +1,7 @@
 //VTK::System::Dec
-// Receivers for the pixels whose alpha is below zero, an invocation for each tile of 8 x 8 pixels: of those that none
-// yet serves the one that faces the eye most, until there is none. Where so many do not suffice what is left is summed
-// by itself.
+// Chooses receivers for the pixels whose alpha is negative, one invocation for each tile of 8 x 8
+// pixels: among pixels that no receiver represents, the one that faces the eye most, until none is
+// left. If the tile has too few receivers, each remaining pixel is summed by itself.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxyAlike.glsl"
 #include "vtkIndirectProxyTile.glsl"
@@ -11,7 +11,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform image2D vtkiSkyImage;
 layout(r32f, binding = 1) uniform image2D vtkiCountImage;
 
-// A receiver of less than that serves no pixel.
+// A receiver with a smaller agreement represents no pixel.
 const float VTKI_LEAST_ALIKE = 0.05f;
 
 float vtkiFacesEye(vtkiReceiver receiver)

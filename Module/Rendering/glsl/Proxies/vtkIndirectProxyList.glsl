@@ -1,13 +1,13 @@
-// Receivers for pixels that no coarse one stands for, and these pixels: a command of a dispatch for each list, then
-// entries.
+// Receivers for pixels that no coarse receiver represents, and these pixels: a dispatch command for
+// each list, then entries.
 const int VTKI_PROXY_RECEIVERS = 0;
 const int VTKI_PROXY_SERVED = 1;
 
 layout(std430) buffer vtkiProxyPixels
 {
   uvec4 vtkiCommands[2]; // groups of 256 and the number of entries
-  uint vtkiEntries[];    // receivers, from vtkiSize.x * vtkiSize.y on pixels that they serve: x, y in 14 bits each;
-                         // place among the tile's receivers, or VTKI_PROXY_SHARED: for itself alone
+  uint vtkiEntries[];    // receivers, from vtkiSize.x * vtkiSize.y on pixels: x, y in 14 bits each;
+                         // place among the tile's receivers, or VTKI_PROXY_SHARED: its own receiver
 };
 
 void vtkiAppend(int list, ivec2 pixel, int number)
@@ -21,7 +21,7 @@ void vtkiAppend(int list, ivec2 pixel, int number)
   }
 }
 
-// Returns false where the list has ended.
+// Returns false past the end of the list.
 bool vtkiFetchEntry(int list, uint place, out ivec2 pixel, out int number)
 {
   bool inside = place < vtkiCommands[list].w;

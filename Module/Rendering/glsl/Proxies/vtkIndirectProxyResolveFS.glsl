@@ -1,7 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What receivers get, from sums that have been blended: light of coarse receivers, or with VTKI_PROXY_PIXELS
-// irradiance.
+// Light of coarse receivers, or with VTKI_PROXY_PIXELS irradiance, from blended sums.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
 

@@ -1,5 +1,6 @@
-// Light that falls on what sends: on groups of a few spheres, found where they are open, and on flat polygons.
-uniform sampler2D vtkiSenderNormal; // normal; a fourth component of 1 where there is one
+// Light that falls on senders: on groups of a few spheres, at positions where these are open, and
+// on flat polygons.
+uniform sampler2D vtkiSenderNormal; // normal; in the fourth component 1 if there is one
 uniform sampler2D vtkiProxyBlocks;  // lower, upper corner of the box of each block of entries
 uniform int vtkiBlockCount;
 uniform int vtkiSenderCount;
@@ -18,8 +19,8 @@ void vtkiFetchSender(int number, out vec4 place, out vec4 normal)
   normal = texelFetch(vtkiSenderNormal, at, 0);
 }
 
-// Moves spheres without a normal to the side of theirs from which most of the sky is seen: sums of logarithms are the
-// lower the more is hidden, and their linear part points away from that.
+// Moves spheres without a normal to the side from which most of the sky is visible: the sums of
+// logarithms are lower where more is hidden, and their linear part points away from that.
 void vtkiOpenSender(vtkiProxySums around, inout vec4 place, inout vec4 normal)
 {
 #ifdef VTKI_PROXY_SENDERS
@@ -36,7 +37,7 @@ void vtkiOpenSender(vtkiProxySums around, inout vec4 place, inout vec4 normal)
 }
 
 #ifdef VTKI_PROXY_SENDERS
-// From there to the other side of the sphere.
+// Moves a place to the opposite side of the sphere.
 void vtkiTurnSender(inout vec4 place, inout vec4 normal)
 {
   place.xyz -= 2.0f * place.w * normal.xyz;
@@ -44,12 +45,13 @@ void vtkiTurnSender(inout vec4 place, inout vec4 normal)
   vtkiOwnBuried = 0.0f;
 }
 
-// Light of a sphere from that at both of its sides along n: each side's own normal from there, those across from both,
-// and the mean as that of an octahedron's corners. The side that is open alone would stand for the darker ones as well.
-// What is inside of another sphere is not seen: there it does.
+// Light of a sphere from the light at both of its sides along n: each side's own normal takes it
+// from there, perpendicular normals from both, and the mean is that of an octahedron's corners. The
+// open side alone would represent the darker ones as well. A side inside of another sphere is
+// invisible; there the open side does represent it.
 void vtkiLightOfSides(vec4 front[4], vec4 back[4], vec3 n, out vec4 light[4])
 {
-  // r, g, b and how open it is, of a + b n.
+  // r, g, b and openness, of a + b n.
   vec4 a = vec4(front[0].rgb, front[3].x);
   vec4 bx = vec4(front[0].a, front[1].rg, front[3].y);
   vec4 by = vec4(front[1].ba, front[2].r, front[3].z);
@@ -75,8 +77,8 @@ void vtkiLightOfSides(vec4 front[4], vec4 back[4], vec3 n, out vec4 light[4])
 }
 #endif
 
-// Irradiance of a sphere's normals, a + b n of each colour, where nothing but what was summed hides the sky, and how
-// open it is among spheres alone; of a polygon's one normal.
+// Irradiance of a sphere's normals, a + b n of each colour, where only the summed spheres hide the
+// sky, and the share that spheres leave open; for a polygon, of its one normal.
 void vtkiLightOfSender(vtkiProxySums spheres, vec4 place, vec4 normal, out vec4 light[4])
 {
   vtkiHarmonics4 seen = vtkiHarmonicsExp(spheres.hidden);

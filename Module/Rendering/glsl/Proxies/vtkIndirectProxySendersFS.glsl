@@ -1,7 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// The light that falls on senders, one fragment each; or with VTKI_PROXY_MEANS what each entry sends of its own sender
-// or the mean of several, in pairs, followed from row vtkiSenderRow on by what falls on each sender.
+// The light that falls on senders, one fragment each; or with VTKI_PROXY_MEANS the light that each
+// entry sends, of its own sender or the mean of several, in pairs, and from row vtkiSenderRow on
+// the light that falls on each sender.
 #ifndef VTKI_PROXY_MEANS
 #define VTKI_PROXY_SENDERS
 #endif
@@ -9,14 +10,15 @@
 #include "vtkIndirectProxySum.glsl"
 #include "vtkIndirectProxySenders.glsl"
 
-uniform sampler2D vtkiSenderLight0; // of a sphere's irradiance a + b n: a, b.x; b.y, b.z of each colour
+// of a sphere's irradiance a + b n: a, b.x; b.y, b.z of each colour
+uniform sampler2D vtkiSenderLight0;
 uniform sampler2D vtkiSenderLight1;
 uniform sampler2D vtkiSenderLight2;
-uniform sampler2D vtkiSenderLight3; // of the share of its half space that is open among spheres, the same
+uniform sampler2D vtkiSenderLight3; // the same for the open share of its half space among spheres
 uniform sampler2D vtkiMeanRange;    // first, number
-uniform int vtkiFirstMean;          // a number of senders
+uniform int vtkiFirstMean;          // place of the first sender
 
-// Of more senders so many stand for all.
+// At most this many senders represent an entry.
 const int VTKI_MEAN_SAMPLES = 16;
 
 void main()
@@ -30,7 +32,7 @@ void main()
 #ifdef VTKI_PROXY_MEANS
   ivec2 texel = ivec2(gl_FragCoord.xy);
   bool entry = texel.y < vtkiSenderRow;
-  // Rows may end before the table does.
+  // Rows may extend beyond the end of the table.
   vec4 albedo =
     entry && number < vtkiProxyCount ? texelFetch(vtkiProxyAlbedo, texel, 0) : vec4(1.0f, 1.0f, 1.0f, 0.0f);
   int own = int(albedo.a);
@@ -47,13 +49,14 @@ void main()
   int first = int(range.x);
   int count = int(range.y);
   int samples = min(count, VTKI_MEAN_SAMPLES);
-  // What is open is what is seen of them: products of light and openness, both a + b n, to first order in n.
+  // Weights senders by their openness, because open ones are visible: products of light and
+  // openness, both a + b n, to first order in n.
   vec3 sentA = vec3(0.0f);
   vec3 sent[3] = vec3[3](vec3(0.0f), vec3(0.0f), vec3(0.0f));
   vec4 open = vec4(0.0f);
   for (int i = 0; i < samples; ++i)
   {
-    // In the middles of equal parts.
+    // Samples lie in the middles of equal parts.
     int sender = first + min(int((float(i) + 0.5f) * float(count) / float(samples)), count - 1);
     ivec2 at = vtkiTableTexel(sender);
     vec4 l0 = texelFetch(vtkiSenderLight0, at, 0);
@@ -71,7 +74,7 @@ void main()
   }
   if (!single && samples > 0)
   {
-    // The light whose product with the mean openness that is.
+    // The light whose product with the mean openness is that sum.
     vec3 a = (sentA - (open.y * sent[0] + open.z * sent[1] + open.w * sent[2]) / (3.0f * open.x)) /
       max(open.x - dot(open.yzw, open.yzw) / (3.0f * open.x), 0.1f * open.x);
     vec3 bx = (sent[0] - open.y * a) / open.x;

@@ -1,7 +1,7 @@
 //VTK::System::Dec
-// Irradiance of pixels that no coarse receiver stands for, an invocation each, by the receivers of the four tiles
-// around: bilinear between the tiles' middles, by planes and normals. Receivers of the pixel's own tile serve it, so
-// that the weights are not zero.
+// Irradiance of pixels that no coarse receiver represents, one invocation each, from the receivers
+// of the four surrounding tiles: bilinear between the tiles' middles, weighted by planes and
+// normals. Receivers of the pixel's own tile represent it, so that the weights are not zero.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
 #include "vtkIndirectProxyAlike.glsl"
@@ -12,17 +12,17 @@ layout(local_size_x = 16, local_size_y = 16) in;
 layout(rgba32f, binding = 0) uniform image2D vtkiSkyImage;
 layout(rgba32f, binding = 1) uniform image2D vtkiBounceImage;
 uniform sampler2D vtkiSharedCount;
-uniform sampler2D vtkiShared0; // of a colour's irradiance a + b n: b, a
+uniform sampler2D vtkiShared0; // a colour's irradiance a + b n: b, a
 uniform sampler2D vtkiShared1;
 uniform sampler2D vtkiShared2;
-uniform sampler2D vtkiShared3; // what proxies send; which of the tile's pixels it is
+uniform sampler2D vtkiShared3; // light that proxies send; number of the tile's pixel
 
 void main()
 {
   ivec2 pixel;
   int unused;
   vtkiReceiver receiver;
-  // What has been summed by itself is there already.
+  // Pixels summed by themselves have their value already.
   bool inside =
     vtkiFetchEntry(VTKI_PROXY_SERVED, gl_WorkGroupID.x * 256u + gl_LocalInvocationIndex, pixel, unused) &&
     imageLoad(vtkiSkyImage, pixel).a < 0.0f;

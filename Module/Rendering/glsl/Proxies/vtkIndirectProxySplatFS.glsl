@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What an entry of the tree of spheres hides from a receiver, or sends to it, to be added.
+// Adds an entry of the tree of spheres to a receiver: its occlusion and its light.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
 

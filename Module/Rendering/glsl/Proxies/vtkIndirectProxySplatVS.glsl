@@ -1,15 +1,16 @@
 //VTK::System::Dec
-// A rectangle about the region in which an entry of the tree of spheres counts, an instance each.
+// A rectangle about the region in which an entry of the tree of spheres counts; each entry is an
+// instance.
 #include "vtkIndirectLibSplat.glsl"
 #include "vtkIndirectLibProxyRegion.glsl"
 #include "vtkIndirectLibTable.glsl"
 
-in vec3 vtkiCorner; // of the square from -1 to 1
-uniform sampler2D vtkiProxyCenter; // as in vtkIndirectProxySum.glsl
+in vec3 vtkiCorner; // corner of the square from -1 to 1
+uniform sampler2D vtkiProxyCenter; // see vtkIndirectProxySum.glsl
 uniform sampler2D vtkiProxyRegion;
 uniform int vtkiFirstProxy;
 uniform mat4 vtkiSceneToClip;
-uniform vec2 vtkiProxyMargin; // of two coarse pixels
+uniform vec2 vtkiProxyMargin; // two coarse pixels
 flat out int vtkiProxyNumber;
 
 vec4 vtkiClipRow(int i)
@@ -23,7 +24,7 @@ void main()
   ivec2 at = vtkiTableTexel(vtkiProxyNumber);
   vtkiRegion whole = vtkiUnpackRegion(texelFetch(vtkiProxyRegion, at, 0));
   vec2 corner = vtkiCorner.xy;
-  // What counts all over the scene and beyond covers the view.
+  // An entry that counts in the whole scene covers the view.
   if (whole.Outer < 1.0e3f)
   {
     vtkiSplat region;
@@ -35,7 +36,7 @@ void main()
     vec2 y;
     int where = vtkiSplatRange(region, vtkiClipRow(0), vtkiClipRow(3), x);
     vtkiSplatRange(region, vtkiClipRow(1), vtkiClipRow(3), y);
-    // Receivers are anywhere in the pixels that they stand for.
+    // The margin covers receivers anywhere in the pixels that they represent.
     vec2 low = where == 0 ? vec2(-1.0f) : vec2(x.x, y.x) - vtkiProxyMargin;
     vec2 high = where == 0 ? vec2(1.0f) : vec2(x.y, y.y) + vtkiProxyMargin;
     corner = where < 0 ? vec2(2.0f) : mix(low, high, 0.5f * vtkiCorner.xy + 0.5f);

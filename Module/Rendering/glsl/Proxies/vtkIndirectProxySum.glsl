@@ -1,31 +1,33 @@
-// What spheres, groups of spheres and flat polygons hide from a receiver and send to it.
+// Occlusion and light of spheres, groups of spheres and flat polygons at a receiver.
 #include "vtkIndirectProxyBlock.glsl"
 #include "vtkIndirectLibTable.glsl"
 
 uniform sampler2D vtkiProxyCenter; // centre, radius
 uniform sampler2D vtkiProxyRegion; // vtkiRegion
 uniform sampler2D vtkiProxyAlbedo; // albedo, sender
-uniform sampler2D vtkiProxyTable;  // zonal logarithms over 1 - cos, a row of them
+uniform sampler2D vtkiProxyTable;  // a row of zonal logarithms over 1 - cos
 uniform int vtkiProxyCount;
 uniform bool vtkiProxyHides;
-// What entries send, and from row vtkiSenderRow on what falls on senders, in pairs: a + b n of each colour, a and b.x;
-// red b.y and b.z; green, blue; the open share of the half space around n, the same.
+// Light that entries send and, from row vtkiSenderRow on, light that falls on senders, in pairs: a
+// + b n of each colour, a and b.x; red b.y and b.z; green, blue; the open share of the half space
+// around n, the same.
 uniform sampler2D vtkiSentLight0;
 uniform sampler2D vtkiSentLight1;
 uniform int vtkiSenderRow;
-// From texels to coordinates of entries and of what they send: software samples the nearest texel faster than it
-// fetches one.
+// Scale from texels to texture coordinates of entries and of their light: software samples the
+// nearest texel faster than it fetches one.
 uniform vec2 vtkiEntryScale;
 uniform vec2 vtkiLightScale;
-uniform sampler2D vtkiSenderPlace; // place; radius, or the area that a place of a polygon stands for
+// position; radius, or the area that a place of a polygon represents
+uniform sampler2D vtkiSenderPlace;
 uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: everywhere
 #ifdef VTKI_PROXY_SENDERS
-// Center of the sphere whose light is summed. It hides nothing from itself: its normals' cosines do that, and the half
-// space behind one of its places is in front of others.
+// Centre of the sphere whose light is summed. A sphere does not hide itself: its normals' cosines
+// do that, and the half space behind one of its places is in front of others.
 vec3 vtkiOwnCenter = vec3(1.0e30f);
-// Whether light is summed for all normals of a sphere, at a place of it with the given one.
+// True if light is summed for all normals of a sphere, at a place of it with the given normal.
 bool vtkiAllNormals = false;
-// Whether that place is inside of another sphere, 1; 0 from a quarter of that one's radius on.
+// 1 if that place is inside of another sphere; 0 from a quarter of that sphere's radius on.
 float vtkiOwnBuried = 0.0f;
 #endif
 
@@ -43,7 +45,7 @@ vtkiProxySums vtkiNoProxies()
   return sums;
 }
 
-// The logarithm of what a disk around +z leaves to be seen, by half its sine.
+// The logarithm of the visibility that a disk around +z leaves, by half its sine.
 vec4 vtkiZonalLog(float sine)
 {
   float share = vtkiProxyRow(sine);
@@ -51,12 +53,12 @@ vec4 vtkiZonalLog(float sine)
   return share * textureLod(vtkiProxyTable, vec2(place, 0.5f), 0.0f);
 }
 
-// Radiance of a sphere of albedo 1 towards the receiver, in the light that nothing hides from it (Eq 15; with
+// Radiance of a sphere of albedo 1 towards the receiver, in light without occlusion (Eq 15; with
 // VTKI_PROXY_MIDDLE Eq 13).
 vec3 vtkiSphereRadiance(vtkiHarmonics4 y, float sine)
 {
 #ifdef VTKI_PROXY_MIDDLE
-  // The sphere's normal there is -d.
+  // The sphere's normal at its middle is -d.
   vec3 bands = vec3(0.28209479f, -0.48860251f, 0.63078313f);
 #else
   vec3 bands = vtkiProxyAverage(sine);
@@ -86,7 +88,7 @@ vec4 vtkiSecond(vec4 pairs)
   return uintBitsToFloat(floatBitsToUint(pairs) << uvec4(16u));
 }
 
-// What the lights of vtkiLightOfSender are as pairs.
+// Packs the light of vtkiLightOfSender into pairs.
 void vtkiPairLight(vec4 light[4], out vec4 pairs[2])
 {
   pairs[0] = vec4(vtkiPair(light[0].r, light[0].a), vtkiPair(light[0].g, light[1].r), vtkiPair(light[0].b, light[1].g),
@@ -95,7 +97,8 @@ void vtkiPairLight(vec4 light[4], out vec4 pairs[2])
     vtkiPair(light[3].r, light[3].g), vtkiPair(light[3].b, light[3].a));
 }
 
-// Irradiance a + b n of what an entry sends, for a vector n; in the fourth component how open it is there.
+// Irradiance a + b n of an entry's light, for a vector n; in the fourth component its openness
+// there.
 vec4 vtkiEntryIrradiance(ivec2 at, vec3 n)
 {
   vec2 place = (vec2(at) + 0.5f) * vtkiLightScale;
@@ -109,8 +112,8 @@ vec4 vtkiEntryIrradiance(ivec2 at, vec3 n)
   return max(vec4(e, first1.b + n.x * second1.b + n.y * first1.a + n.z * second1.a), vec4(0.0f, 0.0f, 0.0f, 0.02f));
 }
 
-// Adds an entry of the tree of spheres. Returns the entry that comes next: the first below it, which follows it, where
-// those count.
+// Adds an entry of the tree of spheres. Returns the next entry: the first child, which follows it,
+// if the children count.
 int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sums)
 {
   ivec2 at = vtkiTableTexel(number);
@@ -118,7 +121,7 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
   vec4 sphere = textureLod(vtkiProxyCenter, place, 0.0f);
   vtkiRegion region = vtkiUnpackRegion(textureLod(vtkiProxyRegion, place, 0.0f));
 #if defined(VTKI_PROXY_SENDERS) && defined(VTKI_PROXY_TREE)
-  // Groups of up to twice the angle say as well where it is open, and how bright.
+  // Groups of up to twice the angle suffice to find where a place is open, and how bright.
   float share = dot(normal, normal) > 0.0f && !vtkiAllNormals ? 1.0f : 0.5f;
   region.Outer *= share;
   region.Inner *= share;
@@ -135,7 +138,7 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
     bool own = all(equal(sphere.xyz, vtkiOwnCenter));
     if (!(dot(normal, normal) > 0.0f))
     {
-      // Of a place among spheres, where those around it say nothing.
+      // For a place among spheres: spheres around it count as nothing.
       sine = d > sphere.w ? sphere.w / d : 0.0f;
     }
     else if (vtkiAllNormals && !own)
@@ -164,8 +167,9 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
 #ifdef VTKI_PROXY_LIGHT
     float reach = vtkiProxyLightReach > 0.0f ? vtkiProxyWithin(d, vtkiProxyLightReach * sphere.w) : 1.0f;
 #ifdef VTKI_PROXY_SHADOWED
-    // Averaged over the disk, whose mean normal is -d times a length. What is closed towards the receiver is not what
-    // it sees: it does not count in the mean of all that hides the sky.
+    // Averaged over the disk, whose mean normal is -d times a length. The part that is closed
+    // towards the receiver is not visible from it and does not count in the mean of all that hides
+    // the sky.
     vec4 sent = vtkiEntryIrradiance(at, (vtkiProxyAverage(sine).y / 0.48860251f) * direction);
     vec3 radiance = sent.rgb;
     reach *= sent.a;
@@ -195,11 +199,11 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
 #ifdef VTKI_PROXY_SENDERS
   above = above || vtkiAllNormals || !(dot(normal, normal) > 0.0f);
 #endif
-  // What is wholly below the receiver hides nothing from it.
+  // An entry wholly below the receiver's horizon hides nothing from it.
   return toOuter < region.Outer && d < region.Inner && above ? number + 1 : int(region.Next);
 }
 
-// All entries that count for a receiver, if `lit`.
+// Adds all entries that count for a receiver, if `lit`.
 vtkiProxySums vtkiSumProxies(vec3 position, vec3 normal, bool lit)
 {
   vtkiProxySums sums = vtkiNoProxies();
@@ -211,15 +215,15 @@ vtkiProxySums vtkiSumProxies(vec3 position, vec3 normal, bool lit)
   return sums;
 }
 
-// What a receiver gets: of the sky as far as nothing hides it, a + b n of each colour for normals about its own; and
-// what proxies send to its own normal.
+// Light of a receiver: from the unoccluded sky, a + b n of each colour for normals about its own;
+// and from proxies, at its own normal.
 struct vtkiProxyLit
 {
   vec4 sky[3]; // b, a
   vec3 bounce;
 };
 
-// Light of one colour that is seen, in the first nine coefficients.
+// Visible light of one colour, in the first nine coefficients.
 vtkiHarmonics4 vtkiSeenLight(vtkiHarmonics4 seen, int color)
 {
   int row = VTKI_PROXY_COLOR_ROWS * color;
@@ -235,7 +239,7 @@ vtkiHarmonics4 vtkiSeenLight(vtkiHarmonics4 seen, int color)
 }
 
 #ifdef VTKI_PROXY_SHADOWED
-// Mean irradiance of the places of a polygon's side, each by what it gives the receiver as a disk.
+// Mean irradiance of the places on a polygon's side, each weighted as a disk by its form factor.
 vec3 vtkiPolygonRadiance(vec3 position, vec3 normal, vec3 side, int first, int count)
 {
   vec4 sum = vec4(0.0f);
@@ -245,7 +249,7 @@ vec3 vtkiPolygonRadiance(vec3 position, vec3 normal, vec3 side, int first, int c
     vec4 place = texelFetch(vtkiSenderPlace, at, 0);
     vec3 offset = place.xyz - position;
     float d2 = max(dot(offset, offset), 1.0e-30f);
-    // Where none is above the receiver's plane, all of them by their distance.
+    // The small constant weights all places by distance if none is above the receiver's plane.
     float cosines = max(dot(offset, normal), 0.0f) * abs(dot(offset, side)) / d2 + 1.0e-4f;
     vec4 light = vtkiFirst(texelFetch(vtkiSentLight0, at + ivec2(0, vtkiSenderRow), 0));
     sum += cosines / (VTKI_PI * d2 + place.w) * vec4(light.rgb, 1.0f);
@@ -254,19 +258,21 @@ vec3 vtkiPolygonRadiance(vec3 position, vec3 normal, vec3 side, int first, int c
 }
 #endif
 
-// Takes what flat polygons hide from what is seen, each as the disk that gives all receivers above it the same
-// irradiance. One that the receiver lies on hides nothing. They are few and large: the product with what one leaves is
-// exact to order 4, where a disk that fills half of the sphere has no logarithm.
+// Removes the sky behind flat polygons from the visible sky, each as the disk that gives all
+// receivers above it the same irradiance. The polygon that the receiver lies on hides nothing.
+// Polygons are few and large: the product with the visibility of one is exact to order 4, whereas a
+// disk that fills half of the sphere has no logarithm.
 void vtkiAddPolygons(vec3 position, vec3 normal, inout vtkiHarmonics4 seen, inout vec3 bounce)
 {
-  vtkiHarmonics4 open = seen; // what spheres leave to be seen, of the polygons too
+  vtkiHarmonics4 open = seen; // visibility that spheres leave, also of the polygons
   for (int i = 0; i < vtkiPolygonCount; ++i)
   {
     int row = VTKI_PROXY_LIGHT_ROWS + VTKI_POLYGON_ROWS * i;
     vec4 plane = vtkiProxyRows[row];
     vec4 albedo = vtkiProxyRows[row + 1];
     int corners = int(plane.w);
-    // Off its surface, so that in a crease with the polygon it is on that side of it that it faces.
+    // Moved off its surface, so that in a crease with the polygon the receiver is on the side that
+    // it faces.
     vec3 place = position + (2.0e-4f * albedo.w + 1.0e-6f) * normal;
     float height = dot(plane.xyz, place - vtkiProxyRows[row + 2].xyz);
     vec3 sum = vec3(0.0f);
@@ -277,11 +283,12 @@ void vtkiAddPolygons(vec3 position, vec3 normal, inout vtkiHarmonics4 seen, inou
       sum += vtkiPolygonEdge(before, next);
       before = next;
     }
-    // Seen from either side.
+    // Polygons are visible from either side.
     vec3 side = height >= 0.0f ? plane.xyz : -plane.xyz;
     sum = dot(sum, side) > 0.0f ? -sum : sum;
     vec4 disk = vtkiPolygonDisk(sum);
-    // Of what is below the receiver only what order 4 lets ring into the upper half would count.
+    // A polygon below the receiver's horizon would count only by the ringing of order 4 into the
+    // upper half.
     bool own = abs(height) < 4.0e-4f * albedo.w + 2.0e-6f && abs(dot(plane.xyz, normal)) > 0.9f;
     bool below = dot(disk.xyz, normal) < -0.9999f * max(disk.w, 1.0e-6f);
     if (!own && !below && disk.w > 0.0f)
@@ -305,7 +312,7 @@ void vtkiAddPolygons(vec3 position, vec3 normal, inout vtkiHarmonics4 seen, inou
   }
 }
 
-// What is left to be seen of the sky. bounce: what proxies send.
+// The sky that remains visible. bounce: light from proxies.
 vtkiHarmonics4 vtkiSeenSky(vec3 position, vec3 normal, vtkiProxySums sums, out vec3 bounce)
 {
   vtkiHarmonics4 seen = vtkiHarmonicsExp(sums.hidden);

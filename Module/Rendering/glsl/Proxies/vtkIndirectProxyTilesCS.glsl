@@ -1,11 +1,13 @@
 //VTK::System::Dec
-// A group of invocations for each tile of 16 x 16 receivers. Where spheres are in groups (VTKI_PROXY_TREE) each goes
-// down their tree by itself; else the group lists the spheres whose regions meet the box about its receivers, a set
-// of bits for a block of 256 at a time, and sums those in their order.
+// A group of invocations for each tile of 16 x 16 receivers. If spheres are in groups
+// (VTKI_PROXY_TREE) each invocation descends their tree by itself; otherwise the group lists the
+// spheres whose regions meet the bounding box of its receivers, a bit set for a block of 256 at a
+// time, and sums those in order.
 //
-// Receivers are every vtkiStep-th pixel, whose light goes to coarse images; with VTKI_PROXY_PIXELS all of them, or
-// with VTKI_PROXY_REST those of a list, whose light goes to images of tiles' receivers; or with VTKI_PROXY_SENDERS the
-// spheres themselves, 256 in a row, whose irradiance goes to their table.
+// The receivers are every vtkiStep-th pixel, whose light goes to coarse images; with
+// VTKI_PROXY_PIXELS all pixels, or with VTKI_PROXY_REST those of a list, whose light goes to images
+// of tiles' receivers; or with VTKI_PROXY_SENDERS the spheres themselves, 256 in a row, whose
+// irradiance goes to their table.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
 uniform ivec2 vtkiCoarseSize;
@@ -43,7 +45,7 @@ vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
 #include "vtkIndirectTileBox.glsl"
 shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
 
-// Sums for a receiver of each invocation, if `lit`.
+// Sums for each invocation's receiver, if `lit`.
 vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
 {
   int number = int(gl_LocalInvocationIndex);
@@ -62,7 +64,7 @@ vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
   {
     if (!vtkiMeetsBlock(block, middle, halfSize))
     {
-      continue; // the same for all invocations
+      continue; // uniform over the group
     }
     if (number < VTKI_ROW_LENGTH / 32)
     {

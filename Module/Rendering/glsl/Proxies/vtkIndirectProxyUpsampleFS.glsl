@@ -1,19 +1,20 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Irradiance of the pixel's own normal by the four coarse receivers around (Eq 11): bilinear, by how far each is from
-// the pixel's plane and the pixel from its, and by normals. Where none of them serves, alpha is -1 and the pixel is
-// summed from scratch: here with VTKI_PROXY_GATHER, else there are further receivers.
+// Irradiance at the pixel's own normal from the four surrounding coarse receivers (Eq 11):
+// bilinear, weighted by the distance of each from the other's plane and by normals. If none agrees,
+// alpha is -1 and the pixel is summed from scratch: here with VTKI_PROXY_GATHER, otherwise by
+// further receivers.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectProxySum.glsl"
 #include "vtkIndirectProxyAlike.glsl"
 
 uniform ivec2 vtkiCoarseSize;
-uniform sampler2D vtkiCoarse0; // of a colour's irradiance a + b n: b, a
+uniform sampler2D vtkiCoarse0; // a colour's irradiance a + b n: b, a
 uniform sampler2D vtkiCoarse1;
 uniform sampler2D vtkiCoarse2;
-uniform sampler2D vtkiCoarse3; // what proxies send
+uniform sampler2D vtkiCoarse3; // light that proxies send
 
-// Weights together that say nothing.
+// Below this sum of weights no receiver agrees.
 const float VTKI_LEAST_WEIGHT = 1.0e-3f;
 void main()
 {
@@ -24,7 +25,7 @@ void main()
   if (vtkiFetchReceiver(pixel, receiver))
   {
     float distance = vtkiSampleDistance(receiver.depth);
-    // The last samples may lie closer.
+    // The last samples may be closer together.
     ivec2 corner = pixel / vtkiStep;
     ivec2 first = corner * vtkiStep;
     vec2 blend = vec2(pixel - first) / vec2(max(min(first + vtkiStep, vtkiSize - 1) - first, 1));
@@ -42,7 +43,7 @@ void main()
       bool lit = vtkiFetchReceiver(min(at * vtkiStep, vtkiSize - 1), other);
       vec2 w = mix(1.0f - blend, blend, vec2(shift));
       float same = vtkiProxyAlike(receiver, other, distance);
-      // A sample next to the pixel may be the only one.
+      // The constant keeps a single agreeing sample at the cell's other end.
       float weight = lit ? (w.x * w.y + 1.0e-3f) * same : 0.0f;
       sum += weight;
       sky[0] += weight * textureLod(vtkiCoarse0, place, 0.0f);

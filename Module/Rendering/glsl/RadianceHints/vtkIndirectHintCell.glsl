@@ -1,14 +1,14 @@
-// What is in a cell of vtkiStep by vtkiStep pixels.
+// Tests a cell of vtkiStep by vtkiStep pixels for being one surface.
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectLibInterpolation.glsl"
 
 struct vtkiCell
 {
   vtkiReceiver corner; // at the cell's own sample
-  vec4 code;           // its normal and its facet's, as they are stored
+  vec4 code;           // its normal and its facet's, as stored
   bool whole;          // all lit
   bool empty;          // none lit
-  float height;        // how far the others stray from it, at most
+  float height;        // largest distance of the other pixels from its plane
   float turn;
   float radius2;
   float nearest; // depth
@@ -31,11 +31,11 @@ void vtkiAddToCell(inout vtkiCell cell, ivec2 pixel)
   cell.nearest = min(cell.nearest, vtkiSurfaceDepth(surface));
 }
 
-// first: the cell's lower left pixel, where its sample is, with the surface there. Each pixel of the cell
-// and the samples at its other three corners are read once.
+// first: the cell's lower left pixel, where its sample is, with the surface there. Each pixel of
+// the cell and the samples at its other three corners are read once.
 float vtkiCellState(ivec2 first, vtkiReceiver corner, bool lit)
 {
-  // The last samples may lie closer.
+  // The last samples may be closer together.
   ivec2 last = first + vtkiStep;
   bool complete = all(lessThan(last, vtkiSize));
   vec4 code = vec4(vtkiOctahedralEncode(corner.normalVC), vtkiOctahedralEncode(corner.facetVC));

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// The first bounce, which later ones are added to.
+// Copies the first bounce, to which later bounces are added.
 #include "vtkIndirectHintTexture.glsl"
 #include "vtkIndirectHintOutput.glsl"
 

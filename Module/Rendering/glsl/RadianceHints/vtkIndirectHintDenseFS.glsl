@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// First bounce at a hint: all senders of a list.
+// First bounce at a hint: the sum over all senders of a list.
 #include "vtkIndirectHintInject.glsl"
 
 uniform sampler2D vtkiLightPosition; // position, area

@@ -1,5 +1,5 @@
-// What the eye's depth says about the way between two points (section 8 of the paper). Not
-// physical: what is hidden from the eye need not be hidden from a sender.
+// Occlusion between two points by the eye's depth buffer (section 8 of the paper). Not physical: a
+// point hidden from the eye need not be hidden from a sender.
 #include "vtkIndirectLibSurface.glsl"
 
 uniform int vtkiDepthSamples; // 0: off

@@ -1,8 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// A further bounce at a hint as in the paper: what other hints within a range receive, weighed by how
-// near surfaces they are (Eq. 9) and by the odds that nothing is in between (Eq. 11).
-// Eq. 8 with its weights normalized once:
+// A further bounce at a hint as in the paper: the light of other hints within a range, weighted by
+// their nearness to surfaces (Eq. 9) and by the probability of free sight (Eq. 11). Eq. 8 with its
+// weights normalized once:
 //   c_lm += 4 pi sum_j V_j w_j albedo_j E_j Y_lm(d_j) / sum_j V_j w_j,  w_j = 1 - nearest_j
 // E_j: irradiance at hint j on a surface that faces this hint.
 #include "vtkIndirectHintTexture.glsl"
@@ -12,7 +12,7 @@
 #endif
 
 uniform sampler2D vtkiHintAlbedo;
-uniform vec4 vtkiMeanAlbedo; // 1 in the last: for all surfaces
+uniform vec4 vtkiMeanAlbedo; // 1 in the last component: for all surfaces
 uniform int vtkiSampleCount;
 uniform float vtkiRange;
 uniform int vtkiLobes;
@@ -33,7 +33,7 @@ void main()
   float weights = 0.0f;
   int found = 0;
   bool used = hint < vtkiHintCount && place.w > 0.0f;
-  // Tries outside the range or the grid are repeated, up to eight for each sample asked for.
+  // Samples outside the range or the grid are repeated, with up to eight tries for each.
   int tries = used ? 8 * vtkiSampleCount : 0;
   for (int i = 0; i < tries && found < vtkiSampleCount; ++i)
   {

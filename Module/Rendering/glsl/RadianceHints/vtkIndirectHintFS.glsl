@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Irradiance from the hints at every vtkiStep-th pixel, with VTKI_KEEP mixed with that of the last frame,
-// and what the cell of pixels beyond it holds.
+// Irradiance from the hints at every vtkiStep-th pixel, with VTKI_KEEP mixed with that of the last
+// frame, and the state of the pixel's cell.
 #include "vtkIndirectHintCell.glsl"
 #include "vtkIndirectHintLookup.glsl"
 

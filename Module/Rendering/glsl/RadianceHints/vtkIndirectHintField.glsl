@@ -1,5 +1,5 @@
 // The radiance field at a hint: spherical harmonics of the incoming radiance.
-// VTKI_HINT_LAYOUT, how colours are held:
+// VTKI_HINT_LAYOUT, the storage of colours:
 //   0  order 2, red, green, blue: 12 numbers
 //   1  order 3 of the luma, order 1 of the chroma: 11 numbers
 //   2  order 3, red, green, blue: 27 numbers
@@ -29,7 +29,7 @@ vtkiField vtkiZeroField()
   return f;
 }
 
-// radiance times solid angle, from a unit direction
+// light: radiance times solid angle, from a unit direction.
 void vtkiAddLight(inout vtkiField f, vec3 light, vec3 direction)
 {
   vec4 low = vtkiHarmonicsLow(direction);
@@ -53,7 +53,7 @@ void vtkiAddLight(inout vtkiField f, vec3 light, vec3 direction)
 #endif
 }
 
-// Irradiance on a surface of this normal; lobes: without ringing, otherwise linear in the field.
+// Irradiance on a surface of this normal. lobes: without ringing, otherwise linear in the field.
 vec3 vtkiFieldIrradiance(vtkiField f, vec3 normal, bool lobes)
 {
 #if VTKI_HINT_LAYOUT == 1
@@ -62,10 +62,10 @@ vec3 vtkiFieldIrradiance(vtkiField f, vec3 normal, bool lobes)
   {
     luma = max(luma, 0.0f);
   }
-  // The chroma has no direction of its own: it goes with the luma. total: of all light around.
+  // The chroma has no direction of its own and follows the luma. total: of all light around.
   float total = f.c[0].x / 0.28209479f;
   vec2 chroma = total > 0.0f ? f.c[2].yz / total : vec2(0.0f);
-  // light = luma (1, 1, 1) + what the two differences add
+  // light = luma (1, 1, 1) + the two differences' contribution
   return luma * vec3(1.0f + 0.5f * (chroma.x - chroma.y), 1.0f + 0.5f * chroma.y,
     1.0f - 0.5f * (chroma.x + chroma.y));
 #else

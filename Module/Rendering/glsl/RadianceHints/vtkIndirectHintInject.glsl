@@ -1,4 +1,4 @@
-// Light that senders of the maps bring to a hint.
+// Light of the maps' senders at a hint.
 #include "vtkIndirectHintField.glsl"
 #include "vtkIndirectHintPlaces.glsl"
 #include "vtkIndirectHintOutput.glsl"
@@ -6,15 +6,15 @@
 #ifdef VTKI_HINT_OCCUPANCY
 #include "vtkIndirectLibSurface.glsl"
 
-uniform sampler2D vtkiRays; // four surfaces a texel, -1 where a ray meets none
+uniform sampler2D vtkiRays; // four surfaces a texel, -1 for a ray that meets none
 uniform sampler2D vtkiSurfelPosition;
 uniform sampler2D vtkiSurfelNormal;
 uniform int vtkiRayEdge;
 uniform int vtkiRayRowLength;
 
-// Whether a sender is in front of the surface that the ray of its direction meets, or on it. The
-// plane of that surface, not its distance: a bin of directions spans many distances on a wall that is
-// seen from the side.
+// 1 if a sender is on or in front of the surface that the ray in its direction meets. Compared with
+// the surface's plane, not its distance: a bin of directions spans many distances on a wall seen
+// from the side.
 float vtkiSeen(int hint, vec3 sender, vec3 direction)
 {
   vec2 uv = 0.5f * vtkiOctahedralEncode(direction) + 0.5f;
@@ -24,23 +24,23 @@ float vtkiSeen(int hint, vec3 sender, vec3 direction)
   vec4 four = texelFetch(vtkiRays, ivec2(texel % vtkiRayRowLength, texel / vtkiRayRowLength), 0);
   int surfel = int(four[ray & 3]);
   ivec2 at = vtkiTableTexel(max(surfel, 0));
-  // The last number: how far behind its mean plane a sender may lie on the surface.
+  // The last component is the depth behind its mean plane at which a sender may lie on the surface.
   vec4 surface = texelFetch(vtkiSurfelPosition, at, 0);
   float height = dot(sender - surface.xyz, texelFetch(vtkiSurfelNormal, at, 0).xyz);
   return surfel < 0 || height > -surface.w ? 1.0f : 0.0f;
 }
 #endif
 
-uniform float vtkiRange;     // scene units that distances are stored in
+uniform float vtkiRange;     // scene units; scale of stored distances
 uniform float vtkiSoftening; // least area of a sender as a share of the cell's face
 
-// The hint that a fragment is for.
+// The hint of a fragment.
 struct vtkiHintPlace
 {
   int hint;
   vec3 position;
-  vec3 cell;  // its size
-  float face; // mean area of a face of it
+  vec3 cell;  // size of its cell
+  float face; // mean area of the cell's faces
   bool used;
 };
 
@@ -59,7 +59,7 @@ struct vtkiHintSums
   vtkiField field;
   float nearest;
   float farthest;
-  float front; // solid angle of senders that face the hint, and that do not
+  float front; // solid angle of senders that face the hint; back: of the others
   float back;
 };
 
@@ -94,14 +94,14 @@ void vtkiAddSender(inout vtkiHintSums sums, int hint, vec3 position, vec3 sender
   }
 }
 
-// Light from a direction; light: radiance times solid angle. What the hint does not see of it counts
-// like a sender that is turned away.
+// Light from a direction; light: radiance times solid angle. The part that the hint does not see
+// counts as a sender that faces away.
 void vtkiAddDirection(
   inout vtkiHintSums sums, int hint, vec3 position, vec3 direction, float solidAngle, vec3 light)
 {
   float share = 1.0f;
 #ifdef VTKI_HINT_OCCUPANCY
-  // From farther away than anything in the scene.
+  // The sender lies beyond all of the scene.
   share = vtkiSeen(hint, position + 4.0f * direction, direction);
 #endif
   sums.front += solidAngle * share;
@@ -112,7 +112,7 @@ void vtkiAddDirection(
 void vtkiEndHint(vtkiHintSums sums)
 {
   float turned = sums.front + sums.back;
-  // Inside of closed surfaces all senders face the hint; outside, or in a solid, as many do not.
+  // Inside closed surfaces all senders face the hint; outside, or in a solid, as many face away.
   float facing = turned > 0.0f ? clamp((sums.front - sums.back) / turned, 0.0f, 1.0f) : 0.0f;
   vtkiWriteField(sums.field,
     vec4(min(sums.nearest, vtkiRange) / vtkiRange, min(sums.farthest, vtkiRange) / vtkiRange, facing,

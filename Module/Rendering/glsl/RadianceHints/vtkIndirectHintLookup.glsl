@@ -1,23 +1,23 @@
-// Irradiance at a surface from the hints around it.
-// VTKI_HINT_OCCUPANCY: hints that the surface does not see weigh nothing.
+// Irradiance at a surface from the surrounding hints. VTKI_HINT_OCCUPANCY: hints that the surface
+// does not see have no weight.
 #include "vtkIndirectHintTexture.glsl"
 #ifdef VTKI_HINT_OCCUPANCY
 #include "vtkIndirectLibPlane.glsl"
 #include "vtkIndirectOccupancy.glsl"
-// By voxel: free, the hints around it that it sees, a channel a grid; occupied, the plane of the
-// surface in it.
+// One texel a voxel: for a free voxel the surrounding hints visible from it, one channel a grid;
+// for an occupied voxel the plane of its surface.
 uniform sampler3D vtkiMasks;
 
-const int VTKI_ASIDE_STEPS = 2; // out of the voxels of two walls that meet
+const int VTKI_ASIDE_STEPS = 2; // steps out of the voxels of two walls that meet
 
-// The first free voxel before a surface (voxel coordinates): along its normal, or aside, where a wall that
-// stands on it fills the voxels there. Where there is none, the last that was tried.
+// The first free voxel before a surface (voxel coordinates), along its normal, or aside if an
+// adjacent wall fills the voxels there. If there is none, the last one tried.
 void vtkiFindOpen(vec3 place, vec3 normal, out vec3 open, out vec3 aside)
 {
   bool found = false;
   open = place;
   aside = vec3(0.0f);
-  // Conditions come last, as below.
+  // The loop's condition comes last, see vtkiHintIrradiance.
   int tried = 0;
   do
   {
@@ -41,12 +41,13 @@ void vtkiFindOpen(vec3 place, vec3 normal, out vec3 open, out vec3 aside)
 }
 #endif
 
-// Settings, as literals: nothing is evaluated for those that are off. Here as they are by default.
+// Settings as literals, so that no code is evaluated for those that are off. These are the
+// defaults.
 #ifndef VTKI_LOOKUPS
 #define VTKI_LOOKUPS 1         // 1, or 4: one above and three at 80 degrees (Eq. 7)
-#define VTKI_LOOKUP_ROTATION 0 // whether the three turn from pixel to pixel
+#define VTKI_LOOKUP_ROTATION 0 // 1: the three turn from pixel to pixel
 #define VTKI_LOBES 1
-#define VTKI_FACING 1 // whether hints behind what sends light weigh less
+#define VTKI_FACING 1 // 1: hints behind senders weigh less
 #endif
 
 const int VTKI_MARCH = 24; // steps of a look-up through the voxels
@@ -60,7 +61,7 @@ void vtkiAddLookup(
   vec3 base = floor(inGrid);
 #ifdef VTKI_HINT_OCCUPANCY
   ivec3 voxel = clamp(ivec3(floor(vtkiToVoxels(at))), ivec3(0), ivec3(vtkiOccupancySize) - 1);
-  // The mask is of the voxel's centre, and so are the hints that it names.
+  // The mask belongs to the voxel's centre, and so do the hints that it names.
   vec3 centre = (vec3(voxel) + 0.5f) / vtkiOccupancyOrigin.w + vtkiOccupancyOrigin.xyz;
   base = floor((centre - g.lower) / g.cell - 0.5f);
   vec2 masks = textureLod(vtkiMasks, (vec3(voxel) + 0.5f) / vtkiOccupancySize, 0.0f).rg;
@@ -73,7 +74,7 @@ void vtkiAddLookup(
     ivec3 hintAt = clamp(ivec3(base) + shift, ivec3(0), g.size - 1);
     int hint = g.first + hintAt.x + g.size.x * (hintAt.y + g.size.y * hintAt.z);
     vec3 w3 = mix(1.0f - blend, blend, vec3(shift));
-    // Never quite zero, so that the one hint that is seen counts wherever it lies.
+    // Above zero, so that a single visible hint counts wherever it lies.
     float w = weight * max(w3.x * w3.y * w3.z, 1.0e-4f) * float((mask >> corner) & 1);
 #ifndef VTKI_HINT_OCCUPANCY
     if (VTKI_FACING != 0)
@@ -111,9 +112,9 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
   vtkiFindOpen(vtkiToVoxels(position), normal, open, aside);
 #endif
   float fine = VTKI_GRIDS > 1 ? vtkiFineShare(position) : 0.0f;
-  // Once with the hints that are seen; where none is, once with all. Conditions come last: a loop ends
-  // when they hold for all places that are shaded together, and one that begins with them has a round
-  // more, which costs as much as the others.
+  // First with the visible hints; if there is none, once more with all hints. Conditions come last:
+  // a loop ends when they hold for all fragments shaded together, and a loop that begins with its
+  // condition runs one more round, which costs as much as the others.
   int attempt = 0;
   bool again = false;
   do
@@ -128,8 +129,8 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
       vtkiGrid g = vtkiGetGrid(grid);
       float diagonal = g.diagonal;
       vec3 cell = g.cell;
-      // Half a cell along the normal; or the paper's hemisphere, a cell's diagonal in radius and
-      // half of that above the surface.
+      // Half a cell along the normal; or the paper's hemisphere, a cell's diagonal in radius, half
+      // a diagonal above the surface.
       vec3 offset = 0.5f * dot(abs(normal), cell) * normal;
       if (VTKI_LOOKUPS > 1)
       {
@@ -141,7 +142,7 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
       }
       vec3 at = position + offset;
 #ifdef VTKI_HINT_OCCUPANCY
-      // As far as the way is free.
+      // Moves along the offset while the voxels are free.
       vec3 way = vtkiToVoxels(at) + aside - open;
       int steps = min(int(ceil(1.2f * length(way))), VTKI_MARCH);
       float reached = 0.0f;

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Joint bilateral interpolation of the coarse samples that lie on a pixel's surface. Where none does
-// nothing is written, nor depth: a second draw finds those pixels by it.
+// Joint bilateral interpolation of the coarse samples that lie on a pixel's surface. If there is
+// none, the pixel is discarded together with its depth, by which a second draw finds it.
 #include "vtkIndirectCoarse.glsl"
 
 void main()

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Irradiance from the hints at the pixels that interpolation has left.
+// Irradiance from the hints at pixels without an interpolated value.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectHintLookup.glsl"
 

@@ -1,15 +1,15 @@
-// Places of the hints. Hint i is texel vtkiTableTexel(i) of every table of hints.
+// Positions of the hints. Hint i is texel vtkiTableTexel(i) of every table of hints.
 #include "vtkIndirectLibTable.glsl"
 
-uniform sampler2D vtkiHints; // position (scene units), 1 where active
+uniform sampler2D vtkiHints; // position (scene units), 1 if active
 uniform int vtkiHintCount;
-// How many grids there are, one or two.
+// Number of grids, one or two.
 #ifndef VTKI_GRIDS
 #define VTKI_GRIDS 1
 #endif
 uniform vec4 vtkiGridLower0; // lower corner, first hint
 uniform vec4 vtkiGridCell0;  // cell, its diagonal
-uniform vec4 vtkiGridSize0;  // hints along each axis, 0
+uniform vec4 vtkiGridSize0;  // hints along each axis
 uniform vec4 vtkiGridLower1;
 uniform vec4 vtkiGridCell1;
 uniform vec4 vtkiGridSize1;
@@ -17,9 +17,9 @@ uniform vec4 vtkiGridSize1;
 struct vtkiGrid
 {
   vec3 lower; // corner
-  int first;  // hint
+  int first;  // number of its first hint
   vec3 cell;
-  float diagonal; // of a cell
+  float diagonal; // diagonal of a cell
   ivec3 size;     // hints along each axis
 };
 
@@ -36,14 +36,13 @@ ivec2 vtkiHintTexel(int hint)
   return vtkiTableTexel(hint);
 }
 
-// The grid that a hint belongs to.
 int vtkiGridOf(int hint)
 {
   return VTKI_GRIDS > 1 && hint >= int(vtkiGridLower1.w) ? 1 : 0;
 }
 
-// Well spread numbers in [0,1)^3 for item i of a sequence that starts anew at every seed: additive
-// recurrence on the generalized golden ratio (Roberts 2018) from a hashed start.
+// Evenly distributed numbers in [0,1)^3 for item i of a sequence that each seed starts anew:
+// additive recurrence on the generalized golden ratio (Roberts 2018) from a hashed start.
 vec3 vtkiSpread(int i, uint seed)
 {
   uint h = seed * 747796405u + 2891336453u;

@@ -1,13 +1,13 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What each surface reflects of the light that the hints hold now.
+// Light that each surface reflects under the current hints.
 #include "vtkIndirectHintLookup.glsl"
 
 uniform sampler2D vtkiSurfelPosition;
 uniform sampler2D vtkiSurfelNormal;
 uniform sampler2D vtkiSurfelAlbedo;
 uniform int vtkiSurfelCount;
-uniform vec4 vtkiMeanAlbedo; // 1 in the last: for all surfaces
+uniform vec4 vtkiMeanAlbedo; // 1 in the last component: for all surfaces
 
 void main()
 {

@@ -1,13 +1,13 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// First bounce at a hint as in the paper: some texels of every map, others for every hint, seen from
-// places spread over the hint's cell.
+// First bounce at a hint as in the paper: some texels of every map, others for every hint, seen
+// from positions spread over the hint's cell.
 #include "vtkIndirectMapTexel.glsl"
 #include "vtkIndirectHintInject.glsl"
 
-uniform int vtkiSampleCount; // of each layer
+uniform int vtkiSampleCount; // samples of each layer
 uniform int vtkiLayerCount;
-uniform float vtkiCoverage; // share of a map that its samples are spread over
+uniform float vtkiCoverage; // share of a map's area that its samples are spread over
 
 void main()
 {
@@ -17,7 +17,7 @@ void main()
   for (int layer = 0; layer < layers; ++layer)
   {
     vec4 map = texelFetch(vtkiMapTable, ivec2(VTKI_MAP_SHAPE, layer), 0);
-    // A square of that share about the hint's own place in the map, moved to lie in it.
+    // A square of that share about the hint's own place in the map, moved to lie inside the map.
     float edge = sqrt(vtkiCoverage);
     vec3 p = vtkiTransformRows(layer, VTKI_MAP_FROM_SCENE, vec4(place.position, 1.0f));
     float w = int(map.x + 0.5f) == VTKI_MAP_PARALLEL ? map.y : max(-p.z, 1.0e-6f) * map.y;

@@ -1,13 +1,13 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// A coarser level of the maps: a block of texels as one sender. Light and area are the block's own
-// sums. Its normal is that of the texel nearest to the mean place of its light; its place is that mean
-// where it lies on this texel's plane, otherwise the texel's own, so that a block over an edge does
-// not hang in the air.
+// A coarser level of the maps: a block of texels makes one sender. Its light and area are the
+// block's sums. Its normal is that of the texel nearest to the light-weighted mean position; its
+// position is that mean if it lies on this texel's plane, otherwise the texel's, so that the sender
+// of a block over an edge lies on a surface.
 #include "vtkIndirectMapTexel.glsl"
 
-uniform int vtkiBlocks; // along a map's edge
-uniform int vtkiReads;  // along a block's edge, at most
+uniform int vtkiBlocks; // blocks along a map's edge
+uniform int vtkiReads;  // texels along a block's edge, at most
 uniform int vtkiLightCount;
 
 void main()
@@ -20,16 +20,18 @@ void main()
   vec3 densityArea = vec3(0.0f);
   float area = 0.0f;
   float weights = 0.0f;
-  // Where senders are does not depend on the light's strength, not even by rounding: decisions on what
-  // hides them would fall otherwise. So its colour, in steps, weighs what is reflected.
+  // The senders' positions must not depend on the light's strength, not even by rounding, because
+  // tests of visibility would change with it. So the light's colour, in steps, weights the
+  // reflectance.
   vec3 power = texelFetch(vtkiMapTable, ivec2(VTKI_MAP_LIGHT, min(layer, 1 << 20)), 0).rgb;
   float most = max(power.r, max(power.g, power.b));
   vec3 hue = most > 0.0f
     ? max(floor(power / most * 1024.0f + 0.5f), ceil(min(power / most, 1.0f))) / 1024.0f
     : vec3(0.0f);
   int texels = int(texelFetch(vtkiMapTable, ivec2(VTKI_MAP_SHAPE, min(layer, 1 << 20)), 0).z);
-  // Whole texels, each in one block only: blocks that share them would count some twice and others
-  // never, and a row of them at a surface's edge is far more light than the mean allows for.
+  // Blocks are of whole texels, each in one block only: overlapping blocks would count some texels
+  // twice and others never, and a row of doubled texels at a surface's edge is far more light than
+  // the mean allows for.
   ivec2 column = ivec2(block % vtkiBlocks, block / vtkiBlocks);
   ivec2 first = column * texels / vtkiBlocks;
   ivec2 width = (column + 1) * texels / vtkiBlocks - first;
@@ -46,7 +48,7 @@ void main()
       float weight = dot(light.reflected, hue);
       mean += weight * light.position;
       densityArea += light.densityArea;
-      // Unlit surface in the block sends nothing and makes the sender no larger.
+      // Unlit texels of the block send no light and do not enlarge the sender.
       area += weight > 0.0f ? light.area : 0.0f;
       weights += weight;
     }
@@ -65,7 +67,8 @@ void main()
     {
       vec3 offset = light.position - mean;
       float distance2 = dot(offset, offset);
-      // In a regular block several are as near: the first of them, however the mean is rounded.
+      // In a regular block several texels are equally near: takes the first of them, however the
+      // mean is rounded.
       bool nearer = distance2 < 0.99f * nearest;
       position = nearer ? light.position : position;
       normal = nearer ? light.normal : normal;

@@ -1,11 +1,12 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// A further bounce at a hint: what the surfaces around it reflect, one ray a share of the sphere.
+// A further bounce at a hint: light that the surrounding surfaces reflect, one ray for each share
+// of the sphere.
 #include "vtkIndirectHintField.glsl"
 #include "vtkIndirectHintPlaces.glsl"
 #include "vtkIndirectHintOutput.glsl"
 
-uniform sampler2D vtkiRays; // four surfaces a texel, -1 where a ray meets none
+uniform sampler2D vtkiRays; // four surfaces a texel, -1 for a ray that meets none
 uniform sampler2D vtkiDirections;
 uniform sampler2D vtkiRadiosity;
 uniform int vtkiRayEdge;

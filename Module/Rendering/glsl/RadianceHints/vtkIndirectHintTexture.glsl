@@ -1,4 +1,4 @@
-// Reads and writes the fields of the hints.
+// Reads the fields of the hints.
 #include "vtkIndirectHintField.glsl"
 #include "vtkIndirectHintPlaces.glsl"
 
@@ -11,7 +11,8 @@ uniform sampler2D vtkiField4;
 uniform sampler2D vtkiField5;
 uniform sampler2D vtkiField6;
 #endif
-uniform sampler2D vtkiHintDistance; // nearest and farthest sender over vtkiRange, faces turned here
+// nearest and farthest sender over vtkiRange, share of surfaces facing the hint
+uniform sampler2D vtkiHintDistance;
 
 void vtkiAddHint(inout vtkiField f, int hint, float weight)
 {

@@ -1,11 +1,11 @@
-// What splats leave of virtual lights.
+// The far field: light of virtual lights that their splats cut off.
 #include "vtkIndirectSplatLobe.glsl"
 
 struct vtkiFarField
 {
-  vec3 irradiance; // that is cut off
-  float all;       // luminance of all that comes
-  vec3 vector;     // luminance of the vector irradiance of what is cut off
+  vec3 irradiance; // irradiance of the light cut off
+  float all;       // luminance of all light
+  vec3 vector;     // luminance of the vector irradiance of the light cut off
 };
 
 vtkiFarField vtkiSumFarField(vec3 position, vec3 normal, vec3 facet, int first, int end)
@@ -34,7 +34,8 @@ vtkiFarField vtkiSumFarField(vec3 position, vec3 normal, vec3 facet, int first, 
     }
 #endif
     sum.irradiance += left;
-    // Over the cosine. What is below a light comes from elsewhere than its middle, which may lie at the horizon.
+    // Over the cosine. The branches of a cluster lie elsewhere than its middle, which may be at the
+    // horizon.
     float across = max(dot(normal, toSender), 0.05f * length(toSender));
     sum.vector += across > 0.0f ? (vtkiLuminance(left) / across) * toSender : vec3(0.0f);
   }

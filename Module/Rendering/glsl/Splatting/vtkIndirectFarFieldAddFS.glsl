@@ -1,8 +1,9 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What splats leave, at every pixel, to be added: interpolated from the four samples around, and summed anew where
-// none of them faces the pixel's way. It comes from afar and varies slowly with the place, so that samples on other
-// surfaces serve where there are none on the pixel's own. With the normal it varies as the vector irradiance does.
+// Adds the far field at every pixel: interpolated from the four surrounding samples, and summed
+// anew if none of them faces the pixel's way. It varies slowly with the position, because it comes
+// from a distance: samples on other surfaces serve if there are none on the pixel's own. With the
+// normal it varies as the vector irradiance does.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibInterpolation.glsl"
 #include "vtkIndirectStep.glsl"
@@ -12,13 +13,14 @@ uniform sampler2D vtkiCoarse;
 uniform sampler2D vtkiCoarseVector;
 uniform ivec2 vtkiCoarseSize;
 
-// What a sample on another surface counts, of one on the pixel's own. Normals must agree either way: lights that one
-// of them has below its horizon and the other has not are not told.
+// Weight of a sample on another surface, relative to one on the pixel's own. Normals must agree in
+// both cases: samples do not show lights that are below the horizon of one normal and not of the
+// other.
 const float VTKI_OTHER_SURFACE = 0.01f;
-// Weights together that say nothing.
+// Below this sum of weights no sample serves.
 const float VTKI_LEAST_WEIGHT = 1.0e-6f;
 
-// Irradiance at the pixel by one sample, its weight in the fourth component.
+// Irradiance at the pixel from one sample; in the fourth component its weight.
 vec4 vtkiFarFieldBySample(vtkiReceiver receiver, ivec2 at, float weight)
 {
   vtkiReceiver other;
@@ -36,7 +38,8 @@ vec4 vtkiFarFieldBySample(vtkiReceiver receiver, ivec2 at, float weight)
   weight *= same ? 1.0f : elsewhere;
   vec3 vector = texelFetch(vtkiCoarseVector, at, 0).rgb;
   float correction = vtkiNormalCorrection(dot(vector, other.normal), dot(vector, receiver.normal));
-  // A light's cosine is convex in the normal: between samples values lie above it by as much as tangents lie below.
+  // A light's cosine is convex in the normal: between samples it is as far above the interpolated
+  // value as tangents are below.
   correction = same ? 0.5f * (1.0f + correction) : correction;
   return weight * vec4(correction * texelFetch(vtkiCoarse, at, 0).rgb, 1.0f);
 }
@@ -48,7 +51,7 @@ void main()
   vec3 left = vec3(0.0f);
   if (vtkiFetchReceiver(pixel, receiver))
   {
-    // The last samples may lie closer.
+    // The last samples may be closer together.
     ivec2 corner = pixel / vtkiStep;
     ivec2 first = corner * vtkiStep;
     vec2 blend = vec2(pixel - first) / vec2(max(min(first + vtkiStep, vtkiSize - 1) - first, 1));
@@ -57,7 +60,7 @@ void main()
     {
       ivec2 shift = ivec2(i & 1, i >> 1);
       vec2 w = mix(1.0f - blend, blend, vec2(shift));
-      // A sample next to the pixel may be the only one.
+      // The constant keeps a single agreeing sample at the cell's other end.
       sum += vtkiFarFieldBySample(receiver, min(corner + shift, vtkiCoarseSize - 1), w.x * w.y + 1.0e-3f);
     }
     if (sum.a > VTKI_LEAST_WEIGHT)

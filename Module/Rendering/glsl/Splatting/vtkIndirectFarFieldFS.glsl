@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What splats leave, at every vtkiStep-th pixel.
+// The far field at every vtkiStep-th pixel.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectStep.glsl"
 #include "vtkIndirectFarField.glsl"

@@ -1,6 +1,7 @@
 //VTK::System::Dec
-// What specular receivers reflect of virtual lights: a group of invocations for each tile of 16 x 16 pixels lists the
-// lights that any of its receivers' lobes can see, and the lobes of lights that reach it, and sums these.
+// Specular reflection of virtual lights by the receivers: a group of invocations for each tile of
+// 16 x 16 pixels lists the lights that any of its receivers' lobes can see, and the lobes of lights
+// that extend to it, and sums these.
 #include "vtkIndirectReceiver.glsl"
 
 uniform sampler2D vtkiSpecular;
@@ -11,18 +12,18 @@ uniform sampler2D vtkiSpecular;
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(rgba32f, binding = 0) uniform image2D vtkiSum;
-uniform bool vtkiAdds; // to what further lights have given
+uniform bool vtkiAdds; // adds to the sum of earlier lights
 
 shared uint vtkiLowestMirror[3];
 shared uint vtkiHighestMirror[3];
 shared uint vtkiLeastPower;
-shared uint vtkiLeastCosine; // of a mirror direction to their middle
+shared uint vtkiLeastCosine; // least cosine of the mirror directions to their middle
 shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
 #ifdef VTKI_SPLAT_LOBES
 shared uint vtkiListedLobes[VTKI_ROW_LENGTH / 32];
 #endif
 
-// Whether any of the tile's receivers may see a light: of what is below it, too, where they are near to it.
+// True if any of the tile's receivers may see a light, or its branches if they are near to it.
 bool vtkiTileSeesLight(
   vec4 sender, vec4 senderNormal, vec3 middle, float radius, vec3 mirror, float cosine, float power)
 {
@@ -83,7 +84,7 @@ void main()
   bool inside = pixel.x < vtkiSize.x && pixel.y < vtkiSize.y;
   bool lit = vtkiFetchReceiver(min(pixel, vtkiSize - 1), receiver) && inside;
   vec4 specular = texelFetch(vtkiSpecular, min(pixel, vtkiSize - 1), 0);
-  // Powers below zero are roughnesses of VTK's PBR, which area lights alone know.
+  // Negative powers are roughnesses of VTK's PBR; only area lights support these.
   bool wanted = lit && specular.a >= 0.0f && max(max(specular.r, specular.g), specular.b) > 0.0f;
   vtkiReceiverMirror = mat3(vtkiViewToScene) * vtkiMirror(receiver.positionVC, receiver.normalVC);
   vtkiReceiverPower = specular.a;

@@ -3,9 +3,9 @@
 #include "vtkIndirectLibTable.glsl"
 
 uniform sampler2D vtkiSplatCenter; // centre, half length
-uniform sampler2D vtkiSplatAxis;   // axis, half width; below zero: no splat
+uniform sampler2D vtkiSplatAxis;   // axis, half width; negative: no splat
 #ifdef VTKI_SPLAT_LOBES
-uniform sampler2D vtkiLobeSplatCenter; // the same of lobes
+uniform sampler2D vtkiLobeSplatCenter; // the same for lobes
 uniform sampler2D vtkiLobeSplatAxis;
 #endif
 

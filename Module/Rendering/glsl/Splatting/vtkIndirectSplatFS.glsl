@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What one virtual light, or with VTKI_SPLAT_LOBES its lobe, gives a pixel under its splat, to be added; the fourth
-// component counts splats.
+// Adds the irradiance of one virtual light, or with VTKI_SPLAT_LOBES of its lobe, to a pixel under
+// its splat; the fourth component counts splats.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectSplatLobe.glsl"
 

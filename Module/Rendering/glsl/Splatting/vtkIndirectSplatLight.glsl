@@ -1,10 +1,11 @@
-// How far a virtual light counts: its intensity against the lowest that does.
+// Distance to which a virtual light counts, from its intensity and the lowest intensity that
+// counts.
 #include "vtkIndirectGatherVirtualLights.glsl"
 #include "vtkIndirectLibSplat.glsl"
 #include "vtkIndirectSplatLow.glsl"
 
-// Along the normal, of the brightest colour. With branches a light stands for normals that differ, and sends
-// some light to all sides.
+// Intensity along the normal, in the brightest colour. With branches a light represents various
+// normals and sends some light to all sides.
 float vtkiGreatestIntensity(vec3 senderNormal, vec3 density)
 {
   float intensity = max(max(density.r, density.g), density.b) / VTKI_PI;
@@ -14,14 +15,14 @@ float vtkiGreatestIntensity(vec3 senderNormal, vec3 density)
   return max(intensity, 0.0f);
 }
 
-// Squared distance to which the light reaches along its normal. Both intensities go with what lights send, which
-// may be anything: nothing but their quotient is of order one.
+// Squared distance to which the light counts along its normal. Both intensities scale with the
+// scene's light, which is arbitrary: only their quotient is of order one.
 float vtkiSquaredReach(float intensity, float low)
 {
   return low > 0.0f ? min(intensity / low, 1.0e12f) : 1.0e12f;
 }
 
-// Intensity over the squared distance at a place, over the lowest that counts.
+// Intensity over the squared distance at a position, over the lowest that counts.
 float vtkiSplatLevel(vec3 toSender, vec4 sender, vec3 senderNormal, vec3 density, float low)
 {
   float r2 = max(dot(toSender, toSender), 1.0e-20f);
@@ -32,7 +33,7 @@ float vtkiSplatLevel(vec3 toSender, vec4 sender, vec3 senderNormal, vec3 density
 #endif
   float intensity = max(max(density.r, density.g), density.b) / VTKI_PI;
   float level = vtkiSquaredReach(intensity, low) * (projected / (sqrt(r2) * r2));
-  // Light from a direction has no distance, and nothing is cut off where all counts.
+  // Light from a direction has no distance; with a lowest intensity of zero nothing is cut off.
   return sender.w < 0.0f || !(low > 0.0f) ? 2.0f : level;
 }
 
@@ -42,8 +43,9 @@ const bool vtkiSplatFades = true;
 const bool vtkiSplatFades = false;
 #endif
 
-// Distance within which all of a light is its splat's: with branches, which lie elsewhere than the light's middle and
-// vary as fast as any near light, that to which they are summed; with a far field the light's neighbourhood.
+// Distance within which the splat has all of a light: with branches, which lie elsewhere than the
+// light's middle and vary as fast as any near light, the distance to which these are summed; with a
+// far field the light's neighbourhood.
 float vtkiBall(vec4 sender, vec4 senderNormal)
 {
   float ball = vtkiSplatFades ? vtkiNearReach(sender.w) : 0.0f;
@@ -53,7 +55,7 @@ float vtkiBall(vec4 sender, vec4 senderNormal)
   return ball;
 }
 
-// What the splat gives of a light at a place, the rest being the far field's.
+// Share of a light at a position that its splat has; the far field has the rest.
 float vtkiShareOfSplat(vec3 toSender, vec4 sender, vec4 senderNormal, vec3 density, float low)
 {
   float level = vtkiSplatLevel(toSender, sender, senderNormal.xyz, density, low);
@@ -62,7 +64,7 @@ float vtkiShareOfSplat(vec3 toSender, vec4 sender, vec4 senderNormal, vec3 densi
   return max(share, vtkiSplatFades || near <= 0.0f ? near : 1.0f);
 }
 
-// All that comes of a light.
+// The light of a sender, not cut off.
 vec3 vtkiWholeSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density)
 {
   vec3 irradiance = vec3(0.0f);
@@ -76,7 +78,7 @@ vec3 vtkiWholeSender(vec3 position, vec3 normal, vec3 open, int light, vec4 send
   return irradiance;
 }
 
-// What its splat gives of that.
+// The splat's part of that light.
 vec3 vtkiSplatSender(
   vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density, float low)
 {

@@ -1,4 +1,4 @@
-// What the lobe of a virtual light gives, as far as it counts (VTKI_SPLAT_LOBES: lights have lobes).
+// Light of a virtual light's lobe, within its splat (VTKI_SPLAT_LOBES: lights have lobes).
 #include "vtkIndirectSplatLight.glsl"
 #include "vtkIndirectLibLobeSplat.glsl"
 #include "vtkIndirectLibSubsplat.glsl"
@@ -7,13 +7,14 @@
 uniform sampler2D vtkiLobeDirection; // direction, exponent
 uniform sampler2D vtkiLobeDensity;   // flux density times area
 
-// Flux over the lowest intensity over a squared distance that counts. Only this quotient is of order one.
+// Flux over the lowest intensity over a squared distance that counts. Only this quotient is of
+// order one.
 float vtkiLobeFlux(vec3 density, float low)
 {
   return vtkiSquaredReach(max(max(density.r, density.g), density.b), low);
 }
 
-// What comes of it: the part that its splat gives, or the rest; luminance of both is added to all.
+// Light of a lobe: its splat's part, or the rest; adds the luminance of both to all.
 vec3 vtkiAddSplatLobe(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec3 senderNormal, vec4 direction,
   vec3 density, float low, bool rest, inout float all)
 {

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Mean intensity of the lights that send, a lobe's flux taken as that of diffuse light, over pi: by columns of their
-// table, then over the columns.
+// Mean intensity of the lights that send; a lobe counts its flux as that of diffuse light, over pi.
+// First by columns of their table, then over the columns.
 #include "vtkIndirectSplatLobe.glsl"
 
 #ifdef VTKI_SPLAT_COLUMNS
@@ -27,7 +27,7 @@ void main()
     vec4 senderNormal;
     vec3 density;
     vtkiFetchLight(light, sender, senderNormal, density);
-    // Light from a direction is radiance times a solid angle, and has no reach.
+    // A light from a direction is radiance times solid angle: its distance is unbounded.
     float intensity = sender.w < 0.0f ? 0.0f : vtkiGreatestIntensity(senderNormal.xyz, density);
 #ifdef VTKI_SPLAT_LOBES
     vec3 flux = texelFetch(vtkiLobeDensity, vtkiTableTexel(light), 0).rgb;

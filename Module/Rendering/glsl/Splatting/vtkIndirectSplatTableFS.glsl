@@ -1,6 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// One fragment a virtual light: the ellipsoid outside of which it does not count, and its lobe's.
+// One fragment a virtual light: the bounding ellipsoids of the light and of its lobe, outside of
+// which they do not count.
 #include "vtkIndirectSplatLobe.glsl"
 
 void main()
@@ -16,7 +17,7 @@ void main()
   if (sender.w >= 0.0f && low > 0.0f)
   {
 #ifdef VTKI_DIVIDED
-    // Cosines are those of one normal, or else spread to all sides.
+    // Cosine of a single normal, or a light spread to all sides.
     float exponent = vtkiSpreadOfNormals(senderNormal.xyz) > 0.0f ? 0.0f : 1.0f;
 #else
     const float exponent = 1.0f;

@@ -1,6 +1,7 @@
 //VTK::System::Dec
-// A group of invocations for each tile of 16 x 16 pixels: lists the splats that meet the box about the tile's
-// surfaces, a set of bits for 256 of them at a time, and sums those in the order of their numbers.
+// A group of invocations for each tile of 16 x 16 pixels lists the splats that meet the bounding
+// box of the tile's surfaces, a bit set for 256 of them at a time, and sums those in the order of
+// their numbers.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectSplatLobe.glsl"
 #include "vtkIndirectSplatBounds.glsl"
@@ -8,7 +9,7 @@
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(rgba32f, binding = 0) uniform image2D vtkiSum;
-uniform bool vtkiAdds; // to what further lights have given
+uniform bool vtkiAdds; // adds to the sum of earlier lights
 
 shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
 #ifdef VTKI_SPLAT_LOBES

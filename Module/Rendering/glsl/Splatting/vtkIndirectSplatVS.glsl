@@ -1,33 +1,37 @@
 //VTK::System::Dec
-// A splat, an instance a virtual light, or with VTKI_SPLAT_LOBES its lobe: the far side of its ellipsoid, or a
-// rectangle about it as far away as that reaches. What is drawn passes the depth test only in front of that.
+// A splat for each virtual light, an instance, or with VTKI_SPLAT_LOBES for its lobe: the far side
+// of its ellipsoid, or a rectangle around it at the ellipsoid's greatest depth. Only surfaces in
+// front of that depth pass the depth test.
 #include "vtkIndirectSplatLow.glsl"
 #include "vtkIndirectSplatBounds.glsl"
 
-uniform sampler2D vtkiLightPosition; // as in vtkIndirectGatherVirtualLights.glsl
+uniform sampler2D vtkiLightPosition; // see vtkIndirectGatherVirtualLights.glsl
 uniform sampler2D vtkiLightNormal;
 #ifdef VTKI_SPLAT_LOBES
 uniform sampler2D vtkiLobeDirection;
 uniform sampler2D vtkiLobeDensity;
-flat out vec4 vtkiSplatDirection; // and the exponent
+flat out vec4 vtkiSplatDirection; // direction and exponent
 #else
 uniform sampler2D vtkiLightDensity;
 #endif
-in vec3 vtkiCorner; // of the polyhedron about the unit ball, or of the rectangle from -1 to 1
+// corner of the polyhedron about the unit ball, or of the rectangle from -1 to 1
+in vec3 vtkiCorner;
 uniform int vtkiFirstLight;
 uniform mat4 vtkiSceneToClip;
-uniform float vtkiDepthMargin; // of normalized device coordinates: what depths are rounded by
+uniform float vtkiDepthMargin; // rounding of depths in normalized device coordinates
 flat out int vtkiSplatNumber;
 flat out vec4 vtkiSplatPosition;
 flat out vec4 vtkiSplatNormal;
-flat out vec4 vtkiSplatDensity; // and the lowest intensity over a squared distance that counts
+// density, and the lowest intensity over a squared distance that counts
+flat out vec4 vtkiSplatDensity;
 
 vec4 vtkiClipRow(int i)
 {
   return vec4(vtkiSceneToClip[0][i], vtkiSceneToClip[1][i], vtkiSceneToClip[2][i], vtkiSceneToClip[3][i]);
 }
 
-// Its corner of the rectangle about the ellipsoid; of the whole view where that reaches to the eye's plane.
+// Corner of the rectangle around the ellipsoid; of the whole view if the ellipsoid extends to the
+// eye's plane.
 vec4 vtkiRectangleCorner(vtkiSplat splat)
 {
   vec4 rowW = vtkiClipRow(3);
@@ -40,7 +44,7 @@ vec4 vtkiRectangleCorner(vtkiSplat splat)
   const float margin = 1.0e-4f;
   vec4 corner = vec4(vtkiCorner.x < 0.0f ? x.x - margin : x.y + margin,
     vtkiCorner.y < 0.0f ? y.x - margin : y.y + margin, z.y, 1.0f);
-  // Depth one is the background's.
+  // The background has depth one.
   corner = where == 0 ? vec4(vtkiCorner.xy, 1.0f, 1.0f) : corner;
   corner.z = min(corner.z, 1.0f);
   return where < 0 ? vec4(2.0f, 2.0f, 2.0f, 1.0f) : corner;

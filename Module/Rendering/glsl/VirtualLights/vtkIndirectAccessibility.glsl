@@ -1,7 +1,7 @@
-// How much of the hemisphere above a texel of a light's map other surfaces in that map leave open. Needs
-// vtkIndirectMapTexel.glsl and vtkIndirectLibImportance.glsl.
+// Share of the hemisphere above a texel of a light's map that other surfaces in the map leave open.
+// Needs vtkIndirectMapTexel.glsl and vtkIndirectLibImportance.glsl.
 
-// Neighbors that are looked at: as many directions at each of these distances.
+// Sampled neighbours: this many directions at each of the distances.
 const int VTKI_NEIGHBOR_DIRECTIONS = 8;
 const int VTKI_NEIGHBOR_RINGS = 3;
 

@@ -1,16 +1,19 @@
-// Nodes of a tree below virtual lights: a receiver that is near to a light sums these in its place
-// (vtkLightTreeSampler). Lights are summed whole first, VTKI_NEAR_LIGHTS at a time, and those that are near to a
-// receiver are kept in a set of bits and looked at afterwards: to walk below each light as it comes takes as long
-// for those that are far, where groups of receivers go through a loop together.
+// Branches of virtual lights (vtkLightTreeSampler): a receiver near to a cluster sums its branches
+// instead of the cluster. Clusters are summed as a whole first, VTKI_NEAR_LIGHTS at a time; a bit
+// set keeps the near ones, whose branches are walked afterwards. Walking them in the first loop
+// would take as long for receivers that are far, where groups of receivers run through a loop
+// together.
 #include "vtkIndirectLightRow.glsl"
 
 const int VTKI_NEAR_LIGHTS = 128;
 
-uniform sampler2D vtkiBranchPosition; // as of virtual lights; see vtkIndirectLibTable.glsl for their order
+// as the virtual lights' table; see vtkIndirectLibTable.glsl for the order
+uniform sampler2D vtkiBranchPosition;
 uniform sampler2D vtkiBranchNormal;
 uniform sampler2D vtkiBranchDensity;
 
-// Share of a light that comes from the nodes below it: all within eight tenths of its reach, none beyond it.
+// Share of a cluster's light that comes from its branches: all within eight tenths of its reach,
+// none beyond it.
 float vtkiDivision(float distance2, float reach)
 {
   float reach2 = max(reach * reach, 1.0e-30f);
@@ -29,7 +32,7 @@ bool vtkiHasNear(uvec4 near)
   return (near.x | near.y | near.z | near.w) != 0u;
 }
 
-// Takes a light out of those that are kept.
+// Removes the first light from the set and returns its number.
 int vtkiTakeNear(inout uvec4 near)
 {
   int word = near.x != 0u ? 0 : (near.y != 0u ? 1 : (near.z != 0u ? 2 : 3));
@@ -37,12 +40,12 @@ int vtkiTakeNear(inout uvec4 near)
   uint lowest = bits & (~bits + 1u);
   near &= ~uvec4(word == 0 ? lowest : 0u, word == 1 ? lowest : 0u, word == 2 ? lowest : 0u,
     word == 3 ? lowest : 0u);
-  // Floats have powers of two exactly; rounding takes care of the logarithm.
+  // log2 of a power of two may be off by rounding, which the 0.5 absorbs.
   return 32 * word + int(log2(float(lowest)) + 0.5f);
 }
 
-// The walk through what is below a light: the place after this one, below it where that is wanted.
-// A reach below zero: here is nothing, nor at the places of its kind that follow.
+// Next place of the walk through a cluster's branches: a child if below is set, otherwise the next
+// branch. A negative reach ends the siblings: neither this place nor those after it hold one.
 int vtkiNextBranch(int place, float reach, bool below)
 {
   const int family = VTKI_BRANCHES_PER_NODE + 1;

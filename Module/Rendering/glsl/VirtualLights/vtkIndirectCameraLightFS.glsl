@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Virtual lights of a headlight, read from the geometry buffer: the eye's view is its map.
+// Virtual lights of a headlight, read from the geometry buffer, which serves as its map.
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectAlbedo.glsl"
 #include "vtkIndirectLibLightMap.glsl"
@@ -28,13 +28,13 @@ void main()
   {
     vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vtkiSize - 1.0f;
     vec3 p = vtkiReconstruct(ndc, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
-    // The facet sends, lit by the normal.
+    // The facet sends, and the shading normal lights it.
     normal = vtkiSurfaceFacet(surface);
     // Edge vectors of the pixel on the plane at this depth: its area there, whatever the projection.
     vec3 dx = (vtkiRayOrigin[0] + vtkiSurfaceDepth(surface) * vtkiRayDirection[0]) * (2.0f / vtkiSize.x);
     vec3 dy = (vtkiRayOrigin[1] + vtkiSurfaceDepth(surface) * vtkiRayDirection[1]) * (2.0f / vtkiSize.y);
     float pixelArea = length(cross(dx, dy));
-    // In stereo an eye stands beside the origin.
+    // In stereo the eye is beside the origin.
     vec3 toEye = vtkiParallel != 0 ? vec3(0.0f, 0.0f, 1.0f) : normalize(vtkiRayOrigin[2] - p);
     // pixelArea is perpendicular to the axis: seen from the eye it covers area * toEye.z / (n.v).
     float cosEye = max(dot(normal, toEye), sqrt(pixelArea));

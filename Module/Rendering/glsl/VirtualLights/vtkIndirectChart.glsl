@@ -1,13 +1,15 @@
-// Charts of the lights' maps, the squares in which virtual lights are drawn from: a texture has one row of numbers a
-// chart. A map of one face is its own chart; a map of several has a chart of its directions, areas kept.
+// Charts of the lights' maps, the unit squares in which virtual lights are sampled: a texture has a
+// row of numbers for each chart. A map of one face is its own chart; a map of several faces has an
+// equal-area chart of its directions.
 #include "vtkIndirectMapTexel.glsl"
 #include "vtkIndirectLibImportance.glsl"
 
 uniform sampler2D vtkiCharts;   // first layer; cosine of the cone of light, or 2 for a map of one face
 uniform int vtkiCells;          // along an edge of a chart
-uniform int vtkiColumns;        // of charts, as nodes lie
+uniform int vtkiColumns;        // charts in a row of the nodes' texture
 
-// What a cell of a chart stands for: a texel, and how many of its kind. False where the map has none.
+// The texel for a cell of a chart, and the number of texels it represents. Returns false if the map
+// has none.
 bool vtkiChartTexel(int chart, ivec2 cell, out int layer, out ivec2 texel, out float texels)
 {
   vec4 row = texelFetch(vtkiCharts, ivec2(chart, 0), 0);
@@ -28,7 +30,7 @@ bool vtkiChartTexel(int chart, ivec2 cell, out int layer, out ivec2 texel, out f
     texels = angle / vtkiTexelSolidAngle((vec2(texel) + 0.5f) * texelSize - 1.0f, texelSize);
     return true;
   }
-  // Of a map that is larger than its chart one texel of several stands for these.
+  // If a map is larger than its chart, one texel represents its neighbours.
   int step = (edge + vtkiCells - 1) / vtkiCells;
   ivec2 first = cell * step;
   ivec2 size = min(ivec2(step), ivec2(edge) - first);

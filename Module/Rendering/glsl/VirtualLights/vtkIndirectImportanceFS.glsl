@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What the cells of charts are drawn by: the lowest nodes, four cells each.
+// Importance of the charts' cells: the lowest nodes, four cells each.
 #include "vtkIndirectChart.glsl"
 #include "vtkIndirectAccessibility.glsl"
 #ifdef VTKI_SPECULAR
@@ -9,9 +9,9 @@
 
 uniform int vtkiNumberOfCharts;
 uniform float vtkiOcclusion;
-uniform float vtkiScale; // over the strongest light's intensity, so that no product is too small for a float
+uniform float vtkiScale; // over the strongest light's intensity, so that no product underflows
 
-// Whether a cell sends light, and how much.
+// Two importances of a cell: one if it sends light, and the flux it sends.
 vec2 vtkiCellImportance(int chart, ivec2 cell)
 {
   int layer;
@@ -25,7 +25,7 @@ vec2 vtkiCellImportance(int chart, ivec2 cell)
   }
   vec3 flux = light.reflected * (texelFetch(vtkiMapTable, ivec2(VTKI_MAP_LIGHT, layer), 0).rgb * vtkiScale);
 #ifdef VTKI_SPECULAR
-  // What is sent in a lobe is light as well.
+  // Flux in the specular lobe counts as well.
   vtkiTexelLobe lobe;
   if (vtkiLobeFromTexel(layer, texel, texels, lobe))
   {
@@ -33,7 +33,8 @@ vec2 vtkiCellImportance(int chart, ivec2 cell)
   }
 #endif
   float sum = flux.r + flux.g + flux.b;
-  // Cells of directions are all of the same size; texels that stand for others count as these.
+  // Cells of a chart of directions have equal size; a texel of other charts counts as often as the
+  // texels it represents.
   float even = texelFetch(vtkiCharts, ivec2(chart, 0), 0).y <= 1.0f ? 1.0f : texels;
   if (!(sum > 0.0f))
   {

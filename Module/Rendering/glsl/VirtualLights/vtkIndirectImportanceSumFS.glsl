@@ -1,14 +1,14 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// A level of nodes from the level below it: each quadrant is the sum of a node's.
+// Builds a level of nodes from the level below: each quadrant is the sum of a node's quadrants.
 #include "vtkIndirectLibPortable.glsl"
 
 uniform sampler2D vtkiLit;
 #ifdef VTKI_FLUX
 uniform sampler2D vtkiFlux;
 #endif
-uniform int vtkiBelow; // where the nodes of the level below begin
-uniform int vtkiBegin; // where those of this level do
+uniform int vtkiBelow; // begin of the level below
+uniform int vtkiBegin; // begin of this level
 
 float vtkiNode(sampler2D nodes, ivec2 at)
 {

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Puts a sampler's lights, or with VTKI_LOBES their lobes, behind those of the samplers before it.
+// Appends a sampler's lights, or with VTKI_LOBES their lobes, to those of the samplers before it.
 #include "vtkIndirectLibTable.glsl"
 
 #ifdef VTKI_LOBES
@@ -11,7 +11,7 @@ uniform sampler2D vtkiLightPosition;
 uniform sampler2D vtkiLightNormal;
 uniform sampler2D vtkiLightDensity;
 #endif
-uniform int vtkiFirst; // place of its first light
+uniform int vtkiFirst; // place of the sampler's first light
 uniform int vtkiCount;
 
 void main()

@@ -1,4 +1,4 @@
-// How a row of the table of virtual lights is read: a place, or, where the frame has such
+// Reads a row of the table of virtual lights: a position, or, where the frame has them
 // (VTKI_DIRECTIONS), a direction with minus its solid angle for an area.
 #include "vtkIndirectLibTable.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"
@@ -12,15 +12,17 @@ vec3 vtkiToSender(vec4 sender, vec3 position)
 #endif
 }
 
-// By which a light as a whole is blunt: where it has branches, of two generations, that of the last one.
+// Area by which contacts of a cluster are softened: with branches of two generations, the area of
+// the last generation.
 float vtkiBluntArea(float reach, float area)
 {
   const float share = 1.0f / float(VTKI_BRANCHES_PER_NODE * VTKI_BRANCHES_PER_NODE);
   return reach > 0.0f ? share * area : area;
 }
 
-// What arrives of a light: times the receiver's cosine and the density it is the irradiance; see
-// vtkiVirtualLightStrength. Only lights with branches (VTKI_DIVIDED) stand for patches of surfaces.
+// Light that arrives from a virtual light: times the receiver's cosine and the density it is the
+// irradiance; see vtkiVirtualLightStrength. Only lights with branches (VTKI_DIVIDED) represent
+// patches of surfaces.
 vtkiPatchLight vtkiFindSender(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float bluntArea)
 {
 #ifdef VTKI_DIVIDED

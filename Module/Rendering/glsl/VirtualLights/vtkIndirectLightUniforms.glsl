@@ -1,5 +1,5 @@
-// Virtual lights in a uniform block: read once for a group of fragments, where a texture would be
-// read by each of them.
+// Virtual lights in a uniform block: a group of fragments reads it once, where each fragment would
+// read a texture.
 #ifndef VTKI_LIGHTS
 #define VTKI_LIGHTS 256 // 12288 of the 16384 bytes that every OpenGL has
 #endif

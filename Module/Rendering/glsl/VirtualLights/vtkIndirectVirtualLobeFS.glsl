@@ -1,9 +1,10 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// One fragment a virtual light: a pattern of map coordinates in, the lobes of the lights out.
+// Makes the lobe of one virtual light a fragment from a pattern of map coordinates.
 #include "vtkIndirectMapLobe.glsl"
 
-uniform sampler2D vtkiPattern; // map coordinates in [0,1)^2, layer, texels that the sample stands for
+// map coordinates in [0,1)^2, layer, texels that the sample represents
+uniform sampler2D vtkiPattern;
 
 void main()
 {
@@ -13,7 +14,7 @@ void main()
   ivec2 texel = ivec2(min(sampled.xy * edge, vec2(edge - 1.0f)));
   float weight = sampled.w;
   vtkiTexelLobe lobe;
-  // Past the last sample the pattern holds weight zero.
+  // The pattern has weight zero after its last sample.
   if (!(weight > 0.0f) || !vtkiLobeFromTexel(layer, texel, weight, lobe))
   {
     lobe.direction = vec3(0.0f, 0.0f, 1.0f);

@@ -1,19 +1,21 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Places of an even pattern in charts, warped by their importance to texels of the lights' maps: one fragment a
+// Warps an even pattern in the charts by importance to texels of the lights' maps: one fragment a
 // sample, in the form of the pattern that vtkIndirectVirtualLightFS.glsl reads.
 #include "vtkIndirectChart.glsl"
 
-uniform sampler2D vtkiPattern;  // place in [0,1)^2; chart, or below zero for all of them; share of the light
-uniform sampler2D vtkiLitEven;  // nodes of level 0, 2, ...: what sends light counts one
+// place in [0,1)^2; chart, or below zero for all charts; share of the light
+uniform sampler2D vtkiPattern;
+uniform sampler2D vtkiLitEven;  // nodes of level 0, 2, ...: each cell that sends light counts one
 uniform sampler2D vtkiLitOdd;   // nodes of level 1, 3, ...
 #ifdef VTKI_FLUX
-uniform sampler2D vtkiFluxEven; // the same by how much light it sends
+uniform sampler2D vtkiFluxEven; // the same nodes by the flux of the cells
 uniform sampler2D vtkiFluxOdd;
 uniform int vtkiNumberOfCharts;
-uniform float vtkiEvenness;     // share of samples that are spread evenly over what sends light
+// share of samples that are spread evenly over cells that send light
+uniform float vtkiEvenness;
 uniform int vtkiMethod;
-uniform int vtkiWarpedLevels;   // from the top; below them, quarters that have anything are alike
+uniform int vtkiWarpedLevels;   // from the top; below them, nonempty quarters are equally likely
 #endif
 uniform int vtkiLevels;
 
@@ -35,7 +37,8 @@ float vtkiFluxOf(int chart)
   return dot(vtkiFetchNode(vtkiFluxEven, vtkiFluxOdd, vtkiLevels - 1, vtkiChartPlace(chart), ivec2(0)), vec4(1.0f));
 }
 
-// Charts side by side, each as wide as its flux; warps the place into the one where it falls.
+// The charts lie side by side, each as wide as its flux. Warps the place into the chart where it
+// falls.
 int vtkiChooseChart(inout vec2 place, inout float probability)
 {
   float total = 0.0f;
@@ -81,7 +84,7 @@ void main()
   float evenly = vtkiEvenness / max(vtkiLitOf(chart), 1.0f);
   float byFlux = (1.0f - vtkiEvenness) / max(flux, 1.0e-37f);
 #endif
-  // Past the last sample the pattern holds nothing.
+  // The pattern is empty after its last sample.
   if (!(pattern.w > 0.0f) || !(vtkiLitOf(chart) > 0.0f))
   {
     return;

@@ -1,17 +1,18 @@
-// Whether a virtual light is seen from a receiver, by the depth map of that light: its tile of the atlas.
+// Tests the visibility of a virtual light from a receiver with the light's depth map, a tile of the
+// atlas.
 #include "vtkIndirectLibDepthTile.glsl"
 
 uniform sampler2D vtkiDepthTiles;
 uniform vec3 vtkiTileShape; // columns and rows of tiles in the atlas, texels along an edge of a tile
 
-// What look-ups in a tile share.
+// Data that all look-ups in a tile share.
 struct vtkiTile
 {
   vec3 right;
   vec3 up;
-  vec3 axis;   // the emitter's, unit
-  vec3 place;  // the emitter's
-  vec2 middle; // of the tile's view ahead, in the atlas
+  vec3 axis;   // the virtual light's axis, unit
+  vec3 place;  // the virtual light's position
+  vec2 middle; // middle of the tile's forward view in the atlas
 };
 
 vtkiTile vtkiMakeTile(int number, vec3 place, vec3 axis)
@@ -26,22 +27,22 @@ vtkiTile vtkiMakeTile(int number, vec3 place, vec3 axis)
   return tile;
 }
 
-// middle: of the view ahead in the atlas; window: tangents times xy and zw more are places in the view, from -1 to 1;
-// tangents: the same of places; range: one over the depths at which the view begins and ends; nearest: the least depth
-// that is looked up.
+// middle: of the forward view in the atlas; window: scale (xy) and offset (zw) from tangents to
+// places in the view, from -1 to 1; tangents: the inverse of window; range: one over the depths at
+// which the view begins and ends; nearest: least depth of a look-up.
 bool vtkiIsSeenInView(
   vec2 middle, vtkiTileView view, vec4 window, vec4 tangents, vec2 range, float nearest)
 {
-  // Divisions by what all look-ups have are few: OpenGL on the processor takes none of them out of loops.
+  // Keeps divisions by constants of the tile few: OpenGL on the processor moves none out of loops.
   float texels = vtkiTileShape.z;
   float perTexel = 1.0f / texels;
   vec2 perSize = 1.0f / (vtkiTileShape.xy * vec2(texels, (1.0f + VTKI_TILE_STRIPS) * texels));
   vec2 halfSize = vtkiHalfOfView(view.strip, texels);
   vec2 perHalf = perTexel * (view.strip < 0 ? vec2(2.0f, 2.0f) : vec2(4.0f, 4.0f / VTKI_TILE_STRIPS));
   vec2 place = view.away.xy * (1.0f / max(view.away.z, nearest)) * window.xy + window.zw;
-  // A place on the border of what the view may show is within, rounding included.
+  // A place on the border of the view counts as inside in spite of rounding.
   bool outside = max(abs(place.x), abs(place.y)) > 1.0001f;
-  // Texels from the middle; within the view, rounding included.
+  // Offset in texels from the middle, kept within the view in spite of rounding.
   vec2 at = floor(clamp(place, -0.99999f, 0.99999f) * halfSize) + 0.5f;
   vec2 ray = at * perHalf * tangents.xy + tangents.zw;
   // A look-up at a texel's centre is exact, and in software faster than a fetch.
@@ -54,8 +55,8 @@ bool vtkiIsSeenInView(
     vtkiIsSeenInPerspectiveTile(inverse, view.away.z, dot(view.normal, view.away), along, bias);
 }
 
-// middle: of the tile's view ahead; away, normal: the way from the emitter to the receiver and its normal, along the
-// tile's axes right, up and that of the emitter.
+// middle: of the tile's forward view in the atlas; away, normal: the vector from the virtual light
+// to the receiver and the receiver's normal, along the tile's axes right, up and forward.
 bool vtkiIsSeenAlongTile(vec2 middle, vec3 away, vec3 normal)
 {
   const float limit = VTKI_TILE_TANGENT;

@@ -1,7 +1,7 @@
-// What stands between two points, from the bits of the scene's voxels.
+// Tests a segment between two points for occlusion with the bits of the scene's voxels.
 #include "vtkIndirectLibOccupancy.glsl"
 
-uniform usampler2D vtkiOccupancy;  // a texel a column
+uniform usampler2D vtkiOccupancy;  // one texel a column of voxels
 uniform vec4 vtkiOccupancyOrigin;  // scene units; voxels per scene unit
 uniform vec3 vtkiOccupancySize;    // voxels
 
@@ -22,8 +22,9 @@ bool vtkiIsOccupied(ivec3 voxel)
   return vtkiHasBit(vtkiFetchColumn(at), voxel.z) && voxel.xy == at;
 }
 
-// Whether the segment between two points (voxel coordinates) meets no occupied voxel besides those
-// of its ends. With test false nothing is looked up; what a branch around this would not save.
+// True if the segment between two points (voxel coordinates) meets no occupied voxel besides those
+// of its ends. With test false no voxel is looked up, which a branch around the call would not
+// save.
 bool vtkiIsFree(vec3 start, vec3 end, bool test)
 {
   vtkiWalk walk = vtkiBeginWalk(start, end);

@@ -1,7 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Depths of four neighbouring texels of a tile in one: a look-up that filters takes one fetch; see
-// vtkIndirectPenumbra.glsl. A tile's last row and column are their own neighbours.
+// Packs the depths of four neighbouring texels of a tile into one texel, so that a filtered look-up
+// takes one fetch; see vtkIndirectPenumbra.glsl. A tile's last row and column are their own
+// neighbours.
 uniform sampler2D vtkiDepthTiles;
 uniform vec3 vtkiTileShape; // columns and rows of tiles in the atlas, texels along an edge of a tile
 

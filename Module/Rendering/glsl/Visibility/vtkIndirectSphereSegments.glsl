@@ -1,7 +1,8 @@
-// Whether spheres stand between two places: lists by the cells of a grid, see vtkIndirectSphereGrid.
+// Tests a segment between two positions for occluding spheres, listed by the cells of a grid; see
+// vtkIndirectSphereGrid.
 #include "vtkIndirectLibSphereSegments.glsl"
 
-uniform usampler3D vtkiSphereCells; // the first of a cell's list, and how many
+uniform usampler3D vtkiSphereCells; // first entry of a cell's list, and its length
 uniform sampler2D vtkiSphereLists;  // center and radius, in cells; 1024 a row
 uniform vec4 vtkiSphereOrigin;      // scene units; cells per scene unit
 
@@ -10,13 +11,13 @@ uvec2 vtkiFetchList(ivec3 cell)
   return texelFetch(vtkiSphereCells, clamp(cell, ivec3(0), textureSize(vtkiSphereCells, 0) - 1), 0).rg;
 }
 
-// Where a segment is, and in which list.
+// State of a walk along a segment: the cell, and the rest of its list.
 struct vtkiSphereWalk
 {
   vtkiCells cells;
-  int next;   // of the list
-  int beyond; // its end
-  bool clear; // so far
+  int next;   // next sphere of the list
+  int beyond; // end of the list
+  bool clear; // no sphere met so far
   bool more;
 };
 
@@ -27,7 +28,7 @@ void vtkiOpenList(inout vtkiSphereWalk walk)
   walk.beyond = int(list.x + list.y);
 }
 
-// A sphere, if the list has another; at its end the next cell.
+// Tests the next sphere of the list; at the end of the list moves on to the next cell.
 void vtkiStepThroughSpheres(vec3 start, vec3 along, float inverseSquare, inout vtkiSphereWalk walk)
 {
   if (walk.next < walk.beyond)
@@ -44,7 +45,7 @@ void vtkiStepThroughSpheres(vec3 start, vec3 along, float inverseSquare, inout v
   }
 }
 
-// With test false nothing is looked up.
+// With test false no sphere is looked up.
 bool vtkiIsFreeOfSpheres(vec3 from, vec3 to, bool test)
 {
   vec3 start = (from - vtkiSphereOrigin.xyz) * vtkiSphereOrigin.w;
@@ -55,8 +56,8 @@ bool vtkiIsFreeOfSpheres(vec3 from, vec3 to, bool test)
   walk.clear = true;
   walk.more = test && walk.cells.inside;
   vtkiOpenList(walk);
-  // One loop for cells and lists: neighbours need not wait for each other's lists. llvmpipe ends all loops of a
-  // shader after 65535 rounds together.
+  // One loop serves cells and lists, so that neighbouring fragments do not wait for each other's
+  // lists. llvmpipe ends all loops of a shader after 65535 rounds in total.
   while (walk.more)
   {
     vtkiStepThroughSpheres(start, along, inverseSquare, walk);

@@ -1,10 +1,11 @@
-// Whether a sender is visible from a receiver: with VTKI_DEPTH_TILES by the sender's own depth map; else, with
-// VTKI_VOXEL_SEGMENTS, by the distance field of the scene's voxels and, with VTKI_SPHERE_SEGMENTS, by spheres, which
-// voxels do not hold.
+// Tests the visibility of a sender from a receiver: with VTKI_DEPTH_TILES by the sender's own depth
+// map; otherwise with VTKI_VOXEL_SEGMENTS by the distance field of the scene's voxels, and with
+// VTKI_SPHERE_SEGMENTS by spheres, which the voxels do not contain.
 #ifdef VTKI_DEPTH_TILES
 #include "vtkIndirectDepthTiles.glsl"
 
-// What look-ups ask of a receiver beside its place: the normal of its facet, which is what maps hold.
+// The receiver's data, beside its position, for look-ups: the normal of its facet, which the maps
+// hold.
 vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet)
 {
   return facet;
@@ -13,11 +14,12 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet)
 #ifdef VTKI_SHARED_TILES
 #include "vtkIndirectLibTable.glsl"
 
-// Whose tile each light looks up: place and tile in the upper half, axis in the lower one.
+// Owner of the tile that each light looks up: position and tile in the upper half, axis in the
+// lower half.
 uniform sampler2D vtkiTileOwners;
 #endif
 
-// Whose map tells what a light sees: its own, or, where tiles are shared, a neighbour's. light: its number.
+// The tile for a light: its own, or a neighbour's if tiles are shared. light: its number.
 vtkiTile vtkiFetchTile(int light, vec3 place, vec3 axis)
 {
 #ifdef VTKI_SHARED_TILES
@@ -34,7 +36,7 @@ vtkiTile vtkiFetchTile(int light, vec3 place, vec3 axis)
 #endif
 }
 
-// A direction has no tile. facet: see vtkiOpenPlace.
+// Directions have no tile and are not tested. facet: see vtkiOpenPlace.
 bool vtkiIsSenderVisible(
   int light, vec3 facet, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
 {
@@ -53,7 +55,7 @@ uniform usampler3D vtkiDistanceField;  // voxels to the nearest occupied one
 uniform vec4 vtkiDistanceFieldOrigin;  // scene units; voxels per scene unit
 uniform vec3 vtkiDistanceFieldSize;    // voxels
 
-// A step of a walk: whether all is clear so far, and whether there is more.
+// One step of a walk. clear: no occupied voxel so far; more: the walk goes on.
 void vtkiStepOn(inout vtkiLeap leap, inout bool clear, inout bool more)
 {
   ivec3 at = clamp(leap.voxel, ivec3(0), ivec3(vtkiDistanceFieldSize) - 1);
@@ -64,15 +66,15 @@ void vtkiStepOn(inout vtkiLeap leap, inout bool clear, inout bool more)
   more = more && !blocked && on && leap.voxel != leap.last;
 }
 
-// Whether the segment meets no occupied voxel besides those of its ends. With test false nothing is
-// looked up, which a branch around this would not save.
+// True if the segment meets no occupied voxel besides those of its ends. With test false no voxel
+// is looked up, which a branch around the call would not save.
 bool vtkiIsClear(vec3 start, vec3 end, bool test)
 {
   vtkiLeap leap = vtkiBeginLeap(start, end);
   bool clear = true;
   bool on = vtkiLeapOn(leap, 1);
   bool more = test && on && leap.voxel != leap.last;
-  // Four at a time: llvmpipe ends all loops of a shader after 65535 rounds together.
+  // Four steps at a time: llvmpipe ends all loops of a shader after 65535 rounds in total.
   while (more)
   {
     vtkiStepOn(leap, clear, more);
@@ -90,8 +92,8 @@ bool vtkiIsEmpty(vec3 place)
   return texelFetch(vtkiDistanceField, at, 0).r > 0u || at != voxel;
 }
 
-// In voxels, a place near a surface that none of its own voxels blocks, nor, if there is such a place,
-// another's.
+// A position near a surface, in voxels, that none of the surface's own voxels blocks and, if
+// possible, none of another surface's.
 vec3 vtkiOpenPlace(vec3 position, vec3 normal)
 {
   vec3 voxels = (position - vtkiDistanceFieldOrigin.xyz) * vtkiDistanceFieldOrigin.w;
@@ -107,7 +109,7 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal)
   return open;
 }
 
-// Whether no voxels stand between two surfaces, whose own ones do not count. start: the receiver's
+// True if no voxels stand between two surfaces, apart from their own voxels. start: the receiver's
 // open place.
 bool vtkiIsFreeOfVoxels(
   vec3 start, vec3 position, vec3 normal, vec3 sender, vec3 senderNormal, bool test)
@@ -120,21 +122,21 @@ bool vtkiIsFreeOfVoxels(
     vtkiClearOf(start, normal, light, senderNormal, vtkiClearHeight(senderNormal)), end, test);
 }
 
-// Where a way in a direction has left the voxels.
+// The position where a ray has left the voxels.
 vec3 vtkiLeaveVoxels(vec3 position, vec3 direction)
 {
   vec3 lower = vtkiDistanceFieldOrigin.xyz;
   vec3 upper = lower + vtkiDistanceFieldSize / vtkiDistanceFieldOrigin.w;
   vec3 way = mix(lower, upper, greaterThan(direction, vec3(0.0f))) - position;
-  // Twice the diagonal of the scene where a direction is along the others' plane.
+  // An axis that the direction does not move along gets twice the scene's diagonal.
   vec3 far = vec3(2.0f);
   vec3 exits = mix(far, way / direction, greaterThan(abs(direction), vec3(1.0e-6f)));
   float leave = clamp(min(exits.x, min(exits.y, exits.z)), 0.0f, 2.0f);
-  // Two voxels further on nothing is.
+  // Two voxels further on, the ray is outside the scene.
   return position + (leave + 2.0f / vtkiDistanceFieldOrigin.w) * direction;
 }
 #else
-// Spheres need no place but the surface's own.
+// Sphere tests start at the surface's own position.
 vec3 vtkiOpenPlace(vec3 position, vec3 normal)
 {
   return position;
@@ -146,8 +148,8 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet)
   return vtkiOpenPlace(position, normal);
 }
 
-// Whether nothing stands between two surfaces. start: the receiver's open place; voxelEnd, sphereEnd: the sender's
-// place, as voxels and spheres are asked.
+// True if no occluder stands between two surfaces. start: the receiver's open place; voxelEnd,
+// sphereEnd: the sender's position for the tests of voxels and spheres.
 bool vtkiIsVisibleFrom(vec3 start, vec3 position, vec3 normal, vec3 voxelEnd, vec3 sphereEnd, vec3 senderNormal,
   bool test)
 {
@@ -166,8 +168,8 @@ bool vtkiIsVisible(vec3 start, vec3 position, vec3 normal, vec3 sender, vec3 sen
   return vtkiIsVisibleFrom(start, position, normal, sender, sender, senderNormal, test);
 }
 
-// The same of a virtual light: a place, or with VTKI_DIRECTIONS a direction, which is seen where
-// nothing stands on the way out of the scene.
+// vtkiIsVisibleFrom for a virtual light: a position, or with VTKI_DIRECTIONS a direction, which is
+// visible if the ray leaves the scene unoccluded.
 bool vtkiIsSenderVisible(
   int light, vec3 start, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
 {
@@ -176,7 +178,7 @@ bool vtkiIsSenderVisible(
 #ifdef VTKI_DIRECTIONS
   if (sender.w < 0.0f)
   {
-    // Twice the diagonal of the scene.
+    // A distance of twice the scene's diagonal.
     sphereEnd = position + 2.0f * sender.xyz;
 #ifdef VTKI_VOXEL_SEGMENTS
     voxelEnd = vtkiLeaveVoxels(position, sender.xyz);

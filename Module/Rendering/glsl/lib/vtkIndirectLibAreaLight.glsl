@@ -1,16 +1,18 @@
-// What a surface element gets from a rectangle of one radiance: E = radiance times form factor (VTK units).
+// Irradiance at a surface element from a rectangle of one radiance: E = radiance times form factor
+// (VTK units).
 #ifndef vtkIndirectLibAreaLight
 #define vtkIndirectLibAreaLight
 #include "vtkIndirectLibVirtualLight.glsl"
 
-// A rectangle that is so many times farther away than its longer edge is a disk, if its heights over the
-// receiver's horizon differ by no more than this share from their mean: the form factor is then off by less
-// than 0.5 %.
+// A rectangle at this many times its longer edge is treated as a disk, if its heights over the
+// receiver's horizon differ from their mean by no more than this share: the form factor is then off
+// by less than 0.5 %.
 const float VTKI_AREA_FAR = 30.0f;
 const float VTKI_AREA_EVEN = 0.2f;
 
-/* The angle under which the edge from a to b is seen from the origin, times the cosine between the normal and
- * that of the plane through both and the origin. By the edge, so that no digits are lost where it is short. */
+/* Angle subtended by the edge from a to b at the origin, times the cosine between the normal and
+ * that of the plane through both and the origin. Computed from the edge, which keeps precision for
+ * short edges. */
 float vtkiEdgeTerm(vec3 a, vec3 b, vec3 normal)
 {
   vec3 c = cross(a, b - a);
@@ -18,8 +20,9 @@ float vtkiEdgeTerm(vec3 a, vec3 b, vec3 normal)
   return sine > 0.0f ? atan(sine, dot(a, b)) / sine * dot(normal, c) : 0.0f;
 }
 
-/* Form factor from a surface element at the origin to the part of a parallelogram above its horizon (Lambert
- * 1760), whichever way the parallelogram faces. corner: of it, seen from the element; normal: unit. */
+/* Form factor from a surface element at the origin to the part of a parallelogram above its horizon
+ * (Lambert 1760), whichever way the parallelogram faces. corner: one of its corners, relative to
+ * the element; normal: unit. */
 float vtkiRectangleFormFactor(vec3 corner, vec3 edge1, vec3 edge2, vec3 normal)
 {
   vec3 middle = corner + 0.5f * (edge1 + edge2);
@@ -45,7 +48,7 @@ float vtkiRectangleFormFactor(vec3 corner, vec3 edge1, vec3 edge2, vec3 normal)
     float toHeight = dot(normal, to);
     if (max(fromHeight, toHeight) > 0.0f)
     {
-      // Where the edge crosses the horizon, or ends there.
+      // The edge crosses the horizon, or ends on it.
       bool rises = fromHeight <= 0.0f;
       bool falls = toHeight <= 0.0f;
       vec3 crossing =
@@ -57,15 +60,16 @@ float vtkiRectangleFormFactor(vec3 corner, vec3 edge1, vec3 edge2, vec3 normal)
     from = to;
     fromHeight = toHeight;
   }
-  // What the horizon cuts off ends along it.
+  // The horizon closes the outline.
   sum += vtkiEdgeTerm(leave, enter, normal);
   return abs(sum) * (0.5f / VTKI_PI);
 }
 
-// From so many times its longer edge on, a piece of a rectangle is far: see vtkiPieceFormFactor.
+// From this many times its longer edge on, a piece of a rectangle is far: see vtkiPieceFormFactor.
 const float VTKI_PIECE_FAR = 3.0f;
 
-/* Mean height over the horizon, nothing below it, of a piece that reaches so far up and down from its middle. */
+/* Mean height over the horizon, clamped to zero below it, of a piece that extends by reach up and
+ * down from its middle. */
 float vtkiMeanHeight(float height, float reach)
 {
   float above = max(height + reach, 0.0f);
@@ -75,15 +79,15 @@ float vtkiMeanHeight(float height, float reach)
 // A far piece of a rectangle, seen from a receiver.
 struct vtkiPiece
 {
-  float square; // of the distance to its middle
-  float height; // of the middle over the horizon, no less than the piece reaches up
-  vec2 rise;    // of both edges over the horizon
-  vec2 along;   // products of both edges with the way to the middle
+  float square; // squared distance to its middle
+  float height; // height of the middle over the horizon, at least the piece's extent
+  vec2 rise;    // heights of both edges over the horizon
+  vec2 along;   // products of both edges with the vector to the middle
   vec2 length2; // squares of both edges
 };
 
-/* What the places of a far piece give in the mean, over what its middle gives: height / distance^4 to second order,
- * which is off by the fourth power of edge over distance. */
+/* Mean irradiance of a far piece over that of its middle: height / distance^4 to second order, with
+ * an error in the fourth power of edge over distance. */
 float vtkiPieceMean(vtkiPiece piece)
 {
   float a1 = piece.along.x / piece.square;
@@ -93,8 +97,9 @@ float vtkiPieceMean(vtkiPiece piece)
     (piece.rise.x * a1 + piece.rise.y * a2) / (3.0f * piece.height);
 }
 
-/* Variance of what they give over the square of their mean: from the slope along both edges, and the fall to all
- * sides. A uniform variable along an edge has the variance 1 / 12, its square 1 / 180. */
+/* Variance of a far piece's irradiance over the square of its mean, from the slope along both edges
+ * and the decrease with distance. A uniform variable along an edge has the variance 1 / 12, its
+ * square 1 / 180. */
 float vtkiPieceVariance(vtkiPiece piece)
 {
   float slope1 = piece.rise.x / piece.height - 4.0f * piece.along.x / piece.square;
@@ -103,7 +108,8 @@ float vtkiPieceVariance(vtkiPiece piece)
   return (slope1 * slope1 + slope2 * slope2) / 12.0f + 0.045f * share * share;
 }
 
-/* Of one that sends light to the side that cross(edge1, edge2) points to: 0 behind it. */
+/* Form factor of a rectangle that sends light to the side that cross(edge1, edge2) points to: 0
+ * behind it. */
 float vtkiAreaLightFormFactor(vec3 corner, vec3 edge1, vec3 edge2, vec3 normal, bool twoSided)
 {
   bool front = dot(cross(edge1, edge2), corner) < 0.0f;

@@ -1,5 +1,5 @@
-// Channels of a frame and of a light's map that can be looked at: numbers that C++ hands to shaders. What
-// each holds stands in the table of vtkIndirectComposite.
+// Numbers of the channels of a frame and of a light's map, shared by C++ and shaders. The table of
+// vtkIndirectComposite describes the channels.
 #ifndef vtkIndirectLibChannel
 #define vtkIndirectLibChannel
 #include "vtkIndirectLibPortable.glsl"

@@ -1,27 +1,30 @@
-// Depth maps of single emitters, tiles of one atlas: where a receiver falls in a tile, and at what depth
-// its own plane would be there. Lengths are scene units (diagonal = 1).
+// Depth maps of single virtual lights, sky directions and points of lamps, tiles of one atlas: the
+// place of a receiver in a tile, and the depth of its own plane there. Lengths are scene units
+// (diagonal = 1).
 #ifndef vtkIndirectLibDepthTile
 #define vtkIndirectLibDepthTile
 #include "vtkIndirectLibPortable.glsl"
 
-// Tangent of the half angle that the tile of a virtual light sees about its normal. The square holds 92 %
-// of what a diffuse sender sends; the strips below it hold the rest.
+// Tangent of the half angle of a virtual light's tile about its normal. The square covers 92 % of
+// the light of a diffuse sender; the strips below the tile cover the rest.
 const float VTKI_TILE_TANGENT = 3.0f;
-// Height of the strips of a perspective tile, all together, over the width of the tile.
+// Height of all strips of a perspective tile together over the width of the tile.
 const float VTKI_TILE_STRIPS = 0.25f;
-// Near and far end of such a tile: a scene is one across, and nothing reaches farther.
+// Near and far end of such a tile: the scene is one unit across.
 const float VTKI_TILE_NEAR = 1.0f / 2048.0f;
 const float VTKI_TILE_FAR = 1.0f;
-// The tile of an area light is fitted to what can hide the light: at most so far to the sides, and no nearer.
+// The tile of an area light is fitted to the casters that can occlude it: up to this tangent to the
+// sides, and no nearer than this.
 const float VTKI_WINDOW_TANGENT = 5.0f;
 const float VTKI_WINDOW_NEAR = 1.0f / 16384.0f;
-// Facets stand for curved surfaces: a concave one rises over its neighbour's plane by less than this
-// share of a texel as long as they meet at less than 16 degrees (half a texel times the sine).
+// Facets approximate curved surfaces: a concave neighbour rises over the receiver's plane by less
+// than this share of a texel if the facets meet at less than 16 degrees (half a texel times the
+// sine).
 const float VTKI_TILE_ROUGHNESS = 0.14f;
 
-/* Two axes across a unit vector n: x, y, n are right-handed. Without a branch, and continuous but for one
- * direction (Duff, Burgess, Christensen, Hery, Kensler, Liani, Villemin 2017, "Building an orthonormal
- * basis, revisited"). */
+/* Two axes perpendicular to a unit vector n: x, y, n are right-handed. Without a branch, and
+ * continuous except at one direction (Duff, Burgess, Christensen, Hery, Kensler, Liani, Villemin
+ * 2017, "Building an orthonormal basis, revisited"). */
 void vtkiFrameAlong(vec3 n, VTKI_OUT(vec3) x, VTKI_OUT(vec3) y)
 {
   float s = n.z >= 0.0f ? 1.0f : -1.0f;
@@ -31,23 +34,25 @@ void vtkiFrameAlong(vec3 n, VTKI_OUT(vec3) x, VTKI_OUT(vec3) y)
   y = vec3(b, s + n.y * n.y * a, -n.y);
 }
 
-/* One over the depth along a perspective tile's axis that a stored value stands for. */
+/* One over the depth along a perspective tile's axis for a stored value. */
 float vtkiTileInverseDepth(float stored)
 {
   return 1.0f / VTKI_TILE_NEAR - stored * (1.0f / VTKI_TILE_NEAR - 1.0f / VTKI_TILE_FAR);
 }
 
-/* The view of a perspective tile that a receiver falls in. A tile has five views, which together hold the half space
- * that the emitter faces: one ahead, as wide as its limit, and four strips below it in the atlas, each along an axis to
- * a side, from the emitter's horizon up to where the view ahead begins. */
+/* The view of a perspective tile that contains a receiver. A tile has five views, which together
+ * cover the half space that the light faces: a forward view, as wide as its limit, and four
+ * strips below it in the atlas, each along an axis to a side, from the light's horizon up to the
+ * edge of the forward view. */
 struct vtkiTileView
 {
-  int strip;    // towards right, left, up or down of the tile; -1: ahead
-  vec3 away;    // the way from the emitter to the receiver, along the view's axes right, up and forward
-  vec3 normal;  // the receiver's, along the same
+  int strip;    // to the right, left, up or down of the tile; -1: forward
+  // vector from the light to the receiver, along the view's axes right, up and forward
+  vec3 away;
+  vec3 normal;  // the receiver's normal, along the same axes
 };
 
-/* away, normal: along the tile's axes right, up and that of the emitter; limit: tangent of the view ahead. */
+/* away, normal: along the tile's axes right, up and forward; limit: tangent of the forward view. */
 vtkiTileView vtkiFindTileView(vec3 away, vec3 normal, float limit)
 {
   float x = abs(away.x);
@@ -55,7 +60,8 @@ vtkiTileView vtkiFindTileView(vec3 away, vec3 normal, float limit)
   bool beside = max(x, y) > limit * away.z;
   bool across = x >= y;
   float to = across ? away.x : away.y;
-  // A strip's axis to the right: up and down of the tile seen to its right and left, left and right seen up and down.
+  // A strip's right axis: the tile's vertical for the strips to its right and left, its horizontal
+  // for those up and down.
   float turn = (to < 0.0f) == across ? -1.0f : 1.0f;
   float aside = turn * (across ? away.y : away.x);
   float normalAside = turn * (across ? normal.y : normal.x);
@@ -67,14 +73,14 @@ vtkiTileView vtkiFindTileView(vec3 away, vec3 normal, float limit)
   return view;
 }
 
-/* Half the size of a view, in texels of the atlas. texels: along an edge of the view ahead. */
+/* Half the size of a view in texels of the atlas. texels: along an edge of the forward view. */
 vec2 vtkiHalfOfView(int strip, float texels)
 {
   return strip < 0 ? vec2(0.5f * texels, 0.5f * texels)
                    : vec2(0.25f * texels, 0.25f * VTKI_TILE_STRIPS * texels);
 }
 
-/* Where its middle lies from the middle of the view ahead: strips lie two by two. */
+/* Offset of a view's middle from that of the forward view: the strips lie two by two. */
 vec2 vtkiPlaceOfView(int strip, float texels)
 {
   float column = strip == 1 || strip == 3 ? 0.5f : -0.5f;
@@ -84,13 +90,15 @@ vec2 vtkiPlaceOfView(int strip, float texels)
     : vec2(0.5f * column * texels, (0.5f * VTKI_TILE_STRIPS * row - VTKI_TILE_STRIPS - 0.5f) * texels);
 }
 
-/* Whether a perspective tile lets a receiver see its emitter: what is stored at a texel's centre is
- * compared with the depth of the receiver's own plane there. inverse: one over the stored depth; depth: the
- * receiver's along the view's axis; facing: product of the receiver's normal and the way
- * from the emitter to it; along: and the way to where depth is one on the texel's ray; bias: share of the
- * depth, by which the plane lies nearer. At grazing angles that is along its normal, since a surface bends away from it
- * by as much in a texel that it fills, but along the ray by no more than twice as much. The plane counts where it comes
- * nearer: one that runs away from the emitter does not reach behind what ends the surface. Without a division. */
+/* True if a perspective tile shows the receiver from its light: compares the depth stored at a
+ * texel's centre with the depth of the receiver's own plane there. inverse: one over the stored
+ * depth; depth: the receiver's along the view's axis; facing: product of the receiver's normal and
+ * the vector from the light to it; along: product of the normal and the vector to depth one on
+ * the texel's ray; bias: share of the depth by which the plane is moved nearer. At grazing angles
+ * the bias is along the normal, since a surface that fills a texel bends away from the plane by as
+ * much, but along the ray at most twice as much. The plane counts only where it comes nearer: a
+ * plane that recedes from the light does not extend behind the end of the surface. Needs no
+ * division. */
 bool vtkiIsSeenInPerspectiveTile(
   float inverse, float depth, float facing, float along, float bias)
 {
@@ -100,12 +108,13 @@ bool vtkiIsSeenInPerspectiveTile(
   return depth <= VTKI_TILE_NEAR || least * inverse <= 1.0f || onPlane;
 }
 
-/* Whether a parallel tile lets a receiver see its emitter: what is stored at a texel's centre, [0,1], is
- * compared with the depth of the receiver's own plane there. depth: the receiver's, less the bias; facing: its
- * cosine towards the emitter over the range of depth; rise: how much nearer to the emitter, over that range,
- * the plane runs from the receiver to the texel's centre, times facing. The plane counts where it comes
- * nearer: one that runs away from the emitter does not reach behind what ends the surface. At the end of the map
- * nothing is. Without a division, because a sky has hundreds of these at a pixel. */
+/* True if a parallel tile shows the receiver from its light: compares the value stored at a
+ * texel's centre, [0,1], with the depth of the receiver's own plane there. depth: the receiver's,
+ * less the bias; facing: its cosine towards the light over the range of depth; rise: by how much
+ * nearer to the light, over that range, the plane is at the texel's centre than at the receiver,
+ * times facing. The plane counts only where it comes nearer: a plane that recedes from the light
+ * does not extend behind the end of the surface. A stored 1 means no caster. Needs no division,
+ * because a sky has hundreds of these tests at a pixel. */
 bool vtkiIsSeenInParallelTile(float stored, float depth, float facing, float rise)
 {
   return stored >= 1.0f || (stored - depth) * facing >= min(rise, 0.0f);

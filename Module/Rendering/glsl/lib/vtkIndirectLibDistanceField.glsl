@@ -1,20 +1,21 @@
-// A segment through voxels whose distances to the nearest occupied one are known: it leaps over the
-// empty cube around each voxel that it stops in (sphere tracing, Hart 1996, in the chessboard metric,
-// where the empty region is a cube of voxels and nothing is skipped that it might meet).
+// Walks a segment through voxels with known distances to the nearest occupied voxel: each step
+// leaps over the empty cube around the current voxel (sphere tracing, Hart 1996, in the chessboard
+// metric, where the empty region is a cube of voxels, so that the leap skips no voxel the segment
+// might meet).
 #ifndef vtkIndirectLibDistanceField
 #define vtkIndirectLibDistanceField
 #include "vtkIndirectLibPortable.glsl"
 
-/* Where a segment is. Coordinates count voxels: voxel i reaches from i to i + 1. */
+/* State of a walk. Coordinates count voxels: voxel i extends from i to i + 1. */
 struct vtkiLeap
 {
   vec3 start;
   vec3 along;   // end minus start
-  vec3 inverse; // of along, 0 where that is 0
-  vec3 never;   // 2 on axes that have no border to cross, else 0
+  vec3 inverse; // one over along, 0 where along is 0
+  vec3 never;   // 2 on axes without a border to cross, else 0
   vec3 side;    // -1 or 1
-  ivec3 voxel;  // now
-  ivec3 last;   // of the end
+  ivec3 voxel;  // current voxel
+  ivec3 last;   // voxel of the end
 };
 
 float vtkiInverse(float along)
@@ -43,9 +44,10 @@ int vtkiWithin(int value, int middle, int reach)
   return upper > middle - reach ? upper : middle - reach;
 }
 
-/* To the first voxel beyond the cube that reaches freeVoxels - 1 voxels to each side, freeVoxels at
- * least 1; returns false when the segment ends before. The new voxel shares a face with one of the
- * cube however numbers round, so that no chain of voxels gets through a wall. */
+/* Moves to the first voxel beyond the cube that extends freeVoxels - 1 voxels to each side,
+ * freeVoxels at least 1; returns false if the segment ends before. The new voxel shares a face with
+ * one of the cube in spite of rounding, so that no walk passes through a wall of connected
+ * voxels. */
 bool vtkiLeapOn(VTKI_INOUT(vtkiLeap) leap, int freeVoxels)
 {
   float reach = float(freeVoxels) - 0.5f;
@@ -65,15 +67,15 @@ bool vtkiLeapOn(VTKI_INOUT(vtkiLeap) leap, int freeVoxels)
   return next < 1.0f;
 }
 
-/* Where a point on a surface, in voxels, is out of reach of that surface's own voxels: those that a
- * plane touches reach no farther from it than the sum of the normal's components. */
+/* Height over a surface, in voxels, that clears the surface's own voxels: voxels touched by a plane
+ * extend from it by at most the sum of the normal's components. */
 float vtkiClearHeight(vec3 normal)
 {
   return abs(normal.x) + abs(normal.y) + abs(normal.z) + 1.0e-3f;
 }
 
-/* Where to look for an empty voxel when the place above a surface is in another surface's: beside it,
- * in eight directions, half a voxel farther each time around. */
+/* Offsets for the search of an empty voxel if the voxel above a surface belongs to another surface:
+ * eight directions along the surface, half a voxel farther with each turn. */
 const int VTKI_ASIDE = 24;
 vec3 vtkiAside(int i, vec3 normal)
 {
@@ -83,21 +85,21 @@ vec3 vtkiAside(int i, vec3 normal)
   vec3 bitangent = cross(normal, tangent);
   int way = i - (i / 8) * 8;
   float reach = 0.5f * float(i / 8 + 1);
-  // Four along the two, then four between them.
+  // Four along the two axes, then four diagonal.
   float along = way < 4 ? (way == 0 ? 1.0f : (way == 1 ? -1.0f : 0.0f)) : (way < 6 ? 1.0f : -1.0f);
   float across = way < 4 ? (way == 2 ? 1.0f : (way == 3 ? -1.0f : 0.0f))
                          : (way == 4 || way == 6 ? 1.0f : -1.0f);
   return (reach * along) * tangent + (reach * across) * bitangent;
 }
 
-/* Moves an end of a segment until it is clear of the other end's plane too, within its own: near the
- * edge where walls meet, the way between them is parallel to one of them and beside it. place,
- * otherNormal, height: the other surface, and how far above it is clear. */
+/* Moves an end of a segment along its own plane until it clears the plane of the other end, too:
+ * near the edge where walls meet, the segment between them is nearly parallel to one of them.
+ * place, otherNormal, height: the other surface, and its clear height. */
 vec3 vtkiClearOf(vec3 end, vec3 normal, vec3 place, vec3 otherNormal, float height)
 {
   float c = dot(normal, otherNormal);
   float lacking = max(height - dot(otherNormal, end - place), 0.0f);
-  // Planes that nearly face each other leave no such place nearby.
+  // Planes that nearly face each other have no such position nearby.
   return end + (lacking / max(1.0f - c * c, 0.25f)) * (otherNormal - c * normal);
 }
 #endif

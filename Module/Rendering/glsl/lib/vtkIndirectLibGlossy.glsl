@@ -1,12 +1,12 @@
-// What a receiver with VTK's Phong model reflects of a virtual light in its specular lobe.
+// Specular reflection of a virtual light by a receiver with VTK's Phong model.
 #ifndef vtkIndirectLibGlossy
 #define vtkIndirectLibGlossy
 #include "vtkIndirectLibPortable.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"
 
-/* The way from a surface to the eye, which is the origin of view coordinates, mirrored at the normal:
- * R.V is the cosine between it and the way to the light. Unit. VTK's Phong model takes the same
- * way to the eye for parallel projections. */
+/* The direction from a surface to the eye (the origin of view coordinates), mirrored at the normal:
+ * R.V is the cosine between this and the direction to the light. Unit. VTK's Phong model takes the
+ * same direction to the eye for parallel projections. */
 vec3 vtkiMirror(vec3 positionVC, vec3 normalVC)
 {
   float r2 = dot(positionVC, positionVC);
@@ -14,10 +14,10 @@ vec3 vtkiMirror(vec3 positionVC, vec3 normalVC)
   return 2.0f * dot(normalVC, toEye) * normalVC - toEye;
 }
 
-/* Whether all lobes cos^power, or narrower ones, about mirror directions within a cone leave less than 2e-7 of a
- * sender, seen from anywhere within `radius` of a place. toSender: from that place; axis: of the cone, unit, of whose
- * directions `cosine` is the least cosine to it. cos(a)^power <= exp(-power a^2 / 2), here 1.2e-7. Angles have room for
- * rounding. */
+/* True if all lobes cos^power, or narrower ones, about mirror directions within a cone leave less
+ * than 2e-7 of a sender, seen from anywhere within `radius` of a position. toSender: from that
+ * position; axis: of the cone, unit; cosine: least cosine of the cone's directions to the axis.
+ * cos(a)^power <= exp(-power a^2 / 2), here 1.2e-7. Angles have a margin for rounding. */
 bool vtkiIsBesideMirrors(vec3 toSender, float radius, vec3 axis, float cosine, float power)
 {
   float r = length(toSender);
@@ -29,14 +29,14 @@ bool vtkiIsBesideMirrors(vec3 toSender, float radius, vec3 axis, float cosine, f
 }
 
 /* Weight w such that a virtual light of reflected density times area BA adds specular colour times
- * BA w to what a receiver shows (VTK units). The light's strength there is what VTK's lightColor is
- * to a lamp: irradiance without the receiver's cosine. The lobe is VTK's, cos^power about the mirror
- * direction for lights above the horizon, without a cosine at the receiver (Phong 1975,
- * "Illumination for computer generated pictures"):
+ * BA w to a receiver's colour (VTK units). The light's strength corresponds to VTK's lightColor:
+ * irradiance without the receiver's cosine. The lobe is VTK's, cos^power about the mirror direction
+ * for lights above the horizon, without a cosine at the receiver (Phong 1975, "Illumination for
+ * computer generated pictures"):
  *   w = cosS / (pi r^2 + A) * max(R.V, 0)^power.
  * toSender: sender minus receiver, scene units; normalR and mirror unit, normalS unit or a mean
- * (vtkiMeanProjection); area > 0. The size of the
- * disk against the lobe is ignored: of either sign at a pixel. No visibility. */
+ * (vtkiMeanProjection); area > 0. The size of the disk against the lobe is ignored: an error of
+ * either sign at a pixel. No visibility. */
 float vtkiGlossyWeight(
   vec3 toSender, vec3 normalS, vec3 normalR, vec3 mirror, float power, float area)
 {
@@ -48,9 +48,9 @@ float vtkiGlossyWeight(
   return vtkiMeanLightStrength(toSender, normalS, normalR, area) * r * lobe;
 }
 
-/* Where a light is against the horizon of a patch of surface: 1 above all of it, -1 below, where it has
- * no lobe, 0 where the horizon runs through, at which VTK's lobe steps to nothing. radius: of the patch
- * about the receiver; turn: by how much its normals differ from the receiver's, an angle. */
+/* Position of a light against the horizon of a patch of surface: 1 above all of it, -1 below, where
+ * it has no lobe, 0 where the horizon crosses the patch, at which VTK's lobe steps to zero. radius:
+ * of the patch about the receiver; turn: largest angle between its normals and the receiver's. */
 float vtkiGlossyHorizon(vec3 toSender, vec3 normalR, float radius, float turn)
 {
   float height = dot(normalR, toSender);
@@ -58,15 +58,15 @@ float vtkiGlossyHorizon(vec3 toSender, vec3 normalR, float radius, float turn)
   return height > reach ? 1.0f : (height < -reach ? -1.0f : 0.0f);
 }
 
-/* What a patch of surface misses of a light, for the same BA, when the light is left out there
- * (interpolated false) or interpolated between samples at such patches (interpolated true). radius,
- * turn: as above; toEye: distance of the eye.
- * The mirror direction turns by twice the normal's turn and by the angle under which the eye sees the
- * patch, the way to the light by the angle under which the light sees it. What is interpolated comes
- * from samples twice as far: the light is looked at over twice the patch. Left out is at most the
- * greatest weight there. Interpolation misses an eighth of the second derivative: that of a lobe cos^m
- * is at most m max(1, m theta^2) times the lobe, theta its angle, and strength falls with the square of
- * the distance, whose relative second derivative is 6. */
+/* Error at a patch of surface, for the same BA, if a light is left out there (interpolated false)
+ * or interpolated between samples at such patches (interpolated true). radius, turn: as above;
+ * toEye: distance of the eye. The mirror direction turns by twice the normal's turn and by the
+ * angle of the patch seen from the eye, the direction to the light by the angle of the patch seen
+ * from the light. Interpolation uses samples twice as far: the light is evaluated over twice the
+ * patch. A light left out costs at most the largest weight there. Interpolation's error is an
+ * eighth of the second derivative: that of a lobe cos^m is at most m max(1, m theta^2) times the
+ * lobe, theta its angle, and strength falls with the square of the distance, whose relative second
+ * derivative is 6. */
 float vtkiGlossyVariation(vec3 toSender, vec3 normalS, vec3 mirror, float power, float area,
   float radius, float turn, float toEye, bool interpolated)
 {
@@ -85,7 +85,7 @@ float vtkiGlossyVariation(vec3 toSender, vec3 normalS, vec3 mirror, float power,
   float cosine = facing < closest ? facing / closest : 1.0f;
   float strength = cosine / (VTKI_PI * closest * closest + area);
   float curvature = power * max(power * (1.0f - nearest * nearest), 1.0f) + 6.0f;
-  // Samples are as far apart as the patch is wide: twice the shift.
+  // The distance between samples is the patch's width: twice the shift.
   return strength * lobe * (interpolated ? min(0.5f * shift * shift * curvature, 1.0f) : 1.0f);
 }
 #endif

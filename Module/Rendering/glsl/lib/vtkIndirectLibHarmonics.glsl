@@ -32,17 +32,17 @@ float vtkiIrradianceLow(vec4 c, vec3 n)
   return c.x * y.x + (c.y * y.y + c.z * y.z + c.w * y.w) * (2.0f / 3.0f);
 }
 
-/* What band 2 adds to it. */
+/* Contribution of band 2 to vtkiIrradianceLow. */
 float vtkiIrradianceHigh(vec4 high, float last, vec3 n)
 {
   return 0.25f * (dot(high, vtkiHarmonicsHigh(n)) + last * vtkiHarmonicsLast(n));
 }
 
-/* The same without ringing. Band 1 over band 0 is how concentrated the light is: r = |c1| /
- * (sqrt 3 c0) is 0 for light from everywhere, 1/2 for a hemisphere, 1 for one direction. Up to 1/2
- * the linear form is exact for such light and never negative. Beyond, it would be negative on the
- * far side and too dark in front: there it goes over to the clamped cosine of one direction, which
- * for the front of a cone of light is exact again (4 r times the mean). */
+/* vtkiIrradianceLow without ringing. Band 1 over band 0 tells how concentrated the light is: r =
+ * |c1| / (sqrt 3 c0) is 0 for uniform light, 1/2 for a hemisphere, 1 for one direction. Up to 1/2
+ * the linear form is exact for such light and never negative. Beyond 1/2 it would be negative on
+ * the far side and too dark in front: there it blends into the clamped cosine of one direction,
+ * which is exact again for the front of a cone of light (4 r times the mean). */
 float vtkiIrradianceLobe(vec4 c, vec3 n)
 {
   float mean = c.x * 0.28209479f;
@@ -62,11 +62,11 @@ float vtkiIrradianceLobe(vec4 c, vec3 n)
   return mean * ((1.0f - t) * (1.0f + x) + 4.0f * t * max(x, 0.0f));
 }
 
-/* Where a patch is seen from, as the offset from there to the patch: a point at offset toSender
- * (patch minus point) in front of the patch's plane steps back along its normal, from the height h to
- * sqrt(h^2 + s), s = area / (2 pi). So no patch fills more than its half of all directions, and a plane
- * of patches still fills just that half, seen from any height: what one takes away from the places
- * right above it, its neighbours give. Far away nothing changes. */
+/* Offset to a patch from a moved point: a point at offset toSender (patch minus point) in front of
+ * the patch's plane moves back along its normal, from the height h to sqrt(h^2 + s), s = area / (2
+ * pi). So no patch covers more than half of all directions, and a plane of patches covers just that
+ * half, seen from any height: light that a patch loses at points right above it comes from its
+ * neighbours. At a distance the move has no effect. */
 vec3 vtkiPatchOffset(vec3 toSender, vec3 normalS, float softening)
 {
   float height = -dot(normalS, toSender);
@@ -75,8 +75,8 @@ vec3 vtkiPatchOffset(vec3 toSender, vec3 normalS, float softening)
     : toSender;
 }
 
-/* Share of a patch's radiance times area that is seen as radiance times solid angle: cosS / r^2, at
- * most 2 pi / area with the offset of vtkiPatchOffset. */
+/* Factor from a patch's radiance times area to radiance times solid angle: cosS / r^2, at most 2 pi
+ * / area with the offset of vtkiPatchOffset. */
 float vtkiPatchSolidAngle(vec3 toSender, vec3 normalS)
 {
   float r2 = dot(toSender, toSender);

@@ -1,26 +1,28 @@
-// Places drawn by importance, from sums over squares of cells: hierarchical warping, after Clarberg, Jarosz,
-// Akenine-Moller and Jensen 2005, "Wavelet importance sampling", as Dachsbacher and Stamminger 2006, "Splatting
-// indirect illumination", have it in section 3.5.
+// Importance sampling from sums over squares of cells: hierarchical warping, after Clarberg,
+// Jarosz, Akenine-Moller and Jensen 2005, "Wavelet importance sampling", as used by Dachsbacher and
+// Stamminger 2006, "Splatting indirect illumination", section 3.5.
 //
-// A chart is the square in which a light's map is drawn from, with a power of two of cells along an
-// edge. Quadrants of a node are the sums over its four quarters: x at the lower left, y at the lower right, z at the
-// upper left, w at the upper right.
+// A chart is the unit square in which a light's map is sampled, with a power of two of cells along
+// an edge. A node's quadrants are the sums over its four quarters: x at the lower left, y at the
+// lower right, z at the upper left, w at the upper right.
 #ifndef vtkIndirectLibImportance
 #define vtkIndirectLibImportance
 #include "vtkIndirectLibPortable.glsl"
 
-// How a node's columns are warped.
-const int VTKI_WARP_APART = 0;    // those of its upper and its lower half by their own sums: the paper's method A
-const int VTKI_WARP_TOGETHER = 1; // those of both halves by their common sums: method B
-const int VTKI_WARP_EVENLY = 2;   // no part of a node that has anything is more likely than another
+// Methods of warping a node's columns.
+// its upper and lower half by their own sums: the paper's method A
+const int VTKI_WARP_APART = 0;
+const int VTKI_WARP_TOGETHER = 1; // both halves by their common sums: method B
+const int VTKI_WARP_EVENLY = 2;   // all nonempty parts of a node are equally likely
 
 // The largest number below one.
 const float VTKI_BELOW_ONE = 0.99999994f;
 
-/* One step of warping: whether a coordinate in [0,1) falls into the second of two parts, and where in its part, in
- * [0,1). Equation (5) of the paper, counted within the halves that it maps to; how likely it was to fall there is
- * multiplied to the probability, the inverse of equation (6) but for the factor two of the halves. One of the parts
- * must have something; one that has nothing is never chosen. */
+/* One step of warping: selects the part, returns true for the second, and maps a coordinate in
+ * [0,1) to its place in the part, in [0,1). Equation (5) of the paper, counted within the halves
+ * that it maps to; multiplies the probability by that of the part, the inverse of equation (6) but
+ * for the factor two of the halves. One of the parts must be nonempty; an empty part is never
+ * chosen. */
 bool vtkiWarp(float first, float second, VTKI_INOUT(float) coordinate, VTKI_INOUT(float) probability)
 {
   float both = max(first + second, 1.0e-37f);
@@ -37,7 +39,8 @@ float vtkiOneWhereAny(float sum)
   return sum > 0.0f ? 1.0f : 0.0f;
 }
 
-/* The quarter of a node that a place in it, in [0,1)^2, falls into; place and probability as above. */
+/* Quarter of a node that contains a place in it, in [0,1)^2; place and probability as in
+ * vtkiWarp. */
 ivec2 vtkiWarpQuadrant(vec4 quadrants, int method, VTKI_INOUT(vec2) place, VTKI_INOUT(float) probability)
 {
   bool evenly = method == VTKI_WARP_EVENLY;
@@ -57,8 +60,8 @@ ivec2 vtkiWarpQuadrant(vec4 quadrants, int method, VTKI_INOUT(vec2) place, VTKI_
   return ivec2(isRight ? 1 : 0, isUpper ? 1 : 0);
 }
 
-/* Direction in a light's frame of a place in the chart of a map with faces: the cone of light about -z whose cosine
- * is given (-1: all directions), areas kept. */
+/* Direction in a light's frame for a place in the chart of a map with faces: an equal-area map of
+ * the cone of light about -z with this cosine (-1: all directions). */
 vec3 vtkiChartDirection(vec2 place, float cosCone)
 {
   float depth = place.x * (1.0f - cosCone);
@@ -67,11 +70,11 @@ vec3 vtkiChartDirection(vec2 place, float cosCone)
   return vec3(radius * cos(angle), radius * sin(angle), depth - 1.0f);
 }
 
-// Other surfaces within this, scene units, count for how open a place is.
+// Distance, scene units, within which other surfaces count for accessibility.
 const float VTKI_NEIGHBOR_RADIUS = 0.1f;
 
-/* How much of what is above a place is hidden by a surface that lies so from it, in [0,1]: the cosine at the place,
- * less the farther it is. */
+/* Occlusion at a position by a surface at this offset, in [0,1]: the cosine at the position,
+ * decreasing with the distance. */
 float vtkiHiddenBy(vec3 toSurface, vec3 normal)
 {
   float distance = length(toSurface);
@@ -79,14 +82,15 @@ float vtkiHiddenBy(vec3 toSurface, vec3 normal)
   return cosine * max(1.0f - distance / (2.0f * VTKI_NEIGHBOR_RADIUS), 0.0f);
 }
 
-/* What a texel's flux is multiplied by to be its importance; accessibility: share of the hemisphere that is open. */
+/* Factor from a texel's flux to its importance. accessibility: open share of the hemisphere. */
 float vtkiNeighborFactor(float occlusion, float accessibility)
 {
   return 0.015625f + max(1.0f - occlusion * accessibility, 0.0f);
 }
 
-/* Levels of nodes lie in two textures in turn, each to the right of the one before: where the nodes of a level begin
- * in its texture. width: that of the nodes of level 0; those of the next level are half as many. */
+/* Column at which the nodes of a level begin in its texture: levels lie in two textures in turn,
+ * each to the right of the one before. width: that of the nodes of level 0; each level has half as
+ * many. */
 int vtkiNodesBegin(int width, int level)
 {
   int begin = 0;

@@ -1,11 +1,10 @@
-// When a coarse sample may stand for a pixel.
+// Tests that a coarse sample represents a pixel.
 #ifndef vtkIndirectLibInterpolation
 #define vtkIndirectLibInterpolation
 #include "vtkIndirectLibPortable.glsl"
 
-// Between which pixels a coarse sample is interpolated: least cosine of their normals, and the farthest
-// that one may lie from the other's tangent plane, over the distance between samples on a surface that
-// faces the eye.
+// Limits for interpolating a coarse sample: least cosine of the normals, and largest distance from
+// each other's tangent plane, over the distance between samples on a surface that faces the eye.
 const float VTKI_INTERPOLATION_COSINE = 0.9f;
 const float VTKI_INTERPOLATION_DISTANCE = 0.5f;
 
@@ -18,11 +17,12 @@ bool vtkiSameSurface(
     max(abs(dot(normal, offset)), abs(dot(sampleNormal, offset))) <= planeTolerance;
 }
 
-/* Whether vtkiSameSurface holds between any two of several places, from how far they stray from one of
- * them: height over its plane, length of a normal's difference to its normal, distance from it. Never
- * true where it does not hold; of smooth surfaces that bend strongly it may be false where it does.
- * Normals differ by 2 turn at most, and chords of length c have the cosine 1 - c^2 / 2. Along the
- * one normal two places are 2 height apart, along another turn times their distance more. */
+/* True only if vtkiSameSurface holds between any two of several positions, from their largest
+ * deviations from one of them: height over its plane, length of a normal's difference to its
+ * normal, distance from it. For smooth, strongly curved surfaces it may be false although the
+ * condition holds. Normals differ by 2 turn at most, and chords of length c have the cosine 1 - c^2
+ * / 2. Along the one normal two positions are 2 height apart, along another turn times their
+ * distance more. */
 bool vtkiOneSurface(
   float height, float turn, float radius, float minimumCosine, float planeTolerance)
 {
@@ -30,14 +30,15 @@ bool vtkiOneSurface(
     2.0f * height + 2.0f * turn * radius <= planeTolerance;
 }
 
-/* Largest difference between unit vectors over the sum of the absolute differences of their octahedral
- * coordinates: on the octahedron points move by at most sqrt(2) of it, and lie at 1 / sqrt(3) or more
- * from the centre that they are seen from. */
+/* Largest difference between unit vectors over the sum of the absolute differences of their
+ * octahedral coordinates: on the octahedron points move by at most sqrt(2) times that sum, at a
+ * distance of 1 / sqrt(3) or more from the centre. */
 const float VTKI_TURN_PER_CODE = 2.4494897f;
 
-// What lies in a cell of pixels between four samples. Those of a lit sample are positive.
-const float VTKI_CELL_WHOLE = 2.0f;       // one lit surface, of which the four samples are
-const float VTKI_CELL_MIXED = 1.0f;       // something else; the cell's own sample is lit
-const float VTKI_CELL_MIXED_UNLIT = 0.0f; // the same; it is not
-const float VTKI_CELL_EMPTY = -1.0f;      // nothing lit
+// Content of a cell of pixels between four samples. Values for cells with a lit sample are
+// positive.
+const float VTKI_CELL_WHOLE = 2.0f;       // one lit surface, which has the four samples
+const float VTKI_CELL_MIXED = 1.0f;       // other content; the cell's own sample is lit
+const float VTKI_CELL_MIXED_UNLIT = 0.0f; // other content; the cell's own sample is unlit
+const float VTKI_CELL_EMPTY = -1.0f;      // no lit surface
 #endif

@@ -1,5 +1,5 @@
-// A light's map: which texel sees a point, and how much surface and reflected light a texel holds.
-// Lengths are scene units (diagonal = 1).
+// A light's map: the texel for a point, and the surface and reflected light of a texel. Lengths are
+// scene units (diagonal = 1).
 #ifndef vtkIndirectLibLightMap
 #define vtkIndirectLibLightMap
 #include "vtkIndirectLibPortable.glsl"
@@ -8,10 +8,10 @@
 const int VTKI_MAP_PARALLEL = 0; // directional light
 const int VTKI_MAP_SINGLE = 1;   // one perspective face: about a spot's axis, or aimed at the scene
 const int VTKI_MAP_FACES = 2;    // point or wide spot: perspective faces of a cube
-const int VTKI_MAP_CAMERA = 3;   // headlight: the geometry buffer itself
+const int VTKI_MAP_CAMERA = 3;   // headlight: the geometry buffer
 
-/* Face of the cube that sees a point given in the light's frame (-z is forward).
- * 0 forward, 1 +x, 2 -x, 3 +y, 4 -y, 5 backward: wide spots drop the last one. */
+/* Face of the cube that sees a point given in the light's frame (-z is forward): 0 forward, 1 +x, 2
+ * -x, 3 +y, 4 -y, 5 backward, which wide spots lack. */
 int vtkiFaceOf(vec3 p)
 {
   vec3 a = vec3(abs(p.x), abs(p.y), abs(p.z));
@@ -26,7 +26,7 @@ int vtkiFaceOf(vec3 p)
   return p.y >= 0.0f ? 3 : 4;
 }
 
-/* The same point in that face's view coordinates: x right, y up, looking along -z. */
+/* A point of the light's frame in a face's view coordinates: x right, y up, looking along -z. */
 vec3 vtkiToFace(vec3 p, int face)
 {
   if (face == 1)
@@ -69,7 +69,7 @@ float vtkiAttenuationTimesDistance2(vec3 attenuation, float d)
   {
     return d * d / denominator;
   }
-  // d = 0 (or no falloff at all, which VTK divides by zero for).
+  // d = 0 (or no falloff at all, where VTK divides by zero).
   return attenuation.x <= 0.0f && attenuation.y <= 0.0f && attenuation.z > 0.0f
     ? 1.0f / attenuation.z
     : 0.0f;

@@ -1,10 +1,11 @@
-// What a surface reflects of a parallelogram of one radiance in its specular lobe, with nothing in the way.
+// Specular reflection of a parallelogram of one radiance, without occlusion.
 #ifndef vtkIndirectLibLobe
 #define vtkIndirectLibLobe
 #include "vtkIndirectLibAreaLight.glsl"
 
-/* A parallelogram, seen from the receiver, cut by two planes through it: the horizon, and that of an axis. Its outline is
- * that of the parallelogram where it is above both, and goes along either plane where that crosses it. */
+/* Clips a parallelogram, seen from the receiver, by two planes through the receiver: the horizon,
+ * and that of an axis. The clipped outline is that of the parallelogram above both planes, and
+ * follows either plane where that crosses it. */
 struct vtkiCutter
 {
   vec3 corner;
@@ -12,9 +13,9 @@ struct vtkiCutter
   vec3 edge2;
   vec3 normal;
   vec3 axis;
-  vec3 leave; // where the outline goes below the horizon, and where it comes up again
+  vec3 leave; // ends of the outline along the horizon
   vec3 enter;
-  vec3 leaveAxis; // the same of the axis's plane
+  vec3 leaveAxis; // ends of the outline along the axis's plane
   vec3 enterAxis;
 };
 
@@ -48,13 +49,14 @@ vec3 vtkiCutterCorner(vtkiCutter cutter, int i)
     (i == 2 || i == 3 ? cutter.edge2 : vec3(0.0f));
 }
 
-/* What of the outline's edges is above both planes, from 0 to 5 in turn. */
+/* Part of the outline's edge i above both planes, i from 0 to 5 in turn. */
 vtkiCutEdge vtkiNextEdge(VTKI_INOUT(vtkiCutter) cutter, int i)
 {
   vec3 a = i < 4 ? vtkiCutterCorner(cutter, i) : (i == 4 ? cutter.leave : cutter.leaveAxis);
   vec3 b =
     i < 4 ? vtkiCutterCorner(cutter, i == 3 ? 0 : i + 1) : (i == 4 ? cutter.enter : cutter.enterAxis);
-  // Those along a plane lie in it, whatever rounding says; where both planes are the same one, that of the horizon counts.
+  // Edges along a plane lie in it in spite of rounding; if both planes coincide, the horizon
+  // counts.
   float same = 1.0e-5f * (length(a) + length(b));
   float a1 = i == 4 ? 1.0f : dot(cutter.normal, a) - (i == 5 ? same : 0.0f);
   float b1 = i == 4 ? 1.0f : dot(cutter.normal, b) - (i == 5 ? same : 0.0f);
@@ -81,8 +83,9 @@ vtkiCutEdge vtkiNextEdge(VTKI_INOUT(vtkiCutter) cutter, int i)
   return edge;
 }
 
-/* A linear map that takes directions to those of a cosine about the third axis: rows. Heitz, Dupuy, Hill, Neubelt
- * 2016, "Real-time polygonal-light shading with linearly transformed cosines". Its scale does not matter. */
+/* A linear map from directions to a cosine's distribution about the third axis: its rows. Heitz,
+ * Dupuy, Hill, Neubelt 2016, "Real-time polygonal-light shading with linearly transformed cosines".
+ * The scale is irrelevant. */
 struct vtkiTransform
 {
   vec3 x;
@@ -95,12 +98,12 @@ vec3 vtkiTransformWay(vtkiTransform t, vec3 way)
   return vec3(dot(t.x, way), dot(t.y, way), dot(t.z, way));
 }
 
-/* entry: of the table, the four that are neither zero nor one. toEye: unit. */
+/* entry: the table's four numbers that are neither zero nor one. toEye: unit. */
 vtkiTransform vtkiTableTransform(vec4 entry, vec3 normal, vec3 toEye)
 {
   vec3 across = toEye - dot(normal, toEye) * normal;
   float square = dot(across, across);
-  // Looked at from above every direction will do.
+  // For a perpendicular view any direction across the normal serves.
   vec3 other = abs(normal.x) < 0.7f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
   vec3 x = square > 1.0e-10f ? across / sqrt(square) : normalize(cross(normal, other));
   vtkiTransform t;
@@ -110,8 +113,9 @@ vtkiTransform vtkiTableTransform(vec4 entry, vec3 normal, vec3 toEye)
   return t;
 }
 
-/* About the mirror direction, about as wide as cos^power: alike for power 1, for great ones where the squared difference
- * is least, a third of the lobe apart. For shares of a light's parts, not for how much it gives. */
+/* Transformed cosines about the mirror direction, of about the width of cos^power: identical for
+ * power 1, of least squared difference for large powers, a third of the lobe apart. Used for shares
+ * of a light's parts, not for its total. */
 vtkiTransform vtkiPowerTransform(vec3 mirror, float power)
 {
   vec3 other = abs(mirror.x) < 0.7f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
@@ -122,7 +126,8 @@ vtkiTransform vtkiPowerTransform(vec3 mirror, float power)
   return t;
 }
 
-/* Share of transformed cosines over the part of a parallelogram above the horizon. Zero where nobody asks. */
+/* Share of transformed cosines over the part of a parallelogram above the horizon. Zero if not
+ * asked for. */
 float vtkiTransformedShare(
   vec3 corner, vec3 edge1, vec3 edge2, vec3 normal, vtkiTransform t, bool asked)
 {
@@ -149,10 +154,11 @@ float vtkiPowerQuotient(float x, float k)
     : (1.0f - pow(max(1.0f - x, 0.0f), k)) / x;
 }
 
-/* The integral of 1 - cos^(power + 1) over the angle about an axis, along the edge from a to b, both on the axis's
- * side. On a great circle whose normal has the height h over the axis, at the arc t from where it is nearest, the
- * axis's cosine is q = sqrt(1 - h^2) cos t, and the angle grows by h / (1 - q^2). What is left has no pole, and is as
- * wide as the lobe, over which nodes are spread: Gauss and Legendre's eight over asinh(t / width). */
+/* The integral of 1 - cos^(power + 1) over the angle about an axis, along the edge from a to b,
+ * both on the axis's side. On a great circle whose normal has the height h over the axis, at the
+ * arc t from its nearest point, the axis's cosine is q = sqrt(1 - h^2) cos t, and the angle grows
+ * by h / (1 - q^2). The integrand then has no pole and the width of the lobe, over which the nodes
+ * are spread: eight Gauss-Legendre nodes over asinh(t / width). */
 float vtkiPowerEdge(vec3 a, vec3 b, vec3 axis, float power, bool asked)
 {
   vec3 c = cross(a, b - a);
@@ -186,9 +192,9 @@ float vtkiPowerEdge(vec3 a, vec3 b, vec3 axis, float power, bool asked)
   return h * reach * width * sum;
 }
 
-/* The integral of cos^power about the mirror direction, unit, over the directions of what of a parallelogram lies above
- * the horizon and in the mirror direction's half: VTK's lobe under light of radiance one, times pi. Zero where nobody
- * asks. */
+/* The integral of cos^power about the mirror direction, unit, over the part of a parallelogram
+ * above the horizon and in the mirror direction's hemisphere: VTK's lobe under light of radiance
+ * one, times pi. Zero if not asked for. */
 float vtkiPowerIntegral(
   vec3 corner, vec3 edge1, vec3 edge2, vec3 normal, vec3 mirror, float power, bool asked)
 {
@@ -204,23 +210,25 @@ float vtkiPowerIntegral(
   return min(abs(sum), 2.0f * VTKI_PI) / (power + 1.0f);
 }
 
-/* Weight of a point of a light among others of it, where it stands for the same area as they: the disk of its share in
- * the transformed directions, where a smooth lobe sees no finer than points are apart. way: to the point, transformed;
- * height: of the light's plane over the receiver, transformed; area: transformed. */
+/* Weight of one of several points of a light that represent equal areas: the disk of its share in
+ * the transformed directions, where a smooth lobe resolves nothing finer than the distance of
+ * points. way: to the point, transformed; height: of the light's plane over the receiver,
+ * transformed; area: transformed. */
 float vtkiPointWeight(vec3 way, float height, float area)
 {
   float r2 = max(dot(way, way), 1.0e-30f);
   return height * max(way.z, 0.0f) / (r2 * (VTKI_PI * r2 + area));
 }
 
-/* Where in the table a lobe is: cosine of the view, roughness; in [0,1]. */
+/* Place of a lobe in the table, in [0,1], by the cosine of the view and the roughness. */
 vec2 vtkiTablePlace(float cosine, float roughness, float least)
 {
   return vec2(sqrt(max(1.0f - cosine, 0.0f)), max(roughness - least, 0.0f) / (1.0f - least));
 }
 
-/* What it reflects of light from all around, of VTK's Fresnel term: F0 where the view is straight, and at grazing angles
- * what VTK gives materials of that F0. integrals: of the lobe, and with Schlick's weight. */
+/* Reflectance of a lobe under uniform light with VTK's Fresnel term: F0 at perpendicular view, and
+ * at grazing angles VTK's value for materials of that F0. integrals: of the lobe, and with
+ * Schlick's weight. */
 vec3 vtkiFresnelIntegral(vec3 straight, vec2 integrals)
 {
   float grazing = min((straight.x + straight.y + straight.z) * 16.5f, 1.0f);

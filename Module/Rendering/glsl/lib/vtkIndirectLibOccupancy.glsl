@@ -1,10 +1,10 @@
-// A bit a voxel: a column of up to 128 voxels along z in one texel of four words. A segment is
-// followed from column to column; within one, all its voxels are tested at once.
+// One bit a voxel: a column of up to 128 voxels along z in one texel of four words. A segment is
+// walked from column to column; all its voxels within a column are tested at once.
 #ifndef vtkIndirectLibOccupancy
 #define vtkIndirectLibOccupancy
 #include "vtkIndirectLibPortable.glsl"
 
-/* The lowest n bits; n may be anything. */
+/* The lowest n bits; n may be negative or exceed 32. */
 uint vtkiBitsBelow(int n)
 {
   if (n <= 0)
@@ -38,14 +38,14 @@ bool vtkiHasBit(uvec4 column, int z)
   return z >= 0 && z < 128 && ((word >> uint(z & 31)) & 1u) != 0u;
 }
 
-/* Where a segment is. Coordinates count voxels: voxel i reaches from i to i + 1. */
+/* State of a walk. Coordinates count voxels: voxel i extends from i to i + 1. */
 struct vtkiWalk
 {
   vec3 start;
   vec3 along;      // end minus start
   vec2 next;       // parameter of the next border in x and y
   vec2 delta;      // parameter from border to border
-  ivec2 column;    // now
+  ivec2 column;    // current
   ivec2 direction; // -1 or 1
   int remaining;   // columns after this one
   float t;         // parameter at which the column is entered
@@ -76,13 +76,13 @@ vtkiWalk vtkiBeginWalk(vec3 start, vec3 end)
   return w;
 }
 
-/* Bits of the present column that the segment passes through, the voxels of its ends left out. */
+/* Bits of the current column that the segment passes through, without the voxels of its ends. */
 uvec4 vtkiWalkBits(vtkiWalk w)
 {
   float leave = w.remaining > 0 ? min(min(w.next.x, w.next.y), 1.0f) : 1.0f;
   float z0 = w.start.z + w.t * w.along.z;
   float z1 = w.start.z + leave * w.along.z;
-  // Rounding may put a border's height on either side of a voxel's face: both count.
+  // Rounding may put a border's height on either side of a voxel's face: both voxels count.
   const float slack = 1.0e-4f;
   int low = int(floor(min(z0, z1) - slack));
   int high = int(floor(max(z0, z1) + slack));
@@ -100,7 +100,7 @@ uvec4 vtkiWalkBits(vtkiWalk w)
   return range;
 }
 
-/* To the next column; while remaining > 0. */
+/* Moves to the next column; valid while remaining > 0. */
 void vtkiAdvance(VTKI_INOUT(vtkiWalk) w)
 {
   bool alongX = w.next.x <= w.next.y;

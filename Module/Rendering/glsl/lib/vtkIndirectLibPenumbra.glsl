@@ -1,23 +1,23 @@
-// Points of a light that has a size: its visibility is the mean over them.
+// Points of a light with a size, whose visibility is the mean over them.
 #ifndef vtkIndirectLibPenumbra
 #define vtkIndirectLibPenumbra
 #include "vtkIndirectLibPortable.glsl"
 
-// Points come in pairs, opposite to each other: so their mean is the light's centre, and the edge of a
-// shadow stays in the middle of its penumbra, from wherever the light is seen.
+// Points come in opposite pairs, so that their mean is the light's centre, and a shadow's edge
+// stays in the middle of its penumbra from all directions.
 const int VTKI_LIGHT_PAIRS = 16;
 const int VTKI_LIGHT_POINTS = 2 * VTKI_LIGHT_PAIRS;
-// Angles from pair to pair, irrational parts of a turn: half a turn by the golden ratio across the light,
-// because a pair is a line, and a turn by the root of two along it.
+// Angles from pair to pair, irrational parts of a turn: half a turn by the golden ratio across the
+// light, because a pair is a line, and a turn by the root of two along it.
 const float VTKI_LIGHT_TURN_ACROSS = 0.61803398875f * VTKI_PI;
 const float VTKI_LIGHT_TURN_ALONG = 0.82842712475f * VTKI_PI;
 
-// Parallel maps of a light's points are shifted by so many half widths, perspective ones turned by an angle of
-// that sine, times the point's place in the unit disk, which is a few texels: else all of them would round
-// an outline alike.
+// Parallel maps of a light's points are shifted by this many half widths, perspective ones turned
+// by an angle of this sine, times the point's place in the unit disk, which is a few texels:
+// otherwise all maps would round an outline alike.
 const float VTKI_LIGHT_SHIFT = 1.0f / 64.0f;
 
-/* Where the pairs go on: cosines and sines of both angles. */
+/* Rotation from pair to pair: cosines and sines of both angles. */
 struct vtkiLightPairs
 {
   vec2 across;
@@ -39,10 +39,11 @@ vec2 vtkiTurn(vec2 direction, float angle)
   return vec2(c * direction.x - s * direction.y, s * direction.x + c * direction.y);
 }
 
-/* The first point of pair i in the unit ball, and on to the next pair. Seen from any direction such points
- * fill the unit disk evenly: so does a density of 1 / sqrt(1 - r^2) in the ball (the inverse of Abel's
- * transform of a constant). x and y are even in the disk; over a point of it, at distance q from the
- * centre, that density is an arcsine's, that of sqrt(1 - q^2) sin(t) with t even. */
+/* The first point of pair i in the unit ball; advances to the next pair. Seen from any direction
+ * such points fill the unit disk evenly, because their density in the ball is 1 / sqrt(1 - r^2)
+ * (the inverse Abel transform of a constant). x and y are uniform in the disk; over a point of it,
+ * at distance q from the centre, that density is an arcsine's, that of sqrt(1 - q^2) sin(t) with t
+ * uniform. */
 vec3 vtkiNextLightPoint(VTKI_INOUT(vtkiLightPairs) pairs, int i)
 {
   float share = (float(i) + 0.5f) / float(VTKI_LIGHT_PAIRS);
@@ -53,8 +54,8 @@ vec3 vtkiNextLightPoint(VTKI_INOUT(vtkiLightPairs) pairs, int i)
   return point;
 }
 
-/* Axes of a parallel map from a point of the light at infinity: z towards the point, whose place in the
- * image of the light's axis is offset (sines); x and y across it, continuous up to 90 degrees. */
+/* Axes of a parallel map from a point of the light at infinity: z towards the point, offset (sines)
+ * in the image of the light's axis; x and y across it, continuous up to 90 degrees. */
 void vtkiLightPointAxes(vec2 offset, VTKI_OUT(vec3) x, VTKI_OUT(vec3) y, VTKI_OUT(vec3) z)
 {
   z = vec3(offset.x, offset.y, sqrt(max(1.0f - offset.x * offset.x - offset.y * offset.y, 0.0f)));

@@ -1,6 +1,6 @@
-// The dialect shared by GLSL and C++ (through GLM): values in, values out. Literals carry an f
-// suffix, swizzles name one component, output parameters go through these macros. A C++ build
-// defines VTKI_HOST and its own versions before it includes a kernel.
+// The dialect shared by GLSL and C++ (through GLM): values in, values out. Literals have an f
+// suffix, swizzles name one component, output parameters use these macros. A C++ build defines
+// VTKI_HOST and its own versions before it includes a kernel.
 #ifndef vtkIndirectLibPortable
 #define vtkIndirectLibPortable
 #ifndef VTKI_HOST

@@ -1,29 +1,29 @@
-// Where spheres and groups of spheres count, and flat polygons as seen from a receiver.
+// Regions in which spheres and groups of spheres count, and flat polygons as seen from a receiver.
 #ifndef vtkIndirectLibProxyRegion
 #define vtkIndirectLibProxyRegion
 #include "vtkIndirectLibPortable.glsl"
 
-/* Share of a region's radius within which all counts. */
+/* Share of a region's radius within which an entry counts fully. */
 const float VTKI_PROXY_BAND = 0.8f;
 
-/* How much counts within a region of that radius: all of it up to VTKI_PROXY_BAND, nothing from the border on,
- * smooth in between. */
+/* Weight within a region of that radius: one up to VTKI_PROXY_BAND, zero from the border on, smooth
+ * in between. */
 float vtkiProxyWithin(float distance, float radius)
 {
   float t = min(max((radius - distance) / max((1.0f - VTKI_PROXY_BAND) * radius, 1.0e-30f), 0.0f), 1.0f);
   return t * t * (3.0f - 2.0f * t);
 }
 
-/* Weight of an entry of the tree of spheres: within the region in which its parent does not stand for it, and not
- * well within its own, where its children stand for it. */
+/* Weight of an entry of the tree of spheres: positive in the region where its parent does not
+ * represent it, and not deep inside its own inner region, where its children represent it. */
 float vtkiProxyWeight(float toOuter, float outer, float toCenter, float inner)
 {
   float within = vtkiProxyWithin(toOuter, outer);
   return inner > 0.0f ? within * (1.0f - vtkiProxyWithin(toCenter, inner)) : within;
 }
 
-/* Two numbers in one, of 8 bits of mantissa each: texels cost more than what is done with them. The first one's
- * exponent is that of the float, which thus is no special one, or zero. */
+/* Packs two numbers into one float, 8 bits of mantissa each: texels cost more than unpacking. The
+ * float has the first number's exponent, so it is a finite number or zero. */
 float vtkiPair(float first, float second)
 {
   uint high = floatBitsToUint(abs(first) < 1.0e-30f && second != 0.0f ? 1.0e-30f : first) + 0x8000u;
@@ -47,19 +47,21 @@ float vtkiPairedAbove(float number)
   return uintBitsToFloat((floatBitsToUint(number) + 0xffffu) & 0xffff0000u);
 }
 
-/* Where an entry of the tree of spheres counts, in one texel. */
+/* Region in which an entry of the tree of spheres counts, in one texel. */
 struct vtkiRegion
 {
-  vec3 ToOuter; // from its centre to that of the region
+  vec3 ToOuter; // vector from the entry's centre to the region's
   float Outer;  // radius of the region
-  float Inner;  // radius about its own centre within which others stand for it; 0: none do, -1: it is drawn as it is
-  float Bound;  // radius about it that it and all below it are within
-  float Share;  // of its disk that is hidden
-  float Next;   // the entry after it and all below it
+  // radius about its own centre within which its children represent it; 0: it has none, -1: it is a
+  // drawn sphere
+  float Inner;
+  float Bound;  // radius about it that bounds the entry and its descendants
+  float Share;  // hidden share of its disk
+  float Next;   // the entry after it and its descendants
 };
 
-/* Radii are numbers of pairs, or are rounded to some. The way to the region's centre, no longer than its radius, is
- * exact to a 500th of that; its bits are those of no special number. */
+/* Radii are representable numbers of pairs, or rounded to them. The offset of the region's centre,
+ * at most its radius, is exact to a 500th of that; its bits make a finite number. */
 vec4 vtkiPackRegion(vtkiRegion region)
 {
   vec3 way = region.ToOuter / max(region.Outer, 1.0e-30f);
@@ -84,7 +86,7 @@ vtkiRegion vtkiUnpackRegion(vec4 texel)
   return region;
 }
 
-/* Squared distances of a box's nearest and farthest place from a point. */
+/* Squared distances from a point to the nearest and farthest point of a box. */
 vec2 vtkiBoxDistances(vec3 middle, vec3 halfSize, vec3 point)
 {
   vec3 away = abs(point - middle);
@@ -93,7 +95,7 @@ vec2 vtkiBoxDistances(vec3 middle, vec3 halfSize, vec3 point)
   return vec2(dot(nearest, nearest), dot(farthest, farthest));
 }
 
-/* Whether an entry may count somewhere in a box. */
+/* True if an entry may count somewhere in a box. */
 bool vtkiProxyMeetsBox(vec3 middle, vec3 halfSize, vec3 outerCenter, float outer, vec3 center, float inner)
 {
   vec2 toOuter = vtkiBoxDistances(middle, halfSize, outerCenter);
@@ -102,8 +104,8 @@ bool vtkiProxyMeetsBox(vec3 middle, vec3 halfSize, vec3 outerCenter, float outer
   return toOuter.x < outer * outer && toCenter.y >= least * least;
 }
 
-/* One edge's part of what a polygon's disk of directions sums to, as a vector (Lambert): the angle that the edge
- * takes, about the normal of the plane through it. a, b: unit directions to its corners. */
+/* One edge's part of the vector sum of a polygon's directions (Lambert): the angle of the edge,
+ * about the normal of the plane through it. a, b: unit directions to its corners. */
 vec3 vtkiPolygonEdge(vec3 a, vec3 b)
 {
   vec3 across = cross(a, b);
@@ -111,7 +113,7 @@ vec3 vtkiPolygonEdge(vec3 a, vec3 b)
   return s > 1.0e-12f ? (atan(s, dot(a, b)) / s) * across : vec3(0.0f);
 }
 
-/* A disk around +z of the sine of half its angle, in spherical harmonics of order 4. */
+/* A disk around +z, by the sine of half its angle, in spherical harmonics of order 4. */
 vec4 vtkiZonalDisk(float sine)
 {
   float s2 = sine * sine;
@@ -120,14 +122,16 @@ vec4 vtkiZonalDisk(float sine)
     vec4(0.56418958f * s2 / (1.0f + c), 0.48860251f * s2, 0.63078313f * c * s2, 0.18658817f * s2 * (4.0f - 5.0f * s2));
 }
 
-/* The logarithm of what a disk leaves to be seen that hides the share p of the light: `whole` is that of an opaque
- * one. log(1 - p D) begins with -p D, and what exceeds that goes with the square of p. */
+/* The logarithm of the visibility left by a disk that hides the share p of the light; `whole` is
+ * that of an opaque disk. log(1 - p D) begins with -p D, and the remainder goes with the square of
+ * p. */
 vec4 vtkiZonalShare(vec4 whole, float sine, float share)
 {
   return share * (share * whole - (1.0f - share) * vtkiZonalDisk(sine));
 }
 
-/* The disk of equal vector irradiance: direction, and the sine of half its angle. sum: over all edges. */
+/* The disk of equal vector irradiance: direction, and the sine of half its angle. sum: over all
+ * edges. */
 vec4 vtkiPolygonDisk(vec3 sum)
 {
   float size = length(sum);

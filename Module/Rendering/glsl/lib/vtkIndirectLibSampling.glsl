@@ -3,9 +3,9 @@
 #define vtkIndirectLibSampling
 #include "vtkIndirectLibPortable.glsl"
 
-/* Sample i of n in the disk around a map coordinate: offset in units of the disk's radius, radius xi
- * uniform and therefore dense in the middle; weight = xi * 2 pi / n is the Jacobian of that choice
- * (unit disk area). Dachsbacher and Stamminger 2005, "Reflective shadow maps", section 4. */
+/* Sample i of n in the disk around a map coordinate: offset in units of the disk's radius, radius
+ * xi uniform and therefore dense in the middle; weight = xi * 2 pi / n is the Jacobian of that
+ * choice (unit disk area). Dachsbacher and Stamminger 2005, "Reflective shadow maps", section 4. */
 vec3 vtkiDiskSample(int i, int n)
 {
   float xi1 = (float(i) + 0.5f) / float(n);

@@ -3,7 +3,7 @@
 #define vtkIndirectLibShadow
 #include "vtkIndirectLibSurface.glsl"
 
-/* Linear depth along the map's axis to what the depth buffer stores, [0,1]. */
+/* Converts linear depth along the map's axis to the depth buffer's value, [0,1]. */
 float vtkiDepthToBuffer(float depth, float nearPlane, float farPlane, bool parallel)
 {
   if (parallel)
@@ -13,7 +13,8 @@ float vtkiDepthToBuffer(float depth, float nearPlane, float farPlane, bool paral
   return depth > 0.0f ? farPlane * (depth - nearPlane) / (depth * (farPlane - nearPlane)) : 0.0f;
 }
 
-/* Derivative of that by linear depth: turns a length along the axis into a difference of depths. */
+/* Derivative of vtkiDepthToBuffer by linear depth: converts a length along the axis to a difference
+ * of depths. */
 float vtkiDepthToBufferSlope(float depth, float nearPlane, float farPlane, bool parallel)
 {
   if (parallel)
@@ -23,10 +24,10 @@ float vtkiDepthToBufferSlope(float depth, float nearPlane, float farPlane, bool 
   return depth > 0.0f ? farPlane * nearPlane / (depth * depth * (farPlane - nearPlane)) : 0.0f;
 }
 
-/* How a receiver's plane runs in the depth buffer: change per texel in x and y, and 1 in z, or 0 in z
- * for a plane that does not face the map. What a depth buffer stores is affine over the image of a
- * plane, so this is exact, and every texel can be compared with the plane's own depth there.
- * p: receiver in the map's view coordinates (-z forward); n: its unit normal there; texel: width of a
+/* Gradient of a receiver's plane in the depth buffer: change per texel in x and y, and 1 in z, or 0
+ * in z for a plane that does not face the map. The depth buffer's value is affine over the image of
+ * a plane, so this is exact, and every texel can be compared with the plane's own depth there. p:
+ * receiver in the map's view coordinates (-z forward); n: its unit normal there; texel: width of a
  * texel in tangents (perspective) or lengths (parallel). The plane n.x = n.p meets the ray through
  * tangents t at depth (n.p) / (n.(t,-1)). */
 vec3 vtkiPlaneDepthGradient(
@@ -37,21 +38,22 @@ vec3 vtkiPlaneDepthGradient(
     float scale = n.z > 0.0f ? texel / (n.z * (farPlane - nearPlane)) : 0.0f;
     return vec3(n.x * scale, n.y * scale, n.z > 0.0f ? 1.0f : 0.0f);
   }
-  // facing = depth * cosine between the normal and the way to the light
+  // facing = depth * cosine between the normal and the direction to the light
   float facing = -dot(n, p);
   float scale =
     facing > 0.0f ? farPlane * nearPlane * texel / (facing * (farPlane - nearPlane)) : 0.0f;
   return vec3(n.x * scale, n.y * scale, facing > 0.0f ? 1.0f : 0.0f);
 }
 
-/* Linear depth of what the depth buffer stores, perspective. */
+/* Linear depth for the depth buffer's value, perspective. */
 float vtkiDepthOfBuffer(float stored, float nearPlane, float farPlane)
 {
   return nearPlane * farPlane / (farPlane - stored * (farPlane - nearPlane));
 }
 
-/* A plane's slope over a map, in the bits of a float: of depth by length (parallel), or of inverse depth times depth
- * by tangents. It is the direction of a normal that faces the light; steep ones lose most, a hundredth at 100. */
+/* Packs a plane's slope over a map into the bits of a float: of depth by length (parallel), or of
+ * inverse depth times depth by tangents. It is stored as the direction of a normal that faces the
+ * light; steep slopes lose most, a hundredth at 100. */
 float vtkiPackSlope(vec2 slope)
 {
   return vtkiPackNormal(normalize(vec3(slope.x, slope.y, 1.0f)), VTKI_SURFACE_LINEAR);
@@ -63,13 +65,15 @@ vec2 vtkiUnpackSlope(float bits)
   return p * (1.0f / max(1.0f - abs(p.x) - abs(p.y), 1.0e-5f));
 }
 
-// Surfaces that meet at less than this angle's cosine are facets of one: what of their planes lies before a
-// receiver by no more than they are apart tells nothing, since others may lie between them.
+// Surfaces that meet at a cosine above this are facets of one curved surface: the part of a facet's
+// plane before a receiver decides nothing if it is no farther before it than the facets are apart,
+// since other facets may lie between them.
 const float VTKI_SHADOW_FACET_COSINE = 0.7f;
 
-/* A receiver as its map sees it: the depth that would be stored, its plane's change of that over a texel, one over a
- * texel's width along depth, and what stored depths may be nearer by and still be the receiver's own surface: on its
- * plane, by rounding alone; on a surface that its facets stand for, by the bias. */
+/* A receiver as its map sees it: reference, the depth that would be stored; gradient, its plane's
+ * change of depth over a texel; perTexel, one over a texel's width along depth. A nearer stored
+ * depth still belongs to the receiver's own surface within rounding on its plane, and within the
+ * bias on the curved surface that its facets approximate. */
 struct vtkiShadowPlane
 {
   float reference;
@@ -77,13 +81,14 @@ struct vtkiShadowPlane
   float perTexel;
   float rounding;
   float bias;
-  bool turned; // the facet is turned away from the light, which the normal that it is shaded by faces still
+  bool turned; // the facet faces away from the light and its shading normal does not
   vec2 facet;  // change of depth on the facet
 };
 
-/* What texels around a receiver say: the weights of those from which it is hidden; whether something hides it
- * whose plane comes out of the receiver's beside it or there; of what hides it, at the texel of the greatest weight, the plane: its
- * depth at the receiver, its change over a texel; and which of the texels see it. */
+/* Votes of the texels around a receiver: the weights of texels that hide it; whether an occluder's
+ * plane comes out of the receiver's beside or at the receiver; the occluder's plane at the texel of
+ * the largest weight: its depth at the receiver and its change over a texel; and the texels that
+ * see the receiver. */
 struct vtkiShadowVotes
 {
   float hidden;
@@ -91,7 +96,7 @@ struct vtkiShadowVotes
   float most;
   float depth;
   vec2 gradient;
-  int seen; // bits of texels
+  int seen; // one bit a texel
 };
 
 vtkiShadowVotes vtkiBeginShadow()
@@ -106,7 +111,7 @@ vtkiShadowVotes vtkiBeginShadow()
   return votes;
 }
 
-/* Number of the lowest bit that is set; of up to 2^24. */
+/* Number of the lowest set bit, up to 24. */
 int vtkiLowestBit(int bits)
 {
   return int((floatBitsToUint(float(bits & -bits)) >> 23u) - 127u);
@@ -119,33 +124,36 @@ vec2 vtkiShadowNeighbor(int i)
   return vec2(float(i) - 3.0f * row - 4.0f, row);
 }
 
-/* Weight of one of three texels, -1 to 1, of a tent that is three texels wide at most; toCenter: to the middle one's
- * centre, half a texel at most. */
+/* Weight of one of three texels, -1 to 1, of a tent at most three texels wide; toCenter: to the
+ * middle texel's centre, at most half a texel. */
 float vtkiShadowWeight(float offset, float toCenter)
 {
   return 0.5f * (offset == 0.0f ? 1.0f : (0.5f - offset * toCenter));
 }
 
-/* A texel's vote. offset: from the receiver to the texel's centre, in texels; stored: its depth; gradient: how that
- * changes over a texel on the plane of what it holds.
- *   A surface hides the receiver where it lies before the receiver's plane at the texel, and its own plane before the
- * receiver at the receiver's place. Of one smooth surface never both hold: what bends away from the light lies behind the
- * receiver's plane, and the plane of what bends towards the light passes behind the receiver. Where only the first
- * holds the two planes meet between the texel and the receiver, as at the foot of a wall: what a map sees beyond
- * that line tells nothing of the receiver. Where they meet as near on the receiver's other side, as behind a thin wall, the
- * texel tells that the receiver is hidden only if none sees it; so it does where they meet at the receiver, within
- * rounding, as in a corner of a closed body whose inside the receiver is on. */
+/* A texel's vote. offset: from the receiver to the texel's centre, in texels; stored: its depth;
+ * gradient: change of depth over a texel on the plane of the texel's surface.
+ *   A surface hides the receiver if it lies before the receiver's plane at the texel, and its own
+ * plane lies before the receiver at the receiver's place. One smooth surface never meets both
+ * conditions: where it bends away from the light it lies behind the receiver's plane, and where it
+ * bends towards the light its plane passes behind the receiver. If only the first holds, the two
+ * planes meet between the texel and the receiver, as at the foot of a wall: the map beyond that
+ * line tells nothing about the receiver. If they meet as near on the receiver's other side, as
+ * behind a thin wall, the texel hides the receiver only if no texel sees it; so it does if they
+ * meet at the receiver, within rounding, as in a corner of a closed body with the receiver
+ * inside. */
 void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 gradient, float weight, int number,
   VTKI_INOUT(vtkiShadowVotes) votes)
 {
   float depthThere = stored - gradient.x * offset.x - gradient.y * offset.y;
   float plane = receiver.reference + receiver.gradient.x * offset.x + receiver.gradient.y * offset.y;
-  // The map ends with what casts shadows: a receiver behind that is compared with its end, where nothing is.
+  // The map ends at the last caster: a receiver beyond it is compared with the map's end, which
+  // holds no caster.
   bool before = stored < min(plane - receiver.bias, 1.0f);
   // Slopes are rounded to a hundredth at most.
   float rounding = receiver.rounding + 0.01f * (abs(gradient.x) + abs(gradient.y));
   bool over = depthThere < receiver.reference - rounding;
-  // Light that comes to the back of the receiver's own facet does not go through it.
+  // Light that falls on the back of the receiver's own facet does not pass through it.
   vec2 apart = abs(gradient - receiver.facet);
   bool behind = receiver.turned && abs(depthThere - receiver.reference) <= rounding &&
     (apart.x + apart.y) * receiver.perTexel <=
@@ -170,10 +178,11 @@ void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 
   votes.gradient = first ? gradient : votes.gradient;
 }
 
-/* Whether a texel that sees the receiver counts, by its number. Not beyond the line where what hides the receiver meets
- * the receiver's plane, as on the other side of a thin wall, nor where it holds that itself. Nor where what it holds lies
- * so far behind the receiver's plane that the receiver's surface has ended, as beyond the rim of a closed body whose
- * inside the receiver is on: it may bend away by half a texel's width and half of its rise over one. */
+/* True if a texel that sees the receiver counts, by its number. It does not count beyond the line
+ * where the occluder meets the receiver's plane, as on the other side of a thin wall, nor if it
+ * shows the occluder, nor if its surface lies so far behind the receiver's plane that the
+ * receiver's surface has ended, as beyond the rim of a closed body with the receiver inside: that
+ * surface may bend away by half a texel's width and half of its rise over one. */
 bool vtkiCountsForShadow(
   vtkiShadowPlane receiver, vec2 offset, float stored, int number, vtkiShadowVotes votes)
 {

@@ -1,4 +1,4 @@
-// Sums over spheres in spherical harmonics of order 4: what they hide, and what they send.
+// Sums over spheres in spherical harmonics of order 4: their occlusion and their light.
 // "Image-Based Proxy Accumulation for Real-Time Soft Global Illumination", Sloan, Govindaraju,
 // Nowrouzezahrai, Snyder 2007; numbers by Testing/Reference/fit_sphere_proxies.py.
 #ifndef vtkIndirectLibSphereProxy
@@ -7,12 +7,12 @@
 #include "vtkIndirectLibPortable.glsl"
 #include "vtkIndirectLibProxyOperator.glsl"
 
-/* Of the constant function: over the sphere it is 1. */
+/* The constant function Y00, of unit norm over the sphere. */
 const float VTKI_HARMONICS_Y00 = 0.28209479f;
-/* f without its constant is halved until it is no longer than this ... */
+/* f without its constant is halved until its length is at most this. */
 const float VTKI_HARMONICS_HALVING = 0.25f;
-/* ... and no longer than this to begin with, a little more than that of a sphere that fills a hemisphere:
- * further spheres at the same place hide nothing more. */
+/* f without its constant is shortened to this length first, a little more than that of a sphere
+ * that fills a hemisphere: further spheres at the same place hide nothing more. */
 const float VTKI_HARMONICS_LONGEST = 12.0f;
 
 /* All 16 functions at a unit direction. */
@@ -47,8 +47,8 @@ vtkiHarmonics4 vtkiHarmonicsAdd(vtkiHarmonics4 f, float s, vtkiHarmonics4 g)
   return h;
 }
 
-/* A function around +z, by its four coefficients, turned to a unit direction (Eq 8): band l of the
- * functions there times sqrt(4 pi / (2 l + 1)). */
+/* Turns a function around +z, given by its four coefficients, to a unit direction (Eq 8): band l of
+ * the functions there times sqrt(4 pi / (2 l + 1)). */
 vtkiHarmonics4 vtkiZonalTo(vec4 zonal, vec3 d)
 {
   vtkiHarmonics4 y = vtkiHarmonics4At(d);
@@ -60,16 +60,17 @@ vtkiHarmonics4 vtkiZonalTo(vec4 zonal, vec3 d)
   return y;
 }
 
-/* The clamped cosine about a unit normal, over pi: with the light's coefficients it is irradiance in
- * VTK's unit. Its band 3 is zero. */
+/* The clamped cosine about a unit normal, over pi: its product with the light's coefficients is
+ * irradiance in VTK's unit. Its band 3 is zero. */
 vtkiHarmonics4 vtkiClampedCosine(vec3 n)
 {
   return vtkiZonalTo(vec4(0.28209479f, 0.32573501f, 0.15769578f, 0.0f), n);
 }
 
-/* e^f, cut to order 4: e^(f0 Y00) (a + b g + g^2 / 2) squared p times, g the rest of f halved p times.
- * The sum of logarithms becomes what is seen. After Ren, Wang, Snyder, Zhou, Liu, Sun, Hua, Guo, Shum
- * 2006, "Real-time soft shadows in dynamic scenes using spherical harmonic exponentiation". */
+/* e^f, cut to order 4: e^(f0 Y00) (a + b g + g^2 / 2) squared p times, g the rest of f halved p
+ * times. Turns the sum of logarithms into visibility. After Ren, Wang, Snyder, Zhou, Liu, Sun, Hua,
+ * Guo, Shum 2006, "Real-time soft shadows in dynamic scenes using spherical harmonic
+ * exponentiation". */
 vtkiHarmonics4 vtkiHarmonicsExp(vtkiHarmonics4 f)
 {
   vtkiHarmonics4 g = f;
@@ -106,20 +107,20 @@ vtkiHarmonics4 vtkiHarmonicsExp(vtkiHarmonics4 f)
   {
     e = vtkiHarmonicProduct(e, e);
   }
-  // Far beyond that, lobes that ring grow, too; more than all is never seen.
+  // For much longer f, ringing lobes grow as well; visibility is at most one.
   float whole = exp(min(constant, 0.0f));
   float seen = whole * e.A.x * VTKI_HARMONICS_Y00;
   return vtkiHarmonicsAdd(zero, seen > 1.0f ? whole / seen : whole, e);
 }
 
-/* Where the table has a sphere of that sine, from 0 to 1: rows go with its solid angle, which its
- * logarithm begins with. */
+/* Row of the table for a sphere of that sine, from 0 to 1: rows go with the solid angle, which is
+ * the leading term of the logarithm. */
 float vtkiProxyRow(float sine)
 {
   return 1.0f - sqrt(max(1.0f - sine * sine, 0.0f));
 }
 
-/* Multiplication by a light, for its nine functions that a clamped cosine has (Eq 10). */
+/* Multiplication by a light, for the nine functions of a clamped cosine (Eq 10). */
 struct vtkiLightMatrix
 {
   vtkiHarmonics4 Columns[9];
@@ -140,8 +141,8 @@ vtkiLightMatrix vtkiMakeLightMatrix(vtkiHarmonics4 light)
   return m;
 }
 
-/* C(n): light times clamped cosine over pi. Its dot product with what is seen is irradiance (VTK units:
- * with nothing hidden a constant radiance L gives L). */
+/* C(n): light times clamped cosine over pi. Its dot product with visibility is irradiance (VTK
+ * units: without occlusion a constant radiance L gives L). */
 vtkiHarmonics4 vtkiLitCosine(vtkiLightMatrix m, vec3 n)
 {
   vtkiHarmonics4 h = vtkiClampedCosine(n);
@@ -156,8 +157,9 @@ vtkiHarmonics4 vtkiLitCosine(vtkiLightMatrix m, vec3 n)
   return vtkiHarmonicsAdd(c, h.C.x, m.Columns[8]);
 }
 
-/* How irradiance, of light in its first nine coefficients, changes with the normal: its gradient, the normal taken as
- * any vector. Irradiance of a normal nearby is that here plus its product with their difference. */
+/* Gradient of irradiance by the normal, taken as any vector, for light in its first nine
+ * coefficients. Irradiance of a nearby normal is that here plus the gradient's product with their
+ * difference. */
 vec3 vtkiIrradianceGradient(vtkiHarmonics4 light, vec3 n)
 {
   float k = 0.27313711f;
@@ -166,7 +168,8 @@ vec3 vtkiIrradianceGradient(vtkiHarmonics4 light, vec3 n)
     0.32573501f * light.A.z + k * (light.B.y * n.y + light.B.w * n.x) + 0.47308736f * light.B.z * n.z);
 }
 
-/* What a disk of radiance 1 gives a receiver, of the cosine between its middle and the normal: of order 3. */
+/* Irradiance from a disk of radiance 1, by the cosine between its middle and the normal: of order
+ * 3. */
 float vtkiDiskIrradiance(float sine, float cosine)
 {
   float s2 = sine * sine;
@@ -175,15 +178,15 @@ float vtkiDiskIrradiance(float sine, float cosine)
 }
 
 /* Sine of half the angle under which a sphere counts for a receiver of unit normal n; toCenter from
- * the receiver. Seen from outside it is r / d, whatever crosses the receiver's plane. Spheres that
- * contain the receiver are mostly those of its own surface; farther outside this goes over to r / d, so
- * that nothing jumps. A sphere that is drawn as it is (`drawn`) is the receiver's own if its center is
- * straight below, to 18 degrees: normals and places are those of its facets, or a neighbor's that it is
- * cut by, and the more the center is aside the more of it is above the plane. Spheres that stand for a
- * surface may lie on either side of it. One whose center is below the plane is shrunk until it ends at
- * it; one with its center above hides the more the higher that is, all of its side from a quarter of the
- * radius on; and that reaches as far outside. Too bright: beside a body that is half sunk into the
- * ground, within that distance. */
+ * the receiver. Seen from outside it is r / d, also if the sphere crosses the receiver's plane.
+ * Spheres that contain the receiver are mostly those of its own surface; farther outside the sine
+ * blends into r / d, so that it is continuous. A drawn sphere (`drawn`) is the receiver's own if
+ * its centre is straight below, to 18 degrees: normals and positions are those of its facets or of
+ * an intersecting neighbour's, and the farther the centre is aside, the more of the sphere is above
+ * the plane. Spheres that represent a surface may lie on either side of it. A sphere with its
+ * centre below the plane is shrunk until it ends at the plane; one with its centre above hides more
+ * the higher that is, all of its side from a quarter of the radius on, and the blend extends as far
+ * outside. Too bright within that distance beside a body half sunk into the ground. */
 float vtkiProxySine(vec3 toCenter, float radius, vec3 n, bool drawn)
 {
   float d = length(toCenter);
@@ -204,17 +207,18 @@ float vtkiProxySine(vec3 toCenter, float radius, vec3 n, bool drawn)
   return own + (seen - own) * outside;
 }
 
-/* How much of a sphere counts by whether it is above the receiver's plane, by the cosine of its middle and its own
- * sine: nothing of what is wholly below, as the receiver's own sphere, which touches the plane. In order 4 that would
- * ring into the upper half as dark as 0.05 of the sky, most of all where the ground fills the lower half as well. */
+/* Weight of a sphere by its height over the receiver's plane, from the cosine of its middle and its
+ * own sine: zero for one wholly below, such as the receiver's own sphere, which touches the plane.
+ * In order 4 such a sphere would ring into the upper half, as dark as 0.05 of the sky, most of all
+ * where the ground fills the lower half as well. */
 float vtkiProxyAbove(float cosine, float sine)
 {
   float t = min(max(10.0f * (cosine / max(sine, 1.0e-30f) + 1.0f), 0.0f), 1.0f);
   return t * t * (3.0f - 2.0f * t);
 }
 
-/* How much of a sphere counts: all of it within its region of influence, from `sine` of four thirds of
- * the least on, and nothing from the least on (r / 15 for shadows, r / 4 for light). */
+/* Weight of a sphere by its region of influence: one from `sine` of four thirds of the least on,
+ * zero at the least and below (r / 15 for shadows, r / 4 for light). */
 float vtkiProxyClamp(float sine, float least)
 {
   float t = min(max((sine - least) / max(least / 3.0f, 1e-6f), 0.0f), 1.0f);
@@ -228,8 +232,8 @@ vec3 vtkiProxyAverage(float sine)
     ((-0.22261791f * sine + 0.22540738f) * sine + 0.47386883f) * sine + 0.15950106f);
 }
 
-/* Mean radiance of a sphere of albedo 1 in a unit direction d from the receiver, without anything that
- * hides the light from it (Eq 15); `light` of one colour, its first nine coefficients. */
+/* Mean radiance of a sphere of albedo 1 in a unit direction d from the receiver, under light
+ * without occlusion (Eq 15); `light` of one colour, its first nine coefficients. */
 float vtkiProxyRadiance(vtkiHarmonics4 light, vec3 d, float sine)
 {
   vec3 mean = vtkiProxyAverage(sine);
@@ -238,13 +242,14 @@ float vtkiProxyRadiance(vtkiHarmonics4 light, vec3 d, float sine)
   return vtkiHarmonicsDot(y, light);
 }
 
-/* The same at its middle (Eq 13): 7 to 8 % off beside 0.3 % of the mean. */
+/* Radiance at the sphere's middle (Eq 13): an error of 7 to 8 % where the mean has 0.3 %. */
 float vtkiProxyRadianceAtMiddle(vtkiHarmonics4 light, vec3 d)
 {
   return vtkiHarmonicsDot(vtkiClampedCosine(-d), light);
 }
 
-/* Half the gradient of band 2 of a function in the direction of a vector: with it again, the function. */
+/* Half the gradient of band 2 of a function in the direction of a vector: its product with the
+ * vector is the function. */
 vec3 vtkiBandTwo(vtkiHarmonics4 f, vec3 v)
 {
   float k = 0.54627422f;
@@ -253,16 +258,18 @@ vec3 vtkiBandTwo(vtkiHarmonics4 f, vec3 v)
     k * (f.B.x * v.x + f.B.y * v.z - f.C.x * v.y) - z * v.y, k * (f.B.y * v.y + f.B.w * v.x) + 2.0f * z * v.z);
 }
 
-/* Irradiance at a unit normal n, in VTK's unit and over the sphere's solid angle, of a sphere of albedo 1 in a unit
- * direction d, each place of it as bright as its own normal makes it, without anything that hides the light from it
- * (Eq 17); `light` of one colour, its first nine coefficients. In place of turning light and result, both are taken
- * apart along d and u, the part of n across d: n is the cosine's only direction. */
+/* Irradiance at a unit normal n, in VTK's unit and over the sphere's solid angle, from a sphere of
+ * albedo 1 in a unit direction d, each point as bright as its own normal makes it, under light
+ * without occlusion (Eq 17); `light` of one colour, its first nine coefficients. Instead of
+ * rotating light and result, both are decomposed along d and u, the part of n across d: n is the
+ * cosine's only direction. */
 float vtkiProxyExactIrradiance(vtkiProxyOperator m, vtkiHarmonics4 light, vec3 d, vec3 n)
 {
   float c = dot(n, d);
   vec3 u = n - c * d;
   float s2 = dot(u, u);
-  // Bands of the clamped cosine over pi about n, and of what it makes of the light, 1, 2/3 and 1/4 of it.
+  // Bands of the clamped cosine over pi about n, and of its convolution with the light, 1, 2/3 and
+  // 1/4 of it.
   vec3 v = 0.32573501f * vec3(light.A.w, light.A.y, light.A.z);
   vec3 qd = vtkiBandTwo(light, d);
   vec3 qu = vtkiBandTwo(light, u);
@@ -272,16 +279,16 @@ float vtkiProxyExactIrradiance(vtkiProxyOperator m, vtkiHarmonics4 light, vec3 d
   float sum = to.x * (m.A.x * from.x + m.A.y * from.y + m.A.z * from.z) +
     to.y * (m.A.w * from.x + m.B.x * from.y + m.B.y * from.z) +
     to.z * (m.B.z * from.x + m.B.w * from.y + m.C.x * from.z);
-  // Of m = 1, both without the length of u.
+  // Terms of m = 1, both without the length of u.
   vec2 to1 = vec2(0.32573501f, 0.27313711f * c);
   vec2 from1 = vec2(dot(v, u) / 0.48860251f, 0.25f * dot(d, qu) / 0.54627422f);
   sum += to1.x * (m.C.y * from1.x + m.C.z * from1.y) + to1.y * (m.C.w * from1.x + m.D.x * from1.y);
-  // Of m = 2, without its square.
+  // Terms of m = 2, without its square.
   sum += 0.13656855f * m.D.y * 0.25f * (2.0f * dot(u, qu) + s2 * dqd) / 1.09254843f;
   return max(sum, 0.0f);
 }
 
-/* What hides of all spheres together, over the sum of their solid angles (Eq 12): the factor of their
+/* Occlusion by all spheres together over the sum of their solid angles (Eq 12): the factor of their
  * summed light. `seen` is the exponential, `solidAngle` the sum. */
 float vtkiProxyOverlap(vtkiHarmonics4 seen, float solidAngle)
 {
@@ -289,10 +296,11 @@ float vtkiProxyOverlap(vtkiHarmonics4 seen, float solidAngle)
   return solidAngle > 0.0f ? min(max(hidden / solidAngle, 0.0f), 1.0f) : 0.0f;
 }
 
-/* What spheres hide of a uniform sky of radiance 1 from a normal, over what they would give it if all of them were
- * as bright as that, each by the weight with which it sends: the factor of their summed light. So all that hides the
- * sky sends the weighted mean, and as much of it as it hides. Solid angles instead take together what lies on both
- * sides of the receiver, which is crowded behind a receiver on a body and sparse in front of it. */
+/* Occlusion of a uniform sky of radiance 1 by the spheres at a normal, over their irradiance if all
+ * of them had radiance 1, each with its weight as a sender: the factor of their summed light. So
+ * the occluders together send the weighted mean of their light in proportion to the sky they hide.
+ * Solid angles would combine both sides of the receiver, which are crowded behind a receiver on a
+ * body and sparse in front of it. */
 float vtkiProxyMean(vtkiHarmonics4 seen, vec3 normal, float given)
 {
   float hidden = 1.0f - vtkiHarmonicsDot(seen, vtkiClampedCosine(normal));

@@ -1,20 +1,20 @@
-// Whether a segment meets any of many spheres, which lie in lists by the cells of a grid (Amanatides and Woo
-// 1987, "A fast voxel traversal algorithm for ray tracing"). Coordinates count cells: cell i reaches from i to
-// i + 1.
+// Tests a segment against many spheres, listed by the cells of a grid (Amanatides and Woo 1987, "A
+// fast voxel traversal algorithm for ray tracing"). Coordinates count cells: cell i extends from i
+// to i + 1.
 #ifndef vtkIndirectLibSphereSegments
 #define vtkIndirectLibSphereSegments
 #include "vtkIndirectLibPortable.glsl"
 
-/* Where a segment is. */
+/* State of a walk. */
 struct vtkiCells
 {
   vec3 next;  // parameter of the next border along each axis
   vec3 delta; // parameter from border to border
-  ivec3 cell; // now
+  ivec3 cell; // current
   ivec3 side; // -1 or 1
   ivec3 last; // the farthest cell of the grid along side
-  float leave; // parameter at which it ends or leaves the grid
-  bool inside; // whether it is in the grid at all
+  float leave; // parameter at which the segment ends or leaves the grid
+  bool inside; // the segment meets the grid
 };
 
 vtkiCells vtkiBeginCells(vec3 start, vec3 along, ivec3 size)
@@ -49,7 +49,7 @@ vtkiCells vtkiBeginCells(vec3 start, vec3 along, ivec3 size)
   return w;
 }
 
-/* To the next cell; returns false when the segment ends before. */
+/* Moves to the next cell; returns false if the segment ends before. */
 bool vtkiNextCell(VTKI_INOUT(vtkiCells) w)
 {
   int axis = w.next.x <= w.next.y ? (w.next.x <= w.next.z ? 0 : 2) : (w.next.y <= w.next.z ? 1 : 2);
@@ -65,11 +65,12 @@ float vtkiInverseSquare(vec3 along)
   return 1.0f / max(dot(along, along), 1.0e-30f);
 }
 
-/* Whether a sphere (center, radius) stands between the ends of a segment. One that holds an end does not: it is
- * the surface that the end lies on, or, where spheres stand for a mesh, sticks out of it. Nor does one whose
- * surface an end lies on when the segment leaves it, without any tolerance. By the place that is nearest to the
- * center: a difference of squares would lose spheres that are small beside their distance (Haines, Gunther,
- * Akenine-Moeller 2019, "Precision improvements for ray/sphere intersection"). */
+/* True if a sphere (center, radius) stands between the ends of a segment. A sphere that contains an
+ * end does not count: it is the surface that the end lies on, or, where spheres represent a mesh,
+ * extends beyond that. Nor does a sphere with an end on its surface, if the segment leaves it,
+ * without any tolerance. Computed from the point nearest to the center: a difference of squares
+ * would lose spheres that are small against their distance (Haines, Gunther, Akenine-Moeller 2019,
+ * "Precision improvements for ray/sphere intersection"). */
 bool vtkiSphereBlocks(vec3 start, vec3 along, float inverseSquare, vec4 sphere)
 {
   vec3 away = start - vec3(sphere.x, sphere.y, sphere.z);

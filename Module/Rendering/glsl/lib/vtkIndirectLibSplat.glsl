@@ -1,32 +1,33 @@
-// Where a virtual light counts: ellipsoids around the iso-surfaces of its intensity over the squared distance.
+// Bounds of a virtual light: ellipsoids around the iso-surfaces of its intensity over the squared
+// distance.
 #ifndef vtkIndirectLibSplat
 #define vtkIndirectLibSplat
 #include "vtkIndirectLibPortable.glsl"
 
 // The length of IntensityThreshold: the lowest intensity over a squared distance that counts is
-// IntensityThreshold * mean intensity / VTKI_SPLAT_LENGTH^2. Scene units, whose one is the diagonal of the
-// scene's bounds: a threshold of 0.05 gives the mean light a reach of 0.22 diagonals.
+// IntensityThreshold * mean intensity / VTKI_SPLAT_LENGTH^2. In scene units, the diagonal of the
+// scene's bounds: a threshold of 0.05 bounds the mean light at 0.22 diagonals.
 const float VTKI_SPLAT_LENGTH = 0.05f;
 
-// Rounding that bounds leave room for.
+// Margin of bounds for rounding.
 const float VTKI_SPLAT_MARGIN = 1.0001f;
 
-// With a far field a light counts within so many radii of its own disk, however dim it is: there its irradiance is up
-// to that of the surface which it stands for, and varies as fast as the disk is small. Beyond, one such light adds a
-// sixteenth of that at most.
+// With a far field a light counts within this many radii of its own disk, however dim it is: there
+// its irradiance is up to that of the surface that it represents, and varies at the scale of the
+// disk. Beyond, one such light adds at most a sixteenth of that.
 const float VTKI_SPLAT_NEAR = 4.0f;
 
-// An ellipsoid of revolution that holds the light's iso-surface.
+// An ellipsoid of revolution that encloses the light's iso-surface.
 struct vtkiSplat
 {
   vec3 center;
   float along; // half its length along the axis
   vec3 axis;   // unit
-  float across; // half its width; below zero: there is none
+  float across; // half its width; negative: empty
 };
 
-/* Logarithm of n / (n + 2), n > 0. For large n the quotient itself would round its difference from one away:
- * it is -2 atanh(1 / (n + 1)). */
+/* Logarithm of n / (n + 2), n > 0. For large n the quotient would round to one: the logarithm is -2
+ * atanh(1 / (n + 1)). */
 float vtkiSplatLogarithm(float n)
 {
   float t = 1.0f / (n + 1.0f);
@@ -35,10 +36,10 @@ float vtkiSplatLogarithm(float n)
   return n > 8.0f ? series : log(n / (n + 2.0f));
 }
 
-/* Where the iso-surface r(a) = cos(a)^(n/2) of an intensity cos(a)^n is widest: the place along its axis, and
- * how far from the axis it reaches there (Dachsbacher and Stamminger 2006, "Splatting indirect illumination",
- * equations (7) and (8)). With k = n / (n + 2) these are k^((n+2)/4), which the print lost an exponent of, and
- * k^(n/4) sqrt(2 / (n + 2)). n: 0 and above. */
+/* Widest point of the iso-surface r(a) = cos(a)^(n/2) of an intensity cos(a)^n: its place along the
+ * axis, and its distance from the axis (Dachsbacher and Stamminger 2006, "Splatting indirect
+ * illumination", equations (7) and (8)). With k = n / (n + 2) these are k^((n+2)/4), where the
+ * printed equation lacks an exponent, and k^(n/4) sqrt(2 / (n + 2)). n: 0 and above. */
 vec2 vtkiSplatWidest(float n)
 {
   float logarithm = n > 1.0e-6f ? vtkiSplatLogarithm(n) : 0.0f;
@@ -46,12 +47,12 @@ vec2 vtkiSplatWidest(float n)
   return n > 1.0e-6f ? widest : vec2(0.0f, 1.0f);
 }
 
-/* The ellipsoid about that surface where it reaches to `size`: the appendix' own, centre and width where the
- * surface is widest, as long as it takes to hold its ends. It holds the surface for every exponent from 0 on,
- * not from 1 on only.
- * ball: radius about the light within which the exponent may be lower: it is held, too. With both halves
- * sqrt(2) times what the ball takes along and across, any of its points p has
- * (p.along / along)^2 <= 1/2 and (p.across / across)^2 <= 1/2. */
+/* The ellipsoid around that surface scaled to `size`: the appendix's own, with centre and width at
+ * the surface's widest point, and long enough for its ends. It encloses the surface for every
+ * exponent from 0 on, not from 1 on only. ball: radius about the light within which the exponent
+ * may be lower: the ellipsoid encloses this ball, too. With both halves at least sqrt(2) times the
+ * ball's extent along and across, any of its points p has (p.along / along)^2 <= 1/2 and (p.across
+ * / across)^2 <= 1/2. */
 vtkiSplat vtkiMakeSplat(vec3 position, vec3 axis, float exponent, float size, float ball)
 {
   vec2 widest = size * vtkiSplatWidest(exponent);
@@ -66,7 +67,7 @@ vtkiSplat vtkiMakeSplat(vec3 position, vec3 axis, float exponent, float size, fl
   return splat;
 }
 
-/* All of a scene, whose bounds are one across: in place of an ellipsoid that would be larger. */
+/* A ball around the whole scene, whose bounds are one across, replaces any larger ellipsoid. */
 vtkiSplat vtkiWholeScene()
 {
   vtkiSplat splat;
@@ -77,8 +78,8 @@ vtkiSplat vtkiWholeScene()
   return splat;
 }
 
-/* The same splat, or the whole scene where that is smaller: a light lies within half a diagonal of the middle, and
- * an ellipsoid of twice the size need not be told from infinity. */
+/* The splat, or the whole scene if that is smaller: a light lies within half a diagonal of the
+ * middle, and an ellipsoid of twice the size is equivalent to an infinite one. */
 vtkiSplat vtkiWithinScene(vtkiSplat splat)
 {
   vtkiSplat whole = vtkiWholeScene();
@@ -90,14 +91,15 @@ vtkiSplat vtkiWithinScene(vtkiSplat splat)
   return splat;
 }
 
-/* Point of the ellipsoid that a point of the unit ball stands for; what encloses the one encloses the other. */
+/* Maps a point of the unit ball to the ellipsoid; a polyhedron around the ball maps to one around
+ * the ellipsoid. */
 vec3 vtkiSplatPoint(vtkiSplat splat, vec3 unit)
 {
   float along = dot(unit, splat.axis);
   return splat.center + splat.across * unit + ((splat.along - splat.across) * along) * splat.axis;
 }
 
-/* Whether a point lies in the ellipsoid. */
+/* True if a point lies in the ellipsoid. */
 bool vtkiSplatHolds(vtkiSplat splat, vec3 place)
 {
   vec3 d = place - splat.center;
@@ -107,8 +109,8 @@ bool vtkiSplatHolds(vtkiSplat splat, vec3 place)
   return splat.across > 0.0f && a * a + dot(aside, aside) / (splat.across * splat.across) <= 1.0f;
 }
 
-/* Whether the ellipsoid may meet a box; never false where it does. Distances along and across are those of
- * the box' nearest points, which need not be the same. */
+/* False only if the ellipsoid does not meet a box. Uses the box's nearest points along and across,
+ * which may differ. */
 bool vtkiSplatMeetsBox(vtkiSplat splat, vec3 middle, vec3 halfSize)
 {
   vec3 d = middle - splat.center;
@@ -126,10 +128,10 @@ float vtkiSplatForm(vtkiSplat splat, vec3 u, vec3 v)
   return splat.across * splat.across * dot(u, v) + difference * dot(u, splat.axis) * dot(v, splat.axis);
 }
 
-/* Least and largest value of x / w over the ellipsoid, x and w affine in the place: rows of a projection. Exact
- * where all of it lies in front of the eye's plane w = 0. Returns 1 there, -1 where all of it lies behind, and 0
- * where it meets that plane, so that there is no range.
- * The discriminant is written without the difference of its squares, which loses all of a small ellipsoid. */
+/* Least and largest value of x / w over the ellipsoid, x and w affine in the position: rows of a
+ * projection. Exact if all of it lies in front of the eye's plane w = 0. Returns 1 then, -1 if all
+ * of it lies behind, and 0 if it meets that plane, so that there is no range. The discriminant
+ * avoids the difference of its squares, which would cancel for a small ellipsoid. */
 int vtkiSplatRange(vtkiSplat splat, vec4 rowX, vec4 rowW, VTKI_OUT(vec2) range)
 {
   vec3 x = vec3(rowX.x, rowX.y, rowX.z);
@@ -139,7 +141,8 @@ int vtkiSplatRange(vtkiSplat splat, vec4 rowX, vec4 rowW, VTKI_OUT(vec2) range)
   float xx = vtkiSplatForm(splat, x, x);
   float xw = vtkiSplatForm(splat, x, w);
   float ww = vtkiSplatForm(splat, w, w);
-  // The nearest to the eye's plane is pw - sqrt(ww) away; what is within a thousandth counts as meeting it.
+  // The point nearest to the eye's plane is pw - sqrt(ww) away; an ellipsoid within a thousandth
+  // counts as meeting the plane.
   float clear = pw * pw * 0.998f - ww;
   vec3 across = px * w - pw * x;
   float root = sqrt(max(vtkiSplatForm(splat, across, across) - max(xx * ww - xw * xw, 0.0f), 0.0f));
@@ -149,21 +152,22 @@ int vtkiSplatRange(vtkiSplat splat, vec4 rowX, vec4 rowW, VTKI_OUT(vec2) range)
   return clear > 0.0f ? (pw > 0.0f ? 1 : -1) : 0;
 }
 
-/* How much of a light its splat gives at a place, the rest being left to the far field: intensity over the
- * squared distance, of what counts at least. Nothing below one; fades: all from two on, else from one on. */
+/* Share of a light at a position that its splat has; the far field has the rest. level: intensity
+ * over the squared distance, over the lowest that counts. Zero below one; fades: one from two on,
+ * otherwise from one on. */
 float vtkiSplatShare(float level, bool fades)
 {
   float t = min(max(level - 1.0f, 0.0f), 1.0f);
   return fades ? t * t * (3.0f - 2.0f * t) : (level >= 1.0f ? 1.0f : 0.0f);
 }
 
-/* Radius within which a light of that area counts anyhow. */
+/* Radius within which a light of that area always counts. */
 float vtkiNearReach(float area)
 {
   return VTKI_SPLAT_NEAR * sqrt(max(area, 0.0f) / VTKI_PI);
 }
 
-/* Share that counts by that: all within eight tenths of the reach, nothing beyond it. */
+/* Share that counts by that radius: one within eight tenths of the reach, zero beyond it. */
 float vtkiNearShare(float distance2, float reach)
 {
   float reach2 = max(reach * reach, 1.0e-30f);

@@ -5,33 +5,34 @@
 #include "vtkIndirectLibPortable.glsl"
 
 // States of a texel in the pyramid of subsplats.
-const float VTKI_SUBSPLAT_EMPTY = -1.0f; // nothing lit in it
-const float VTKI_SUBSPLAT_WHOLE = 0.0f;  // one evaluation serves all of it
-const float VTKI_SUBSPLAT_MIXED = 0.5f;  // not of one surface, but not split either
-const float VTKI_SUBSPLAT_SPLIT = 1.0f;  // its four children are looked at
-const float VTKI_SUBSPLAT_PARTED = 2.0f; // so are they, though it is of one surface
+const float VTKI_SUBSPLAT_EMPTY = -1.0f; // no lit surface
+const float VTKI_SUBSPLAT_WHOLE = 0.0f;  // one evaluation represents the texel
+const float VTKI_SUBSPLAT_MIXED = 0.5f;  // several surfaces, but not split
+const float VTKI_SUBSPLAT_SPLIT = 1.0f;  // its four children are evaluated
+const float VTKI_SUBSPLAT_PARTED = 2.0f; // one surface, its four children are evaluated
 
-/* Whether a texel's four children are looked at. */
+/* True if a texel's four children are evaluated. */
 bool vtkiSubsplatIsSplit(float state)
 {
   return state >= VTKI_SUBSPLAT_SPLIT;
 }
 
-/* Whether a texel has an illumination of its own: neighbours that are not split interpolate with
- * one that is parted. */
+/* True if a texel has an illumination of its own: unsplit neighbours of a parted texel interpolate
+ * with it. */
 bool vtkiSubsplatIsSample(float state)
 {
   return state != VTKI_SUBSPLAT_EMPTY && state != VTKI_SUBSPLAT_SPLIT;
 }
 
-// Illumination at a texel, in its alpha; by it a bilinear filter shows whether the own texel, of weight
-// 9/16, is smooth, and whether all four are. The alpha of the vector irradiance is 1 where it is split.
+// State of a texel's illumination, in its alpha: a bilinear filter of it shows whether the own
+// texel, of weight 9/16, is smooth, and whether all four are. The alpha of the vector irradiance is
+// 1 for a split texel.
 const float VTKI_ILLUMINATION_NONE = 0.0f;
 const float VTKI_ILLUMINATION_HERE = 0.0625f;
-const float VTKI_ILLUMINATION_SMOOTH = 1.0f; // and all eight neighbours lie on the same surface
+const float VTKI_ILLUMINATION_SMOOTH = 1.0f; // all eight neighbours lie on the same surface, too
 
-/* Centre of a texel of a level in normalized device coordinates: of those of its pixels that the
- * image has. texel: index; edge: pixels along the texel's edge; size: the image's. */
+/* Centre of a level's texel in normalized device coordinates: of its pixels inside the image.
+ * texel: index; edge: pixels along the texel's edge; size: the image's. */
 vec2 vtkiSubsplatCenter(vec2 texel, float edge, vec2 size)
 {
   vec2 lower = vec2(texel.x * edge, texel.y * edge);
@@ -39,8 +40,8 @@ vec2 vtkiSubsplatCenter(vec2 texel, float edge, vec2 size)
   return vec2((lower.x + upper.x) / size.x - 1.0f, (lower.y + upper.y) / size.y - 1.0f);
 }
 
-/* Depth at which the ray origin + depth * direction meets the plane through p with normal n, kept
- * within bounds: a plane that the ray grazes has no such depth. */
+/* Depth at which the ray origin + depth * direction meets the plane through p with normal n,
+ * clamped to bounds: a ray along the plane has no such depth. */
 float vtkiPlaneDepth(
   vec3 n, vec3 p, vec3 origin, vec3 direction, float lower, float upper)
 {
@@ -51,25 +52,25 @@ float vtkiPlaneDepth(
 }
 
 /* Irradiance at a receiver whose normal differs from that of the evaluation, to first order.
- * irradiance: as evaluated, of luminance > 0; projection: dot product of the vector irradiance
- * with the receiver's normal. Lights that rise above one of the two horizons only are the error,
- * so the correction is at most a factor of two. */
+ * irradiance: as evaluated, of luminance > 0; projection: dot product of the vector irradiance with
+ * the receiver's normal. Lights above only one of the two horizons cause an error, so the
+ * correction is limited to a factor of two. */
 float vtkiNormalCorrection(float luminance, float projection)
 {
   return luminance > 0.0f ? min(max(projection / luminance, 0.0f), 2.0f) : 1.0f;
 }
 
-/* Curvature that one virtual light gives to the irradiance at a receiver, over the irradiance there:
- * times the square of the distance between samples, over eight, it is the relative error of linear
- * interpolation midway. A light at height a over the line along which a receiver's plane leaves the
- * sender's, r along that line, gives E = a r / (pi (r^2 + a^2)^2); of that the second derivative is
- * 6 E / d^2 in size where E is greatest, at r^2 = a^2 / 3. The disk keeps d from vanishing.
+/* Curvature that one virtual light gives to the irradiance at a receiver, over the irradiance
+ * there: times the square of the distance between samples, over eight, it is the relative error of
+ * linear interpolation midway. A light at height a over the line along which a receiver's plane
+ * leaves the sender's, r along that line, gives E = a r / (pi (r^2 + a^2)^2); the second derivative
+ * of E is 6 E / d^2 in size where E is largest, at r^2 = a^2 / 3. The disk keeps d from vanishing.
  * toSender, normalR, area: see vtkiVirtualLightWeight; densityS: the light's normal times its
- * reflected density and area, over the irradiance that receivers nearby have from all lights. Per
- * square of the scene's unit. */
+ * reflected density and area, over the irradiance of nearby receivers from all lights. Per square
+ * of the scene's unit. */
 float vtkiVirtualLightCurvature(vec3 toSender, vec3 densityS, vec3 normalR, float area)
 {
-  // The light's share e = p / q of what it and the others give is e / (1 + e), that is p / (p + q).
+  // The light's share e = p / q of the light of all is e / (1 + e), that is p / (p + q).
   float r2 = dot(toSender, toSender);
   float p = max(-dot(densityS, toSender), 0.0f) * max(dot(normalR, toSender), 0.0f);
   float q = r2 * (VTKI_PI * r2 + area);

@@ -1,7 +1,8 @@
-// One pixel of surface: linear depth, in the bits of one float the unit normal that it is shaded by and how it was
-// shaded, and in those of another the unit normal of its facet, the plane that is drawn. Where normals are
-// interpolated over few triangles the two differ: cosines are those of the one, and what lies before or behind
-// the surface, beside it or on it is told by the other. Images without a third channel lack the facet.
+// One pixel of surface: linear depth; in the bits of one float the unit shading normal and the kind
+// of shading; and in those of another the unit normal of its facet, the drawn plane. The two
+// normals differ where normals are interpolated over few triangles: the shading normal gives
+// cosines, and the facet decides what lies before, behind, beside or on the surface. Images without
+// a third channel lack the facet.
 #ifndef vtkIndirectLibSurface
 #define vtkIndirectLibSurface
 #include "vtkIndirectLibPortable.glsl"
@@ -10,7 +11,8 @@
 const float VTKI_SURFACE_NONE = 0.0f;
 const float VTKI_SURFACE_LINEAR = 1.0f;  // lit; the pixel holds linear colour
 const float VTKI_SURFACE_ENCODED = 2.0f; // lit by VTK's PBR; the pixel is encoded with gamma 2.2
-const float VTKI_SURFACE_UNLIT = 3.0f;   // drawn without lighting; has no normal, but its prop's number
+// drawn without lighting; has its prop's number in place of a normal
+const float VTKI_SURFACE_UNLIT = 3.0f;
 
 // The depth buffer holds floats just below one; interpolation loses about four of their steps.
 const float VTKI_DEPTH_ROUNDING = 2.4e-7f;
@@ -25,7 +27,7 @@ float vtkiSignNotZero(float v)
 vec2 vtkiOctahedralEncode(vec3 n)
 {
   float norm1 = abs(n.x) + abs(n.y) + abs(n.z);
-  // A zero vector has no direction; it encodes as +z.
+  // A zero vector has no direction; it is encoded as +z.
   float scale = norm1 > 0.0f ? 1.0f / norm1 : 0.0f;
   vec2 p = vec2(n.x * scale, n.y * scale);
   if (n.z < 0.0f)
@@ -45,13 +47,14 @@ vec3 vtkiOctahedralDecode(vec2 p)
   return normalize(n);
 }
 
-/* Steps from 0 to 1 of an octahedral coordinate. Zero and both ends are steps, so that normals along the
- * axes are exact. */
+/* Steps from 0 to 1 of an octahedral coordinate. Zero and both ends are steps, so that normals
+ * along the axes are exact. */
 const float VTKI_CODE_STEPS_X = 16127.0f;
 const float VTKI_CODE_STEPS_Y = 16383.0f;
 
-/* Unit normal and kind in the bits of a float, from above: two of kind, 15 of x, 15 of y. The least exponent and the
- * greatest, of floats that may be flushed to zero and that are no numbers, are kept clear by x, which begins at 256. */
+/* Unit normal and kind in the bits of a float, from the highest: two of kind, 15 of x, 15 of y. x
+ * begins at 256, which avoids the least exponent, whose floats may be flushed to zero, and the
+ * largest, which makes no numbers. */
 float vtkiPackNormal(vec3 normal, float kind)
 {
   vec2 p = vtkiOctahedralEncode(normal);
@@ -60,15 +63,16 @@ float vtkiPackNormal(vec3 normal, float kind)
   return uintBitsToFloat((uint(kind) << 30u) | (x << 15u) | y);
 }
 
-/* normal, facet: unit; depth along the view axis, scene units (diagonal = 1); kind one of the above, not
- * VTKI_SURFACE_NONE. Alpha is 1 because VTK blends opaque geometry: any other value would mix with what lies behind. */
+/* normal, facet: unit; depth along the view axis, scene units (diagonal = 1); kind: one above, not
+ * VTKI_SURFACE_NONE. Alpha is 1 because VTK blends opaque geometry: any other value would mix
+ * with the surface behind. */
 vec4 vtkiPackSurface(vec3 normal, vec3 facet, float depth, float kind)
 {
   return vec4(depth, vtkiPackNormal(normal, kind), vtkiPackNormal(facet, VTKI_SURFACE_LINEAR), 1.0f);
 }
 
-/* An unlit surface. number: of what draws it; in place of a normal, in the bits of y, from that of one towards
- * the eye on. Props that are 32768 apart have the same. */
+/* An unlit surface. number: of its prop; stored in the bits of y in place of a normal, beginning
+ * with that of one towards the eye. Numbers repeat after 32768 props. */
 vec4 vtkiPackUnlit(float depth, int number)
 {
   uint x = uint(VTKI_CODE_STEPS_X + 256.5f);
@@ -109,7 +113,7 @@ vec3 vtkiSurfaceFacet(vec4 surface)
   return vtkiOctahedralDecode(vtkiUnpackCode(surface.z));
 }
 
-/* Kinds by the float that their two bits are the first of: 2 and above, -2 to 0, below -2. */
+/* Ranges of the float for each kind: 2 and above, -2 to 0, below -2. */
 bool vtkiSurfaceIsLit(vec4 surface)
 {
   return surface.y > -2.0f && surface.y != 0.0f;

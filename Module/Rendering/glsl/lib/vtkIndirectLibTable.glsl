@@ -1,22 +1,23 @@
-// How tables of numbers lie in textures: what C++ writes and shaders read, declared once for both.
+// Layout of tables of numbers in textures, shared by the C++ code that writes them and the shaders
+// that read them.
 #ifndef vtkIndirectLibTable
 #define vtkIndirectLibTable
 #include "vtkIndirectLibPortable.glsl"
 
-// Entries in a row of a table of virtual lights, of hints, or of surfaces that hints see. A power of
-// two: a place in it is two bit operations.
+// Entries in a row of a table of virtual lights, of hints, or of surfaces around hints. A power of
+// two, so that an index takes two bit operations.
 const int VTKI_ROW_LENGTH = 256;
 
-// Zonal logarithms of what spheres leave, over 1 - cos.
+// Entries of the table of zonal logarithms of spheres' visibility, over 1 - cos.
 const int VTKI_PROXY_TABLE = 1024;
 
-// Pixels that no coarse receiver of sums over spheres stands for share receivers in tiles of so many along an edge, of
-// which each has a block of so many texels.
+// Pixels that no coarse receiver of the spheres' sums represents share receivers in tiles of this
+// many pixels along an edge; each tile has a block of this many texels.
 const int VTKI_PROXY_TILE = 8;
 const int VTKI_PROXY_BLOCK = 4;
 
-// Branches of a virtual light, in a table of their own: the first node below it, the nodes below that one, the
-// second node below it, and so on.
+// Branches of a virtual light, in a table of their own: its first child, the children of that
+// child, its second child, and so on.
 const int VTKI_BRANCHES_PER_NODE = 8;
 const int VTKI_BRANCHES = 72;
 
