@@ -195,12 +195,22 @@ double vtkMultiresolutionSplattingPass::FindErrorTolerance(double asked) const
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectSubsplatSettings vtkMultiresolutionSplattingPass::MakeSettings(const Input& input)
+bool vtkMultiresolutionSplattingPass::MakeSettings(
+  const Input& input, vtkIndirectSubsplatSettings& settings, int& renderer)
 {
-  const vtkIndirectSubsplatDetails& details = this->Internal->Details;
-  vtkIndirectSubsplatSettings settings;
-  static_cast<vtkIndirectSubsplatDetails&>(settings) = details;
-  settings.Compute = details.Compute && vtkIndirectComputeProgram::IsSupported();
+  using Details = vtkIndirectSubsplatDetails;
+  const Details& details = this->Internal->Details;
+  const bool hasCompute = vtkIndirectComputeProgram::IsSupported();
+  if (details.Renderer == Details::COMPUTE && !hasCompute)
+  {
+    vtkErrorMacro("Sums of compute shaders need OpenGL 4.3; this context is older.");
+    return false;
+  }
+  renderer = details.Renderer == Details::POINTS ? vtkIndirectSubsplatIllumination::Points
+    : hasCompute && details.Renderer != Details::FRAGMENTS
+    ? vtkIndirectSubsplatIllumination::Compute
+    : vtkIndirectSubsplatIllumination::Fragments;
+  static_cast<Details&>(settings) = details;
   settings.HalfResolution = this->Settings.FinestLevel == HALF_RESOLUTION;
   settings.SurfaceDetail = this->Settings.SurfaceDetail;
   const double tolerance = this->FindErrorTolerance(input.Plan.ErrorTolerance);
@@ -211,8 +221,9 @@ vtkIndirectSubsplatSettings vtkMultiresolutionSplattingPass::MakeSettings(const 
   settings.GlossyThreshold =
     Threshold{ details.GlossyThreshold, 1.0 }.Scale(input.Plan.ErrorTolerance);
   settings.StorageScale = settings.HalfFloats ? 1.0 / input.Plan.IrradianceUnit : 1.0;
+  settings.HasCompute = hasCompute && renderer != vtkIndirectSubsplatIllumination::Fragments;
   settings.ReportsError = tolerance > 0.0;
-  return settings;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -221,7 +232,12 @@ vtkIndirectEstimate vtkMultiresolutionSplattingPass::Estimate(const Input& input
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
   vtkOpenGLRenderWindow* window = frame.Window;
-  const vtkIndirectSubsplatSettings settings = this->MakeSettings(input);
+  vtkIndirectSubsplatSettings settings;
+  int renderer = 0;
+  if (!this->MakeSettings(input, settings, renderer))
+  {
+    return {};
+  }
   this->SetIrradianceStorage(window, settings.HalfFloats, 1.0 / settings.StorageScale, true);
   if (!this->Irradiance->Resize(window, frame.Size[0], frame.Size[1]) ||
     !this->ResizeGlossy(input) || !in.Pyramid.Resize(window, frame.Size, settings) ||
@@ -243,13 +259,13 @@ vtkIndirectEstimate vtkMultiresolutionSplattingPass::Estimate(const Input& input
   bool done = false;
   if (batches)
   {
-    done = this->FillInBatches(input, settings);
+    done = this->FillInBatches(input, settings, renderer);
   }
   else
   {
     in.Batch.reset();
     in.Lights.Update(window, *input.Lights);
-    done = this->Fill(input, settings, *this->Irradiance);
+    done = this->Fill(input, settings, renderer, *this->Irradiance);
   }
   if (this->HasGlossy)
   {
@@ -272,7 +288,8 @@ vtkIndirectEstimate vtkMultiresolutionSplattingPass::Estimate(const Input& input
     input.Timer.End(vtkIndirectStageTimer::Upsample);
   }
 
-  in.Renderer = settings.Compute ? "compute" : "fragments";
+  static const char* const renderers[] = { "points", "fragments", "compute" };
+  in.Renderer = renderers[renderer];
   in.Tolerance = settings.ReportsError ? this->FindErrorTolerance(input.Plan.ErrorTolerance) : 0.0;
   in.SamplingError = -1.0;
   in.Evaluations = -1;
@@ -284,7 +301,7 @@ vtkIndirectEstimate vtkMultiresolutionSplattingPass::Estimate(const Input& input
   {
     in.SamplingError = in.Pyramid.EstimateSamplingError();
     in.Evaluations = 0;
-    for (size_t i = 0; settings.Compute && i < in.Pyramid.GetNumberOfLevels(); ++i)
+    for (size_t i = 0; settings.HasCompute && i < in.Pyramid.GetNumberOfLevels(); ++i)
     {
       in.Evaluations += 4 * in.Pyramid.GetLists().Count(i);
     }
@@ -295,16 +312,21 @@ vtkIndirectEstimate vtkMultiresolutionSplattingPass::Estimate(const Input& input
 }
 
 //------------------------------------------------------------------------------
-bool vtkMultiresolutionSplattingPass::Fill(
-  const Input& input, const vtkIndirectSubsplatSettings& settings, vtkIndirectTarget& pixels)
+bool vtkMultiresolutionSplattingPass::Fill(const Input& input,
+  const vtkIndirectSubsplatSettings& settings, int renderer, vtkIndirectTarget& pixels)
 {
   Internals& in = *this->Internal;
+  const auto way = static_cast<vtkIndirectSubsplatIllumination::Renderer>(renderer);
   input.Timer.Begin(vtkIndirectStageTimer::Estimate);
   bool done = in.Pyramid.Build(input, settings, in.Lights);
-  done = done && in.Illumination.FillLevels(input, settings, in.Pyramid, in.Lights);
+  if (done && way == vtkIndirectSubsplatIllumination::Points && !settings.HasCompute)
+  {
+    in.Pyramid.FillLists(input.Frame.Window);
+  }
+  done = done && in.Illumination.FillLevels(input, settings, way, in.Pyramid, in.Lights);
   input.Timer.End(vtkIndirectStageTimer::Estimate);
   input.Timer.Begin(vtkIndirectStageTimer::Upsample);
-  done = done && in.Illumination.FillPixels(input, settings, in.Pyramid, in.Lights, pixels);
+  done = done && in.Illumination.FillPixels(input, settings, way, in.Pyramid, in.Lights, pixels);
   input.Timer.End(vtkIndirectStageTimer::Upsample);
   return done;
 }
@@ -313,7 +335,7 @@ bool vtkMultiresolutionSplattingPass::Fill(
 // Some drivers end a shader's loops before it has looked for so many lights from one place. Light
 // adds up: each batch of them has subsplats of its own, and their images are summed.
 bool vtkMultiresolutionSplattingPass::FillInBatches(
-  const Input& input, const vtkIndirectSubsplatSettings& settings)
+  const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer)
 {
   Internals& in = *this->Internal;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
@@ -333,7 +355,7 @@ bool vtkMultiresolutionSplattingPass::FillInBatches(
   {
     in.Lights.Update(window, *input.Lights, first, std::min(batch, in.NumberOfLights - first));
     const bool only = first == 0;
-    if (!this->Fill(input, settings, only ? *this->Irradiance : *in.Batch))
+    if (!this->Fill(input, settings, renderer, only ? *this->Irradiance : *in.Batch))
     {
       return false;
     }
@@ -373,7 +395,8 @@ bool vtkMultiresolutionSplattingPass::FillGlossy(
     {
       in.WhyGlossyIsGathered = "this context has no OpenGL 4.3";
     }
-    else if (!settings.Compute || settings.GlossyThreshold == 0.0)
+    else if (settings.Renderer == vtkIndirectSubsplatDetails::FRAGMENTS ||
+      settings.GlossyThreshold == 0.0)
     {
       in.WhyGlossyIsGathered = "lists are off";
     }

@@ -180,10 +180,10 @@ private:
 
 #ifndef __VTK_WRAP__
   void SetThreshold(Threshold& threshold, double value);
-  vtkIndirectSubsplatSettings MakeSettings(const Input& input);
-  bool Fill(
-    const Input& input, const vtkIndirectSubsplatSettings& settings, vtkIndirectTarget& pixels);
-  bool FillInBatches(const Input& input, const vtkIndirectSubsplatSettings& settings);
+  bool MakeSettings(const Input& input, vtkIndirectSubsplatSettings& settings, int& renderer);
+  bool Fill(const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer,
+    vtkIndirectTarget& pixels);
+  bool FillInBatches(const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer);
   bool FillGlossy(const Input& input, const vtkIndirectSubsplatSettings& settings);
   /** Names of the thresholds that the irradiance's subsplats obey and that the user has set. */
   std::vector<std::string> FindOwnThresholds() const;

@@ -236,9 +236,19 @@ std::vector<card::Part> card::MakeSceneParts(const Options& options, bool smalle
 card::Part card::MakePathsPart(const Options& options)
 {
   using Splatting = vtkMultiresolutionSplattingPass;
-  // Settings of multiresolution splatting, beside the ways of vtkIndirectPaths.
+  // What is no path of OpenGL calls. Compute has atomic counters, points and fragments have none.
   static const std::map<std::string, void (*)(Splatting*)> properties = {
-    { "Renderer=LeafFragments", [](Splatting* pass) { SET_DETAIL(pass, Compute, false); } },
+    // Its sums would round at every light in half floats.
+    { "Renderer=PointSplats,Storage=Float",
+      [](Splatting* pass)
+      {
+        SET_DETAIL(pass, Renderer, vtkIndirectSubsplatDetails::POINTS);
+        SET_DETAIL(pass, HalfFloats, false);
+      } },
+    { "Renderer=LeafFragments",
+      [](Splatting* pass) { SET_DETAIL(pass, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS); } },
+    { "Renderer=LeafCompute",
+      [](Splatting* pass) { SET_DETAIL(pass, Renderer, vtkIndirectSubsplatDetails::COMPUTE); } },
     { "Storage=Float", [](Splatting* pass) { SET_DETAIL(pass, HalfFloats, false); } },
   };
   Part part;

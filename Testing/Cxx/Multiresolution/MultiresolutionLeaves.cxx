@@ -376,7 +376,7 @@ VTK_INDIRECT_TEST(LeavesOfThePaper)
 
 VTK_INDIRECT_TEST(LeavesOfRenderers)
 {
-  // Sums by fragments and by compute shaders, at thresholds above zero.
+  // POINT_SPLATS, LEAF_FRAGMENTS and LEAF_COMPUTE at thresholds above zero.
   double worst = 0.0;
   std::vector<double> squares;
   double moved = 0.0;
@@ -394,7 +394,7 @@ VTK_INDIRECT_TEST(LeavesOfRenderers)
     scene.Splatting->SetFinestLevel(
       number % 4 == 3 ? Pass::HALF_RESOLUTION : Pass::FULL_RESOLUTION);
     SET_DETAIL(scene.Splatting, DepthRange, number % 3 == 2);
-    SET_DETAIL(scene.Splatting, Compute, false);
+    SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS);
     const Image fragments = scene.Splat();
     const Image levels = scene.Copy("subsplat.level");
     std::map<float, int> leaves;
@@ -403,26 +403,31 @@ VTK_INDIRECT_TEST(LeavesOfRenderers)
       ++leaves[level];
       coarse += level > 0.0f;
     }
-    if (!vtkIndirectComputeProgram::IsSupported())
+    for (const auto renderer :
+      { vtkIndirectSubsplatDetails::POINTS, vtkIndirectSubsplatDetails::COMPUTE })
     {
-      continue;
+      if (renderer == vtkIndirectSubsplatDetails::COMPUTE &&
+        !vtkIndirectComputeProgram::IsSupported())
+      {
+        continue;
+      }
+      compared = true;
+      SET_DETAIL(scene.Splatting, Renderer, renderer);
+      const ImageError error = Compare(scene.Splat(), fragments, 1e-3);
+      worst = std::max(worst, error.Worst);
+      if (error.Mean > 0.0)
+      {
+        squares.push_back(error.RootMeanSquare);
+      }
+      std::map<float, int> others;
+      const Image otherLevels = scene.Copy("subsplat.level");
+      for (size_t i = 0; i < levels.Values.size(); ++i)
+      {
+        ++others[otherLevels.Values[i]];
+        moved += otherLevels.Values[i] != levels.Values[i];
+      }
+      counts += others != leaves;
     }
-    compared = true;
-    SET_DETAIL(scene.Splatting, Compute, true);
-    const ImageError error = Compare(scene.Splat(), fragments, 1e-3);
-    worst = std::max(worst, error.Worst);
-    if (error.Mean > 0.0)
-    {
-      squares.push_back(error.RootMeanSquare);
-    }
-    std::map<float, int> others;
-    const Image otherLevels = scene.Copy("subsplat.level");
-    for (size_t i = 0; i < levels.Values.size(); ++i)
-    {
-      ++others[otherLevels.Values[i]];
-      moved += otherLevels.Values[i] != levels.Values[i];
-    }
-    counts += others != leaves;
   }
   Check("renderers compared", compared);
   CheckAtLeast("pixels in leaves coarser than one", coarse, 5000, "the test's own power");

@@ -70,7 +70,7 @@ vtkIndirectEstimate PyramidReader::Estimate(const Input& input)
     settings.NormalThreshold = this->GetNormalThreshold();
     settings.LightingThreshold = this->GetDetails().LightingThreshold;
     settings.Balance = this->GetDetails().Balance;
-    settings.Compute = vtkIndirectComputeProgram::IsSupported();
+    settings.HasCompute = vtkIndirectComputeProgram::IsSupported();
     vtkOpenGLState* state = window->GetState();
     vtkOpenGLState::ScopedglViewport viewport(state);
     vtkOpenGLState::ScopedglScissor scissor(state);
@@ -87,7 +87,7 @@ vtkIndirectEstimate PyramidReader::Estimate(const Input& input)
         Level level;
         level.Width = from.GetWidth();
         level.Height = from.GetHeight();
-        level.NumberOfListed = settings.Compute ? pyramid.GetLists().Count(number - 1) : -1;
+        level.NumberOfListed = settings.HasCompute ? pyramid.GetLists().Count(number - 1) : -1;
         level.Surface = from.ReadBack(0);
         level.Second = from.ReadBack(1);
         if (settings.DepthRange)

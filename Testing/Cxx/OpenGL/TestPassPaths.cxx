@@ -233,7 +233,7 @@ int CountComputePrograms(int invocations)
 VTK_INDIRECT_TEST(PathsSame)
 {
   const auto paths = FindPaths();
-  CONTRACT_CHECK(paths.size() == 4, paths.size());
+  CONTRACT_CHECK(paths.size() >= 4, paths.size());
   for (const bool specular : { false, true })
   {
     for (const auto& entry : MakeEstimators())
@@ -275,12 +275,18 @@ VTK_INDIRECT_TEST(PathsTake)
     bool Expected;
   };
   const Estimators estimators = MakeEstimators();
-  for (const Row& row : { Row{ "uniforms=flat", 0, false, "flat in vec3 vtkiFlat_", true },
+  for (const Row& row : { Row{ "clear=draw", 0, false, "fragOutput3 = vec4(0.0f);", true },
+         Row{ "clear=gl", 0, false, "fragOutput3 = vec4(0.0f);", false },
+         Row{ "clear=draw", 0, true, "fragOutput3 = vec4(0.0f);", true },
+         Row{ "clear=gl", 0, true, "fragOutput3 = vec4(0.0f);", false },
+         Row{ "depth=copy", 0, false, "#define VTKI_DEPTH_COPIED", true },
+         Row{ "depth=draw", 0, false, "#define VTKI_DEPTH_COPIED", false },
+         Row{ "uniforms=flat", 0, false, "flat in vec3 vtkiFlat_", true },
          Row{ "uniforms=flat", 1, false, "flat in ivec2 vtkiFlat_", true },
-         Row{ "uniforms=flat, kernels=fragment", 2, false, "flat in ivec2 vtkiFlat_", true },
+         Row{ "uniforms=flat, clear=gl", 2, false, "flat in ivec2 vtkiFlat_", true },
          Row{ "uniforms=plain", 0, false, "vtkiFlat_", false },
          Row{ "uniforms=plain", 1, false, "vtkiFlat_", false },
-         Row{ "kernels=fragment,uniforms=plain", 2, false, "vtkiFlat_", false } })
+         Row{ "clear=gl,uniforms=plain", 2, false, "vtkiFlat_", false } })
   {
     Force(row.Forced);
     auto look = [&row](vtkRenderWindow*)
@@ -383,8 +389,12 @@ VTK_INDIRECT_TEST(PathsKernels)
           SET_DETAIL(s, Balance, false);
         }),
       true },
+    { "multiresolution, points",
+      splatting([](vtkMultiresolutionSplattingPass* s)
+        { SET_DETAIL(s, Renderer, vtkIndirectSubsplatDetails::POINTS); }) },
     { "multiresolution, fragments",
-      splatting([](vtkMultiresolutionSplattingPass* s) { SET_DETAIL(s, Compute, false); }) },
+      splatting([](vtkMultiresolutionSplattingPass* s)
+        { SET_DETAIL(s, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS); }) },
     { "hints, order 3",
       hints(
         [](vtkRadianceHintsPass* h)
@@ -456,9 +466,8 @@ VTK_INDIRECT_TEST(PathsErrors)
   vtkNew<vtkRSMGatherPass> gather;
   Report usual{ std::string() };
   const Frame frame = Render(gather, false, &usual);
-  for (const char* wrong :
-    { "nothing=so", "uniforms", "uniforms=", "uniforms=both", "=flat", "flat",
-      "kernels=fragment,uniforms=plane", "kernels=fragment;uniforms=plain", "Uniforms=flat" })
+  for (const char* wrong : { "nothing=so", "clear", "clear=", "clear=both", "=gl", "gl",
+         "clear=gl,uniforms=plane", "clear=gl;uniforms=plain", "Clear=gl" })
   {
     ExpectedErrors errors;
     Force(wrong);
@@ -469,10 +478,9 @@ VTK_INDIRECT_TEST(PathsErrors)
       Render(gather, false, &report); // says it no second time
     }
     CONTRACT_CHECK(errors.GetCount() == 1, wrong << ": " << errors.GetText());
-    CONTRACT_CHECK(
-      errors.GetText().find("uniforms=plain|flat") != std::string::npos, errors.GetText());
+    CONTRACT_CHECK(errors.GetText().find("clear=draw|gl") != std::string::npos, errors.GetText());
     CONTRACT_CHECK(Compare(frame.Image, same.Image).Max == 0.0, wrong);
-    for (const char* name : { "kernels", "splats", "uniforms" })
+    for (const char* name : { "clear", "depth", "uniforms" })
     {
       const std::string path = "paths." + std::string(name);
       CONTRACT_CHECK(
@@ -503,9 +511,9 @@ VTK_INDIRECT_TEST(PathsOpenGL32)
   {
     Skip("the driver does not heed MESA_GL_VERSION_OVERRIDE");
   }
-  CONTRACT_CHECK(report.Has("paths.uniforms") && !report.Has("paths.grouping"), report.GetText());
+  CONTRACT_CHECK(report.Has("paths.clear") && !report.Has("paths.grouping"), report.GetText());
   CONTRACT_CHECK(report.Get("paths.kernels") == "fragment", report.GetText());
-  for (const char* forced : { "uniforms=flat", "uniforms=plain" })
+  for (const char* forced : { "clear=gl", "uniforms=flat", "uniforms=plain", "depth=draw" })
   {
     Force(forced);
     const Difference difference = Compare(usual.Image, Render(splatting, false).Image);

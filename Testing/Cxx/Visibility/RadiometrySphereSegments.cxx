@@ -183,8 +183,10 @@ VTK_INDIRECT_TEST(SphereSegmentsAreRays)
   check("reference by voxels", scene.MeasureReference(vtkRSMReferencePass::VOXELS));
   check("reference, exact", scene.MeasureReference(vtkRSMReferencePass::EXACT));
   check("multiresolution, compute", scene.Measure(scene.Splatting, true));
-  SET_DETAIL(scene.Splatting, Compute, false);
+  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS);
   check("multiresolution, fragments", scene.Measure(scene.Splatting, true));
+  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::POINTS);
+  check("multiresolution, points", scene.Measure(scene.Splatting, true));
 }
 
 VTK_INDIRECT_TEST(SphereSegmentsAlone)
@@ -332,8 +334,8 @@ VTK_INDIRECT_TEST(SphereSegmentsManyLights)
   };
   check("gather", scene.Gather);
   check("multiresolution, compute", scene.Splatting);
-  SET_DETAIL(scene.Splatting, Compute, false);
-  check("multiresolution, fragments", scene.Splatting);
+  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::POINTS);
+  check("multiresolution, points", scene.Splatting);
 }
 
 VTK_INDIRECT_TEST(SphereSegmentsLongLists)

@@ -12,6 +12,7 @@
 #include "Frame/vtkIndirectRendererAccess.h"
 #include "Frame/vtkIndirectSwitches.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
+#include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -89,12 +90,12 @@ bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirec
     return false;
   }
   this->Target->Begin();
-  // A drawn quad clears the colours: llvmpipe's glClear takes longer than to draw over textures of
-  // floats. Where nothing is blended it clears last, only the pixels that nothing else covered.
-  const bool clearAfter = this->HasAlbedoInLit() && this->DepthTellsBackground(frame);
+  // Where nothing is blended, pixels that something is drawn to need not be cleared before.
+  const bool byGL = vtkIndirectPaths::Get(vtkIndirectPaths::Clear) == vtkIndirectPaths::ClearByGL;
+  const bool clearAfter = !byGL && this->HasAlbedoInLit() && this->DepthTellsBackground(frame);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
-  this->Target->ClearDepth();
-  if (!clearAfter && !this->Clear(frame.Window, false))
+  byGL ? this->Target->Clear() : this->Target->ClearDepth();
+  if (!byGL && !clearAfter && !this->Clear(frame.Window, false))
   {
     this->Target->End();
     return false;

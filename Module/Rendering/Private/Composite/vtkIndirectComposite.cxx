@@ -9,6 +9,7 @@
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkImageData.h"
 #include "vtkReflectiveShadowMapPass.h"
@@ -272,10 +273,12 @@ bool vtkIndirectComposite::Composite(const Input& input)
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   const bool encoded = input.Geometry.HasEncoded();
   vtkIndirectFullScreenProgram& kernel = in.Composite[encoded];
-  // Where nothing has been drawn before and formats allow it, a copy of the depth is cheaper than
-  // to test and write it at each pixel.
-  const bool copied =
-    input.DepthDrawn || (input.DepthCleared && input.Geometry.GetTarget().CopyDepth(frame.Origin));
+  // Where nothing has been drawn before, copying depth is cheaper than testing and writing each
+  // pixel's.
+  const bool copied = input.DepthDrawn ||
+    (input.DepthCleared &&
+      vtkIndirectPaths::Get(vtkIndirectPaths::Depth) == vtkIndirectPaths::DepthByCopy &&
+      input.Geometry.GetTarget().CopyDepth(frame.Origin));
   vtkShaderProgram* program = Internals::Use(kernel, input,
     std::string(encoded ? "#define VTKI_ENCODED\n" : "") +
       (copied ? "#define VTKI_DEPTH_COPIED\n" : ""));

@@ -7,10 +7,17 @@
 /** The defaults are those of the preset ROBUST. */
 struct vtkIndirectSubsplatDetails
 {
-  // Compute shaders sum the lights, four leaves at a time, from lists of split subsplats: that
-  // needs OpenGL 4.3. Without it full-screen passes do, one a level. Both have the same leaves and,
-  // but for rounding, the same result; compute shaders are faster wherever that was measured.
-  bool Compute = true;
+  enum RendererType
+  {
+    AUTOMATIC, // COMPUTE where there is OpenGL 4.3, the fastest wherever measured, else FRAGMENTS
+    POINTS,    // the paper's: a point for each subsplat and light, added by blending; with 16-bit
+               // storage its sums round at every light
+    FRAGMENTS, // full-screen passes, one a level
+    COMPUTE    // lists of split subsplats, four leaves at a time
+  };
+
+  // How lights are summed. All have the same leaves and, but for rounding, the same result.
+  RendererType Renderer = AUTOMATIC;
   int CoarsestResolution = 64; // most texels along an edge of the coarsest level
   // What splits a subsplat, and what its neighbours must agree in: the paper's test by min-max
   // pyramids (DepthThreshold, and the range of each component of the normal against
@@ -30,7 +37,7 @@ struct vtkIndirectSubsplatDetails
   // an OpenGL older than 4.3.
   double GlossyThreshold = 0.02;
 
-  /** Returns the details of the preset PAPER. */
+  /** Of the preset PAPER: the same sums, by the fastest renderer. */
   static vtkIndirectSubsplatDetails OfPaper()
   {
     vtkIndirectSubsplatDetails details;

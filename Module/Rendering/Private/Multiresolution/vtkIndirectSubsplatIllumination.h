@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Illuminates the subsplats of a pyramid and interpolates from them down to pixels. Nichols and
 // Wyman 2009, "Multiresolution splatting for indirect illumination", sections 3.4 and 3.5.
-//
-// Compute shaders work through the lists of split texels, four leaves for each, where the settings
-// have Compute; else the full-screen passes that interpolate also sum the lights at leaves.
 #ifndef vtkIndirectSubsplatIllumination_h
 #define vtkIndirectSubsplatIllumination_h
 
 #include "Multiresolution/vtkIndirectSubsplatPyramid.h" // for the pyramid
 #include "OpenGL/vtkIndirectComputeProgram.h"           // for members
+#include "OpenGL/vtkIndirectPointProgram.h"             // for members
 
 class vtkIndirectSubsplatIllumination
 {
 public:
+  enum Renderer
+  {
+    Points,    // one for each leaf and light, added by blending
+    Fragments, // full-screen passes in which leaves sum over the lights
+    Compute    // invocations for lists of split texels, four leaves each
+  };
+
   using Input = vtkIndirectEstimateInput;
   using Settings = vtkIndirectSubsplatSettings;
 
@@ -21,20 +26,20 @@ public:
     const vtkIndirectTarget& pixels, bool halfFloats);
 
   /** Illuminates all levels but pixels, coarse to fine. */
-  bool FillLevels(const Input& input, const Settings& settings, vtkIndirectSubsplatPyramid& pyramid,
-    vtkIndirectLightBlock& lights);
-  /** Illuminates the image, after the levels. */
-  bool FillPixels(const Input& input, const Settings& settings, vtkIndirectSubsplatPyramid& pyramid,
-    vtkIndirectLightBlock& lights, vtkIndirectTarget& pixels);
+  bool FillLevels(const Input& input, const Settings& settings, Renderer renderer,
+    vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights);
+  /** Then the image. */
+  bool FillPixels(const Input& input, const Settings& settings, Renderer renderer,
+    vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights, vtkIndirectTarget& pixels);
 
-  /** Returns irradiance and vector irradiance of level `number`, from 1 on. */
+  /** Irradiance, vector irradiance and what they are, of level `number`, from 1 on. */
   const vtkIndirectTarget& GetLevel(size_t number) const { return *this->Levels[number - 1]; }
 
   size_t GetBytes() const;
   void Release(vtkWindow* window);
 
 private:
-  // The arguments of the steps below.
+  // What the steps below share.
   struct Work
   {
     const Input& In;
@@ -44,13 +49,14 @@ private:
     vtkIndirectTarget& Target; // of the level that is written
     size_t Number;             // of that level, 0 for pixels
   };
-  // Tells whether neighbouring leaves share their look-ups in depth maps. They do in moving frames,
-  // where the look-ups are half of the time and a shadow's border may be off by a leaf.
+  // Whether leaves side by side share what they ask of depth maps: in moving frames, where the
+  // look-ups are half of the time and a shadow's border may be a leaf aside.
   static bool SharesLooks(const Work& work);
-  void Define(const Work& work);
-  bool Fill(const Work& work);
+  void Define(const Work& work, Renderer renderer);
+  bool Fill(const Work& work, Renderer renderer);
   bool Interpolate(const Work& work);
   bool EvaluateBlocks(const Work& work);
+  bool SplatPoints(const Work& work);
   void SetUniforms(vtkShaderProgram* program, const Work& work) const;
   const vtkIndirectTarget& ActivateSurface(vtkShaderProgram* program, const Work& work) const;
 
@@ -60,7 +66,11 @@ private:
   vtkIndirectFullScreenProgram OtherTexels{ "vtkIndirectSubsplatLevelFS.glsl" };
   vtkIndirectFullScreenProgram SmoothPixels{ "vtkIndirectSubsplatSmoothFS.glsl" };
   vtkIndirectFullScreenProgram OtherPixels{ "vtkIndirectSubsplatPixelFS.glsl" };
-  // One program for still frames, one for frames in which leaves share look-ups in depth maps.
+  vtkIndirectPointProgram TexelPoints{ "vtkIndirectSubsplatPointVS.glsl",
+    "vtkIndirectSubsplatPointFS.glsl" };
+  vtkIndirectPointProgram PixelPoints{ "vtkIndirectSubsplatPointVS.glsl",
+    "vtkIndirectSubsplatPointFS.glsl" };
+  // Of still frames, and of those that share looks into depth maps.
   vtkIndirectComputeProgram TexelBlocks[2] = { vtkIndirectComputeProgram(
                                                  "vtkIndirectSubsplatBlockCS.glsl"),
     vtkIndirectComputeProgram("vtkIndirectSubsplatBlockCS.glsl") };

@@ -34,9 +34,24 @@ void vtkIndirectSubsplatList::End()
 {
 #ifdef GL_SHADER_STORAGE_BUFFER
   this->Deactivate();
-  glMemoryBarrier(
-    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+    GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 #endif
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatList::Fill(
+  vtkOpenGLRenderWindow* window, const std::vector<std::vector<unsigned int>>& lists)
+{
+  std::vector<unsigned int> words(MaximumLists * 4, 0);
+  this->First.clear();
+  for (size_t i = 0; i < lists.size(); ++i)
+  {
+    this->First.push_back(static_cast<unsigned int>(words.size() - MaximumLists * 4));
+    words[4 * i + 3] = static_cast<unsigned int>(lists[i].size());
+    words.insert(words.end(), lists[i].begin(), lists[i].end());
+  }
+  this->Buffer.Fill(window, words.data(), words.size());
 }
 
 //------------------------------------------------------------------------------

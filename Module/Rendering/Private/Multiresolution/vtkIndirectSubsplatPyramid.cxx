@@ -170,7 +170,7 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
   program->SetUniformf("vtkiPlaneThreshold", static_cast<float>(settings.PlaneThreshold));
   program->SetUniformf("vtkiDepthThreshold", static_cast<float>(settings.DepthThreshold));
   program->SetUniformf("vtkiNormalThreshold", static_cast<float>(settings.NormalThreshold));
-  if (settings.Compute)
+  if (settings.HasCompute)
   {
     this->Lists.Activate(program, number - 1);
   }
@@ -217,7 +217,7 @@ bool vtkIndirectSubsplatPyramid::Build(
   const Input& input, const Settings& settings, vtkIndirectLightBlock& lights)
 {
   std::string definitions;
-  if (settings.Compute)
+  if (settings.HasCompute)
   {
     // As an extension of older versions some compilers lack its atomic functions.
     definitions += "#version 430\n#define VTKI_LIST_SPLIT\n";
@@ -239,11 +239,31 @@ bool vtkIndirectSubsplatPyramid::Build(
   {
     done = this->BuildLevel(input, settings, number);
   }
-  if (settings.Compute)
+  if (settings.HasCompute)
   {
     this->Lists.End();
   }
   return done;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatPyramid::FillLists(vtkOpenGLRenderWindow* window)
+{
+  std::vector<std::vector<unsigned int>> lists;
+  for (const auto& level : this->Levels)
+  {
+    lists.emplace_back();
+    const std::vector<float> values = level->ReadBack(0);
+    for (unsigned int i = 0; i < values.size() / 4; ++i)
+    {
+      if (vtkIndirectKernels::vtkiSubsplatIsSplit(values[4 * i + 3]))
+      {
+        const unsigned int width = static_cast<unsigned int>(level->GetWidth());
+        lists.back().push_back(i % width | (i / width) << 16);
+      }
+    }
+  }
+  this->Lists.Fill(window, lists);
 }
 
 //------------------------------------------------------------------------------

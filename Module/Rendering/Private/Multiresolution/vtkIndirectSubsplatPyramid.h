@@ -27,6 +27,7 @@ struct vtkIndirectSubsplatSettings : vtkIndirectSubsplatDetails
   double NormalThreshold = 0.0;
   double SurfaceDetail = 0.0;
   double StorageScale = 1.0;
+  bool HasCompute = false; // OpenGL 4.3: lists on the GPU
   bool ReportsError = false;
 };
 
@@ -46,6 +47,9 @@ public:
   const vtkIndirectTarget& GetSurface(size_t number) const { return *this->Levels[number - 1]; }
   /** List i: the texels of level i + 1 that are split. */
   vtkIndirectSubsplatList& GetLists() { return this->Lists; }
+
+  /** Makes the lists on the CPU, where OpenGL has no storage buffers; reads back. */
+  void FillLists(vtkOpenGLRenderWindow* window);
 
   /**
    * Error that the choice of lights leaves, from two halves of them at the probes: RMS(A - B) / 2

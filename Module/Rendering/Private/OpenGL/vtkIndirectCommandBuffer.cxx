@@ -75,6 +75,17 @@ void vtkIndirectCommandBuffer::Begin(vtkOpenGLRenderWindow* window, size_t words
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectCommandBuffer::Fill(
+  vtkOpenGLRenderWindow* window, const unsigned int* words, size_t count)
+{
+  this->Create(window);
+  this->Bytes = count * sizeof(unsigned int);
+  glBindBuffer(GL_ARRAY_BUFFER, this->Handle);
+  glBufferData(GL_ARRAY_BUFFER, this->Bytes, words, GL_DYNAMIC_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectCommandBuffer::Activate(vtkShaderProgram* program, const char* block) const
 {
 #ifdef GL_SHADER_STORAGE_BUFFER

@@ -23,6 +23,8 @@ public:
 
   /** Empties the lists; words is room for the entries of all. */
   void Begin(vtkOpenGLRenderWindow* window, size_t words);
+  /** Replaces all of it, where shaders cannot write; words begin with the commands. */
+  void Fill(vtkOpenGLRenderWindow* window, const unsigned int* words, size_t count);
 
   /** Binds the buffer to a program's storage block of that name. */
   void Activate(vtkShaderProgram* program, const char* block) const;
@@ -36,6 +38,9 @@ public:
   /** Words of entries, from the first on; as above. */
   void Read(size_t first, size_t count, unsigned int* words) const;
 
+  unsigned int GetHandle() const { return this->Handle; }
+  /** Where in the buffer that word of the entries is. */
+  size_t GetOffset(size_t word) const;
   /** Null where there is no buffer. */
   vtkOpenGLRenderWindow* GetWindow() const;
   size_t GetBytes() const { return this->Bytes; }
@@ -45,7 +50,6 @@ public:
   void Release();
 
 private:
-  size_t GetOffset(size_t word) const; // of that word of the entries, in bytes
   void Create(vtkOpenGLRenderWindow* window);
 
   size_t NumberOfLists;

@@ -29,6 +29,15 @@ struct Entry
 
 // In the order of Path.
 const std::array<Entry, NumberOfPaths> Entries{ {
+  // Software clears textures of floats pixel by pixel, which takes longer than to draw over them.
+  // Not measured on a GPU, where clears are fast, but a solid frame is cleared only where nothing
+  // was drawn.
+  { "clear", { "draw", "gl" }, "the geometry buffer is emptied by a drawn quad or by glClear",
+    ClearByDraw, ClearByDraw, { false, false } },
+  // A copy is fewer operations a pixel than a test and a write. Not measured on a GPU.
+  { "depth", { "copy", "draw" },
+    "depth is copied to the frame where formats allow it or drawn by the composite", DepthByCopy,
+    DepthByCopy, { false, false } },
   // A light is fetched once for all texels of an invocation. On a processor a fetch costs more than
   // registers that spill: with four the sums take 0.8 of the time with two. Eight would save a
   // tenth more, and take a second more to compile.
@@ -40,8 +49,7 @@ const std::array<Entry, NumberOfPaths> Entries{ {
   { "kernels", { "fragment", "compute" },
     "full-screen kernels that write all of a target are fragment or compute shaders",
     KernelsFragment, KernelsFragment, { false, true } },
-  // Tiles sum lights in registers, in a fixed order, where blending reads and writes 16 bytes of
-  // each
+  // Tiles sum lights in registers, in a fixed order, where blending reads and writes 16 bytes of each
   // pixel for each splat.
   { "splats", { "blend", "tiles" },
     "splats of virtual lights are drawn and blended, or summed by compute shaders in tiles",

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ways of doing the same thing, of which one is faster here and another there. Each has a default
 // for the OpenGL at hand, and is forced by its name in the environment, so that they can be
-// compared on any card: VTK_INDIRECT_PATHS="kernels=compute,uniforms=plain".
+// compared on any card: VTK_INDIRECT_PATHS="clear=gl,uniforms=plain".
+//
+// What users choose by a property (multiresolution's Renderer and Storage) is not among them.
 #ifndef vtkIndirectPaths_h
 #define vtkIndirectPaths_h
 
@@ -13,6 +15,8 @@ namespace vtkIndirectPaths
 {
 enum Path
 {
+  Clear,    // how the geometry buffer's colours are emptied
+  Depth,    // how depth gets to the framebuffer that the frame goes to
   Grouping, // split texels that an invocation of multiresolution splatting works for
   Kernels,  // what full-screen kernels run as, where they write all of a target without tests
   Splats,   // how splats of virtual lights are summed
@@ -21,6 +25,16 @@ enum Path
 };
 
 // Values of each, in the order of their names in vtkIndirectPaths.cxx.
+enum ClearValue
+{
+  ClearByDraw,
+  ClearByGL
+};
+enum DepthValue
+{
+  DepthByCopy,
+  DepthByDraw
+};
 enum GroupingValue
 {
   GroupingOfTwo,

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program that draws points, or a rectangle of four, which its vertex shader makes from their
-// numbers.
+// A program that draws points which its vertex shader makes from their numbers, or one integer
+// each; or a rectangle of four.
 #ifndef vtkIndirectPointProgram_h
 #define vtkIndirectPointProgram_h
 
 #include "vtkOpenGLRenderWindow.h" // for the weak pointer
 #include "vtkWeakPointer.h"        // for the context
 
-#include <string> // for names
+#include <cstddef> // for size_t
+#include <string>  // for names
 
 class vtkShaderProgram;
 
 class vtkIndirectPointProgram
 {
 public:
-  /** Takes the names of two shader files. */
+  /** Files in glsl/stage. */
   vtkIndirectPointProgram(const char* vertexStage, const char* fragmentStage);
   ~vtkIndirectPointProgram();
   vtkIndirectPointProgram(const vtkIndirectPointProgram&) = delete;
@@ -31,6 +32,12 @@ public:
 
   /** Draws the rectangle of corners 0 to 3, the last two beside the first two in order. */
   void DrawRectangle();
+
+  /**
+   * Draws points of one pixel, each so many times; an unsigned integer of each, from a buffer at
+   * that offset, goes to the vertex shader's attribute.
+   */
+  void DrawInstances(int attribute, unsigned int buffer, size_t offset, int count, int instances);
 
   void Release();
 
