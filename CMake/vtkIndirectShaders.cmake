@@ -2,12 +2,11 @@
 # the shader text it was made with.
 
 # vtk_indirect_embed_shaders(<sources-var> FILES <file>...)
-# Adds generated sources to <sources-var>; the registry lists every file by its base name.
+# Adds one generated source to <sources-var>: the table of all files' text by their base names.
 function (vtk_indirect_embed_shaders sources_var)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FILES")
-  set(sources)
-  set(includes)
   set(entries)
+  set(names)
   set(texts)
   foreach (file IN LISTS arg_FILES)
     get_filename_component(name "${file}" NAME_WE)
@@ -26,23 +25,21 @@ function (vtk_indirect_embed_shaders sources_var)
     list(APPEND names "${name}")
     string(APPEND texts "${text}")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
-    vtk_encode_string(INPUT "${path}" NAME "${name}"
-      HEADER_OUTPUT header SOURCE_OUTPUT source)
-    list(APPEND sources "${source}" "${header}")
-    string(APPEND includes "#include \"${name}.h\"\n")
-    string(APPEND entries "  { \"${name}.glsl\", ${name} },\n")
+    string(REPLACE "\\" "\\\\" text "${text}")
+    string(REPLACE "\"" "\\\"" text "${text}")
+    string(REPLACE "\n" "\\n\"\n    \"" text "${text}")
+    string(APPEND entries "  { \"${name}.glsl\",\n    \"${text}\" },\n")
   endforeach ()
   string(MD5 hash "${texts}")
-  file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/vtkIndirectShaderTable.cxx" CONTENT
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/vtkIndirectShaderTable.cxx")
+  file(CONFIGURE OUTPUT "${source}" CONTENT
 "// Generated from the shader files; do not edit.
 #include \"OpenGL/vtkIndirectShaderTable.h\"
 
-${includes}
 const vtkIndirectShaderTableEntry vtkIndirectShaderTable[] = {
 ${entries}  { nullptr, nullptr },
 };
 const char* const vtkIndirectShaderTableHash = \"${hash}\";
 " @ONLY)
-  list(APPEND sources "${CMAKE_CURRENT_BINARY_DIR}/vtkIndirectShaderTable.cxx")
-  set("${sources_var}" ${${sources_var}} ${sources} PARENT_SCOPE)
+  set("${sources_var}" ${${sources_var}} "${source}" PARENT_SCOPE)
 endfunction ()

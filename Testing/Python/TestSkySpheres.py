@@ -3,11 +3,18 @@
 
 import unittest
 
-import support  # noqa: F401
-import traced
+import numpy as np
+
+import support
 import vtkindirect
-from vtkindirect import wrapped
+from vtkindirect import frames, metrics, references, wrapped
 from vtkindirect.metrics import Errors
+
+SAME = 2e-3
+"""Relative difference of depths under which a pixel shows the surface that was traced: half floats
+keep 5e-4, spheres are traced as triangles within 4e-3 of their radius."""
+LAYERS = {"sky": "S1", "bounce": "S2"}
+"""The layer of the reference that each buffer is compared with: light of the sky, its first bounce."""
 
 # The scene, and the most of nRMSE that its kind may have of the direct light: atoms and particles
 # are spheres as they are, meshes are covered by at most 256 each. Measured: 0.076, 0.019, 0.052,
@@ -17,6 +24,35 @@ BIAS = 0.03
 """Of the direct light, over the mean. Measured: -0.017, +0.009, -0.014, -0.007."""
 BOUNCE = 0.1
 """Of the bounce, likewise. Measured: -0.055, +0.006, -0.057, -0.038."""
+
+
+class Traced:
+    """A scene in a window of its own, an odd number of times the size of its reference."""
+
+    def __init__(self, name: str, factor: int) -> None:
+        self.stored = support.TESTING / "Reference" / "data" / f"{name}.exr"
+        self.factor = factor
+        self.traced = references.read_layer(self.stored, "depth")[..., 0]
+        height, width = self.traced.shape
+        self.scene = vtkindirect.load_scene(support.SCENES / f"{name}.json")
+        frames.open_window(self.scene, (factor * width, factor * height))
+        self.window = self.scene.render_window
+        self.renderer = self.scene.renderer
+
+    def buffer(self, name: str) -> np.ndarray:
+        """Return a buffer of the last frame at the reference's pixels."""
+        middle = slice(self.factor // 2, None, self.factor)
+        return vtkindirect.copy_buffer(self.renderer, name)[middle, middle]
+
+    def same(self) -> np.ndarray:
+        """Return which of these show the surface that was traced."""
+        depth = self.buffer("depth")[..., 0]
+        return (depth > 0.0) & (np.abs(depth - self.traced) < SAME * self.traced)
+
+    def errors(self, name: str) -> Errors:
+        """Return the errors of a buffer there."""
+        layer = references.read_layer(self.stored, LAYERS[name])
+        return metrics.compare(self.buffer(name), layer, self.same())
 
 
 @unittest.skipUnless(wrapped.has("vtkProxyAccumulationPass"), "vtkProxyAccumulationPass not built")
@@ -30,7 +66,7 @@ class SkySpheres(unittest.TestCase):
         All pixels count that show the surface that was traced, silhouettes and crevices with them:
         atoms are a few pixels wide, and there is little else of them.
         """
-        view = traced.Traced(name, factor)
+        view = Traced(name, factor)
         self.addCleanup(view.window.Finalize)
         pass_ = vtkindirect.enable(view.renderer, "proxies", lighting="scene")
         view.window.Render()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fits linearly transformed cosines to the specular lobe of VTK's physically based shading.
 
-    Testing/Reference/fit_lobes.py FILE        write the table: LightMaps/vtkIndirectLobeTable.h
+    Testing/Reference/fit_lobes.py FILE        write the table: LightMaps/vtkIndirectLobeTable.inl
     Testing/Reference/fit_lobes.py --errors    integrals of |lobe - fit| over the lobe's own
 
 "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines" (Heitz, Dupuy, Hill, Neubelt
@@ -241,26 +241,9 @@ def make() -> np.ndarray:
 
 
 def text_of(table: np.ndarray) -> str:
-    """Return the table as a header of C++."""
-    lines = [
-        "// SPDX-License-Identifier: BSD-3-Clause",
-        "// Linearly transformed cosines for the specular lobe of VTK's PBR. Written by",
-        "// Testing/Reference/fit_lobes.py, which says what the numbers are; not to be edited.",
-        "#ifndef vtkIndirectLobeTable_h",
-        "#define vtkIndirectLobeTable_h",
-        "",
-        "// clang-format off",
-        f"constexpr int vtkIndirectLobeEntries = {ENTRIES};",
-        f"constexpr float vtkIndirectLeastRoughness = {LEAST}f;",
-        f"constexpr float vtkIndirectLobeTable[{ENTRIES}][{ENTRIES}][6] = {{",
-    ]
-    for row in table:
-        lines.append("{")
-        for values in row:
-            numbers = ", ".join(f"{value:.5g}" for value in values)
-            lines.append(f"{{{numbers}}},")
-        lines.append("},")
-    return "\n".join([*lines, "};", "// clang-format on", "#endif", ""])
+    """Return the table as initializers of C++, a roughness per line."""
+    rows = [[", ".join(f"{value:.5g}" for value in values) for values in row] for row in table]
+    return "".join("{ {" + "}, {".join(row) + "} },\n" for row in rows)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -13,15 +13,13 @@ import fit_lobes
 
 TABLE = (
     Path(__file__).resolve().parents[2]
-    / "Module/Rendering/Private/LightMaps/vtkIndirectLobeTable.h"
+    / "Module/Rendering/Private/LightMaps/vtkIndirectLobeTable.inl"
 )
 
 
 def read_table() -> np.ndarray:
     """Return the table that is compiled."""
-    text = TABLE.read_text(encoding="utf-8")
-    body = text[text.index("[6] = {") :]
-    numbers = re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", body[len("[6] = {") :])
+    numbers = re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", TABLE.read_text(encoding="utf-8"))
     return np.array(numbers, dtype=float).reshape(fit_lobes.ENTRIES, fit_lobes.ENTRIES, 6)
 
 

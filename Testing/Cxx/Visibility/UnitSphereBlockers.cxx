@@ -241,8 +241,8 @@ VTK_INDIRECT_TEST(SphereBlockersDoNotHideThemselves)
 }
 
 //------------------------------------------------------------------------------
-// Between points on spheres that face each other, as in a gather: how often each method is wrong.
-// The order agrees with Testing/Benchmark/sphere_blockers.py in larger scenes.
+// Asks voxels and spheres about segments between places on spheres that face each other, as a gather
+// does, and counts how often each is wrong.
 VTK_INDIRECT_TEST(SphereBlockersBesideVoxels)
 {
   Random random(47);
@@ -298,5 +298,5 @@ VTK_INDIRECT_TEST(SphereBlockersBesideVoxels)
   CheckAtMost("spheres: share of wrong answers", wrong[1] / count, 2e-3,
     "single precision, where a segment touches a sphere or its end's own");
   CheckAtLeast("voxels: share of wrong answers", wrong[0] / count, 0.05,
-    "0.2 of pairs in the benchmark's crowds, whose gaps voxels close");
+    "voxels close the gaps between crowded spheres");
 }
