@@ -540,8 +540,7 @@ std::string vtkIndirectIlluminationPass::GetReport()
 {
   Internals& in = *this->Internal;
   vtkIndirectReport report;
-  const double tolerance =
-    this->GetFrameEstimator()->FindErrorTolerance(this->Settings.ErrorTolerance); // in force
+  const double tolerance = in.Pipeline.GetPlan().EstimatorErrorTolerance; // in force
   report.Settings = { { "Shadows", this->Settings.Shadows },
     { "Antialiasing", this->Settings.Antialiasing },
     { "ReflectiveShadowMapResolution", this->GetReflectiveShadowMapResolution() },

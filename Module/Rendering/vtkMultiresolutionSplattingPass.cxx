@@ -213,7 +213,7 @@ bool vtkMultiresolutionSplattingPass::MakeSettings(
   static_cast<Details&>(settings) = details;
   settings.HalfResolution = this->Settings.FinestLevel == HALF_RESOLUTION;
   settings.SurfaceDetail = this->Settings.SurfaceDetail;
-  const double tolerance = this->FindErrorTolerance(input.Plan.ErrorTolerance);
+  const double tolerance = input.Plan.EstimatorErrorTolerance;
   settings.PlaneThreshold = this->Settings.PlaneThreshold.Scale(tolerance);
   settings.DepthThreshold = this->Settings.DepthThreshold.Scale(tolerance);
   settings.NormalThreshold = this->Settings.NormalThreshold.Scale(tolerance);
@@ -290,7 +290,7 @@ vtkIndirectEstimate vtkMultiresolutionSplattingPass::Estimate(const Input& input
 
   static const char* const renderers[] = { "points", "fragments", "compute" };
   in.Renderer = renderers[renderer];
-  in.Tolerance = settings.ReportsError ? this->FindErrorTolerance(input.Plan.ErrorTolerance) : 0.0;
+  in.Tolerance = input.Plan.EstimatorErrorTolerance;
   in.SamplingError = -1.0;
   in.Evaluations = -1;
   if (!done)

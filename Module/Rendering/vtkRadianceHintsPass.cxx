@@ -274,8 +274,8 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   vtkIndirectHintRegions regions;
   regions.OfView = this->Settings.Extent == VIEW;
   std::copy_n(this->Settings.GridResolution, 3, &regions.Resolution.x);
-  regions.Tolerance = this->FindErrorTolerance(input.Plan.ErrorTolerance);
-  in.Tolerance = input.Plan.ErrorTolerance > 0.0 ? regions.Tolerance : 0.0;
+  regions.Tolerance = input.Plan.EstimatorErrorTolerance;
+  in.Tolerance = input.Plan.ErrorToleranceIsSet ? regions.Tolerance : 0.0;
   regions.HasFine = this->Settings.NumberOfGrids > 1;
   regions.FineExtent = this->Settings.FineGridExtent;
   settings.Regions = regions.Find(frame);

@@ -65,7 +65,7 @@ public:
     const vtkIndirectFrame& Frame;
     const vtkReflectiveShadowMapPass& Maps;    // without maps where the frame has none
     const vtkIndirectGeometryBuffer& Geometry; // what the eye sees
-    double ErrorTolerance = 0.0;               // of the irradiance, over its mean; 0: standard
+    double ErrorTolerance = 0.02;              // of the irradiance, over its mean
     int NumberOfBounces = 1;                   // asked for, for samplers that know several
     bool Interactive = false;                  // whether the window gives a frame a second or less
     /** What lights surfaces besides the frame's lights: the sky, and area lights. */

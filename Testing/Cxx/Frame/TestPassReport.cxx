@@ -67,6 +67,25 @@ VTK_INDIRECT_TEST(ReportReader)
 }
 
 //------------------------------------------------------------------------------
+// Names of the inputs that make a frame's light new: why a frame computes it again.
+VTK_INDIRECT_TEST(ReportSaysWhatChanged)
+{
+  vtkNew<vtkRSMGatherPass> gather;
+  ReportView view(gather);
+  view.Render();
+  const Report still = view.Render();
+  CONTRACT_CHECK(still.Has("changed") && !still.Has("changed.0"), still.Get("changed"));
+  view.Renderer->GetActiveCamera()->Azimuth(1.0);
+  const Report turned = view.Render();
+  CONTRACT_CHECK(turned.Get("changed.0") == "eye" && !turned.Has("changed.1"), "the eye alone");
+  vtkProp* const prop = view.Renderer->GetViewProps()->GetLastProp();
+  vtkActor::SafeDownCast(prop)->GetProperty()->SetColor(0.2, 0.3, 0.4);
+  const Report colored = view.Render();
+  CONTRACT_CHECK(
+    colored.Get("changed.0") == "props" && !colored.Has("changed.1"), "the props alone");
+}
+
+//------------------------------------------------------------------------------
 // A grid has as many hints as its property says, which is clamped to the possible range.
 VTK_INDIRECT_TEST(ReportGrid)
 {

@@ -524,7 +524,7 @@ VTK_INDIRECT_TEST(PlanKeys)
   other.Size[1] = 49;
   Check("the image's size", plan.MakeKey(other) != key);
   vtkIndirectSettings settings;
-  settings.ErrorTolerance = 0.02;
+  settings.ErrorTolerance = 0.01;
   Check("the tolerance", vtkIndirectPlan::Make(frame, settings, {}, {}).MakeKey(frame) != key);
 }
 

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an estimator is given in a frame, and what it gives back.
+// The input of a sum of light in a frame, and its contribution to the picture.
 #ifndef vtkIndirectEstimate_h
 #define vtkIndirectEstimate_h
 
+#include "vtkSmartPointer.h" // for lights
+
+#include <vector> // for lists
+
+class vtkAreaLight;
 class vtkEnvironmentLight;
 class vtkIndirectGeometryBuffer;
+class vtkIndirectSkyProjection;
 class vtkIndirectStageTimer;
 class vtkIndirectTarget;
 class vtkIndirectVirtualLights;
 class vtkIndirectVisibility;
 class vtkReflectiveShadowMapPass;
+class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
 
@@ -42,7 +49,10 @@ struct vtkIndirectEstimateInput
   const vtkIndirectVisibility& Visibility; // as the estimator asked for it
   bool Still = false;                      // nothing has changed since its last frame
   vtkIndirectStageTimer& Timer;
-  vtkEnvironmentLight* Environment = nullptr; // of an estimator that sums the sky itself
+  vtkEnvironmentLight* Environment = nullptr;     // null where the frame has none
+  vtkIndirectSkyProjection* Projection = nullptr; // of the environment onto directions
+  const std::vector<vtkSmartPointer<vtkAreaLight>>* AreaLights = nullptr;
+  vtkSurfaceCapturePass* Capture = nullptr; // draws depth maps
 };
 
 struct vtkIndirectEstimate
@@ -68,11 +78,17 @@ struct vtkIndirectEstimate
   /** What lobes of a specular coefficient of one reflect, over Unit; null where there is none. */
   const vtkIndirectTarget* Glossy = nullptr;
   ///@{
-  /** Of an estimator that sums the sky itself, in place of Irradiance: VTK irradiance that comes
-   * directly from there, and what is reflected of it, null for none, a channel of that. */
+  /** VTK irradiance that comes directly from the environment, and the irradiance that surfaces
+   * reflect of the environment's light, a channel of an image; null for none. */
   const vtkIndirectTarget* Sky = nullptr;
   const vtkIndirectTarget* SkyBounce = nullptr;
   int SkyBounceChannel = 0;
+  ///@}
+  ///@{
+  /** VTK irradiance that comes directly from area lights, and the radiance that receivers reflect
+   * specularly of them; null for none. */
+  const vtkIndirectTarget* Area = nullptr;
+  const vtkIndirectTarget* AreaGlossy = nullptr;
   ///@}
   /** VTK irradiance that a stored value of one stands for. */
   double Unit = 1.0;

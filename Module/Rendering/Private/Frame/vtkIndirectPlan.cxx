@@ -24,7 +24,9 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
 {
   vtkIndirectPlan plan;
   plan.Caching = settings.Caching;
-  plan.ErrorTolerance = settings.ErrorTolerance;
+  plan.ErrorToleranceIsSet = settings.ErrorTolerance > 0.0;
+  plan.ErrorTolerance = plan.ErrorToleranceIsSet ? settings.ErrorTolerance : StandardErrorTolerance;
+  plan.EstimatorErrorTolerance = estimator.ErrorTolerance;
   plan.IndirectScale = settings.IndirectScale;
   plan.Interactive = IsInteractive(circumstances.UpdateRate);
   plan.WaitsForMaps = settings.MapsFirst && settings.Caching && !plan.Interactive;
@@ -466,6 +468,7 @@ vtkIndirectKey vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) const
   key.Add("bounces", this->WalkedBounces).Add("bounces", this->SkyBounces);
   key.Add("bounces", this->AreaLightsBounce);
   key.Add("error tolerance", this->ErrorTolerance);
+  key.Add("error tolerance", this->EstimatorErrorTolerance);
   key.Add("sky", this->SkySource).Add("sky", this->SkyIsShadowed).Add("sky", this->Sky);
   frame.AppendTo(key);
   return key;
@@ -474,7 +477,7 @@ vtkIndirectKey vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) const
 //------------------------------------------------------------------------------
 double vtkIndirectPlan::ScaleThreshold(double standard, double tolerance, double most)
 {
-  return std::min(standard * tolerance / 0.02, most);
+  return std::min(standard * tolerance / StandardErrorTolerance, most);
 }
 
 //------------------------------------------------------------------------------

@@ -139,7 +139,15 @@ struct vtkIndirectPlan
   /** Virtual lights of bounces after the estimator's, up to this one, come from a random walk; 0:
    * of none. */
   int WalkedBounces = 0;
-  double ErrorTolerance = 0.0; // as asked for
+  ///@{
+  /** The relative error that the light of the frame aims at, the user's or the standard one, and
+   * whether the user has set it. */
+  static constexpr double StandardErrorTolerance = 0.02;
+  double ErrorTolerance = StandardErrorTolerance;
+  bool ErrorToleranceIsSet = false;
+  ///@}
+  /** The relative error by which the estimator's parameters are chosen; 0: none of them is. */
+  double EstimatorErrorTolerance = 0.0;
   bool Caching = true;
   double IndirectScale = 1.0;
   /** VTK irradiance of the order of the brightest of the frame: a power of two, for half floats. */

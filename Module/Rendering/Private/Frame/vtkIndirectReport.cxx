@@ -110,6 +110,7 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
   report["estimated_error"] = this->EstimatedError >= 0.0 ? JSON(this->EstimatedError) : JSON();
   report["modelled"] = List(this->Modelled);
   report["left_out"] = List(this->LeftOut);
+  report["changed"] = this->Changed;
   report["counters"] = this->Counters;
   report["paths"] = JSON::object();
   for (const auto& path : this->Paths)

@@ -29,10 +29,19 @@ struct vtkIndirectReport
   double EstimatedError = -1.0;
   std::string GLRenderer;
   std::string GLVersion;
+  /** Names of the inputs of the frame's light that differ from those of the frame before. */
+  std::vector<std::string> Changed;
   /** How often what is kept between frames was made anew since construction, by name. */
   std::map<std::string, long long> Counters;
   /** Ways that were in force, name and value; see vtkIndirectPaths. */
   Entries Paths;
+
+  /** Appends entries to Modelled and to LeftOut. */
+  void Add(const Entries& modelled, const Entries& leftOut)
+  {
+    this->Modelled.insert(this->Modelled.end(), modelled.begin(), modelled.end());
+    this->LeftOut.insert(this->LeftOut.end(), leftOut.begin(), leftOut.end());
+  }
 
   /** Asks the current context what OpenGL it is. */
   void ReadGL();

@@ -6,8 +6,10 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectStageTimer.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "vtkAreaLight.h"
 
@@ -29,40 +31,55 @@ vtkIndirectAreaGather::vtkIndirectAreaGather()
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectAreaGather::Update(const Input& input, int most)
+void vtkIndirectAreaGather::AppendTo(vtkIndirectKey& key, const Input& input) const
 {
-  this->ContentTime += this->Lamps.Update(input.Frame, input.Lights) ? 1 : 0;
-  const bool visible = input.Plan.AreaIsShadowed;
-  this->ContentTime += visible != this->Visible ? 1 : 0;
-  this->Visible = visible;
+  for (const auto& light : *input.AreaLights)
+  {
+    key.Add("area lights", light);
+  }
+  key.Add("area lights", input.Plan.AreaIsShadowed).Add("area lights", input.Plan.AreaSpecular);
+  key.Add("interactive", input.Plan.Interactive);
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectAreaGather::CountMapsNeeded(const Input& input) const
+{
+  return input.Plan.AreaIsShadowed && !this->IsComplete() ? VTK_INT_MAX : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaGather::Update(const Input& input, int mostMaps)
+{
+  input.Timer.Begin(vtkIndirectStageTimer::Visibility);
+  this->Lamps.Update(input.Frame, *input.AreaLights);
+  this->Visible = input.Plan.AreaIsShadowed;
   this->Moving = input.Plan.Interactive;
-  if (!this->Visible)
+  bool updated = true;
+  if (this->Visible)
+  {
+    const size_t before = this->Maps.GetAtlas().GetNumberOfTilesDrawn();
+    updated =
+      this->Maps.Update(input.Frame, input.Capture, this->Lamps, 0, input.Plan.Caching, mostMaps);
+    this->TilesLeft =
+      mostMaps - static_cast<int>(this->Maps.GetAtlas().GetNumberOfTilesDrawn() - before);
+  }
+  else
   {
     this->Maps.Release(input.Frame.Window);
     this->Rounds.Release(input.Frame.Window);
-    return true;
   }
-  const size_t before = this->Maps.GetAtlas().GetNumberOfTilesDrawn();
-  const bool updated =
-    this->Maps.Update(input.Frame, input.Capture, this->Lamps, 0, input.Plan.Caching, most);
-  this->TilesLeft = most - static_cast<int>(this->Maps.GetAtlas().GetNumberOfTilesDrawn() - before);
+  input.Timer.End(vtkIndirectStageTimer::Visibility);
   return updated;
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectAreaGather::IsComplete() const
-{
-  return !this->Visible || this->Maps.IsComplete();
-}
-
-//------------------------------------------------------------------------------
+// Returns whether frames of the same view add nothing to the result.
 bool vtkIndirectAreaGather::IsFinished() const
 {
   return !this->Visible || this->Moving || this->Rounds.IsFinished();
 }
 
 //------------------------------------------------------------------------------
-// That further frames will draw.
 int vtkIndirectAreaGather::GetNumberOfTilesLeft() const
 {
   if (!this->Visible)
@@ -80,8 +97,7 @@ int vtkIndirectAreaGather::GetNumberOfTilesLeft() const
 // Of the mean of an image. The sum of its pieces' errors is a small part of what they are allowed.
 double vtkIndirectAreaGather::GetTolerance(const Input& input) const
 {
-  const double tolerance = input.Plan.ErrorTolerance > 0.0 ? input.Plan.ErrorTolerance : 0.02;
-  return (this->Moving ? 0.5 : 0.25) * tolerance;
+  return (this->Moving ? 0.5 : 0.25) * input.Plan.ErrorTolerance;
 }
 
 //------------------------------------------------------------------------------
@@ -98,7 +114,24 @@ void vtkIndirectAreaGather::SetLamp(const Input& input, vtkShaderProgram* progra
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectAreaGather::Sum(const Input& input, bool same)
+vtkIndirectEstimate vtkIndirectAreaGather::Sum(const Input& input)
+{
+  vtkIndirectEstimate result;
+  input.Timer.Begin(vtkIndirectStageTimer::Area);
+  const bool summed = this->SumAll(input);
+  input.Timer.End(vtkIndirectStageTimer::Area);
+  if (summed)
+  {
+    result.State =
+      this->IsFinished() ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::REFINING;
+    result.Area = &this->Irradiance;
+    result.AreaGlossy = this->Specular ? &this->Lobes.GetReflected() : nullptr;
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaGather::SumAll(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   if (!this->Irradiance.Resize(frame.Window, frame.Size[0], frame.Size[1]))
@@ -110,11 +143,11 @@ bool vtkIndirectAreaGather::Sum(const Input& input, bool same)
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-  if (same)
+  if (input.Still)
   {
-    return this->SumIrradiance(input, true);
+    return this->SumIrradiance(input);
   }
-  if (!this->Lamps.UpdateTexture(frame) || !this->SumIrradiance(input, false))
+  if (!this->Lamps.UpdateTexture(frame) || !this->SumIrradiance(input))
   {
     return false;
   }
@@ -140,7 +173,7 @@ bool vtkIndirectAreaGather::SumLobes(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectAreaGather::SumIrradiance(const Input& input, bool same)
+bool vtkIndirectAreaGather::SumIrradiance(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   if (this->Moving && !this->Lamps.Get().empty())
@@ -156,22 +189,22 @@ bool vtkIndirectAreaGather::SumIrradiance(const Input& input, bool same)
     vtkIndirectFullScreenState kernelState(frame.Window);
     return this->SumOpen(input, this->Irradiance);
   }
-  return this->SumRounds(input, same);
+  return this->SumRounds(input);
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectAreaGather::SumRounds(const Input& input, bool same)
+bool vtkIndirectAreaGather::SumRounds(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   const vtkIndirectAreaRounds::Input rounds = { frame, input.Geometry, input.Capture, this->Lamps,
     this->Maps, input.Plan.Caching };
   bool done = this->Rounds.Resize(frame);
-  if (done && same)
+  if (done && input.Still)
   {
     done = this->Rounds.Continue(rounds, this->TilesLeft);
   }
   vtkIndirectFullScreenState kernelState(frame.Window);
-  if (done && !same)
+  if (done && !input.Still)
   {
     done = this->SumOpen(input, this->Rounds.GetOpen()) && this->Rounds.Begin(rounds);
   }
@@ -225,7 +258,7 @@ size_t vtkIndirectAreaGather::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaGather::AddToReport(vtkIndirectReport& report) const
+void vtkIndirectAreaGather::AddToReport(vtkIndirectReport& report, const vtkIndirectPlan&) const
 {
   const vtkIndirectAreaLamps::List& lamps = this->Lamps.Get();
   if (lamps.empty())

@@ -7,6 +7,7 @@
 #ifndef vtkIndirectAreaGather_h
 #define vtkIndirectAreaGather_h
 
+#include "Frame/vtkIndirectSum.h"                // for the base class
 #include "Gather/vtkIndirectAreaLamps.h"         // for a member
 #include "Gather/vtkIndirectAreaLobes.h"         // for a member
 #include "Gather/vtkIndirectAreaMaps.h"          // for a member
@@ -14,77 +15,46 @@
 #include "Gather/vtkIndirectAreaSamples.h"       // for a member
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectTarget.h"            // for members
-#include "vtkSmartPointer.h"                     // for lights
 
-#include <vector> // for lists
+class vtkShaderProgram;
 
-class vtkAreaLight;
-class vtkIndirectGeometryBuffer;
-class vtkSurfaceCapturePass;
-class vtkWindow;
-struct vtkIndirectFrame;
-struct vtkIndirectPlan;
-struct vtkIndirectReport;
-
-class vtkIndirectAreaGather
+class vtkIndirectAreaGather : public vtkIndirectSum
 {
 public:
   vtkIndirectAreaGather();
 
-  struct Input
-  {
-    const vtkIndirectFrame& Frame;
-    const vtkIndirectPlan& Plan;
-    const vtkIndirectGeometryBuffer& Geometry;
-    vtkSurfaceCapturePass* Capture;
-    const std::vector<vtkSmartPointer<vtkAreaLight>>& Lights;
-  };
-
-  /**
-   * Brings lights and depth maps up to date, at most so many of these. Returns false, after an
-   * error, when OpenGL refuses.
-   */
-  bool Update(const Input& input, int most);
-  /** Whether all maps are there and up to date. */
-  bool IsComplete() const;
-  /** Grows when lights or maps have changed. */
-  size_t GetContentTime() const { return this->ContentTime + this->Maps.GetContentTime(); }
-  /** Whether frames of the same view add nothing to it. */
-  bool IsFinished() const;
-  /** Sums. same: nothing but the time left has changed since. Returns false, after an error. */
-  bool Sum(const Input& input, bool same);
-
-  /** Irradiance in VTK's units, a value for every pixel. */
-  const vtkIndirectTarget& GetIrradiance() const { return this->Irradiance; }
-  /** What receivers reflect specularly; null where none does. */
-  const vtkIndirectTarget* GetReflected() const
-  {
-    return this->Specular ? &this->Lobes.GetReflected() : nullptr;
-  }
-
-  int GetNumberOfTilesLeft() const;
-  size_t GetNumberOfTilesDrawn() const
+  const char* GetName() const override { return "light of area lights"; }
+  void AppendTo(vtkIndirectKey& key, const Input& input) const override;
+  int CountMapsNeeded(const Input& input) const override;
+  bool Update(const Input& input, int mostMaps) override;
+  size_t GetNumberOfTilesDrawn() const override
   {
     return this->Maps.GetAtlas().GetNumberOfTilesDrawn() + this->Rounds.GetNumberOfTilesDrawn();
   }
+  bool IsComplete() const override { return !this->Visible || this->Maps.IsComplete(); }
+  int GetNumberOfTilesLeft() const override;
+  /** A still result is refined by further rounds of points of each light. */
+  vtkIndirectEstimate Sum(const Input& input) override;
+  void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
+  void Release(vtkWindow* window) override;
+
   size_t GetBytes() const;
-  void AddToReport(vtkIndirectReport& report) const;
-  void Release(vtkWindow* window);
 
 private:
   using Lamp = vtkIndirectAreaLamps::Lamp;
 
+  bool IsFinished() const;
+  bool SumAll(const Input& input);
   double GetTolerance(const Input& input) const;
-  bool SumIrradiance(const Input& input, bool same);
+  bool SumIrradiance(const Input& input);
   bool SumLobes(const Input& input);
-  bool SumRounds(const Input& input, bool same);
+  bool SumRounds(const Input& input);
   bool SumOpen(const Input& input, vtkIndirectTarget& target);
   void SetLamp(const Input& input, vtkShaderProgram* program, const Lamp& lamp);
 
   vtkIndirectAreaLamps Lamps;
   vtkIndirectAreaMaps Maps; // of the first round
   bool Visible = false;     // something can hide them
-  size_t ContentTime = 0;
   bool Moving = false;
   int TilesLeft = 0;                                               // to draw in this frame
   vtkIndirectFullScreenProgram Kernel{ "vtkIndirectAreaFS.glsl" }; // of one radiance

@@ -8,8 +8,10 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectStageTimer.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
+#include "vtkEnvironmentLight.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -65,11 +67,10 @@ void vtkIndirectSkyGather::UpdateDirections(const Input& input)
 {
   const int still = input.Plan.NumberOfStillSkyDirections;
   if (!this->Directions.Update(
-        input.Projection, input.Environment, input.Plan.NumberOfSkyDirections, still))
+        *input.Projection, input.Environment, input.Plan.NumberOfSkyDirections, still))
   {
     return;
   }
-  ++this->ContentTime;
   this->OpenSkyIsThere = false;
   std::vector<glm::dvec3> directions[NumberOfGroups];
   for (const Summand& summand : this->Directions.GetStrong())
@@ -147,13 +148,27 @@ void vtkIndirectSkyGather::ChooseSummed()
   {
     this->Summed = std::move(summed);
     this->OpenSkyIsThere = false;
-    ++this->ContentTime;
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSkyGather::UpdateMaps(const Input& input, int most)
+void vtkIndirectSkyGather::AppendTo(vtkIndirectKey& key, const Input& input) const
 {
+  key.Add("sky", input.Environment).Add("sky", input.Plan.NumberOfSkyDirections);
+  key.Add("sky", input.Plan.NumberOfStillSkyDirections).Add("sky", input.Plan.SkyBlock);
+}
+
+//------------------------------------------------------------------------------
+// Besides the directions, a sky may have a few suns.
+int vtkIndirectSkyGather::CountMapsNeeded(const Input& input) const
+{
+  return input.Plan.HasSkyMaps() && !this->IsComplete() ? input.Plan.NumberOfSkyDirections + 32 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::Update(const Input& input, int mostMaps)
+{
+  input.Timer.Begin(vtkIndirectStageTimer::Visibility);
   const vtkIndirectFrame& frame = input.Frame;
   this->UpdateDirections(input);
   this->Visible = input.Plan.SkyIsShadowed;
@@ -175,8 +190,8 @@ bool vtkIndirectSkyGather::UpdateMaps(const Input& input, int most)
     }
     // However many are strong, half of the time is left for the others.
     const int already = static_cast<int>(this->GetNumberOfTilesDrawn() - drawn);
-    const int time =
-      i == Strong && !this->Directions.GetOthers().empty() ? most - most / 2 : most - already;
+    const int time = i == Strong && !this->Directions.GetOthers().empty() ? mostMaps - mostMaps / 2
+                                                                          : mostMaps - already;
     done = done &&
       group.Atlas.Update(
         frame, input.Capture, group.Emitters, group.Texels, input.Plan.Caching, time);
@@ -184,8 +199,8 @@ bool vtkIndirectSkyGather::UpdateMaps(const Input& input, int most)
     this->NumberOfStale +=
       group.Atlas.GetNumberOfStaleTiles() - group.Atlas.GetNumberOfMissingTiles();
   }
-  this->ContentTime += this->GetNumberOfTilesDrawn() - drawn;
   this->ChooseSummed();
+  input.Timer.End(vtkIndirectStageTimer::Visibility);
   return done;
 }
 
@@ -270,7 +285,19 @@ bool vtkIndirectSkyGather::UpdateOpenSky(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSkyGather::Sum(const Input& input)
+vtkIndirectEstimate vtkIndirectSkyGather::Sum(const Input& input)
+{
+  vtkIndirectEstimate result;
+  result.Sky = &this->Irradiance;
+  input.Timer.Begin(vtkIndirectStageTimer::Sky);
+  const bool summed = input.Still || this->SumAll(input);
+  input.Timer.End(vtkIndirectStageTimer::Sky);
+  result.State = summed ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::FAILED;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::SumAll(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   const int step = this->Step = input.Plan.SkyBlock;
@@ -512,7 +539,7 @@ size_t vtkIndirectSkyGather::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
+void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report, const vtkIndirectPlan&) const
 {
   const size_t counts[NumberOfGroups] = { this->Directions.GetStrong().size(),
     this->Directions.GetOthers().size() };

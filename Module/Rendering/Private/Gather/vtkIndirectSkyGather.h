@@ -21,6 +21,7 @@
 #define vtkIndirectSkyGather_h
 
 #include "Frame/vtkIndirectKey.h"                // for keys
+#include "Frame/vtkIndirectSum.h"                // for the base class
 #include "Gather/vtkIndirectSkyDirections.h"     // for a member
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
 #include "OpenGL/vtkIndirectTarget.h"            // for a member
@@ -31,51 +32,29 @@
 #include <string>      // for definitions
 #include <vector>      // for lists
 
-class vtkEnvironmentLight;
-class vtkIndirectGeometryBuffer;
-class vtkIndirectSkyProjection;
-class vtkSurfaceCapturePass;
+class vtkShaderProgram;
 struct vtkIndirectFrame;
-struct vtkIndirectPlan;
-struct vtkIndirectReport;
 
-class vtkIndirectSkyGather
+class vtkIndirectSkyGather : public vtkIndirectSum
 {
 public:
   vtkIndirectSkyGather();
 
-  struct Input
-  {
-    const vtkIndirectFrame& Frame;
-    const vtkIndirectPlan& Plan;
-    const vtkIndirectGeometryBuffer& Geometry;
-    vtkSurfaceCapturePass* Capture;
-    vtkEnvironmentLight* Environment;
-    vtkIndirectSkyProjection& Projection;
-  };
-
+  const char* GetName() const override { return "light from the sky"; }
+  void AppendTo(vtkIndirectKey& key, const Input& input) const override;
+  int CountMapsNeeded(const Input& input) const override;
   /**
-   * Brings depth maps up to date, at most so many of them. Those of strong directions come first,
-   * then others, such that those that are there are spread over the sky; these stand for all of it.
-   * Returns false, after an error, when OpenGL refuses.
+   * Draws the maps of strong directions first, then those of the other directions in an order that
+   * spreads any number of them over the sky; the directions that have maps stand for all of it.
    */
-  bool UpdateMaps(const Input& input, int most);
-  /** Whether all maps that the last frame could use are there and up to date. */
-  bool IsComplete() const { return this->GetNumberOfTilesLeft() == 0; }
-  /** Maps that further frames draw. */
-  int GetNumberOfTilesLeft() const { return this->NumberOfMissing + this->NumberOfStale; }
-  /** Grows when maps or weights have changed. */
-  size_t GetContentTime() const { return this->ContentTime; }
-  /** Sums. Returns false, after an error. */
-  bool Sum(const Input& input);
+  bool Update(const Input& input, int mostMaps) override;
+  size_t GetNumberOfTilesDrawn() const override;
+  int GetNumberOfTilesLeft() const override { return this->NumberOfMissing + this->NumberOfStale; }
+  vtkIndirectEstimate Sum(const Input& input) override;
+  void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
+  void Release(vtkWindow* window) override;
 
-  /** Irradiance in VTK's units, a value for every pixel. */
-  const vtkIndirectTarget& GetIrradiance() const { return this->Irradiance; }
-
-  size_t GetNumberOfTilesDrawn() const;
   size_t GetBytes() const;
-  void AddToReport(vtkIndirectReport& report) const;
-  void Release(vtkWindow* window);
 
 private:
   using Summand = vtkIndirectSkyDirections::Summand;
@@ -105,6 +84,7 @@ private:
   void SetBlock(const Input& input, vtkShaderProgram* program, const Group& group,
     const Terms& terms, size_t first, size_t size);
   bool UpdateOpenSky(const Input& input);
+  bool SumAll(const Input& input);
   std::string GetDefinitions(int block, int step) const;
   void Activate(const Input& input, const Group* group, vtkShaderProgram* program);
   void Deactivate(const Input& input, const Group* group);
@@ -145,7 +125,6 @@ private:
   int NumberOfMissing = 1;
   int NumberOfStale = 0;
   int Step = 1; // of the last frame: edge of the blocks of pixels that share directions
-  size_t ContentTime = 0;
 };
 
 #endif

@@ -42,9 +42,11 @@ vtkIndirectPipeline::vtkIndirectPipeline()
 void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& request)
 {
   this->Renderer = s->GetRenderer();
-  this->BuffersAreThere = this->IrradianceIsThere = false;
-  this->SkyIsThere = this->AreaIsThere = false;
-  this->IrradianceWaits = this->SkyWaits = false;
+  this->BuffersAreThere = false;
+  for (Part& part : this->Parts)
+  {
+    part.IsThere = part.Waits = part.IsAsked = false;
+  }
   this->Estimator = request.Estimator;
   this->HeldEstimator = request.HoldEstimator ? request.Estimator : nullptr;
   this->Frame = vtkIndirectFrame();
@@ -101,7 +103,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   }
   if (!sky)
   {
-    this->SkyKey.Clear();
+    this->Parts[SKY].Key.Clear();
   }
   // What moves stops and goes on; programs for it take seconds to build.
   if (!sky || !this->SphereMotion.HasMoved())
@@ -111,7 +113,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   if (!circumstances.AreaLights || request.Settings.IndirectScale == 0.0)
   {
     this->Area.Release(this->Frame.Window);
-    this->AreaKey.Clear();
+    this->Parts[AREA].Key.Clear();
   }
   if ((!circumstances.Environment && !circumstances.AreaLights) ||
     request.Settings.IndirectScale == 0.0)
@@ -123,7 +125,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
 //------------------------------------------------------------------------------
 void vtkIndirectPipeline::ReleaseSkyMaps(vtkWindow* window)
 {
-  this->Sky.Release(window);
+  this->SkyMaps.Release(window);
   this->SkyProjection = vtkIndirectSkyProjection();
 }
 
@@ -231,25 +233,34 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
 void vtkIndirectPipeline::DrawLight(const Request& request)
 {
   this->BuffersAreThere = true;
+  this->LastFrameKey = std::move(this->FrameKey);
   this->FrameKey = this->MakeFrameKey();
-  this->Estimator->HoldContext(this->Frame.Window, this->Identity.GetMTime());
-  if (!this->IsEstimateThere())
+  this->ChooseSums(request);
+  const vtkIndirectSum::Input input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
+    nullptr, this->Bounce.GetVisibility(), false, this->Timer, this->Environment,
+    &this->SkyProjection, &this->UsableAreaLights, this->Capture };
+  int mapsLeft = this->Plan.TilesPerFrame;
+  for (int i = 0; i < NUMBER_OF_PARTS; ++i)
   {
-    this->EstimateKey.Clear();
-    this->SkyKey.Clear();
+    Part& part = this->Parts[i];
+    if (!part.IsAsked)
+    {
+      part.Sum->Rest(input);
+      continue;
+    }
+    // The sums that follow get half of the frame's depth maps at most.
+    int others = 0;
+    for (int k = i + 1; k < NUMBER_OF_PARTS; ++k)
+    {
+      const int most = mapsLeft - others;
+      others +=
+        this->Parts[k].IsAsked ? std::min(this->Parts[k].Sum->CountMapsNeeded(input), most) : 0;
+    }
+    const size_t drawn = part.Sum->GetNumberOfTilesDrawn();
+    part.IsThere = this->UpdatePart(part, input, mapsLeft - std::min(others, mapsLeft / 2));
+    mapsLeft -= static_cast<int>(part.Sum->GetNumberOfTilesDrawn() - drawn);
+    mapsLeft = std::max(mapsLeft, 0);
   }
-  this->Samplers.Choose(
-    this->Frame, this->Plan, this->Estimator->ChooseSampler(request.Sampler, this->Plan));
-  this->TilesLeft = this->Plan.TilesPerFrame;
-  this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
-  if (!this->Plan.Irradiance && this->GetSkySummer())
-  {
-    // Nobody asks what others have looked up in.
-    this->Visibility.Update({ this->Frame, nullptr, this->Capture, false, 0 }, {});
-  }
-  this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
-  this->AreaIsThere = this->Plan.AreaLights && this->UpdateArea(request);
-  this->EstimateTime = this->Estimator->GetEstimateTime();
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
   const bool composed = this->Composite.Composite(this->MakeCompositeInput());
   if (composed && this->Plan.Antialiasing)
@@ -257,6 +268,42 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
     this->Antialiasing.Apply(this->Frame, this->Geometry);
   }
   this->Timer.End(vtkIndirectStageTimer::Composite);
+}
+
+//------------------------------------------------------------------------------
+// Hands the plan's sums what they consist of in this frame.
+void vtkIndirectPipeline::ChooseSums(const Request& request)
+{
+  this->Estimator->HoldContext(this->Frame.Window, this->Identity.GetMTime());
+  this->Samplers.Choose(
+    this->Frame, this->Plan, this->Estimator->ChooseSampler(request.Sampler, this->Plan));
+  this->Bounce.SetEstimator(this->Estimator, request.Sampler);
+  vtkIndirectEstimatorPass* const estimator = this->GetSkyEstimator();
+  this->EstimatorSky.SetEstimator(estimator, estimator == this->Estimator);
+  if (this->Plan.Sky && estimator)
+  {
+    estimator->HoldContext(this->Frame.Window, this->Identity.GetMTime());
+  }
+  if (this->Plan.SkySource == vtkIndirectPlan::SKY_BY_SPHERES)
+  {
+    this->Spheres->SetIndirectLight(this->Plan.SpheresBounceSky ? vtkProxyAccumulationPass::SHADOWED
+                                                                : vtkProxyAccumulationPass::OFF);
+  }
+  vtkIndirectSum* const sky =
+    estimator ? static_cast<vtkIndirectSum*>(&this->EstimatorSky) : &this->SkyMaps;
+  vtkIndirectSum* const sums[NUMBER_OF_PARTS] = { &this->Bounce, sky, &this->Area };
+  const bool asked[NUMBER_OF_PARTS] = { this->Plan.Irradiance, this->Plan.Sky,
+    this->Plan.AreaLights };
+  for (int i = 0; i < NUMBER_OF_PARTS; ++i)
+  {
+    Part& part = this->Parts[i];
+    if (part.Sum != sums[i] || !sums[i]->IsCurrent())
+    {
+      part.Key.Clear();
+    }
+    part.Sum = sums[i];
+    part.IsAsked = asked[i];
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -273,161 +320,55 @@ vtkIndirectKey vtkIndirectPipeline::MakeFrameKey() const
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectKey vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) const
+// Returns whether the part has a result of this frame.
+bool vtkIndirectPipeline::UpdatePart(Part& part, const vtkIndirectSum::Input& input, int mostMaps)
 {
+  vtkIndirectSum& sum = *part.Sum;
   vtkIndirectKey key = this->FrameKey;
-  key.Add("estimator", this->Estimator).Add("sampler", users);
-  this->Samplers.AppendTo(key);
-  key.Add("maps", this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0);
-  return key;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
-{
-  const vtkIndirectKey key = this->MakeKey(request.Sampler);
-  const bool caching = request.Settings.Caching;
-  const bool still = key == this->EstimateKey;
-  const bool more = !this->Plan.Interactive && this->Samplers.HasMore();
-  if (caching && still && !more && this->Estimate.State == vtkIndirectEstimate::CONVERGED &&
-    this->Visibility.IsComplete())
+  sum.AppendTo(key, input);
+  const bool more = sum.HasMore(input);
+  const bool same = this->Plan.Caching && key == part.Key;
+  if (same && !more && part.Result.State == vtkIndirectEstimate::CONVERGED && sum.IsComplete())
   {
     return true;
   }
-  this->EstimateKey.Clear();
-  if (key == this->FailedKey)
+  const bool still = key == part.Key && !more;
+  part.Key.Clear();
+  if (key == part.Failed)
   {
     return false;
   }
-  this->FailedKey.Clear();
-
-  this->Timer.Begin(vtkIndirectStageTimer::Lights);
-  const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(this->Plan);
-  const bool walks = this->Samplers.Walk();
-  if (!(needs.TakesSpheres() || walks) || !caching)
-  {
-    this->Blockers.Forget();
-  }
-  const vtkIndirectBlockingSpheres* const spheres =
-    needs.TakesSpheres() || walks ? this->Blockers.Update(this->Frame, this->Estimator) : nullptr;
-  const bool sampled =
-    this->Samplers.Update(this->Frame, this->Plan, *this->Maps, this->Geometry, spheres);
-  const vtkIndirectVirtualLights* const lights = this->Samplers.GetLights();
-  this->Timer.End(vtkIndirectStageTimer::Lights);
-
-  const bool timed = needs.IsAny();
-  if (timed)
-  {
-    this->Timer.Begin(vtkIndirectStageTimer::Visibility);
-  }
-  const size_t tiles = this->Visibility.GetNumberOfTilesDrawn();
-  // Maps of the sky and of area lights share the frame's work: they get what they may need, half at
-  // most.
-  const int most = this->Plan.TilesPerFrame;
-  const bool skyNeeds = this->Plan.HasSkyMaps() && !this->Sky.IsComplete();
-  const bool areaNeeds =
-    this->Plan.AreaLights && this->Plan.AreaIsShadowed && !this->Area.IsComplete();
-  // Beside its directions a sky may have a few suns.
-  const int needed = areaNeeds ? most : skyNeeds ? this->Plan.NumberOfSkyDirections + 32 : 0;
-  const bool visible = this->Visibility.Update(
-    { this->Frame, lights, this->Capture, caching, most - std::min(needed, most / 2), spheres },
-    needs);
-  this->TilesLeft = most - static_cast<int>(this->Visibility.GetNumberOfTilesDrawn() - tiles);
-  if (timed)
-  {
-    this->Timer.End(vtkIndirectStageTimer::Visibility);
-  }
-  this->IrradianceWaits =
-    visible && this->Plan.WaitsForMaps && this->Visibility.GetNumberOfTilesLeft() > 0;
-  if (this->IrradianceWaits)
+  part.Failed.Clear();
+  const size_t drawn = sum.GetNumberOfTilesDrawn();
+  const bool updated = sum.Update(input, mostMaps);
+  part.Waits =
+    updated && this->Plan.WaitsForMaps && sum.GetNumberOfTilesLeft() > 0 && part.Sum != &this->Area;
+  if (part.Waits)
   {
     return false;
   }
-
-  const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
-    lights, this->Visibility, still && !more && this->Visibility.GetNumberOfTilesDrawn() == tiles,
-    this->Timer };
-  this->Estimate =
-    sampled && visible ? this->Estimator->MakeEstimate(input) : vtkIndirectEstimate();
-  if (this->Estimate.State == vtkIndirectEstimate::FAILED)
+  vtkIndirectSum::Input own = input;
+  own.Still = still && sum.GetNumberOfTilesDrawn() == drawn;
+  part.Result = updated ? sum.Sum(own) : vtkIndirectEstimate();
+  if (part.Result.State == vtkIndirectEstimate::FAILED)
   {
-    this->FailedKey = key;
+    part.Failed = std::move(key);
     return false;
   }
-  this->EstimateKey = key;
-  ++this->NumberOfEstimates;
+  part.Key = std::move(key);
+  const bool estimates = part.Sum == &this->Bounce ||
+    (part.Sum == &this->EstimatorSky && this->GetSkyEstimator() == this->Estimator);
+  this->NumberOfEstimates += estimates ? 1 : 0;
   return true;
 }
 
 //------------------------------------------------------------------------------
-// Who sums the sky without maps; null where they are looked up.
-vtkIndirectEstimatorPass* vtkIndirectPipeline::GetSkySummer() const
+// The estimator that computes the sky's light without maps; null where maps are looked up.
+vtkIndirectEstimatorPass* vtkIndirectPipeline::GetSkyEstimator() const
 {
   return this->Plan.SkySource == vtkIndirectPlan::SKY_BY_SPHERES ? this->Spheres
     : this->Plan.SkySource == vtkIndirectPlan::SKY_BY_ESTIMATOR  ? this->Estimator
                                                                  : nullptr;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectPipeline::UpdateSky(const Request& request)
-{
-  vtkIndirectEstimatorPass* const summer = this->GetSkySummer();
-  if (!summer)
-  {
-    return this->UpdateSkyMaps(request);
-  }
-  if (summer == this->Spheres)
-  {
-    this->Spheres->SetIndirectLight(this->Plan.SpheresBounceSky ? vtkProxyAccumulationPass::SHADOWED
-                                                                : vtkProxyAccumulationPass::OFF);
-  }
-  vtkIndirectKey key = this->FrameKey;
-  key.Add("estimator", summer).Add("sky", this->Environment);
-  const bool failed = this->SkyEstimate.State == vtkIndirectEstimate::FAILED;
-  if (key == this->SkyKey && (failed || request.Settings.Caching))
-  {
-    return !failed;
-  }
-  const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
-    nullptr, this->Visibility, false, this->Timer, this->Environment };
-  summer->HoldContext(this->Frame.Window, this->Identity.GetMTime());
-  this->SkyEstimate = summer->MakeEstimate(input);
-  this->SkyKey = std::move(key);
-  this->NumberOfEstimates += summer == this->Estimator ? 1 : 0;
-  return this->SkyEstimate.State != vtkIndirectEstimate::FAILED;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectPipeline::UpdateSkyMaps(const Request& request)
-{
-  const vtkIndirectSkyGather::Input input = { this->Frame, this->Plan, this->Geometry,
-    this->Capture, this->Environment, this->SkyProjection };
-  this->Timer.Begin(vtkIndirectStageTimer::Visibility);
-  const size_t tiles = this->Sky.GetNumberOfTilesDrawn();
-  const bool visible = this->Sky.UpdateMaps(input, this->TilesLeft);
-  this->TilesLeft -= static_cast<int>(this->Sky.GetNumberOfTilesDrawn() - tiles);
-  this->Timer.End(vtkIndirectStageTimer::Visibility);
-  vtkIndirectKey key = this->FrameKey;
-  key.Add("sky", this->Sky.GetContentTime()).Add("sky", this->Plan.NumberOfSkyDirections);
-  key.Add("sky", this->Plan.SkyBlock);
-  if (request.Settings.Caching && key == this->SkyKey)
-  {
-    return true;
-  }
-  this->SkyKey.Clear();
-  this->SkyWaits = visible && this->Plan.WaitsForMaps && !this->Sky.IsComplete();
-  if (this->SkyWaits)
-  {
-    return false;
-  }
-  this->Timer.Begin(vtkIndirectStageTimer::Sky);
-  const bool summed = visible && this->Sky.Sum(input);
-  this->Timer.End(vtkIndirectStageTimer::Sky);
-  if (summed)
-  {
-    this->SkyKey = key;
-  }
-  return summed;
 }
 
 //------------------------------------------------------------------------------
@@ -440,44 +381,11 @@ void vtkIndirectPipeline::AppendAreaLights(vtkIndirectKey& key) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectPipeline::UpdateArea(const Request& request)
+// A part of the last frame; null where the frame has none, or another pass has used its images.
+const vtkIndirectPipeline::Part* vtkIndirectPipeline::GetPart(PartType type) const
 {
-  const vtkIndirectAreaGather::Input input = { this->Frame, this->Plan, this->Geometry,
-    this->Capture, this->UsableAreaLights };
-  this->Timer.Begin(vtkIndirectStageTimer::Visibility);
-  const bool updated = this->Area.Update(input, std::max(this->TilesLeft, 0));
-  this->Timer.End(vtkIndirectStageTimer::Visibility);
-  vtkIndirectKey key = this->FrameKey;
-  key.Add("area lights", this->Area.GetContentTime());
-  key.Add("interactive", this->Plan.Interactive);
-  const bool same = request.Settings.Caching && key == this->AreaKey;
-  if (same && this->Area.IsFinished())
-  {
-    return true;
-  }
-  this->AreaKey.Clear();
-  this->Timer.Begin(vtkIndirectStageTimer::Area);
-  const bool summed = updated && this->Area.Sum(input, same);
-  this->Timer.End(vtkIndirectStageTimer::Area);
-  if (summed)
-  {
-    this->AreaKey = key;
-  }
-  return summed;
-}
-
-//------------------------------------------------------------------------------
-// Whether the estimator has done nothing else since the last frame.
-bool vtkIndirectPipeline::IsEstimateThere() const
-{
-  return this->Estimator && this->Estimator->GetEstimateTime() == this->EstimateTime;
-}
-
-//------------------------------------------------------------------------------
-// The last frame's, null where there is none.
-const vtkIndirectEstimate* vtkIndirectPipeline::GetEstimate() const
-{
-  return this->IrradianceIsThere && this->IsEstimateThere() ? &this->Estimate : nullptr;
+  const Part& part = this->Parts[type];
+  return part.IsThere && part.Sum->IsCurrent() ? &part : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -492,7 +400,7 @@ glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance() const
       [](const vtkIndirectLight& light) { return light.Color != glm::dvec3(0.0); });
   glm::dvec3 greatest(1e30);
   // A sky that nothing hides is seen through surfaces: together there is more.
-  if (this->SkyIsThere && this->Plan.SkyIsShadowed && this->Environment && !lamps)
+  if (this->Parts[SKY].IsThere && this->Plan.SkyIsShadowed && this->Environment && !lamps)
   {
     this->Environment->GetGreatestRadiance(&greatest[0]);
   }
@@ -503,16 +411,15 @@ glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance() const
 vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
 {
   const bool maps = this->Plan.Senders == vtkIndirectPlan::MAPS;
-  const vtkIndirectEstimate* const estimate = this->GetEstimate();
-  const vtkIndirectEstimatorPass* const summer = this->GetSkySummer();
-  const bool there = this->SkyIsThere && (summer != this->Estimator || this->IsEstimateThere());
-  const bool summed = there && summer;
-  const vtkIndirectTarget* const sky = summed ? this->SkyEstimate.Sky : &this->Sky.GetIrradiance();
-  return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr, estimate,
-    there ? sky : nullptr, summed ? this->SkyEstimate.SkyBounce : nullptr,
-    this->SkyEstimate.SkyBounceChannel, this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr,
-    this->AreaIsThere ? this->Area.GetReflected() : nullptr, this->FindGreatestIrradiance(),
-    this->Plan.IndirectScale, this->TargetIsClear, this->DepthIsDrawn };
+  const Part* const bounce = this->GetPart(BOUNCE);
+  const Part* const skyPart = this->GetPart(SKY);
+  const Part* const areaPart = this->GetPart(AREA);
+  const vtkIndirectEstimate sky = skyPart ? skyPart->Result : vtkIndirectEstimate();
+  const vtkIndirectEstimate area = areaPart ? areaPart->Result : vtkIndirectEstimate();
+  return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr,
+    bounce ? &bounce->Result : nullptr, sky.Sky, sky.SkyBounce, sky.SkyBounceChannel, area.Area,
+    area.AreaGlossy, this->FindGreatestIrradiance(), this->Plan.IndirectScale, this->TargetIsClear,
+    this->DepthIsDrawn };
 }
 
 //------------------------------------------------------------------------------
@@ -520,7 +427,7 @@ bool vtkIndirectPipeline::RenderChannel(const std::string& name)
 {
   const vtkIndirectComposite::Input input = this->MakeCompositeInput();
   return this->Composite.RenderChannel(input, name) ||
-    (this->GetEstimate() &&
+    (this->GetPart(BOUNCE) &&
       this->Composite.RenderChannel(
         input, [&]() { return this->Estimator->DrawChannel(name, this->Frame, this->Geometry); }));
 }
@@ -538,9 +445,12 @@ bool vtkIndirectPipeline::ShowChannel(const std::string& name)
 //------------------------------------------------------------------------------
 void vtkIndirectPipeline::Forget(const std::string& why)
 {
-  this->BuffersAreThere = this->IrradianceIsThere = this->SkyIsThere = false;
-  this->EstimateKey.Clear();
-  this->SkyKey.Clear();
+  this->BuffersAreThere = false;
+  for (Part& part : this->Parts)
+  {
+    part.IsThere = false;
+    part.Key.Clear();
+  }
   this->WhyNoBuffers = why;
 }
 
@@ -561,8 +471,8 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
   this->Frame.Window->MakeCurrent();
   if (vtkIndirectFrameSamplers::IsTable(name))
   {
-    return this->IrradianceIsThere ? this->Samplers.Copy(this->Frame, name, image)
-                                   : "the last frame used no virtual lights";
+    return this->Parts[BOUNCE].IsThere ? this->Samplers.Copy(this->Frame, name, image)
+                                       : "the last frame used no virtual lights";
   }
   if (this->RenderChannel(name))
   {
@@ -573,7 +483,7 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
   int channel = 0;
   if (!vtkIndirectComposite::ParseMapChannel(name, map, channel))
   {
-    return this->IrradianceIsThere && !this->IsEstimateThere()
+    return this->Parts[BOUNCE].IsThere && !this->GetPart(BOUNCE)
       ? "another pass has used its estimator since"
       : "the last frame computed no indirect light";
   }
@@ -590,14 +500,13 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Maps->ReleaseGraphicsResources(window);
   this->Penumbra.Release(window);
   this->Geometry.Release(window);
-  this->Samplers.Release(window);
+  this->Bounce.Release(window);
   this->ReleaseSkyMaps(window);
+  this->EstimatorSky.Release(window);
   this->Spheres->ReleaseGraphicsResources(window);
   this->SphereMotion.Forget();
   this->Area.Release(window);
   this->VisibleLamps.Release(window);
-  this->Visibility.Release(window);
-  this->Blockers.Forget();
   this->DefaultEstimator->ReleaseGraphicsResources(window);
   if (this->Estimator)
   {
@@ -608,6 +517,9 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Composite.Release(window);
   this->Antialiasing.Release(window);
   this->Timer.Release();
-  this->FailedKey.Clear();
+  for (Part& part : this->Parts)
+  {
+    part.Failed.Clear();
+  }
   this->Forget("its resources have been released");
 }

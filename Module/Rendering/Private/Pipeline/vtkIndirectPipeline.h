@@ -20,13 +20,13 @@
 #include "Gather/vtkIndirectAreaGather.h"           // for members
 #include "Gather/vtkIndirectSkyGather.h"            // for members
 #include "Gather/vtkIndirectVisibleLamps.h"         // for members
+#include "Pipeline/vtkIndirectBounceSum.h"          // for a member
+#include "Pipeline/vtkIndirectEstimatorSky.h"       // for a member
 #include "Pipeline/vtkIndirectFrameSamplers.h"      // for members
 #include "Pipeline/vtkIndirectImageLight.h"         // for members
-#include "Pipeline/vtkIndirectSphereBlockers.h"     // for a member
 #include "Pipeline/vtkIndirectSphereMotion.h"       // for a member
 #include "VirtualLights/vtkIndirectSkyProjection.h" // for members
 #include "Visibility/vtkIndirectPenumbra.h"         // for members
-#include "Visibility/vtkIndirectVisibility.h"       // for members
 #include "vtkAreaLight.h"                           // for members
 #include "vtkEnvironmentLight.h"                    // for members
 #include "vtkIndirectEstimatorPass.h"               // for members
@@ -108,19 +108,34 @@ public:
   vtkIndirectCoarseLevels Levels;
 
 private:
+  // One kind of light of the frame.
+  struct Part
+  {
+    vtkIndirectSum* Sum = nullptr;
+    bool IsAsked = false; // by the plan
+    bool Waits = false;   // for its depth maps
+    bool IsThere = false; // Result is of the last frame
+    vtkIndirectEstimate Result;
+    vtkIndirectKey Key;    // the inputs of Result; empty where there is none
+    vtkIndirectKey Failed; // the inputs of an error: the sum is asked again when they change
+  };
+  enum PartType
+  {
+    BOUNCE,
+    SKY,
+    AREA,
+    NUMBER_OF_PARTS
+  };
+
   vtkIndirectKey MakeFrameKey() const;
-  vtkIndirectKey MakeKey(vtkVirtualLightSampler* users) const;
-  bool UpdateIrradiance(const Request& request);
-  bool UpdateSky(const Request& request);
-  bool UpdateSkyMaps(const Request& request);
-  vtkIndirectEstimatorPass* GetSkySummer() const;
-  bool UpdateArea(const Request& request);
+  void ChooseSums(const Request& request);
+  bool UpdatePart(Part& part, const vtkIndirectSum::Input& input, int mostMaps);
+  const Part* GetPart(PartType type) const;
+  vtkIndirectEstimatorPass* GetSkyEstimator() const;
   void AppendAreaLights(vtkIndirectKey& key) const;
   void AddCoarseMapsToReport(vtkIndirectReport& report) const;
   bool UpdateSenderMaps();
   void ReleaseSkyMaps(vtkWindow* window);
-  bool IsEstimateThere() const;
-  const vtkIndirectEstimate* GetEstimate() const;
   vtkIndirectComposite::Input MakeCompositeInput() const;
   glm::dvec3 FindGreatestIrradiance() const;
   bool RenderChannel(const std::string& name);
@@ -128,11 +143,11 @@ private:
   vtkNew<vtkSurfaceCapturePass> Capture;
   vtkIndirectPenumbra Penumbra; // of the maps' lights
   vtkIndirectGeometryBuffer Geometry;
-  vtkIndirectVisibility Visibility;
-  vtkIndirectSphereBlockers Blockers; // for it
+  vtkIndirectBounceSum Bounce{ Samplers };
   vtkIndirectSkyProjection SkyProjection;
-  vtkIndirectSkyGather Sky;
-  vtkNew<vtkProxyAccumulationPass> Spheres; // in place of these maps
+  vtkIndirectSkyGather SkyMaps;
+  vtkIndirectEstimatorSky EstimatorSky;     // in place of SkyMaps
+  vtkNew<vtkProxyAccumulationPass> Spheres; // an estimator for it
   vtkIndirectSphereMotion SphereMotion;
   vtkIndirectAreaGather Area;
   vtkIndirectVisibleLamps VisibleLamps;
@@ -148,32 +163,19 @@ private:
   vtkEnvironmentLight* Environment = nullptr;
   std::vector<vtkSmartPointer<vtkAreaLight>> UsableAreaLights; // or off
   bool BuffersAreThere = false;
-  bool IrradianceIsThere = false;
-  bool SkyIsThere = false;
-  bool IrradianceWaits = false; // for its depth maps
-  bool SkyWaits = false;
-  bool AreaIsThere = false;
+  Part Parts[NUMBER_OF_PARTS];
   long long NumberOfEstimates = 0;
-  int TilesLeft = 0; // depth maps that the frame may draw still
   std::string WhyNoBuffers = "no frame has been rendered yet";
-  vtkIndirectEstimate Estimate;
-  vtkIndirectEstimate SkyEstimate; // of who sums the sky without maps
-  // What made its irradiance: its buffers stay readable when the pass is given others.
+  // The estimator of the last frame: its buffers stay readable when the pass is given another one.
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkIndirectEstimatorPass> HeldEstimator;
-  vtkMTimeType EstimateTime = 0;    // of the estimator, at the frame's end
   vtkTimeStamp Identity;            // whose estimator it is
   bool TargetIsClear = false;       // of what the frame is drawn into
   bool DepthIsDrawn = false;        // into that, sample by sample
   vtkIndirectReport::Entries Paths; // in force
 
-  vtkIndirectKey FrameKey; // the inputs of all light of the frame
-  // The inputs of each kind of light that is there; empty where there is none.
-  vtkIndirectKey EstimateKey;
-  vtkIndirectKey SkyKey;
-  vtkIndirectKey AreaKey;
-  // Inputs with which the estimator has failed, with an error: it is asked again when they change.
-  vtkIndirectKey FailedKey;
+  vtkIndirectKey FrameKey;     // the inputs of all light of the frame
+  vtkIndirectKey LastFrameKey; // the same of the frame before
 };
 
 #endif

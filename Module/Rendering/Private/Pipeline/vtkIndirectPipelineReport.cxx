@@ -63,21 +63,24 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   std::copy(this->Frame.Size, this->Frame.Size + 2, report.Size);
   report.Counters = { { "shader_builds", this->Capture->GetNumberOfShaderBuilds() },
     { "faces_drawn", this->Maps->GetNumberOfFacesDrawn() + this->Samplers.GetNumberOfFacesDrawn() },
-    { "voxel_updates", static_cast<long long>(this->Visibility.GetNumberOfUpdates()) },
-    { "sphere_updates", static_cast<long long>(this->Visibility.GetNumberOfSphereUpdates()) },
-    { "tiles_drawn",
-      static_cast<long long>(this->Visibility.GetNumberOfTilesDrawn() +
-        this->Sky.GetNumberOfTilesDrawn() + this->Area.GetNumberOfTilesDrawn() +
-        this->Penumbra.GetNumberOfTilesDrawn()) },
-    { "sky_tiles_drawn", static_cast<long long>(this->Sky.GetNumberOfTilesDrawn()) },
-    { "tiles_left",
-      (this->IrradianceIsThere || this->IrradianceWaits ? this->Visibility.GetNumberOfTilesLeft()
-                                                        : 0) +
-        ((this->SkyIsThere && this->Plan.HasSkyMaps()) || this->SkyWaits
-            ? this->Sky.GetNumberOfTilesLeft()
-            : 0) +
-        (this->AreaIsThere ? this->Area.GetNumberOfTilesLeft() : 0) },
+    { "voxel_updates", static_cast<long long>(this->Bounce.GetVisibility().GetNumberOfUpdates()) },
+    { "sphere_updates",
+      static_cast<long long>(this->Bounce.GetVisibility().GetNumberOfSphereUpdates()) },
+    { "sky_tiles_drawn", static_cast<long long>(this->SkyMaps.GetNumberOfTilesDrawn()) },
     { "estimates", this->NumberOfEstimates } };
+  long long& drawn = report.Counters["tiles_drawn"];
+  long long& left = report.Counters["tiles_left"];
+  drawn = static_cast<long long>(
+    this->Penumbra.GetNumberOfTilesDrawn() + this->SkyMaps.GetNumberOfTilesDrawn());
+  for (const vtkIndirectSum* sum : { static_cast<const vtkIndirectSum*>(&this->Bounce),
+         static_cast<const vtkIndirectSum*>(&this->Area) })
+  {
+    drawn += static_cast<long long>(sum->GetNumberOfTilesDrawn());
+  }
+  for (const Part& part : this->Parts)
+  {
+    left += part.IsThere || part.Waits ? part.Sum->GetNumberOfTilesLeft() : 0;
+  }
   this->Frame.AddToReport(report);
   if (!this->BuffersAreThere)
   {
@@ -88,13 +91,11 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     }
     return;
   }
-  auto add = [](vtkIndirectReport::Entries& to, const vtkIndirectPlan::Entries& entries)
-  { to.insert(to.end(), entries.begin(), entries.end()); };
   report.Paths = this->Paths;
   report.Bytes = this->Geometry.GetTarget().GetBytes() + this->Antialiasing.GetBytes() +
-    this->Sky.GetBytes() + this->Area.GetBytes() + this->VisibleLamps.GetBytes();
-  add(report.Modelled, this->Plan.Modelled);
-  add(report.LeftOut, this->Plan.LeftOut);
+    this->SkyMaps.GetBytes() + this->Area.GetBytes() + this->VisibleLamps.GetBytes();
+  report.Changed = this->FrameKey.FindChanges(this->LastFrameKey);
+  report.Add(this->Plan.Modelled, this->Plan.LeftOut);
   if (this->Plan.Antialiasing && !this->Antialiasing.GetWhyNot().empty())
   {
     const std::string name = "antialiased edges";
@@ -109,48 +110,17 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     this->Penumbra.AddToReport(report);
     this->AddCoarseMapsToReport(report);
   }
-  if (this->GetEstimate())
+  for (const Part& part : this->Parts)
   {
-    add(report.Modelled, this->Plan.EstimateModelled);
-    add(report.LeftOut, this->Plan.EstimateLeftOut);
-    report.Method = this->Estimator->GetMethodName();
-    report.Bytes += this->Estimator->GetBytes();
-    report.MainMemoryBytes = this->Estimator->GetMainMemoryBytes();
-    report.EstimatedError = this->Estimate.Error;
-    this->Estimator->AddToReport(report);
-    this->Visibility.AddToReport(report);
-    this->Samplers.AddToReport(report);
-  }
-  else if (this->Plan.Irradiance)
-  {
-    report.LeftOut.emplace_back(
-      "indirect light", this->IrradianceWaits ? WhyItWaits : "its estimator had an error");
-  }
-  vtkIndirectEstimatorPass* const summer = this->Plan.Sky ? this->GetSkySummer() : nullptr;
-  if (this->SkyIsThere && summer)
-  {
-    report.Method = this->GetEstimate() ? report.Method : summer->GetMethodName();
-    report.Bytes += summer->GetBytes();
-    report.MainMemoryBytes += summer->GetMainMemoryBytes();
-    summer->AddToReport(report);
-    if (summer == this->Estimator)
+    if (part.IsThere && part.Sum->IsCurrent())
     {
-      add(report.Modelled, this->Plan.EstimateModelled);
-      add(report.LeftOut, this->Plan.EstimateLeftOut);
+      part.Sum->AddToReport(report, this->Plan);
     }
-  }
-  else if (this->SkyIsThere)
-  {
-    this->Sky.AddToReport(report);
-  }
-  else if (summer || this->SkyWaits)
-  {
-    report.LeftOut.emplace_back(
-      "light from the sky", this->SkyWaits ? WhyItWaits : "what sums it had an error");
-  }
-  if (this->AreaIsThere)
-  {
-    this->Area.AddToReport(report);
+    else if (part.IsAsked)
+    {
+      report.LeftOut.emplace_back(
+        part.Sum->GetName(), part.Waits ? WhyItWaits : "its computation had an error");
+    }
   }
   this->Levels.AddToReport(report);
   if (this->IsInWindow())

@@ -90,11 +90,11 @@ public:
   static constexpr double NearnessOfBounces = 0.05;
 
   /**
-   * The error that belongs to a tolerance of the irradiance's; 0: the standard one. Of the nodes
-   * that a receiver sums several are hardly farther than their reach, and most of their errors have
-   * one sign: a third of the tolerance each keeps the mean within it.
+   * The error of a node for an error tolerance of the irradiance. A receiver sums several nodes
+   * that are hardly farther than their reach, and most of their errors have one sign: a third of
+   * the tolerance each keeps the mean within it.
    */
-  static double FindError(double tolerance) { return 0.35 * (tolerance > 0.0 ? tolerance : 0.02); }
+  static double FindError(double tolerance) { return 0.35 * tolerance; }
 
   size_t GetBytes() const;
 

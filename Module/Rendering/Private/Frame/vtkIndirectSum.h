@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One kind of light that the frame adds to VTK's own shading: what surfaces reflect, the sky, area
+// lights. The pipeline treats all sums alike: it compares the key of their inputs, gives each its
+// share of the frame's depth maps, and hands their contributions to the composite.
+#ifndef vtkIndirectSum_h
+#define vtkIndirectSum_h
+
+#include "Frame/vtkIndirectEstimate.h" // for inputs and results
+
+#include <cstddef> // for size_t
+
+class vtkIndirectKey;
+class vtkWindow;
+struct vtkIndirectReport;
+
+class vtkIndirectSum
+{
+public:
+  using Input = vtkIndirectEstimateInput;
+
+  virtual ~vtkIndirectSum() = default;
+
+  /** The name of the light in the report. */
+  virtual const char* GetName() const = 0;
+  /** Appends the inputs of the result, besides those that all light of the frame depends on. */
+  virtual void AppendTo(vtkIndirectKey& key, const Input& input) const = 0;
+
+  /** The number of depth maps that the frame may have to draw for this sum. */
+  virtual int CountMapsNeeded(const Input& input) const = 0;
+  /**
+   * Brings virtual lights and depth maps up to date, and draws at most so many of these maps.
+   * Returns false, after an error, when OpenGL refuses.
+   */
+  virtual bool Update(const Input& input, int mostMaps) = 0;
+  /** The number of depth maps that have been drawn since construction. */
+  virtual size_t GetNumberOfTilesDrawn() const = 0;
+  /** Whether all depth maps that the last Update asked for are there and up to date. */
+  virtual bool IsComplete() const { return this->GetNumberOfTilesLeft() == 0; }
+  /** The number of depth maps that further frames draw, those that refine the result included. */
+  virtual int GetNumberOfTilesLeft() const = 0;
+  /** Whether a further frame of the same scene would have more virtual lights. */
+  virtual bool HasMore(const Input&) const { return false; }
+
+  /**
+   * Computes the light, after Update. Input::Still says that neither the key nor a depth map has
+   * changed since the last result.
+   */
+  virtual vtkIndirectEstimate Sum(const Input& input) = 0;
+  /** Whether the images of the last result still hold that result. */
+  virtual bool IsCurrent() const { return true; }
+  /** Lets go of what only frames with this light need. */
+  virtual void Rest(const Input&) {}
+
+  /** Reports a frame that has the light. */
+  virtual void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const = 0;
+  virtual void Release(vtkWindow* window) = 0;
+};
+
+#endif

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/vtkIndirectBounceSum.h"
+
+#include "Frame/vtkIndirectKey.h"
+#include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectStageTimer.h"
+#include "Pipeline/vtkIndirectFrameSamplers.h"
+#include "vtkReflectiveShadowMapPass.h"
+
+//------------------------------------------------------------------------------
+vtkIndirectBounceSum::vtkIndirectBounceSum(vtkIndirectFrameSamplers& samplers)
+  : Samplers(samplers)
+{
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectBounceSum::SetEstimator(
+  vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users)
+{
+  if (estimator != this->Estimator)
+  {
+    this->EstimateTime = 0;
+  }
+  this->Estimator = estimator;
+  this->Users = users;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectBounceSum::AppendTo(vtkIndirectKey& key, const Input& input) const
+{
+  key.Add("estimator", this->Estimator).Add("sampler", this->Users);
+  this->Samplers.AppendTo(key);
+  const bool maps = input.Plan.Senders == vtkIndirectPlan::MAPS;
+  key.Add("light maps", maps ? input.Maps.GetContentTime() : 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectBounceSum::HasMore(const Input& input) const
+{
+  return !input.Plan.Interactive && this->Samplers.HasMore();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectBounceSum::Update(const Input& input, int mostMaps)
+{
+  input.Timer.Begin(vtkIndirectStageTimer::Lights);
+  const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(input.Plan);
+  const bool takesSpheres = needs.TakesSpheres() || this->Samplers.Walk();
+  if (!takesSpheres || !input.Plan.Caching)
+  {
+    this->Blockers.Forget();
+  }
+  const vtkIndirectBlockingSpheres* const spheres =
+    takesSpheres ? this->Blockers.Update(input.Frame, this->Estimator) : nullptr;
+  const bool sampled =
+    this->Samplers.Update(input.Frame, input.Plan, input.Maps, input.Geometry, spheres);
+  input.Timer.End(vtkIndirectStageTimer::Lights);
+
+  const bool timed = needs.IsAny();
+  if (timed)
+  {
+    input.Timer.Begin(vtkIndirectStageTimer::Visibility);
+  }
+  const bool visible =
+    this->Visibility.Update({ input.Frame, this->Samplers.GetLights(), input.Capture,
+                              input.Plan.Caching, mostMaps, spheres },
+      needs);
+  if (timed)
+  {
+    input.Timer.End(vtkIndirectStageTimer::Visibility);
+  }
+  return sampled && visible;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectEstimate vtkIndirectBounceSum::Sum(const Input& input)
+{
+  Input own = input;
+  own.Lights = this->Samplers.GetLights();
+  const vtkIndirectEstimate estimate = this->Estimator->MakeEstimate(own);
+  this->EstimateTime = this->Estimator->GetEstimateTime();
+  this->Error = estimate.Error;
+  return estimate;
+}
+
+//------------------------------------------------------------------------------
+// Another pass that uses the estimator replaces its images.
+bool vtkIndirectBounceSum::IsCurrent() const
+{
+  return this->Estimator && this->Estimator->GetEstimateTime() == this->EstimateTime;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectBounceSum::Rest(const Input& input)
+{
+  this->Visibility.Update({ input.Frame, nullptr, input.Capture, false, 0 }, {});
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectBounceSum::AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const
+{
+  report.Add(plan.EstimateModelled, plan.EstimateLeftOut);
+  report.Method = this->Estimator->GetMethodName();
+  report.Bytes += this->Estimator->GetBytes();
+  report.MainMemoryBytes += this->Estimator->GetMainMemoryBytes();
+  report.EstimatedError = this->Error;
+  this->Estimator->AddToReport(report);
+  this->Visibility.AddToReport(report);
+  this->Samplers.AddToReport(report);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectBounceSum::Release(vtkWindow* window)
+{
+  this->Samplers.Release(window);
+  this->Visibility.Release(window);
+  this->Blockers.Forget();
+  this->Estimator = nullptr;
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The light that surfaces reflect: virtual lights of the frame's samplers, their visibility, and
+// the estimator that sums them.
+#ifndef vtkIndirectBounceSum_h
+#define vtkIndirectBounceSum_h
+
+#include "Frame/vtkIndirectSum.h"               // for the base class
+#include "Pipeline/vtkIndirectSphereBlockers.h" // for a member
+#include "Visibility/vtkIndirectVisibility.h"   // for a member
+#include "vtkIndirectEstimatorPass.h"           // for a member
+#include "vtkWeakPointer.h"                     // for a member
+
+class vtkIndirectFrameSamplers;
+class vtkVirtualLightSampler;
+
+class vtkIndirectBounceSum : public vtkIndirectSum
+{
+public:
+  explicit vtkIndirectBounceSum(vtkIndirectFrameSamplers& samplers);
+
+  /** Sets the estimator, and the sampler that the user has set, whose changes make lights stale. */
+  void SetEstimator(vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users);
+
+  const char* GetName() const override { return "indirect light"; }
+  void AppendTo(vtkIndirectKey& key, const Input& input) const override;
+  /** The first sum of a frame: no other sum leaves maps to it. */
+  int CountMapsNeeded(const Input&) const override { return 0; }
+  bool Update(const Input& input, int mostMaps) override;
+  size_t GetNumberOfTilesDrawn() const override { return this->Visibility.GetNumberOfTilesDrawn(); }
+  int GetNumberOfTilesLeft() const override { return this->Visibility.GetNumberOfTilesLeft(); }
+  bool HasMore(const Input& input) const override;
+  vtkIndirectEstimate Sum(const Input& input) override;
+  bool IsCurrent() const override;
+  /** Releases depth maps and voxels. */
+  void Rest(const Input& input) override;
+  void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
+  void Release(vtkWindow* window) override;
+
+  const vtkIndirectVisibility& GetVisibility() const { return this->Visibility; }
+
+private:
+  vtkIndirectFrameSamplers& Samplers;
+  vtkIndirectVisibility Visibility;
+  vtkIndirectSphereBlockers Blockers;
+  vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
+  vtkVirtualLightSampler* Users = nullptr; // valid while a frame is drawn
+  vtkMTimeType EstimateTime = 0;           // of the estimator, after the last sum
+  double Error = -1.0;                     // of the last result
+};
+
+#endif
