@@ -21,7 +21,7 @@
 #define vtkIndirectSkyGather_h
 
 #include "Frame/vtkIndirectKey.h"                // for keys
-#include "Frame/vtkIndirectSum.h"                // for the base class
+#include "Frame/vtkIndirectFrameLight.h"                // for the base class
 #include "Gather/vtkIndirectSkyDirections.h"     // for a member
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
 #include "OpenGL/vtkIndirectTarget.h"            // for a member
@@ -35,7 +35,7 @@
 class vtkShaderProgram;
 struct vtkIndirectFrame;
 
-class vtkIndirectSkyGather : public vtkIndirectSum
+class vtkIndirectSkyGather : public vtkIndirectFrameLight
 {
 public:
   vtkIndirectSkyGather();

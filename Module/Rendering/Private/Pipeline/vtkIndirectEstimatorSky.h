@@ -4,11 +4,11 @@
 #ifndef vtkIndirectEstimatorSky_h
 #define vtkIndirectEstimatorSky_h
 
-#include "Frame/vtkIndirectSum.h"     // for the base class
+#include "Frame/vtkIndirectFrameLight.h"     // for the base class
 #include "vtkIndirectEstimatorPass.h" // for a member
 #include "vtkWeakPointer.h"           // for a member
 
-class vtkIndirectEstimatorSky : public vtkIndirectSum
+class vtkIndirectEstimatorSky : public vtkIndirectFrameLight
 {
 public:
   /** Sets the estimator; alone: it is the frame's estimator, and there is no other light of it. */

@@ -28,7 +28,7 @@ double SumIrradiance(vtkEnvironmentLight* environment)
   {
     sum += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
   }
-  return std::max({ sum.x, sum.y, sum.z }) / vtkMath::Pi();
+  return std::max({ light.x, light.y, light.z }) / vtkMath::Pi();
 }
 }
 
@@ -235,8 +235,8 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
   this->BuffersAreThere = true;
   this->LastFrameKey = std::move(this->FrameKey);
   this->FrameKey = this->MakeFrameKey();
-  this->ChooseSums(request);
-  const vtkIndirectSum::Input input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
+  this->ChooseLights(request);
+  const vtkIndirectFrameLight::Input input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
     nullptr, this->Bounce.GetVisibility(), false, this->Timer, this->Environment,
     &this->SkyProjection, &this->UsableAreaLights, this->Capture };
   int mapsLeft = this->Plan.TilesPerFrame;
@@ -245,20 +245,20 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
     Part& part = this->Parts[i];
     if (!part.IsAsked)
     {
-      part.Sum->Rest(input);
+      part.Light->Rest(input);
       continue;
     }
-    // The sums that follow get half of the frame's depth maps at most.
+    // The lights that follow get half of the frame's depth maps at most.
     int others = 0;
     for (int k = i + 1; k < NUMBER_OF_PARTS; ++k)
     {
       const int most = mapsLeft - others;
       others +=
-        this->Parts[k].IsAsked ? std::min(this->Parts[k].Sum->CountMapsNeeded(input), most) : 0;
+        this->Parts[k].IsAsked ? std::min(this->Parts[k].Light->CountMapsNeeded(input), most) : 0;
     }
-    const size_t drawn = part.Sum->GetNumberOfTilesDrawn();
+    const size_t drawn = part.Light->GetNumberOfTilesDrawn();
     part.IsThere = this->UpdatePart(part, input, mapsLeft - std::min(others, mapsLeft / 2));
-    mapsLeft -= static_cast<int>(part.Sum->GetNumberOfTilesDrawn() - drawn);
+    mapsLeft -= static_cast<int>(part.Light->GetNumberOfTilesDrawn() - drawn);
     mapsLeft = std::max(mapsLeft, 0);
   }
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
@@ -271,8 +271,8 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-// Hands the plan's sums what they consist of in this frame.
-void vtkIndirectPipeline::ChooseSums(const Request& request)
+// Tells each light of the plan what it consists of in this frame.
+void vtkIndirectPipeline::ChooseLights(const Request& request)
 {
   this->Estimator->HoldContext(this->Frame.Window, this->Identity.GetMTime());
   this->Samplers.Choose(
@@ -289,19 +289,19 @@ void vtkIndirectPipeline::ChooseSums(const Request& request)
     this->Spheres->SetIndirectLight(this->Plan.SpheresBounceSky ? vtkProxyAccumulationPass::SHADOWED
                                                                 : vtkProxyAccumulationPass::OFF);
   }
-  vtkIndirectSum* const sky =
-    estimator ? static_cast<vtkIndirectSum*>(&this->EstimatorSky) : &this->SkyMaps;
-  vtkIndirectSum* const sums[NUMBER_OF_PARTS] = { &this->Bounce, sky, &this->Area };
+  vtkIndirectFrameLight* const sky =
+    estimator ? static_cast<vtkIndirectFrameLight*>(&this->EstimatorSky) : &this->SkyMaps;
+  vtkIndirectFrameLight* const lights[NUMBER_OF_PARTS] = { &this->Bounce, sky, &this->Area };
   const bool asked[NUMBER_OF_PARTS] = { this->Plan.Irradiance, this->Plan.Sky,
     this->Plan.AreaLights };
   for (int i = 0; i < NUMBER_OF_PARTS; ++i)
   {
     Part& part = this->Parts[i];
-    if (part.Sum != sums[i] || !sums[i]->IsCurrent())
+    if (part.Light != lights[i] || !lights[i]->IsCurrent())
     {
       part.Key.Clear();
     }
-    part.Sum = sums[i];
+    part.Light = lights[i];
     part.IsAsked = asked[i];
   }
 }
@@ -321,14 +321,14 @@ vtkIndirectKey vtkIndirectPipeline::MakeFrameKey() const
 
 //------------------------------------------------------------------------------
 // Returns whether the part has a result of this frame.
-bool vtkIndirectPipeline::UpdatePart(Part& part, const vtkIndirectSum::Input& input, int mostMaps)
+bool vtkIndirectPipeline::UpdatePart(Part& part, const vtkIndirectFrameLight::Input& input, int mostMaps)
 {
-  vtkIndirectSum& sum = *part.Sum;
+  vtkIndirectFrameLight& light = *part.Light;
   vtkIndirectKey key = this->FrameKey;
-  sum.AppendTo(key, input);
-  const bool more = sum.HasMore(input);
+  light.AppendTo(key, input);
+  const bool more = light.HasMore(input);
   const bool same = this->Plan.Caching && key == part.Key;
-  if (same && !more && part.Result.State == vtkIndirectEstimate::CONVERGED && sum.IsComplete())
+  if (same && !more && part.Result.State == vtkIndirectEstimate::CONVERGED && light.IsComplete())
   {
     return true;
   }
@@ -339,25 +339,24 @@ bool vtkIndirectPipeline::UpdatePart(Part& part, const vtkIndirectSum::Input& in
     return false;
   }
   part.Failed.Clear();
-  const size_t drawn = sum.GetNumberOfTilesDrawn();
-  const bool updated = sum.Update(input, mostMaps);
-  part.Waits =
-    updated && this->Plan.WaitsForMaps && sum.GetNumberOfTilesLeft() > 0 && part.Sum != &this->Area;
+  const size_t drawn = light.GetNumberOfTilesDrawn();
+  const bool updated = light.Update(input, mostMaps);
+  part.Waits = updated && this->Plan.WaitsForMaps && !light.IsComplete();
   if (part.Waits)
   {
     return false;
   }
-  vtkIndirectSum::Input own = input;
-  own.Still = still && sum.GetNumberOfTilesDrawn() == drawn;
-  part.Result = updated ? sum.Sum(own) : vtkIndirectEstimate();
+  vtkIndirectFrameLight::Input own = input;
+  own.Still = still && light.GetNumberOfTilesDrawn() == drawn;
+  part.Result = updated ? light.Sum(own) : vtkIndirectEstimate();
   if (part.Result.State == vtkIndirectEstimate::FAILED)
   {
     part.Failed = std::move(key);
     return false;
   }
   part.Key = std::move(key);
-  const bool estimates = part.Sum == &this->Bounce ||
-    (part.Sum == &this->EstimatorSky && this->GetSkyEstimator() == this->Estimator);
+  const bool estimates = part.Light == &this->Bounce ||
+    (part.Light == &this->EstimatorSky && this->GetSkyEstimator() == this->Estimator);
   this->NumberOfEstimates += estimates ? 1 : 0;
   return true;
 }
@@ -385,7 +384,7 @@ void vtkIndirectPipeline::AppendAreaLights(vtkIndirectKey& key) const
 const vtkIndirectPipeline::Part* vtkIndirectPipeline::GetPart(PartType type) const
 {
   const Part& part = this->Parts[type];
-  return part.IsThere && part.Sum->IsCurrent() ? &part : nullptr;
+  return part.IsThere && part.Light->IsCurrent() ? &part : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -20,7 +20,7 @@
 #include "Gather/vtkIndirectAreaGather.h"           // for members
 #include "Gather/vtkIndirectSkyGather.h"            // for members
 #include "Gather/vtkIndirectVisibleLamps.h"         // for members
-#include "Pipeline/vtkIndirectBounceSum.h"          // for a member
+#include "Pipeline/vtkIndirectBounceLight.h"          // for a member
 #include "Pipeline/vtkIndirectEstimatorSky.h"       // for a member
 #include "Pipeline/vtkIndirectFrameSamplers.h"      // for members
 #include "Pipeline/vtkIndirectImageLight.h"         // for members
@@ -111,13 +111,13 @@ private:
   // One kind of light of the frame.
   struct Part
   {
-    vtkIndirectSum* Sum = nullptr;
+    vtkIndirectFrameLight* Light = nullptr;
     bool IsAsked = false; // by the plan
     bool Waits = false;   // for its depth maps
     bool IsThere = false; // Result is of the last frame
     vtkIndirectEstimate Result;
     vtkIndirectKey Key;    // the inputs of Result; empty where there is none
-    vtkIndirectKey Failed; // the inputs of an error: the sum is asked again when they change
+    vtkIndirectKey Failed; // the inputs of an error: the light is asked for again when they change
   };
   enum PartType
   {
@@ -128,8 +128,8 @@ private:
   };
 
   vtkIndirectKey MakeFrameKey() const;
-  void ChooseSums(const Request& request);
-  bool UpdatePart(Part& part, const vtkIndirectSum::Input& input, int mostMaps);
+  void ChooseLights(const Request& request);
+  bool UpdatePart(Part& part, const vtkIndirectFrameLight::Input& input, int mostMaps);
   const Part* GetPart(PartType type) const;
   vtkIndirectEstimatorPass* GetSkyEstimator() const;
   void AppendAreaLights(vtkIndirectKey& key) const;
@@ -143,7 +143,7 @@ private:
   vtkNew<vtkSurfaceCapturePass> Capture;
   vtkIndirectPenumbra Penumbra; // of the maps' lights
   vtkIndirectGeometryBuffer Geometry;
-  vtkIndirectBounceSum Bounce{ Samplers };
+  vtkIndirectBounceLight Bounce{ Samplers };
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather SkyMaps;
   vtkIndirectEstimatorSky EstimatorSky;     // in place of SkyMaps

@@ -72,14 +72,14 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   long long& left = report.Counters["tiles_left"];
   drawn = static_cast<long long>(
     this->Penumbra.GetNumberOfTilesDrawn() + this->SkyMaps.GetNumberOfTilesDrawn());
-  for (const vtkIndirectSum* sum : { static_cast<const vtkIndirectSum*>(&this->Bounce),
-         static_cast<const vtkIndirectSum*>(&this->Area) })
+  for (const vtkIndirectFrameLight* light : { static_cast<const vtkIndirectFrameLight*>(&this->Bounce),
+         static_cast<const vtkIndirectFrameLight*>(&this->Area) })
   {
-    drawn += static_cast<long long>(sum->GetNumberOfTilesDrawn());
+    drawn += static_cast<long long>(light->GetNumberOfTilesDrawn());
   }
   for (const Part& part : this->Parts)
   {
-    left += part.IsThere || part.Waits ? part.Sum->GetNumberOfTilesLeft() : 0;
+    left += part.IsThere || part.Waits ? part.Light->GetNumberOfTilesLeft() : 0;
   }
   this->Frame.AddToReport(report);
   if (!this->BuffersAreThere)
@@ -112,14 +112,14 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   }
   for (const Part& part : this->Parts)
   {
-    if (part.IsThere && part.Sum->IsCurrent())
+    if (part.IsThere && part.Light->IsCurrent())
     {
-      part.Sum->AddToReport(report, this->Plan);
+      part.Light->AddToReport(report, this->Plan);
     }
     else if (part.IsAsked)
     {
       report.LeftOut.emplace_back(
-        part.Sum->GetName(), part.Waits ? WhyItWaits : "its computation had an error");
+        part.Light->GetName(), part.Waits ? WhyItWaits : "its computation had an error");
     }
   }
   this->Levels.AddToReport(report);

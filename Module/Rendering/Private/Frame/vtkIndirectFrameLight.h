@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One kind of light that the frame adds to VTK's own shading: what surfaces reflect, the sky, area
-// lights. The pipeline treats all sums alike: it compares the key of their inputs, gives each its
-// share of the frame's depth maps, and hands their contributions to the composite.
-#ifndef vtkIndirectSum_h
-#define vtkIndirectSum_h
+// One kind of light that the frame adds to VTK's own shading: bounces, the sky, area lights. The
+// pipeline treats all kinds alike: it compares the key of their inputs, gives each its share of the
+// frame's depth maps, and hands their contributions to the composite.
+#ifndef vtkIndirectFrameLight_h
+#define vtkIndirectFrameLight_h
 
 #include "Frame/vtkIndirectEstimate.h" // for inputs and results
 
@@ -13,19 +13,19 @@ class vtkIndirectKey;
 class vtkWindow;
 struct vtkIndirectReport;
 
-class vtkIndirectSum
+class vtkIndirectFrameLight
 {
 public:
   using Input = vtkIndirectEstimateInput;
 
-  virtual ~vtkIndirectSum() = default;
+  virtual ~vtkIndirectFrameLight() = default;
 
   /** The name of the light in the report. */
   virtual const char* GetName() const = 0;
   /** Appends the inputs of the result, besides those that all light of the frame depends on. */
   virtual void AppendTo(vtkIndirectKey& key, const Input& input) const = 0;
 
-  /** The number of depth maps that the frame may have to draw for this sum. */
+  /** The number of depth maps that the frame may have to draw for this light. */
   virtual int CountMapsNeeded(const Input& input) const = 0;
   /**
    * Brings virtual lights and depth maps up to date, and draws at most so many of these maps.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light that surfaces reflect: virtual lights of the frame's samplers, their visibility, and
 // the estimator that sums them.
-#ifndef vtkIndirectBounceSum_h
-#define vtkIndirectBounceSum_h
+#ifndef vtkIndirectBounceLight_h
+#define vtkIndirectBounceLight_h
 
-#include "Frame/vtkIndirectSum.h"               // for the base class
+#include "Frame/vtkIndirectFrameLight.h"               // for the base class
 #include "Pipeline/vtkIndirectSphereBlockers.h" // for a member
 #include "Visibility/vtkIndirectVisibility.h"   // for a member
 #include "vtkIndirectEstimatorPass.h"           // for a member
@@ -13,10 +13,10 @@
 class vtkIndirectFrameSamplers;
 class vtkVirtualLightSampler;
 
-class vtkIndirectBounceSum : public vtkIndirectSum
+class vtkIndirectBounceLight : public vtkIndirectFrameLight
 {
 public:
-  explicit vtkIndirectBounceSum(vtkIndirectFrameSamplers& samplers);
+  explicit vtkIndirectBounceLight(vtkIndirectFrameSamplers& samplers);
 
   /** Sets the estimator, and the sampler that the user has set, whose changes make lights stale. */
   void SetEstimator(vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users);

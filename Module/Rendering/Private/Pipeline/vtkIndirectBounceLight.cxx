@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pipeline/vtkIndirectBounceSum.h"
+#include "Pipeline/vtkIndirectBounceLight.h"
 
 #include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectPlan.h"
@@ -9,13 +9,13 @@
 #include "vtkReflectiveShadowMapPass.h"
 
 //------------------------------------------------------------------------------
-vtkIndirectBounceSum::vtkIndirectBounceSum(vtkIndirectFrameSamplers& samplers)
+vtkIndirectBounceLight::vtkIndirectBounceLight(vtkIndirectFrameSamplers& samplers)
   : Samplers(samplers)
 {
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectBounceSum::SetEstimator(
+void vtkIndirectBounceLight::SetEstimator(
   vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users)
 {
   if (estimator != this->Estimator)
@@ -27,7 +27,7 @@ void vtkIndirectBounceSum::SetEstimator(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectBounceSum::AppendTo(vtkIndirectKey& key, const Input& input) const
+void vtkIndirectBounceLight::AppendTo(vtkIndirectKey& key, const Input& input) const
 {
   key.Add("estimator", this->Estimator).Add("sampler", this->Users);
   this->Samplers.AppendTo(key);
@@ -36,13 +36,13 @@ void vtkIndirectBounceSum::AppendTo(vtkIndirectKey& key, const Input& input) con
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectBounceSum::HasMore(const Input& input) const
+bool vtkIndirectBounceLight::HasMore(const Input& input) const
 {
   return !input.Plan.Interactive && this->Samplers.HasMore();
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectBounceSum::Update(const Input& input, int mostMaps)
+bool vtkIndirectBounceLight::Update(const Input& input, int mostMaps)
 {
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(input.Plan);
@@ -74,7 +74,7 @@ bool vtkIndirectBounceSum::Update(const Input& input, int mostMaps)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectEstimate vtkIndirectBounceSum::Sum(const Input& input)
+vtkIndirectEstimate vtkIndirectBounceLight::Sum(const Input& input)
 {
   Input own = input;
   own.Lights = this->Samplers.GetLights();
@@ -86,19 +86,19 @@ vtkIndirectEstimate vtkIndirectBounceSum::Sum(const Input& input)
 
 //------------------------------------------------------------------------------
 // Another pass that uses the estimator replaces its images.
-bool vtkIndirectBounceSum::IsCurrent() const
+bool vtkIndirectBounceLight::IsCurrent() const
 {
   return this->Estimator && this->Estimator->GetEstimateTime() == this->EstimateTime;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectBounceSum::Rest(const Input& input)
+void vtkIndirectBounceLight::Rest(const Input& input)
 {
   this->Visibility.Update({ input.Frame, nullptr, input.Capture, false, 0 }, {});
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectBounceSum::AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const
+void vtkIndirectBounceLight::AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const
 {
   report.Add(plan.EstimateModelled, plan.EstimateLeftOut);
   report.Method = this->Estimator->GetMethodName();
@@ -111,7 +111,7 @@ void vtkIndirectBounceSum::AddToReport(vtkIndirectReport& report, const vtkIndir
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectBounceSum::Release(vtkWindow* window)
+void vtkIndirectBounceLight::Release(vtkWindow* window)
 {
   this->Samplers.Release(window);
   this->Visibility.Release(window);
