@@ -290,7 +290,7 @@ vtkIndirectEstimate vtkIndirectSkyGather::Sum(const Input& input)
   vtkIndirectEstimate result;
   result.Sky = &this->Irradiance;
   input.Timer.Begin(vtkIndirectStageTimer::Sky);
-  const bool summed = input.Still || this->SumAll(input);
+  const bool summed = (input.Still && input.Plan.Caching) || this->SumAll(input);
   input.Timer.End(vtkIndirectStageTimer::Sky);
   result.State = summed ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::FAILED;
   return result;
