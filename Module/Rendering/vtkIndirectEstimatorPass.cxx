@@ -122,6 +122,7 @@ vtkIndirectAbilities vtkIndirectEstimatorPass::GetAbilities(double tolerance) co
   abilities.ComputesGlossy = this->ComputesGlossy();
   abilities.SumsLobes = this->SumsLobes();
   abilities.SpecularTransport = this->SpecularTransport;
+  abilities.TakesSampler = this->TakesSampler();
   abilities.Occupancy = this->Occupancy;
   abilities.TakesLightMaps = this->TakesLightMaps();
   abilities.IgnoresVisibility = this->IgnoresVisibility();
@@ -144,8 +145,8 @@ vtkIndirectVisibilityNeeds vtkIndirectEstimatorPass::GetVisibilityNeeds(
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkIndirectEstimatorPass::ChooseSampler(
-  vtkVirtualLightSampler* users, const vtkIndirectPlan&)
+std::shared_ptr<vtkIndirectSampler> vtkIndirectEstimatorPass::ChooseSampler(
+  const std::shared_ptr<vtkIndirectSampler>& users, const vtkIndirectPlan&)
 {
   return users;
 }

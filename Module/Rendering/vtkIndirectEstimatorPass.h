@@ -29,7 +29,7 @@ class vtkIndirectContextGuard;
 class vtkIndirectIlluminationPass;
 class vtkIndirectTarget;
 class vtkOpenGLRenderWindow;
-class vtkVirtualLightSampler;
+class vtkIndirectSampler;
 struct vtkIndirectAbilities;
 struct vtkIndirectEstimate;
 struct vtkIndirectEstimateInput;
@@ -136,14 +136,19 @@ public:
   {
     return false;
   }
+  /** Whether it sums lights of the frame's sampler, not of its own. Default: yes. */
+  virtual bool TakesSampler() const
+  {
+    return true;
+  }
   /** What it needs of the visibility stage. Default: what the plan has chosen. */
   virtual vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const;
   /**
    * The sampler whose lights this estimator reads: the user's, one of its own, or null when it
    * reads the maps themselves.
    */
-  virtual vtkVirtualLightSampler* ChooseSampler(
-    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan);
+  virtual std::shared_ptr<vtkIndirectSampler> ChooseSampler(
+    const std::shared_ptr<vtkIndirectSampler>& users, const vtkIndirectPlan& plan);
 
   /** VTK irradiance that a stored value of one stands for. */
   double GetIrradianceUnit() const

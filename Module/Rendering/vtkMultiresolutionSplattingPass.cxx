@@ -18,7 +18,6 @@
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
 #include "vtkObjectFactory.h"
-#include "vtkVirtualLightSampler.h"
 
 #include <algorithm>
 #include <cmath>

@@ -202,8 +202,8 @@ vtkIndirectVisibilityNeeds vtkProxyAccumulationPass::GetVisibilityNeeds(
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkProxyAccumulationPass::ChooseSampler(
-  vtkVirtualLightSampler*, const vtkIndirectPlan&)
+std::shared_ptr<vtkIndirectSampler> vtkProxyAccumulationPass::ChooseSampler(
+  const std::shared_ptr<vtkIndirectSampler>&, const vtkIndirectPlan&)
 {
   return nullptr;
 }

@@ -173,8 +173,12 @@ public:
     return true;
   }
   vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
-  vtkVirtualLightSampler* ChooseSampler(
-    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
+  bool TakesSampler() const override
+  {
+    return false;
+  }
+  std::shared_ptr<vtkIndirectSampler> ChooseSampler(
+    const std::shared_ptr<vtkIndirectSampler>& users, const vtkIndirectPlan& plan) override;
   vtkIndirectEstimate Estimate(const Input& input) override;
   size_t GetBytes() const override;
   size_t GetMainMemoryBytes() const override;

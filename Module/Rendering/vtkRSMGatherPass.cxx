@@ -18,7 +18,6 @@
 #include "VirtualLights/vtkIndirectAllTexelsSampler.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkReflectiveShadowMapPass.h"
@@ -56,7 +55,8 @@ struct vtkRSMGatherPass::Internals
     { "vtkIndirectUpsampleFS.glsl", NeighborhoodFile } };
   vtkIndirectGlossyGather Glossy;
   vtkIndirectLobeGather Lobes;
-  vtkNew<vtkIndirectAllTexelsSampler> AllTexels;
+  const std::shared_ptr<vtkIndirectAllTexelsSampler> AllTexels =
+    std::make_shared<vtkIndirectAllTexelsSampler>();
   std::string WhatDiskLeaves; // of the last frame; empty where a disk leaves nothing
 
   void SetUniforms(
@@ -121,8 +121,8 @@ void vtkRSMGatherPass::AddToReport(vtkIndirectReport& report) const
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkRSMGatherPass::ChooseSampler(
-  vtkVirtualLightSampler* users, const vtkIndirectPlan&)
+std::shared_ptr<vtkIndirectSampler> vtkRSMGatherPass::ChooseSampler(
+  const std::shared_ptr<vtkIndirectSampler>& users, const vtkIndirectPlan&)
 {
   switch (this->Settings.Mode)
   {
@@ -151,7 +151,7 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   // The frame's sampler counts its own bytes; this one is no other's.
   if (this->Settings.Mode != ALL_TEXELS)
   {
-    in.AllTexels->ReleaseGraphicsResources(frame.Window);
+    in.AllTexels->Release(frame.Window);
   }
   if (neighborhood && input.Plan.Senders == vtkIndirectPlan::EYE)
   {
@@ -171,7 +171,7 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   const bool walks = input.Visibility.WalksSegments();
   const int rows = neighborhood ? 1 : input.Lights->GetNumberOfRows();
   const int segments = input.Visibility.GetMaximumNumberOfSegments();
-  const int rowsOfSegments = segments / vtkVirtualLightSampler::RowLength;
+  const int rowsOfSegments = segments / vtkIndirectSampler::RowLength;
   const int rowsPerDraw = walks ? rowsOfSegments : RowsPerDraw;
   if (walks && neighborhood &&
     this->Settings.NumberOfSamples * input.Maps.GetNumberOfLayers() > segments)
@@ -182,7 +182,7 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   }
   // Pixels that interpolation leaves are summed in one go, so more rows are taken everywhere.
   const bool interpolate = this->Settings.Interpolation && this->Settings.Mode != ALL_TEXELS &&
-    rows * vtkVirtualLightSampler::RowLength <= input.Visibility.GetMaximumNumberOfSenders();
+    rows * vtkIndirectSampler::RowLength <= input.Visibility.GetMaximumNumberOfSenders();
   const int step = interpolate ? this->Settings.InterpolationStep : 1;
   const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
     (frame.Size[1] + 2 * step - 2) / step };
@@ -313,7 +313,7 @@ void vtkRSMGatherPass::ReleaseGraphicsResources(vtkWindow* window)
   in.Coarse.Release(window);
   in.Glossy.Release();
   in.Lobes.Release(window);
-  in.AllTexels->ReleaseGraphicsResources(window);
+  in.AllTexels->Release(window);
   for (int i = 0; i < 2; ++i)
   {
     in.Gather[i].Release();

@@ -89,8 +89,12 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  vtkVirtualLightSampler* ChooseSampler(
-    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
+  bool TakesSampler() const override
+  {
+    return this->Settings.Mode == VIRTUAL_LIGHTS;
+  }
+  std::shared_ptr<vtkIndirectSampler> ChooseSampler(
+    const std::shared_ptr<vtkIndirectSampler>& users, const vtkIndirectPlan& plan) override;
   bool TakesLightMaps() const override
   {
     return this->Settings.Mode == VIRTUAL_LIGHTS;

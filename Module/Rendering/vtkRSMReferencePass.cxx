@@ -18,7 +18,6 @@
 #include "Visibility/vtkIndirectSightLines.h"
 #include "Visibility/vtkIndirectSphereGrid.h"
 #include "Visibility/vtkIndirectVisibility.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
 
@@ -345,9 +344,9 @@ std::vector<SenderBlock> ReadSenders(
 {
   const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
   const vtkIndirectTarget& table = lights.GetTable();
-  const std::vector<float> position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
-  const std::vector<float> normal = table.ReadBack(vtkVirtualLightSampler::NormalReach);
-  const std::vector<float> density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
+  const std::vector<float> position = table.ReadBack(vtkIndirectSampler::PositionArea);
+  const std::vector<float> normal = table.ReadBack(vtkIndirectSampler::NormalReach);
+  const std::vector<float> density = table.ReadBack(vtkIndirectSampler::DensityArea);
   std::vector<SenderBlock> blocks;
   size_t kept = 0;
   for (size_t i = 0; i < count; ++i)
@@ -485,7 +484,8 @@ struct Sums
 //------------------------------------------------------------------------------
 struct vtkRSMReferencePass::Internals
 {
-  vtkNew<vtkIndirectAllTexelsSampler> AllTexels;
+  const std::shared_ptr<vtkIndirectAllTexelsSampler> AllTexels =
+    std::make_shared<vtkIndirectAllTexelsSampler>();
 };
 
 vtkRSMReferencePass::vtkRSMReferencePass()
@@ -511,10 +511,14 @@ size_t vtkRSMReferencePass::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkRSMReferencePass::ChooseSampler(
-  vtkVirtualLightSampler* users, const vtkIndirectPlan&)
+std::shared_ptr<vtkIndirectSampler> vtkRSMReferencePass::ChooseSampler(
+  const std::shared_ptr<vtkIndirectSampler>& users, const vtkIndirectPlan&)
 {
-  return this->Mode == ALL_TEXELS ? this->Internal->AllTexels.Get() : users;
+  if (this->Mode == ALL_TEXELS)
+  {
+    return this->Internal->AllTexels;
+  }
+  return users;
 }
 
 //------------------------------------------------------------------------------
@@ -594,5 +598,5 @@ void vtkRSMReferencePass::ReleaseGraphicsResources(vtkWindow* window)
     return;
   }
   this->Superclass::ReleaseGraphicsResources(window);
-  this->Internal->AllTexels->ReleaseGraphicsResources(window);
+  this->Internal->AllTexels->Release(window);
 }

@@ -87,8 +87,12 @@ public:
 
 #ifndef __VTK_WRAP__
   vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
-  vtkVirtualLightSampler* ChooseSampler(
-    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
+  bool TakesSampler() const override
+  {
+    return this->Mode == VIRTUAL_LIGHTS;
+  }
+  std::shared_ptr<vtkIndirectSampler> ChooseSampler(
+    const std::shared_ptr<vtkIndirectSampler>& users, const vtkIndirectPlan& plan) override;
   vtkIndirectEstimate Estimate(const Input& input) override;
   size_t GetBytes() const override;
 #endif

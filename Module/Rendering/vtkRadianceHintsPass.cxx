@@ -17,7 +17,6 @@
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "Visibility/vtkIndirectVisibility.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkReflectiveShadowMapPass.h"
@@ -61,7 +60,7 @@ struct vtkRadianceHintsPass::Internals
   vtkIndirectFullScreenProgram LookUpKernel{ "vtkIndirectHintFS.glsl" };
   vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintMixedFS.glsl" };
   vtkIndirectPointProgram Pixels{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintPixelFS.glsl" };
-  vtkNew<vtkIndirectHintSenders> Senders;
+  std::shared_ptr<vtkIndirectHintSenders> Senders;
   std::vector<double> LightKey;
   bool NothingReflects = false;  // bounces after the first have no surface
   double Tolerance = 0.0;        // that the last frame was asked for and the grid was chosen by
@@ -94,6 +93,7 @@ struct vtkRadianceHintsPass::Internals
 vtkRadianceHintsPass::vtkRadianceHintsPass()
   : Internal(new Internals)
 {
+  this->Internal->Senders = std::make_shared<vtkIndirectHintSenders>(this);
   this->Occupancy = true;
   // With depth, which marks the pixels that interpolation has left.
   this->Irradiance = std::make_unique<vtkIndirectTarget>(IrradianceChannels, true, 16);
@@ -201,12 +201,12 @@ size_t vtkRadianceHintsPass::GetMainMemoryBytes() const
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkRadianceHintsPass::ChooseSampler(
-  vtkVirtualLightSampler*, const vtkIndirectPlan& plan)
+std::shared_ptr<vtkIndirectSampler> vtkRadianceHintsPass::ChooseSampler(
+  const std::shared_ptr<vtkIndirectSampler>&, const vtkIndirectPlan& plan)
 {
   Internals& in = *this->Internal;
   in.Senders->SetBlocksPerEdge(in.Details.BlocksPerEdge);
-  return !in.Details.Dense && plan.Senders == vtkIndirectPlan::MAPS ? nullptr : in.Senders.Get();
+  return !in.Details.Dense && plan.Senders == vtkIndirectPlan::MAPS ? nullptr : in.Senders;
 }
 
 //------------------------------------------------------------------------------
@@ -243,7 +243,7 @@ vtkIndirectEstimate vtkRadianceHintsPass::Estimate(const Input& input)
 
   if (!input.Lights)
   {
-    in.Senders->ReleaseGraphicsResources(window);
+    in.Senders->Release(window);
   }
   input.Timer.Begin(vtkIndirectStageTimer::Visibility);
   const int hints = in.Grid.GetNumberOfHints();
@@ -536,7 +536,7 @@ void vtkRadianceHintsPass::ReleaseGraphicsResources(vtkWindow* window)
   in.Coarse[0].Release(window);
   in.Coarse[1].Release(window);
   in.CoarseValid = false;
-  in.Senders->ReleaseGraphicsResources(window);
+  in.Senders->Release(window);
   in.LookUpKernel.Release();
   in.MixedCells.Release();
   in.Pixels.Release();

@@ -156,8 +156,12 @@ public:
 
 #ifndef __VTK_WRAP__
   vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
-  vtkVirtualLightSampler* ChooseSampler(
-    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
+  bool TakesSampler() const override
+  {
+    return false;
+  }
+  std::shared_ptr<vtkIndirectSampler> ChooseSampler(
+    const std::shared_ptr<vtkIndirectSampler>& users, const vtkIndirectPlan& plan) override;
   bool ReadsMaps() const override;
   vtkIndirectEstimate Estimate(const Input& input) override;
   size_t GetBytes() const override;

@@ -41,7 +41,6 @@ PUBLIC = {
     "vtkImportanceLightSampler": "VirtualLights",
     "vtkVirtualLightSampler": "VirtualLights",
     "vtkLightTreeSampler": "VirtualLights",
-    "vtkMapLightSampler": "VirtualLights",
     "vtkUniformLightSampler": "VirtualLights",
     "vtkRandomWalkLightSampler": "Visibility",
     "vtkRSMGatherPass": "Gather",

@@ -87,12 +87,12 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
     this->SphereMotion.Forget();
   }
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
-  circumstances.TakesSampler =
-    request.Estimator->ChooseSampler(request.Sampler, vtkIndirectPlan()) == request.Sampler;
-  circumstances.SamplerWalks = circumstances.TakesSampler && request.Sampler->Walks();
+  const vtkIndirectAbilities abilities =
+    request.Estimator->GetAbilities(request.Settings.ErrorTolerance);
+  circumstances.SamplerWalks =
+    abilities.TakesSampler && vtkIndirectSampler::Get(request.Sampler)->GetAbilities().Walks;
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
-  this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
-    request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
+  this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings, abilities, circumstances);
   // Maps of the scene as it was would show shadows that are gone when the sky comes from them
   // again.
   const bool sky = circumstances.Environment && request.Settings.IndirectScale > 0.0;
@@ -239,8 +239,8 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
     this->EstimateKey.clear();
     this->SkyKey.clear();
   }
-  this->Samplers.Choose(
-    this->Frame, this->Plan, this->Estimator->ChooseSampler(request.Sampler, this->Plan));
+  this->Samplers.Choose(this->Frame, this->Plan,
+    this->Estimator->ChooseSampler(vtkIndirectSampler::Get(request.Sampler), this->Plan));
   this->TilesLeft = this->Plan.TilesPerFrame;
   this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
   if (!this->Plan.Irradiance && this->GetSkySummer())

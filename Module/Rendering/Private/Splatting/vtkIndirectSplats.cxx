@@ -22,7 +22,7 @@
 
 namespace
 {
-constexpr int RowLength = vtkVirtualLightSampler::RowLength;
+constexpr int RowLength = vtkIndirectSampler::RowLength;
 // Lights in one draw: long draws stall a desktop, and some drivers end them.
 constexpr int SplatsPerDraw = 16 * RowLength;
 constexpr int TileSize = 16;

@@ -173,10 +173,10 @@ bool vtkIndirectSampleWarp::SumNodes(
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window,
-  const vtkReflectiveShadowMapPass& maps, const vtkMapLightSampler::Drawing& drawing,
+  const vtkReflectiveShadowMapPass& maps, const vtkIndirectMapSampler::Drawing& drawing,
   const vtkIndirectPatternTexture& pattern)
 {
-  constexpr int width = vtkVirtualLightSampler::RowLength;
+  constexpr int width = vtkIndirectSampler::RowLength;
   const int rows = std::max(1, (pattern.GetNumberOfSamples() + width - 1) / width);
   if (!this->Samples.Resize(window, width, rows))
   {
@@ -216,10 +216,10 @@ bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window,
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSampleWarp::Update(vtkOpenGLRenderWindow* window,
-  const vtkReflectiveShadowMapPass& maps, const vtkMapLightSampler::Drawing& drawing,
+  const vtkReflectiveShadowMapPass& maps, const vtkIndirectMapSampler::Drawing& drawing,
   const vtkIndirectPatternTexture& pattern)
 {
-  const bool flux = drawing.By == vtkMapLightSampler::Drawing::FLUX;
+  const bool flux = drawing.By == vtkIndirectMapSampler::Drawing::FLUX;
   if (this->MapTime != maps.GetContentTime() || this->WithFlux != flux ||
     this->Occlusion != drawing.Occlusion)
   {

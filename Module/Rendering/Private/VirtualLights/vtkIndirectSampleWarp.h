@@ -10,8 +10,8 @@
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h"     // for members
 #include "OpenGL/vtkIndirectTarget.h"                // for members
+#include "VirtualLights/vtkIndirectMapSampler.h"     // for charts
 #include "VirtualLights/vtkIndirectPatternTexture.h" // for the pattern
-#include "vtkMapLightSampler.h"                      // for charts
 
 #include <cstddef> // for size_t
 #include <vector>  // for charts
@@ -36,7 +36,7 @@ public:
    * texels. Returns false, after an error, when OpenGL refuses.
    */
   bool Update(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps,
-    const vtkMapLightSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
+    const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
 
   /** Binds the samples in place of a pattern; pair with Deactivate. */
   void Activate(vtkShaderProgram* program) const;
@@ -52,7 +52,7 @@ private:
   bool SumNodes(
     vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps, double occlusion);
   bool Warp(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps,
-    const vtkMapLightSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
+    const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
   void ActivateCharts(vtkShaderProgram* program) const;
   void ActivateNodes(
     int parity, vtkShaderProgram* program, const char* lit, const char* flux) const;

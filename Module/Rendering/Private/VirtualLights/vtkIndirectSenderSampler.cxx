@@ -6,15 +6,11 @@
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
-#include "vtkLightTreeSampler.h"
-#include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkReflectiveShadowMapPass.h"
 
 #include <algorithm>
 #include <utility>
-
-vtkStandardNewMacro(vtkIndirectSenderSampler);
 
 namespace
 {
@@ -63,12 +59,11 @@ vtkIndirectSenderSampler::vtkIndirectSenderSampler()
 vtkIndirectSenderSampler::~vtkIndirectSenderSampler() = default;
 
 //------------------------------------------------------------------------------
-void vtkIndirectSenderSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampler)
+void vtkIndirectSenderSampler::Follow(const vtkIndirectSamplerAbilities& sampler)
 {
-  this->NumberOfLights = sampler ? sampler->GetNumberOfLights() : 256;
-  const bool divides = vtkLightTreeSampler::SafeDownCast(sampler) != nullptr;
-  this->SourceTime += divides != this->Divides ? 1 : 0;
-  this->Divides = divides;
+  this->NumberOfLights = sampler.NumberOfLights;
+  this->SourceTime += sampler.Divides != this->Divides ? 1 : 0;
+  this->Divides = sampler.Divides;
 }
 
 //------------------------------------------------------------------------------
@@ -223,7 +218,7 @@ long long vtkIndirectSenderSampler::GetNumberOfFacesDrawn() const
 //------------------------------------------------------------------------------
 size_t vtkIndirectSenderSampler::GetBytes() const
 {
-  return this->Superclass::GetBytes() + this->Maps->GetBytes();
+  return this->vtkIndirectSampler::GetBytes() + this->Maps->GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -260,13 +255,8 @@ void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSenderSampler::ReleaseGraphicsResources(vtkWindow* window)
+void vtkIndirectSenderSampler::ReleaseOwn(vtkWindow* window)
 {
-  if (!this->CanBeOf(window))
-  {
-    return;
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
   this->Maps->ReleaseGraphicsResources(window);
   this->Texels.Release(window);
   this->Clusters.SetSenders({});

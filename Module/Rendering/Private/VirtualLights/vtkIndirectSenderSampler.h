@@ -8,12 +8,12 @@
 #ifndef vtkIndirectSenderSampler_h
 #define vtkIndirectSenderSampler_h
 
-#include "Frame/vtkIndirectFrame.h"                  // for casters
-#include "VirtualLights/vtkIndirectEmitters.h"       // for members
+#include "Frame/vtkIndirectFrame.h"            // for casters
+#include "VirtualLights/vtkIndirectEmitters.h" // for members
+#include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h" // for members
 #include "VirtualLights/vtkIndirectSenderTexels.h"   // for members
 #include "vtkNew.h"                                  // for members
-#include "vtkVirtualLightSampler.h"
 
 #include <vector> // for lists
 
@@ -22,14 +22,14 @@ class vtkSurfaceCapturePass;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
 
-class vtkIndirectSenderSampler : public vtkVirtualLightSampler
+class vtkIndirectSenderSampler : public vtkIndirectSampler
 {
 public:
-  static vtkIndirectSenderSampler* New();
-  vtkTypeMacro(vtkIndirectSenderSampler, vtkVirtualLightSampler);
+  vtkIndirectSenderSampler();
+  ~vtkIndirectSenderSampler() override;
 
-  /** As many as a sampler has of the scene's lights; null for the default. */
-  void SetNumberOfLightsOf(vtkVirtualLightSampler* sampler);
+  /** Makes as many lights as the frame's sampler, and divides them where that does. */
+  void Follow(const vtkIndirectSamplerAbilities& sampler);
 
   /** What a frame's emitters were found in: where it is the same they need not be found again. */
   bool Knows(const std::vector<double>& source) const { return source == this->Source; }
@@ -49,16 +49,11 @@ public:
   long long GetNumberOfFacesDrawn() const;
   size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
-  vtkIndirectSenderSampler();
-  ~vtkIndirectSenderSampler() override;
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
-  vtkIndirectSenderSampler(const vtkIndirectSenderSampler&) = delete;
-  void operator=(const vtkIndirectSenderSampler&) = delete;
-
   bool UpdateScene(const vtkIndirectFrame& frame);
   bool ReadSenders(const Input& input);
 
