@@ -34,8 +34,8 @@
  * about where the lobe as it is evaluated, normalised and widened near its light, reaches I_low.
  * What these cut off is measured and given back with the rest.
  *
- * Memory: 16 bytes a pixel, 32 for each of those that the far field is summed at, and 32 a light, 64
- * where lights have lobes.
+ * Memory: 16 bytes a pixel, 32 for each of those that the far field is summed at, and 32 a light,
+ * 64 where lights have lobes.
  */
 
 #ifndef vtkIndirectSplattingPass_h
@@ -53,9 +53,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "splatting"; }
-  bool ComputesGlossy() const override { return true; }
-  bool SumsLobes() const override { return true; }
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{
   /**
@@ -110,22 +107,13 @@ public:
    */
   double GetCutOffShare() const;
 
-#ifndef __VTK_WRAP__
-  bool TakesLightMaps() const override
-  {
-    return true;
-  }
-  vtkIndirectEstimate Estimate(const Input& input) override;
-  size_t GetBytes() const override;
-  void AddToReport(vtkIndirectReport& report) const override;
-  std::vector<std::string> GetChannelNames() const override;
-  int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
-    const vtkIndirectGeometryBuffer& geometry) override;
-#endif
-
 protected:
   vtkIndirectSplattingPass();
-  ~vtkIndirectSplattingPass() override;
+  ~vtkIndirectSplattingPass() override = default;
+
+private:
+  vtkIndirectSplattingPass(const vtkIndirectSplattingPass&) = delete;
+  void operator=(const vtkIndirectSplattingPass&) = delete;
 
   struct SettingsType
   {
@@ -135,15 +123,6 @@ protected:
     int FarFieldStep = 8;
   };
   SettingsType Settings;
-
-private:
-  bool Sum(const Input& input);
-
-  vtkIndirectSplattingPass(const vtkIndirectSplattingPass&) = delete;
-  void operator=(const vtkIndirectSplattingPass&) = delete;
-
-  struct Internals;
-  std::unique_ptr<Internals> Internal;
 };
 
 #endif

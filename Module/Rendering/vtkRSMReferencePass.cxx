@@ -9,6 +9,7 @@
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "Gather/vtkIndirectReferenceLobe.h"
+#include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "VirtualLights/vtkIndirectAllTexelsSampler.h"
@@ -479,60 +480,87 @@ struct Sums
       });
   }
 };
-}
 
-//------------------------------------------------------------------------------
-struct vtkRSMReferencePass::Internals
+class ReferenceSum : public vtkIndirectSum
 {
+public:
+  explicit ReferenceSum(vtkRSMReferencePass& pass)
+    : vtkIndirectSum(pass)
+    , Set(pass)
+  {
+  }
+  vtkIndirectAbilities GetAbilities(double tolerance) const override;
+  vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
+  vtkIndirectSampler::Pointer ChooseSampler(
+    const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan& plan) override;
+  size_t GetBytes() const override;
+
+protected:
+  vtkIndirectEstimate Estimate(const Input& input) override;
+  void ReleaseOwn(vtkWindow* window) override { this->AllTexels->Release(window); }
+
+private:
+  const vtkRSMReferencePass& Set;
   const std::shared_ptr<vtkIndirectAllTexelsSampler> AllTexels =
     std::make_shared<vtkIndirectAllTexelsSampler>();
 };
-
-vtkRSMReferencePass::vtkRSMReferencePass()
-  : Internal(new Internals)
-{
 }
 
-vtkRSMReferencePass::~vtkRSMReferencePass() = default;
+//------------------------------------------------------------------------------
+vtkRSMReferencePass::vtkRSMReferencePass()
+  : vtkIndirectEstimatorPass(std::make_unique<ReferenceSum>(*this))
+{
+}
 
 //------------------------------------------------------------------------------
 void vtkRSMReferencePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mode: " << (this->Mode == ALL_TEXELS ? "AllTexels" : "VirtualLights") << "\n";
+  os << indent << "Mode: " << (this->Settings.Mode == ALL_TEXELS ? "AllTexels" : "VirtualLights")
+     << "\n";
   static const char* const visibilities[] = { "None", "Voxels", "Exact" };
-  os << indent << "Visibility: " << visibilities[this->Visibility] << "\n";
+  os << indent << "Visibility: " << visibilities[this->Settings.Visibility] << "\n";
 }
 
 //------------------------------------------------------------------------------
-size_t vtkRSMReferencePass::GetBytes() const
+vtkIndirectAbilities ReferenceSum::GetAbilities(double tolerance) const
 {
-  return this->Superclass::GetBytes() + this->Internal->AllTexels->GetBytes();
+  vtkIndirectAbilities abilities = this->vtkIndirectSum::GetAbilities(tolerance);
+  abilities.ComputesGlossy = true;
+  abilities.SumsLobes = true;
+  abilities.TakesSampler = this->Set.GetMode() == vtkRSMReferencePass::VIRTUAL_LIGHTS;
+  return abilities;
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<vtkIndirectSampler> vtkRSMReferencePass::ChooseSampler(
-  const std::shared_ptr<vtkIndirectSampler>& users, const vtkIndirectPlan&)
+size_t ReferenceSum::GetBytes() const
 {
-  if (this->Mode == ALL_TEXELS)
+  return this->vtkIndirectSum::GetBytes() + this->AllTexels->GetBytes();
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSampler::Pointer ReferenceSum::ChooseSampler(
+  const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan&)
+{
+  if (this->Set.GetMode() == vtkRSMReferencePass::ALL_TEXELS)
   {
-    return this->Internal->AllTexels;
+    return this->AllTexels;
   }
   return users;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectVisibilityNeeds vtkRSMReferencePass::GetVisibilityNeeds(
-  const vtkIndirectPlan& plan) const
+vtkIndirectVisibilityNeeds ReferenceSum::GetVisibilityNeeds(const vtkIndirectPlan& plan) const
 {
-  vtkIndirectVisibilityNeeds needs = this->Superclass::GetVisibilityNeeds(plan);
-  needs.Exact = this->Visibility == EXACT;
-  needs.Senders = needs.Segments = !needs.Exact && (needs.Senders || this->Visibility == VOXELS);
+  vtkIndirectVisibilityNeeds needs = this->vtkIndirectSum::GetVisibilityNeeds(plan);
+  needs.Exact = this->Set.GetVisibility() == vtkRSMReferencePass::EXACT;
+  needs.Senders = needs.Segments =
+    !needs.Exact && (needs.Senders || this->Set.GetVisibility() == vtkRSMReferencePass::VOXELS);
   return needs;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectEstimate vtkRSMReferencePass::Estimate(const Input& input)
+vtkIndirectEstimate ReferenceSum::Estimate(const Input& input)
 {
   vtkIndirectStageTimer& timer = input.Timer;
   const vtkIndirectFrame& frame = input.Frame;
@@ -588,15 +616,4 @@ vtkIndirectEstimate vtkRSMReferencePass::Estimate(const Input& input)
   }
   timer.End(vtkIndirectStageTimer::Estimate);
   return this->MakeResult();
-}
-
-//------------------------------------------------------------------------------
-void vtkRSMReferencePass::ReleaseGraphicsResources(vtkWindow* window)
-{
-  if (!this->CanBeOf(window))
-  {
-    return;
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
-  this->Internal->AllTexels->Release(window);
 }

@@ -61,6 +61,7 @@ MAY_NAME_ESTIMATORS = {
     "vtkMultiresolutionSplattingPass",
     "vtkRadianceHintsPass",
     "vtkProxyAccumulationPass",
+    "vtkIndirectSum",
     "vtkIndirectPipeline",
 }
 

@@ -7,6 +7,7 @@
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Frame/vtkIndirectLightScope.h"
 #include "Frame/vtkIndirectRevision.h"
+#include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkAreaLight.h"
@@ -88,7 +89,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   }
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
   const vtkIndirectAbilities abilities =
-    request.Estimator->GetAbilities(request.Settings.ErrorTolerance);
+    vtkIndirectSum::Get(request.Estimator).GetAbilities(request.Settings.ErrorTolerance);
   circumstances.SamplerWalks =
     abilities.TakesSampler && vtkIndirectSampler::Get(request.Sampler)->GetAbilities().Walks;
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
@@ -233,14 +234,15 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
 {
   this->BuffersAreThere = true;
   this->FrameKey = this->MakeFrameKey();
-  this->Estimator->HoldContext(this->Frame.Window, this->Identity.GetMTime());
+  vtkIndirectSum::Get(this->Estimator).HoldContext(this->Frame.Window, this->Identity.GetMTime());
   if (!this->IsEstimateThere())
   {
     this->EstimateKey.clear();
     this->SkyKey.clear();
   }
   this->Samplers.Choose(this->Frame, this->Plan,
-    this->Estimator->ChooseSampler(vtkIndirectSampler::Get(request.Sampler), this->Plan));
+    vtkIndirectSum::Get(this->Estimator)
+      .ChooseSampler(vtkIndirectSampler::Get(request.Sampler), this->Plan));
   this->TilesLeft = this->Plan.TilesPerFrame;
   this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
   if (!this->Plan.Irradiance && this->GetSkySummer())
@@ -250,7 +252,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
   }
   this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
   this->AreaIsThere = this->Plan.AreaLights && this->UpdateArea(request);
-  this->EstimateTime = this->Estimator->GetEstimateTime();
+  this->EstimateTime = vtkIndirectSum::Get(this->Estimator).GetEstimateTime();
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
   const bool composed = this->Composite.Composite(this->MakeCompositeInput());
   if (composed && this->Plan.Antialiasing)
@@ -315,7 +317,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   this->FailedKey.clear();
 
   this->Timer.Begin(vtkIndirectStageTimer::Lights);
-  const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(this->Plan);
+  const vtkIndirectVisibilityNeeds needs =
+    vtkIndirectSum::Get(this->Estimator).GetVisibilityNeeds(this->Plan);
   const bool walks = this->Samplers.Walk();
   if (!(needs.TakesSpheres() || walks) || !caching)
   {
@@ -360,8 +363,8 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
     lights, this->Visibility, still && !more && this->Visibility.GetNumberOfTilesDrawn() == tiles,
     this->Timer };
-  this->Estimate =
-    sampled && visible ? this->Estimator->MakeEstimate(input) : vtkIndirectEstimate();
+  this->Estimate = sampled && visible ? vtkIndirectSum::Get(this->Estimator).MakeEstimate(input)
+                                      : vtkIndirectEstimate();
   if (this->Estimate.State == vtkIndirectEstimate::FAILED)
   {
     this->FailedKey = key;
@@ -404,8 +407,8 @@ bool vtkIndirectPipeline::UpdateSky(const Request& request)
   }
   const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
     nullptr, this->Visibility, false, this->Timer, this->Environment };
-  summer->HoldContext(this->Frame.Window, this->Identity.GetMTime());
-  this->SkyEstimate = summer->MakeEstimate(input);
+  vtkIndirectSum::Get(summer).HoldContext(this->Frame.Window, this->Identity.GetMTime());
+  this->SkyEstimate = vtkIndirectSum::Get(summer).MakeEstimate(input);
   this->SkyKey = std::move(key);
   this->NumberOfEstimates += summer == this->Estimator ? 1 : 0;
   return this->SkyEstimate.State != vtkIndirectEstimate::FAILED;
@@ -486,7 +489,8 @@ bool vtkIndirectPipeline::UpdateArea(const Request& request)
 // Whether the estimator has done nothing else since the last frame.
 bool vtkIndirectPipeline::IsEstimateThere() const
 {
-  return this->Estimator && this->Estimator->GetEstimateTime() == this->EstimateTime;
+  return this->Estimator &&
+    vtkIndirectSum::Get(this->Estimator).GetEstimateTime() == this->EstimateTime;
 }
 
 //------------------------------------------------------------------------------
@@ -537,8 +541,11 @@ bool vtkIndirectPipeline::RenderChannel(const std::string& name)
   const vtkIndirectComposite::Input input = this->MakeCompositeInput();
   return this->Composite.RenderChannel(input, name) ||
     (this->GetEstimate() &&
-      this->Composite.RenderChannel(
-        input, [&]() { return this->Estimator->DrawChannel(name, this->Frame, this->Geometry); }));
+      this->Composite.RenderChannel(input,
+        [&]() {
+          return vtkIndirectSum::Get(this->Estimator)
+            .DrawChannel(name, this->Frame, this->Geometry);
+        }));
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "Pipeline/vtkIndirectPipeline.h"
 
 #include "Frame/vtkIndirectReport.h"
+#include "Gather/vtkIndirectSum.h"
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkCamera.h"
@@ -114,10 +115,11 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     add(report.Modelled, this->Plan.EstimateModelled);
     add(report.LeftOut, this->Plan.EstimateLeftOut);
     report.Method = this->Estimator->GetMethodName();
-    report.Bytes += this->Estimator->GetBytes();
-    report.MainMemoryBytes = this->Estimator->GetMainMemoryBytes();
+    const vtkIndirectSum& sum = vtkIndirectSum::Get(this->Estimator);
+    report.Bytes += sum.GetBytes();
+    report.MainMemoryBytes = sum.GetMainMemoryBytes();
     report.EstimatedError = this->Estimate.Error;
-    this->Estimator->AddToReport(report);
+    sum.AddToReport(report);
     this->Visibility.AddToReport(report);
     this->Samplers.AddToReport(report);
   }
@@ -130,9 +132,10 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   if (this->SkyIsThere && summer)
   {
     report.Method = this->GetEstimate() ? report.Method : summer->GetMethodName();
-    report.Bytes += summer->GetBytes();
-    report.MainMemoryBytes += summer->GetMainMemoryBytes();
-    summer->AddToReport(report);
+    const vtkIndirectSum& sum = vtkIndirectSum::Get(summer);
+    report.Bytes += sum.GetBytes();
+    report.MainMemoryBytes += sum.GetMainMemoryBytes();
+    sum.AddToReport(report);
     if (summer == this->Estimator)
     {
       add(report.Modelled, this->Plan.EstimateModelled);
