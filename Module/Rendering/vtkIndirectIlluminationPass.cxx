@@ -129,7 +129,7 @@ struct vtkIndirectIlluminationPass::Internals
 vtkIndirectIlluminationPass::vtkIndirectIlluminationPass()
   : Internal(new Internals)
 {
-  this->ReflectiveShadowMaps = this->Internal->Pipeline.Maps;
+  this->ReflectiveShadowMaps = this->Internal->Pipeline.MapsPass;
   this->Internal->Guard->Release = [this](vtkWindow* window) { this->LetGo(window); };
   vtkNew<vtkRenderPassCollection> passes;
   vtkNew<vtkLightsPass> lights;

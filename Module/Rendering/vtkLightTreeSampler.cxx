@@ -3,11 +3,11 @@
 
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectReport.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "VirtualLights/vtkIndirectMapSampler.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h"
 #include "VirtualLights/vtkIndirectSenderTexels.h"
 #include "vtkObjectFactory.h"
-#include "vtkReflectiveShadowMapPass.h"
 #include "vtkUniformLightSampler.h"
 
 #include <algorithm>

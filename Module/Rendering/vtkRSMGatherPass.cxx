@@ -11,6 +11,7 @@
 #include "Gather/vtkIndirectLobeGather.h"
 #include "Gather/vtkIndirectSum.h"
 #include "LightMaps/vtkIndirectLightMap.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "VirtualLights/vtkIndirectAllTexelsSampler.h"
@@ -18,7 +19,6 @@
 #include "Visibility/vtkIndirectVisibility.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkReflectiveShadowMapPass.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>

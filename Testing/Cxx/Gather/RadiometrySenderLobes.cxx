@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What specular senders reflect: the flux of their lobes, where it arrives, and what sums it.
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -389,7 +390,7 @@ VTK_INDIRECT_TEST(SenderLobesAgainstReference)
   scene.Gather->SpecularTransportOff();
   scene.Render();
   Check("without specular transport maps hold nothing for lobes",
-    !scene.Pass->GetReflectiveShadowMaps()->HasSpecular());
+    !vtkIndirectLightMaps::Get(scene.Pass->GetReflectiveShadowMaps()).HasSpecular());
   Check("and the picture is darker", scene.Copy("irradiance").Mean() < 0.999 * e.Mean());
   scene.Gather->SpecularTransportOn();
 }

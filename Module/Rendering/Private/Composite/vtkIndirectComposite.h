@@ -26,7 +26,7 @@
 class vtkIndirectGeometryBuffer;
 class vtkIndirectTarget;
 class vtkImageData;
-class vtkReflectiveShadowMapPass;
+class vtkIndirectLightMaps;
 class vtkWindow;
 struct vtkIndirectEstimate;
 struct vtkIndirectFrame;
@@ -41,14 +41,14 @@ public:
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
-    const vtkReflectiveShadowMapPass* Maps; // null without maps
-    const vtkIndirectEstimate* Estimate;    // null for none
-    const vtkIndirectTarget* Sky;           // irradiance from the environment, null for none
-    const vtkIndirectTarget* SkyBounce;     // what is reflected of that, null for none beside
-    int SkyBounceChannel;                   // the estimate; of that image
-    const vtkIndirectTarget* Area;          // irradiance from area lights
-    const vtkIndirectTarget* AreaGlossy;    // what is reflected specularly of these
-    glm::dvec3 Greatest; // irradiance that nothing exceeds, of all but VTK's lights
+    const vtkIndirectLightMaps* Maps;    // null without maps
+    const vtkIndirectEstimate* Estimate; // null for none
+    const vtkIndirectTarget* Sky;        // irradiance from the environment, null for none
+    const vtkIndirectTarget* SkyBounce;  // what is reflected of that, null for none beside
+    int SkyBounceChannel;                // the estimate; of that image
+    const vtkIndirectTarget* Area;       // irradiance from area lights
+    const vtkIndirectTarget* AreaGlossy; // what is reflected specularly of these
+    glm::dvec3 Greatest;                 // irradiance that nothing exceeds, of all but VTK's lights
     double IndirectScale;
     bool DepthCleared; // of the framebuffer that is bound: nothing is drawn there yet
     bool DepthDrawn;   // there: the depth of the frame's opaque props is there already

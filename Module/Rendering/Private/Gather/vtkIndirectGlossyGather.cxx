@@ -5,11 +5,11 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
-#include "vtkReflectiveShadowMapPass.h"
 
 #include <algorithm>
 

@@ -118,7 +118,7 @@ bool vtkIndirectFrameSamplers::Walk() const
 
 //------------------------------------------------------------------------------
 bool vtkIndirectFrameSamplers::Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-  const vtkReflectiveShadowMapPass& maps, const vtkIndirectGeometryBuffer& geometry,
+  const vtkIndirectLightMaps& maps, const vtkIndirectGeometryBuffer& geometry,
   const vtkIndirectBlockingSpheres* spheres)
 {
   vtkIndirectSampler::Input input = { frame, maps, geometry, plan.ErrorTolerance,

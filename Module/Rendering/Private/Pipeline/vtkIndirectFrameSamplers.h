@@ -21,7 +21,7 @@
 
 class vtkImageData;
 class vtkIndirectGeometryBuffer;
-class vtkReflectiveShadowMapPass;
+class vtkIndirectLightMaps;
 class vtkSurfaceCapturePass;
 class vtkWindow;
 struct vtkIndirectBlockingSpheres;
@@ -65,7 +65,7 @@ public:
    * spheres: where they Walk.
    */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-    const vtkReflectiveShadowMapPass& maps, const vtkIndirectGeometryBuffer& geometry,
+    const vtkIndirectLightMaps& maps, const vtkIndirectGeometryBuffer& geometry,
     const vtkIndirectBlockingSpheres* spheres);
   /** The lights, null where the frame has no sampler. */
   const vtkIndirectVirtualLights* GetLights() const

@@ -145,7 +145,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   this->Capture->SetDelegatePass(request.Delegate);
   this->Capture->SetShadows(this->Plan.Shadows);
   this->Capture->SetSpecular(this->Plan.SurfacesAreSpecular || this->Plan.SenderLobes);
-  this->Maps->SetSpecular(this->Plan.SenderLobes);
+  this->Maps.SetSpecular(this->Plan.SenderLobes);
   this->Capture->SetSpecularOfPBR(this->Plan.AreaSpecular && this->Frame.PhysicallyBased);
   this->Capture->SetImageLight(!this->Plan.ReplacesImageLight);
   this->Capture->Attach(this->Frame);
@@ -158,11 +158,12 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   if (this->Plan.Senders != vtkIndirectPlan::EYE)
   {
     this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
-    drawn = this->Maps->Update(this->Frame, this->Plan, this->Capture);
+    drawn =
+      this->Maps.Update(this->Frame, this->Plan, this->Capture, this->MapsPass->GetResolution());
     if (drawn && this->Plan.Shadows)
     {
       drawn =
-        this->Penumbra.Update(this->Frame, *this->Maps, this->Capture, request.Settings.Caching);
+        this->Penumbra.Update(this->Frame, this->Maps, this->Capture, request.Settings.Caching);
     }
     this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
   }
@@ -172,7 +173,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   const bool shadowed = drawn && this->Plan.Shadows;
   if (shadowed)
   {
-    shadows = this->Maps->ActivateShadows(this->Frame.Window);
+    shadows = this->Maps.ActivateShadows(this->Frame.Window);
     this->Penumbra.Activate(shadows);
     drawn = shadows.Unit >= 0;
   }
@@ -180,7 +181,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     this->Geometry.Update(s, this->Frame, this->Plan, this->Capture, shadowed ? &shadows : nullptr);
   if (shadowed)
   {
-    this->Maps->Deactivate();
+    this->Maps.Deactivate();
     this->Penumbra.Deactivate();
   }
   drawn = drawn && !this->IsRedirected() &&
@@ -285,7 +286,7 @@ std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) 
   vtkIndirectRevision::AppendTo(key, users);
   this->Samplers.AppendTo(key);
   key.push_back(static_cast<double>(
-    this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps->GetContentTime() : 0));
+    this->Plan.Senders == vtkIndirectPlan::MAPS ? this->Maps.GetContentTime() : 0));
   for (size_t i = 0; this->Plan.Senders == vtkIndirectPlan::RAYS && i < this->Frame.Lights.size();
        ++i)
   {
@@ -327,7 +328,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   const vtkIndirectBlockingSpheres* const spheres =
     needs.TakesSpheres() || walks ? this->Blockers.Update(this->Frame, this->Estimator) : nullptr;
   const bool sampled =
-    this->Samplers.Update(this->Frame, this->Plan, *this->Maps, this->Geometry, spheres);
+    this->Samplers.Update(this->Frame, this->Plan, this->Maps, this->Geometry, spheres);
   const vtkIndirectVirtualLights* const lights = this->Samplers.GetLights();
   this->Timer.End(vtkIndirectStageTimer::Lights);
 
@@ -360,7 +361,7 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
     return false;
   }
 
-  const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
+  const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, this->Maps,
     lights, this->Visibility, still && !more && this->Visibility.GetNumberOfTilesDrawn() == tiles,
     this->Timer };
   this->Estimate = sampled && visible ? vtkIndirectSum::Get(this->Estimator).MakeEstimate(input)
@@ -405,7 +406,7 @@ bool vtkIndirectPipeline::UpdateSky(const Request& request)
   {
     return !failed;
   }
-  const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
+  const vtkIndirectEstimateInput input = { this->Frame, this->Plan, this->Geometry, this->Maps,
     nullptr, this->Visibility, false, this->Timer, this->Environment };
   vtkIndirectSum::Get(summer).HoldContext(this->Frame.Window, this->Identity.GetMTime());
   this->SkyEstimate = vtkIndirectSum::Get(summer).MakeEstimate(input);
@@ -528,7 +529,7 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
   const bool there = this->SkyIsThere && (summer != this->Estimator || this->IsEstimateThere());
   const bool summed = there && summer;
   const vtkIndirectTarget* const sky = summed ? this->SkyEstimate.Sky : &this->Sky.GetIrradiance();
-  return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr, estimate,
+  return { this->Frame, this->Geometry, maps ? &this->Maps : nullptr, estimate,
     there ? sky : nullptr, summed ? this->SkyEstimate.SkyBounce : nullptr,
     this->SkyEstimate.SkyBounceChannel, this->AreaIsThere ? &this->Area.GetIrradiance() : nullptr,
     this->AreaIsThere ? this->Area.GetReflected() : nullptr, this->FindGreatestIrradiance(),
@@ -610,7 +611,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
 {
   this->Capture->ReleaseGraphicsResources(window);
   this->Levels.Release(window);
-  this->Maps->ReleaseGraphicsResources(window);
+  this->Maps.Release(window);
   this->Penumbra.Release(window);
   this->Geometry.Release(window);
   this->Samplers.Release(window);

@@ -19,6 +19,7 @@
 #include "Gather/vtkIndirectAreaGather.h"           // for members
 #include "Gather/vtkIndirectSkyGather.h"            // for members
 #include "Gather/vtkIndirectVisibleLamps.h"         // for members
+#include "LightMaps/vtkIndirectLightMaps.h"         // for a member
 #include "Pipeline/vtkIndirectFrameSamplers.h"      // for members
 #include "Pipeline/vtkIndirectImageLight.h"         // for members
 #include "Pipeline/vtkIndirectSphereBlockers.h"     // for a member
@@ -100,7 +101,7 @@ public:
   void Release(vtkWindow* window);
 
   vtkIndirectStageTimer Timer;
-  vtkNew<vtkReflectiveShadowMapPass> Maps;
+  vtkNew<vtkReflectiveShadowMapPass> MapsPass; // what the user sets of the lights' maps
   vtkNew<vtkMultiresolutionSplattingPass> DefaultEstimator;
   std::vector<vtkSmartPointer<vtkAreaLight>> AreaLights;
   vtkIndirectFrameSamplers Samplers;
@@ -124,6 +125,7 @@ private:
   glm::dvec3 FindGreatestIrradiance() const;
   bool RenderChannel(const std::string& name);
 
+  vtkIndirectLightMaps& Maps = vtkIndirectLightMaps::Get(this->MapsPass);
   vtkNew<vtkSurfaceCapturePass> Capture;
   vtkIndirectPenumbra Penumbra; // of the maps' lights
   vtkIndirectGeometryBuffer Geometry;

@@ -4,9 +4,9 @@
 #include "RadianceHints/vtkIndirectHintSenders.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
-#include "vtkReflectiveShadowMapPass.h"
 #include "vtkTextureObject.h"
 
 namespace
@@ -38,7 +38,7 @@ vtkIndirectSamplerAbilities vtkIndirectHintSenders::GetAbilities() const
 //------------------------------------------------------------------------------
 bool vtkIndirectHintSenders::Update(const Input& input)
 {
-  const vtkReflectiveShadowMapPass& maps = input.Maps;
+  const vtkIndirectLightMaps& maps = input.Maps;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   if (this->MapTime == maps.GetContentTime() && this->Blocks == this->BlocksPerEdge)
   {

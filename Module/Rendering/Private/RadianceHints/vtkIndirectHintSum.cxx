@@ -7,12 +7,12 @@
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectStageTimer.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "RadianceHints/vtkIndirectHintRegions.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "Visibility/vtkIndirectVisibility.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkReflectiveShadowMapPass.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>

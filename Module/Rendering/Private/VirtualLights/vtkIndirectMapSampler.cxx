@@ -5,6 +5,7 @@
 
 #include "Frame/vtkIndirectFrame.h"
 #include "LightMaps/vtkIndirectLightMap.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
@@ -12,7 +13,6 @@
 #include "VirtualLights/vtkIndirectSampleWarp.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkReflectiveShadowMapPass.h"
 
 #include <cmath>
 
@@ -23,7 +23,7 @@ using Drawing = vtkIndirectMapSampler::Drawing;
 
 // The faces of the maps; or the charts that samples are warped in, by their numbers, of which they
 // take shares: one a light, or -1 for all of them.
-std::vector<Source> MakeSources(const vtkReflectiveShadowMapPass& maps, const Drawing& drawing)
+std::vector<Source> MakeSources(const vtkIndirectLightMaps& maps, const Drawing& drawing)
 {
   std::vector<Source> sources;
   const int count = maps.GetNumberOfMaps();
@@ -91,7 +91,7 @@ size_t vtkIndirectMapSampler::GetBytes() const
 bool vtkIndirectMapSampler::Update(const Input& input)
 {
   Internals& in = *this->Internal;
-  const vtkReflectiveShadowMapPass& maps = input.Maps;
+  const vtkIndirectLightMaps& maps = input.Maps;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   const Drawing drawing = this->GetDrawing();
   const std::vector<Source> sources = MakeSources(maps, drawing);

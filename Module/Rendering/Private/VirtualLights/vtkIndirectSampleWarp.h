@@ -16,7 +16,7 @@
 #include <cstddef> // for size_t
 #include <vector>  // for charts
 
-class vtkReflectiveShadowMapPass;
+class vtkIndirectLightMaps;
 
 class vtkIndirectSampleWarp
 {
@@ -35,7 +35,7 @@ public:
    * Brings the samples up to date: those of the pattern, whose layers are charts, as samples of
    * texels. Returns false, after an error, when OpenGL refuses.
    */
-  bool Update(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps,
+  bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps,
     const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
 
   /** Binds the samples in place of a pattern; pair with Deactivate. */
@@ -48,10 +48,9 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  bool UpdateCharts(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps);
-  bool SumNodes(
-    vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps, double occlusion);
-  bool Warp(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps,
+  bool UpdateCharts(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps);
+  bool SumNodes(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps, double occlusion);
+  bool Warp(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps,
     const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
   void ActivateCharts(vtkShaderProgram* program) const;
   void ActivateNodes(

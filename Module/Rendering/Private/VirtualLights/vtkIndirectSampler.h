@@ -16,7 +16,7 @@ class vtkIndirectContextGuard;
 class vtkIndirectGeometryBuffer;
 class vtkIndirectMapSampler;
 class vtkOpenGLRenderWindow;
-class vtkReflectiveShadowMapPass;
+class vtkIndirectLightMaps;
 class vtkVirtualLightSampler;
 class vtkWindow;
 struct vtkIndirectBlockingSpheres;
@@ -48,7 +48,7 @@ public:
   struct Input
   {
     const vtkIndirectFrame& Frame;
-    const vtkReflectiveShadowMapPass& Maps;    // without maps where the frame has none
+    const vtkIndirectLightMaps& Maps;          // without maps where the frame has none
     const vtkIndirectGeometryBuffer& Geometry; // surfaces that the eye sees
     double ErrorTolerance = 0.0;               // of the irradiance, over its mean; 0: standard
     int NumberOfBounces = 1;                   // asked for, for samplers that know several

@@ -7,7 +7,6 @@
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkReflectiveShadowMapPass.h"
 
 #include <algorithm>
 #include <utility>
@@ -49,14 +48,6 @@ bool IsLit(const vtkIndirectEmitter& emitter)
   return emitter.Strength != glm::dvec3(0.0);
 }
 }
-
-//------------------------------------------------------------------------------
-vtkIndirectSenderSampler::vtkIndirectSenderSampler()
-{
-  this->Maps->SetResolution(TexelsOfMaps);
-}
-
-vtkIndirectSenderSampler::~vtkIndirectSenderSampler() = default;
 
 //------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::Follow(const vtkIndirectSamplerAbilities& sampler)
@@ -149,7 +140,7 @@ bool vtkIndirectSenderSampler::DrawMaps(
     maps.MapLights.push_back(light.Index);
     scene.Lights.push_back(light);
   }
-  this->MapsAreThere = this->Maps->Update(scene, maps, capture);
+  this->MapsAreThere = this->Maps.Update(scene, maps, capture, TexelsOfMaps);
   ++this->SourceTime;
   return this->MapsAreThere;
 }
@@ -160,7 +151,7 @@ bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
 {
   std::vector<vtkIndirectSenderClusters::Sender> senders;
   std::vector<glm::vec3> places;
-  if (!this->Texels.Read({ input.Frame, *this->Maps, input.Geometry }, senders, places))
+  if (!this->Texels.Read({ input.Frame, this->Maps, input.Geometry }, senders, places))
   {
     return false;
   }
@@ -176,7 +167,7 @@ bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
 //------------------------------------------------------------------------------
 bool vtkIndirectSenderSampler::Update(const Input& input)
 {
-  if (this->SendersTime != this->Maps->GetContentTime())
+  if (this->SendersTime != this->Maps.GetContentTime())
   {
     this->SendersTime = 0;
     this->MadeTime = 0;
@@ -184,7 +175,7 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
     {
       return false;
     }
-    this->SendersTime = this->Maps->GetContentTime();
+    this->SendersTime = this->Maps.GetContentTime();
   }
   else if (this->MadeTime == this->SourceTime && this->MadeCount == this->NumberOfLights)
   {
@@ -212,13 +203,13 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
 //------------------------------------------------------------------------------
 long long vtkIndirectSenderSampler::GetNumberOfFacesDrawn() const
 {
-  return this->Maps->GetNumberOfFacesDrawn();
+  return this->Maps.GetNumberOfFacesDrawn();
 }
 
 //------------------------------------------------------------------------------
 size_t vtkIndirectSenderSampler::GetBytes() const
 {
-  return this->vtkIndirectSampler::GetBytes() + this->Maps->GetBytes();
+  return this->vtkIndirectSampler::GetBytes() + this->Maps.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -249,7 +240,7 @@ void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
         std::to_string(this->GetActualNumberOfLights()) + " virtual lights of " +
           std::to_string(this->Clusters.GetNumberOfSenders()) + " texels in maps of " +
           std::to_string(lit) + (sky ? " directions, " : " places, ") +
-          std::to_string(this->Maps->GetTexels()) + " texels squared");
+          std::to_string(this->Maps.GetTexels()) + " texels squared");
     }
   }
 }
@@ -257,7 +248,7 @@ void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::ReleaseOwn(vtkWindow* window)
 {
-  this->Maps->ReleaseGraphicsResources(window);
+  this->Maps.Release(window);
   this->Texels.Release(window);
   this->Clusters.SetSenders({});
   this->Emitters.clear();

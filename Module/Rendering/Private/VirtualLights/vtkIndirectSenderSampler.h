@@ -9,15 +9,14 @@
 #define vtkIndirectSenderSampler_h
 
 #include "Frame/vtkIndirectFrame.h"            // for casters
+#include "LightMaps/vtkIndirectLightMaps.h"    // for members
 #include "VirtualLights/vtkIndirectEmitters.h" // for members
 #include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h" // for members
 #include "VirtualLights/vtkIndirectSenderTexels.h"   // for members
-#include "vtkNew.h"                                  // for members
 
 #include <vector> // for lists
 
-class vtkReflectiveShadowMapPass;
 class vtkSurfaceCapturePass;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
@@ -25,9 +24,6 @@ struct vtkIndirectReport;
 class vtkIndirectSenderSampler : public vtkIndirectSampler
 {
 public:
-  vtkIndirectSenderSampler();
-  ~vtkIndirectSenderSampler() override;
-
   /** Makes as many lights as the frame's sampler, and divides them where that does. */
   void Follow(const vtkIndirectSamplerAbilities& sampler);
 
@@ -57,7 +53,7 @@ private:
   bool UpdateScene(const vtkIndirectFrame& frame);
   bool ReadSenders(const Input& input);
 
-  vtkNew<vtkReflectiveShadowMapPass> Maps;
+  vtkIndirectLightMaps Maps;
   vtkIndirectSenderTexels Texels;
   vtkIndirectSenderClusters Clusters;
   int NumberOfLights = 256;
