@@ -77,9 +77,6 @@ void vtkIndirectSplattingPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "IntensityThreshold: " << this->Settings.IntensityThreshold << "\n";
-  os << indent
-     << "SplatShape: " << (this->Settings.SplatShape == ELLIPSOIDS ? "Ellipsoids" : "ScreenQuads")
-     << "\n";
   os << indent << "FarField: " << (this->Settings.FarField ? "On" : "Off") << "\n";
   os << indent << "FarFieldStep: " << this->Settings.FarFieldStep << "\n";
 }
@@ -141,8 +138,7 @@ bool SplatSum::Sum(const Input& input)
   const int step = this->Set.GetFarField() ? this->Set.GetFarFieldStep() : StepOfMeasure;
   timer.Begin(vtkIndirectStageTimer::Estimate);
   bool done = this->Table.Update(input, this->Set.GetIntensityThreshold(), fades) &&
-    this->Splats.Sum(input, this->Table, *this->Irradiance,
-      this->Set.GetSplatShape() == vtkIndirectSplattingPass::SCREEN_QUADS) &&
+    this->Splats.Sum(input, this->Table, *this->Irradiance) &&
     (!this->HasGlossy || this->SumGlossy(input));
   timer.End(vtkIndirectStageTimer::Estimate);
   if (!cuts)

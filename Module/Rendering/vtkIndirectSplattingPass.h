@@ -10,8 +10,7 @@
  *
  * Where this differs from the paper:
  * - The light's irradiance is that of vtkRSMGatherPass, the disk kernel, which needs no clamp.
- * Inside its iso-surface it counts, outside it does not: neither SplatShape nor what an ellipsoid
- * holds beyond the iso-surface changes the picture.
+ * Inside its iso-surface it counts, outside it does not, whatever an ellipsoid holds beyond it.
  * - Where lights have branches (vtkLightTreeSampler) receivers that are near to a light sum these,
  * as the gather does, and the bound holds all of them.
  * - What the bounds cut off is not lost: it varies slowly, and is summed at every FarFieldStep-th
@@ -67,24 +66,6 @@ public:
   vtkIndirectClampMacro(IntensityThreshold, double, 0.0, 1.0);
   ///@}
 
-  enum SplatShapeType
-  {
-    SCREEN_QUADS = 0,
-    ELLIPSOIDS = 1
-  };
-
-  ///@{
-  /**
-   * What is drawn for a light: the rectangle about its ellipsoid on the screen, or a mesh of 80
-   * triangles about it. Both are as far away as the ellipsoid's far side, so that the depth test
-   * leaves out what is behind it. The picture is the same; with sums in tiles nothing is drawn.
-   * Default ELLIPSOIDS.
-   */
-  vtkIndirectClampMacro(SplatShape, int, SCREEN_QUADS, ELLIPSOIDS);
-  void SetSplatShapeToScreenQuads() { this->SetSplatShape(SCREEN_QUADS); }
-  void SetSplatShapeToEllipsoids() { this->SetSplatShape(ELLIPSOIDS); }
-  ///@}
-
   ///@{
   /**
    * Whether what the bounds cut off is given back, as a term that is interpolated between every
@@ -118,7 +99,6 @@ private:
   struct SettingsType
   {
     double IntensityThreshold = 0.02;
-    int SplatShape = ELLIPSOIDS;
     bool FarField = true;
     int FarFieldStep = 8;
   };

@@ -26,7 +26,7 @@ public:
    * vtkIndirectFullScreenState. Returns false when a program does not compile.
    */
   bool Sum(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-    vtkIndirectTarget& sum, bool rectangles);
+    vtkIndirectTarget& sum);
 
   /**
    * Fills `glossy`, of the frame's size and RGBA32F, with what specular receivers reflect of the
@@ -50,9 +50,9 @@ private:
   static vtkShaderProgram* Use(
     Shaders& shaders, vtkOpenGLRenderWindow* window, const std::string& definitions);
   bool SumBlended(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-    vtkIndirectTarget& sum, bool rectangles);
+    vtkIndirectTarget& sum);
   bool Draw(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-    vtkShaderProgram* program, bool rectangles);
+    vtkShaderProgram* program);
   /** Runs it for blocks of lights. */
   static bool SumInTiles(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum);

@@ -1,6 +1,6 @@
 //VTK::System::Dec
-// A splat, an instance a virtual light, or with VTKI_SPLAT_LOBES its lobe: the far side of its ellipsoid, or a
-// rectangle about it as far away as that reaches. What is drawn passes the depth test only in front of that.
+// A splat, an instance a virtual light, or with VTKI_SPLAT_LOBES its lobe: the far side of a polyhedron about its
+// ellipsoid. Pixels pass the depth test where a surface lies in front of that.
 #include "vtkIndirectSplatLow.glsl"
 #include "vtkIndirectSplatBounds.glsl"
 
@@ -13,7 +13,7 @@ flat out vec4 vtkiSplatDirection; // and the exponent
 #else
 uniform sampler2D vtkiLightDensity;
 #endif
-in vec3 vtkiCorner; // of the polyhedron about the unit ball, or of the rectangle from -1 to 1
+in vec3 vtkiCorner; // of the polyhedron about the unit ball
 uniform int vtkiFirstLight;
 uniform mat4 vtkiSceneToClip;
 uniform float vtkiDepthMargin; // of normalized device coordinates: what depths are rounded by
@@ -21,30 +21,6 @@ flat out int vtkiSplatNumber;
 flat out vec4 vtkiSplatPosition;
 flat out vec4 vtkiSplatNormal;
 flat out vec4 vtkiSplatDensity; // and the lowest intensity over a squared distance that counts
-
-vec4 vtkiClipRow(int i)
-{
-  return vec4(vtkiSceneToClip[0][i], vtkiSceneToClip[1][i], vtkiSceneToClip[2][i], vtkiSceneToClip[3][i]);
-}
-
-// Its corner of the rectangle about the ellipsoid; of the whole view where that reaches to the eye's plane.
-vec4 vtkiRectangleCorner(vtkiSplat splat)
-{
-  vec4 rowW = vtkiClipRow(3);
-  vec2 x;
-  vec2 y;
-  vec2 z;
-  int where = vtkiSplatRange(splat, vtkiClipRow(0), rowW, x);
-  vtkiSplatRange(splat, vtkiClipRow(1), rowW, y);
-  vtkiSplatRange(splat, vtkiClipRow(2), rowW, z);
-  const float margin = 1.0e-4f;
-  vec4 corner = vec4(vtkiCorner.x < 0.0f ? x.x - margin : x.y + margin,
-    vtkiCorner.y < 0.0f ? y.x - margin : y.y + margin, z.y, 1.0f);
-  // Depth one is the background's.
-  corner = where == 0 ? vec4(vtkiCorner.xy, 1.0f, 1.0f) : corner;
-  corner.z = min(corner.z, 1.0f);
-  return where < 0 ? vec4(2.0f, 2.0f, 2.0f, 1.0f) : corner;
-}
 
 void main()
 {
@@ -61,11 +37,7 @@ void main()
   vtkiSplatDensity = vec4(texelFetch(vtkiLightDensity, at, 0).rgb, vtkiSplatLow());
   vtkiSplat splat = vtkiFetchSplat(light);
 #endif
-#ifdef VTKI_SPLAT_RECTANGLES
-  vec4 corner = vtkiRectangleCorner(splat);
-#else
   vec4 corner = vtkiSceneToClip * vec4(vtkiSplatPoint(splat, vtkiCorner), 1.0f);
-#endif
   corner.z += vtkiDepthMargin * corner.w;
   gl_Position = splat.across > 0.0f ? corner : vec4(2.0f, 2.0f, 2.0f, 1.0f);
 }
