@@ -72,7 +72,7 @@ class Stubs(unittest.TestCase):
             "    @staticmethod\n    def GetLightRadius(light: vtkLight | None) -> float:",
             "    def SetNumberOfLights(self, number: int) -> None:",
             "    def GetRadiance(self) -> tuple[float, float, float]:",
-            "class vtkAreaLight(vtkEmitter):",
+            "class vtkAreaLight(vtkIndirectEmitterBase):",
         ):
             self.assertIn(line, text)
 

@@ -36,7 +36,7 @@ PUBLIC = {
     "vtkReflectiveShadowMapPass": "LightMaps",
     "vtkAreaLight": "VirtualLights",
     "vtkAreaLightSampler": "VirtualLights",
-    "vtkEmitter": "VirtualLights",
+    "vtkIndirectEmitterBase": "VirtualLights",
     "vtkEnvironmentLight": "VirtualLights",
     "vtkImportanceLightSampler": "VirtualLights",
     "vtkVirtualLightSampler": "VirtualLights",
