@@ -40,9 +40,9 @@ void vtkAreaLight::PrintSelf(ostream& os, vtkIndent indent)
   print("Origin", this->Origin);
   print("Point1", this->Point1);
   print("Point2", this->Point2);
-  os << indent << "TwoSided: " << (this->TwoSided ? "On" : "Off") << "\n";
-  os << indent << "Visible: " << (this->Visible ? "On" : "Off") << "\n";
-  os << indent << "Switch: " << (this->Switch ? "On" : "Off") << "\n";
+  os << indent << "TwoSided: " << (this->Settings.TwoSided ? "On" : "Off") << "\n";
+  os << indent << "Visible: " << (this->Settings.Visible ? "On" : "Off") << "\n";
+  os << indent << "Switch: " << (this->Settings.Switch ? "On" : "Off") << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -65,7 +65,7 @@ double vtkAreaLight::GetArea() const
 //------------------------------------------------------------------------------
 bool vtkAreaLight::ShinesInto(const double center[3], double size)
 {
-  if (!this->Switch)
+  if (!this->Settings.Switch)
   {
     return false;
   }
@@ -167,7 +167,8 @@ void vtkAreaLight::ReadRadiances()
   {
     for (int c = 0; c < 3; ++c)
     {
-      this->Radiances.push_back(static_cast<float>(this->Scale * this->Radiance[c] * share[c]));
+      this->Radiances.push_back(
+        static_cast<float>(this->GetScale() * this->Radiance[c] * share[c]));
     }
   };
   vtkImageData* image = this->FindImage();

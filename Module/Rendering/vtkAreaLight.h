@@ -26,18 +26,18 @@
 #ifndef vtkAreaLight_h
 #define vtkAreaLight_h
 
-#include "vtkEmitter.h"
+#include "vtkIndirectEmitterBase.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
 
 #include <vector> // for the radiances
 
 class vtkInformationObjectBaseKey;
 
-class VTKRENDERINGINDIRECT_EXPORT vtkAreaLight : public vtkEmitter
+class VTKRENDERINGINDIRECT_EXPORT vtkAreaLight : public vtkIndirectEmitterBase
 {
 public:
   static vtkAreaLight* New();
-  vtkTypeMacro(vtkAreaLight, vtkEmitter);
+  vtkTypeMacro(vtkAreaLight, vtkIndirectEmitterBase);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -70,9 +70,7 @@ public:
 
   ///@{
   /** Whether it sends light to both sides. Default off. */
-  vtkSetMacro(TwoSided, bool);
-  vtkGetMacro(TwoSided, bool);
-  vtkBooleanMacro(TwoSided, bool);
+  vtkIndirectFlagMacro(TwoSided);
   ///@}
 
   ///@{
@@ -81,16 +79,12 @@ public:
    * it sends light to, in front of what it hides. It is no prop: it hides nothing from any light,
    * is in no bounds, and cannot be picked. Default off, as VTK's lights are not seen.
    */
-  vtkSetMacro(Visible, bool);
-  vtkGetMacro(Visible, bool);
-  vtkBooleanMacro(Visible, bool);
+  vtkIndirectFlagMacro(Visible);
   ///@}
 
   ///@{
   /** Whether it is on. Default on. */
-  vtkSetMacro(Switch, bool);
-  vtkGetMacro(Switch, bool);
-  vtkBooleanMacro(Switch, bool);
+  vtkIndirectFlagMacro(Switch);
   ///@}
 
   /** The side that it sends light to, unit; (0, 0, 0) where the corners span no area. */
@@ -122,15 +116,20 @@ protected:
   double Origin[3] = { -0.5, -0.5, 0.0 };
   double Point1[3] = { 0.5, -0.5, 0.0 };
   double Point2[3] = { -0.5, 0.5, 0.0 };
-  bool TwoSided = false;
-  bool Visible = false;
-  bool Switch = true;
 
 private:
   vtkAreaLight(const vtkAreaLight&) = delete;
   void operator=(const vtkAreaLight&) = delete;
 
   void ReadRadiances();
+
+  struct SettingsType
+  {
+    bool TwoSided = false;
+    bool Visible = false;
+    bool Switch = true;
+  };
+  SettingsType Settings;
 
   std::vector<float> Radiances;
   double Mean[3] = { 0.0, 0.0, 0.0 };

@@ -2,7 +2,9 @@
 #include "vtkAreaLightSampler.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectKey.h"
 #include "VirtualLights/vtkIndirectAreaClusters.h"
+#include "VirtualLights/vtkIndirectSampler.h"
 #include "vtkAreaLight.h"
 #include "vtkObjectFactory.h"
 
@@ -17,10 +19,31 @@ glm::dvec3 ToVector(const double v[3])
 {
   return { v[0], v[1], v[2] };
 }
+
+class AreaLights : public vtkIndirectSampler
+{
+public:
+  explicit AreaLights(vtkAreaLightSampler& settings)
+    : vtkIndirectSampler(&settings)
+    , Set(settings)
+  {
+  }
+  bool Update(const Input& input) override;
+
+protected:
+  void ReleaseOwn(vtkWindow*) override { this->MadeKey.Clear(); }
+
+private:
+  const vtkAreaLightSampler& Set;
+  vtkIndirectKey MadeKey; // the inputs of the virtual lights
+};
 }
 
 //------------------------------------------------------------------------------
-vtkAreaLightSampler::vtkAreaLightSampler() = default;
+vtkAreaLightSampler::vtkAreaLightSampler()
+  : vtkVirtualLightSampler(std::make_unique<AreaLights>(*this))
+{
+}
 
 vtkAreaLightSampler::~vtkAreaLightSampler() = default;
 
@@ -28,7 +51,6 @@ vtkAreaLightSampler::~vtkAreaLightSampler() = default;
 void vtkAreaLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "Area lights: " << this->Lights.size() << "\n";
   for (const auto& light : this->Lights)
   {
@@ -87,13 +109,14 @@ vtkMTimeType vtkAreaLightSampler::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-bool vtkAreaLightSampler::Update(const Input& input)
+bool AreaLights::Update(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   // Radiances first: reading them may update the pipeline of a texture.
   std::vector<vtkIndirectAreaClusters::Emitter> emitters;
-  for (const auto& light : this->Lights)
+  for (int i = 0; i < this->Set.GetNumberOfAreaLights(); ++i)
   {
+    vtkAreaLight* const light = this->Set.GetAreaLight(i);
     if (!light->ShinesInto(glm::value_ptr(frame.SceneCenter), 1.0 / frame.SceneScale))
     {
       continue;
@@ -112,17 +135,17 @@ bool vtkAreaLightSampler::Update(const Input& input)
     emitter.TwoSided = light->GetTwoSided();
     emitters.push_back(emitter);
   }
-  const std::vector<double> key = { static_cast<double>(this->GetMTime()), frame.SceneScale,
-    frame.SceneCenter.x, frame.SceneCenter.y, frame.SceneCenter.z,
-    static_cast<double>(frame.Lights.size()) };
+  vtkIndirectKey key;
+  key.Add("sampler", this->GetSettingsTime()).Add("number of lights", frame.Lights.size());
+  frame.AppendUnitsTo(key);
   if (key == this->MadeKey)
   {
     return true;
   }
-  this->MadeKey.clear();
+  this->MadeKey.Clear();
   std::vector<Row> rows;
   for (const vtkIndirectAreaClusters::Light& light :
-    vtkIndirectAreaClusters::MakeLights(emitters, this->NumberOfLights))
+    vtkIndirectAreaClusters::MakeLights(emitters, this->Set.GetNumberOfLights()))
   {
     rows.push_back({ { light.Position.x, light.Position.y, light.Position.z }, light.Area,
       { light.Normal.x, light.Normal.y, light.Normal.z },
@@ -134,14 +157,4 @@ bool vtkAreaLightSampler::Update(const Input& input)
   }
   this->MadeKey = key;
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkAreaLightSampler::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Superclass::ReleaseGraphicsResources(window);
-  if (this->CanBeOf(window))
-  {
-    this->MadeKey.clear();
-  }
 }

@@ -87,7 +87,7 @@ void vtkEnvironmentLight::GetRadianceFrom(const double direction[3], double radi
   }
   for (int c = 0; c < 3; ++c)
   {
-    radiance[c] = this->Scale * result[c];
+    radiance[c] = this->GetScale() * result[c];
   }
 }
 
@@ -153,7 +153,7 @@ void vtkEnvironmentLight::MakeCells()
       const int row = std::min(static_cast<int>((j + 0.5) / rows * Rows), Rows - 1);
       for (int i = 0; i < columns; ++i)
       {
-        const glm::dvec3 radiance = this->Scale * getRadiance(i, j);
+        const glm::dvec3 radiance = this->GetScale() * getRadiance(i, j);
         const glm::dvec3 light = solidAngle * radiance;
         greatest = glm::max(greatest, radiance);
         const double strength = light.x + light.y + light.z;

@@ -20,18 +20,18 @@
 #ifndef vtkEnvironmentLight_h
 #define vtkEnvironmentLight_h
 
-#include "vtkEmitter.h"
+#include "vtkIndirectEmitterBase.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
 
 #include <vector> // for the cells
 
 class vtkInformationObjectBaseKey;
 
-class VTKRENDERINGINDIRECT_EXPORT vtkEnvironmentLight : public vtkEmitter
+class VTKRENDERINGINDIRECT_EXPORT vtkEnvironmentLight : public vtkIndirectEmitterBase
 {
 public:
   static vtkEnvironmentLight* New();
-  vtkTypeMacro(vtkEnvironmentLight, vtkEmitter);
+  vtkTypeMacro(vtkEnvironmentLight, vtkIndirectEmitterBase);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

@@ -2,6 +2,7 @@
 #include "vtkImportanceLightSampler.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
+#include "VirtualLights/vtkIndirectMapSampler.h"
 #include "VirtualLights/vtkIndirectSamplePattern.h"
 #include "vtkObjectFactory.h"
 
@@ -15,52 +16,73 @@ static_assert(vtkImportanceLightSampler::APART == vtkIndirectKernels::VTKI_WARP_
 
 namespace
 {
-// A disk of all of the area that a light stands for is the darker the nearer a receiver is. With half
-// of it a third less of the mean is lost, and errors are 6 % smaller; with a third of it scattered
-// small objects have more error than with even lights. See
+// A disk of all of the area that a light stands for is the darker the nearer a receiver is. With
+// half of it a third less of the mean is lost, and errors are 6 % smaller; with a third of it
+// scattered small objects have more error than with even lights. See
 // Documentation/methods/importance-sampling.md.
 constexpr double ShareOfArea = 0.5;
+
+class ImportanceLights : public vtkIndirectMapSampler
+{
+public:
+  explicit ImportanceLights(vtkImportanceLightSampler& settings)
+    : vtkIndirectMapSampler(&settings)
+    , Set(settings)
+  {
+  }
+  Drawing GetDrawing() const override;
+  void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override;
+
+private:
+  const vtkImportanceLightSampler& Set;
+};
+}
+
+//------------------------------------------------------------------------------
+vtkImportanceLightSampler::vtkImportanceLightSampler()
+  : vtkVirtualLightSampler(std::make_unique<ImportanceLights>(*this))
+{
 }
 
 //------------------------------------------------------------------------------
 void vtkImportanceLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
-  os << indent << "Warping: " << (this->Warping == APART ? "Apart" : "Together") << "\n";
-  os << indent << "Levels: " << this->Levels << "\n";
-  os << indent << "Evenness: " << this->Evenness << "\n";
-  os << indent << "Occlusion: " << this->Occlusion << "\n";
+  const SettingsType& set = this->Settings;
+  os << indent << "Warping: " << (set.Warping == APART ? "Apart" : "Together") << "\n";
+  os << indent << "Levels: " << set.Levels << "\n";
+  os << indent << "Evenness: " << set.Evenness << "\n";
+  os << indent << "Occlusion: " << set.Occlusion << "\n";
 }
 
 //------------------------------------------------------------------------------
-vtkMapLightSampler::Drawing vtkImportanceLightSampler::GetDrawing() const
+vtkIndirectMapSampler::Drawing ImportanceLights::GetDrawing() const
 {
   Drawing drawing;
   drawing.By = Drawing::FLUX;
-  drawing.Evenness = this->Evenness;
-  drawing.Method = this->Warping;
-  drawing.Levels = this->Levels > 0 ? this->Levels : VTK_INT_MAX;
-  drawing.Occlusion = this->Occlusion;
+  drawing.Evenness = this->Set.GetEvenness();
+  drawing.Method = this->Set.GetWarping();
+  drawing.Levels = this->Set.GetLevels() > 0 ? this->Set.GetLevels() : VTK_INT_MAX;
+  drawing.Occlusion = this->Set.GetOcclusion();
   drawing.ShareOfArea = ShareOfArea;
   return drawing;
 }
 
 //------------------------------------------------------------------------------
-// A Fibonacci lattice over all of them side by side.
-void vtkImportanceLightSampler::MakePattern(
-  const std::vector<Source>& sources, std::vector<Sample>& pattern)
+// Spreads a Fibonacci lattice over all sources side by side.
+void ImportanceLights::MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern)
 {
+  const int lights = this->Set.GetNumberOfLights();
   const size_t count = sources.size();
-  for (int i = 0; i < this->NumberOfLights && count > 0; ++i)
+  for (int i = 0; i < lights && count > 0; ++i)
   {
-    const double along = (i + 0.5) / this->NumberOfLights * static_cast<double>(count);
+    const double along = (i + 0.5) / lights * static_cast<double>(count);
     const size_t place = std::min(static_cast<size_t>(along), count - 1);
     const Source& source = sources[place];
     const double texels =
       static_cast<double>(source.Size[0]) * source.Size[1] * static_cast<double>(count);
     pattern.push_back({ static_cast<float>(along - static_cast<double>(place)),
       static_cast<float>(vtkIndirectSamplePattern::GoldenRatioFraction(i)),
-      static_cast<float>(source.Layer), static_cast<float>(texels / this->NumberOfLights) });
+      static_cast<float>(source.Layer), static_cast<float>(texels / lights) });
   }
 }

@@ -10,32 +10,25 @@
  * that it was drawn with, exactly, so that sums have no bias; nothing is drawn where nothing is
  * lit.
  *
- * Where texels reflect alike, lights are those of vtkUniformLightSampler. Approximations: none in
- * the sums; of maps of more than 256 texels along an edge one texel stands for several.
+ * Where a headlight is the only light, as many even ones are made of what the eye sees. Where
+ * texels reflect alike, lights are those of vtkUniformLightSampler. Approximations: none in the
+ * sums; of maps of more than 256 texels along an edge one texel stands for several.
  * Documentation/methods/importance-sampling.md says where it pays.
  */
 
 #ifndef vtkImportanceLightSampler_h
 #define vtkImportanceLightSampler_h
 
-#include "vtkMapLightSampler.h"
+#include "vtkIndirectSettings.h"        // For properties
 #include "vtkRenderingIndirectModule.h" // For export macro
+#include "vtkVirtualLightSampler.h"
 
-class VTKRENDERINGINDIRECT_EXPORT vtkImportanceLightSampler : public vtkMapLightSampler
+class VTKRENDERINGINDIRECT_EXPORT vtkImportanceLightSampler : public vtkVirtualLightSampler
 {
 public:
   static vtkImportanceLightSampler* New();
-  vtkTypeMacro(vtkImportanceLightSampler, vtkMapLightSampler);
+  vtkTypeMacro(vtkImportanceLightSampler, vtkVirtualLightSampler);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Virtual lights of a frame, over all lights of the scene together. Default 256, range 1 to
-   * 1048576. Where a headlight is the only light, as many even ones of what the eye sees.
-   */
-  vtkSetClampMacro(NumberOfLights, int, 1, 1048576);
-  int GetNumberOfLights() override { return this->NumberOfLights; }
-  ///@}
 
   enum WarpingType
   {
@@ -45,8 +38,7 @@ public:
 
   ///@{
   /** How squares are warped. Default APART. */
-  vtkSetClampMacro(Warping, int, APART, TOGETHER);
-  vtkGetMacro(Warping, int);
+  vtkIndirectClampMacro(Warping, int, APART, TOGETHER);
   void SetWarpingToApart() { this->SetWarping(APART); }
   void SetWarpingToTogether() { this->SetWarping(TOGETHER); }
   ///@}
@@ -56,8 +48,7 @@ public:
    * Levels of the warp, from the coarsest on; below these, lights are spread evenly over what sends
    * light. Default 0: all of them; range 0 to 10. The paper has 1 to 4.
    */
-  vtkSetClampMacro(Levels, int, 0, 10);
-  vtkGetMacro(Levels, int);
+  vtkIndirectClampMacro(Levels, int, 0, 10);
   ///@}
 
   ///@{
@@ -66,8 +57,7 @@ public:
    * scene. It bounds the area that a virtual light stands for, where surfaces reflect little.
    * Default 0.25, range 0 to 1.
    */
-  vtkSetClampMacro(Evenness, double, 0.0, 1.0);
-  vtkGetMacro(Evenness, double);
+  vtkIndirectClampMacro(Evenness, double, 0.0, 1.0);
   ///@}
 
   ///@{
@@ -79,24 +69,21 @@ public:
    * that the light does not see are left out: O is too large there, the sums are right all the
    * same. Default 0.9, range 0 to 1.
    */
-  vtkSetClampMacro(Occlusion, double, 0.0, 1.0);
-  vtkGetMacro(Occlusion, double);
+  vtkIndirectClampMacro(Occlusion, double, 0.0, 1.0);
   ///@}
 
-#ifndef __VTK_WRAP__
-  void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override;
-  Drawing GetDrawing() const override;
-#endif
-
 protected:
-  vtkImportanceLightSampler() = default;
+  vtkImportanceLightSampler();
   ~vtkImportanceLightSampler() override = default;
 
-  int NumberOfLights = 256;
-  int Warping = APART;
-  int Levels = 0;
-  double Evenness = 0.25;
-  double Occlusion = 0.9;
+  struct SettingsType
+  {
+    int Warping = APART;
+    int Levels = 0;
+    double Evenness = 0.25;
+    double Occlusion = 0.9;
+  };
+  SettingsType Settings;
 
 private:
   vtkImportanceLightSampler(const vtkImportanceLightSampler&) = delete;

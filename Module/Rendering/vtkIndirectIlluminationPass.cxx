@@ -11,6 +11,7 @@
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectSwitches.h"
 #include "Frame/vtkIndirectView.h"
+#include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectContextGuard.h"
 #include "Pipeline/vtkIndirectLighting.h"
 #include "Pipeline/vtkIndirectPipeline.h"
@@ -128,7 +129,7 @@ struct vtkIndirectIlluminationPass::Internals
 vtkIndirectIlluminationPass::vtkIndirectIlluminationPass()
   : Internal(new Internals)
 {
-  this->ReflectiveShadowMaps = this->Internal->Pipeline.Maps;
+  this->ReflectiveShadowMaps = this->Internal->Pipeline.MapsPass;
   this->Internal->Guard->Release = [this](vtkWindow* window) { this->LetGo(window); };
   vtkNew<vtkRenderPassCollection> passes;
   vtkNew<vtkLightsPass> lights;
@@ -499,7 +500,7 @@ vtkIndirectEstimatorPass* vtkIndirectIlluminationPass::GetFrameEstimator()
 std::string vtkIndirectIlluminationPass::GetChannelNames()
 {
   std::string names = vtkIndirectComposite::GetChannelNames();
-  for (const std::string& name : this->GetFrameEstimator()->GetChannelNames())
+  for (const std::string& name : vtkIndirectSum::Get(this->GetFrameEstimator()).GetChannelNames())
   {
     names += ", " + name;
   }
@@ -511,7 +512,8 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
 {
   int map = 0;
   int channel = 0;
-  const std::vector<std::string> own = this->GetFrameEstimator()->GetChannelNames();
+  const std::vector<std::string> own =
+    vtkIndirectSum::Get(this->GetFrameEstimator()).GetChannelNames();
   const bool estimators = std::find(own.begin(), own.end(), name) != own.end();
   const bool known = name == "lights" || name == "branches" || name == "lobes" ||
     vtkIndirectComposite::FindChannel(name) >= 0 ||

@@ -424,11 +424,6 @@ public:
   void RemoveCoarseLevels(vtkProp* actor);
   ///@}
 
-#ifndef __VTK_WRAP__
-  /** The estimator where none is set, and not held: one that draws its frames through this pass. */
-  void BorrowEstimator(vtkIndirectEstimatorPass* estimator);
-#endif
-
 protected:
   vtkIndirectIlluminationPass();
   ~vtkIndirectIlluminationPass() override;
@@ -444,6 +439,10 @@ protected:
 private:
   vtkIndirectIlluminationPass(const vtkIndirectIlluminationPass&) = delete;
   void operator=(const vtkIndirectIlluminationPass&) = delete;
+
+  // Takes the estimator that draws its frames through this pass, without holding it.
+  friend class vtkIndirectEstimatorPass;
+  void BorrowEstimator(vtkIndirectEstimatorPass* estimator);
 
   void LetGo(vtkWindow* window);
   void ShowDebugView();

@@ -4,15 +4,14 @@
 #include "vtkIndirectSplattingPass.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEstimate.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "Gather/vtkIndirectGlossyGather.h"
 #include "Gather/vtkIndirectLobeGather.h"
+#include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Splatting/vtkIndirectFarField.h"
 #include "Splatting/vtkIndirectSplatTable.h"
@@ -31,63 +30,97 @@ namespace
 const char* const Overdraw = "splat.overdraw";
 // Pixels between those at which it is measured what is cut off, where it is not given back.
 constexpr int StepOfMeasure = 16;
-}
 
-//------------------------------------------------------------------------------
-struct vtkIndirectSplattingPass::Internals
+class SplatSum : public vtkIndirectSum
 {
+public:
+  explicit SplatSum(vtkIndirectSplattingPass& pass)
+    : vtkIndirectSum(pass)
+    , Set(pass)
+  {
+  }
+  vtkIndirectAbilities GetAbilities(double tolerance) const override;
+  size_t GetBytes() const override;
+  void AddToReport(vtkIndirectReport& report) const override;
+  std::vector<std::string> GetChannelNames() const override { return { Overdraw }; }
+  int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
+    const vtkIndirectGeometryBuffer& geometry) override;
+  double FindCutOffShare() const;
+
+protected:
+  vtkIndirectEstimate Estimate(const Input& input) override;
+  void ReleaseOwn(vtkWindow* window) override;
+
+private:
+  bool Sum(const Input& input);
+  bool SumGlossy(const Input& input);
+
+  const vtkIndirectSplattingPass& Set;
   vtkIndirectSplatTable Table;
   vtkIndirectSplats Splats;
   vtkIndirectFarField FarField;
-  vtkIndirectGlossyGather Glossy;
+  vtkIndirectGlossyGather GlossyGather;
   vtkIndirectLobeGather Lobes;
   vtkIndirectFullScreenProgram OverdrawView{ "vtkIndirectOverdrawFS.glsl" };
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
-
-  bool SumGlossy(const vtkIndirectEstimateInput& input, vtkIndirectTarget& glossy)
-  {
-    if (vtkIndirectSplats::UsesTiles())
-    {
-      return this->Splats.SumGlossy(input, this->Table, glossy);
-    }
-    vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(input.Frame.Window->GetState());
-    return this->Glossy.Sum(input, glossy, 1.0, {}) && this->Lobes.AddToGlossy(input, glossy);
-  }
 };
+}
 
 //------------------------------------------------------------------------------
 vtkIndirectSplattingPass::vtkIndirectSplattingPass()
-  : Internal(new Internals)
+  : vtkIndirectEstimatorPass(std::make_unique<SplatSum>(*this))
 {
 }
-
-vtkIndirectSplattingPass::~vtkIndirectSplattingPass() = default;
 
 //------------------------------------------------------------------------------
 void vtkIndirectSplattingPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "IntensityThreshold: " << this->Settings.IntensityThreshold << "\n";
-  os << indent
-     << "SplatShape: " << (this->Settings.SplatShape == ELLIPSOIDS ? "Ellipsoids" : "ScreenQuads")
-     << "\n";
   os << indent << "FarField: " << (this->Settings.FarField ? "On" : "Off") << "\n";
   os << indent << "FarFieldStep: " << this->Settings.FarFieldStep << "\n";
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectEstimate vtkIndirectSplattingPass::Estimate(const Input& input)
+double vtkIndirectSplattingPass::GetCutOffShare() const
+{
+  return static_cast<const SplatSum&>(vtkIndirectSum::Get(this)).FindCutOffShare();
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectAbilities SplatSum::GetAbilities(double tolerance) const
+{
+  vtkIndirectAbilities abilities = this->vtkIndirectSum::GetAbilities(tolerance);
+  abilities.ComputesGlossy = true;
+  abilities.SumsLobes = true;
+  abilities.TakesLightMaps = true;
+  return abilities;
+}
+
+//------------------------------------------------------------------------------
+bool SplatSum::SumGlossy(const Input& input)
+{
+  if (vtkIndirectSplats::UsesTiles())
+  {
+    return this->Splats.SumGlossy(input, this->Table, *this->Glossy);
+  }
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(input.Frame.Window->GetState());
+  return this->GlossyGather.Sum(input, *this->Glossy, 1.0, {}) &&
+    this->Lobes.AddToGlossy(input, *this->Glossy);
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectEstimate SplatSum::Estimate(const Input& input)
 {
   return this->Sum(input) ? this->MakeResult() : vtkIndirectEstimate();
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSplattingPass::Sum(const Input& input)
+bool SplatSum::Sum(const Input& input)
 {
-  Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
   vtkIndirectStageTimer& timer = input.Timer;
-  in.Window = frame.Window;
+  this->Window = frame.Window;
   const vtkIndirectTarget* depth =
     vtkIndirectSplats::UsesTiles() ? nullptr : &input.Geometry.GetTarget();
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1], depth) ||
@@ -100,64 +133,62 @@ bool vtkIndirectSplattingPass::Sum(const Input& input)
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
 
-  const bool cuts = this->Settings.IntensityThreshold > 0.0;
-  const bool fades = cuts && this->Settings.FarField;
-  const int step = this->Settings.FarField ? this->Settings.FarFieldStep : StepOfMeasure;
+  const bool cuts = this->Set.GetIntensityThreshold() > 0.0;
+  const bool fades = cuts && this->Set.GetFarField();
+  const int step = this->Set.GetFarField() ? this->Set.GetFarFieldStep() : StepOfMeasure;
   timer.Begin(vtkIndirectStageTimer::Estimate);
-  bool done = in.Table.Update(input, this->Settings.IntensityThreshold, fades) &&
-    in.Splats.Sum(input, in.Table, *this->Irradiance, this->Settings.SplatShape == SCREEN_QUADS) &&
-    (!this->HasGlossy || in.SumGlossy(input, *this->Glossy));
+  bool done = this->Table.Update(input, this->Set.GetIntensityThreshold(), fades) &&
+    this->Splats.Sum(input, this->Table, *this->Irradiance) &&
+    (!this->HasGlossy || this->SumGlossy(input));
   timer.End(vtkIndirectStageTimer::Estimate);
   if (!cuts)
   {
-    in.FarField.ReleaseSum(frame.Window);
+    this->FarField.ReleaseSum(frame.Window);
     return done;
   }
   timer.Begin(vtkIndirectStageTimer::Upsample);
-  done = done && in.FarField.Sum(input, in.Table, step) &&
-    (!this->Settings.FarField || in.FarField.AddTo(input, in.Table, step, *this->Irradiance));
+  done = done && this->FarField.Sum(input, this->Table, step) &&
+    (!this->Set.GetFarField() || this->FarField.AddTo(input, this->Table, step, *this->Irradiance));
   timer.End(vtkIndirectStageTimer::Upsample);
   return done;
 }
 
 //------------------------------------------------------------------------------
-double vtkIndirectSplattingPass::GetCutOffShare() const
+double SplatSum::FindCutOffShare() const
 {
-  const Internals& in = *this->Internal;
-  if (!in.Window || in.FarField.GetBytes() == 0)
+  if (!this->Window || this->FarField.GetBytes() == 0)
   {
     return 0.0;
   }
-  in.Window->MakeCurrent();
-  return in.FarField.FindShare();
+  this->Window->MakeCurrent();
+  return this->FarField.FindShare();
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectSplattingPass::GetBytes() const
+size_t SplatSum::GetBytes() const
 {
-  const Internals& in = *this->Internal;
-  return this->Superclass::GetBytes() + in.Table.GetBytes() + in.Splats.GetBytes() +
-    in.FarField.GetBytes() + in.Lobes.GetBytes();
+  return this->vtkIndirectSum::GetBytes() + this->Table.GetBytes() + this->Splats.GetBytes() +
+    this->FarField.GetBytes() + this->Lobes.GetBytes();
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSplattingPass::AddToReport(vtkIndirectReport& report) const
+void SplatSum::AddToReport(vtkIndirectReport& report) const
 {
-  this->Superclass::AddToReport(report);
-  const double threshold = this->Settings.IntensityThreshold;
+  this->vtkIndirectSum::AddToReport(report);
+  const double threshold = this->Set.GetIntensityThreshold();
   if (!(threshold > 0.0))
   {
     return;
   }
   const std::string share =
-    vtkIndirectReport::Number(100.0 * this->GetCutOffShare(), 3) + " % of the irradiance";
+    vtkIndirectReport::Number(100.0 * this->FindCutOffShare(), 3) + " % of the irradiance";
   const std::string bounds = "the mean light's reaches " +
     vtkIndirectReport::Number(vtkIndirectKernels::VTKI_SPLAT_LENGTH / std::sqrt(threshold), 3) +
     " of the scene's diagonal";
-  if (this->Settings.FarField)
+  if (this->Set.GetFarField())
   {
     report.Modelled.emplace_back("light beyond the bounds of splats",
-      share + ", interpolated from every " + std::to_string(this->Settings.FarFieldStep) +
+      share + ", interpolated from every " + std::to_string(this->Set.GetFarFieldStep()) +
         "th pixel; " + bounds);
   }
   else
@@ -174,16 +205,10 @@ void vtkIndirectSplattingPass::AddToReport(vtkIndirectReport& report) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkIndirectSplattingPass::GetChannelNames() const
-{
-  return { Overdraw };
-}
-
-//------------------------------------------------------------------------------
-int vtkIndirectSplattingPass::DrawChannel(
+int SplatSum::DrawChannel(
   const std::string& name, const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer&)
 {
-  vtkIndirectFullScreenProgram& view = this->Internal->OverdrawView;
+  vtkIndirectFullScreenProgram& view = this->OverdrawView;
   vtkShaderProgram* program = name == Overdraw ? view.Use(frame.Window) : nullptr;
   if (!program)
   {
@@ -196,18 +221,12 @@ int vtkIndirectSplattingPass::DrawChannel(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSplattingPass::ReleaseGraphicsResources(vtkWindow* window)
+void SplatSum::ReleaseOwn(vtkWindow* window)
 {
-  if (!this->CanBeOf(window))
-  {
-    return;
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
-  Internals& in = *this->Internal;
-  in.Table.Release(window);
-  in.Splats.Release();
-  in.FarField.Release(window);
-  in.Glossy.Release();
-  in.Lobes.Release(window);
-  in.OverdrawView.Release();
+  this->Table.Release(window);
+  this->Splats.Release();
+  this->FarField.Release(window);
+  this->GlossyGather.Release();
+  this->Lobes.Release(window);
+  this->OverdrawView.Release();
 }

@@ -10,8 +10,7 @@
  *
  * Where this differs from the paper:
  * - The light's irradiance is that of vtkRSMGatherPass, the disk kernel, which needs no clamp.
- * Inside its iso-surface it counts, outside it does not: neither SplatShape nor what an ellipsoid
- * holds beyond the iso-surface changes the picture.
+ * Inside its iso-surface it counts, outside it does not, whatever an ellipsoid holds beyond it.
  * - Where lights have branches (vtkLightTreeSampler) receivers that are near to a light sum these,
  * as the gather does, and the bound holds all of them.
  * - What the bounds cut off is not lost: it varies slowly, and is summed at every FarFieldStep-th
@@ -34,8 +33,8 @@
  * about where the lobe as it is evaluated, normalised and widened near its light, reaches I_low.
  * What these cut off is measured and given back with the rest.
  *
- * Memory: 16 bytes a pixel, 32 for each of those that the far field is summed at, and 32 a light, 64
- * where lights have lobes.
+ * Memory: 16 bytes a pixel, 32 for each of those that the far field is summed at, and 32 a light,
+ * 64 where lights have lobes.
  */
 
 #ifndef vtkIndirectSplattingPass_h
@@ -53,9 +52,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "splatting"; }
-  bool ComputesGlossy() const override { return true; }
-  bool SumsLobes() const override { return true; }
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{
   /**
@@ -68,24 +64,6 @@ public:
    * lights count everywhere. Default 0.02, range 0 to 1.
    */
   vtkIndirectClampMacro(IntensityThreshold, double, 0.0, 1.0);
-  ///@}
-
-  enum SplatShapeType
-  {
-    SCREEN_QUADS = 0,
-    ELLIPSOIDS = 1
-  };
-
-  ///@{
-  /**
-   * What is drawn for a light: the rectangle about its ellipsoid on the screen, or a mesh of 80
-   * triangles about it. Both are as far away as the ellipsoid's far side, so that the depth test
-   * leaves out what is behind it. The picture is the same; with sums in tiles nothing is drawn.
-   * Default ELLIPSOIDS.
-   */
-  vtkIndirectClampMacro(SplatShape, int, SCREEN_QUADS, ELLIPSOIDS);
-  void SetSplatShapeToScreenQuads() { this->SetSplatShape(SCREEN_QUADS); }
-  void SetSplatShapeToEllipsoids() { this->SetSplatShape(ELLIPSOIDS); }
   ///@}
 
   ///@{
@@ -110,40 +88,21 @@ public:
    */
   double GetCutOffShare() const;
 
-#ifndef __VTK_WRAP__
-  bool TakesLightMaps() const override
-  {
-    return true;
-  }
-  vtkIndirectEstimate Estimate(const Input& input) override;
-  size_t GetBytes() const override;
-  void AddToReport(vtkIndirectReport& report) const override;
-  std::vector<std::string> GetChannelNames() const override;
-  int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
-    const vtkIndirectGeometryBuffer& geometry) override;
-#endif
-
 protected:
   vtkIndirectSplattingPass();
-  ~vtkIndirectSplattingPass() override;
+  ~vtkIndirectSplattingPass() override = default;
+
+private:
+  vtkIndirectSplattingPass(const vtkIndirectSplattingPass&) = delete;
+  void operator=(const vtkIndirectSplattingPass&) = delete;
 
   struct SettingsType
   {
     double IntensityThreshold = 0.02;
-    int SplatShape = ELLIPSOIDS;
     bool FarField = true;
     int FarFieldStep = 8;
   };
   SettingsType Settings;
-
-private:
-  bool Sum(const Input& input);
-
-  vtkIndirectSplattingPass(const vtkIndirectSplattingPass&) = delete;
-  void operator=(const vtkIndirectSplattingPass&) = delete;
-
-  struct Internals;
-  std::unique_ptr<Internals> Internal;
 };
 
 #endif

@@ -2,10 +2,12 @@
 #include "vtkLightTreeSampler.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectReport.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
+#include "VirtualLights/vtkIndirectMapSampler.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h"
 #include "VirtualLights/vtkIndirectSenderTexels.h"
 #include "vtkObjectFactory.h"
-#include "vtkReflectiveShadowMapPass.h"
 #include "vtkUniformLightSampler.h"
 
 #include <algorithm>
@@ -22,11 +24,26 @@ constexpr size_t MostTexels = 65536;
 // Documentation/methods/light-tree.md.
 constexpr int LeastLights = 128;
 constexpr int MostLights = 1024;
-}
 
-//------------------------------------------------------------------------------
-struct vtkLightTreeSampler::Internals
+class TreeLights : public vtkIndirectSampler
 {
+public:
+  explicit TreeLights(vtkLightTreeSampler& settings)
+    : vtkIndirectSampler(&settings)
+    , Set(settings)
+  {
+    this->Texels.SetMostTexels(MostTexels);
+  }
+  bool Update(const Input& input) override;
+  vtkIndirectSamplerAbilities GetAbilities() const override;
+  vtkIndirectMapSampler* GetViewPattern() override;
+  void AddToReport(vtkIndirectReport& report) const override;
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
+
+private:
+  const vtkLightTreeSampler& Set;
   vtkIndirectSenderTexels Texels;
   vtkIndirectSenderClusters Clusters;
   vtkNew<vtkUniformLightSampler> ViewPattern;
@@ -34,98 +51,93 @@ struct vtkLightTreeSampler::Internals
   size_t Sources = 0;                                      // of the texels' lights
   size_t FurtherTime = 0;
   size_t FurtherMaps = 0;
-  // What the tree was made of, and the lights.
+  // These numbers tell what the tree and the lights were made of.
   vtkMTimeType MapTime = 0;
   int Count = 0;
   bool Automatic = false;
   double Error = 0.0;
 };
-
-vtkLightTreeSampler::vtkLightTreeSampler()
-  : Internal(new Internals)
-{
-  this->Internal->Texels.SetMostTexels(MostTexels);
 }
 
-vtkLightTreeSampler::~vtkLightTreeSampler() = default;
+//------------------------------------------------------------------------------
+vtkLightTreeSampler::vtkLightTreeSampler()
+  : vtkVirtualLightSampler(std::make_unique<TreeLights>(*this))
+{
+}
 
 //------------------------------------------------------------------------------
 void vtkLightTreeSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
-  os << indent << "AutomaticNumberOfLights: " << this->AutomaticNumberOfLights << "\n";
+  os << indent
+     << "AutomaticNumberOfLights: " << (this->Settings.AutomaticNumberOfLights ? "On" : "Off")
+     << "\n";
 }
 
 //------------------------------------------------------------------------------
 void vtkLightTreeSampler::SetNumberOfLights(int number)
 {
-  const int clamped = std::min(std::max(number, 1), 1048576);
-  if (clamped != this->NumberOfLights || this->AutomaticNumberOfLights)
-  {
-    this->NumberOfLights = clamped;
-    this->AutomaticNumberOfLights = false;
-    this->Modified();
-  }
+  this->SetAutomaticNumberOfLights(false);
+  this->Superclass::SetNumberOfLights(number);
 }
 
 //------------------------------------------------------------------------------
-bool vtkLightTreeSampler::Update(const Input& input)
+bool TreeLights::Update(const Input& input)
 {
-  Internals& in = *this->Internal;
   const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
   const vtkMTimeType time = input.Maps.GetContentTime();
   // Without further senders what maps show is not kept beside the tree.
-  const bool anew = input.Further && input.Further->Time != in.FurtherTime && in.FromMaps.empty();
-  const bool gone = !input.Further && in.FurtherTime != 0;
-  const bool read = in.MapTime != time || anew || gone;
+  const bool anew =
+    input.Further && input.Further->Time != this->FurtherTime && this->FromMaps.empty();
+  const bool gone = !input.Further && this->FurtherTime != 0;
+  const bool read = this->MapTime != time || anew || gone;
   const vtkIndirectFurtherSenders* further = input.Further;
   const size_t furtherTime = further ? further->Time : 0;
-  const bool same = !read && in.FurtherTime == furtherTime;
-  const bool automatic = this->AutomaticNumberOfLights;
-  const int wanted = automatic ? MostLights : this->NumberOfLights;
+  const bool same = !read && this->FurtherTime == furtherTime;
+  const bool automatic = this->Set.GetAutomaticNumberOfLights();
+  const int wanted = automatic ? MostLights : this->Set.GetNumberOfLights();
   const int most =
-    automatic && input.Interactive ? std::min(this->NumberOfLights, MostLights) : wanted;
+    automatic && input.Interactive ? std::min(this->Set.GetNumberOfLights(), MostLights) : wanted;
   // While nothing but the camera moves, what a still picture had is kept.
-  const bool enough = in.Count == most || in.Count == wanted;
-  if (same && enough && in.Automatic == automatic && in.Error == error)
+  const bool enough = this->Count == most || this->Count == wanted;
+  if (same && enough && this->Automatic == automatic && this->Error == error)
   {
     return true;
   }
-  in.Count = 0;
+  this->Count = 0;
   if (read)
   {
-    in.MapTime = 0;
+    this->MapTime = 0;
     std::vector<vtkIndirectSenderClusters::Sender> senders;
     std::vector<glm::vec3> places;
-    if (!in.Texels.Read(input, senders, places))
+    if (!this->Texels.Read(input, senders, places))
     {
       return false;
     }
-    in.Sources = 0;
+    this->Sources = 0;
     for (const vtkIndirectSenderClusters::Sender& sender : senders)
     {
-      in.Sources = std::max(in.Sources, static_cast<size_t>(sender.Map) + 1);
+      this->Sources = std::max(this->Sources, static_cast<size_t>(sender.Map) + 1);
     }
-    in.FromMaps = std::move(senders);
-    in.MapTime = time;
+    this->FromMaps = std::move(senders);
+    this->MapTime = time;
   }
   if (!same)
   {
     // What the maps show is kept where only the rest of it changes.
     std::vector<vtkIndirectSenderClusters::Sender> senders =
-      further ? in.FromMaps : std::move(in.FromMaps);
-    in.FurtherMaps = further ? further->NumberOfMaps : 0;
+      further ? this->FromMaps : std::move(this->FromMaps);
+    this->FurtherMaps = further ? further->NumberOfMaps : 0;
     for (size_t i = 0; further && i < further->Senders.size(); ++i)
     {
       senders.push_back(further->Senders[i]);
-      senders.back().Map += static_cast<int>(in.Sources);
+      senders.back().Map += static_cast<int>(this->Sources);
     }
-    in.Clusters.SetSenders(std::move(senders));
-    in.FurtherTime = furtherTime;
+    this->Clusters.SetSenders(std::move(senders));
+    this->FurtherTime = furtherTime;
   }
-  const vtkIndirectSenderClusters::Lights lights = in.Clusters.MakeLights(
-    std::vector<glm::dvec3>(in.Sources + in.FurtherMaps, glm::dvec3(1.0)), most, error,
+  const vtkIndirectSenderClusters::Lights lights = this->Clusters.MakeLights(
+    std::vector<glm::dvec3>(this->Sources + this->FurtherMaps, glm::dvec3(1.0)), most, error,
     further ? vtkIndirectSenderClusters::NearnessOfBounces
             : vtkIndirectSenderClusters::StandardNearness,
     automatic ? LeastLights : 0);
@@ -134,46 +146,45 @@ bool vtkLightTreeSampler::Update(const Input& input)
   {
     return false;
   }
-  in.Count = most;
-  in.Automatic = automatic;
-  in.Error = error;
+  this->Count = most;
+  this->Automatic = automatic;
+  this->Error = error;
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkLightTreeSampler::HasMore() const
+vtkIndirectSamplerAbilities TreeLights::GetAbilities() const
 {
-  const int count = this->Internal->Count;
-  return this->AutomaticNumberOfLights && count > 0 && count < MostLights;
+  vtkIndirectSamplerAbilities abilities = this->vtkIndirectSampler::GetAbilities();
+  abilities.TakesSenders = true;
+  abilities.Divides = true;
+  abilities.HasMore =
+    this->Set.GetAutomaticNumberOfLights() && this->Count > 0 && this->Count < MostLights;
+  return abilities;
 }
 
 //------------------------------------------------------------------------------
-// What the eye sees changes with every move of the camera, too often to make a tree of it.
-vtkMapLightSampler* vtkLightTreeSampler::GetViewPattern()
+// The surfaces that the eye sees change with every move of the camera, too often for a tree.
+vtkIndirectMapSampler* TreeLights::GetViewPattern()
 {
-  this->Internal->ViewPattern->SetNumberOfLights(this->NumberOfLights);
-  return this->Internal->ViewPattern;
+  this->ViewPattern->SetNumberOfLights(this->Set.GetNumberOfLights());
+  return vtkIndirectSampler::Get(this->ViewPattern)->GetViewPattern();
 }
 
 //------------------------------------------------------------------------------
-size_t vtkLightTreeSampler::GetMainMemoryBytes() const
+void TreeLights::AddToReport(vtkIndirectReport& report) const
 {
-  return this->Internal->Clusters.GetBytes() +
-    this->Internal->FromMaps.size() * sizeof(vtkIndirectSenderClusters::Sender);
+  report.MainMemoryBytes +=
+    this->Clusters.GetBytes() + this->FromMaps.size() * sizeof(vtkIndirectSenderClusters::Sender);
 }
 
 //------------------------------------------------------------------------------
-void vtkLightTreeSampler::ReleaseGraphicsResources(vtkWindow* window)
+void TreeLights::ReleaseOwn(vtkWindow* window)
 {
-  if (!this->CanBeOf(window))
-  {
-    return;
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
-  this->Internal->Texels.Release(window);
-  this->Internal->ViewPattern->ReleaseGraphicsResources(window);
-  this->Internal->Clusters.SetSenders({});
-  this->Internal->FromMaps = {};
-  this->Internal->MapTime = 0;
-  this->Internal->Count = 0;
+  this->Texels.Release(window);
+  this->ViewPattern->ReleaseGraphicsResources(window);
+  this->Clusters.SetSenders({});
+  this->FromMaps = {};
+  this->MapTime = 0;
+  this->Count = 0;
 }

@@ -23,10 +23,9 @@
 #ifndef vtkLightTreeSampler_h
 #define vtkLightTreeSampler_h
 
+#include "vtkIndirectSettings.h"        // For properties
 #include "vtkRenderingIndirectModule.h" // For export macro
 #include "vtkVirtualLightSampler.h"
-
-#include <memory> // for the tree
 
 class VTKRENDERINGINDIRECT_EXPORT vtkLightTreeSampler : public vtkVirtualLightSampler
 {
@@ -34,18 +33,14 @@ public:
   static vtkLightTreeSampler* New();
   vtkTypeMacro(vtkLightTreeSampler, vtkVirtualLightSampler);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  ///@{
   /**
    * Virtual lights that all receivers sum at most, over all lights of the scene together, and as
    * few as half of these, once they lie within 4 % of the scene's diagonal of what they stand for,
    * root mean square. Where a headlight is the only light, as many as this of even ones of what the
    * eye sees. Setting it turns AutomaticNumberOfLights off. Default 256, range 1 to 1048576.
    */
-  void SetNumberOfLights(int number);
-  int GetNumberOfLights() override { return this->NumberOfLights; }
-  ///@}
+  void SetNumberOfLights(int number) override;
 
   ///@{
   /**
@@ -53,36 +48,22 @@ public:
    * of NumberOfLights; of what changes while the window gives a frame a second or less
    * (vtkRenderWindow::SetDesiredUpdateRate), NumberOfLights at most. Default on.
    */
-  vtkSetMacro(AutomaticNumberOfLights, bool);
-  vtkGetMacro(AutomaticNumberOfLights, bool);
-  vtkBooleanMacro(AutomaticNumberOfLights, bool);
+  vtkIndirectFlagMacro(AutomaticNumberOfLights);
   ///@}
-
-#ifndef __VTK_WRAP__
-  bool Update(const Input& input) override;
-  vtkMapLightSampler* GetViewPattern() override;
-  bool TakesSenders() const override
-  {
-    return true;
-  }
-  bool HasMore() const override;
-  /** In main memory. */
-  size_t GetMainMemoryBytes() const;
-#endif
 
 protected:
   vtkLightTreeSampler();
-  ~vtkLightTreeSampler() override;
+  ~vtkLightTreeSampler() override = default;
 
-  int NumberOfLights = 256;
-  bool AutomaticNumberOfLights = true;
+  struct SettingsType
+  {
+    bool AutomaticNumberOfLights = true;
+  };
+  SettingsType Settings;
 
 private:
   vtkLightTreeSampler(const vtkLightTreeSampler&) = delete;
   void operator=(const vtkLightTreeSampler&) = delete;
-
-  struct Internals;
-  std::unique_ptr<Internals> Internal;
 };
 
 #endif

@@ -45,7 +45,6 @@
 #include "vtkRenderingIndirectModule.h" // For export macro
 
 struct vtkIndirectSubsplatDetails;
-struct vtkIndirectSubsplatSettings;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkMultiresolutionSplattingPass : public vtkIndirectEstimatorPass
 {
@@ -55,9 +54,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "multiresolution"; }
-  bool ComputesGlossy() const override { return true; }
-  bool SumsLobes() const override { return true; }
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   enum PresetType
   {
@@ -129,32 +125,17 @@ public:
   vtkIndirectClampMacro(SurfaceDetail, double, 0.0, 1.0);
   ///@}
 
-#ifndef __VTK_WRAP__
-  bool TakesLightMaps() const override
-  {
-    return true;
-  }
-  bool IgnoresVisibility() const override
-  {
-    return this->Settings.Preset == PAPER;
-  }
-  vtkIndirectEstimate Estimate(const Input& input) override;
-  size_t GetBytes() const override;
-  double FindErrorTolerance(double asked) const override;
-  void AddToReport(vtkIndirectReport& report) const override;
-  std::vector<std::string> GetChannelNames() const override;
-  int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
-    const vtkIndirectGeometryBuffer& geometry) override;
-
-  /** What the preset has chosen, to be changed one by one by tests. */
-  const vtkIndirectSubsplatDetails& GetDetails() const;
-  void SetDetails(const vtkIndirectSubsplatDetails& details);
-#endif
-
 protected:
   vtkMultiresolutionSplattingPass();
+  explicit vtkMultiresolutionSplattingPass(std::unique_ptr<vtkIndirectSum> sum);
   ~vtkMultiresolutionSplattingPass() override;
 
+private:
+  vtkMultiresolutionSplattingPass(const vtkMultiresolutionSplattingPass&) = delete;
+  void operator=(const vtkMultiresolutionSplattingPass&) = delete;
+
+  friend class vtkIndirectSubsplatSum;
+  friend struct vtkIndirectSubsplatDetails;
   /** One that the user has set stays as it is; others go with the pass's ErrorTolerance. */
   struct Threshold
   {
@@ -173,24 +154,8 @@ protected:
     double SurfaceDetail = 0.0;
   };
   SettingsType Settings;
-
-private:
-  vtkMultiresolutionSplattingPass(const vtkMultiresolutionSplattingPass&) = delete;
-  void operator=(const vtkMultiresolutionSplattingPass&) = delete;
-
-#ifndef __VTK_WRAP__
+  const std::unique_ptr<vtkIndirectSubsplatDetails> Details; // choices of the preset
   void SetThreshold(Threshold& threshold, double value);
-  bool MakeSettings(const Input& input, vtkIndirectSubsplatSettings& settings, int& renderer);
-  bool Fill(const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer,
-    vtkIndirectTarget& pixels);
-  bool FillInBatches(const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer);
-  bool FillGlossy(const Input& input, const vtkIndirectSubsplatSettings& settings);
-  /** Names of the thresholds that the irradiance's subsplats obey and that the user has set. */
-  std::vector<std::string> FindOwnThresholds() const;
-#endif
-
-  struct Internals;
-  std::unique_ptr<Internals> Internal;
 };
 
 #endif

@@ -4,12 +4,11 @@
 #include "vtkProxyAccumulationPass.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEstimate.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectStageTimer.h"
-#include "OpenGL/vtkIndirectTarget.h"
+#include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Proxies/vtkIndirectProxyLight.h"
 #include "Proxies/vtkIndirectProxyReach.h"
@@ -46,37 +45,71 @@ double ClampScale(double scale)
     ? std::min(std::max(scale, vtkIndirectProxyReach::Least), vtkIndirectProxyReach::Most)
     : 0.0;
 }
-}
 
-//------------------------------------------------------------------------------
-struct vtkProxyAccumulationPass::Internals
+class ProxySum : public vtkIndirectSum
 {
+public:
+  explicit ProxySum(vtkProxyAccumulationPass& pass)
+    : vtkIndirectSum(pass)
+    , Set(pass)
+  {
+  }
+  static ProxySum& Get(const vtkProxyAccumulationPass* pass)
+  {
+    return static_cast<ProxySum&>(vtkIndirectSum::Get(pass));
+  }
+
+  vtkIndirectAbilities GetAbilities(double tolerance) const override;
+  vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan&) const override
+  {
+    return {};
+  }
+  vtkIndirectSampler::Pointer ChooseSampler(
+    const vtkIndirectSampler::Pointer&, const vtkIndirectPlan&) override
+  {
+    return nullptr;
+  }
+  size_t GetBytes() const override;
+  size_t GetMainMemoryBytes() const override;
+  void AddToReport(vtkIndirectReport& report) const override;
+
   vtkIndirectProxyScene::Given Given;
   vtkIndirectProxyScene Scene;
+  int Step = 0; // of the last frame
+  // Radii within which a sphere hides and sends light, without groups.
+  double Hides = 0.0;
+  double Sends = 0.0;
+
+protected:
+  vtkIndirectEstimate Estimate(const Input& input) override;
+  void ReleaseOwn(vtkWindow* window) override;
+
+private:
+  bool Sum(const Input& input);
+  bool FindReach(vtkEnvironmentLight* environment);
+  std::string DescribeReach() const;
+
+  vtkProxyAccumulationPass& Set;
   vtkIndirectProxyTree Tree;
   vtkIndirectProxySums Sums;
   vtkIndirectTarget Sky{ SkyChannels, false };
   vtkMTimeType TreeTime = 0; // of this pass when the tree was built
   bool TreeIsThere = false;
   vtkIndirectProxyStep StepBySpheres;
-  int Step = 0;          // of the last frame
   glm::dvec3 Eye{ 0.0 }; // of that, in scene units
   // Without groups: what an environment needs, and what is used.
   vtkIndirectProxyReach Needed;
   vtkEnvironmentLight* Environment = nullptr; // compared only
   vtkMTimeType EnvironmentTime = 0;
   bool IsOfMiddle = false;
-  double Hides = 0.0;
-  double Sends = 0.0;
 };
+}
 
 //------------------------------------------------------------------------------
 vtkProxyAccumulationPass::vtkProxyAccumulationPass()
-  : Internal(new Internals)
+  : vtkIndirectEstimatorPass(std::make_unique<ProxySum>(*this))
 {
 }
-
-vtkProxyAccumulationPass::~vtkProxyAccumulationPass() = default;
 
 //------------------------------------------------------------------------------
 void vtkProxyAccumulationPass::PrintSelf(ostream& os, vtkIndent indent)
@@ -118,7 +151,7 @@ void vtkProxyAccumulationPass::SetIndirectInfluenceScale(double scale)
 //------------------------------------------------------------------------------
 void vtkProxyAccumulationPass::SetProxies(vtkProp* prop, vtkPolyData* spheres)
 {
-  auto& given = this->Internal->Given;
+  auto& given = ProxySum::Get(this).Given;
   if (!prop)
   {
     vtkErrorMacro("Spheres need a prop to stand for.");
@@ -150,16 +183,16 @@ void vtkProxyAccumulationPass::SetProxies(vtkProp* prop, vtkPolyData* spheres)
 //------------------------------------------------------------------------------
 vtkPolyData* vtkProxyAccumulationPass::GetProxies(vtkProp* prop)
 {
-  const auto known = this->Internal->Given.find(prop);
-  return known == this->Internal->Given.end() ? nullptr : known->second.Get();
+  const auto known = ProxySum::Get(this).Given.find(prop);
+  return known == ProxySum::Get(this).Given.end() ? nullptr : known->second.Get();
 }
 
 //------------------------------------------------------------------------------
 void vtkProxyAccumulationPass::RemoveAllProxies()
 {
-  if (!this->Internal->Given.empty())
+  if (!ProxySum::Get(this).Given.empty())
   {
-    this->Internal->Given.clear();
+    ProxySum::Get(this).Given.clear();
     this->Modified();
   }
 }
@@ -167,92 +200,86 @@ void vtkProxyAccumulationPass::RemoveAllProxies()
 //------------------------------------------------------------------------------
 int vtkProxyAccumulationPass::GetNumberOfSpheres() const
 {
-  return static_cast<int>(this->Internal->Scene.GetSpheres().size());
+  return static_cast<int>(ProxySum::Get(this).Scene.GetSpheres().size());
 }
 
 //------------------------------------------------------------------------------
 int vtkProxyAccumulationPass::GetNumberOfPolygons() const
 {
-  return static_cast<int>(this->Internal->Scene.GetPolygons().size());
+  return static_cast<int>(ProxySum::Get(this).Scene.GetPolygons().size());
 }
 
 //------------------------------------------------------------------------------
 int vtkProxyAccumulationPass::GetActiveReceiverStep() const
 {
-  return this->Internal->Step;
+  return ProxySum::Get(this).Step;
 }
 
 //------------------------------------------------------------------------------
 double vtkProxyAccumulationPass::GetActiveInfluenceScale() const
 {
-  return this->Internal->Hides;
+  return ProxySum::Get(this).Hides;
 }
 
 //------------------------------------------------------------------------------
 double vtkProxyAccumulationPass::GetActiveIndirectInfluenceScale() const
 {
-  return this->Internal->Sends;
+  return ProxySum::Get(this).Sends;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectVisibilityNeeds vtkProxyAccumulationPass::GetVisibilityNeeds(
-  const vtkIndirectPlan&) const
+vtkIndirectAbilities ProxySum::GetAbilities(double tolerance) const
 {
-  return {};
+  vtkIndirectAbilities abilities = this->vtkIndirectSum::GetAbilities(tolerance);
+  abilities.TakesSampler = false;
+  abilities.SumsSky = true;
+  return abilities;
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkProxyAccumulationPass::ChooseSampler(
-  vtkVirtualLightSampler*, const vtkIndirectPlan&)
-{
-  return nullptr;
-}
-
-//------------------------------------------------------------------------------
-vtkIndirectEstimate vtkProxyAccumulationPass::Estimate(const Input& input)
+vtkIndirectEstimate ProxySum::Estimate(const Input& input)
 {
   if (!this->Sum(input))
   {
     return {};
   }
   vtkIndirectEstimate result = this->MakeResult();
-  result.Sky = &this->Internal->Sky;
+  result.Sky = &this->Sky;
   result.Irradiance = nullptr;
-  result.SkyBounce = this->Settings.IndirectLight == OFF ? nullptr : &this->Internal->Sky;
+  result.SkyBounce =
+    this->Set.GetIndirectLight() == vtkProxyAccumulationPass::OFF ? nullptr : &this->Sky;
   result.SkyBounceChannel = 1;
   return result;
 }
 
 //------------------------------------------------------------------------------
 // Returns whether spheres hide light within other radii than before.
-bool vtkProxyAccumulationPass::FindReach(vtkEnvironmentLight* environment)
+bool ProxySum::FindReach(vtkEnvironmentLight* environment)
 {
-  Internals& in = *this->Internal;
-  const SettingsType& settings = this->Settings;
-  const double before = in.Hides;
-  in.Hides = settings.Groups ? 0.0 : settings.InfluenceScale;
-  in.Sends = settings.Groups ? 0.0 : settings.IndirectInfluenceScale;
-  if (!settings.Groups && environment && (in.Hides <= 0.0 || in.Sends <= 0.0))
+  const double before = this->Hides;
+  this->Hides = this->Set.GetGroups() ? 0.0 : this->Set.GetInfluenceScale();
+  this->Sends = this->Set.GetGroups() ? 0.0 : this->Set.GetIndirectInfluenceScale();
+  if (!this->Set.GetGroups() && environment && (this->Hides <= 0.0 || this->Sends <= 0.0))
   {
-    const bool middle = settings.IndirectLight == MIDDLE;
-    if (environment != in.Environment || environment->GetMTime() != in.EnvironmentTime ||
-      middle != in.IsOfMiddle)
+    const bool middle = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::MIDDLE;
+    if (environment != this->Environment || environment->GetMTime() != this->EnvironmentTime ||
+      middle != this->IsOfMiddle)
     {
-      in.Needed = vtkIndirectProxyReach::Find(vtkIndirectProxyLight::Project(environment), middle);
-      in.Environment = environment;
-      in.EnvironmentTime = environment->GetMTime();
-      in.IsOfMiddle = middle;
+      this->Needed =
+        vtkIndirectProxyReach::Find(vtkIndirectProxyLight::Project(environment), middle);
+      this->Environment = environment;
+      this->EnvironmentTime = environment->GetMTime();
+      this->IsOfMiddle = middle;
     }
-    in.Hides = in.Hides > 0.0 ? in.Hides : in.Needed.Hides;
-    in.Sends = in.Sends > 0.0 ? in.Sends : in.Needed.Sends;
+    this->Hides = this->Hides > 0.0 ? this->Hides : this->Needed.Hides;
+    this->Sends = this->Sends > 0.0 ? this->Sends : this->Needed.Sends;
   }
-  return in.Hides != before;
+  return this->Hides != before;
 }
 
 //------------------------------------------------------------------------------
-bool vtkProxyAccumulationPass::Sum(const Input& input)
+bool ProxySum::Sum(const Input& input)
 {
-  Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
   vtkOpenGLState* state = frame.Window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
@@ -263,64 +290,63 @@ bool vtkProxyAccumulationPass::Sum(const Input& input)
     : vtkIndirectStageTimer::Sky;
 
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
-  const bool moved = in.Scene.Update(frame, in.Given, this);
-  in.Eye = glm::dvec3(frame.ViewToScene[3]);
+  const bool moved = this->Scene.Update(frame, this->Given, &this->Set);
+  this->Eye = glm::dvec3(frame.ViewToScene[3]);
   const bool reaches = this->FindReach(input.Environment);
-  const bool rebuilds = moved || reaches || !in.TreeIsThere || in.TreeTime != this->GetMTime();
+  const bool rebuilds =
+    moved || reaches || !this->TreeIsThere || this->TreeTime != this->Set.GetMTime();
   bool done = true;
   if (rebuilds)
   {
-    in.Tree.Build(
-      in.Scene.GetSpheres(), this->Settings.Groups ? this->Settings.GroupAngle : 0.0, in.Hides);
-    done = in.Sums.Update(frame.Window, in.Tree, in.Scene.GetPolygons());
-    in.TreeIsThere = done;
-    in.TreeTime = this->GetMTime();
+    this->Tree.Build(this->Scene.GetSpheres(),
+      this->Set.GetGroups() ? this->Set.GetGroupAngle() : 0.0, this->Hides);
+    done = this->Sums.Update(frame.Window, this->Tree, this->Scene.GetPolygons());
+    this->TreeIsThere = done;
+    this->TreeTime = this->Set.GetMTime();
   }
-  in.Sums.SetEnvironment(frame.Window, input.Environment);
+  this->Sums.SetEnvironment(frame.Window, input.Environment);
   input.Timer.End(vtkIndirectStageTimer::Lights);
 
-  in.Sky.SetNumberOfChannels(this->Settings.IndirectLight == OFF ? 1 : 2);
+  this->Sky.SetNumberOfChannels(
+    this->Set.GetIndirectLight() == vtkProxyAccumulationPass::OFF ? 1 : 2);
   vtkIndirectProxySums::Input sums = { frame, input.Geometry };
-  in.Step = this->Settings.ReceiverStep;
-  if (in.Step == 0)
+  this->Step = this->Set.GetReceiverStep();
+  if (this->Step == 0)
   {
-    in.Step = in.StepBySpheres.Find(frame, in.Scene.GetSpheres());
+    this->Step = this->StepBySpheres.Find(frame, this->Scene.GetSpheres());
   }
   else
   {
-    in.StepBySpheres.Forget();
+    this->StepBySpheres.Forget();
   }
-  sums.Step = in.Step;
+  sums.Step = this->Step;
   sums.Hides = input.Plan.SkyIsShadowed;
-  sums.Middle = this->Settings.IndirectLight == MIDDLE;
-  sums.Exact = this->Settings.IndirectLight == EXACT;
-  sums.Shadowed = this->Settings.IndirectLight == SHADOWED;
-  sums.LightReach = in.Sends;
+  sums.Middle = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::MIDDLE;
+  sums.Exact = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::EXACT;
+  sums.Shadowed = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::SHADOWED;
+  sums.LightReach = this->Sends;
   input.Timer.Begin(stage);
-  done = done && in.Sums.Sum(sums, in.Sky);
+  done = done && this->Sums.Sum(sums, this->Sky);
   input.Timer.End(stage);
   return done;
 }
 
 //------------------------------------------------------------------------------
-size_t vtkProxyAccumulationPass::GetBytes() const
+size_t ProxySum::GetBytes() const
 {
-  const Internals& in = *this->Internal;
-  return this->Superclass::GetBytes() + in.Sky.GetBytes() + in.Sums.GetBytes();
+  return this->vtkIndirectSum::GetBytes() + this->Sky.GetBytes() + this->Sums.GetBytes();
 }
 
 //------------------------------------------------------------------------------
-size_t vtkProxyAccumulationPass::GetMainMemoryBytes() const
+size_t ProxySum::GetMainMemoryBytes() const
 {
-  const Internals& in = *this->Internal;
-  return in.Scene.GetSpheres().size() * sizeof(vtkIndirectProxySphere) +
-    in.Tree.GetEntries().size() * sizeof(vtkIndirectProxyTree::Entry);
+  return this->Scene.GetSpheres().size() * sizeof(vtkIndirectProxySphere) +
+    this->Tree.GetEntries().size() * sizeof(vtkIndirectProxyTree::Entry);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkProxyAccumulationPass::DescribeReach() const
+std::string ProxySum::DescribeReach() const
 {
-  const Internals& in = *this->Internal;
   auto describe = [](double used, bool chosen)
   {
     return vtkIndirectReport::Number(std::round(10.0 * used) / 10.0) + " radii (" +
@@ -328,27 +354,26 @@ std::string vtkProxyAccumulationPass::DescribeReach() const
               : "as set)");
   };
   std::string text =
-    "each sphere within " + describe(in.Hides, this->Settings.InfluenceScale <= 0.0);
-  if (this->Settings.IndirectLight != OFF)
+    "each sphere within " + describe(this->Hides, this->Set.GetInfluenceScale() <= 0.0);
+  if (this->Set.GetIndirectLight() != vtkProxyAccumulationPass::OFF)
   {
     text +=
-      ", its light within " + describe(in.Sends, this->Settings.IndirectInfluenceScale <= 0.0);
+      ", its light within " + describe(this->Sends, this->Set.GetIndirectInfluenceScale() <= 0.0);
   }
-  if (this->Settings.InfluenceScale <= 0.0)
+  if (this->Set.GetInfluenceScale() <= 0.0)
   {
     text += ", where the sky is at most " +
-      vtkIndirectReport::Number(std::round(100.0 * in.Needed.Contrast) / 100.0) +
+      vtkIndirectReport::Number(std::round(100.0 * this->Needed.Contrast) / 100.0) +
       " times as bright as that irradiance";
   }
   return text;
 }
 
 //------------------------------------------------------------------------------
-void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
+void ProxySum::AddToReport(vtkIndirectReport& report) const
 {
-  const Internals& in = *this->Internal;
-  in.Scene.AddToReport(report);
-  const size_t around = in.Scene.CountAround(in.Eye);
+  this->Scene.AddToReport(report);
+  const size_t around = this->Scene.CountAround(this->Eye);
   if (around > 0)
   {
     report.LeftOut.emplace_back("the inside of bodies",
@@ -357,28 +382,28 @@ void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
         "methods take it as it is");
   }
   const size_t most = vtkIndirectProxyLight::MostPolygons;
-  if (in.Scene.GetPolygons().size() > most)
+  if (this->Scene.GetPolygons().size() > most)
   {
     report.LeftOut.emplace_back(
-      std::to_string(in.Scene.GetPolygons().size() - most) + " flat polygons",
+      std::to_string(this->Scene.GetPolygons().size() - most) + " flat polygons",
       "the " + std::to_string(most) + " largest count; the result is too bright");
   }
-  const int step = in.Step;
+  const int step = this->Step;
   report.Modelled.emplace_back("light from the sky",
     "spherical harmonics of order 4, " +
-      (this->Settings.Groups ? "groups of spheres that are seen under a sine of " +
-            vtkIndirectReport::Number(this->Settings.GroupAngle) + " or less as one"
+      (this->Set.GetGroups() ? "groups of spheres that are seen under a sine of " +
+            vtkIndirectReport::Number(this->Set.GetGroupAngle()) + " or less as one"
                              : this->DescribeReach()) +
       (step > 1 ? ", a receiver in " + std::to_string(step * step) + " pixels"
                 : ", at every pixel"));
-  if (this->Settings.IndirectLight == OFF)
+  if (this->Set.GetIndirectLight() == vtkProxyAccumulationPass::OFF)
   {
     report.LeftOut.emplace_back("bounces of light from the sky", "IndirectLight is off");
   }
   else
   {
     report.Modelled.emplace_back("one bounce of light from the sky",
-      this->Settings.IndirectLight == SHADOWED
+      this->Set.GetIndirectLight() == vtkProxyAccumulationPass::SHADOWED
         ? "spheres send what of it falls on them"
         : "spheres send it as if nothing hid it from them; the result is too bright where they are "
           "close to each other");
@@ -386,16 +411,10 @@ void vtkProxyAccumulationPass::AddToReport(vtkIndirectReport& report) const
 }
 
 //------------------------------------------------------------------------------
-void vtkProxyAccumulationPass::ReleaseGraphicsResources(vtkWindow* window)
+void ProxySum::ReleaseOwn(vtkWindow* window)
 {
-  if (!this->CanBeOf(window))
-  {
-    return;
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
-  Internals& in = *this->Internal;
-  in.Sky.Release(window);
-  in.Sums.Release(window);
-  in.TreeIsThere = false;
-  in.Environment = nullptr;
+  this->Sky.Release(window);
+  this->Sums.Release(window);
+  this->TreeIsThere = false;
+  this->Environment = nullptr;
 }

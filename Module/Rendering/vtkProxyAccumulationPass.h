@@ -52,9 +52,6 @@
 #include "vtkIndirectSettings.h"        // For properties
 #include "vtkRenderingIndirectModule.h" // For export macro
 
-#include <string> // for texts
-
-class vtkEnvironmentLight;
 class vtkPolyData;
 class vtkProp;
 
@@ -66,7 +63,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "proxies"; }
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{
   /**
@@ -167,23 +163,13 @@ public:
   double GetActiveIndirectInfluenceScale() const;
   ///@}
 
-#ifndef __VTK_WRAP__
-  bool SumsSky() const override
-  {
-    return true;
-  }
-  vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
-  vtkVirtualLightSampler* ChooseSampler(
-    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
-  vtkIndirectEstimate Estimate(const Input& input) override;
-  size_t GetBytes() const override;
-  size_t GetMainMemoryBytes() const override;
-  void AddToReport(vtkIndirectReport& report) const override;
-#endif
-
 protected:
   vtkProxyAccumulationPass();
-  ~vtkProxyAccumulationPass() override;
+  ~vtkProxyAccumulationPass() override = default;
+
+private:
+  vtkProxyAccumulationPass(const vtkProxyAccumulationPass&) = delete;
+  void operator=(const vtkProxyAccumulationPass&) = delete;
 
   struct SettingsType
   {
@@ -195,17 +181,6 @@ protected:
     int IndirectLight = SHADOWED;
   };
   SettingsType Settings;
-
-private:
-  bool Sum(const Input& input);
-  bool FindReach(vtkEnvironmentLight* environment);
-  std::string DescribeReach() const;
-
-  vtkProxyAccumulationPass(const vtkProxyAccumulationPass&) = delete;
-  void operator=(const vtkProxyAccumulationPass&) = delete;
-
-  struct Internals;
-  std::unique_ptr<Internals> Internal;
 };
 
 #endif

@@ -4,24 +4,21 @@
 #include "vtkRSMGatherPass.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEstimate.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
-#include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "Gather/vtkIndirectGlossyGather.h"
 #include "Gather/vtkIndirectLobeGather.h"
+#include "Gather/vtkIndirectSum.h"
 #include "LightMaps/vtkIndirectLightMap.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "OpenGL/vtkIndirectTarget.h"
 #include "VirtualLights/vtkIndirectAllTexelsSampler.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkReflectiveShadowMapPass.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -44,51 +41,48 @@ const char* const NeighborhoodFile = "vtkIndirectGatherNeighborhood.glsl";
 constexpr int RowsPerDraw = 16;
 // What interpolation may change of lobes, over their light.
 constexpr double LobeTolerance = 0.05;
-}
 
-//------------------------------------------------------------------------------
-struct vtkRSMGatherPass::Internals
+class GatherSum : public vtkIndirectSum
 {
+public:
+  explicit GatherSum(vtkRSMGatherPass& pass)
+    : vtkIndirectSum(pass)
+    , Set(pass)
+  {
+  }
+  vtkIndirectAbilities GetAbilities(double tolerance) const override;
+  vtkIndirectSampler::Pointer ChooseSampler(
+    const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan& plan) override;
+  size_t GetBytes() const override;
+  void AddToReport(vtkIndirectReport& report) const override;
+
+protected:
+  vtkIndirectEstimate Estimate(const Input& input) override;
+  void ReleaseOwn(vtkWindow* window) override;
+
+private:
+  void SetUniforms(vtkShaderProgram* program, const Input& input, bool neighborhood);
+  bool Sum(const Input& input);
+
+  const vtkRSMGatherPass& Set;
   vtkIndirectTarget Coarse{ CoarseChannels, false };
   vtkIndirectFullScreenProgram Gather[2] = { { "vtkIndirectGatherFS.glsl", LightsFile },
     { "vtkIndirectGatherFS.glsl", NeighborhoodFile } };
   vtkIndirectFullScreenProgram Upsample[2] = { { "vtkIndirectUpsampleFS.glsl", LightsFile },
     { "vtkIndirectUpsampleFS.glsl", NeighborhoodFile } };
-  vtkIndirectGlossyGather Glossy;
+  vtkIndirectGlossyGather GlossyGather;
   vtkIndirectLobeGather Lobes;
-  vtkNew<vtkIndirectAllTexelsSampler> AllTexels;
+  const std::shared_ptr<vtkIndirectAllTexelsSampler> AllTexels =
+    std::make_shared<vtkIndirectAllTexelsSampler>();
   std::string WhatDiskLeaves; // of the last frame; empty where a disk leaves nothing
-
-  void SetUniforms(
-    vtkShaderProgram* program, const Input& input, const vtkRSMGatherPass* self, bool neighborhood);
 };
-
-//------------------------------------------------------------------------------
-void vtkRSMGatherPass::Internals::SetUniforms(
-  vtkShaderProgram* program, const Input& input, const vtkRSMGatherPass* self, bool neighborhood)
-{
-  vtkIndirectSetEyeUniforms(program, input.Frame);
-  program->SetUniform2i("vtkiSize", input.Frame.Size);
-  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-  input.Visibility.Activate(input.Frame.Window, program);
-  if (neighborhood)
-  {
-    input.Maps.Activate(program);
-    program->SetUniformi("vtkiSampleCount", self->Settings.NumberOfSamples);
-    program->SetUniformf("vtkiRadius", static_cast<float>(self->Settings.NeighborhoodRadius));
-    program->SetUniformi("vtkiLayerCount", input.Maps.GetNumberOfLayers());
-    return;
-  }
-  input.Lights->Activate(program);
 }
 
 //------------------------------------------------------------------------------
 vtkRSMGatherPass::vtkRSMGatherPass()
-  : Internal(new Internals)
+  : vtkIndirectEstimatorPass(std::make_unique<GatherSum>(*this))
 {
 }
-
-vtkRSMGatherPass::~vtkRSMGatherPass() = default;
 
 //------------------------------------------------------------------------------
 void vtkRSMGatherPass::PrintSelf(ostream& os, vtkIndent indent)
@@ -103,32 +97,62 @@ void vtkRSMGatherPass::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-size_t vtkRSMGatherPass::GetBytes() const
+void GatherSum::SetUniforms(vtkShaderProgram* program, const Input& input, bool neighborhood)
 {
-  return this->Superclass::GetBytes() + this->Internal->Coarse.GetBytes() +
-    this->Internal->Lobes.GetBytes();
+  vtkIndirectSetEyeUniforms(program, input.Frame);
+  program->SetUniform2i("vtkiSize", input.Frame.Size);
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  input.Visibility.Activate(input.Frame.Window, program);
+  if (neighborhood)
+  {
+    input.Maps.Activate(program);
+    program->SetUniformi("vtkiSampleCount", this->Set.GetNumberOfSamples());
+    program->SetUniformf("vtkiRadius", static_cast<float>(this->Set.GetNeighborhoodRadius()));
+    program->SetUniformi("vtkiLayerCount", input.Maps.GetNumberOfLayers());
+    return;
+  }
+  input.Lights->Activate(program);
 }
 
 //------------------------------------------------------------------------------
-void vtkRSMGatherPass::AddToReport(vtkIndirectReport& report) const
+vtkIndirectAbilities GatherSum::GetAbilities(double tolerance) const
 {
-  this->Superclass::AddToReport(report);
-  if (!this->Internal->WhatDiskLeaves.empty())
+  const int mode = this->Set.GetMode();
+  vtkIndirectAbilities abilities = this->vtkIndirectSum::GetAbilities(tolerance);
+  abilities.ComputesGlossy = true;
+  abilities.SumsLobes = mode != vtkRSMGatherPass::NEIGHBORHOOD;
+  abilities.TakesSampler = mode == vtkRSMGatherPass::VIRTUAL_LIGHTS;
+  abilities.TakesLightMaps = mode == vtkRSMGatherPass::VIRTUAL_LIGHTS;
+  abilities.ReadsMaps = mode == vtkRSMGatherPass::NEIGHBORHOOD;
+  return abilities;
+}
+
+//------------------------------------------------------------------------------
+size_t GatherSum::GetBytes() const
+{
+  return this->vtkIndirectSum::GetBytes() + this->Coarse.GetBytes() + this->Lobes.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void GatherSum::AddToReport(vtkIndirectReport& report) const
+{
+  this->vtkIndirectSum::AddToReport(report);
+  if (!this->WhatDiskLeaves.empty())
   {
     report.LeftOut.emplace_back(
-      "senders outside the disk about a receiver's place in a map", this->Internal->WhatDiskLeaves);
+      "senders outside the disk about a receiver's place in a map", this->WhatDiskLeaves);
   }
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkRSMGatherPass::ChooseSampler(
-  vtkVirtualLightSampler* users, const vtkIndirectPlan&)
+vtkIndirectSampler::Pointer GatherSum::ChooseSampler(
+  const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan&)
 {
-  switch (this->Settings.Mode)
+  switch (this->Set.GetMode())
   {
-    case ALL_TEXELS:
-      return this->Internal->AllTexels;
-    case NEIGHBORHOOD:
+    case vtkRSMGatherPass::ALL_TEXELS:
+      return this->AllTexels;
+    case vtkRSMGatherPass::NEIGHBORHOOD:
       return nullptr;
     default:
       return users;
@@ -136,27 +160,27 @@ vtkVirtualLightSampler* vtkRSMGatherPass::ChooseSampler(
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectEstimate vtkRSMGatherPass::Estimate(const Input& input)
+vtkIndirectEstimate GatherSum::Estimate(const Input& input)
 {
   return this->Sum(input) ? this->MakeResult() : vtkIndirectEstimate();
 }
 
 //------------------------------------------------------------------------------
-bool vtkRSMGatherPass::Sum(const Input& input)
+bool GatherSum::Sum(const Input& input)
 {
-  Internals& in = *this->Internal;
   vtkIndirectStageTimer& timer = input.Timer;
   const vtkIndirectFrame& frame = input.Frame;
   const bool neighborhood = input.Lights == nullptr;
   // The frame's sampler counts its own bytes; this one is no other's.
-  if (this->Settings.Mode != ALL_TEXELS)
+  if (this->Set.GetMode() != vtkRSMGatherPass::ALL_TEXELS)
   {
-    in.AllTexels->ReleaseGraphicsResources(frame.Window);
+    this->AllTexels->Release(frame.Window);
   }
   if (neighborhood && input.Plan.Senders == vtkIndirectPlan::EYE)
   {
-    vtkErrorMacro("Mode NEIGHBORHOOD needs a light with a map of its own; a single headlight has "
-                  "none. Use VIRTUAL_LIGHTS.");
+    vtkErrorWithObjectMacro(&this->Pass,
+      "Mode NEIGHBORHOOD needs a light with a map of its own; a single headlight has "
+      "none. Use VIRTUAL_LIGHTS.");
     return false;
   }
   bool cubes = false;
@@ -164,37 +188,39 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   {
     cubes = cubes || input.Maps.GetMap(i).Projection == vtkIndirectKernels::VTKI_MAP_FACES;
   }
-  in.WhatDiskLeaves = neighborhood && (cubes || this->Settings.NeighborhoodRadius < 1.5)
-    ? "NeighborhoodRadius is " + vtkIndirectReport::Number(this->Settings.NeighborhoodRadius) +
+  this->WhatDiskLeaves = neighborhood && (cubes || this->Set.GetNeighborhoodRadius() < 1.5)
+    ? "NeighborhoodRadius is " + vtkIndirectReport::Number(this->Set.GetNeighborhoodRadius()) +
       "; the result is too dark"
     : "";
   const bool walks = input.Visibility.WalksSegments();
   const int rows = neighborhood ? 1 : input.Lights->GetNumberOfRows();
   const int segments = input.Visibility.GetMaximumNumberOfSegments();
-  const int rowsOfSegments = segments / vtkVirtualLightSampler::RowLength;
+  const int rowsOfSegments = segments / vtkIndirectSampler::RowLength;
   const int rowsPerDraw = walks ? rowsOfSegments : RowsPerDraw;
   if (walks && neighborhood &&
-    this->Settings.NumberOfSamples * input.Maps.GetNumberOfLayers() > segments)
+    this->Set.GetNumberOfSamples() * input.Maps.GetNumberOfLayers() > segments)
   {
-    vtkErrorMacro("Mode NEIGHBORHOOD with Occupancy takes at most "
-      << segments << " samples over all maps; lower NumberOfSamples.");
+    vtkErrorWithObjectMacro(&this->Pass,
+      "Mode NEIGHBORHOOD with Occupancy takes at most "
+        << segments << " samples over all maps; lower NumberOfSamples.");
     return false;
   }
   // Pixels that interpolation leaves are summed in one go, so more rows are taken everywhere.
-  const bool interpolate = this->Settings.Interpolation && this->Settings.Mode != ALL_TEXELS &&
-    rows * vtkVirtualLightSampler::RowLength <= input.Visibility.GetMaximumNumberOfSenders();
-  const int step = interpolate ? this->Settings.InterpolationStep : 1;
+  const bool interpolate = this->Set.GetInterpolation() &&
+    this->Set.GetMode() != vtkRSMGatherPass::ALL_TEXELS &&
+    rows * vtkIndirectSampler::RowLength <= input.Visibility.GetMaximumNumberOfSenders();
+  const int step = interpolate ? this->Set.GetInterpolationStep() : 1;
   const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
     (frame.Size[1] + 2 * step - 2) / step };
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
     !this->ResizeGlossy(input) ||
-    (interpolate && !in.Coarse.Resize(frame.Window, coarse[0], coarse[1])))
+    (interpolate && !this->Coarse.Resize(frame.Window, coarse[0], coarse[1])))
   {
     return false;
   }
   if (!interpolate)
   {
-    in.Coarse.Release(frame.Window);
+    this->Coarse.Release(frame.Window);
   }
 
   vtkOpenGLState* state = frame.Window->GetState();
@@ -220,13 +246,14 @@ bool vtkRSMGatherPass::Sum(const Input& input)
 
   const std::string definitions = std::string(input.Visibility.GetDefinitions()) +
     (neighborhood ? "" : input.Lights->GetDefinitions());
-  in.Gather[neighborhood].SetDefinitions(definitions);
-  in.Upsample[neighborhood].SetDefinitions(definitions);
+  this->Gather[neighborhood].SetDefinitions(definitions);
+  this->Upsample[neighborhood].SetDefinitions(definitions);
 
   // The sum at coarse samples, or at every pixel.
   timer.Begin(vtkIndirectStageTimer::Estimate);
-  vtkIndirectTarget& sums = interpolate ? in.Coarse : *this->Irradiance;
-  vtkShaderProgram* program = in.Gather[neighborhood].Use(frame.Window, sums, rows > rowsPerDraw);
+  vtkIndirectTarget& sums = interpolate ? this->Coarse : *this->Irradiance;
+  vtkShaderProgram* program =
+    this->Gather[neighborhood].Use(frame.Window, sums, rows > rowsPerDraw);
   if (!program)
   {
     return false;
@@ -238,7 +265,7 @@ bool vtkRSMGatherPass::Sum(const Input& input)
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFunc(GL_ONE, GL_ONE);
   }
-  in.SetUniforms(program, input, this, neighborhood);
+  this->SetUniforms(program, input, neighborhood);
   program->SetUniformi("vtkiStep", step);
   for (int row = 0; row < rows; row += rowsPerDraw)
   {
@@ -247,7 +274,7 @@ bool vtkRSMGatherPass::Sum(const Input& input)
       const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
       program->SetUniform2i("vtkiLightRows", block);
     }
-    in.Gather[neighborhood].Draw();
+    this->Gather[neighborhood].Draw();
     if (rows > rowsPerDraw)
     {
       glFlush();
@@ -257,8 +284,8 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   sums.End();
   releaseTextures();
   if (this->HasGlossy &&
-    !in.Glossy.Sum(input, *this->Glossy, 1.0,
-      { this->Settings.NumberOfSamples, this->Settings.NeighborhoodRadius }))
+    !this->GlossyGather.Sum(input, *this->Glossy, 1.0,
+      { this->Set.GetNumberOfSamples(), this->Set.GetNeighborhoodRadius() }))
   {
     return false;
   }
@@ -266,7 +293,7 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   auto addLobes = [&]()
   {
     timer.Begin(vtkIndirectStageTimer::Upsample);
-    const bool added = in.Lobes.Add(input,
+    const bool added = this->Lobes.Add(input,
       { *this->Irradiance, this->HasGlossy ? this->Glossy.get() : nullptr, 1.0 }, step,
       LobeTolerance);
     timer.End(vtkIndirectStageTimer::Upsample);
@@ -278,14 +305,14 @@ bool vtkRSMGatherPass::Sum(const Input& input)
   }
 
   timer.Begin(vtkIndirectStageTimer::Upsample);
-  program = in.Upsample[neighborhood].Use(frame.Window, *this->Irradiance);
+  program = this->Upsample[neighborhood].Use(frame.Window, *this->Irradiance);
   if (!program)
   {
     return false;
   }
   this->Irradiance->Begin();
-  in.SetUniforms(program, input, this, neighborhood);
-  in.Coarse.Activate(0, program);
+  this->SetUniforms(program, input, neighborhood);
+  this->Coarse.Activate(0, program);
   program->SetUniformi("vtkiStep", step);
   program->SetUniform2i("vtkiCoarseSize", coarse);
   if (!neighborhood)
@@ -293,8 +320,8 @@ bool vtkRSMGatherPass::Sum(const Input& input)
     const int all[2] = { 0, rows };
     program->SetUniform2i("vtkiLightRows", all);
   }
-  in.Upsample[neighborhood].Draw();
-  in.Coarse.Deactivate();
+  this->Upsample[neighborhood].Draw();
+  this->Coarse.Deactivate();
   this->Irradiance->End();
   releaseTextures();
   timer.End(vtkIndirectStageTimer::Upsample);
@@ -302,21 +329,15 @@ bool vtkRSMGatherPass::Sum(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkRSMGatherPass::ReleaseGraphicsResources(vtkWindow* window)
+void GatherSum::ReleaseOwn(vtkWindow* window)
 {
-  if (!this->CanBeOf(window))
-  {
-    return;
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
-  Internals& in = *this->Internal;
-  in.Coarse.Release(window);
-  in.Glossy.Release();
-  in.Lobes.Release(window);
-  in.AllTexels->ReleaseGraphicsResources(window);
+  this->Coarse.Release(window);
+  this->GlossyGather.Release();
+  this->Lobes.Release(window);
+  this->AllTexels->Release(window);
   for (int i = 0; i < 2; ++i)
   {
-    in.Gather[i].Release();
-    in.Upsample[i].Release();
+    this->Gather[i].Release();
+    this->Upsample[i].Release();
   }
 }

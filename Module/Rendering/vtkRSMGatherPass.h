@@ -44,9 +44,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "gather"; }
-  bool ComputesGlossy() const override { return true; }
-  bool SumsLobes() const override { return this->Settings.Mode != NEIGHBORHOOD; }
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   enum ModeType
   {
@@ -88,25 +85,13 @@ public:
   vtkIndirectClampMacro(InterpolationStep, int, 2, 32);
   ///@}
 
-#ifndef __VTK_WRAP__
-  vtkVirtualLightSampler* ChooseSampler(
-    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
-  bool TakesLightMaps() const override
-  {
-    return this->Settings.Mode == VIRTUAL_LIGHTS;
-  }
-  bool ReadsMaps() const override
-  {
-    return this->Settings.Mode == NEIGHBORHOOD;
-  }
-  vtkIndirectEstimate Estimate(const Input& input) override;
-  size_t GetBytes() const override;
-  void AddToReport(vtkIndirectReport& report) const override;
-#endif
-
 protected:
   vtkRSMGatherPass();
-  ~vtkRSMGatherPass() override;
+  ~vtkRSMGatherPass() override = default;
+
+private:
+  vtkRSMGatherPass(const vtkRSMGatherPass&) = delete;
+  void operator=(const vtkRSMGatherPass&) = delete;
 
   struct SettingsType
   {
@@ -117,15 +102,6 @@ protected:
     int InterpolationStep = 4;
   };
   SettingsType Settings;
-
-private:
-  bool Sum(const Input& input);
-
-  vtkRSMGatherPass(const vtkRSMGatherPass&) = delete;
-  void operator=(const vtkRSMGatherPass&) = delete;
-
-  struct Internals;
-  std::unique_ptr<Internals> Internal;
 };
 
 #endif

@@ -9,6 +9,7 @@
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "Gather/vtkIndirectReferenceLobe.h"
+#include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "VirtualLights/vtkIndirectAllTexelsSampler.h"
@@ -18,7 +19,6 @@
 #include "Visibility/vtkIndirectSightLines.h"
 #include "Visibility/vtkIndirectSphereGrid.h"
 #include "Visibility/vtkIndirectVisibility.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
 
@@ -345,9 +345,9 @@ std::vector<SenderBlock> ReadSenders(
 {
   const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
   const vtkIndirectTarget& table = lights.GetTable();
-  const std::vector<float> position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
-  const std::vector<float> normal = table.ReadBack(vtkVirtualLightSampler::NormalReach);
-  const std::vector<float> density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
+  const std::vector<float> position = table.ReadBack(vtkIndirectSampler::PositionArea);
+  const std::vector<float> normal = table.ReadBack(vtkIndirectSampler::NormalReach);
+  const std::vector<float> density = table.ReadBack(vtkIndirectSampler::DensityArea);
   std::vector<SenderBlock> blocks;
   size_t kept = 0;
   for (size_t i = 0; i < count; ++i)
@@ -480,55 +480,87 @@ struct Sums
       });
   }
 };
+
+class ReferenceSum : public vtkIndirectSum
+{
+public:
+  explicit ReferenceSum(vtkRSMReferencePass& pass)
+    : vtkIndirectSum(pass)
+    , Set(pass)
+  {
+  }
+  vtkIndirectAbilities GetAbilities(double tolerance) const override;
+  vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
+  vtkIndirectSampler::Pointer ChooseSampler(
+    const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan& plan) override;
+  size_t GetBytes() const override;
+
+protected:
+  vtkIndirectEstimate Estimate(const Input& input) override;
+  void ReleaseOwn(vtkWindow* window) override { this->AllTexels->Release(window); }
+
+private:
+  const vtkRSMReferencePass& Set;
+  const std::shared_ptr<vtkIndirectAllTexelsSampler> AllTexels =
+    std::make_shared<vtkIndirectAllTexelsSampler>();
+};
 }
 
 //------------------------------------------------------------------------------
-struct vtkRSMReferencePass::Internals
-{
-  vtkNew<vtkIndirectAllTexelsSampler> AllTexels;
-};
-
 vtkRSMReferencePass::vtkRSMReferencePass()
-  : Internal(new Internals)
+  : vtkIndirectEstimatorPass(std::make_unique<ReferenceSum>(*this))
 {
 }
-
-vtkRSMReferencePass::~vtkRSMReferencePass() = default;
 
 //------------------------------------------------------------------------------
 void vtkRSMReferencePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mode: " << (this->Mode == ALL_TEXELS ? "AllTexels" : "VirtualLights") << "\n";
+  os << indent << "Mode: " << (this->Settings.Mode == ALL_TEXELS ? "AllTexels" : "VirtualLights")
+     << "\n";
   static const char* const visibilities[] = { "None", "Voxels", "Exact" };
-  os << indent << "Visibility: " << visibilities[this->Visibility] << "\n";
+  os << indent << "Visibility: " << visibilities[this->Settings.Visibility] << "\n";
 }
 
 //------------------------------------------------------------------------------
-size_t vtkRSMReferencePass::GetBytes() const
+vtkIndirectAbilities ReferenceSum::GetAbilities(double tolerance) const
 {
-  return this->Superclass::GetBytes() + this->Internal->AllTexels->GetBytes();
+  vtkIndirectAbilities abilities = this->vtkIndirectSum::GetAbilities(tolerance);
+  abilities.ComputesGlossy = true;
+  abilities.SumsLobes = true;
+  abilities.TakesSampler = this->Set.GetMode() == vtkRSMReferencePass::VIRTUAL_LIGHTS;
+  return abilities;
 }
 
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler* vtkRSMReferencePass::ChooseSampler(
-  vtkVirtualLightSampler* users, const vtkIndirectPlan&)
+size_t ReferenceSum::GetBytes() const
 {
-  return this->Mode == ALL_TEXELS ? this->Internal->AllTexels.Get() : users;
+  return this->vtkIndirectSum::GetBytes() + this->AllTexels->GetBytes();
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectVisibilityNeeds vtkRSMReferencePass::GetVisibilityNeeds(
-  const vtkIndirectPlan& plan) const
+vtkIndirectSampler::Pointer ReferenceSum::ChooseSampler(
+  const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan&)
 {
-  vtkIndirectVisibilityNeeds needs = this->Superclass::GetVisibilityNeeds(plan);
-  needs.Exact = this->Visibility == EXACT;
-  needs.Senders = needs.Segments = !needs.Exact && (needs.Senders || this->Visibility == VOXELS);
+  if (this->Set.GetMode() == vtkRSMReferencePass::ALL_TEXELS)
+  {
+    return this->AllTexels;
+  }
+  return users;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectVisibilityNeeds ReferenceSum::GetVisibilityNeeds(const vtkIndirectPlan& plan) const
+{
+  vtkIndirectVisibilityNeeds needs = this->vtkIndirectSum::GetVisibilityNeeds(plan);
+  needs.Exact = this->Set.GetVisibility() == vtkRSMReferencePass::EXACT;
+  needs.Senders = needs.Segments =
+    !needs.Exact && (needs.Senders || this->Set.GetVisibility() == vtkRSMReferencePass::VOXELS);
   return needs;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectEstimate vtkRSMReferencePass::Estimate(const Input& input)
+vtkIndirectEstimate ReferenceSum::Estimate(const Input& input)
 {
   vtkIndirectStageTimer& timer = input.Timer;
   const vtkIndirectFrame& frame = input.Frame;
@@ -584,15 +616,4 @@ vtkIndirectEstimate vtkRSMReferencePass::Estimate(const Input& input)
   }
   timer.End(vtkIndirectStageTimer::Estimate);
   return this->MakeResult();
-}
-
-//------------------------------------------------------------------------------
-void vtkRSMReferencePass::ReleaseGraphicsResources(vtkWindow* window)
-{
-  if (!this->CanBeOf(window))
-  {
-    return;
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
-  this->Internal->AllTexels->ReleaseGraphicsResources(window);
 }

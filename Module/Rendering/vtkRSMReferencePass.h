@@ -34,6 +34,7 @@
 #define vtkRSMReferencePass_h
 
 #include "vtkIndirectEstimatorPass.h"
+#include "vtkIndirectSettings.h"        // For properties
 #include "vtkRenderingIndirectModule.h" // For export macro
 
 class VTKRENDERINGINDIRECT_EXPORT vtkRSMReferencePass : public vtkIndirectEstimatorPass
@@ -44,9 +45,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "reference"; }
-  bool ComputesGlossy() const override { return true; }
-  bool SumsLobes() const override { return true; }
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   enum ModeType
   {
@@ -56,8 +54,7 @@ public:
 
   ///@{
   /** Which senders are summed. Default ALL_TEXELS. */
-  vtkSetClampMacro(Mode, int, ALL_TEXELS, VIRTUAL_LIGHTS);
-  vtkGetMacro(Mode, int);
+  vtkIndirectClampMacro(Mode, int, ALL_TEXELS, VIRTUAL_LIGHTS);
   void SetModeToAllTexels() { this->SetMode(ALL_TEXELS); }
   void SetModeToVirtualLights() { this->SetMode(VIRTUAL_LIGHTS); }
   ///@}
@@ -78,34 +75,26 @@ public:
    * polygons that the processor can read blocks nothing; the report names such props. Surfaces hide
    * no light from what is nearer to them than 1e-5 of the scene's diagonal. Default NONE.
    */
-  vtkSetClampMacro(Visibility, int, NONE, EXACT);
-  vtkGetMacro(Visibility, int);
+  vtkIndirectClampMacro(Visibility, int, NONE, EXACT);
   void SetVisibilityToNone() { this->SetVisibility(NONE); }
   void SetVisibilityToVoxels() { this->SetVisibility(VOXELS); }
   void SetVisibilityToExact() { this->SetVisibility(EXACT); }
   ///@}
 
-#ifndef __VTK_WRAP__
-  vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
-  vtkVirtualLightSampler* ChooseSampler(
-    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
-  vtkIndirectEstimate Estimate(const Input& input) override;
-  size_t GetBytes() const override;
-#endif
-
 protected:
   vtkRSMReferencePass();
-  ~vtkRSMReferencePass() override;
-
-  int Mode = ALL_TEXELS;
-  int Visibility = NONE;
+  ~vtkRSMReferencePass() override = default;
 
 private:
   vtkRSMReferencePass(const vtkRSMReferencePass&) = delete;
   void operator=(const vtkRSMReferencePass&) = delete;
 
-  struct Internals;
-  std::unique_ptr<Internals> Internal;
+  struct SettingsType
+  {
+    int Mode = ALL_TEXELS;
+    int Visibility = NONE;
+  };
+  SettingsType Settings;
 };
 
 #endif

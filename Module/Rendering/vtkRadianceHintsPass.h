@@ -27,8 +27,6 @@
 #include "vtkIndirectSettings.h"        // For properties
 #include "vtkRenderingIndirectModule.h" // For export macro
 
-#include <vector> // for read-back
-
 struct vtkIndirectHintDetails;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkRadianceHintsPass : public vtkIndirectEstimatorPass
@@ -39,8 +37,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "hints"; }
-  int GetMaximumNumberOfBounces() const override { return 16; }
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   enum PresetType
   {
@@ -154,36 +150,16 @@ public:
   int GetNumberOfHints() const;
   int GetNumberOfActiveHints() const;
 
-#ifndef __VTK_WRAP__
-  vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
-  vtkVirtualLightSampler* ChooseSampler(
-    vtkVirtualLightSampler* users, const vtkIndirectPlan& plan) override;
-  bool ReadsMaps() const override;
-  vtkIndirectEstimate Estimate(const Input& input) override;
-  size_t GetBytes() const override;
-  size_t GetMainMemoryBytes() const override;
-  double FindErrorTolerance(double asked) const override;
-  void AddToReport(vtkIndirectReport& report) const override;
-
-  /** Place of a hint in scene units and its field: `Order` squared numbers each for three colours,
-   * first the reds; order 3 in RGB only. For tests. */
-  struct Hint
-  {
-    double Position[3];
-    bool Active;
-    std::vector<double> Coefficients;
-  };
-  std::vector<Hint> ReadHints();
-
-  /** What the preset has chosen, to be changed one by one by tests. */
-  const vtkIndirectHintDetails& GetDetails() const;
-  void SetDetails(const vtkIndirectHintDetails& details);
-#endif
-
 protected:
   vtkRadianceHintsPass();
   ~vtkRadianceHintsPass() override;
 
+private:
+  vtkRadianceHintsPass(const vtkRadianceHintsPass&) = delete;
+  void operator=(const vtkRadianceHintsPass&) = delete;
+
+  friend class vtkIndirectHintSum;
+  friend struct vtkIndirectHintDetails;
   struct SettingsType
   {
     int Preset = ROBUST;
@@ -198,18 +174,7 @@ protected:
     double TemporalSmoothing = 0.0;
   };
   SettingsType Settings;
-
-private:
-  vtkRadianceHintsPass(const vtkRadianceHintsPass&) = delete;
-  void operator=(const vtkRadianceHintsPass&) = delete;
-
-  bool UpdateGeometry(const Input& input);
-  bool UpdateLight(const Input& input, bool anew);
-  bool LookUp(const Input& input);
-  bool FillMixedCells(const Input& input);
-
-  struct Internals;
-  std::unique_ptr<Internals> Internal;
+  const std::unique_ptr<vtkIndirectHintDetails> Details; // choices of the preset
 };
 
 #endif

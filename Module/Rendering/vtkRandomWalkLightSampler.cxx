@@ -5,6 +5,7 @@
 #include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectReport.h"
 #include "VirtualLights/vtkIndirectEmitters.h"
+#include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h"
 #include "VirtualLights/vtkIndirectSenderTexels.h"
 #include "Visibility/vtkIndirectRandomWalk.h"
@@ -16,24 +17,6 @@
 #include <string>
 
 vtkStandardNewMacro(vtkRandomWalkLightSampler);
-
-//------------------------------------------------------------------------------
-struct vtkRandomWalkLightSampler::Internals
-{
-  vtkIndirectRaySurfaces Surfaces;
-  vtkIndirectRandomWalk Walk;
-  vtkIndirectSenderClusters Clusters;
-  size_t NumberOfSources = 0;
-  int NumberOfWalks = 0;
-  int NumberOfFrames = 0; // over which the walk extends by now
-  bool HasMore = false;   // whether a still frame would have more vertices
-  double Smoothing = 1.0;
-  vtkIndirectKey WalkKey;  // the inputs of the paths, besides surfaces; empty: there are none
-  vtkIndirectKey TableKey; // the further inputs of the lights
-  vtkIndirectFurtherSenders Further;
-
-  void FindSenders(vtkIndirectFurtherSenders& senders) const;
-};
 
 namespace
 {
@@ -50,27 +33,7 @@ double FindSmoothing(int vertices)
 {
   return 12.0 * std::sqrt(8192.0 / vertices);
 }
-}
 
-//------------------------------------------------------------------------------
-// Vertices of a light's first bounce cover surfaces once, as the texels of a map do; those of all
-// later bounces together do so once more.
-void vtkRandomWalkLightSampler::Internals::FindSenders(vtkIndirectFurtherSenders& senders) const
-{
-  senders.Senders.clear();
-  senders.NumberOfMaps = this->NumberOfSources;
-  for (const vtkIndirectRandomWalk::Vertex& vertex : this->Walk.GetVertices())
-  {
-    const int map = vertex.Bounce == 1 ? vertex.Source : static_cast<int>(this->NumberOfSources);
-    senders.NumberOfMaps = std::max(senders.NumberOfMaps, static_cast<size_t>(map) + 1);
-    senders.Senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
-      static_cast<float>(vertex.Area), glm::vec3(vertex.DensityArea), map,
-      static_cast<float>(vertex.Bounce > 1 ? this->Smoothing : 1.0) });
-  }
-}
-
-namespace
-{
 // The inputs of the paths, besides the surfaces.
 vtkIndirectKey MakeKey(const std::vector<vtkIndirectRandomWalk::Source>& sources,
   const vtkIndirectRandomWalk::Settings& settings)
@@ -85,44 +48,80 @@ vtkIndirectKey MakeKey(const std::vector<vtkIndirectRandomWalk::Source>& sources
   }
   return key;
 }
+
+class WalkLights : public vtkIndirectSampler
+{
+public:
+  explicit WalkLights(vtkRandomWalkLightSampler& settings)
+    : vtkIndirectSampler(&settings)
+    , Set(settings)
+  {
+  }
+  bool Update(const Input& input) override;
+  vtkIndirectSamplerAbilities GetAbilities() const override;
+  /** Follows the paths; their vertices are the senders. */
+  const vtkIndirectFurtherSenders* UpdateSenders(const Input& input) override;
+  void AddToReport(vtkIndirectReport& report) const override;
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
+
+private:
+  bool Walk(const Input& input);
+  void FindSenders(vtkIndirectFurtherSenders& senders) const;
+
+  const vtkRandomWalkLightSampler& Set;
+  vtkIndirectRaySurfaces Surfaces;
+  vtkIndirectRandomWalk Paths;
+  vtkIndirectSenderClusters Clusters;
+  size_t NumberOfSources = 0;
+  int NumberOfWalks = 0;
+  int Frames = 0;       // over which the walk extends by now
+  bool HasMore = false; // a still frame would have more vertices
+  double Smoothing = 1.0;
+  vtkIndirectKey WalkKey;  // the inputs of the paths, besides surfaces; empty: there are none
+  vtkIndirectKey TableKey; // the further inputs of the lights
+  vtkIndirectFurtherSenders Further;
+};
 }
 
 //------------------------------------------------------------------------------
 vtkRandomWalkLightSampler::vtkRandomWalkLightSampler()
-  : Internal(new Internals)
+  : vtkVirtualLightSampler(std::make_unique<WalkLights>(*this))
 {
+  this->NumberOfLights = 1000;
 }
-
-vtkRandomWalkLightSampler::~vtkRandomWalkLightSampler() = default;
 
 //------------------------------------------------------------------------------
 void vtkRandomWalkLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
-  os << indent << "NumberOfVertices: " << this->NumberOfVertices << "\n";
-  os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
-  os << indent << "NumberOfWalks: " << this->GetNumberOfWalks() << "\n";
-  os << indent << "NumberOfTreeBuilds: " << this->GetNumberOfTreeBuilds() << "\n";
-  os << indent << "FirstBounce: " << this->FirstBounce << "\n";
+  os << indent << "NumberOfVertices: " << this->Settings.NumberOfVertices << "\n";
+  os << indent << "NumberOfFrames: " << this->Settings.NumberOfFrames << "\n";
+  os << indent << "FirstBounce: " << this->Settings.FirstBounce << "\n";
 }
 
 //------------------------------------------------------------------------------
-int vtkRandomWalkLightSampler::GetNumberOfWalks() const
+// Vertices of a light's first bounce cover surfaces once, as the texels of a map do; those of all
+// later bounces together do so once more.
+void WalkLights::FindSenders(vtkIndirectFurtherSenders& senders) const
 {
-  return this->Internal->NumberOfWalks;
-}
-
-int vtkRandomWalkLightSampler::GetNumberOfTreeBuilds() const
-{
-  return static_cast<int>(this->Internal->Surfaces.GetNumberOfBuilds());
+  senders.Senders.clear();
+  senders.NumberOfMaps = this->NumberOfSources;
+  for (const vtkIndirectRandomWalk::Vertex& vertex : this->Paths.GetVertices())
+  {
+    const int map = vertex.Bounce == 1 ? vertex.Source : static_cast<int>(this->NumberOfSources);
+    senders.NumberOfMaps = std::max(senders.NumberOfMaps, static_cast<size_t>(map) + 1);
+    senders.Senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
+      static_cast<float>(vertex.Area), glm::vec3(vertex.DensityArea), map,
+      static_cast<float>(vertex.Bounce > 1 ? this->Smoothing : 1.0) });
+  }
 }
 
 //------------------------------------------------------------------------------
 // Follows the paths where they have changed, and returns whether they have.
-bool vtkRandomWalkLightSampler::Walk(const Input& input)
+bool WalkLights::Walk(const Input& input)
 {
-  Internals& in = *this->Internal;
   std::vector<vtkIndirectRandomWalk::Source> sources;
   for (const vtkIndirectLight& light : input.Frame.Lights)
   {
@@ -137,71 +136,73 @@ bool vtkRandomWalkLightSampler::Walk(const Input& input)
     sources.push_back({ (*input.Emitters)[i].Light, (*input.Emitters)[i].Strength, 2 });
   }
   vtkIndirectRandomWalk::Settings settings;
-  settings.NumberOfVertices =
-    this->NumberOfVertices > 0 ? this->NumberOfVertices : this->NumberOfLights;
-  settings.FirstBounce = this->FirstBounce;
+  settings.NumberOfVertices = this->Set.GetNumberOfVertices() > 0 ? this->Set.GetNumberOfVertices()
+                                                                  : this->Set.GetNumberOfLights();
+  settings.FirstBounce = this->Set.GetFirstBounce();
   settings.LastBounce = input.NumberOfBounces;
-  const bool moved = in.Surfaces.Update(input.Frame, input.Spheres);
+  const bool moved = this->Surfaces.Update(input.Frame, input.Spheres);
   vtkIndirectKey key = MakeKey(sources, settings);
-  bool same = !moved && key == in.WalkKey;
+  bool same = !moved && key == this->WalkKey;
   bool coarse = false;
-  if (!same && input.Interactive && this->NumberOfVertices > 0)
+  if (!same && input.Interactive && this->Set.GetNumberOfVertices() > 0)
   {
-    settings.NumberOfVertices = std::max(this->NumberOfVertices / FewerWhileMoving, 1);
+    settings.NumberOfVertices = std::max(this->Set.GetNumberOfVertices() / FewerWhileMoving, 1);
     coarse = true;
     key = MakeKey(sources, settings);
-    same = !moved && key == in.WalkKey;
+    same = !moved && key == this->WalkKey;
   }
-  const int next = in.NumberOfFrames + (input.Interactive ? 0 : 1);
-  const int most = std::min(this->NumberOfFrames, MostVertices / settings.NumberOfVertices);
+  const int next = this->Frames + (input.Interactive ? 0 : 1);
+  const int most =
+    std::min(this->Set.GetNumberOfFrames(), MostVertices / settings.NumberOfVertices);
   const int number = same ? std::min(next, most) : 1;
-  in.HasMore = coarse || number < most;
-  if (same && number == in.NumberOfFrames)
+  this->HasMore = coarse || number < most;
+  if (same && number == this->Frames)
   {
     return false;
   }
   // Paths go on in their sequence; to follow the first ones again takes less than to keep them.
   settings.NumberOfVertices *= number;
-  in.NumberOfFrames = number;
-  in.Walk.Walk(in.Surfaces, input.Frame, sources, settings);
-  in.NumberOfSources = sources.size();
-  in.Smoothing = FindSmoothing(settings.NumberOfVertices);
-  in.WalkKey = key;
-  ++in.NumberOfWalks;
+  this->Frames = number;
+  this->Paths.Walk(this->Surfaces, input.Frame, sources, settings);
+  this->NumberOfSources = sources.size();
+  this->Smoothing = FindSmoothing(settings.NumberOfVertices);
+  this->WalkKey = key;
+  ++this->NumberOfWalks;
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRandomWalkLightSampler::Update(const Input& input)
+bool WalkLights::Update(const Input& input)
 {
-  Internals& in = *this->Internal;
-  const double error =
-    this->NumberOfVertices > 0 ? vtkIndirectSenderClusters::FindError(input.ErrorTolerance) : 0.0;
+  const double error = this->Set.GetNumberOfVertices() > 0
+    ? vtkIndirectSenderClusters::FindError(input.ErrorTolerance)
+    : 0.0;
   vtkIndirectKey key;
-  key.Add("number of lights", this->NumberOfLights);
-  key.Add("number of vertices", this->NumberOfVertices).Add("error", error);
-  if (!this->Walk(input) && key == in.TableKey)
+  key.Add("number of lights", this->Set.GetNumberOfLights());
+  key.Add("number of vertices", this->Set.GetNumberOfVertices()).Add("error", error);
+  if (!this->Walk(input) && key == this->TableKey)
   {
     return true;
   }
-  in.TableKey.Clear();
+  this->TableKey.Clear();
   std::vector<Row> lights;
   std::vector<Row> branches;
-  if (this->NumberOfVertices > 0)
+  if (this->Set.GetNumberOfVertices() > 0)
   {
     vtkIndirectFurtherSenders senders;
-    in.FindSenders(senders);
-    in.Clusters.SetSenders(std::move(senders.Senders));
-    const vtkIndirectSenderClusters::Lights found = in.Clusters.MakeLights(
-      std::vector<glm::dvec3>(senders.NumberOfMaps, glm::dvec3(1.0)), this->NumberOfLights, error,
-      input.NumberOfBounces > 1 ? vtkIndirectSenderClusters::NearnessOfBounces
-                                : vtkIndirectSenderClusters::StandardNearness);
+    this->FindSenders(senders);
+    this->Clusters.SetSenders(std::move(senders.Senders));
+    const vtkIndirectSenderClusters::Lights found =
+      this->Clusters.MakeLights(std::vector<glm::dvec3>(senders.NumberOfMaps, glm::dvec3(1.0)),
+        this->Set.GetNumberOfLights(), error,
+        input.NumberOfBounces > 1 ? vtkIndirectSenderClusters::NearnessOfBounces
+                                  : vtkIndirectSenderClusters::StandardNearness);
     lights = vtkIndirectSenderTexels::MakeRows(found.Tops);
     branches = vtkIndirectSenderTexels::MakeRows(found.Branches);
   }
   else
   {
-    for (const vtkIndirectRandomWalk::Vertex& vertex : in.Walk.GetVertices())
+    for (const vtkIndirectRandomWalk::Vertex& vertex : this->Paths.GetVertices())
     {
       lights.push_back({ { vertex.Position.x, vertex.Position.y, vertex.Position.z }, vertex.Area,
         { vertex.Normal.x, vertex.Normal.y, vertex.Normal.z },
@@ -212,68 +213,66 @@ bool vtkRandomWalkLightSampler::Update(const Input& input)
   {
     return false;
   }
-  in.TableKey = key;
+  this->TableKey = key;
   return true;
 }
 
 //------------------------------------------------------------------------------
-const vtkIndirectFurtherSenders& vtkRandomWalkLightSampler::UpdateSenders(const Input& input)
+const vtkIndirectFurtherSenders* WalkLights::UpdateSenders(const Input& input)
 {
-  Internals& in = *this->Internal;
   if (this->Walk(input))
   {
-    in.FindSenders(in.Further);
-    ++in.Further.Time;
+    this->FindSenders(this->Further);
+    ++this->Further.Time;
   }
-  return in.Further;
+  return &this->Further;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRandomWalkLightSampler::HasMore() const
+vtkIndirectSamplerAbilities WalkLights::GetAbilities() const
 {
-  return this->Internal->HasMore;
+  vtkIndirectSamplerAbilities abilities = this->vtkIndirectSampler::GetAbilities();
+  abilities.Walks = true;
+  abilities.HasMore = this->HasMore;
+  return abilities;
 }
 
 //------------------------------------------------------------------------------
-void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
+void WalkLights::AddToReport(vtkIndirectReport& report) const
 {
-  const Internals& in = *this->Internal;
-  report.MainMemoryBytes += in.Surfaces.GetBytes() + in.Clusters.GetBytes();
+  report.Counters["walks"] += this->NumberOfWalks;
+  report.Counters["walk_trees"] += static_cast<long long>(this->Surfaces.GetNumberOfBuilds());
+  report.MainMemoryBytes += this->Surfaces.GetBytes() + this->Clusters.GetBytes();
   report.Modelled.emplace_back("random walk",
-    std::to_string(in.Walk.GetNumberOfPaths()) + " paths through " +
-      std::to_string(in.Surfaces.GetNumberOfTriangles()) + " triangles, " +
-      (in.Surfaces.GetNumberOfSpheres() > 0
-          ? std::to_string(in.Surfaces.GetNumberOfSpheres()) + " spheres, "
+    std::to_string(this->Paths.GetNumberOfPaths()) + " paths through " +
+      std::to_string(this->Surfaces.GetNumberOfTriangles()) + " triangles, " +
+      (this->Surfaces.GetNumberOfSpheres() > 0
+          ? std::to_string(this->Surfaces.GetNumberOfSpheres()) + " spheres, "
           : std::string()) +
-      std::to_string(in.Walk.GetVertices().size()) + " vertices" +
-      (this->NumberOfFrames > 1 ? ", frame " + std::to_string(in.NumberOfFrames) + " of " +
-            std::to_string(this->NumberOfFrames)
-                                : std::string()));
+      std::to_string(this->Paths.GetVertices().size()) + " vertices" +
+      (this->Set.GetNumberOfFrames() > 1 ? ", frame " + std::to_string(this->Frames) + " of " +
+            std::to_string(this->Set.GetNumberOfFrames())
+                                         : std::string()));
   // A hundredth is what the walk's noise hides.
-  if (in.Walk.GetTail() > 0.01)
+  if (this->Paths.GetTail() > 0.01)
   {
     report.LeftOut.emplace_back("bounces beyond the walk's last one",
-      "about " + vtkIndirectReport::Number(std::round(1000.0 * in.Walk.GetTail()) / 10.0) +
+      "about " + vtkIndirectReport::Number(std::round(1000.0 * this->Paths.GetTail()) / 10.0) +
         " % of the light of later bounces; the result is too dark");
   }
-  for (const auto& [what, why] : in.Surfaces.GetLeftOut())
+  for (const auto& [what, why] : this->Surfaces.GetLeftOut())
   {
     report.LeftOut.emplace_back(what + " in the random walk", why);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkRandomWalkLightSampler::ReleaseGraphicsResources(vtkWindow* window)
+void WalkLights::ReleaseOwn(vtkWindow*)
 {
-  if (!this->CanBeOf(window))
-  {
-    return;
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
-  this->Internal->Surfaces.Clear();
-  this->Internal->Clusters.SetSenders({});
-  this->Internal->WalkKey.Clear();
-  this->Internal->HasMore = false;
-  this->Internal->TableKey.Clear();
-  this->Internal->Further.Senders = {};
+  this->Surfaces.Clear();
+  this->Clusters.SetSenders({});
+  this->WalkKey.Clear();
+  this->HasMore = false;
+  this->TableKey.Clear();
+  this->Further.Senders = {};
 }

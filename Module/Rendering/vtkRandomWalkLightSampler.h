@@ -14,17 +14,19 @@
  * lights them: properties, scalars' and blocks' colours, textures, interpolated normals, culling.
  * What has neither polygons that the processor can read nor spheres neither stops rays nor sends
  * light of them; the report says so. The tree of triangles is made again only when geometry
- * changes, paths only when lights or surfaces do. A light that moves a little moves the virtual
- * lights a little.
+ * changes, paths only when lights or surfaces do; the report counts both (walks, walk_trees). A
+ * light that moves a little moves the virtual lights a little.
+ *
+ * There are about NumberOfLights virtual lights, over all lights of the scene and all bounces
+ * together: as many paths are followed as are expected to have so many vertices.
  */
 
 #ifndef vtkRandomWalkLightSampler_h
 #define vtkRandomWalkLightSampler_h
 
+#include "vtkIndirectSettings.h"        // For properties
 #include "vtkRenderingIndirectModule.h" // For export macro
 #include "vtkVirtualLightSampler.h"
-
-#include <memory> // for the walk
 
 class VTKRENDERINGINDIRECT_EXPORT vtkRandomWalkLightSampler : public vtkVirtualLightSampler
 {
@@ -32,24 +34,13 @@ public:
   static vtkRandomWalkLightSampler* New();
   vtkTypeMacro(vtkRandomWalkLightSampler, vtkVirtualLightSampler);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-
-  ///@{
-  /**
-   * Virtual lights that there are about, over all lights of the scene and all bounces together: as
-   * many paths are followed as are expected to have so many. Default 1000, range 1 to 1048576.
-   */
-  vtkSetClampMacro(NumberOfLights, int, 1, 1048576);
-  int GetNumberOfLights() override { return this->NumberOfLights; }
-  ///@}
 
   ///@{
   /**
    * First bounce whose lights are made: 2 gives what a sampler of the first bounce leaves out, for
    * vtkIndirectIlluminationPass::AddSampler. Default 1, range 1 to 16.
    */
-  vtkSetClampMacro(FirstBounce, int, 1, 16);
-  vtkGetMacro(FirstBounce, int);
+  vtkIndirectClampMacro(FirstBounce, int, 1, 16);
   ///@}
 
   ///@{
@@ -60,8 +51,7 @@ public:
    * (vtkRenderWindow::SetDesiredUpdateRate), a quarter as many. Default 0: each light is a vertex.
    * Range 0 to 1048576.
    */
-  vtkSetClampMacro(NumberOfVertices, int, 0, 1048576);
-  vtkGetMacro(NumberOfVertices, int);
+  vtkIndirectClampMacro(NumberOfVertices, int, 0, 1048576);
   ///@}
 
   ///@{
@@ -71,47 +61,24 @@ public:
    * many paths as the first, and so on; 1048576 vertices at most. What changes begins anew. Default
    * 1, range 1 to 1024.
    */
-  vtkSetClampMacro(NumberOfFrames, int, 1, 1024);
-  vtkGetMacro(NumberOfFrames, int);
+  vtkIndirectClampMacro(NumberOfFrames, int, 1, 1024);
   ///@}
-
-  ///@{
-  /** How often paths have been followed, and the tree of triangles made, so far. */
-  int GetNumberOfWalks() const;
-  int GetNumberOfTreeBuilds() const;
-  ///@}
-
-#ifndef __VTK_WRAP__
-  bool Update(const Input& input) override;
-  /** Follows the paths and makes no lights of them: its vertices, for other samplers. */
-  const vtkIndirectFurtherSenders& UpdateSenders(const Input& input);
-  bool Walks() const override
-  {
-    return true;
-  }
-  bool HasMore() const override;
-  void AddToReport(vtkIndirectReport& report) const override;
-#endif
 
 protected:
   vtkRandomWalkLightSampler();
-  ~vtkRandomWalkLightSampler() override;
+  ~vtkRandomWalkLightSampler() override = default;
 
-  int NumberOfLights = 1000;
-  int FirstBounce = 1;
-  int NumberOfVertices = 0;
-  int NumberOfFrames = 1;
+  struct SettingsType
+  {
+    int FirstBounce = 1;
+    int NumberOfVertices = 0;
+    int NumberOfFrames = 1;
+  };
+  SettingsType Settings;
 
 private:
   vtkRandomWalkLightSampler(const vtkRandomWalkLightSampler&) = delete;
   void operator=(const vtkRandomWalkLightSampler&) = delete;
-
-#ifndef __VTK_WRAP__
-  bool Walk(const Input& input);
-#endif
-
-  struct Internals;
-  std::unique_ptr<Internals> Internal;
 };
 
 #endif

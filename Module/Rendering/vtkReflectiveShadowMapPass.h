@@ -27,21 +27,13 @@
 #ifndef vtkReflectiveShadowMapPass_h
 #define vtkReflectiveShadowMapPass_h
 
+#include "vtkIndirectSettings.h" // For properties
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
 
-#include <memory> // for the internals
-#include <vector> // for lists
+#include <memory> // for the maps
 
-class vtkOpenGLRenderWindow;
-class vtkIndirectLightMap;
-class vtkShaderProgram;
-class vtkSurfaceCapturePass;
-struct vtkIndirectCaster;
-struct vtkIndirectFrame;
-struct vtkIndirectPlan;
-struct vtkIndirectReport;
-struct vtkIndirectShadowMaps;
+class vtkIndirectLightMaps;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkReflectiveShadowMapPass : public vtkOpenGLRenderPass
 {
@@ -57,8 +49,7 @@ public:
    * than 32 million texels (1.3 GB with shadows: 128 faces of 512) they have a half, a quarter and
    * so on along an edge, and the report says so.
    */
-  vtkSetClampMacro(Resolution, int, 1, 16384);
-  vtkGetMacro(Resolution, int);
+  vtkIndirectClampMacro(Resolution, int, 1, 16384);
   ///@}
 
   /** Number of lights that have a map in the last frame. */
@@ -68,76 +59,22 @@ public:
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-#ifndef __VTK_WRAP__
-  /**
-   * Brings the maps of the plan's lights up to date. Returns false, after an error, when OpenGL
-   * cannot hold them.
-   */
-  bool Update(
-    const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture);
-
-  /**
-   * Whether the next maps hold what senders reflect specularly. The capture must write it. Default
-   * off.
-   */
-  void SetSpecular(bool specular)
-  {
-    this->Specular = specular;
-  }
-  /** Whether the maps hold it, so that shaders are built with VTKI_LOBES. */
-  bool HasSpecular() const;
-
-  const vtkIndirectLightMap& GetMap(int i) const;
-  /** Since construction. */
-  vtkIdType GetNumberOfFacesDrawn() const
-  {
-    return this->NumberOfFacesDrawn;
-  }
-  /** Texels along an edge in the last frame: Resolution, or less where lights are many. */
-  int GetTexels() const
-  {
-    return this->Texels > 0 ? this->Texels : this->Resolution;
-  }
-  int GetNumberOfLayers() const;
-  /** Grows whenever the content of a map, or the table below, has changed. */
-  vtkMTimeType GetContentTime() const
-  {
-    return this->ContentTime.GetMTime();
-  }
-
-  /** Binds the maps and their table for vtkIndirectMapTexel.glsl; pair with Deactivate. */
-  void Activate(vtkShaderProgram* program) const;
-  /** Binds the depth array for shadow look-ups; pair with Deactivate. */
-  vtkIndirectShadowMaps ActivateShadows(vtkOpenGLRenderWindow* window);
-  void Deactivate() const;
-
-  size_t GetBytes() const;
-  /** What the maps are and the memory that they take. */
-  void AddToReport(vtkIndirectReport& report) const;
-#endif
-
 protected:
   vtkReflectiveShadowMapPass();
   ~vtkReflectiveShadowMapPass() override;
-
-  int Resolution = 512;
-  int Texels = 0;        // of the last frame
-  int LightsTooMany = 0; // of the last frame, which have no map
-  bool Specular = false;
-  vtkIdType NumberOfFacesDrawn = 0;
-  vtkTimeStamp ContentTime;
 
 private:
   vtkReflectiveShadowMapPass(const vtkReflectiveShadowMapPass&) = delete;
   void operator=(const vtkReflectiveShadowMapPass&) = delete;
 
-  void UpdateTable(const vtkIndirectFrame& frame);
-  void UpdateFresnel(const vtkIndirectFrame& frame);
-  void DrawFace(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-    vtkIndirectLightMap& map, int face, const std::vector<const vtkIndirectCaster*>& casters);
+  struct SettingsType
+  {
+    int Resolution = 512;
+  };
+  SettingsType Settings;
 
-  struct Internals;
-  std::unique_ptr<Internals> Internal;
+  friend class vtkIndirectLightMaps;
+  const std::unique_ptr<vtkIndirectLightMaps> Maps;
 };
 
 #endif

@@ -2,6 +2,7 @@
 #include "vtkUniformLightSampler.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
+#include "VirtualLights/vtkIndirectMapSampler.h"
 #include "VirtualLights/vtkIndirectSamplePattern.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -11,36 +12,60 @@
 
 vtkStandardNewMacro(vtkUniformLightSampler);
 
+namespace
+{
+class UniformLights : public vtkIndirectMapSampler
+{
+public:
+  explicit UniformLights(vtkUniformLightSampler& settings)
+    : vtkIndirectMapSampler(&settings)
+    , Set(settings)
+  {
+  }
+  Drawing GetDrawing() const override;
+  void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override;
+
+private:
+  const vtkUniformLightSampler& Set;
+};
+}
+
+//------------------------------------------------------------------------------
+vtkUniformLightSampler::vtkUniformLightSampler()
+  : vtkVirtualLightSampler(std::make_unique<UniformLights>(*this))
+{
+}
+
 //------------------------------------------------------------------------------
 void vtkUniformLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  const SettingsType& set = this->Settings;
   static const char* const names[] = { "Grid", "Jittered", "LowDiscrepancy" };
-  os << indent << "Pattern: " << names[this->Pattern] << "\n";
-  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
-  os << indent << "LitTexels: " << (this->LitTexels ? "On" : "Off") << "\n";
-  os << indent << "AmbientOcclusion: " << (this->AmbientOcclusion ? "On" : "Off") << "\n";
+  os << indent << "Pattern: " << names[set.Pattern] << "\n";
+  os << indent << "LitTexels: " << (set.LitTexels ? "On" : "Off") << "\n";
+  os << indent << "AmbientOcclusion: " << (set.AmbientOcclusion ? "On" : "Off") << "\n";
 }
 
 //------------------------------------------------------------------------------
-vtkMapLightSampler::Drawing vtkUniformLightSampler::GetDrawing() const
+vtkIndirectMapSampler::Drawing UniformLights::GetDrawing() const
 {
   Drawing drawing;
-  drawing.By = this->LitTexels ? Drawing::LIT_TEXELS : Drawing::NOTHING;
-  drawing.Modulated = this->AmbientOcclusion;
+  drawing.By = this->Set.GetLitTexels() ? Drawing::LIT_TEXELS : Drawing::NOTHING;
+  drawing.Modulated = this->Set.GetAmbientOcclusion();
   return drawing;
 }
 
 //------------------------------------------------------------------------------
-void vtkUniformLightSampler::MakePattern(
-  const std::vector<Source>& sources, std::vector<Sample>& pattern)
+void UniformLights::MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern)
 {
+  const int places = this->Set.GetPattern();
   if (sources.empty())
   {
     return;
   }
   const int lights = sources.back().Light + 1;
-  const int perLight = std::max(1, this->NumberOfLights / lights);
+  const int perLight = std::max(1, this->Set.GetNumberOfLights() / lights);
   for (size_t first = 0, end; first < sources.size(); first = end)
   {
     end = first;
@@ -63,7 +88,7 @@ void vtkUniformLightSampler::MakePattern(
         static_cast<float>(sources[first + face].Layer), static_cast<float>(weight) });
     };
 
-    if (this->Pattern == LOW_DISCREPANCY && shape.CosCone <= 1.0)
+    if (places == vtkUniformLightSampler::LOW_DISCREPANCY && shape.CosCone <= 1.0)
     {
       // Directions spread evenly over the cone of light, or the sphere: none is spent on faces, or
       // parts of them, that no light reaches. Each stands for its share of the solid angle.
@@ -80,7 +105,7 @@ void vtkUniformLightSampler::MakePattern(
       }
       continue;
     }
-    if (this->Pattern == LOW_DISCREPANCY)
+    if (places == vtkUniformLightSampler::LOW_DISCREPANCY)
     {
       // The faces side by side are one long rectangle with a lattice over it.
       for (int i = 0; i < perLight; ++i)
@@ -101,8 +126,8 @@ void vtkUniformLightSampler::MakePattern(
       {
         for (int i = 0; i < edge; ++i)
         {
-          const double x = this->Pattern == JITTERED ? random.Next() : 0.5;
-          const double y = this->Pattern == JITTERED ? random.Next() : 0.5;
+          const double x = places == vtkUniformLightSampler::JITTERED ? random.Next() : 0.5;
+          const double y = places == vtkUniformLightSampler::JITTERED ? random.Next() : 0.5;
           add((i + x) / edge, (j + y) / edge, face, texels / edge / edge);
         }
       }

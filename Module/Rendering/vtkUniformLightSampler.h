@@ -13,14 +13,15 @@
 #ifndef vtkUniformLightSampler_h
 #define vtkUniformLightSampler_h
 
-#include "vtkMapLightSampler.h"
+#include "vtkIndirectSettings.h"        // For properties
 #include "vtkRenderingIndirectModule.h" // For export macro
+#include "vtkVirtualLightSampler.h"
 
-class VTKRENDERINGINDIRECT_EXPORT vtkUniformLightSampler : public vtkMapLightSampler
+class VTKRENDERINGINDIRECT_EXPORT vtkUniformLightSampler : public vtkVirtualLightSampler
 {
 public:
   static vtkUniformLightSampler* New();
-  vtkTypeMacro(vtkUniformLightSampler, vtkMapLightSampler);
+  vtkTypeMacro(vtkUniformLightSampler, vtkVirtualLightSampler);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum PatternType
@@ -32,8 +33,7 @@ public:
 
   ///@{
   /** How the lights are spread. Default LOW_DISCREPANCY. */
-  vtkSetClampMacro(Pattern, int, GRID, LOW_DISCREPANCY);
-  vtkGetMacro(Pattern, int);
+  vtkIndirectClampMacro(Pattern, int, GRID, LOW_DISCREPANCY);
   void SetPatternToGrid() { this->SetPattern(GRID); }
   void SetPatternToJittered() { this->SetPattern(JITTERED); }
   void SetPatternToLowDiscrepancy() { this->SetPattern(LOW_DISCREPANCY); }
@@ -41,21 +41,10 @@ public:
 
   ///@{
   /**
-   * Virtual lights of a frame. Default 256, range 1 to 1048576. The cost of an estimator grows with
-   * it, and its sampling error falls about as one over it.
-   */
-  vtkSetClampMacro(NumberOfLights, int, 1, 1048576);
-  int GetNumberOfLights() override { return this->NumberOfLights; }
-  ///@}
-
-  ///@{
-  /**
    * Whether lights are drawn from texels that send light only. Off, they are spread over whole
    * maps, as in the paper, and those on the other texels have no light. Default on.
    */
-  vtkSetMacro(LitTexels, bool);
-  vtkGetMacro(LitTexels, bool);
-  vtkBooleanMacro(LitTexels, bool);
+  vtkIndirectFlagMacro(LitTexels);
   ///@}
 
   ///@{
@@ -65,24 +54,20 @@ public:
    * to are small (Dachsbacher and Stamminger 2006, section 3.6). Not physical: too dark, by all
    * light of open surfaces, and no part of any comparison with a reference. Default off.
    */
-  vtkSetMacro(AmbientOcclusion, bool);
-  vtkGetMacro(AmbientOcclusion, bool);
-  vtkBooleanMacro(AmbientOcclusion, bool);
+  vtkIndirectFlagMacro(AmbientOcclusion);
   ///@}
 
-#ifndef __VTK_WRAP__
-  void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override;
-  Drawing GetDrawing() const override;
-#endif
-
 protected:
-  vtkUniformLightSampler() = default;
+  vtkUniformLightSampler();
   ~vtkUniformLightSampler() override = default;
 
-  int Pattern = LOW_DISCREPANCY;
-  int NumberOfLights = 256;
-  bool LitTexels = true;
-  bool AmbientOcclusion = false;
+  struct SettingsType
+  {
+    int Pattern = LOW_DISCREPANCY;
+    bool LitTexels = true;
+    bool AmbientOcclusion = false;
+  };
+  SettingsType Settings;
 
 private:
   vtkUniformLightSampler(const vtkUniformLightSampler&) = delete;

@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OpenGL/vtkIndirectGL.h"
-
 #include "vtkVirtualLightSampler.h"
 
-#include "Frame/vtkIndirectFrame.h"
-#include "OpenGL/vtkIndirectContextGuard.h"
-#include "OpenGL/vtkIndirectKernels.h"
-#include "OpenGL/vtkIndirectTarget.h"
-#include "VirtualLights/vtkIndirectLightTable.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
+#include "VirtualLights/vtkIndirectSampler.h"
 
 #include <algorithm>
 
-static_assert(vtkVirtualLightSampler::RowLength == vtkIndirectKernels::VTKI_ROW_LENGTH,
-  "what shaders read the table by");
-
 //------------------------------------------------------------------------------
-vtkVirtualLightSampler::vtkVirtualLightSampler()
-  : Guard(vtkSmartPointer<vtkIndirectContextGuard>::New())
-  , Table(new vtkIndirectTarget(vtkIndirectLightTable, false))
+vtkVirtualLightSampler::vtkVirtualLightSampler(std::unique_ptr<vtkIndirectSampler> lights)
+  : Lights(std::move(lights))
 {
-  this->Guard->Release = [this](vtkWindow* window) { this->ReleaseGraphicsResources(window); };
 }
 
 vtkVirtualLightSampler::~vtkVirtualLightSampler() = default;
@@ -30,200 +17,34 @@ vtkVirtualLightSampler::~vtkVirtualLightSampler() = default;
 void vtkVirtualLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "ActualNumberOfLights: " << this->GetActualNumberOfLights() << "\n";
-  this->Table->Print(os, indent);
-  if (this->Lobes)
+  this->Lights->GetTable().Print(os, indent);
+  if (const vtkIndirectTarget* lobes = this->Lights->GetLobes())
   {
-    this->Lobes->Print(os, indent);
+    lobes->Print(os, indent);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkVirtualLightSampler::HoldContext(vtkOpenGLRenderWindow* window)
+void vtkVirtualLightSampler::SetNumberOfLights(int number)
 {
-  this->Guard->SetContext(window);
-}
-
-//------------------------------------------------------------------------------
-bool vtkVirtualLightSampler::CanBeOf(vtkWindow* window)
-{
-  return window && this->Guard->CanBeOf(window);
+  const int clamped = std::clamp(number, 1, 1048576);
+  if (clamped != this->NumberOfLights)
+  {
+    this->NumberOfLights = clamped;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 int vtkVirtualLightSampler::GetActualNumberOfLights() const
 {
-  return this->NumberOfLights;
-}
-
-//------------------------------------------------------------------------------
-bool vtkVirtualLightSampler::Resize(vtkOpenGLRenderWindow* window, int numberOfLights)
-{
-  const int rows = std::max(1, (numberOfLights + RowLength - 1) / RowLength);
-  this->NumberOfLights = numberOfLights;
-  return this->Table->Resize(window, RowLength, rows);
-}
-
-//------------------------------------------------------------------------------
-vtkIndirectTarget& vtkVirtualLightSampler::BeginChange()
-{
-  this->ContentTime.Modified();
-  return *this->Table;
-}
-
-//------------------------------------------------------------------------------
-// source: of lights; below zero: these are branches.
-void vtkVirtualLightSampler::Fill(
-  vtkIndirectTarget& table, const std::vector<Row>& rows, double source)
-{
-  const size_t places = static_cast<size_t>(table.GetWidth()) * table.GetHeight();
-  std::vector<float> channels[3];
-  for (std::vector<float>& channel : channels)
-  {
-    channel.reserve(4 * places);
-  }
-  auto add = [&channels](int channel, const double v[3], double last)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      channels[channel].push_back(static_cast<float>(v[c]));
-    }
-    channels[channel].push_back(static_cast<float>(last));
-  };
-  const Row empty = { { 0.0, 0.0, 0.0 }, 1.0, { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 } };
-  for (size_t i = 0; i < places; ++i)
-  {
-    const Row& light = i < rows.size() ? rows[i] : empty;
-    add(PositionArea, light.Position, light.Area);
-    add(NormalReach, light.Normal, light.Reach);
-    add(DensityArea, light.DensityArea, source < 0.0 ? light.BluntArea : source);
-  }
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    table.Write(channel, channels[channel]);
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkVirtualLightSampler::Write(
-  const vtkIndirectFrame& frame, const std::vector<Row>& lights, const std::vector<Row>& branches)
-{
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  if (!this->Resize(frame.Window, static_cast<int>(lights.size())))
-  {
-    return false;
-  }
-  // Those of VTK have the numbers before.
-  Fill(this->BeginChange(), lights, static_cast<double>(frame.Lights.size()));
-  if (!this->WriteLobes(frame.Window, lights))
-  {
-    return false;
-  }
-  if (branches.empty())
-  {
-    this->ReleaseBranches(frame.Window);
-    return true;
-  }
-  if (!this->Branches)
-  {
-    this->Branches = std::make_unique<vtkIndirectTarget>(vtkIndirectLightTable, false);
-  }
-  const int rows = (static_cast<int>(branches.size()) + RowLength - 1) / RowLength;
-  if (!this->Branches->Resize(frame.Window, RowLength, rows))
-  {
-    return false;
-  }
-  Fill(*this->Branches, branches, -1.0);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkVirtualLightSampler::WriteLobes(
-  vtkOpenGLRenderWindow* window, const std::vector<Row>& lights)
-{
-  const bool any = std::any_of(lights.begin(), lights.end(),
-    [](const Row& row)
-    {
-      return std::max({ row.LobeDensityArea[0], row.LobeDensityArea[1], row.LobeDensityArea[2] }) >
-        0.0;
-    });
-  if (!any)
-  {
-    this->ReleaseLobes(window);
-    return true;
-  }
-  vtkIndirectTarget* lobes = this->MakeLobes(window);
-  if (!lobes)
-  {
-    return false;
-  }
-  const size_t places = static_cast<size_t>(lobes->GetWidth()) * lobes->GetHeight();
-  std::vector<float> channels[2] = { std::vector<float>(4 * places, 0.0f),
-    std::vector<float>(4 * places, 0.0f) };
-  const Row empty = {};
-  for (size_t i = 0; i < places; ++i)
-  {
-    const Row& light = i < lights.size() ? lights[i] : empty;
-    for (size_t c = 0; c < 3; ++c)
-    {
-      channels[LobeDirectionExponent][4 * i + c] = static_cast<float>(light.LobeDirection[c]);
-      channels[LobeDensityArea][4 * i + c] = static_cast<float>(light.LobeDensityArea[c]);
-    }
-    channels[LobeDirectionExponent][4 * i + 3] = static_cast<float>(light.LobeExponent);
-  }
-  lobes->Write(LobeDirectionExponent, channels[LobeDirectionExponent]);
-  lobes->Write(LobeDensityArea, channels[LobeDensityArea]);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-vtkIndirectTarget* vtkVirtualLightSampler::MakeLobes(vtkOpenGLRenderWindow* window)
-{
-  if (!this->Lobes)
-  {
-    this->Lobes = std::make_unique<vtkIndirectTarget>(vtkIndirectSenderLobeTable, false);
-  }
-  const bool made = this->Lobes->Resize(window, this->Table->GetWidth(), this->Table->GetHeight());
-  return made ? this->Lobes.get() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkVirtualLightSampler::ReleaseLobes(vtkWindow* window)
-{
-  if (this->Lobes)
-  {
-    this->Lobes->Release(window);
-    this->Lobes = nullptr;
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkVirtualLightSampler::ReleaseBranches(vtkWindow* window)
-{
-  if (this->Branches)
-  {
-    this->Branches->Release(window);
-    this->Branches = nullptr;
-  }
-}
-
-//------------------------------------------------------------------------------
-size_t vtkVirtualLightSampler::GetBytes() const
-{
-  return this->Table->GetBytes() + (this->Branches ? this->Branches->GetBytes() : 0) +
-    (this->Lobes ? this->Lobes->GetBytes() : 0);
+  return this->Lights->GetActualNumberOfLights();
 }
 
 //------------------------------------------------------------------------------
 void vtkVirtualLightSampler::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->CanBeOf(window))
-  {
-    this->ContentTime.Modified();
-    this->Table->Release(window);
-    this->ReleaseBranches(window);
-    this->ReleaseLobes(window);
-  }
+  this->Lights->Release(window);
 }

@@ -14,7 +14,7 @@ Parts, all by default:
   in a map's neighbourhood with 1020, 308 and 156 samples, summed at 64 x 64 pixels and interpolated
   (14, 44 and 82).
 - equal: figure 12 at equal time and at equal error: from 27 to 3072 lights at 5 %, by interpolation.
-- ways: rectangles, ellipsoids and tiles.
+- ways: ellipsoids and tiles.
 - overdraw: splats a pixel, and pixels a light in an image of 512 x 512 (768 lights at 5 %: 125 and
   42,600), and what a light takes of memory traffic.
 - ring: table 1, 4096 lights of three levels of method B on the ring (10.4, 10.8, 9.3 and 6.9 ms where
@@ -111,12 +111,8 @@ def ways_of(part: str, size: int) -> list[Way]:
             ]  # fmt: skip
         return rows
     return [
-        Way(name, "splatting", splats(768, 0.05, False, SplatShape=shape), paths=paths)
-        for name, shape, paths in (
-            ("tiles", "ellipsoids", "splats=tiles"),
-            ("ellipsoids", "ellipsoids", "splats=blend"),
-            ("rectangles", "screen_quads", "splats=blend"),
-        )
+        Way(name, "splatting", splats(768, 0.05, False), paths=paths)
+        for name, paths in (("tiles", "splats=tiles"), ("ellipsoids", "splats=blend"))
     ]
 
 

@@ -24,7 +24,6 @@ class Splatting(unittest.TestCase):
     def test_properties(self) -> None:
         splatting = vtkindirect.vtkIndirectSplattingPass()
         self.assertEqual(splatting.GetMethodName(), "splatting")
-        self.assertEqual(splatting.GetSplatShape(), splatting.ELLIPSOIDS)
         self.assertTrue(splatting.GetFarField())
         self.assertEqual(splatting.GetFarFieldStep(), 8)
         self.assertAlmostEqual(splatting.GetIntensityThreshold(), 0.02)
@@ -32,13 +31,12 @@ class Splatting(unittest.TestCase):
         for asked, given in ((-1.0, 0.0), (2.0, 1.0)):
             splatting.SetIntensityThreshold(asked)
             self.assertEqual(splatting.GetIntensityThreshold(), given)
-        settings.apply([splatting], {"SplatShape": "screen_quads", "FarField": False})
-        self.assertEqual(splatting.GetSplatShape(), splatting.SCREEN_QUADS)
+        settings.apply([splatting], {"FarField": False})
 
     def test_page_has_properties(self) -> None:
         path = support.SOURCE / "Documentation" / "methods" / "splatting.md"
         text = path.read_text(encoding="utf-8")
-        for name in ("IntensityThreshold", "SplatShape", "FarField", "FarFieldStep"):
+        for name in ("IntensityThreshold", "FarField", "FarFieldStep"):
             self.assertIn(f"`{name}`", text)
 
     def test_default_sampler(self) -> None:

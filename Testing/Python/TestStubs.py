@@ -70,9 +70,9 @@ class Stubs(unittest.TestCase):
             "    @overload\n"
             "    def SetRadiance(self, red: float, green: float, blue: float) -> None:",
             "    @staticmethod\n    def GetLightRadius(light: vtkLight | None) -> float:",
-            "    def SetNumberOfLights(self, _arg: int) -> None:",
+            "    def SetNumberOfLights(self, number: int) -> None:",
             "    def GetRadiance(self) -> tuple[float, float, float]:",
-            "class vtkAreaLight(vtkEmitter):",
+            "class vtkAreaLight(vtkIndirectEmitterBase):",
         ):
             self.assertIn(line, text)
 

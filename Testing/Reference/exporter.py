@@ -106,7 +106,7 @@ def _axes(up: tuple[float, ...], right: tuple[float, ...]) -> list[np.ndarray]:
 
 
 def _image_of(light: Any) -> np.ndarray | None:
-    """Return the values of a vtkEmitter's image or texture, (rows, columns, 3); None without."""
+    """Return the values of a vtkIndirectEmitterBase's image or texture, (rows, columns, 3); None without."""
     image, encoded = light.GetImage(), light.GetEncoded()
     if image is None and light.GetTexture() is not None:
         light.GetTexture().Update()

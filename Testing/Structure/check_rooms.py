@@ -36,12 +36,11 @@ PUBLIC = {
     "vtkReflectiveShadowMapPass": "LightMaps",
     "vtkAreaLight": "VirtualLights",
     "vtkAreaLightSampler": "VirtualLights",
-    "vtkEmitter": "VirtualLights",
+    "vtkIndirectEmitterBase": "VirtualLights",
     "vtkEnvironmentLight": "VirtualLights",
     "vtkImportanceLightSampler": "VirtualLights",
     "vtkVirtualLightSampler": "VirtualLights",
     "vtkLightTreeSampler": "VirtualLights",
-    "vtkMapLightSampler": "VirtualLights",
     "vtkUniformLightSampler": "VirtualLights",
     "vtkRandomWalkLightSampler": "Visibility",
     "vtkRSMGatherPass": "Gather",
@@ -62,6 +61,7 @@ MAY_NAME_ESTIMATORS = {
     "vtkMultiresolutionSplattingPass",
     "vtkRadianceHintsPass",
     "vtkProxyAccumulationPass",
+    "vtkIndirectSum",
     "vtkIndirectPipeline",
 }
 

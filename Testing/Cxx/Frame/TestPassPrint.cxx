@@ -112,7 +112,6 @@ VTK_INDIRECT_TEST(PrintSettings)
   vtkNew<vtkIndirectSplattingPass> splats;
   CheckLine(splats, "MethodName: splatting", true);
   CHECK_PRINT(splats, IntensityThreshold, 0.125, "0.125");
-  CHECK_PRINT(splats, SplatShape, vtkIndirectSplattingPass::SCREEN_QUADS, "ScreenQuads");
   CHECK_PRINT(splats, FarField, false, "Off");
   CHECK_PRINT(splats, FarFieldStep, 12, "12");
 

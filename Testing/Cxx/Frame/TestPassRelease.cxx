@@ -92,7 +92,7 @@ VTK_INDIRECT_TEST(ReleaseMultiresolution)
   {
     view.Renderer->SetPass(pass);
     SET_DETAIL(splatting, HalfFloats, false);
-    const double lighting = splatting->GetDetails().LightingThreshold;
+    const double lighting = DetailsOf(splatting).LightingThreshold;
     SET_DETAIL(splatting, LightingThreshold, 0.0);
     splatting->SetFinestLevelToHalfResolution();
     view.Window->Render();

@@ -351,11 +351,11 @@ VTK_INDIRECT_TEST(PlanLimits)
   // With an automatic number of bounces.
   settings.NumberOfBounces = 0;
   estimator.MaximumNumberOfBounces = 1;
-  vtkIndirectCircumstances taking;
-  taking.TakesSampler = true;
-  plan = vtkIndirectPlan::Make(frame, settings, estimator, taking);
+  estimator.TakesSampler = true;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
   CheckEqual("automatic", plan.WalkedBounces, 128);
   CheckEqual("of which the estimator's", plan.NumberOfBounces, 1);
+  estimator.TakesSampler = false;
   plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
   CheckEqual("of an estimator with lights of its own", plan.WalkedBounces, 0);
   estimator.MaximumNumberOfBounces = 16;
@@ -365,7 +365,9 @@ VTK_INDIRECT_TEST(PlanLimits)
   estimator.MaximumNumberOfBounces = 1;
   vtkIndirectLight following = MakeLight();
   following.FollowsCamera = true;
-  plan = vtkIndirectPlan::Make(MakeFrame({ following }), settings, estimator, taking);
+  estimator.TakesSampler = true;
+  plan = vtkIndirectPlan::Make(MakeFrame({ following }), settings, estimator, {});
+  estimator.TakesSampler = false;
   Check("of lights that follow the camera",
     plan.WalkedBounces == 0 && !Find(plan.EstimateLeftOut, "bounces after the first").empty());
   settings.NumberOfBounces = 3;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The gather's sums, against the same sums on the CPU in double precision.
-#include "LightMaps/vtkIndirectLightMap.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -47,7 +47,8 @@ bool IsOfWall(const glm::dvec3& normal)
 std::vector<VirtualLight> LightsFromMap(
   Scene& scene, int index, const std::vector<VirtualLight>& areas, size_t& next)
 {
-  const vtkIndirectLightMap& map = scene.Pass->GetReflectiveShadowMaps()->GetMap(index);
+  const vtkIndirectLightMap& map =
+    vtkIndirectLightMaps::Get(scene.Pass->GetReflectiveShadowMaps()).GetMap(index);
   const std::string name = "rsm" + std::to_string(index);
   const Image depth = scene.Copy(name + ".depth");
   const Image normal = scene.Copy(name + ".normal");
@@ -79,8 +80,9 @@ std::vector<VirtualLight> LightsFromMap(
         const double cosine = parallel
           ? glm::dot(light.Normal, -map.Light.DirectionWC)
           : glm::dot(light.Normal, glm::normalize(eye - light.Position));
-        light.Area = IsOfWall(light.Normal) && cosine > 0.05 ? footprint * (parallel ? 1.0 : glm::dot(p, p)) / cosine
-                                           : areas[next % areas.size()].Area;
+        light.Area = IsOfWall(light.Normal) && cosine > 0.05
+          ? footprint * (parallel ? 1.0 : glm::dot(p, p)) / cosine
+          : areas[next % areas.size()].Area;
         light.Source = map.Light.Index;
         ++next;
         lights.push_back(light);
@@ -291,7 +293,8 @@ VTK_INDIRECT_TEST(Neighborhood)
   size_t next = 0;
   const std::vector<VirtualLight> lights = LightsFromMap(scene, 0, areas, next);
   const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
-  const vtkIndirectLightMap& map = scene.Pass->GetReflectiveShadowMaps()->GetMap(0);
+  const vtkIndirectLightMap& map =
+    vtkIndirectLightMaps::Get(scene.Pass->GetReflectiveShadowMaps()).GetMap(0);
   const glm::dmat4 worldToFace = map.WorldToLight;
   const double halfWidth = map.HalfWidth;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Specular senders: the flux of their lobes, its destination, and the estimators that sum it.
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
@@ -388,7 +389,7 @@ VTK_INDIRECT_TEST(SenderLobesAgainstReference)
   scene.Gather->SpecularTransportOff();
   scene.Render();
   Check("without specular transport maps hold nothing for lobes",
-    !scene.Pass->GetReflectiveShadowMaps()->HasSpecular());
+    !vtkIndirectLightMaps::Get(scene.Pass->GetReflectiveShadowMaps()).HasSpecular());
   Check("and the picture is darker", scene.Copy("irradiance").Mean() < 0.999 * e.Mean());
   scene.Gather->SpecularTransportOn();
 }

@@ -6,12 +6,20 @@
 #include "Multiresolution/vtkIndirectSubsplatDetails.h" // for its fields
 #include "RadianceHints/vtkIndirectHintDetails.h"       // for its fields
 
+inline vtkIndirectSubsplatDetails& DetailsOf(const vtkMultiresolutionSplattingPass* pass)
+{
+  return vtkIndirectSubsplatDetails::Of(pass);
+}
+inline vtkIndirectHintDetails& DetailsOf(const vtkRadianceHintsPass* pass)
+{
+  return vtkIndirectHintDetails::Of(pass);
+}
+
 #define SET_DETAIL(pass, name, value)                                                              \
   do                                                                                               \
   {                                                                                                \
-    auto details = (pass)->GetDetails();                                                           \
-    details.name = value;                                                                          \
-    (pass)->SetDetails(details);                                                                   \
+    DetailsOf(pass).name = value;                                                                  \
+    (pass)->Modified();                                                                            \
   } while (false)
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lists of lights for specular subsplats: their limit, their errors, and their savings.
 #include "Gather/vtkIndirectGlossyRoom.h"
+#include "Gather/vtkIndirectSum.h"
 #include "vtkIndirectDetails.h"
 
 #include "OpenGL/vtkIndirectComputeProgram.h"
@@ -305,10 +306,10 @@ VTK_INDIRECT_TEST(ListsRelease)
   ListedRoom scene(64, 48, 25.0);
   RequireLists(scene);
   scene.Splat();
-  const size_t with = scene.Splatting->GetBytes();
+  const size_t with = vtkIndirectSum::Get(scene.Splatting).GetBytes();
   scene.Splatting->SpecularTransportOff();
   scene.Splat();
-  const size_t without = scene.Splatting->GetBytes();
+  const size_t without = vtkIndirectSum::Get(scene.Splatting).GetBytes();
   CheckAtLeast("bytes of lists, levels and glossy light", static_cast<double>(with - without),
     64 * 48 * 16.0, "the glossy light alone is as many");
   const Image first = scene.Copy("final");
@@ -316,14 +317,15 @@ VTK_INDIRECT_TEST(ListsRelease)
   {
     scene.Splatting->SetSpecularTransport(i % 2 == 0);
     scene.Render();
-    CheckAtMost("bytes", static_cast<double>(scene.Splatting->GetBytes()),
+    CheckAtMost("bytes", static_cast<double>(vtkIndirectSum::Get(scene.Splatting).GetBytes()),
       static_cast<double>(i % 2 == 0 ? with : without), "as often as it is switched");
   }
   CheckEqual("the picture without, after switching", Difference(scene.Copy("final"), first), 0.0);
   scene.Splatting->SpecularTransportOn();
   const Image listed = scene.Splat();
   scene.Splatting->ReleaseGraphicsResources(scene.Window);
-  CheckEqual("bytes after release", static_cast<double>(scene.Splatting->GetBytes()), 0.0);
+  CheckEqual("bytes after release",
+    static_cast<double>(vtkIndirectSum::Get(scene.Splatting).GetBytes()), 0.0);
   scene.Pass->CachingOff();
   CheckEqual("rendered again", Difference(scene.Splat(), listed), 0.0);
 }

@@ -161,7 +161,7 @@ VTK_INDIRECT_TEST(Lighting)
   SET_DETAIL(scene.Splatting, CoarsestResolution, 16); // several levels in a small image
   const Image expected = scene.GatherAll();
   std::vector<double> errors;
-  const double standard = scene.Splatting->GetDetails().LightingThreshold;
+  const double standard = DetailsOf(scene.Splatting).LightingThreshold;
   for (double threshold : { 0.0, 4.0 * standard, standard, 0.25 * standard })
   {
     SET_DETAIL(scene.Splatting, LightingThreshold, threshold);
@@ -195,7 +195,7 @@ VTK_INDIRECT_TEST(NearLights)
   scene.Sampler->SetNumberOfLights(25);
   SET_DETAIL(scene.Splatting, HalfFloats, false);      // rounding flickers too
   SET_DETAIL(scene.Splatting, CoarsestResolution, 16); // several levels in a small image
-  const std::vector<double> thresholds = { 0.0, scene.Splatting->GetDetails().LightingThreshold };
+  const std::vector<double> thresholds = { 0.0, DetailsOf(scene.Splatting).LightingThreshold };
   std::vector<Image> expected;
   std::vector<std::vector<Image>> shown(thresholds.size());
   for (int frame = 0; frame < 6; ++frame)

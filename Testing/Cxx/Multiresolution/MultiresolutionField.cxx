@@ -71,7 +71,7 @@ VTK_INDIRECT_TEST(ConstantField)
     const Image expected = scene.GatherAll();
     const std::string settings = Configure(scene.Splatting, number);
     const Image image = scene.Splat();
-    const bool half = scene.Splatting->GetDetails().HalfFloats;
+    const bool half = DetailsOf(scene.Splatting).HalfFloats;
     double mean = 0.0;
     int lit = 0;
     for (float value : expected.Values)

@@ -4,6 +4,7 @@
 //
 // Tolerances are relative to a pixel's irradiance, or to a ten-thousandth of the brightest one:
 // smaller irradiances come from senders in nearly the same plane, whose cosines are rounding.
+#include "Gather/vtkIndirectSum.h"
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectRandomFrame.h"
 
@@ -54,7 +55,8 @@ VTK_INDIRECT_TEST(FinestIsGather)
       }
       const Image image = scene.Splat();
       // Below 2^-14 of the unit of storage, each component of half floats is a multiple of 2^-24.
-      const double floor = half ? std::exp2(-13.0) * scene.Splatting->GetIrradianceUnit() : 0.0;
+      const double floor =
+        half ? std::exp2(-13.0) * vtkIndirectSum::Get(scene.Splatting).GetIrradianceUnit() : 0.0;
       const ImageError error = Compare(image, expected, Least, floor);
       worst[half] = std::max(worst[half], error.Worst);
       lit += error.Mean > 0.0 ? 1 : 0;
@@ -183,11 +185,13 @@ VTK_INDIRECT_TEST(Bytes)
   // The uniform block has space for 1024 lights, whatever their number.
   const double constant = 1024 * 48 + 4096;
   const double pixels = 1024.0 * 1024.0;
-  const double full = (static_cast<double>(scene.Splatting->GetBytes()) - constant) / pixels;
+  const double full =
+    (static_cast<double>(vtkIndirectSum::Get(scene.Splatting).GetBytes()) - constant) / pixels;
   CheckAtMost("bytes a pixel in the default setting", full, 24.0, "the class's promise");
   CheckAtLeast("the same", full, 8.0, "the irradiance itself is half of that: it is counted");
   SET_DETAIL(scene.Splatting, HalfFloats, false);
   scene.Splat();
   CheckAtLeast("bytes a pixel with 32-bit floats, over those with half floats",
-    static_cast<double>(scene.Splatting->GetBytes()) / pixels / full, 1.3, "they are larger");
+    static_cast<double>(vtkIndirectSum::Get(scene.Splatting).GetBytes()) / pixels / full, 1.3,
+    "they are larger");
 }

@@ -4,14 +4,15 @@
 #include "vtkIndirectPyramidReader.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEstimate.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Multiresolution/vtkIndirectSubsplatPyramid.h"
+#include "Multiresolution/vtkIndirectSubsplatSum.h"
 #include "OpenGL/vtkIndirectComputeProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "VirtualLights/vtkIndirectLightBlock.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "vtkIndirectDetails.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -21,6 +22,35 @@
 namespace vtkIndirectTest
 {
 vtkStandardNewMacro(PyramidReader);
+
+namespace
+{
+class ReadingSum : public vtkIndirectSubsplatSum
+{
+public:
+  explicit ReadingSum(PyramidReader& reader)
+    : vtkIndirectSubsplatSum(reader)
+    , Reader(reader)
+  {
+  }
+
+protected:
+  vtkIndirectEstimate Estimate(const Input& input) override
+  {
+    this->Reader.Read(input);
+    return this->vtkIndirectSubsplatSum::Estimate(input);
+  }
+
+private:
+  PyramidReader& Reader;
+};
+}
+
+//------------------------------------------------------------------------------
+PyramidReader::PyramidReader()
+  : vtkMultiresolutionSplattingPass(std::make_unique<ReadingSum>(*this))
+{
+}
 
 //------------------------------------------------------------------------------
 bool PyramidReader::IsLit(int x, int y) const
@@ -52,7 +82,7 @@ std::vector<int> PyramidReader::FindLeaves(int x, int y) const
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectEstimate PyramidReader::Estimate(const Input& input)
+void PyramidReader::Read(const vtkIndirectEstimateInput& input)
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   std::copy(input.Frame.Size, input.Frame.Size + 2, this->Size);
@@ -62,14 +92,15 @@ vtkIndirectEstimate PyramidReader::Estimate(const Input& input)
   this->Levels.clear();
   {
     vtkIndirectSubsplatSettings settings;
-    settings.CoarsestResolution = this->GetDetails().CoarsestResolution;
+    const vtkIndirectSubsplatDetails& details = DetailsOf(this);
+    settings.CoarsestResolution = details.CoarsestResolution;
     settings.HalfResolution = this->GetFinestLevel() == HALF_RESOLUTION;
-    settings.DepthRange = this->GetDetails().DepthRange;
+    settings.DepthRange = details.DepthRange;
     settings.PlaneThreshold = this->GetPlaneThreshold();
     settings.DepthThreshold = this->GetDepthThreshold();
     settings.NormalThreshold = this->GetNormalThreshold();
-    settings.LightingThreshold = this->GetDetails().LightingThreshold;
-    settings.Balance = this->GetDetails().Balance;
+    settings.LightingThreshold = details.LightingThreshold;
+    settings.Balance = details.Balance;
     settings.HasCompute = vtkIndirectComputeProgram::IsSupported();
     vtkOpenGLState* state = window->GetState();
     vtkOpenGLState::ScopedglViewport viewport(state);
@@ -100,6 +131,5 @@ vtkIndirectEstimate PyramidReader::Estimate(const Input& input)
     pyramid.Release(window);
     lights.Release();
   }
-  return this->Superclass::Estimate(input);
 }
 }

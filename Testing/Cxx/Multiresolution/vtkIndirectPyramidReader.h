@@ -8,6 +8,8 @@
 #include <glm/glm.hpp> // for vectors
 #include <vector>      // for levels
 
+struct vtkIndirectEstimateInput;
+
 namespace vtkIndirectTest
 {
 class PyramidReader : public vtkMultiresolutionSplattingPass
@@ -43,10 +45,10 @@ public:
   /** Levels of the leaves that contain a pixel: unsplit texels under a split one. */
   std::vector<int> FindLeaves(int x, int y) const;
 
-  vtkIndirectEstimate Estimate(const Input& input) override;
+  void Read(const vtkIndirectEstimateInput& input);
 
 protected:
-  PyramidReader() = default;
+  PyramidReader();
   ~PyramidReader() override = default;
 };
 }

@@ -48,7 +48,7 @@ void MultiresolutionScene::ScaleThresholds(double factor)
   vtkNew<vtkMultiresolutionSplattingPass> defaults;
   this->Splatting->SetPlaneThreshold(factor * defaults->GetPlaneThreshold());
   this->Splatting->SetNormalThreshold(factor * defaults->GetNormalThreshold());
-  SET_DETAIL(this->Splatting, LightingThreshold, factor * defaults->GetDetails().LightingThreshold);
+  SET_DETAIL(this->Splatting, LightingThreshold, factor * DetailsOf(defaults).LightingThreshold);
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,8 @@
 // the field of a hint from its sampled texels (Eq. 1 to 4), further bounces from other hints (Eq. 8
 // to 11) and the look-up at a pixel (Eq. 5 to 7). Only the selection of texels and hints is the
 // shaders': that sequence of integers is no equation.
+#include "RadianceHints/vtkIndirectHintSum.h"
+#include "vtkIndirectDetails.h"
 #include "vtkIndirectHintScenes.h"
 
 #include "vtkLight.h"
@@ -111,7 +113,7 @@ struct PaperRoom : HintScene
     this->Hints->SetInterpolationStep(1);
   }
 
-  glm::dvec3 GetPlace(const vtkRadianceHintsPass::Hint& hint) const
+  glm::dvec3 GetPlace(const vtkIndirectHintSum::Hint& hint) const
   {
     return glm::dvec3(hint.Position[0], hint.Position[1], hint.Position[2]) * this->Diagonal +
       0.5 * Extent;
@@ -120,7 +122,7 @@ struct PaperRoom : HintScene
   // Eq. 1 to 4: the mean over each map's samples of radiance times solid angle, from a position in
   // the hint's cell. A texel of area A is seen from the height sqrt(h^2 + A / 2 pi), see
   // radiance-hints.md; without `patches` from its real height, as in the paper.
-  Field Inject(const vtkRadianceHintsPass::Hint& hint, int number, bool patches) const
+  Field Inject(const vtkIndirectHintSum::Hint& hint, int number, bool patches) const
   {
     Field field;
     const int count = (Samples + Layers - 1) / Layers;
@@ -156,7 +158,7 @@ struct PaperRoom : HintScene
 
   // Eq. 8 with weights normalized once, 9 and 11. ambiguous: rounding decides between two cells for
   // a sample on their border.
-  Field Exchange(const std::vector<vtkRadianceHintsPass::Hint>& hints,
+  Field Exchange(const std::vector<vtkIndirectHintSum::Hint>& hints,
     const std::vector<Field>& first, const std::vector<Field>& before, int number, int order,
     bool& ambiguous) const
   {
@@ -252,7 +254,7 @@ struct PaperRoom : HintScene
 };
 
 // Root of the squared difference over that of the expected field.
-double FindDifference(const vtkRadianceHintsPass::Hint& hint, const Field& expected, int order)
+double FindDifference(const vtkIndirectHintSum::Hint& hint, const Field& expected, int order)
 {
   double difference = 0.0;
   double size = 0.0;
@@ -283,7 +285,8 @@ VTK_INDIRECT_TEST(HintsPaperEquations)
     {
       scene.Pass->SetNumberOfBounces(bounces);
       scene.Render();
-      const std::vector<vtkRadianceHintsPass::Hint> hints = scene.Hints->ReadHints();
+      const std::vector<vtkIndirectHintSum::Hint> hints =
+        static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(scene.Hints)).ReadHints();
       CheckEqual(what + "hints", hints.size(), Grid[0] * Grid[1] * Grid[2]);
       std::vector<double> differences;
       std::vector<double> plain;

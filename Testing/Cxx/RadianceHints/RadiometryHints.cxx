@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Radiance hints in absolute numbers: the closed sphere and its bounces, a half-space, the field
 // itself, light through walls, and results kept between frames.
+#include "RadianceHints/vtkIndirectHintSum.h"
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectHintScenes.h"
 
@@ -209,7 +210,8 @@ VTK_INDIRECT_TEST(HintsField)
     scene.Render();
     double worst = 0.0;
     int compared = 0;
-    for (const auto& hint : scene.Hints->ReadHints())
+    for (const auto& hint :
+      static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(scene.Hints)).ReadHints())
     {
       const glm::dvec3 position =
         glm::dvec3(hint.Position[0], hint.Position[1], hint.Position[2]) * diagonal +

@@ -29,13 +29,12 @@ struct ForcedPath
 enum class SplatWay
 {
   TILES,
-  QUADS,
   ELLIPSOIDS
 };
-constexpr int NumberOfSplatWays = 3;
+constexpr int NumberOfSplatWays = 2;
 inline const char* GetName(SplatWay way)
 {
-  return way == SplatWay::TILES ? "tiles" : way == SplatWay::QUADS ? "quads" : "ellipsoids";
+  return way == SplatWay::TILES ? "tiles" : "ellipsoids";
 }
 
 /** Adds splatting to a scene. */
@@ -49,8 +48,6 @@ struct SplattingFrameOf : Base
   Image SplatLights(SplatWay way)
   {
     const ForcedPath path(way == SplatWay::TILES ? "splats=tiles" : "splats=blend");
-    this->Splats->SetSplatShape(way == SplatWay::QUADS ? vtkIndirectSplattingPass::SCREEN_QUADS
-                                                       : vtkIndirectSplattingPass::ELLIPSOIDS);
     this->Splats->Modified();
     this->Pass->SetEstimator(this->Splats);
     this->Render();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lights sampled by importance: their distribution, their sum, and their error against the sum over
 // all texels, compared with evenly spread ones.
+#include "VirtualLights/vtkIndirectSampler.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkImportanceLightSampler.h"
@@ -272,11 +273,14 @@ VTK_INDIRECT_TEST(ImportanceRelease)
   PatchScene scene;
   scene.AddDirectional({ 0.2, 0.1, -1 });
   const double before = Sum(scene.Draw(64));
-  Check("it holds something", scene.Importance->GetBytes() > 128u * 128u * 8u);
+  Check(
+    "it holds something", vtkIndirectSampler::Get(scene.Importance)->GetBytes() > 128u * 128u * 8u);
   scene.Importance->ReleaseGraphicsResources(nullptr);
-  Check("without a window it keeps it", scene.Importance->GetBytes() > 128u * 128u * 8u);
+  Check("without a window it keeps it",
+    vtkIndirectSampler::Get(scene.Importance)->GetBytes() > 128u * 128u * 8u);
   scene.Importance->ReleaseGraphicsResources(scene.Window.Get());
-  CheckEqual("bytes that are left", static_cast<double>(scene.Importance->GetBytes()), 0);
+  CheckEqual("bytes that are left",
+    static_cast<double>(vtkIndirectSampler::Get(scene.Importance)->GetBytes()), 0);
   scene.Pass->SetSampler(nullptr);
   scene.Render();
   CheckEqual("the same again", Sum(scene.Draw(64)), before);

@@ -4,8 +4,8 @@
 #include "vtkIndirectTestUtilities.h"
 
 #include "Frame/vtkIndirectFrame.h"
-#include "OpenGL/vtkIndirectTarget.h"
 #include "VirtualLights/vtkIndirectSamplePattern.h"
+#include "VirtualLights/vtkIndirectSampler.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -21,16 +21,18 @@ using namespace vtkIndirectTest;
 namespace
 {
 // Uniform radiance from all sides, as directions.
-class Sky : public vtkVirtualLightSampler
+class SkyLights : public vtkIndirectSampler
 {
 public:
-  static Sky* New() { VTK_STANDARD_NEW_BODY(Sky); }
-  vtkTypeMacro(Sky, vtkVirtualLightSampler);
-
   int Count = 2048;
   glm::dvec3 Radiance{ 0.25, 0.5, 1.0 };
 
-  bool HasDirections() const override { return true; }
+  vtkIndirectSamplerAbilities GetAbilities() const override
+  {
+    vtkIndirectSamplerAbilities abilities;
+    abilities.Directions = true;
+    return abilities;
+  }
 
   bool Update(const Input& input) override
   {
@@ -64,9 +66,21 @@ public:
     }
     return true;
   }
+};
+
+class Sky : public vtkVirtualLightSampler
+{
+public:
+  static Sky* New() { VTK_STANDARD_NEW_BODY(Sky); }
+  vtkTypeMacro(Sky, vtkVirtualLightSampler);
+
+  SkyLights& GetLights() { return static_cast<SkyLights&>(*vtkIndirectSampler::Get(this)); }
 
 protected:
-  Sky() = default;
+  Sky()
+    : vtkVirtualLightSampler(std::make_unique<SkyLights>())
+  {
+  }
 };
 
 struct SkyScene : Scene
@@ -129,7 +143,7 @@ VTK_INDIRECT_TEST(SamplersDirections)
     const std::string name = estimator->GetMethodName();
     const Image e = scene.Measure(estimator, false);
     // The quadrature of a cosine by 2048 directions, and half floats.
-    CheckAtMost(name + ": worst E over L - 1", Worst(e, scene.Light->Radiance), 2e-3,
+    CheckAtMost(name + ": worst E over L - 1", Worst(e, scene.Light->GetLights().Radiance), 2e-3,
       "2048 directions of a Fibonacci lattice, and half floats");
     CheckRelative(name + ": picture", scene.Copy("final").Mean(1), 0.5 * e.Mean(1), 3e-3,
       "albedo E, the albedo in ten bits");
@@ -137,7 +151,7 @@ VTK_INDIRECT_TEST(SamplersDirections)
   }
   // Harmonics of order 2 represent a constant exactly.
   const Image e = scene.Measure(scene.Hints, false);
-  CheckAtMost("hints: worst E over L - 1", Worst(e, scene.Light->Radiance), 0.02,
+  CheckAtMost("hints: worst E over L - 1", Worst(e, scene.Light->GetLights().Radiance), 0.02,
     "Ramamoorthi and Hanrahan 2001: below 1 % of lighting is beyond order 2; half of the sphere "
     "comes through the surface's own back");
 }
@@ -151,7 +165,7 @@ VTK_INDIRECT_TEST(SamplersSeveral)
   scene.AddSpot({ 0, -3, 4 }, { 0, 1, 0 }, 30.0, 0.0, { 1, 0, 0 });
   scene.SetEye({ 0, -5, 3 }, { 0, 1, 0.5 }, { 0, 0, 1 }, 40.0, 0.1, 20.0);
   scene.Sampler->SetNumberOfLights(300);
-  scene.Light->Count = 700;
+  scene.Light->GetLights().Count = 700;
   for (vtkIndirectEstimatorPass* estimator : std::initializer_list<vtkIndirectEstimatorPass*>{
          scene.Gather, scene.Splatting, scene.Reference })
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sample patterns on CPU and GPU: the disk of the neighbourhood gather, and the samplers' lattices.
 #include "OpenGL/vtkIndirectKernels.h"
+#include "VirtualLights/vtkIndirectMapSampler.h"
 #include "VirtualLights/vtkIndirectSamplePattern.h"
 #include "vtkIndirectTestUtilities.h"
 #include "vtkMath.h"
@@ -14,13 +15,13 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-class Patterns : public vtkUniformLightSampler
+std::vector<vtkIndirectMapSampler::Sample> MakePattern(
+  vtkUniformLightSampler* sampler, const std::vector<vtkIndirectMapSampler::Source>& sources)
 {
-public:
-  static Patterns* New() { VTK_STANDARD_NEW_BODY(Patterns); }
-  vtkTypeMacro(Patterns, vtkUniformLightSampler);
-  using vtkUniformLightSampler::MakePattern;
-};
+  std::vector<vtkIndirectMapSampler::Sample> samples;
+  vtkIndirectSampler::Get(sampler)->GetViewPattern()->MakePattern(sources, samples);
+  return samples;
+}
 }
 
 VTK_INDIRECT_TEST(DiskSamples)
@@ -158,7 +159,7 @@ VTK_INDIRECT_TEST(RandomStreams)
 
 VTK_INDIRECT_TEST(SamplerPatterns)
 {
-  using Source = vtkMapLightSampler::Source;
+  using Source = vtkIndirectMapSampler::Source;
   std::vector<Source> sources;
   for (int layer = 0; layer < 8; ++layer)
   {
@@ -170,15 +171,14 @@ VTK_INDIRECT_TEST(SamplerPatterns)
     source.Disk = layer == 0;
     sources.push_back(source);
   }
-  vtkNew<Patterns> sampler;
+  vtkNew<vtkUniformLightSampler> sampler;
   for (int pattern = 0; pattern < 3; ++pattern)
   {
     for (int lights : { 1, 3, 64, 256, 1000, 4096 })
     {
       sampler->SetPattern(pattern);
       sampler->SetNumberOfLights(lights);
-      std::vector<vtkMapLightSampler::Sample> samples;
-      sampler->MakePattern(sources, samples);
+      const auto samples = MakePattern(sampler, sources);
       double texels[3] = {};
       int wrong = 0;
       for (const auto& s : samples)
@@ -201,8 +201,7 @@ VTK_INDIRECT_TEST(SamplerPatterns)
       {
         CheckEqual(what + "number of lights", samples.size(), 3 * std::max(1, lights / 3));
       }
-      std::vector<vtkMapLightSampler::Sample> again;
-      sampler->MakePattern(sources, again);
+      const auto again = MakePattern(sampler, sources);
       Check(what + "the same again",
         again.size() == samples.size() &&
           std::equal(again.begin(), again.end(), samples.begin(),
@@ -215,8 +214,8 @@ VTK_INDIRECT_TEST(SamplerPatterns)
 VTK_INDIRECT_TEST(ConeDirections)
 {
   using namespace vtkIndirectKernels;
-  using Source = vtkMapLightSampler::Source;
-  vtkNew<Patterns> sampler;
+  using Source = vtkIndirectMapSampler::Source;
+  vtkNew<vtkUniformLightSampler> sampler;
   for (double angle : { 61.0, 75.0, 89.0, 180.0 })
   {
     const double cosCone = std::cos(angle * vtkMath::Pi() / 180.0);
@@ -230,8 +229,7 @@ VTK_INDIRECT_TEST(ConeDirections)
       sources.push_back(source);
     }
     sampler->SetNumberOfLights(2000);
-    std::vector<vtkMapLightSampler::Sample> samples;
-    sampler->MakePattern(sources, samples);
+    const auto samples = MakePattern(sampler, sources);
     double solidAngle = 0.0;
     double outermost = -1.0;
     double along = 0.0;

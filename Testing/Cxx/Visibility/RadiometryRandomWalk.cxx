@@ -219,15 +219,15 @@ VTK_INDIRECT_TEST(WalkMovesSmoothly)
   scene.UseWalk(1000, 3);
   const std::vector<VirtualLight> before = scene.CopyLights();
   const Image image = scene.Copy("bounce");
-  CheckEqual("walks", scene.Walk->GetNumberOfWalks(), 1);
+  CheckEqual("walks", scene.ReadReport("walks"), 1);
   scene.SetEye({ 2.0, 1.7, 2.4 }, { 0.4, 0.3, 0.4 }, { 0, 1, 0 }, 36, 0.5, 6);
   scene.Render();
-  CheckEqual("walks after the camera has moved", scene.Walk->GetNumberOfWalks(), 1);
+  CheckEqual("walks after the camera has moved", scene.ReadReport("walks"), 1);
   scene.SetEye({ 2.2, 1.6, 2.3 }, { 0.4, 0.3, 0.4 }, { 0, 1, 0 }, 36, 0.5, 6);
   light->SetPosition(1.0005, 2, 1);
   scene.Render();
-  CheckEqual("walks after the light has", scene.Walk->GetNumberOfWalks(), 2);
-  CheckEqual("trees", scene.Walk->GetNumberOfTreeBuilds(), 1);
+  CheckEqual("walks after the light has", scene.ReadReport("walks"), 2);
+  CheckEqual("trees", scene.ReadReport("walk_trees"), 1);
   const std::vector<VirtualLight> after = scene.CopyLights();
   int near = 0;
   for (const VirtualLight& a : before)
@@ -254,11 +254,11 @@ VTK_INDIRECT_TEST(WalkMovesSmoothly)
     ->GetProperty()
     ->SetDiffuseColor(0.1, 0.1, 0.1);
   scene.Render();
-  CheckEqual("trees after a change of colour", scene.Walk->GetNumberOfTreeBuilds(), 1);
-  CheckEqual("walks after it", scene.Walk->GetNumberOfWalks(), 3);
+  CheckEqual("trees after a change of colour", scene.ReadReport("walk_trees"), 1);
+  CheckEqual("walks after it", scene.ReadReport("walks"), 3);
   scene.AddSphere({ 0.3, 0.3, 0.7 }, 0.1, 16, glm::dvec3(0.5));
   scene.Render();
-  CheckEqual("trees after a new prop", scene.Walk->GetNumberOfTreeBuilds(), 2);
+  CheckEqual("trees after a new prop", scene.ReadReport("walk_trees"), 2);
 }
 
 // Colours of points and cells, a texture, the back of a sheet, culling, PBR: equal to those in the
@@ -511,12 +511,12 @@ VTK_INDIRECT_TEST(WalkExtendsOverFrames)
   };
   const double first = differ(scene.Copy("bounce"), truth);
   scene.Walk->SetNumberOfFrames(16);
-  const int walks = scene.Walk->GetNumberOfWalks();
+  const double walks = scene.ReadReport("walks");
   for (int frame = 0; frame < 20; ++frame)
   {
     scene.Render();
   }
-  CheckEqual("walks in the frames after the first", scene.Walk->GetNumberOfWalks() - walks, 15);
+  CheckEqual("walks in the frames after the first", scene.ReadReport("walks") - walks, 15);
   const Image extended = scene.Copy("bounce");
   CheckAtMost("RMSE after 16 frames over that of the first", differ(extended, truth) / first, 0.5,
     "measured 0.33: sixteen times the lights, with areas to match");

@@ -37,7 +37,7 @@ def attached(renderer: vtkRenderer) -> Any:
 
 
 def read_picture(path: str | os.PathLike[str]) -> vtkImageData:
-    """Return an image as vtkEmitter takes it: bytes, or floats that are radiances.
+    """Return an image as vtkIndirectEmitterBase takes it: bytes, or floats that are radiances.
 
     Other whole numbers become parts of the largest that their type can hold, as the class does it
     with bytes.

@@ -7,12 +7,12 @@
 #include "Frame/vtkIndirectEstimate.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "LightMaps/vtkIndirectLightMap.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkImageData.h"
-#include "vtkReflectiveShadowMapPass.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>

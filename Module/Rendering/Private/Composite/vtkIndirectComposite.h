@@ -26,7 +26,7 @@
 class vtkIndirectGeometryBuffer;
 class vtkIndirectTarget;
 class vtkImageData;
-class vtkReflectiveShadowMapPass;
+class vtkIndirectLightMaps;
 class vtkWindow;
 struct vtkIndirectEstimate;
 struct vtkIndirectFrame;
@@ -41,7 +41,7 @@ public:
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
-    const vtkReflectiveShadowMapPass* Maps; // null without maps
+    const vtkIndirectLightMaps* Maps; // null without maps
     const vtkIndirectEstimate* Estimate;    // null for none
     const vtkIndirectTarget* Sky;           // irradiance from the environment, null for none
     const vtkIndirectTarget* SkyBounce;     // reflection of the sky's light, null for none

@@ -15,7 +15,7 @@ class vtkIndirectStageTimer;
 class vtkIndirectTarget;
 class vtkIndirectVirtualLights;
 class vtkIndirectVisibility;
-class vtkReflectiveShadowMapPass;
+class vtkIndirectLightMaps;
 class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
@@ -44,7 +44,7 @@ struct vtkIndirectEstimateInput
   const vtkIndirectFrame& Frame;
   const vtkIndirectPlan& Plan;
   const vtkIndirectGeometryBuffer& Geometry;
-  const vtkReflectiveShadowMapPass& Maps;  // without maps where the plan has none
+  const vtkIndirectLightMaps& Maps;        // without maps where the plan has none
   const vtkIndirectVirtualLights* Lights;  // null where the estimator asked for none
   const vtkIndirectVisibility& Visibility; // as the estimator asked for it
   bool Still = false;                      // nothing has changed since its last frame

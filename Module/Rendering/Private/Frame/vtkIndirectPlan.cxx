@@ -184,7 +184,7 @@ void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
     const bool follows = std::any_of(frame.Lights.begin(), frame.Lights.end(),
       [](const vtkIndirectLight& light) { return light.FollowsCamera && !light.Fill; });
     this->SampledBounces =
-      walks && circumstances.TakesSampler && estimator.MaximumNumberOfBounces == 1 && !follows
+      walks && estimator.TakesSampler && estimator.MaximumNumberOfBounces == 1 && !follows
       ? MostBounces
       : 1;
     if (walks && follows)

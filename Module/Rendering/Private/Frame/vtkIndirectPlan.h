@@ -20,7 +20,8 @@ struct vtkIndirectAbilities
   std::string Name = "an estimator"; // for reasons
   int MaximumNumberOfBounces = 1;
   bool ComputesGlossy = false;
-  bool SumsLobes = false; // of senders
+  bool SumsLobes = false;    // of senders
+  bool TakesSampler = false; // sums lights of the frame's sampler, not of its own
   bool SpecularTransport = true;
   bool Occupancy = false;         // asks for voxels where the user has chosen nothing
   bool TakesLightMaps = false;    // can look visibility up in a map of each virtual light
@@ -42,8 +43,7 @@ struct vtkIndirectCircumstances
   /** The estimator sums lights of a sampler that finds them by rays, of all bounces. */
   bool SamplerWalks = false;
   bool OtherSamplerWalks = false; // one that is added to that
-  bool TakesSampler = false; // the estimator sums lights of the frame's sampler, not of its own
-  bool AreaLights = false;   // of rectangles
+  bool AreaLights = false;        // of rectangles
   /** VTK irradiance of a surface in the middle of the scene that faces all of them. */
   double AreaLightIrradiance = 0.0;
   int VisibleAreaLights = 0; // that are seen themselves

@@ -5,11 +5,11 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectTarget.h"
+#include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
-#include "vtkReflectiveShadowMapPass.h"
-#include "vtkVirtualLightSampler.h"
 
 #include <algorithm>
 
@@ -29,7 +29,7 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimateInput& input, vtkIndi
   kernel.SetDefinitions(std::string(visibility.GetDefinitions()) +
     (input.Lights ? input.Lights->GetDefinitions() : ""));
   const int rowsPerDraw = visibility.WalksSegments()
-    ? visibility.GetMaximumNumberOfSegments() / vtkVirtualLightSampler::RowLength
+    ? visibility.GetMaximumNumberOfSegments() / vtkIndirectSampler::RowLength
     : RowsPerDraw;
   const int rows = input.Lights ? input.Lights->GetNumberOfRows() : 1;
   vtkShaderProgram* program = kernel.Use(frame.Window, glossy, rows > rowsPerDraw);

@@ -6,9 +6,9 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectPlan.h"
+#include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
-#include "vtkVirtualLightSampler.h"
 
 #include <algorithm>
 
@@ -48,7 +48,7 @@ bool vtkIndirectLobeGather::Add(
   const int rowsPerDraw = FindRowsPerDraw(input);
   // Pixels that interpolation leaves are summed in one go.
   const bool interpolate =
-    step > 1 && rows * vtkVirtualLightSampler::RowLength <= visibility.GetMaximumNumberOfSenders();
+    step > 1 && rows * vtkIndirectSampler::RowLength <= visibility.GetMaximumNumberOfSenders();
   if (!interpolate)
   {
     this->Coarse.Release(window);
@@ -86,7 +86,7 @@ bool vtkIndirectLobeGather::Add(
 int vtkIndirectLobeGather::FindRowsPerDraw(const vtkIndirectEstimateInput& input)
 {
   return input.Visibility.WalksSegments()
-    ? input.Visibility.GetMaximumNumberOfSegments() / vtkVirtualLightSampler::RowLength
+    ? input.Visibility.GetMaximumNumberOfSegments() / vtkIndirectSampler::RowLength
     : RowsPerDraw;
 }
 

@@ -2,8 +2,8 @@
 #include "Gather/vtkIndirectReferenceLobe.h"
 
 #include "OpenGL/vtkIndirectTarget.h"
+#include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
-#include "vtkVirtualLightSampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,11 +53,10 @@ std::vector<vtkIndirectReferenceLobe> vtkIndirectReferenceLobe::Read(
   const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
   const vtkIndirectTarget& table = lights.GetTable();
   const vtkIndirectTarget& lobes = *lights.GetLobes();
-  const std::vector<float> position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
-  const std::vector<float> normal = table.ReadBack(vtkVirtualLightSampler::NormalReach);
-  const std::vector<float> direction =
-    lobes.ReadBack(vtkVirtualLightSampler::LobeDirectionExponent);
-  const std::vector<float> density = lobes.ReadBack(vtkVirtualLightSampler::LobeDensityArea);
+  const std::vector<float> position = table.ReadBack(vtkIndirectSampler::PositionArea);
+  const std::vector<float> normal = table.ReadBack(vtkIndirectSampler::NormalReach);
+  const std::vector<float> direction = lobes.ReadBack(vtkIndirectSampler::LobeDirectionExponent);
+  const std::vector<float> density = lobes.ReadBack(vtkIndirectSampler::LobeDensityArea);
   for (size_t i = 0; i < count; ++i)
   {
     const float* d = &density[4 * i];

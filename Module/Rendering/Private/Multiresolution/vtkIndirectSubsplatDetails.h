@@ -5,6 +5,8 @@
 #ifndef vtkIndirectSubsplatDetails_h
 #define vtkIndirectSubsplatDetails_h
 
+#include "vtkMultiresolutionSplattingPass.h" // for Of
+
 /** The defaults are those of the preset ROBUST. */
 struct vtkIndirectSubsplatDetails
 {
@@ -37,7 +39,12 @@ struct vtkIndirectSubsplatDetails
   // subsplat's lights. 0, or OpenGL older than 4.3, sums all lights at every specular pixel.
   double GlossyThreshold = 0.02;
 
-  /** Settings of the preset PAPER: the same sums, by the fastest renderer. */
+  /** The details of a pass; tests change them one by one. */
+  static vtkIndirectSubsplatDetails& Of(const vtkMultiresolutionSplattingPass* pass)
+  {
+    return *pass->Details;
+  }
+  /** The choices of the preset PAPER: the same sums, by the fastest renderer. */
   static vtkIndirectSubsplatDetails OfPaper()
   {
     vtkIndirectSubsplatDetails details;

@@ -5,8 +5,9 @@
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectStageTimer.h"
+#include "Gather/vtkIndirectSum.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "Pipeline/vtkIndirectFrameSamplers.h"
-#include "vtkReflectiveShadowMapPass.h"
 
 //------------------------------------------------------------------------------
 vtkIndirectBounceLight::vtkIndirectBounceLight(vtkIndirectFrameSamplers& samplers)
@@ -45,7 +46,7 @@ bool vtkIndirectBounceLight::HasMore(const Input& input) const
 bool vtkIndirectBounceLight::Update(const Input& input, int mostMaps)
 {
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
-  const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(input.Plan);
+  const vtkIndirectVisibilityNeeds needs = vtkIndirectSum::Get(this->Estimator).GetVisibilityNeeds(input.Plan);
   const bool takesSpheres = needs.TakesSpheres() || this->Samplers.Walk();
   if (!takesSpheres || !input.Plan.Caching)
   {
@@ -78,8 +79,8 @@ vtkIndirectEstimate vtkIndirectBounceLight::Sum(const Input& input)
 {
   Input own = input;
   own.Lights = this->Samplers.GetLights();
-  const vtkIndirectEstimate estimate = this->Estimator->MakeEstimate(own);
-  this->EstimateTime = this->Estimator->GetEstimateTime();
+  const vtkIndirectEstimate estimate = vtkIndirectSum::Get(this->Estimator).MakeEstimate(own);
+  this->EstimateTime = vtkIndirectSum::Get(this->Estimator).GetEstimateTime();
   this->Error = estimate.Error;
   return estimate;
 }
@@ -88,7 +89,7 @@ vtkIndirectEstimate vtkIndirectBounceLight::Sum(const Input& input)
 // Another pass that uses the estimator replaces its images.
 bool vtkIndirectBounceLight::IsCurrent() const
 {
-  return this->Estimator && this->Estimator->GetEstimateTime() == this->EstimateTime;
+  return this->Estimator && vtkIndirectSum::Get(this->Estimator).GetEstimateTime() == this->EstimateTime;
 }
 
 //------------------------------------------------------------------------------
@@ -102,10 +103,10 @@ void vtkIndirectBounceLight::AddToReport(vtkIndirectReport& report, const vtkInd
 {
   report.Add(plan.EstimateModelled, plan.EstimateLeftOut);
   report.Method = this->Estimator->GetMethodName();
-  report.Bytes += this->Estimator->GetBytes();
-  report.MainMemoryBytes += this->Estimator->GetMainMemoryBytes();
+  report.Bytes += vtkIndirectSum::Get(this->Estimator).GetBytes();
+  report.MainMemoryBytes += vtkIndirectSum::Get(this->Estimator).GetMainMemoryBytes();
   report.EstimatedError = this->Error;
-  this->Estimator->AddToReport(report);
+  vtkIndirectSum::Get(this->Estimator).AddToReport(report);
   this->Visibility.AddToReport(report);
   this->Samplers.AddToReport(report);
 }

@@ -4,6 +4,7 @@
 #include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Gather/vtkIndirectSum.h"
 #include "vtkEnvironmentLight.h"
 
 //------------------------------------------------------------------------------
@@ -26,8 +27,8 @@ void vtkIndirectEstimatorSky::AppendTo(vtkIndirectKey& key, const Input& input) 
 //------------------------------------------------------------------------------
 vtkIndirectEstimate vtkIndirectEstimatorSky::Sum(const Input& input)
 {
-  const vtkIndirectEstimate estimate = this->Estimator->MakeEstimate(input);
-  this->EstimateTime = this->Estimator->GetEstimateTime();
+  const vtkIndirectEstimate estimate = vtkIndirectSum::Get(this->Estimator).MakeEstimate(input);
+  this->EstimateTime = vtkIndirectSum::Get(this->Estimator).GetEstimateTime();
   return estimate;
 }
 
@@ -35,7 +36,7 @@ vtkIndirectEstimate vtkIndirectEstimatorSky::Sum(const Input& input)
 // Another pass that uses the estimator replaces its images.
 bool vtkIndirectEstimatorSky::IsCurrent() const
 {
-  return this->Estimator && this->Estimator->GetEstimateTime() == this->EstimateTime;
+  return this->Estimator && vtkIndirectSum::Get(this->Estimator).GetEstimateTime() == this->EstimateTime;
 }
 
 //------------------------------------------------------------------------------
@@ -46,9 +47,9 @@ void vtkIndirectEstimatorSky::AddToReport(
   {
     report.Method = this->Estimator->GetMethodName();
   }
-  report.Bytes += this->Estimator->GetBytes();
-  report.MainMemoryBytes += this->Estimator->GetMainMemoryBytes();
-  this->Estimator->AddToReport(report);
+  report.Bytes += vtkIndirectSum::Get(this->Estimator).GetBytes();
+  report.MainMemoryBytes += vtkIndirectSum::Get(this->Estimator).GetMainMemoryBytes();
+  vtkIndirectSum::Get(this->Estimator).AddToReport(report);
   if (this->Alone)
   {
     report.Add(plan.EstimateModelled, plan.EstimateLeftOut);

@@ -7,15 +7,15 @@
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectRevision.h"
+#include "VirtualLights/vtkIndirectMapSampler.h"
 #include "vtkImageData.h"
-#include "vtkMapLightSampler.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
 
 namespace
 {
-// What later bounces are made of. See Documentation/methods/random-walk.md.
+// Later bounces are made of these. See Documentation/methods/random-walk.md.
 constexpr int VerticesOfLaterBounces = 32768;
 constexpr int LightsOfLaterBounces = 64;
 }
@@ -31,8 +31,8 @@ vtkIndirectFrameSamplers::vtkIndirectFrameSamplers()
 //------------------------------------------------------------------------------
 bool vtkIndirectFrameSamplers::HasOtherWalk() const
 {
-  return std::any_of(
-    this->Others.begin(), this->Others.end(), [](const auto& sampler) { return sampler->Walks(); });
+  return std::any_of(this->Others.begin(), this->Others.end(),
+    [](const auto& other) { return vtkIndirectSampler::Get(other)->GetAbilities().Walks; });
 }
 
 //------------------------------------------------------------------------------
@@ -48,25 +48,30 @@ bool vtkIndirectFrameSamplers::UpdateSenderMaps(const vtkIndirectFrame& frame,
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrameSamplers::Choose(
-  const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkVirtualLightSampler* own)
+void vtkIndirectFrameSamplers::Choose(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
+  const vtkIndirectSampler::Pointer& own)
 {
   this->Samplers.clear();
-  // Others may have had those of users in another window.
+  // Another window may hold the lights of the user's samplers.
   if (own)
   {
     own->HoldContext(frame.Window);
   }
+  std::vector<vtkIndirectSampler::Pointer> others;
   for (const auto& other : this->Others)
   {
-    other->HoldContext(frame.Window);
+    others.push_back(vtkIndirectSampler::Get(other));
+    others.back()->HoldContext(frame.Window);
   }
-  vtkVirtualLightSampler* sampler = own;
-  this->Senders->SetNumberOfLightsOf(sampler);
+  const vtkIndirectSamplerAbilities abilities =
+    own ? own->GetAbilities() : vtkIndirectSamplerAbilities();
+  this->Senders->Follow(abilities);
+  vtkIndirectSampler::Pointer sampler = own;
   if (sampler && plan.Senders == vtkIndirectPlan::EYE)
   {
-    vtkMapLightSampler* pattern = sampler->GetViewPattern();
-    this->Headlight->SetPattern(pattern ? pattern : this->Default->GetViewPattern());
+    vtkIndirectMapSampler* pattern = sampler->GetViewPattern();
+    this->Headlight->SetPattern(
+      pattern ? pattern : vtkIndirectSampler::Get(this->Default)->GetViewPattern());
     sampler = this->Headlight;
   }
   if (sampler && plan.Senders != vtkIndirectPlan::NO_SENDERS)
@@ -75,31 +80,31 @@ void vtkIndirectFrameSamplers::Choose(
   }
   if (plan.SkyBounces || plan.AreaLightsBounce)
   {
-    this->Samplers.emplace_back(this->Senders.Get());
+    this->Samplers.emplace_back(this->Senders);
   }
   if (plan.Refraction)
   {
-    this->Refraction->SetNumberOfLightsOf(own);
-    this->Samplers.emplace_back(this->Refraction.Get());
+    this->Refraction->SetNumberOfLights(abilities.NumberOfLights);
+    this->Samplers.emplace_back(this->Refraction);
   }
   else
   {
-    this->Refraction->ReleaseGraphicsResources(frame.Window);
+    this->Refraction->Release(frame.Window);
   }
   this->SendersAreWalked = plan.WalkedBounces > 0 &&
     std::any_of(this->Samplers.begin(), this->Samplers.end(),
-      [](const auto& one) { return one->TakesSenders(); });
+      [](const auto& one) { return one->GetAbilities().TakesSenders; });
   if (plan.WalkedBounces == 0)
   {
     this->LaterBounces->ReleaseGraphicsResources(frame.Window);
   }
   else if (!this->SendersAreWalked)
   {
-    this->Samplers.emplace_back(this->LaterBounces.Get());
+    this->Samplers.emplace_back(vtkIndirectSampler::Get(this->LaterBounces));
   }
   if (plan.OtherSamplers)
   {
-    this->Samplers.insert(this->Samplers.end(), this->Others.begin(), this->Others.end());
+    this->Samplers.insert(this->Samplers.end(), others.begin(), others.end());
   }
 }
 
@@ -108,29 +113,31 @@ bool vtkIndirectFrameSamplers::Walk() const
 {
   return this->SendersAreWalked ||
     std::any_of(this->Samplers.begin(), this->Samplers.end(),
-      [](const auto& sampler) { return sampler->Walks(); });
+      [](const auto& sampler) { return sampler->GetAbilities().Walks; });
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectFrameSamplers::Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-  const vtkReflectiveShadowMapPass& maps, const vtkIndirectGeometryBuffer& geometry,
+  const vtkIndirectLightMaps& maps, const vtkIndirectGeometryBuffer& geometry,
   const vtkIndirectBlockingSpheres* spheres)
 {
-  vtkVirtualLightSampler::Input input = { frame, maps, geometry, plan.ErrorTolerance,
+  vtkIndirectSampler::Input input = { frame, maps, geometry, plan.ErrorTolerance,
     plan.SampledBounces, plan.Interactive,
     plan.SkyBounces || plan.AreaLightsBounce ? &this->Senders->GetEmitters() : nullptr };
   input.Spheres = spheres;
-  input.Further = this->SendersAreWalked ? &this->LaterBounces->UpdateSenders(input) : nullptr;
-  return this->Samplers.empty() ||
-    this->Lights.Update(input, { this->Samplers.begin(), this->Samplers.end() });
+  input.Further = this->SendersAreWalked
+    ? vtkIndirectSampler::Get(this->LaterBounces)->UpdateSenders(input)
+    : nullptr;
+  return this->Samplers.empty() || this->Lights.Update(input, this->Samplers);
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectFrameSamplers::HasMore() const
 {
-  return (this->SendersAreWalked && this->LaterBounces->HasMore()) ||
+  return (this->SendersAreWalked &&
+           vtkIndirectSampler::Get(this->LaterBounces)->GetAbilities().HasMore) ||
     std::any_of(this->Samplers.begin(), this->Samplers.end(),
-      [](const auto& sampler) { return sampler->HasMore(); });
+      [](const auto& sampler) { return sampler->GetAbilities().HasMore; });
 }
 
 //------------------------------------------------------------------------------
@@ -192,7 +199,7 @@ void vtkIndirectFrameSamplers::AddToReport(vtkIndirectReport& report) const
   }
   if (this->SendersAreWalked)
   {
-    this->LaterBounces->AddToReport(report);
+    vtkIndirectSampler::Get(this->LaterBounces)->AddToReport(report);
   }
 }
 
@@ -200,9 +207,9 @@ void vtkIndirectFrameSamplers::AddToReport(vtkIndirectReport& report) const
 void vtkIndirectFrameSamplers::Release(vtkWindow* window)
 {
   this->Default->ReleaseGraphicsResources(window);
-  this->Headlight->ReleaseGraphicsResources(window);
-  this->Senders->ReleaseGraphicsResources(window);
-  this->Refraction->ReleaseGraphicsResources(window);
+  this->Headlight->Release(window);
+  this->Senders->Release(window);
+  this->Refraction->Release(window);
   this->LaterBounces->ReleaseGraphicsResources(window);
   for (const auto& sampler : this->Others)
   {
@@ -210,7 +217,7 @@ void vtkIndirectFrameSamplers::Release(vtkWindow* window)
   }
   for (const auto& sampler : this->Samplers)
   {
-    sampler->ReleaseGraphicsResources(window);
+    sampler->Release(window);
   }
   this->Samplers.clear();
   this->Lights.Release(window);

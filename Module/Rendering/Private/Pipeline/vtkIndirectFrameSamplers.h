@@ -14,6 +14,7 @@
 #include "vtkNew.h"                                     // for members
 #include "vtkRandomWalkLightSampler.h"                  // for members
 #include "vtkSmartPointer.h"                            // for members
+#include "vtkVirtualLightSampler.h"                     // for members
 
 #include <functional> // for emitters
 #include <string>     // for names
@@ -21,9 +22,8 @@
 
 class vtkImageData;
 class vtkIndirectGeometryBuffer;
-class vtkReflectiveShadowMapPass;
+class vtkIndirectLightMaps;
 class vtkSurfaceCapturePass;
-class vtkVirtualLightSampler;
 class vtkWindow;
 struct vtkIndirectBlockingSpheres;
 struct vtkIndirectFrame;
@@ -37,10 +37,10 @@ public:
 
   /** Where the user has set none. */
   vtkNew<vtkLightTreeSampler> Default;
-  /** Whose lights are summed besides those of the frame's sampler. */
+  /** Further samplers, whose lights are summed besides those of the frame's sampler. */
   std::vector<vtkSmartPointer<vtkVirtualLightSampler>> Others;
 
-  /** Whether lights of one of the others are those of paths. */
+  /** Tells whether one of the further samplers walks. */
   bool HasOtherWalk() const;
 
   /**
@@ -50,23 +50,23 @@ public:
   bool UpdateSenderMaps(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     vtkSurfaceCapturePass* capture, const vtkIndirectKey& source,
     const std::function<vtkIndirectEmitters::List()>& makeEmitters);
-  void ReleaseSenderMaps(vtkWindow* window) { this->Senders->ReleaseGraphicsResources(window); }
+  void ReleaseSenderMaps(vtkWindow* window) { this->Senders->Release(window); }
 
-  /** Chooses the samplers of the frame; own: that of the senders, null where the estimator asks for
-   * none. */
-  void Choose(
-    const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkVirtualLightSampler* own);
+  /** Chooses the samplers of the frame; own: the sampler of its lights, null where the estimator
+   * asks for none. */
+  void Choose(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
+    const vtkIndirectSampler::Pointer& own);
 
-  /** Whether a still frame of the same scene would have more lights than the last one. */
+  /** Tells whether a still frame of the same scene would have more lights than the last one. */
   bool HasMore() const;
-  /** Whether rays look for the scene's surfaces, spheres among them. */
+  /** Tells whether rays look for the scene's surfaces, spheres among them. */
   bool Walk() const;
   /**
    * Brings their lights up to date. Returns false, after an error, when one of them cannot.
    * spheres: where they Walk.
    */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-    const vtkReflectiveShadowMapPass& maps, const vtkIndirectGeometryBuffer& geometry,
+    const vtkIndirectLightMaps& maps, const vtkIndirectGeometryBuffer& geometry,
     const vtkIndirectBlockingSpheres* spheres);
   /** The lights, null where the frame has no sampler. */
   const vtkIndirectVirtualLights* GetLights() const
@@ -85,11 +85,14 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  vtkNew<vtkIndirectHeadlightSampler> Headlight;
-  vtkNew<vtkIndirectSenderSampler> Senders;        // of light of the sky and of area lights
-  vtkNew<vtkIndirectRefractionSampler> Refraction; // of bodies of glass
+  template <typename SamplerType>
+  using Own = const std::shared_ptr<SamplerType>;
+  Own<vtkIndirectHeadlightSampler> Headlight = std::make_shared<vtkIndirectHeadlightSampler>();
+  // The surfaces that the sky and area lights shine on, and bodies of glass.
+  Own<vtkIndirectSenderSampler> Senders = std::make_shared<vtkIndirectSenderSampler>();
+  Own<vtkIndirectRefractionSampler> Refraction = std::make_shared<vtkIndirectRefractionSampler>();
   vtkNew<vtkRandomWalkLightSampler> LaterBounces;
-  std::vector<vtkSmartPointer<vtkVirtualLightSampler>> Samplers; // of the frame
+  std::vector<vtkIndirectSampler::Pointer> Samplers; // of the frame
   bool SendersAreWalked = false; // later bounces are among what the sampler's lights are of
   vtkIndirectVirtualLights Lights;
 };

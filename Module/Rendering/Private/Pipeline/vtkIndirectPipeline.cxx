@@ -6,6 +6,7 @@
 #include "Capture/vtkIndirectDarkLight.h"
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Frame/vtkIndirectLightScope.h"
+#include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkAreaLight.h"
@@ -88,12 +89,12 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
     this->SphereMotion.Forget();
   }
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
-  circumstances.TakesSampler =
-    request.Estimator->ChooseSampler(request.Sampler, vtkIndirectPlan()) == request.Sampler;
-  circumstances.SamplerWalks = circumstances.TakesSampler && request.Sampler->Walks();
+  const vtkIndirectAbilities abilities =
+    vtkIndirectSum::Get(request.Estimator).GetAbilities(request.Settings.ErrorTolerance);
+  circumstances.SamplerWalks =
+    abilities.TakesSampler && vtkIndirectSampler::Get(request.Sampler)->GetAbilities().Walks;
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
-  this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings,
-    request.Estimator->GetAbilities(request.Settings.ErrorTolerance), circumstances);
+  this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings, abilities, circumstances);
   // Maps of the scene as it was would show shadows that are gone when the sky comes from them
   // again.
   const bool sky = circumstances.Environment && request.Settings.IndirectScale > 0.0;
@@ -145,7 +146,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   this->Capture->SetDelegatePass(request.Delegate);
   this->Capture->SetShadows(this->Plan.Shadows);
   this->Capture->SetSpecular(this->Plan.SurfacesAreSpecular || this->Plan.SenderLobes);
-  this->Maps->SetSpecular(this->Plan.SenderLobes);
+  this->Maps.SetSpecular(this->Plan.SenderLobes);
   this->Capture->SetSpecularOfPBR(this->Plan.AreaSpecular && this->Frame.PhysicallyBased);
   this->Capture->SetImageLight(!this->Plan.ReplacesImageLight);
   this->Capture->Attach(this->Frame);
@@ -158,11 +159,12 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   if (this->Plan.Senders != vtkIndirectPlan::EYE)
   {
     this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
-    drawn = this->Maps->Update(this->Frame, this->Plan, this->Capture);
+    drawn =
+      this->Maps.Update(this->Frame, this->Plan, this->Capture, this->MapsPass->GetResolution());
     if (drawn && this->Plan.Shadows)
     {
       drawn =
-        this->Penumbra.Update(this->Frame, *this->Maps, this->Capture, request.Settings.Caching);
+        this->Penumbra.Update(this->Frame, this->Maps, this->Capture, request.Settings.Caching);
     }
     this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
   }
@@ -172,7 +174,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   const bool shadowed = drawn && this->Plan.Shadows;
   if (shadowed)
   {
-    shadows = this->Maps->ActivateShadows(this->Frame.Window);
+    shadows = this->Maps.ActivateShadows(this->Frame.Window);
     this->Penumbra.Activate(shadows);
     drawn = shadows.Unit >= 0;
   }
@@ -180,7 +182,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     this->Geometry.Update(s, this->Frame, this->Plan, this->Capture, shadowed ? &shadows : nullptr);
   if (shadowed)
   {
-    this->Maps->Deactivate();
+    this->Maps.Deactivate();
     this->Penumbra.Deactivate();
   }
   drawn = drawn && !this->IsRedirected() &&
@@ -236,7 +238,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
   this->LastFrameKey = std::move(this->FrameKey);
   this->FrameKey = this->MakeFrameKey();
   this->ChooseLights(request);
-  const vtkIndirectFrameLight::Input input = { this->Frame, this->Plan, this->Geometry, *this->Maps,
+  const vtkIndirectFrameLight::Input input = { this->Frame, this->Plan, this->Geometry, this->Maps,
     nullptr, this->Bounce.GetVisibility(), false, this->Timer, this->Environment,
     &this->SkyProjection, &this->UsableAreaLights, this->Capture };
   int mapsLeft = this->Plan.TilesPerFrame;
@@ -274,15 +276,16 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
 // Tells each light of the plan what it consists of in this frame.
 void vtkIndirectPipeline::ChooseLights(const Request& request)
 {
-  this->Estimator->HoldContext(this->Frame.Window, this->Identity.GetMTime());
-  this->Samplers.Choose(
-    this->Frame, this->Plan, this->Estimator->ChooseSampler(request.Sampler, this->Plan));
+  vtkIndirectSum& own = vtkIndirectSum::Get(this->Estimator);
+  own.HoldContext(this->Frame.Window, this->Identity.GetMTime());
+  this->Samplers.Choose(this->Frame, this->Plan,
+    own.ChooseSampler(vtkIndirectSampler::Get(request.Sampler), this->Plan));
   this->Bounce.SetEstimator(this->Estimator, request.Sampler);
   vtkIndirectEstimatorPass* const estimator = this->GetSkyEstimator();
   this->EstimatorSky.SetEstimator(estimator, estimator == this->Estimator);
   if (this->Plan.Sky && estimator)
   {
-    estimator->HoldContext(this->Frame.Window, this->Identity.GetMTime());
+    vtkIndirectSum::Get(estimator).HoldContext(this->Frame.Window, this->Identity.GetMTime());
   }
   if (this->Plan.SkySource == vtkIndirectPlan::SKY_BY_SPHERES)
   {
@@ -415,7 +418,7 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
   const Part* const areaPart = this->GetPart(AREA);
   const vtkIndirectEstimate sky = skyPart ? skyPart->Result : vtkIndirectEstimate();
   const vtkIndirectEstimate area = areaPart ? areaPart->Result : vtkIndirectEstimate();
-  return { this->Frame, this->Geometry, maps ? this->Maps.Get() : nullptr,
+  return { this->Frame, this->Geometry, maps ? &this->Maps : nullptr,
     bounce ? &bounce->Result : nullptr, sky.Sky, sky.SkyBounce, sky.SkyBounceChannel, area.Area,
     area.AreaGlossy, this->FindGreatestIrradiance(), this->Plan.IndirectScale, this->TargetIsClear,
     this->DepthIsDrawn };
@@ -428,7 +431,7 @@ bool vtkIndirectPipeline::RenderChannel(const std::string& name)
   return this->Composite.RenderChannel(input, name) ||
     (this->GetPart(BOUNCE) &&
       this->Composite.RenderChannel(
-        input, [&]() { return this->Estimator->DrawChannel(name, this->Frame, this->Geometry); }));
+        input, [&]() { return vtkIndirectSum::Get(this->Estimator).DrawChannel(name, this->Frame, this->Geometry); }));
 }
 
 //------------------------------------------------------------------------------
@@ -496,7 +499,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
 {
   this->Capture->ReleaseGraphicsResources(window);
   this->Levels.Release(window);
-  this->Maps->ReleaseGraphicsResources(window);
+  this->Maps.Release(window);
   this->Penumbra.Release(window);
   this->Geometry.Release(window);
   this->Bounce.Release(window);

@@ -101,7 +101,7 @@ public:
   void Release(vtkWindow* window);
 
   vtkIndirectStageTimer Timer;
-  vtkNew<vtkReflectiveShadowMapPass> Maps;
+  vtkNew<vtkReflectiveShadowMapPass> MapsPass; // what the user sets of the lights' maps
   vtkNew<vtkMultiresolutionSplattingPass> DefaultEstimator;
   std::vector<vtkSmartPointer<vtkAreaLight>> AreaLights;
   vtkIndirectFrameSamplers Samplers;
@@ -140,6 +140,7 @@ private:
   glm::dvec3 FindGreatestIrradiance() const;
   bool RenderChannel(const std::string& name);
 
+  vtkIndirectLightMaps& Maps = vtkIndirectLightMaps::Get(this->MapsPass);
   vtkNew<vtkSurfaceCapturePass> Capture;
   vtkIndirectPenumbra Penumbra; // of the maps' lights
   vtkIndirectGeometryBuffer Geometry;

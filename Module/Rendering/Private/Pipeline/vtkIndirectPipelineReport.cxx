@@ -5,6 +5,7 @@
 #include "Pipeline/vtkIndirectPipeline.h"
 
 #include "Frame/vtkIndirectReport.h"
+#include "Gather/vtkIndirectSum.h"
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkCamera.h"
@@ -39,10 +40,10 @@ void vtkIndirectPipeline::AddCoarseMapsToReport(vtkIndirectReport& report) const
       std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
   double worst = 0.0;
   int count = 0;
-  for (int i = 0; i < this->Maps->GetNumberOfMaps(); ++i)
+  for (int i = 0; i < this->Maps.GetNumberOfMaps(); ++i)
   {
     const double texel =
-      this->Maps->GetMap(i).FindTexelAt({ focal[0], focal[1], focal[2] }, this->Maps->GetTexels());
+      this->Maps.GetMap(i).FindTexelAt({ focal[0], focal[1], focal[2] }, this->Maps.GetTexels());
     const double share = seen > 0.0 ? texel / seen : 0.0;
     count += share > coarse ? 1 : 0;
     worst = std::max(worst, share);
@@ -62,7 +63,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
 {
   std::copy(this->Frame.Size, this->Frame.Size + 2, report.Size);
   report.Counters = { { "shader_builds", this->Capture->GetNumberOfShaderBuilds() },
-    { "faces_drawn", this->Maps->GetNumberOfFacesDrawn() + this->Samplers.GetNumberOfFacesDrawn() },
+    { "faces_drawn", this->Maps.GetNumberOfFacesDrawn() + this->Samplers.GetNumberOfFacesDrawn() },
     { "voxel_updates", static_cast<long long>(this->Bounce.GetVisibility().GetNumberOfUpdates()) },
     { "sphere_updates",
       static_cast<long long>(this->Bounce.GetVisibility().GetNumberOfSphereUpdates()) },
@@ -106,7 +107,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   }
   if (this->Plan.Senders != vtkIndirectPlan::EYE)
   {
-    this->Maps->AddToReport(report);
+    this->Maps.AddToReport(report);
     this->Penumbra.AddToReport(report);
     this->AddCoarseMapsToReport(report);
   }

@@ -4,6 +4,8 @@
 #ifndef vtkIndirectHintDetails_h
 #define vtkIndirectHintDetails_h
 
+#include "vtkRadianceHintsPass.h" // for Of
+
 /** The defaults are those of the preset ROBUST. */
 struct vtkIndirectHintDetails
 {
@@ -46,7 +48,9 @@ struct vtkIndirectHintDetails
   int NumberOfDepthSamples = 5;
   double DepthAttenuation = 0.6;
 
-  /** Settings of the preset PAPER. */
+  /** The details of a pass; tests change them one by one. */
+  static vtkIndirectHintDetails& Of(const vtkRadianceHintsPass* pass) { return *pass->Details; }
+  /** The choices of the preset PAPER. */
   static vtkIndirectHintDetails OfPaper()
   {
     vtkIndirectHintDetails details;

@@ -6,13 +6,13 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectStageTimer.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "RadianceHints/vtkIndirectHintGrid.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "Visibility/vtkIndirectVisibility.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkReflectiveShadowMapPass.h"
 
 #include <algorithm>
 #include <string>

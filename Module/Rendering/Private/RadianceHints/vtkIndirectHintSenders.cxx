@@ -4,13 +4,10 @@
 #include "RadianceHints/vtkIndirectHintSenders.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
-#include "vtkObjectFactory.h"
-#include "vtkReflectiveShadowMapPass.h"
 #include "vtkTextureObject.h"
-
-vtkStandardNewMacro(vtkIndirectHintSenders);
 
 namespace
 {
@@ -20,15 +17,28 @@ constexpr int ReadsPerBlockEdge = 8;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectHintSenders::vtkIndirectHintSenders()
+vtkIndirectHintSenders::vtkIndirectHintSenders(vtkObject* caller)
+  : Caller(caller)
 {
   this->ViewPattern->SetNumberOfLights(1024);
 }
 
 //------------------------------------------------------------------------------
+vtkIndirectMapSampler* vtkIndirectHintSenders::GetViewPattern()
+{
+  return vtkIndirectSampler::Get(this->ViewPattern)->GetViewPattern();
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSamplerAbilities vtkIndirectHintSenders::GetAbilities() const
+{
+  return vtkIndirectSampler::Get(this->ViewPattern)->GetAbilities();
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectHintSenders::Update(const Input& input)
 {
-  const vtkReflectiveShadowMapPass& maps = input.Maps;
+  const vtkIndirectLightMaps& maps = input.Maps;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   if (this->MapTime == maps.GetContentTime() && this->Blocks == this->BlocksPerEdge)
   {
@@ -38,7 +48,7 @@ bool vtkIndirectHintSenders::Update(const Input& input)
   const int count = maps.GetNumberOfLayers() * this->BlocksPerEdge * this->BlocksPerEdge;
   if (count > RowLength * vtkTextureObject::GetMaximumTextureSize(window))
   {
-    vtkErrorMacro(
+    vtkErrorWithObjectMacro(this->Caller,
       "Hints cannot read " << count << " blocks of the lights' maps; use fewer lights.");
     return false;
   }
@@ -73,13 +83,8 @@ bool vtkIndirectHintSenders::Update(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintSenders::ReleaseGraphicsResources(vtkWindow* window)
+void vtkIndirectHintSenders::ReleaseOwn(vtkWindow* window)
 {
-  if (!this->CanBeOf(window))
-  {
-    return;
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
   this->ViewPattern->ReleaseGraphicsResources(window);
   this->Program.Release();
   this->MapTime = 0;

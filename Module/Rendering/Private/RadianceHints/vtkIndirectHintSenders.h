@@ -5,33 +5,29 @@
 #define vtkIndirectHintSenders_h
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
-#include "vtkNew.h"                              // for members
-#include "vtkUniformLightSampler.h"              // for the headlight's pattern
-#include "vtkVirtualLightSampler.h"
+#include "VirtualLights/vtkIndirectSampler.h"
+#include "vtkNew.h"                 // for members
+#include "vtkUniformLightSampler.h" // for the headlight's pattern
 
-class vtkIndirectHintSenders : public vtkVirtualLightSampler
+class vtkIndirectHintSenders : public vtkIndirectSampler
 {
 public:
-  static vtkIndirectHintSenders* New();
-  vtkTypeMacro(vtkIndirectHintSenders, vtkVirtualLightSampler);
+  /** caller: the object whose error it is that the maps are too many. */
+  explicit vtkIndirectHintSenders(vtkObject* caller);
 
   /** Number of blocks along an edge of each map's face. */
   void SetBlocksPerEdge(int blocks) { this->BlocksPerEdge = blocks; }
 
   bool Update(const Input& input) override;
   /** The headlight's map has no blocks: it gets more lights than usual, as many as another map. */
-  vtkMapLightSampler* GetViewPattern() override { return this->ViewPattern; }
-  int GetNumberOfLights() override { return this->ViewPattern->GetNumberOfLights(); }
-  void ReleaseGraphicsResources(vtkWindow* window) override;
+  vtkIndirectMapSampler* GetViewPattern() override;
+  vtkIndirectSamplerAbilities GetAbilities() const override;
 
 protected:
-  vtkIndirectHintSenders();
-  ~vtkIndirectHintSenders() override = default;
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
-  vtkIndirectHintSenders(const vtkIndirectHintSenders&) = delete;
-  void operator=(const vtkIndirectHintSenders&) = delete;
-
+  vtkObject* Caller;
   int BlocksPerEdge = 24;
   vtkNew<vtkUniformLightSampler> ViewPattern;
   vtkIndirectFullScreenProgram Program{ "vtkIndirectHintSendersFS.glsl" };

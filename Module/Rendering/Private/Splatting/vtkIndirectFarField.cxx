@@ -18,7 +18,7 @@
 
 namespace
 {
-constexpr int RowLength = vtkVirtualLightSampler::RowLength;
+constexpr int RowLength = vtkIndirectSampler::RowLength;
 
 const vtkIndirectChannel CoarseChannels[] = {
   { "splats.far", "vtkiCoarse", "irradiance that splats cut off, luminance of all of it",

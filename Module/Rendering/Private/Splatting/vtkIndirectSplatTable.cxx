@@ -15,7 +15,7 @@
 
 namespace
 {
-constexpr int RowLength = vtkVirtualLightSampler::RowLength;
+constexpr int RowLength = vtkIndirectSampler::RowLength;
 
 const vtkIndirectChannel ColumnsChannels[] = {
   { "splats.columns", "vtkiSplatColumns", "sum of intensities, number of lights", GL_RG32F, "-",

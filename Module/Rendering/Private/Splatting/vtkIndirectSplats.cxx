@@ -22,7 +22,7 @@
 
 namespace
 {
-constexpr int RowLength = vtkVirtualLightSampler::RowLength;
+constexpr int RowLength = vtkIndirectSampler::RowLength;
 // Lights in one draw: long draws stall a desktop, and some drivers end them.
 constexpr int SplatsPerDraw = 16 * RowLength;
 constexpr int TileSize = 16;
@@ -32,7 +32,7 @@ constexpr int TileSize = 16;
 class SplatState
 {
 public:
-  SplatState(vtkOpenGLState* state, bool culls)
+  explicit SplatState(vtkOpenGLState* state)
     : State(state)
     , Cull(state, GL_CULL_FACE)
     , Mask(state)
@@ -44,7 +44,7 @@ public:
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDepthFunc(GL_GREATER);
     state->vtkglDepthMask(GL_FALSE);
-    culls ? state->vtkglEnable(GL_CULL_FACE) : state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglEnable(GL_CULL_FACE);
     state->vtkglCullFace(GL_FRONT);
     glEnable(GL_DEPTH_CLAMP);
   }
@@ -75,11 +75,11 @@ bool vtkIndirectSplats::UsesTiles()
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSplats::Sum(const vtkIndirectEstimateInput& input,
-  const vtkIndirectSplatTable& table, vtkIndirectTarget& sum, bool rectangles)
+bool vtkIndirectSplats::Sum(
+  const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, vtkIndirectTarget& sum)
 {
   return UsesTiles() ? SumInTiles(input, table, this->Tiles, sum)
-                     : this->SumBlended(input, table, sum, rectangles);
+                     : this->SumBlended(input, table, sum);
 }
 
 //------------------------------------------------------------------------------
@@ -112,25 +112,25 @@ vtkShaderProgram* vtkIndirectSplats::Use(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSplats::SumBlended(const vtkIndirectEstimateInput& input,
-  const vtkIndirectSplatTable& table, vtkIndirectTarget& sum, bool rectangles)
+bool vtkIndirectSplats::SumBlended(
+  const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, vtkIndirectTarget& sum)
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
-  const std::string definitions = std::string(input.Visibility.GetDefinitions()) +
-    input.Lights->GetDefinitions() + (rectangles ? "#define VTKI_SPLAT_RECTANGLES\n" : "");
+  const std::string definitions =
+    std::string(input.Visibility.GetDefinitions()) + input.Lights->GetDefinitions();
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   sum.Begin();
   sum.Clear();
   bool done = false;
   {
-    const SplatState splats(state, !rectangles);
-    done = this->Draw(input, table,
-      Use(this->OfLights, window, definitions + table.GetDefinitions(false)), rectangles);
+    const SplatState splats(state);
+    done = this->Draw(
+      input, table, Use(this->OfLights, window, definitions + table.GetDefinitions(false)));
     if (done && input.Lights->HasLobes())
     {
-      done = this->Draw(input, table,
-        Use(this->OfLobes, window, definitions + table.GetDefinitions(true)), rectangles);
+      done = this->Draw(
+        input, table, Use(this->OfLobes, window, definitions + table.GetDefinitions(true)));
     }
   }
   sum.End();
@@ -139,7 +139,7 @@ bool vtkIndirectSplats::SumBlended(const vtkIndirectEstimateInput& input,
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
-  const vtkIndirectSplatTable& table, vtkShaderProgram* program, bool rectangles)
+  const vtkIndirectSplatTable& table, vtkShaderProgram* program)
 {
   if (!program)
   {
@@ -156,7 +156,7 @@ bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
   for (int first = 0; first < lights; first += SplatsPerDraw)
   {
     program->SetUniformi("vtkiFirstLight", first);
-    this->Mesh.Draw(frame.Window, attribute, rectangles, std::min(SplatsPerDraw, lights - first));
+    this->Mesh.Draw(frame.Window, attribute, false, std::min(SplatsPerDraw, lights - first));
     if (lights > SplatsPerDraw)
     {
       glFlush();

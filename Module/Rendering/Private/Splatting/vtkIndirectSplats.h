@@ -26,7 +26,7 @@ public:
    * vtkIndirectFullScreenState. Returns false if a program does not compile.
    */
   bool Sum(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-    vtkIndirectTarget& sum, bool rectangles);
+    vtkIndirectTarget& sum);
 
   /**
    * Fills `glossy`, of the frame's size and RGBA32F, with the specular reflection of the lights and
@@ -50,10 +50,10 @@ private:
   static vtkShaderProgram* Use(
     Shaders& shaders, vtkOpenGLRenderWindow* window, const std::string& definitions);
   bool SumBlended(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-    vtkIndirectTarget& sum, bool rectangles);
+    vtkIndirectTarget& sum);
   bool Draw(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-    vtkShaderProgram* program, bool rectangles);
   /** Runs the compute program for blocks of lights. */
+    vtkShaderProgram* program);
   static bool SumInTiles(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum);
 

@@ -4,18 +4,19 @@
 #ifndef vtkIndirectAllTexelsSampler_h
 #define vtkIndirectAllTexelsSampler_h
 
-#include "vtkMapLightSampler.h"
-#include "vtkObjectFactory.h"
+#include "VirtualLights/vtkIndirectMapSampler.h"
 
 #include <algorithm> // for the smallest map
 
-class vtkIndirectAllTexelsSampler : public vtkMapLightSampler
+class vtkIndirectAllTexelsSampler : public vtkIndirectMapSampler
 {
 public:
-  static vtkIndirectAllTexelsSampler* New() { VTK_STANDARD_NEW_BODY(vtkIndirectAllTexelsSampler); }
-  vtkTypeMacro(vtkIndirectAllTexelsSampler, vtkMapLightSampler);
-
-  int GetNumberOfLights() override { return VTK_INT_MAX; }
+  vtkIndirectSamplerAbilities GetAbilities() const override
+  {
+    vtkIndirectSamplerAbilities abilities;
+    abilities.NumberOfLights = VTK_INT_MAX;
+    return abilities;
+  }
   /** Lights at most, as long as there are two texels along an edge. */
   void SetMostLights(size_t count) { this->MostLights = count; }
 
@@ -51,14 +52,7 @@ public:
     }
   }
 
-protected:
-  vtkIndirectAllTexelsSampler() = default;
-  ~vtkIndirectAllTexelsSampler() override = default;
-
 private:
-  vtkIndirectAllTexelsSampler(const vtkIndirectAllTexelsSampler&) = delete;
-  void operator=(const vtkIndirectAllTexelsSampler&) = delete;
-
   size_t MostLights = static_cast<size_t>(-1);
 };
 

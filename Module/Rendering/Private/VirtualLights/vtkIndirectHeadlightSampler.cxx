@@ -6,15 +6,12 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "OpenGL/vtkIndirectTarget.h"
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkIndirectHeadlightSampler);
 
 //------------------------------------------------------------------------------
 bool vtkIndirectHeadlightSampler::Update(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  vtkMapLightSampler::Source view;
+  vtkIndirectMapSampler::Source view;
   view.Size[0] = frame.Size[0];
   view.Size[1] = frame.Size[1];
   this->Texture.Update(frame.Window, *this->Pattern, { view });
@@ -57,17 +54,12 @@ bool vtkIndirectHeadlightSampler::Update(const Input& input)
 //------------------------------------------------------------------------------
 size_t vtkIndirectHeadlightSampler::GetBytes() const
 {
-  return this->Superclass::GetBytes() + this->Texture.GetBytes();
+  return this->vtkIndirectSampler::GetBytes() + this->Texture.GetBytes();
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHeadlightSampler::ReleaseGraphicsResources(vtkWindow* window)
+void vtkIndirectHeadlightSampler::ReleaseOwn(vtkWindow* window)
 {
-  if (!this->CanBeOf(window))
-  {
-    return;
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
   this->Texture.Release(window);
   this->Program.Release();
 }

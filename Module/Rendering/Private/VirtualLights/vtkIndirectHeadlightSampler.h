@@ -6,30 +6,22 @@
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h"     // for members
 #include "VirtualLights/vtkIndirectPatternTexture.h" // for members
-#include "vtkVirtualLightSampler.h"
+#include "VirtualLights/vtkIndirectSampler.h"
 
-class vtkIndirectHeadlightSampler : public vtkVirtualLightSampler
+class vtkIndirectHeadlightSampler : public vtkIndirectSampler
 {
 public:
-  static vtkIndirectHeadlightSampler* New();
-  vtkTypeMacro(vtkIndirectHeadlightSampler, vtkVirtualLightSampler);
-
-  /** Who makes the pattern of places in the view; must be there at Update. */
-  void SetPattern(vtkMapLightSampler* pattern) { this->Pattern = pattern; }
+  /** Sets the sampler that makes the pattern of places in the view; it must exist at Update. */
+  void SetPattern(vtkIndirectMapSampler* pattern) { this->Pattern = pattern; }
 
   bool Update(const Input& input) override;
   size_t GetBytes() const override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
-  vtkIndirectHeadlightSampler() = default;
-  ~vtkIndirectHeadlightSampler() override = default;
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
-  vtkIndirectHeadlightSampler(const vtkIndirectHeadlightSampler&) = delete;
-  void operator=(const vtkIndirectHeadlightSampler&) = delete;
-
-  vtkMapLightSampler* Pattern = nullptr;
+  vtkIndirectMapSampler* Pattern = nullptr;
   vtkIndirectPatternTexture Texture;
   vtkIndirectFullScreenProgram Program{ "vtkIndirectCameraLightFS.glsl" };
 };

@@ -4,12 +4,12 @@
 #include "VirtualLights/vtkIndirectLightBlock.h"
 
 #include "OpenGL/vtkIndirectTarget.h"
+#include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
-#include "vtkVirtualLightSampler.h"
 
 #include <algorithm>
 
@@ -75,7 +75,7 @@ void vtkIndirectLightBlock::Update(
     glBufferData(GL_UNIFORM_BUFFER, this->Bytes, nullptr, GL_DYNAMIC_COPY);
     glBindBuffer(GL_UNIFORM_BUFFER, 0);
   }
-  constexpr int width = vtkVirtualLightSampler::RowLength;
+  constexpr int width = vtkIndirectSampler::RowLength;
   const vtkIndirectTarget& table = lights.GetTable();
   const int rows = (std::min(count, capacity) + width - 1) / width;
   vtkOpenGLState* state = window->GetState();

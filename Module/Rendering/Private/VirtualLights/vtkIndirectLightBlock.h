@@ -25,7 +25,7 @@ public:
 
   /**
    * Takes the lights of a frame, or `count` of them from `first` on, a multiple of
-   * vtkVirtualLightSampler::RowLength; as many as it holds are copied into the buffer, on the GPU.
+   * vtkIndirectSampler::RowLength; as many as it holds are copied into the buffer, on the GPU.
    */
   void Update(vtkOpenGLRenderWindow* window, const vtkIndirectVirtualLights& lights);
   void Update(

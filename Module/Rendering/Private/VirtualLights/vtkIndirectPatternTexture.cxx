@@ -11,21 +11,21 @@ vtkIndirectPatternTexture::vtkIndirectPatternTexture() = default;
 vtkIndirectPatternTexture::~vtkIndirectPatternTexture() = default;
 
 //------------------------------------------------------------------------------
-bool vtkIndirectPatternTexture::Update(vtkOpenGLRenderWindow* window, vtkMapLightSampler& sampler,
-  const std::vector<vtkMapLightSampler::Source>& sources)
+bool vtkIndirectPatternTexture::Update(vtkOpenGLRenderWindow* window,
+  vtkIndirectMapSampler& sampler, const std::vector<vtkIndirectMapSampler::Source>& sources)
 {
   if (this->Texture && this->Sources == sources && this->Sampler == &sampler &&
-    this->Time >= sampler.GetMTime())
+    this->Time >= sampler.GetSettingsTime())
   {
     return false;
   }
   this->Sources = sources;
   this->Sampler = &sampler;
-  this->Time = sampler.GetMTime();
-  std::vector<vtkMapLightSampler::Sample> pattern;
+  this->Time = sampler.GetSettingsTime();
+  std::vector<vtkIndirectMapSampler::Sample> pattern;
   sampler.MakePattern(sources, pattern);
   this->NumberOfSamples = static_cast<int>(pattern.size());
-  constexpr int width = vtkVirtualLightSampler::RowLength;
+  constexpr int width = vtkIndirectSampler::RowLength;
   const int rows = std::max(1, (this->NumberOfSamples + width - 1) / width);
   pattern.resize(static_cast<size_t>(rows) * width, { 0.0f, 0.0f, 0.0f, 0.0f });
   if (!this->Texture)
@@ -56,7 +56,7 @@ void vtkIndirectPatternTexture::Deactivate() const
 size_t vtkIndirectPatternTexture::GetBytes() const
 {
   return this->Texture ? static_cast<size_t>(this->Texture->GetWidth()) *
-      this->Texture->GetHeight() * sizeof(vtkMapLightSampler::Sample)
+      this->Texture->GetHeight() * sizeof(vtkIndirectMapSampler::Sample)
                        : 0;
 }
 

@@ -4,8 +4,8 @@
 #ifndef vtkIndirectPatternTexture_h
 #define vtkIndirectPatternTexture_h
 
-#include "vtkMapLightSampler.h" // for sources
-#include "vtkSmartPointer.h"    // for the texture
+#include "VirtualLights/vtkIndirectMapSampler.h" // for sources
+#include "vtkSmartPointer.h"                     // for the texture
 
 #include <vector> // for sources
 
@@ -21,8 +21,8 @@ public:
   ~vtkIndirectPatternTexture();
 
   /** Returns whether it has changed. */
-  bool Update(vtkOpenGLRenderWindow* window, vtkMapLightSampler& sampler,
-    const std::vector<vtkMapLightSampler::Source>& sources);
+  bool Update(vtkOpenGLRenderWindow* window, vtkIndirectMapSampler& sampler,
+    const std::vector<vtkIndirectMapSampler::Source>& sources);
 
   int GetNumberOfSamples() const { return this->NumberOfSamples; }
 
@@ -34,9 +34,9 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  std::vector<vtkMapLightSampler::Source> Sources;
-  const vtkMapLightSampler* Sampler = nullptr; // who made it
-  vtkMTimeType Time = 0;                       // of that sampler
+  std::vector<vtkIndirectMapSampler::Source> Sources;
+  const vtkIndirectMapSampler* Sampler = nullptr; // who made it
+  vtkMTimeType Time = 0;                          // of that sampler
   int NumberOfSamples = 0;
   vtkSmartPointer<vtkTextureObject> Texture;
 };

@@ -5,15 +5,12 @@
 #include "Frame/vtkIndirectRevision.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkActor.h"
-#include "vtkObjectFactory.h"
 #include "vtkProperty.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-
-vtkStandardNewMacro(vtkIndirectRefractionSampler);
 
 namespace
 {
@@ -35,10 +32,9 @@ double FindFalloff(const vtkIndirectLight& light, const glm::dvec3& way, double 
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectRefractionSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampler)
+void vtkIndirectRefractionSampler::SetNumberOfLights(int number)
 {
   // All texels are no number for paths through glass.
-  const int number = sampler ? sampler->GetNumberOfLights() : 256;
   this->NumberOfLights = number == VTK_INT_MAX ? 256 : number;
 }
 
@@ -174,11 +170,4 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
       rows.push_back(row);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectRefractionSampler::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Superclass::ReleaseGraphicsResources(window);
-  this->Key.Clear();
 }

@@ -9,33 +9,25 @@
 
 #include "Frame/vtkIndirectKey.h"                // for keys
 #include "VirtualLights/vtkIndirectRefraction.h" // for paths
-#include "vtkVirtualLightSampler.h"
+#include "VirtualLights/vtkIndirectSampler.h"
 
 #include <vector> // for rows
 
 class vtkActor;
 struct vtkIndirectLight;
 
-class vtkIndirectRefractionSampler : public vtkVirtualLightSampler
+class vtkIndirectRefractionSampler : public vtkIndirectSampler
 {
 public:
-  static vtkIndirectRefractionSampler* New();
-  vtkTypeMacro(vtkIndirectRefractionSampler, vtkVirtualLightSampler);
-
-  /** Squares towards a body from each light: twice as many as a sampler has lights. */
-  void SetNumberOfLightsOf(vtkVirtualLightSampler* sampler);
+  /** Sends twice as many squares of light towards a body, from each light. */
+  void SetNumberOfLights(int number);
 
   bool Update(const Input& input) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
-  vtkIndirectRefractionSampler() = default;
-  ~vtkIndirectRefractionSampler() override = default;
+  void ReleaseOwn(vtkWindow*) override { this->Key.Clear(); }
 
 private:
-  vtkIndirectRefractionSampler(const vtkIndirectRefractionSampler&) = delete;
-  void operator=(const vtkIndirectRefractionSampler&) = delete;
-
   void Add(const vtkIndirectFrame& frame, const vtkIndirectLight& light, vtkActor* actor,
     const vtkIndirectRefraction& body, std::vector<Row>& rows) const;
 

@@ -4,9 +4,9 @@
 #include "VirtualLights/vtkIndirectSampleWarp.h"
 
 #include "LightMaps/vtkIndirectLightMap.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
-#include "vtkReflectiveShadowMapPass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ vtkIndirectSampleWarp::~vtkIndirectSampleWarp() = default;
 //------------------------------------------------------------------------------
 // A chart a light; returns false, after an error, when OpenGL refuses.
 bool vtkIndirectSampleWarp::UpdateCharts(
-  vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps)
+  vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps)
 {
   std::vector<float> charts;
   int edge = 2;
@@ -123,7 +123,7 @@ void vtkIndirectSampleWarp::ActivateNodes(
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSampleWarp::SumNodes(
-  vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps, double occlusion)
+  vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps, double occlusion)
 {
   const std::string definitions = this->WithFlux ? "#define VTKI_FLUX\n" : "";
   vtkIndirectFullScreenState fullScreen(window);
@@ -172,11 +172,10 @@ bool vtkIndirectSampleWarp::SumNodes(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window,
-  const vtkReflectiveShadowMapPass& maps, const vtkMapLightSampler::Drawing& drawing,
-  const vtkIndirectPatternTexture& pattern)
+bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps,
+  const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern)
 {
-  constexpr int width = vtkVirtualLightSampler::RowLength;
+  constexpr int width = vtkIndirectSampler::RowLength;
   const int rows = std::max(1, (pattern.GetNumberOfSamples() + width - 1) / width);
   if (!this->Samples.Resize(window, width, rows))
   {
@@ -215,11 +214,10 @@ bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window,
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSampleWarp::Update(vtkOpenGLRenderWindow* window,
-  const vtkReflectiveShadowMapPass& maps, const vtkMapLightSampler::Drawing& drawing,
-  const vtkIndirectPatternTexture& pattern)
+bool vtkIndirectSampleWarp::Update(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps,
+  const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern)
 {
-  const bool flux = drawing.By == vtkMapLightSampler::Drawing::FLUX;
+  const bool flux = drawing.By == vtkIndirectMapSampler::Drawing::FLUX;
   if (this->MapTime != maps.GetContentTime() || this->WithFlux != flux ||
     this->Occlusion != drawing.Occlusion)
   {

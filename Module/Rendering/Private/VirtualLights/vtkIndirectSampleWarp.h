@@ -10,13 +10,13 @@
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h"     // for members
 #include "OpenGL/vtkIndirectTarget.h"                // for members
+#include "VirtualLights/vtkIndirectMapSampler.h"     // for charts
 #include "VirtualLights/vtkIndirectPatternTexture.h" // for the pattern
-#include "vtkMapLightSampler.h"                      // for charts
 
 #include <cstddef> // for size_t
 #include <vector>  // for charts
 
-class vtkReflectiveShadowMapPass;
+class vtkIndirectLightMaps;
 
 class vtkIndirectSampleWarp
 {
@@ -35,8 +35,8 @@ public:
    * Brings the samples up to date: those of the pattern, whose layers are charts, as samples of
    * texels. Returns false, after an error, when OpenGL refuses.
    */
-  bool Update(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps,
-    const vtkMapLightSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
+  bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps,
+    const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
 
   /** Binds the samples in place of a pattern; pair with Deactivate. */
   void Activate(vtkShaderProgram* program) const;
@@ -48,11 +48,10 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  bool UpdateCharts(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps);
-  bool SumNodes(
-    vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps, double occlusion);
-  bool Warp(vtkOpenGLRenderWindow* window, const vtkReflectiveShadowMapPass& maps,
-    const vtkMapLightSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
+  bool UpdateCharts(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps);
+  bool SumNodes(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps, double occlusion);
+  bool Warp(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps,
+    const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
   void ActivateCharts(vtkShaderProgram* program) const;
   void ActivateNodes(
     int parity, vtkShaderProgram* program, const char* lit, const char* flux) const;

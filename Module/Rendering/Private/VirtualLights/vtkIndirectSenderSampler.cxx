@@ -6,15 +6,10 @@
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
-#include "vtkLightTreeSampler.h"
-#include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkReflectiveShadowMapPass.h"
 
 #include <algorithm>
 #include <utility>
-
-vtkStandardNewMacro(vtkIndirectSenderSampler);
 
 namespace
 {
@@ -48,20 +43,11 @@ bool IsLit(const vtkIndirectEmitter& emitter)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectSenderSampler::vtkIndirectSenderSampler()
+void vtkIndirectSenderSampler::Follow(const vtkIndirectSamplerAbilities& sampler)
 {
-  this->Maps->SetResolution(TexelsOfMaps);
-}
-
-vtkIndirectSenderSampler::~vtkIndirectSenderSampler() = default;
-
-//------------------------------------------------------------------------------
-void vtkIndirectSenderSampler::SetNumberOfLightsOf(vtkVirtualLightSampler* sampler)
-{
-  this->NumberOfLights = sampler ? sampler->GetNumberOfLights() : 256;
-  const bool divides = vtkLightTreeSampler::SafeDownCast(sampler) != nullptr;
-  this->SourceTime += divides != this->Divides ? 1 : 0;
-  this->Divides = divides;
+  this->NumberOfLights = sampler.NumberOfLights;
+  this->SourceTime += sampler.Divides != this->Divides ? 1 : 0;
+  this->Divides = sampler.Divides;
 }
 
 //------------------------------------------------------------------------------
@@ -148,7 +134,7 @@ bool vtkIndirectSenderSampler::DrawMaps(
     maps.MapLights.push_back(light.Index);
     scene.Lights.push_back(light);
   }
-  this->MapsAreThere = this->Maps->Update(scene, maps, capture);
+  this->MapsAreThere = this->Maps.Update(scene, maps, capture, TexelsOfMaps);
   ++this->SourceTime;
   return this->MapsAreThere;
 }
@@ -159,7 +145,7 @@ bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
 {
   std::vector<vtkIndirectSenderClusters::Sender> senders;
   std::vector<glm::vec3> places;
-  if (!this->Texels.Read({ input.Frame, *this->Maps, input.Geometry }, senders, places))
+  if (!this->Texels.Read({ input.Frame, this->Maps, input.Geometry }, senders, places))
   {
     return false;
   }
@@ -175,7 +161,7 @@ bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
 //------------------------------------------------------------------------------
 bool vtkIndirectSenderSampler::Update(const Input& input)
 {
-  if (this->SendersTime != this->Maps->GetContentTime())
+  if (this->SendersTime != this->Maps.GetContentTime())
   {
     this->SendersTime = 0;
     this->MadeTime = 0;
@@ -183,7 +169,7 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
     {
       return false;
     }
-    this->SendersTime = this->Maps->GetContentTime();
+    this->SendersTime = this->Maps.GetContentTime();
   }
   else if (this->MadeTime == this->SourceTime && this->MadeCount == this->NumberOfLights)
   {
@@ -211,13 +197,13 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
 //------------------------------------------------------------------------------
 long long vtkIndirectSenderSampler::GetNumberOfFacesDrawn() const
 {
-  return this->Maps->GetNumberOfFacesDrawn();
+  return this->Maps.GetNumberOfFacesDrawn();
 }
 
 //------------------------------------------------------------------------------
 size_t vtkIndirectSenderSampler::GetBytes() const
 {
-  return this->Superclass::GetBytes() + this->Maps->GetBytes();
+  return this->vtkIndirectSampler::GetBytes() + this->Maps.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -248,20 +234,15 @@ void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
         std::to_string(this->GetActualNumberOfLights()) + " virtual lights of " +
           std::to_string(this->Clusters.GetNumberOfSenders()) + " texels in maps of " +
           std::to_string(lit) + (sky ? " directions, " : " places, ") +
-          std::to_string(this->Maps->GetTexels()) + " texels squared");
+          std::to_string(this->Maps.GetTexels()) + " texels squared");
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSenderSampler::ReleaseGraphicsResources(vtkWindow* window)
+void vtkIndirectSenderSampler::ReleaseOwn(vtkWindow* window)
 {
-  if (!this->CanBeOf(window))
-  {
-    return;
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
-  this->Maps->ReleaseGraphicsResources(window);
+  this->Maps.Release(window);
   this->Texels.Release(window);
   this->Clusters.SetSenders({});
   this->Emitters.clear();

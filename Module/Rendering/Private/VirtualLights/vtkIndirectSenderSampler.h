@@ -8,29 +8,25 @@
 #ifndef vtkIndirectSenderSampler_h
 #define vtkIndirectSenderSampler_h
 
-#include "Frame/vtkIndirectFrame.h"                  // for casters
-#include "Frame/vtkIndirectKey.h"                    // for keys
-#include "VirtualLights/vtkIndirectEmitters.h"       // for members
+#include "Frame/vtkIndirectFrame.h"            // for casters
+#include "Frame/vtkIndirectKey.h" // for keys
+#include "LightMaps/vtkIndirectLightMaps.h"    // for members
+#include "VirtualLights/vtkIndirectEmitters.h" // for members
+#include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h" // for members
 #include "VirtualLights/vtkIndirectSenderTexels.h"   // for members
-#include "vtkNew.h"                                  // for members
-#include "vtkVirtualLightSampler.h"
 
 #include <vector> // for lists
 
-class vtkReflectiveShadowMapPass;
 class vtkSurfaceCapturePass;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
 
-class vtkIndirectSenderSampler : public vtkVirtualLightSampler
+class vtkIndirectSenderSampler : public vtkIndirectSampler
 {
 public:
-  static vtkIndirectSenderSampler* New();
-  vtkTypeMacro(vtkIndirectSenderSampler, vtkVirtualLightSampler);
-
-  /** As many as a sampler has of the scene's lights; null for the default. */
-  void SetNumberOfLightsOf(vtkVirtualLightSampler* sampler);
+  /** Makes as many lights as the frame's sampler, and divides them where that does. */
+  void Follow(const vtkIndirectSamplerAbilities& sampler);
 
   /** Whether the sampler has the emitters that were made of these inputs. */
   bool Knows(const vtkIndirectKey& source) const { return source == this->Source; }
@@ -50,20 +46,15 @@ public:
   long long GetNumberOfFacesDrawn() const;
   size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
-  vtkIndirectSenderSampler();
-  ~vtkIndirectSenderSampler() override;
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
-  vtkIndirectSenderSampler(const vtkIndirectSenderSampler&) = delete;
-  void operator=(const vtkIndirectSenderSampler&) = delete;
-
   bool UpdateScene(const vtkIndirectFrame& frame);
   bool ReadSenders(const Input& input);
 
-  vtkNew<vtkReflectiveShadowMapPass> Maps;
+  vtkIndirectLightMaps Maps;
   vtkIndirectSenderTexels Texels;
   vtkIndirectSenderClusters Clusters;
   int NumberOfLights = 256;

@@ -10,25 +10,25 @@
 #include <algorithm>
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSenderTexels::Read(const vtkVirtualLightSampler::Input& input,
+bool vtkIndirectSenderTexels::Read(const vtkIndirectSampler::Input& input,
   std::vector<vtkIndirectSenderClusters::Sender>& senders, std::vector<glm::vec3>& places)
 {
   senders.clear();
   places.clear();
-  if (!this->Texels->Update(input))
+  if (!this->Texels.Update(input))
   {
     return false;
   }
-  const vtkIndirectTarget& table = this->Texels->GetTable();
-  const std::vector<float> position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
-  const std::vector<float> normal = table.ReadBack(vtkVirtualLightSampler::NormalReach);
-  const std::vector<float> density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
-  const size_t count = static_cast<size_t>(this->Texels->GetActualNumberOfLights());
-  const vtkIndirectTarget* lobes = this->Texels->GetLobes();
+  const vtkIndirectTarget& table = this->Texels.GetTable();
+  const std::vector<float> position = table.ReadBack(vtkIndirectSampler::PositionArea);
+  const std::vector<float> normal = table.ReadBack(vtkIndirectSampler::NormalReach);
+  const std::vector<float> density = table.ReadBack(vtkIndirectSampler::DensityArea);
+  const size_t count = static_cast<size_t>(this->Texels.GetActualNumberOfLights());
+  const vtkIndirectTarget* lobes = this->Texels.GetLobes();
   const std::vector<float> direction =
-    lobes ? lobes->ReadBack(vtkVirtualLightSampler::LobeDirectionExponent) : std::vector<float>();
+    lobes ? lobes->ReadBack(vtkIndirectSampler::LobeDirectionExponent) : std::vector<float>();
   const std::vector<float> flux =
-    lobes ? lobes->ReadBack(vtkVirtualLightSampler::LobeDensityArea) : std::vector<float>();
+    lobes ? lobes->ReadBack(vtkIndirectSampler::LobeDensityArea) : std::vector<float>();
   for (size_t i = 0; i < count; ++i)
   {
     const float* p = &position[4 * i];
@@ -55,15 +55,15 @@ bool vtkIndirectSenderTexels::Read(const vtkVirtualLightSampler::Input& input,
       sender.LobeReflected = { flux[4 * i], flux[4 * i + 1], flux[4 * i + 2] };
     }
   }
-  this->Texels->ReleaseGraphicsResources(input.Frame.Window);
+  this->Texels.Release(input.Frame.Window);
   return true;
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkVirtualLightSampler::Row> vtkIndirectSenderTexels::MakeRows(
+std::vector<vtkIndirectSampler::Row> vtkIndirectSenderTexels::MakeRows(
   const std::vector<vtkIndirectSenderClusters::Light>& lights)
 {
-  std::vector<vtkVirtualLightSampler::Row> rows;
+  std::vector<vtkIndirectSampler::Row> rows;
   rows.reserve(lights.size());
   for (const vtkIndirectSenderClusters::Light& light : lights)
   {

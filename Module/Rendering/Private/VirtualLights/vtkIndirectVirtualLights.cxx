@@ -15,7 +15,7 @@
 
 namespace
 {
-constexpr int RowLength = vtkVirtualLightSampler::RowLength;
+constexpr int RowLength = vtkIndirectSampler::RowLength;
 
 int CountRows(int lights)
 {
@@ -33,7 +33,7 @@ vtkIndirectVirtualLights::vtkIndirectVirtualLights()
 
 //------------------------------------------------------------------------------
 const vtkIndirectTarget* vtkIndirectVirtualLights::GetPart(
-  const vtkVirtualLightSampler* sampler, Part part)
+  const vtkIndirectSampler::Pointer& sampler, Part part)
 {
   return part == Tops  ? &sampler->GetTable()
     : part == Branches ? sampler->GetBranches()
@@ -44,7 +44,7 @@ const vtkIndirectTarget* vtkIndirectVirtualLights::GetPart(
 bool vtkIndirectVirtualLights::HasPart(const Samplers& samplers, Part part)
 {
   return std::any_of(samplers.begin(), samplers.end(),
-    [part](const vtkVirtualLightSampler* sampler) { return GetPart(sampler, part) != nullptr; });
+    [part](const auto& sampler) { return GetPart(sampler, part) != nullptr; });
 }
 
 //------------------------------------------------------------------------------
@@ -52,16 +52,16 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
 {
   this->NumberOfLights = 0;
   this->WithDirections = false;
-  std::vector<std::pair<vtkVirtualLightSampler*, vtkMTimeType>> contents;
-  for (vtkVirtualLightSampler* sampler : samplers)
+  std::vector<std::pair<vtkIndirectSampler*, vtkMTimeType>> contents;
+  for (const vtkIndirectSampler::Pointer& sampler : samplers)
   {
     if (!sampler->Update(input))
     {
       return false;
     }
     this->NumberOfLights += sampler->GetActualNumberOfLights();
-    this->WithDirections = this->WithDirections || sampler->HasDirections();
-    contents.emplace_back(sampler, sampler->GetContentTime());
+    this->WithDirections = this->WithDirections || sampler->GetAbilities().Directions;
+    contents.emplace_back(sampler.get(), sampler->GetContentTime());
   }
   // The newest of their times would hide that one has gone.
   if (contents != this->Contents)
@@ -144,7 +144,7 @@ bool vtkIndirectVirtualLights::JoinTables(
   {
     vtkIndirectFullScreenState fullScreen(window);
     int first = 0;
-    for (vtkVirtualLightSampler* sampler : samplers)
+    for (const vtkIndirectSampler::Pointer& sampler : samplers)
     {
       const int count = perLight * sampler->GetActualNumberOfLights();
       const vtkIndirectTarget* source = GetPart(sampler, part);
@@ -215,8 +215,8 @@ void vtkIndirectVirtualLights::ActivateLobes(vtkShaderProgram* program) const
 {
   if (this->CurrentLobes)
   {
-    this->CurrentLobes->Activate(vtkVirtualLightSampler::LobeDirectionExponent, program);
-    this->CurrentLobes->Activate(vtkVirtualLightSampler::LobeDensityArea, program);
+    this->CurrentLobes->Activate(vtkIndirectSampler::LobeDirectionExponent, program);
+    this->CurrentLobes->Activate(vtkIndirectSampler::LobeDensityArea, program);
   }
 }
 
@@ -240,9 +240,8 @@ void vtkIndirectVirtualLights::CopyLobes(const vtkIndirectFrame& frame, vtkImage
   {
     const std::vector<float> values = this->CurrentLobes->ReadBack(c);
     // Areas are the last channel's.
-    const double unit = c == vtkVirtualLightSampler::LobeDensityArea
-      ? 1.0 / (frame.SceneScale * frame.SceneScale)
-      : 1.0;
+    const double unit =
+      c == vtkIndirectSampler::LobeDensityArea ? 1.0 / (frame.SceneScale * frame.SceneScale) : 1.0;
     for (size_t i = 0; i < static_cast<size_t>(this->NumberOfLights); ++i)
     {
       for (size_t k = 0; k < 4; ++k)

@@ -5,8 +5,8 @@
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectTarget.h"            // for members
+#include "VirtualLights/vtkIndirectSampler.h"    // for its input
 #include "vtkTimeStamp.h"                        // for a member
-#include "vtkVirtualLightSampler.h"              // for its input
 
 #include <string>  // for definitions
 #include <utility> // for contents
@@ -17,8 +17,8 @@ class vtkImageData;
 class vtkIndirectVirtualLights
 {
 public:
-  using Input = vtkVirtualLightSampler::Input;
-  using Samplers = std::vector<vtkVirtualLightSampler*>;
+  using Input = vtkIndirectSampler::Input;
+  using Samplers = std::vector<vtkIndirectSampler::Pointer>;
 
   vtkIndirectVirtualLights();
 
@@ -91,7 +91,7 @@ private:
     Branches,
     Lobes
   };
-  static const vtkIndirectTarget* GetPart(const vtkVirtualLightSampler* sampler, Part part);
+  static const vtkIndirectTarget* GetPart(const vtkIndirectSampler::Pointer& sampler, Part part);
   static bool HasPart(const Samplers& samplers, Part part);
   bool JoinTables(
     vtkOpenGLRenderWindow* window, const Samplers& samplers, vtkIndirectTarget& table, Part part);
@@ -106,7 +106,7 @@ private:
   const vtkIndirectTarget* CurrentLobes = nullptr;
   int NumberOfLights = 0;
   bool WithDirections = false;
-  std::vector<std::pair<vtkVirtualLightSampler*, vtkMTimeType>> Contents; // of the last update
+  std::vector<std::pair<vtkIndirectSampler*, vtkMTimeType>> Contents; // of the last update
   vtkTimeStamp ContentTime;
   vtkMTimeType JoinedTime = 0; // of the contents that the joined tables have; 0: none
 };

@@ -7,10 +7,10 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectReport.h"
 #include "LightMaps/vtkIndirectLightMap.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "vtkMath.h"
-#include "vtkReflectiveShadowMapPass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -259,8 +259,8 @@ vtkIndirectPenumbra::Light vtkIndirectPenumbra::Fit(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectPenumbra::Update(const vtkIndirectFrame& frame,
-  const vtkReflectiveShadowMapPass& maps, vtkSurfaceCapturePass* capture, bool caching)
+bool vtkIndirectPenumbra::Update(const vtkIndirectFrame& frame, const vtkIndirectLightMaps& maps,
+  vtkSurfaceCapturePass* capture, bool caching)
 {
   this->Lights.clear();
   this->Emitters.clear();

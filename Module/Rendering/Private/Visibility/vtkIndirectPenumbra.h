@@ -6,8 +6,8 @@
 // while the camera moves.
 //
 // What it ignores: blockers thinner than a texel (bias of either sign), and within two texels of a
-// contact how sharp a shadow is. Steps of single points show as bands where a penumbra is many texels
-// wide.
+// contact how sharp a shadow is. Steps of single points show as bands where a penumbra is many
+// texels wide.
 #ifndef vtkIndirectPenumbra_h
 #define vtkIndirectPenumbra_h
 
@@ -20,7 +20,7 @@
 #include <vector>  // for lists
 
 class vtkIndirectLightMap;
-class vtkReflectiveShadowMapPass;
+class vtkIndirectLightMaps;
 class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
@@ -36,7 +36,7 @@ public:
    * say where the light is and how far it reaches. The capture stays attached. Returns false, after
    * an error, when OpenGL refuses.
    */
-  bool Update(const vtkIndirectFrame& frame, const vtkReflectiveShadowMapPass& maps,
+  bool Update(const vtkIndirectFrame& frame, const vtkIndirectLightMaps& maps,
     vtkSurfaceCapturePass* capture, bool caching);
   /** Gives back what it holds: no shadows are looked up. */
   void Clear(const vtkIndirectFrame& frame);

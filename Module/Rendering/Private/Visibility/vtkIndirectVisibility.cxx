@@ -112,11 +112,11 @@ void vtkIndirectVisibility::ReadEmitters(const vtkIndirectVirtualLights& lights)
 {
   const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
   const vtkIndirectTarget& table = lights.GetTable();
-  const auto position = table.ReadBack(vtkVirtualLightSampler::PositionArea);
-  const auto normal = table.ReadBack(vtkVirtualLightSampler::NormalReach);
-  const auto density = table.ReadBack(vtkVirtualLightSampler::DensityArea);
+  const auto position = table.ReadBack(vtkIndirectSampler::PositionArea);
+  const auto normal = table.ReadBack(vtkIndirectSampler::NormalReach);
+  const auto density = table.ReadBack(vtkIndirectSampler::DensityArea);
   const auto lobes = lights.HasLobes()
-    ? lights.GetLobes()->ReadBack(vtkVirtualLightSampler::LobeDensityArea)
+    ? lights.GetLobes()->ReadBack(vtkIndirectSampler::LobeDensityArea)
     : std::vector<float>(density.size(), 0.0f);
   this->Lights.resize(count);
   for (size_t i = 0; i < count; ++i)
@@ -201,7 +201,7 @@ void vtkIndirectVisibility::ShareTiles(const vtkIndirectFrame& frame)
       there.push_back(static_cast<int>(k));
     }
   }
-  constexpr size_t width = vtkVirtualLightSampler::RowLength;
+  constexpr size_t width = vtkIndirectSampler::RowLength;
   const size_t rows = (this->Lights.size() + width - 1) / width;
   // Place and tile of all lights, then axes of all; a light that sends nothing is not looked up.
   std::vector<float> owners(8 * width * rows, 0.0f);
@@ -270,7 +270,7 @@ bool vtkIndirectVisibility::WalksSegments() const
 //------------------------------------------------------------------------------
 int vtkIndirectVisibility::GetMaximumNumberOfSegments() const
 {
-  constexpr int row = vtkVirtualLightSampler::RowLength;
+  constexpr int row = vtkIndirectSampler::RowLength;
   if (!this->WalksSpheres())
   {
     return MaximumNumberOfSegments;
@@ -292,8 +292,7 @@ double vtkIndirectVisibility::FindRounds() const
 // the lists, which is slower where less would do.
 bool vtkIndirectVisibility::TakesLongSteps() const
 {
-  return this->WalksSpheres() &&
-    vtkVirtualLightSampler::RowLength * this->FindRounds() > MostRounds;
+  return this->WalksSpheres() && vtkIndirectSampler::RowLength * this->FindRounds() > MostRounds;
 }
 
 //------------------------------------------------------------------------------

@@ -38,7 +38,7 @@ public:
    * an invocation after 65535 rounds together, and a round is a sender or four steps on the way to
    * it: this leaves 124 steps a sender, four times what rooms need; fewer senders where spheres
    * take more. Whoever has more of them sums in several draws. A multiple of
-   * vtkVirtualLightSampler::RowLength.
+   * vtkIndirectSampler::RowLength.
    */
   static constexpr int MaximumNumberOfSegments = 2048;
   int GetMaximumNumberOfSegments() const;

@@ -1,30 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @class vtkMapLightSampler
- * @brief Abstract: virtual lights chosen among the texels of the lights' maps
- *
- * A light drawn from M texels with probability density p counts 1/p texels, in B A and in A alike,
- * so the sums over all lights do not depend on how many there are.
- *
- * Subclasses make a pattern of map coordinates; this class turns it into lights on the GPU.
- */
+// Virtual lights chosen among the texels of the lights' maps. Subclasses make a pattern of map
+// coordinates; this class turns it into lights on the GPU.
+//
+// A light drawn from M texels with probability density p counts 1/p texels, in B A and in A alike,
+// so the sums over all lights do not depend on how many there are.
+#ifndef vtkIndirectMapSampler_h
+#define vtkIndirectMapSampler_h
 
-#ifndef vtkMapLightSampler_h
-#define vtkMapLightSampler_h
+#include "VirtualLights/vtkIndirectSampler.h"
 
-#include "vtkRenderingIndirectModule.h" // For export macro
-#include "vtkVirtualLightSampler.h"
-
+#include <memory> // for the internals
 #include <vector> // for patterns
 
-class VTKRENDERINGINDIRECT_EXPORT vtkMapLightSampler : public vtkVirtualLightSampler
+class vtkIndirectMapSampler : public vtkIndirectSampler
 {
 public:
-  vtkTypeMacro(vtkMapLightSampler, vtkVirtualLightSampler);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
+  explicit vtkIndirectMapSampler(vtkVirtualLightSampler* owner = nullptr);
+  ~vtkIndirectMapSampler() override;
 
-#ifndef __VTK_WRAP__
   /** A rectangle of texels that lights are drawn from: a face of a map, or the geometry buffer. */
   struct Source
   {
@@ -56,8 +49,7 @@ public:
   /** Fills a pattern for these sources; its samples of a source sum to that source's texels. */
   virtual void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) = 0;
 
-  /** What the pattern's places are warped by, so that more of them lie where more light comes from.
-   */
+  /** Says how the pattern's places are warped, so that more lie where more light comes from. */
   struct Drawing
   {
     enum Importance
@@ -74,28 +66,17 @@ public:
     double Occlusion = 0.0;   // how much more surfaces are drawn from that others are near to
     double ShareOfArea = 1.0; // what lights' disks have of the area that they stand for
   };
-  virtual Drawing GetDrawing() const
-  {
-    return {};
-  }
+  virtual Drawing GetDrawing() const { return {}; }
 
   bool Update(const Input& input) override;
-  vtkMapLightSampler* GetViewPattern() override
-  {
-    return this;
-  }
+  vtkIndirectMapSampler* GetViewPattern() override { return this; }
   size_t GetBytes() const override;
-#endif
 
 protected:
-  vtkMapLightSampler();
-  ~vtkMapLightSampler() override;
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   bool DrawLobes(const Input& input, bool warped);
-
-  vtkMapLightSampler(const vtkMapLightSampler&) = delete;
-  void operator=(const vtkMapLightSampler&) = delete;
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

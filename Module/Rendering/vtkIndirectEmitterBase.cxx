@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkEmitter.h"
+#include "vtkIndirectEmitterBase.h"
 
 #include "Frame/vtkIndirectRevision.h"
 #include "vtkImageData.h"
@@ -8,32 +8,32 @@
 #include <algorithm>
 #include <cmath>
 
-vtkCxxSetObjectMacro(vtkEmitter, Image, vtkImageData);
-vtkCxxSetObjectMacro(vtkEmitter, Texture, vtkTexture);
+vtkCxxSetObjectMacro(vtkIndirectEmitterBase, Image, vtkImageData);
+vtkCxxSetObjectMacro(vtkIndirectEmitterBase, Texture, vtkTexture);
 
 //------------------------------------------------------------------------------
-vtkEmitter::vtkEmitter() = default;
+vtkIndirectEmitterBase::vtkIndirectEmitterBase() = default;
 
-vtkEmitter::~vtkEmitter()
+vtkIndirectEmitterBase::~vtkIndirectEmitterBase()
 {
   this->SetImage(nullptr);
   this->SetTexture(nullptr);
 }
 
 //------------------------------------------------------------------------------
-void vtkEmitter::PrintSelf(ostream& os, vtkIndent indent)
+void vtkIndirectEmitterBase::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Radiance: (" << this->Radiance[0] << ", " << this->Radiance[1] << ", "
      << this->Radiance[2] << ")\n";
   os << indent << "Image: " << this->Image << "\n";
   os << indent << "Texture: " << this->Texture << "\n";
-  os << indent << "Encoded: " << (this->Encoded ? "On" : "Off") << "\n";
-  os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "Encoded: " << (this->Settings.Encoded ? "On" : "Off") << "\n";
+  os << indent << "Scale: " << this->Settings.Scale << "\n";
 }
 
 //------------------------------------------------------------------------------
-void vtkEmitter::SetRadiance(double red, double green, double blue)
+void vtkIndirectEmitterBase::SetRadiance(double red, double green, double blue)
 {
   const double values[3] = { red, green, blue };
   for (const double value : values)
@@ -54,7 +54,7 @@ void vtkEmitter::SetRadiance(double red, double green, double blue)
 
 //------------------------------------------------------------------------------
 // An image that is older than the one before it, or than the rest, is another one, too.
-vtkMTimeType vtkEmitter::GetMTime()
+vtkMTimeType vtkIndirectEmitterBase::GetMTime()
 {
   const vtkTypeUInt64 revision = this->Image ? this->Image->GetMTime()
     : this->Texture                          ? vtkIndirectRevision::Find(this->Texture)
@@ -68,7 +68,7 @@ vtkMTimeType vtkEmitter::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-vtkImageData* vtkEmitter::FindImage()
+vtkImageData* vtkIndirectEmitterBase::FindImage()
 {
   if (this->Image || !this->Texture)
   {
@@ -79,7 +79,8 @@ vtkImageData* vtkEmitter::FindImage()
 }
 
 //------------------------------------------------------------------------------
-bool vtkEmitter::IsEncoded() const
+bool vtkIndirectEmitterBase::IsEncoded() const
 {
-  return this->Encoded || (!this->Image && this->Texture && this->Texture->GetUseSRGBColorSpace());
+  return this->Settings.Encoded ||
+    (!this->Image && this->Texture && this->Texture->GetUseSRGBColorSpace());
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class vtkEmitter
+ * @class vtkIndirectEmitterBase
  * @brief Abstract: what sends light of its own, the same radiance everywhere or an image of it
  *
  * Values are radiances in VTK's units: a surface that sees one radiance in all of its hemisphere
@@ -12,19 +12,20 @@
  * @sa vtkEnvironmentLight vtkAreaLight
  */
 
-#ifndef vtkEmitter_h
-#define vtkEmitter_h
+#ifndef vtkIndirectEmitterBase_h
+#define vtkIndirectEmitterBase_h
 
+#include "vtkIndirectSettings.h" // For properties
 #include "vtkObject.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
 
 class vtkImageData;
 class vtkTexture;
 
-class VTKRENDERINGINDIRECT_EXPORT vtkEmitter : public vtkObject
+class VTKRENDERINGINDIRECT_EXPORT vtkIndirectEmitterBase : public vtkObject
 {
 public:
-  vtkTypeMacro(vtkEmitter, vtkObject);
+  vtkTypeMacro(vtkIndirectEmitterBase, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -58,23 +59,20 @@ public:
    * those of photographs in bytes are. Default off. Those of a texture that says so
    * (vtkTexture::SetUseSRGBColorSpace) are decoded in any case.
    */
-  vtkSetMacro(Encoded, bool);
-  vtkGetMacro(Encoded, bool);
-  vtkBooleanMacro(Encoded, bool);
+  vtkIndirectFlagMacro(Encoded);
   ///@}
 
   ///@{
   /** Factor on the radiance, of an image too. Default 1, range 0 to 1e12. */
-  vtkSetClampMacro(Scale, double, 0.0, 1.0e12);
-  vtkGetMacro(Scale, double);
+  vtkIndirectClampMacro(Scale, double, 0.0, 1.0e12);
   ///@}
 
   /** Grows also with the image, and with the texture and what its pipeline makes. */
   vtkMTimeType GetMTime() override;
 
 protected:
-  vtkEmitter();
-  ~vtkEmitter() override;
+  vtkIndirectEmitterBase();
+  ~vtkIndirectEmitterBase() override;
 
   /** The image in force, up to date; null where there is none. */
   vtkImageData* FindImage();
@@ -84,14 +82,18 @@ protected:
   double Radiance[3] = { 1.0, 1.0, 1.0 };
   vtkImageData* Image = nullptr;
   vtkTexture* Texture = nullptr;
-  bool Encoded = false;
-  double Scale = 1.0;
 
 private:
+  struct SettingsType
+  {
+    bool Encoded = false;
+    double Scale = 1.0;
+  };
+  SettingsType Settings;
   vtkTypeUInt64 PictureRevision = 0; // of the image or texture when it was asked last
 
-  vtkEmitter(const vtkEmitter&) = delete;
-  void operator=(const vtkEmitter&) = delete;
+  vtkIndirectEmitterBase(const vtkIndirectEmitterBase&) = delete;
+  void operator=(const vtkIndirectEmitterBase&) = delete;
 };
 
 #endif

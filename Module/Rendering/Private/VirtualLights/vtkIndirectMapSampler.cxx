@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenGL/vtkIndirectGL.h"
 
-#include "vtkMapLightSampler.h"
+#include "VirtualLights/vtkIndirectMapSampler.h"
 
 #include "Frame/vtkIndirectFrame.h"
 #include "LightMaps/vtkIndirectLightMap.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "VirtualLights/vtkIndirectPatternTexture.h"
 #include "VirtualLights/vtkIndirectSampleWarp.h"
-#include "vtkReflectiveShadowMapPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 
 #include <cmath>
 
 namespace
 {
-using Source = vtkMapLightSampler::Source;
-using Drawing = vtkMapLightSampler::Drawing;
+using Source = vtkIndirectMapSampler::Source;
+using Drawing = vtkIndirectMapSampler::Drawing;
 
 // The faces of the maps; or the charts that samples are warped in, by their numbers, of which they
 // take shares: one a light, or -1 for all of them.
-std::vector<Source> MakeSources(const vtkReflectiveShadowMapPass& maps, const Drawing& drawing)
+std::vector<Source> MakeSources(const vtkIndirectLightMaps& maps, const Drawing& drawing)
 {
   std::vector<Source> sources;
   const int count = maps.GetNumberOfMaps();
@@ -62,7 +63,7 @@ std::vector<Source> MakeSources(const vtkReflectiveShadowMapPass& maps, const Dr
 }
 
 //------------------------------------------------------------------------------
-struct vtkMapLightSampler::Internals
+struct vtkIndirectMapSampler::Internals
 {
   vtkIndirectPatternTexture Pattern;
   vtkIndirectSampleWarp Warp;
@@ -71,31 +72,26 @@ struct vtkMapLightSampler::Internals
   vtkMTimeType MapTime = 0; // of the maps that the lights were made from
 };
 
-vtkMapLightSampler::vtkMapLightSampler()
-  : Internal(new Internals)
+vtkIndirectMapSampler::vtkIndirectMapSampler(vtkVirtualLightSampler* owner)
+  : vtkIndirectSampler(owner)
+  , Internal(new Internals)
 {
 }
 
-vtkMapLightSampler::~vtkMapLightSampler() = default;
+vtkIndirectMapSampler::~vtkIndirectMapSampler() = default;
 
 //------------------------------------------------------------------------------
-void vtkMapLightSampler::PrintSelf(ostream& os, vtkIndent indent)
+size_t vtkIndirectMapSampler::GetBytes() const
 {
-  this->Superclass::PrintSelf(os, indent);
-}
-
-//------------------------------------------------------------------------------
-size_t vtkMapLightSampler::GetBytes() const
-{
-  return this->Superclass::GetBytes() + this->Internal->Pattern.GetBytes() +
+  return this->vtkIndirectSampler::GetBytes() + this->Internal->Pattern.GetBytes() +
     this->Internal->Warp.GetBytes();
 }
 
 //------------------------------------------------------------------------------
-bool vtkMapLightSampler::Update(const Input& input)
+bool vtkIndirectMapSampler::Update(const Input& input)
 {
   Internals& in = *this->Internal;
-  const vtkReflectiveShadowMapPass& maps = input.Maps;
+  const vtkIndirectLightMaps& maps = input.Maps;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   const Drawing drawing = this->GetDrawing();
   const std::vector<Source> sources = MakeSources(maps, drawing);
@@ -155,7 +151,7 @@ bool vtkMapLightSampler::Update(const Input& input)
 
 //------------------------------------------------------------------------------
 // Where the maps have what senders reflect specularly.
-bool vtkMapLightSampler::DrawLobes(const Input& input, bool warped)
+bool vtkIndirectMapSampler::DrawLobes(const Input& input, bool warped)
 {
   Internals& in = *this->Internal;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
@@ -184,13 +180,8 @@ bool vtkMapLightSampler::DrawLobes(const Input& input, bool warped)
 }
 
 //------------------------------------------------------------------------------
-void vtkMapLightSampler::ReleaseGraphicsResources(vtkWindow* window)
+void vtkIndirectMapSampler::ReleaseOwn(vtkWindow* window)
 {
-  if (!this->CanBeOf(window))
-  {
-    return;
-  }
-  this->Superclass::ReleaseGraphicsResources(window);
   this->Internal->Pattern.Release(window);
   this->Internal->Warp.Release(window);
   this->Internal->Program.Release();

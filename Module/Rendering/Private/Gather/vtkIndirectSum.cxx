@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Gather/vtkIndirectSum.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectReport.h"
+#include "OpenGL/vtkIndirectContextGuard.h"
+#include "vtkIndirectEstimatorPass.h"
+#include "vtkOpenGLRenderWindow.h"
+
+namespace
+{
+const vtkIndirectChannel Channels[] = {
+  { "irradiance", "vtkiIrradiance", "indirect irradiance", GL_RGBA32F, "-", "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel HalfChannels[] = {
+  { "irradiance", "vtkiIrradiance", "indirect irradiance", GL_RGBA16F, "-",
+    "VTK irradiance over the frame's unit" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel GlossyChannels[] = {
+  { "glossy", "vtkiGlossy", "indirect light in the specular lobe", GL_RGBA32F, "-",
+    "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel HalfGlossyChannels[] = {
+  { "glossy", "vtkiGlossy", "indirect light in the specular lobe", GL_RGBA16F, "-",
+    "VTK irradiance over the frame's unit" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSum::vtkIndirectSum(vtkIndirectEstimatorPass& pass)
+  : Pass(pass)
+  , Irradiance(new vtkIndirectTarget(Channels, false))
+  , Glossy(new vtkIndirectTarget(GlossyChannels, false))
+  , Guard(vtkSmartPointer<vtkIndirectContextGuard>::New())
+{
+  this->Guard->Release = [this](vtkWindow* window) { this->Pass.ReleaseGraphicsResources(window); };
+}
+
+vtkIndirectSum::~vtkIndirectSum() = default;
+
+//------------------------------------------------------------------------------
+vtkIndirectSum& vtkIndirectSum::Get(const vtkIndirectEstimatorPass* pass)
+{
+  return *pass->Sum;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSum::HoldContext(vtkOpenGLRenderWindow* window, vtkMTimeType user)
+{
+  // The pass that draws by this estimator has released the rest, and is in the middle of a frame.
+  this->IsHolding = true;
+  this->Guard->SetContext(window);
+  if (user != this->User && this->User != 0)
+  {
+    this->Release(window);
+  }
+  this->User = user;
+  this->IsHolding = false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSum::Release(vtkWindow* window)
+{
+  if (!window || !this->Guard->CanBeOf(window))
+  {
+    return false;
+  }
+  this->EstimateTime.Modified();
+  this->Irradiance->Release(window);
+  this->Glossy->Release(window);
+  this->HasGlossy = false;
+  this->ReleaseOwn(window);
+  return !this->IsHolding;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectEstimate vtkIndirectSum::MakeEstimate(const Input& input)
+{
+  this->EstimateTime.Modified();
+  return this->Estimate(input);
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectAbilities vtkIndirectSum::GetAbilities(double) const
+{
+  vtkIndirectAbilities abilities;
+  abilities.Name = this->Pass.GetClassName();
+  abilities.TakesSampler = true;
+  abilities.SpecularTransport = this->Pass.GetSpecularTransport();
+  abilities.Occupancy = this->Pass.GetOccupancy();
+  return abilities;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectVisibilityNeeds vtkIndirectSum::GetVisibilityNeeds(const vtkIndirectPlan& plan) const
+{
+  vtkIndirectVisibilityNeeds needs;
+  needs.Maps = plan.Visibility == vtkIndirectVisibilityMaps;
+  needs.Senders = needs.Maps || plan.Visibility == vtkIndirectVisibilityVoxels;
+  needs.Segments = needs.Senders && !needs.Maps;
+  needs.Resolution = this->Pass.GetOccupancyResolution();
+  return needs;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectEstimate vtkIndirectSum::MakeResult() const
+{
+  vtkIndirectEstimate result;
+  result.State = vtkIndirectEstimate::CONVERGED;
+  result.Irradiance = this->Irradiance.get();
+  result.Glossy = this->HasGlossy ? this->Glossy.get() : nullptr;
+  result.Unit = this->IrradianceUnit;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSum::SetIrradianceStorage(vtkWindow* window, bool half, double unit, bool depth)
+{
+  this->IrradianceUnit = unit;
+  if (half != this->IrradianceIsHalf || depth != this->IrradianceHasDepth)
+  {
+    this->Irradiance->Release(window);
+    this->Irradiance =
+      std::make_unique<vtkIndirectTarget>(half ? HalfChannels : Channels, depth, 16);
+    this->Glossy->Release(window);
+    this->Glossy =
+      std::make_unique<vtkIndirectTarget>(half ? HalfGlossyChannels : GlossyChannels, false);
+    this->IrradianceIsHalf = half;
+    this->IrradianceHasDepth = depth;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSum::ResizeGlossy(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  this->HasGlossy = input.Plan.Specular;
+  if (!this->HasGlossy)
+  {
+    this->Glossy->Release(frame.Window);
+    return true;
+  }
+  this->HasGlossy = this->Glossy->Resize(frame.Window, frame.Size[0], frame.Size[1]);
+  return this->HasGlossy;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectSum::GetBytes() const
+{
+  return this->Irradiance->GetBytes() + this->Glossy->GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSum::AddToReport(vtkIndirectReport& report) const
+{
+  report.Modelled.emplace_back("one diffuse bounce", this->Pass.GetClassName());
+}

@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "LightMaps/vtkIndirectLightMaps.h"
+
+#include "Capture/vtkIndirectShadowMaps.h"
+#include "Capture/vtkSurfaceCapturePass.h"
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectRendererAccess.h"
+#include "Frame/vtkIndirectReport.h"
+#include "LightMaps/vtkIndirectLobeTable.h"
+#include "OpenGL/vtkIndirectContextGuard.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkReflectiveShadowMapPass.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+const vtkIndirectChannel Channels[] = {
+  { "rsm.albedo", "vtkiMapAlbedo", "diffuse reflectance", GL_RGBA16F, "-", "1" },
+  { "rsm.surface", "vtkiMapSurface", "linear depth, octahedral normal and kind", GL_RG32F,
+    "face view", "1, 1, scene units" },
+  { "rsm.slope", "vtkiMapSlope", "slope of depth over a texel's width", GL_RG16F, "face view",
+    "1" },
+  // Only where senders have lobes.
+  { "rsm.specular", "vtkiMapSpecular", "specular reflectance, power of the lobe or -roughness",
+    GL_RGBA16F, "-", "1" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+
+constexpr int SlopeChannel = 2;
+constexpr int ChannelsOfDiffuse = 3;
+
+// Of all maps together, texels, of about 40 bytes with shadows: 1.3 GB. A light that is alone has
+// what the user asks for.
+constexpr double MostTexelsOfAll = 32.0 * 1024.0 * 1024.0;
+constexpr int MostFacesOfLight = 6;
+constexpr int LeastTexels = 16;
+
+// As many as are asked for, or a half, a quarter and so on where there are many layers.
+int FindTexels(int resolution, int layers)
+{
+  int texels = resolution;
+  while (layers > MostFacesOfLight && texels / 2 >= LeastTexels &&
+    1.0 * layers * texels * texels > MostTexelsOfAll)
+  {
+    texels /= 2;
+  }
+  return texels;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectLightMaps::vtkIndirectLightMaps(vtkObject* caller)
+  : Caller(caller)
+  , Target(Channels)
+  , Guard(vtkSmartPointer<vtkIndirectContextGuard>::New())
+{
+  this->Guard->Release = [this](vtkWindow* window) { this->Release(window); };
+}
+
+vtkIndirectLightMaps::~vtkIndirectLightMaps() = default;
+
+//------------------------------------------------------------------------------
+vtkIndirectLightMaps& vtkIndirectLightMaps::Get(const vtkReflectiveShadowMapPass* pass)
+{
+  return *pass->Maps;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightMaps::Print(ostream& os, vtkIndent indent) const
+{
+  os << indent << "NumberOfMaps: " << this->GetNumberOfMaps() << "\n";
+  vtkIndirectPrintChannels(os, indent, Channels);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectLightMaps::HasSpecular() const
+{
+  return this->Target.GetNumberOfChannels() > ChannelsOfDiffuse;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectLightMaps::GetBytes() const
+{
+  return this->Target.GetBytes() + this->Rows.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightMaps::AddToReport(vtkIndirectReport& report) const
+{
+  report.Bytes += this->GetBytes();
+  static const char* const names[] = { "a parallel map", "a perspective map", "faces of a cube" };
+  for (int i = 0; i < this->GetNumberOfMaps(); ++i)
+  {
+    const vtkIndirectLightMap& map = this->GetMap(i);
+    report.Modelled.emplace_back("light " + std::to_string(map.Light.Index),
+      std::string(names[map.Projection]) + ", " + std::to_string(map.NumberOfFaces) + " of " +
+        std::to_string(this->GetTexels()) + " texels squared");
+  }
+  if (this->GetTexels() < this->Resolution)
+  {
+    report.LeftOut.emplace_back("light maps of " + std::to_string(this->Resolution) + " texels",
+      "for " + std::to_string(this->GetNumberOfLayers()) +
+        " of them there is no memory; they have " + std::to_string(this->GetTexels()));
+  }
+  if (this->LightsTooMany > 0)
+  {
+    report.LeftOut.emplace_back(
+      "shadows and indirect light of " + std::to_string(this->LightsTooMany) + " lights",
+      "this OpenGL holds no more than " + std::to_string(this->GetNumberOfLayers()) +
+        " faces of light maps");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
+  vtkSurfaceCapturePass* capture, int resolution)
+{
+  this->Resolution = resolution;
+  this->Guard->SetContext(frame.Window);
+  this->NumberOfMaps = 0;
+  this->NumberOfLayers = 0;
+  int mostLayers = 0;
+  frame.Window->GetState()->vtkglGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &mostLayers);
+  int tooMany = 0;
+  for (const int index : plan.MapLights)
+  {
+    const vtkIndirectLight& light = frame.Lights[index];
+    if (this->NumberOfMaps == static_cast<int>(this->Maps.size()))
+    {
+      this->Maps.emplace_back(new vtkIndirectLightMap);
+    }
+    vtkIndirectLightMap& map = *this->Maps[this->NumberOfMaps];
+    map.Fit(frame, light);
+    if (this->NumberOfLayers + map.NumberOfFaces > mostLayers)
+    {
+      ++tooMany;
+      continue;
+    }
+    ++this->NumberOfMaps;
+    map.FirstLayer = this->NumberOfLayers;
+    this->NumberOfLayers += map.NumberOfFaces;
+  }
+  if (tooMany != this->LightsTooMany && tooMany > 0)
+  {
+    vtkErrorWithObjectMacro(this->Caller ? this->Caller : frame.Window,
+      << tooMany << " light(s) have no map, and cast neither shadows nor indirect "
+      << "light: this OpenGL holds " << mostLayers << " faces of maps.");
+  }
+  this->LightsTooMany = tooMany;
+  this->Texels = FindTexels(this->Resolution, this->NumberOfLayers);
+  if (this->NumberOfMaps == 0)
+  {
+    return true;
+  }
+
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  bool lost = false;
+  this->Target.SetNumberOfChannels(ChannelsOfDiffuse + (this->Specular ? 1 : 0));
+  if (!this->Target.Resize(frame.Window, this->Texels, this->NumberOfLayers, lost))
+  {
+    this->NumberOfMaps = this->NumberOfLayers = 0;
+    return false;
+  }
+  if (lost)
+  {
+    this->Rows.Release(frame.Window);
+    this->Faces.clear();
+  }
+  this->Faces.resize(this->Target.GetLayers());
+
+  for (int i = 0; i < this->NumberOfMaps; ++i)
+  {
+    vtkIndirectLightMap& map = *this->Maps[i];
+    for (int face = 0; face < map.NumberOfFaces; ++face)
+    {
+      vtkIndirectKey key;
+      map.AppendTo(key);
+      std::vector<const vtkIndirectCaster*> casters;
+      for (const vtkIndirectCaster& caster : frame.Casters)
+      {
+        if (map.CanHold(face, caster.Bounds, this->Texels))
+        {
+          caster.AppendTo(key);
+          casters.push_back(&caster);
+        }
+      }
+      vtkIndirectKey& last = this->Faces[map.FirstLayer + face];
+      if (plan.Caching && last == key)
+      {
+        continue;
+      }
+      last = key;
+      this->DrawFace(frame, capture, map, face, casters);
+      this->Rows.Forget(map.FirstLayer + face);
+      ++this->NumberOfFacesDrawn;
+      this->ContentTime.Modified();
+    }
+  }
+  this->UpdateTable(frame);
+  this->UpdateFresnel(frame);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightMaps::DrawFace(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
+  vtkIndirectLightMap& map, int face, const std::vector<const vtkIndirectCaster*>& casters)
+{
+  vtkOpenGLState* state = frame.Window->GetState();
+  this->Target.BeginLayer(map.FirstLayer + face);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDisable(GL_BLEND);
+
+  vtkCamera*& active = vtkIndirectRendererAccess::Camera(frame.Renderer);
+  vtkCamera* const eye = active;
+  active = map.GetCamera(face, frame.Parallel);
+  capture->BeginMap(frame, map.GetView(this->Texels));
+  for (const vtkIndirectCaster* caster : casters)
+  {
+    capture->BeginCaster(caster->SendsLight);
+    caster->Prop->RenderOpaqueGeometry(frame.Renderer);
+  }
+  capture->EndStage();
+  active = eye;
+  this->Target.End();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightMaps::UpdateTable(const vtkIndirectFrame& frame)
+{
+  using namespace vtkIndirectKernels;
+  std::vector<float> table(static_cast<size_t>(this->NumberOfLayers) * VTKI_MAP_TABLE_WIDTH * 4);
+  for (int i = 0; i < this->NumberOfMaps; ++i)
+  {
+    const vtkIndirectLightMap& map = *this->Maps[i];
+    for (int face = 0; face < map.NumberOfFaces; ++face)
+    {
+      const int layer = map.FirstLayer + face;
+      glm::vec4 row[VTKI_MAP_TABLE_WIDTH];
+      const glm::dmat4 toScene = map.FaceToScene[face];
+      const glm::dmat4 fromScene = glm::inverse(toScene);
+      for (int r = 0; r < 3; ++r)
+      {
+        for (int c = 0; c < 4; ++c)
+        {
+          row[VTKI_MAP_TO_SCENE + r][c] = static_cast<float>(toScene[c][r]);
+          row[VTKI_MAP_FROM_SCENE + r][c] = static_cast<float>(fromScene[c][r]);
+        }
+      }
+      const vtkIndirectLight& light = map.Light;
+      const double s = frame.SceneScale;
+      const bool cone = light.Positional && light.ConeAngle < 90.0;
+      row[VTKI_MAP_SHAPE] = glm::vec4(map.Projection, map.HalfWidth, this->Texels, light.Exponent);
+      row[VTKI_MAP_LIGHT] = glm::vec4(glm::vec3(light.Color), light.Index);
+      // Distances reach the shader in scene units: c + l (d'/s) + q (d'/s)^2.
+      row[VTKI_MAP_FALLOFF] =
+        glm::vec4(light.Attenuation.x, light.Attenuation.y / s, light.Attenuation.z / (s * s),
+          cone ? std::pow(std::tan(glm::radians(light.ConeAngle)), 2.0) : -1.0);
+      row[VTKI_MAP_AXIS] = glm::vec4(glm::vec3(map.FaceAxis[face]), face);
+      std::copy(&row[0][0], &row[0][0] + 4 * VTKI_MAP_TABLE_WIDTH,
+        table.begin() + 4 * VTKI_MAP_TABLE_WIDTH * layer);
+    }
+  }
+  if (this->TableTexture && table == this->Table)
+  {
+    return;
+  }
+  this->Table = table;
+  this->ContentTime.Modified();
+  if (!this->TableTexture)
+  {
+    this->TableTexture = vtkSmartPointer<vtkTextureObject>::New();
+  }
+  this->TableTexture->SetContext(frame.Window);
+  this->TableTexture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->TableTexture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->TableTexture->Create2DFromRaw(
+    VTKI_MAP_TABLE_WIDTH, this->NumberOfLayers, 4, VTK_FLOAT, this->Table.data());
+}
+
+//------------------------------------------------------------------------------
+// Tabulates the share of light from a direction that VTK's PBR reflects, for
+// vtkIndirectMapLobe.glsl.
+void vtkIndirectLightMaps::UpdateFresnel(const vtkIndirectFrame& frame)
+{
+  if (!this->HasSpecular())
+  {
+    if (this->FresnelTexture)
+    {
+      this->FresnelTexture->ReleaseGraphicsResources(frame.Window);
+      this->FresnelTexture = nullptr;
+    }
+    return;
+  }
+  if (this->FresnelTexture)
+  {
+    return;
+  }
+  std::vector<float> values;
+  for (const auto& row : vtkIndirectLobeTable)
+  {
+    for (const auto& entry : row)
+    {
+      values.insert(values.end(), { entry[4], entry[5] });
+    }
+  }
+  this->FresnelTexture = vtkSmartPointer<vtkTextureObject>::New();
+  this->FresnelTexture->SetContext(frame.Window);
+  this->FresnelTexture->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->FresnelTexture->SetWrapT(vtkTextureObject::ClampToEdge);
+  this->FresnelTexture->SetMinificationFilter(vtkTextureObject::Linear);
+  this->FresnelTexture->SetMagnificationFilter(vtkTextureObject::Linear);
+  this->FresnelTexture->Create2DFromRaw(
+    vtkIndirectLobeEntries, vtkIndirectLobeEntries, 2, VTK_FLOAT, values.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightMaps::Activate(vtkShaderProgram* program) const
+{
+  for (int i = 0; i < this->Target.GetNumberOfChannels(); ++i)
+  {
+    this->Target.Activate(i, program);
+  }
+  if (this->FresnelTexture && program->IsUniformUsed("vtkiMapFresnel"))
+  {
+    this->FresnelTexture->Activate();
+    program->SetUniformi("vtkiMapFresnel", this->FresnelTexture->GetTextureUnit());
+    const float shape[2] = { static_cast<float>(vtkIndirectLobeEntries),
+      vtkIndirectLeastRoughness };
+    program->SetUniform2f("vtkiMapFresnelShape", shape);
+  }
+  this->TableTexture->Activate();
+  program->SetUniformi("vtkiMapTable", this->TableTexture->GetTextureUnit());
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectShadowMaps vtkIndirectLightMaps::ActivateShadows(vtkOpenGLRenderWindow* window)
+{
+  vtkIndirectShadowMaps shadows;
+  for (int i = 0; i < this->NumberOfMaps; ++i)
+  {
+    shadows.Maps.push_back(this->Maps[i]->GetShadowMap());
+  }
+  shadows.Texels = this->Texels;
+  const bool updated = this->Rows.Update(window, this->Target.ActivateShadow(),
+    this->Target.Activate(SlopeChannel), this->Texels, this->Target.GetLayers());
+  this->Target.Deactivate();
+  shadows.Unit = updated ? this->Rows.Activate() : -1;
+  return shadows;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightMaps::Deactivate() const
+{
+  this->Target.Deactivate();
+  this->Rows.Deactivate();
+  if (this->TableTexture)
+  {
+    this->TableTexture->Deactivate();
+  }
+  if (this->FresnelTexture)
+  {
+    this->FresnelTexture->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectLightMaps::Release(vtkWindow* window)
+{
+  if (!window || !this->Guard->CanBeOf(window))
+  {
+    return;
+  }
+  this->Target.Release(window);
+  this->Rows.Release(window);
+  this->Faces.clear();
+  if (this->TableTexture)
+  {
+    this->TableTexture->ReleaseGraphicsResources(window);
+    this->TableTexture = nullptr;
+  }
+  if (this->FresnelTexture)
+  {
+    this->FresnelTexture->ReleaseGraphicsResources(window);
+    this->FresnelTexture = nullptr;
+  }
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The maps of a frame's lights: layers of array textures, as vtkReflectiveShadowMapPass says, and a
+// depth array for percentage-closer shadow look-ups.
+//
+// A face is drawn again only when its light's place, anything that it can see or the resolution has
+// changed; strength, falloff and exponent redraw nothing.
+#ifndef vtkIndirectLightMaps_h
+#define vtkIndirectLightMaps_h
+
+#include "Frame/vtkIndirectKey.h" // for keys
+#include "LightMaps/vtkIndirectLightMap.h"   // for members
+#include "LightMaps/vtkIndirectShadowRows.h" // for members
+#include "OpenGL/vtkIndirectLayeredTarget.h" // for members
+#include "vtkIndent.h"                       // for Print
+#include "vtkSmartPointer.h"                 // for members
+#include "vtkTextureObject.h"                // for members
+#include "vtkTimeStamp.h"                    // for a member
+
+#include <memory> // for maps
+#include <vector> // for maps
+
+class vtkIndirectContextGuard;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkReflectiveShadowMapPass;
+class vtkShaderProgram;
+class vtkSurfaceCapturePass;
+struct vtkIndirectCaster;
+struct vtkIndirectFrame;
+struct vtkIndirectPlan;
+struct vtkIndirectReport;
+struct vtkIndirectShadowMaps;
+
+class vtkIndirectLightMaps
+{
+public:
+  /** caller: the object whose error it is when lights are too many; null: the frame's window. */
+  explicit vtkIndirectLightMaps(vtkObject* caller = nullptr);
+  ~vtkIndirectLightMaps();
+  vtkIndirectLightMaps(const vtkIndirectLightMaps&) = delete;
+  void operator=(const vtkIndirectLightMaps&) = delete;
+
+  /** The maps that a public pass holds. */
+  static vtkIndirectLightMaps& Get(const vtkReflectiveShadowMapPass* pass);
+
+  /**
+   * Brings the maps of the plan's lights up to date; resolution: texels along an edge. Returns
+   * false, after an error, when OpenGL cannot hold them.
+   */
+  bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
+    vtkSurfaceCapturePass* capture, int resolution);
+  /** From now on there are no maps. */
+  void Clear() { this->NumberOfMaps = 0; }
+
+  /**
+   * Chooses whether the next maps hold what senders reflect specularly. The capture must write it.
+   * Default off.
+   */
+  void SetSpecular(bool specular) { this->Specular = specular; }
+  /** Tells whether the maps hold it, so that shaders are built with VTKI_LOBES. */
+  bool HasSpecular() const;
+
+  int GetNumberOfMaps() const { return this->NumberOfMaps; }
+  int GetNumberOfLayers() const { return this->NumberOfLayers; }
+  const vtkIndirectLightMap& GetMap(int i) const { return *this->Maps[i]; }
+  /** Faces since construction. */
+  vtkIdType GetNumberOfFacesDrawn() const { return this->NumberOfFacesDrawn; }
+  /** Texels along an edge in the last frame: the resolution, or less where lights are many. */
+  int GetTexels() const { return this->Texels; }
+  /** Grows whenever the content of a map, or the table below, has changed. */
+  vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
+
+  /** Binds the maps and their table for vtkIndirectMapTexel.glsl; pair with Deactivate. */
+  void Activate(vtkShaderProgram* program) const;
+  /** Binds the depth array for shadow look-ups; pair with Deactivate. */
+  vtkIndirectShadowMaps ActivateShadows(vtkOpenGLRenderWindow* window);
+  void Deactivate() const;
+
+  size_t GetBytes() const;
+  /** Says what the maps are and the memory that they take. */
+  void AddToReport(vtkIndirectReport& report) const;
+  void Print(ostream& os, vtkIndent indent) const;
+  /** Gives back what it holds in the window's context; without a window nothing happens. */
+  void Release(vtkWindow* window);
+
+private:
+  void UpdateTable(const vtkIndirectFrame& frame);
+  void UpdateFresnel(const vtkIndirectFrame& frame);
+  void DrawFace(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
+    vtkIndirectLightMap& map, int face, const std::vector<const vtkIndirectCaster*>& casters);
+
+  vtkObject* Caller;
+  int Resolution = 0;    // of the last frame, as it was asked for
+  int Texels = 0;        // of the last frame
+  int LightsTooMany = 0; // of the last frame, which have no map
+  bool Specular = false;
+  vtkIdType NumberOfFacesDrawn = 0;
+  vtkTimeStamp ContentTime;
+  // To bind textures changes the objects that stand for them.
+  mutable vtkIndirectLayeredTarget Target;
+  mutable vtkIndirectShadowRows Rows; // of the target's depths, for shadow look-ups
+  std::vector<std::unique_ptr<vtkIndirectLightMap>> Maps;
+  int NumberOfMaps = 0;
+  int NumberOfLayers = 0;
+  std::vector<vtkIndirectKey> Faces; // the inputs of each layer's image; empty: not drawn
+  std::vector<float> Table;
+  vtkSmartPointer<vtkTextureObject> TableTexture;
+  vtkSmartPointer<vtkTextureObject> FresnelTexture; // where senders have lobes
+  vtkSmartPointer<vtkIndirectContextGuard> Guard;
+};
+
+#endif

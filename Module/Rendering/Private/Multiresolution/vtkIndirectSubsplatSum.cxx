@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Multiresolution/vtkIndirectSubsplatSum.h"
+
+#include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectStageTimer.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Visibility/vtkIndirectVisibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Lobes of senders: at every so many pixels, and what interpolation between them may change of
+// them, over their light.
+constexpr int LobeStep = 4;
+constexpr double LobeTolerance = 0.05;
+
+const vtkIndirectChannel BatchChannels[] = {
+  { "subsplat.batch", "vtkiBatch", "irradiance from some of the lights", GL_RGBA32F, "-",
+    "VTK irradiance" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+const vtkIndirectChannel HalfBatchChannels[] = {
+  { "subsplat.batch", "vtkiBatch", "irradiance from some of the lights", GL_RGBA16F, "-",
+    "VTK irradiance over the frame's unit" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
+}
+
+//------------------------------------------------------------------------------
+double vtkMultiresolutionSplattingPass::Threshold::Scale(double tolerance) const
+{
+  return this->IsSet || !(tolerance > 0.0)
+    ? this->Value
+    : vtkIndirectPlan::ScaleThreshold(this->Value, tolerance, this->Most);
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSubsplatSum::vtkIndirectSubsplatSum(vtkMultiresolutionSplattingPass& pass)
+  : vtkIndirectSum(pass)
+  , Set(pass)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectAbilities vtkIndirectSubsplatSum::GetAbilities(double tolerance) const
+{
+  vtkIndirectAbilities abilities = this->vtkIndirectSum::GetAbilities(tolerance);
+  abilities.ComputesGlossy = true;
+  abilities.SumsLobes = true;
+  abilities.TakesLightMaps = true;
+  abilities.IgnoresVisibility = this->Set.GetPreset() == vtkMultiresolutionSplattingPass::PAPER;
+  abilities.ErrorTolerance = this->FindErrorTolerance(tolerance);
+  return abilities;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectSubsplatSum::GetBytes() const
+{
+  return this->vtkIndirectSum::GetBytes() + this->Lights.GetBytes() + this->Pyramid.GetBytes() +
+    this->Illumination.GetBytes() + this->GlossySubsplats.GetBytes() + this->Lobes.GetBytes() +
+    (this->Batch ? this->Batch->GetBytes() : 0);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkIndirectSubsplatSum::FindOwnThresholds() const
+{
+  const auto& set = this->Set.Settings;
+  const bool depthRange = this->Set.Details->DepthRange;
+  std::vector<std::string> names;
+  if (depthRange && set.DepthThreshold.IsSet)
+  {
+    names.emplace_back("DepthThreshold");
+  }
+  if (!depthRange && set.PlaneThreshold.IsSet)
+  {
+    names.emplace_back("PlaneThreshold");
+  }
+  if (set.NormalThreshold.IsSet)
+  {
+    names.emplace_back("NormalThreshold");
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectSubsplatSum::FindErrorTolerance(double asked) const
+{
+  // The threshold of the lighting is the plan's.
+  return this->Set.Details->LightingThreshold > 0.0 || this->FindOwnThresholds().size() < 2 ? asked
+                                                                                            : 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatSum::MakeSettings(
+  const Input& input, vtkIndirectSubsplatSettings& settings, int& renderer)
+{
+  using Chosen = vtkIndirectSubsplatDetails;
+  const Chosen& details = *this->Set.Details;
+  const bool hasCompute = vtkIndirectComputeProgram::IsSupported();
+  if (details.Renderer == Chosen::COMPUTE && !hasCompute)
+  {
+    vtkErrorWithObjectMacro(
+      &this->Pass, "Sums of compute shaders need OpenGL 4.3; this context is older.");
+    return false;
+  }
+  renderer = details.Renderer == Chosen::POINTS ? vtkIndirectSubsplatIllumination::Points
+    : hasCompute && details.Renderer != Chosen::FRAGMENTS
+    ? vtkIndirectSubsplatIllumination::Compute
+    : vtkIndirectSubsplatIllumination::Fragments;
+  static_cast<Chosen&>(settings) = details;
+  settings.HalfResolution =
+    this->Set.Settings.FinestLevel == vtkMultiresolutionSplattingPass::HALF_RESOLUTION;
+  settings.SurfaceDetail = this->Set.Settings.SurfaceDetail;
+  const double tolerance = input.Plan.EstimatorErrorTolerance;
+  settings.PlaneThreshold = this->Set.Settings.PlaneThreshold.Scale(tolerance);
+  settings.DepthThreshold = this->Set.Settings.DepthThreshold.Scale(tolerance);
+  settings.NormalThreshold = this->Set.Settings.NormalThreshold.Scale(tolerance);
+  settings.LightingThreshold =
+    vtkMultiresolutionSplattingPass::Threshold{ details.LightingThreshold, 1.0 }.Scale(tolerance);
+  settings.GlossyThreshold =
+    vtkMultiresolutionSplattingPass::Threshold{ details.GlossyThreshold, 1.0 }.Scale(
+      input.Plan.ErrorTolerance);
+  settings.StorageScale = settings.HalfFloats ? 1.0 / input.Plan.IrradianceUnit : 1.0;
+  settings.HasCompute = hasCompute && renderer != vtkIndirectSubsplatIllumination::Fragments;
+  settings.ReportsError = tolerance > 0.0;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkOpenGLRenderWindow* window = frame.Window;
+  vtkIndirectSubsplatSettings settings;
+  int renderer = 0;
+  if (!this->MakeSettings(input, settings, renderer))
+  {
+    return {};
+  }
+  this->SetIrradianceStorage(window, settings.HalfFloats, 1.0 / settings.StorageScale, true);
+  if (!this->Irradiance->Resize(window, frame.Size[0], frame.Size[1]) ||
+    !this->ResizeGlossy(input) || !this->Pyramid.Resize(window, frame.Size, settings) ||
+    !this->Illumination.Resize(window, this->Pyramid, *this->Irradiance, settings.HalfFloats))
+  {
+    return {};
+  }
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  vtkIndirectFullScreenState fullScreenState(window);
+
+  this->NumberOfLights = input.Lights->GetNumberOfLights();
+  const bool batches = this->NumberOfLights > input.Visibility.GetMaximumNumberOfSenders();
+  bool done = false;
+  if (batches)
+  {
+    done = this->FillInBatches(input, settings, renderer);
+  }
+  else
+  {
+    this->Batch.reset();
+    this->Lights.Update(window, *input.Lights);
+    done = this->Fill(input, settings, renderer, *this->Irradiance);
+  }
+  if (this->HasGlossy)
+  {
+    input.Timer.Begin(vtkIndirectStageTimer::Upsample);
+  }
+  done = done && this->FillGlossy(input, settings);
+  if (this->HasGlossy)
+  {
+    input.Timer.End(vtkIndirectStageTimer::Upsample);
+  }
+
+  if (input.Lights->HasLobes())
+  {
+    input.Timer.Begin(vtkIndirectStageTimer::Upsample);
+    done = done &&
+      this->Lobes.Add(input,
+        { *this->Irradiance, this->HasGlossy ? this->Glossy.get() : nullptr,
+          1.0 / settings.StorageScale },
+        settings.PlaneThreshold > 0.0 ? LobeStep : 1, LobeTolerance);
+    input.Timer.End(vtkIndirectStageTimer::Upsample);
+  }
+
+  static const char* const renderers[] = { "points", "fragments", "compute" };
+  this->Renderer = renderers[renderer];
+  this->Tolerance =
+    input.Plan.EstimatorErrorTolerance;
+  this->SamplingError = -1.0;
+  this->Evaluations = -1;
+  if (!done)
+  {
+    return {};
+  }
+  if (settings.ReportsError && !batches)
+  {
+    this->SamplingError = this->Pyramid.EstimateSamplingError();
+    this->Evaluations = 0;
+    for (size_t i = 0; settings.HasCompute && i < this->Pyramid.GetNumberOfLevels(); ++i)
+    {
+      this->Evaluations += 4 * this->Pyramid.GetLists().Count(i);
+    }
+  }
+  vtkIndirectEstimate result = this->MakeResult();
+  result.Error = this->SamplingError;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatSum::Fill(const Input& input, const vtkIndirectSubsplatSettings& settings,
+  int renderer, vtkIndirectTarget& pixels)
+{
+  const auto way = static_cast<vtkIndirectSubsplatIllumination::Renderer>(renderer);
+  input.Timer.Begin(vtkIndirectStageTimer::Estimate);
+  bool done = this->Pyramid.Build(input, settings, this->Lights);
+  if (done && way == vtkIndirectSubsplatIllumination::Points && !settings.HasCompute)
+  {
+    this->Pyramid.FillLists(input.Frame.Window);
+  }
+  done = done && this->Illumination.FillLevels(input, settings, way, this->Pyramid, this->Lights);
+  input.Timer.End(vtkIndirectStageTimer::Estimate);
+  input.Timer.Begin(vtkIndirectStageTimer::Upsample);
+  done = done &&
+    this->Illumination.FillPixels(input, settings, way, this->Pyramid, this->Lights, pixels);
+  input.Timer.End(vtkIndirectStageTimer::Upsample);
+  return done;
+}
+
+//------------------------------------------------------------------------------
+// Some drivers end a shader's loops before it has looked for so many lights from one place. Light
+// adds up: each batch of them has subsplats of its own, and their images are summed.
+bool vtkIndirectSubsplatSum::FillInBatches(
+  const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer)
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  vtkOpenGLState* state = window->GetState();
+  const int batch = this->Lights.GetCapacity(window);
+  if (!this->Batch || this->BatchIsHalf != settings.HalfFloats)
+  {
+    this->BatchIsHalf = settings.HalfFloats;
+    this->Batch = std::make_unique<vtkIndirectTarget>(
+      settings.HalfFloats ? HalfBatchChannels : BatchChannels, false);
+  }
+  if (!this->Batch->Resize(
+        window, input.Frame.Size[0], input.Frame.Size[1], this->Irradiance.get()))
+  {
+    return false;
+  }
+  for (int first = 0; first < this->NumberOfLights; first += batch)
+  {
+    this->Lights.Update(
+      window, *input.Lights, first, std::min(batch, this->NumberOfLights - first));
+    const bool only = first == 0;
+    if (!this->Fill(input, settings, renderer, only ? *this->Irradiance : *this->Batch))
+    {
+      return false;
+    }
+    if (only)
+    {
+      continue;
+    }
+    vtkShaderProgram* program = this->AddBatch.Use(window);
+    if (!program)
+    {
+      return false;
+    }
+    this->Irradiance->Begin();
+    this->Batch->Activate(0, program);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+    this->AddBatch.Draw();
+    state->vtkglDisable(GL_BLEND);
+    this->Batch->Deactivate();
+    this->Irradiance->End();
+  }
+  // Those for specular receivers are found from all lights.
+  this->Lights.Update(window, *input.Lights);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSubsplatSum::FillGlossy(
+  const Input& input, const vtkIndirectSubsplatSettings& settings)
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  this->WhyGlossyIsGathered.clear();
+  if (this->HasGlossy)
+  {
+    if (!vtkIndirectComputeProgram::IsSupported())
+    {
+      this->WhyGlossyIsGathered = "this context has no OpenGL 4.3";
+    }
+    else if (settings.Renderer == vtkIndirectSubsplatDetails::FRAGMENTS ||
+      settings.GlossyThreshold == 0.0)
+    {
+      this->WhyGlossyIsGathered = "lists are off";
+    }
+    else if (input.Visibility.WalksSegments())
+    {
+      this->WhyGlossyIsGathered = "lists do not follow segments";
+    }
+    else if (input.Lights->HasDirections())
+    {
+      this->WhyGlossyIsGathered = "light comes from directions, which lists do not hold";
+    }
+    else if (!vtkIndirectGlossySubsplats::Fits(this->Pyramid, this->NumberOfLights))
+    {
+      this->WhyGlossyIsGathered = "lists for so many pixels and lights are too long";
+    }
+  }
+  this->GlossyIsListed = this->HasGlossy && this->WhyGlossyIsGathered.empty();
+  if (!this->GlossyIsListed)
+  {
+    this->GlossySubsplats.Release(window);
+    return !this->HasGlossy ||
+      this->GlossyGather.Sum(input, *this->Glossy, 1.0 / settings.StorageScale, {});
+  }
+  return this->GlossySubsplats.Resize(window, this->Pyramid, settings.HalfFloats) &&
+    this->GlossySubsplats.Fill(
+      input, settings, this->Pyramid, this->Lights, *this->Irradiance, *this->Glossy);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatSum::AddToReport(vtkIndirectReport& report) const
+{
+  this->vtkIndirectSum::AddToReport(report);
+  report.Modelled.emplace_back("subsplats",
+    std::to_string(this->Pyramid.GetNumberOfLevels()) + " levels, by " + this->Renderer);
+  if (this->HasGlossy)
+  {
+    const double pairs = static_cast<double>(report.Size[0]) * report.Size[1] *
+      static_cast<double>(this->NumberOfLights);
+    const double share =
+      this->GlossyIsListed ? this->GlossySubsplats.CountEvaluations() / std::max(pairs, 1.0) : 1.0;
+    report.Modelled.emplace_back("lists of specular subsplats",
+      this->GlossyIsListed
+        ? std::string("a set of lights for each; evaluations over pixels times lights: ") +
+          vtkIndirectReport::Number(share, 3)
+        : "every specular pixel sums all lights, because " + this->WhyGlossyIsGathered);
+  }
+  if (this->Tolerance <= 0.0)
+  {
+    return;
+  }
+  const std::string name = "ErrorTolerance " + vtkIndirectReport::Number(this->Tolerance);
+  report.Modelled.emplace_back(name,
+    "thresholds of the subsplats chosen for it; " +
+      (this->Evaluations > 0 ? "at most " + std::to_string(this->Evaluations) + " of them summed "
+                             : std::string("they summed ")) +
+      std::to_string(this->NumberOfLights) + " virtual lights each");
+  for (const std::string& threshold : this->FindOwnThresholds())
+  {
+    report.LeftOut.emplace_back(name, threshold + " is the user's and stays as it is");
+  }
+  if (this->SamplingError > this->Tolerance)
+  {
+    // The error of low-discrepancy lights falls at least as one over the root of their number.
+    const double ratio = this->SamplingError / this->Tolerance;
+    report.LeftOut.emplace_back(name,
+      "two halves of the virtual lights differ by more, " +
+        vtkIndirectReport::Number(this->SamplingError, 3) + "; about " +
+        std::to_string(static_cast<int>(this->NumberOfLights * ratio * ratio) + 1) +
+        " lights would meet it");
+  }
+  report.LeftOut.emplace_back(name,
+    "the error of interpolating over what is narrower than a subsplat is not estimated, and nor is "
+    "that of sampling beyond what halves of the lights differ by");
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkIndirectSubsplatSum::GetChannelNames() const
+{
+  const size_t levels = this->Pyramid.GetNumberOfLevels();
+  return levels > 0 ? vtkIndirectSubsplatView::GetNames(levels) : std::vector<std::string>();
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectSubsplatSum::DrawChannel(
+  const std::string& name, const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
+{
+  return this->View.Draw(name, frame, geometry, this->Pyramid, this->Illumination,
+    *this->Irradiance, this->GetIrradianceUnit());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatSum::ReleaseOwn(vtkWindow* window)
+{
+  this->Lights.Release();
+  this->Pyramid.Release(window);
+  this->Illumination.Release(window);
+  this->View.Release();
+  this->GlossySubsplats.Release(window);
+  this->GlossyGather.Release();
+  this->Lobes.Release(window);
+  if (this->Batch)
+  {
+    this->Batch->Release(window);
+  }
+  this->AddBatch.Release();
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of vtkMultiresolutionSplattingPass that sums the light: subsplats, and lists of them for
+// specular receivers.
+#ifndef vtkIndirectSubsplatSum_h
+#define vtkIndirectSubsplatSum_h
+
+#include "Gather/vtkIndirectGlossyGather.h" // for members
+#include "Gather/vtkIndirectLobeGather.h"   // for members
+#include "Gather/vtkIndirectSum.h"
+#include "Multiresolution/vtkIndirectGlossySubsplats.h"      // for members
+#include "Multiresolution/vtkIndirectSubsplatDetails.h"      // for members
+#include "Multiresolution/vtkIndirectSubsplatIllumination.h" // for members
+#include "Multiresolution/vtkIndirectSubsplatView.h"         // for members
+#include "VirtualLights/vtkIndirectLightBlock.h"             // for members
+#include "vtkMultiresolutionSplattingPass.h"                 // for settings
+
+struct vtkIndirectSubsplatSettings;
+
+class vtkIndirectSubsplatSum : public vtkIndirectSum
+{
+public:
+  explicit vtkIndirectSubsplatSum(vtkMultiresolutionSplattingPass& pass);
+
+  vtkIndirectAbilities GetAbilities(double tolerance) const override;
+  size_t GetBytes() const override;
+  void AddToReport(vtkIndirectReport& report) const override;
+  std::vector<std::string> GetChannelNames() const override;
+  int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
+    const vtkIndirectGeometryBuffer& geometry) override;
+
+protected:
+  vtkIndirectEstimate Estimate(const Input& input) override;
+  void ReleaseOwn(vtkWindow* window) override;
+
+private:
+  /** The tolerance that the thresholds follow when so much is asked for; 0: none does. */
+  double FindErrorTolerance(double asked) const;
+  /** Names of the thresholds that the irradiance's subsplats obey and that the user has set. */
+  std::vector<std::string> FindOwnThresholds() const;
+  bool MakeSettings(const Input& input, vtkIndirectSubsplatSettings& settings, int& renderer);
+  bool Fill(const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer,
+    vtkIndirectTarget& pixels);
+  bool FillInBatches(const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer);
+  bool FillGlossy(const Input& input, const vtkIndirectSubsplatSettings& settings);
+
+  const vtkMultiresolutionSplattingPass& Set;
+  vtkIndirectLightBlock Lights;
+  vtkIndirectSubsplatPyramid Pyramid;
+  vtkIndirectSubsplatIllumination Illumination;
+  vtkIndirectSubsplatView View;
+  vtkIndirectGlossySubsplats GlossySubsplats;
+  vtkIndirectGlossyGather GlossyGather;
+  vtkIndirectLobeGather Lobes;
+  // The image of a batch of lights, where there are several.
+  std::unique_ptr<vtkIndirectTarget> Batch;
+  bool BatchIsHalf = false;
+  vtkIndirectFullScreenProgram AddBatch{ "vtkIndirectSubsplatAddFS.glsl" };
+
+  // The last frame, for the report.
+  double Tolerance = 0.0;
+  double SamplingError = -1.0;
+  int Evaluations = -1;
+  int NumberOfLights = 0;
+  std::string Renderer;
+  bool GlossyIsListed = false;
+  std::string WhyGlossyIsGathered;
+};
+
+#endif

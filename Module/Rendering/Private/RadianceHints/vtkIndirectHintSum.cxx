@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "RadianceHints/vtkIndirectHintSum.h"
+
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectStageTimer.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
+#include "RadianceHints/vtkIndirectHintRegions.h"
+#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "Visibility/vtkIndirectVisibility.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
+const vtkIndirectChannel IrradianceChannels[] = {
+  { "irradiance", "vtkiIrradiance", "indirect irradiance where a cell of pixels is mixed",
+    GL_RGBA32F, "-", "VTK irradiance" },
+  NoChannel,
+};
+const vtkIndirectChannel CoarseChannels[] = {
+  { "hints.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel, kind of cell",
+    GL_RGBA32F, "-", "VTK irradiance" },
+  NoChannel,
+};
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectHintSum::vtkIndirectHintSum(vtkRadianceHintsPass& pass)
+  : vtkIndirectSum(pass)
+  , Set(pass)
+  , Coarse{ { CoarseChannels, false }, { CoarseChannels, false } }
+  , Senders(std::make_shared<vtkIndirectHintSenders>(&pass))
+{
+  // With depth, which marks the pixels that interpolation has left.
+  this->Irradiance = std::make_unique<vtkIndirectTarget>(IrradianceChannels, true, 16);
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectAbilities vtkIndirectHintSum::GetAbilities(double tolerance) const
+{
+  vtkIndirectAbilities abilities = this->vtkIndirectSum::GetAbilities(tolerance);
+  abilities.MaximumNumberOfBounces = 16;
+  abilities.TakesSampler = false;
+  abilities.ReadsMaps = !this->Set.Details->Dense;
+  abilities.ErrorTolerance = this->FindErrorTolerance(tolerance);
+  return abilities;
+}
+
+//------------------------------------------------------------------------------
+// step: pixels between samples
+std::string vtkIndirectHintSum::GetLookupDefinitions(int step) const
+{
+  return vtkIndirectHintFields::GetLookupDefinitions(
+           this->FieldSettings, this->Grid.GetNumberOfGrids()) +
+    "#define VTKI_STEP " + std::to_string(step) + "\n";
+}
+
+//------------------------------------------------------------------------------
+// Binds receivers and hints.
+void vtkIndirectHintSum::ActivateLookup(vtkShaderProgram* program, const Input& input)
+{
+  vtkIndirectSetEyeUniforms(program, input.Frame);
+  program->SetUniform2i("vtkiSize", input.Frame.Size);
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  this->Fields.ActivateLookup(input, this->FieldSettings, this->Grid, program);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintSum::DeactivateLookup(const Input& input)
+{
+  input.Geometry.GetTarget().Deactivate();
+  this->Fields.Deactivate(input, this->Grid);
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectHintSum::FindErrorTolerance(double asked) const
+{
+  const int* hints = this->Set.Settings.GridResolution;
+  if (hints[0] > 0 && hints[1] > 0 && hints[2] > 0)
+  {
+    return 0.0;
+  }
+  return asked > 0.0 ? std::clamp(asked, 0.002, 1.0) : 0.05;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectHintSum::GetBytes() const
+{
+  const size_t bytes = this->vtkIndirectSum::GetBytes() + this->Grid.GetBytes() +
+    this->Fields.GetBytes() + this->Coarse[0].GetBytes() + this->Coarse[1].GetBytes();
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectHintSum::GetMainMemoryBytes() const
+{
+  return this->Grid.GetMainMemoryBytes();
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSampler::Pointer vtkIndirectHintSum::ChooseSampler(
+  const vtkIndirectSampler::Pointer&, const vtkIndirectPlan& plan)
+{
+  this->Senders->SetBlocksPerEdge(this->Set.Details->BlocksPerEdge);
+  return !this->Set.Details->Dense && plan.Senders == vtkIndirectPlan::MAPS ? nullptr
+                                                                            : this->Senders;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectVisibilityNeeds vtkIndirectHintSum::GetVisibilityNeeds(const vtkIndirectPlan& plan) const
+{
+  const vtkIndirectHintDetails& details = *this->Set.Details;
+  vtkIndirectVisibilityNeeds needs;
+  needs.Senders = plan.Visibility == vtkIndirectVisibilityVoxels;
+  needs.Volume = details.SkipEmptyCells || plan.NumberOfBounces > 1;
+  needs.Triangles =
+    needs.Senders || (plan.NumberOfBounces > 1 && (!details.FromHints || details.AlbedoVolume));
+  needs.Resolution = this->Set.GetOccupancyResolution();
+  return needs;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectEstimate vtkIndirectHintSum::Estimate(const Input& input)
+{
+  vtkOpenGLRenderWindow* window = input.Frame.Window;
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  vtkIndirectFullScreenState fullScreenState(window);
+
+  if (!input.Lights)
+  {
+    this->Senders->Release(window);
+  }
+  input.Timer.Begin(vtkIndirectStageTimer::Visibility);
+  const int hints = this->Grid.GetNumberOfHints();
+  const bool placed = this->UpdateGeometry(input);
+  input.Timer.End(vtkIndirectStageTimer::Visibility);
+  if (!placed || !this->UpdateLight(input, hints == 0) || !this->LookUp(input))
+  {
+    return {};
+  }
+  vtkIndirectEstimate result = this->MakeResult();
+  result.State = this->Converged ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::REFINING;
+  const vtkIndirectTarget& coarse = this->Coarse[this->CoarseNow];
+  result.Irradiance = this->Step > 1 ? result.Irradiance : &coarse;
+  result.Coarse = this->Step > 1 ? &coarse : nullptr;
+  result.Step = this->Step;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintSum::UpdateGeometry(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  const vtkIndirectVisibilityNeeds needs = this->GetVisibilityNeeds(input.Plan);
+
+  vtkIndirectHintGrid::Settings settings;
+  vtkIndirectHintRegions regions;
+  regions.OfView = this->Set.Settings.Extent == vtkRadianceHintsPass::VIEW;
+  std::copy_n(this->Set.Settings.GridResolution, 3, &regions.Resolution.x);
+  regions.Tolerance = input.Plan.EstimatorErrorTolerance;
+  this->Tolerance = input.Plan.ErrorToleranceIsSet ? regions.Tolerance : 0.0;
+  regions.HasFine = this->Set.Settings.NumberOfGrids > 1;
+  regions.FineExtent = this->Set.Settings.FineGridExtent;
+  settings.Regions = regions.Find(frame);
+  settings.Masks = needs.Senders;
+  settings.SkipEmpty = this->Set.Details->SkipEmptyCells;
+  settings.Reach = this->Set.Details->NumberOfLookups > 1 ? 1.5 * std::sqrt(3.0) : 1.0;
+  settings.NumberOfRays = needs.Triangles ? this->Set.Details->NumberOfRays : 0;
+
+  if (input.Plan.Caching && settings == this->GridSettings && this->Grid.GetNumberOfHints() > 0 &&
+    this->VoxelUpdates == input.Visibility.GetNumberOfUpdates())
+  {
+    return true;
+  }
+  this->Grid.Release(frame.Window);
+  this->Grid.Clear();
+  this->LightKey.Clear();
+  const int longestEdge = vtkTextureObject::GetMaximumTextureSize(frame.Window);
+  std::string why = vtkIndirectHintGrid::FindObstacle(settings, longestEdge);
+  if (why.empty())
+  {
+    this->GridSettings = settings;
+    this->VoxelUpdates = input.Visibility.GetNumberOfUpdates();
+    this->Grid.Build(
+      settings, needs.Senders || needs.Volume ? &input.Visibility.GetVolume() : nullptr);
+    why = this->Grid.FindObstacle(longestEdge);
+  }
+  if (!why.empty())
+  {
+    this->Grid.Clear();
+    vtkErrorWithObjectMacro(&this->Pass, << why << " Lower GridResolution or NumberOfGrids.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintSum::UpdateLight(const Input& input, bool anew)
+{
+  vtkIndirectHintFields::Settings& settings = this->FieldSettings;
+  static_cast<vtkIndirectHintDetails&>(settings) = *this->Set.Details;
+  settings.Layout = this->Set.Settings.Order == 2 ? 0 : (this->Set.Details->LumaChroma ? 1 : 2);
+  settings.Bounces = input.Plan.NumberOfBounces;
+  settings.NumberOfSamples = this->Set.Settings.NumberOfSamples;
+  settings.Visibility = input.Visibility.HidesSenders();
+  settings.DepthOcclusion = this->Set.Settings.DepthOcclusion;
+
+  vtkIndirectKey key;
+  key.Add("estimator", this->Set.GetMTime()).Add("bounces", settings.Bounces);
+  key.Add("senders", input.Plan.Senders);
+  key.Add("senders", input.Lights ? input.Lights->GetContentTime() : input.Maps.GetContentTime());
+  if (settings.DepthOcclusion)
+  {
+    key.Add("eye", input.Frame.WorldToView).Add("eye", input.Frame.Projection);
+  }
+  if (!anew && input.Plan.Caching && key == this->LightKey)
+  {
+    return true;
+  }
+  this->LightKey.Clear();
+  if (!this->Fields.Fill(input, settings, this->Grid))
+  {
+    return false;
+  }
+  this->NothingReflects = settings.Bounces > 1 && input.Visibility.GetVolume().IsEmpty();
+  ++this->NumberOfUpdates;
+  this->LightKey = key;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintSum::LookUp(const Input& input)
+{
+  vtkIndirectStageTimer& timer = input.Timer;
+  const vtkIndirectFrame& frame = input.Frame;
+  const int step = this->Set.Settings.InterpolationStep;
+  const int width = (frame.Size[0] + 2 * step - 2) / step;
+  const int height = (frame.Size[1] + 2 * step - 2) / step;
+  const bool smooth = this->Set.Settings.TemporalSmoothing > 0.0;
+  const bool kept = this->CoarseValid && this->Coarse[this->CoarseNow].GetWidth() == width &&
+    this->Coarse[this->CoarseNow].GetHeight() == height;
+  const int next = smooth ? 1 - this->CoarseNow : 0;
+  this->StillFrames = input.Still ? this->StillFrames + 1 : 0;
+  // What is left of a difference, after as many frames and the one that brought it, is less than
+  // can be seen: then look-ups come to rest.
+  constexpr double least = 1.0 / 4096.0;
+  const bool mix = smooth && kept &&
+    (this->StillFrames == 0 ||
+      std::pow(this->Set.Settings.TemporalSmoothing, this->StillFrames) > least);
+  this->Converged = !mix;
+  const std::string definitions = this->GetLookupDefinitions(step);
+  this->LookUpKernel.SetDefinitions(definitions + (mix ? "#define VTKI_KEEP\n" : ""));
+  if (!this->Coarse[next].Resize(frame.Window, width, height))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = this->LookUpKernel.Use(frame.Window, this->Coarse[next]);
+  if (!program)
+  {
+    return false;
+  }
+
+  this->Step = step;
+  timer.Begin(vtkIndirectStageTimer::Estimate);
+  this->Coarse[next].Begin();
+  this->ActivateLookup(program, input);
+  if (mix)
+  {
+    program->SetUniformf("vtkiKeep", static_cast<float>(this->Set.Settings.TemporalSmoothing));
+    this->Coarse[this->CoarseNow].Activate(0, program, "vtkiLast");
+  }
+  this->LookUpKernel.Draw();
+  if (mix)
+  {
+    this->Coarse[this->CoarseNow].Deactivate();
+  }
+  this->DeactivateLookup(input);
+  this->Coarse[next].End();
+  timer.End(vtkIndirectStageTimer::Estimate);
+  this->CoarseNow = next;
+  this->CoarseValid = smooth;
+  if (step == 1)
+  {
+    return true;
+  }
+  timer.Begin(vtkIndirectStageTimer::Upsample);
+  const bool filled = this->FillMixedCells(input);
+  timer.End(vtkIndirectStageTimer::Upsample);
+  return filled;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectHintSum::FillMixedCells(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkIndirectTarget& coarse = this->Coarse[this->CoarseNow];
+  const int cells = coarse.GetWidth() * coarse.GetHeight();
+  const int step = this->Set.Settings.InterpolationStep;
+  const std::string definitions = this->GetLookupDefinitions(step);
+  if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  {
+    return false;
+  }
+  this->Irradiance->Begin();
+  // Other cells' pixels are never read.
+  this->Irradiance->ClearDepth();
+  vtkOpenGLState* state = frame.Window->GetState();
+  state->vtkglViewport(0, 0, coarse.GetWidth() * step, coarse.GetHeight() * step);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  bool drawn = false;
+  for (vtkIndirectPointProgram* points : { &this->MixedCells, &this->Pixels })
+  {
+    // The second draws the pixels that the first has discarded: where depth is still that of the
+    // clear.
+    vtkShaderProgram* program = points->Use(frame.Window, definitions);
+    drawn = program != nullptr;
+    if (!drawn)
+    {
+      break;
+    }
+    this->ActivateLookup(program, input);
+    coarse.Activate(0, program);
+    const int size[2] = { coarse.GetWidth(), coarse.GetHeight() };
+    program->SetUniform2i("vtkiCoarseSize", size);
+    points->Draw(cells, step);
+    coarse.Deactivate();
+    this->DeactivateLookup(input);
+  }
+  state->vtkglDisable(GL_DEPTH_TEST);
+  this->Irradiance->End();
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintSum::AddToReport(vtkIndirectReport& report) const
+{
+  report.Counters["hint_updates"] = this->NumberOfUpdates;
+  std::string grid = std::to_string(this->Grid.GetNumberOfActiveHints()) + " of " +
+    std::to_string(this->Grid.GetNumberOfHints()) + " hints of order " +
+    std::to_string(this->Set.Settings.Order);
+  for (const auto& region : this->GridSettings.Regions)
+  {
+    grid += (&region == &this->GridSettings.Regions[0] ? ", " : " and ") +
+      std::to_string(region.Size.x) + " x " + std::to_string(region.Size.y) + " x " +
+      std::to_string(region.Size.z);
+  }
+  report.Modelled.emplace_back(std::to_string(this->FieldSettings.Bounces) +
+      (this->FieldSettings.Bounces == 1 ? " diffuse bounce" : " diffuse bounces"),
+    grid);
+  if (this->Tolerance > 0.0)
+  {
+    report.LeftOut.emplace_back("ErrorTolerance " + vtkIndirectReport::Number(this->Tolerance),
+      "the grid is chosen for light from a quarter of its edge; nearer light is interpolated with "
+      "a "
+      "larger error, which is not estimated");
+  }
+  if (this->NothingReflects)
+  {
+    report.LeftOut.emplace_back(
+      "bounces after the first", "nothing in the scene has polygons that reflect them");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIndirectHintSum::Hint> vtkIndirectHintSum::ReadHints()
+{
+  std::vector<Hint> hints(this->Grid.GetHints().size());
+  const std::vector<std::vector<float>> channels = this->Fields.ReadBack();
+  const int layout = this->Fields.GetLayout();
+  if (channels.empty() || layout == 1)
+  {
+    vtkErrorWithObjectMacro(
+      &this->Pass, "Hints can be read after a frame, of order 2, or of order 3 in RGB.");
+    return {};
+  }
+  for (size_t i = 0; i < hints.size(); ++i)
+  {
+    const glm::vec4& place = this->Grid.GetHints()[i];
+    hints[i].Active = place.w > 0.0f;
+    std::copy(&place.x, &place.x + 3, hints[i].Position);
+    for (int color = 0; color < 3; ++color)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        hints[i].Coefficients.push_back(channels[color][4 * i + k]);
+      }
+      for (int k = 0; k < 4 && layout == 2; ++k)
+      {
+        hints[i].Coefficients.push_back(channels[3 + color][4 * i + k]);
+      }
+      if (layout == 2)
+      {
+        hints[i].Coefficients.push_back(channels[6][4 * i + color]);
+      }
+    }
+  }
+  return hints;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintSum::ReleaseOwn(vtkWindow* window)
+{
+  // Voxels of another pass have the same numbers.
+  this->Grid.Release(window);
+  this->Grid.Clear();
+  this->Fields.Release(window);
+  this->LightKey.Clear();
+  this->Coarse[0].Release(window);
+  this->Coarse[1].Release(window);
+  this->CoarseValid = false;
+  this->Senders->Release(window);
+  this->LookUpKernel.Release();
+  this->MixedCells.Release();
+  this->Pixels.Release();
+}

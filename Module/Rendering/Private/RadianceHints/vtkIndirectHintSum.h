@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of vtkRadianceHintsPass that sums the light: the grid of hints, their fields, and the
+// look-up at receivers.
+#ifndef vtkIndirectHintSum_h
+#define vtkIndirectHintSum_h
+
+#include "Frame/vtkIndirectKey.h" // for keys
+#include "Gather/vtkIndirectSum.h"
+#include "OpenGL/vtkIndirectFullScreenProgram.h"  // for members
+#include "OpenGL/vtkIndirectPointProgram.h"       // for members
+#include "RadianceHints/vtkIndirectHintDetails.h" // for members
+#include "RadianceHints/vtkIndirectHintFields.h"  // for members
+#include "RadianceHints/vtkIndirectHintGrid.h"    // for members
+#include "RadianceHints/vtkIndirectHintSenders.h" // for members
+#include "vtkRadianceHintsPass.h"                 // for settings
+
+class vtkIndirectHintSum : public vtkIndirectSum
+{
+public:
+  explicit vtkIndirectHintSum(vtkRadianceHintsPass& pass);
+
+  vtkIndirectAbilities GetAbilities(double tolerance) const override;
+  vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
+  vtkIndirectSampler::Pointer ChooseSampler(
+    const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan& plan) override;
+  size_t GetBytes() const override;
+  size_t GetMainMemoryBytes() const override;
+  void AddToReport(vtkIndirectReport& report) const override;
+
+  /** The irradiance of the last frame at every Step-th pixel. */
+  const vtkIndirectTarget& GetCoarse() const { return this->Coarse[this->CoarseNow]; }
+
+  /** Place of a hint in scene units and its field: `Order` squared numbers each for three colours,
+   * first the reds; order 3 in RGB only. For tests. */
+  struct Hint
+  {
+    double Position[3];
+    bool Active;
+    std::vector<double> Coefficients;
+  };
+  std::vector<Hint> ReadHints();
+
+  vtkIndirectHintGrid Grid;
+
+protected:
+  vtkIndirectEstimate Estimate(const Input& input) override;
+  void ReleaseOwn(vtkWindow* window) override;
+
+private:
+  /** The tolerance that the grid is chosen by when so much is asked for; 0: the user chose it. */
+  double FindErrorTolerance(double asked) const;
+  bool UpdateGeometry(const Input& input);
+  bool UpdateLight(const Input& input, bool anew);
+  bool LookUp(const Input& input);
+  bool FillMixedCells(const Input& input);
+  std::string GetLookupDefinitions(int step) const;
+  void ActivateLookup(vtkShaderProgram* program, const Input& input);
+  void DeactivateLookup(const Input& input);
+
+  vtkRadianceHintsPass& Set;
+  vtkIndirectHintGrid::Settings GridSettings;
+  vtkIndirectHintFields Fields;
+  vtkIndirectHintFields::Settings FieldSettings; // of the last frame
+  vtkIndirectTarget Coarse[2];
+  int CoarseNow = 0;
+  bool CoarseValid = false;
+  int StillFrames = 0;   // since something changed
+  bool Converged = true; // the last look-up kept nothing of those before it
+  int Step = 1; // of the last look-up: its buffers stay readable when InterpolationStep changes
+  vtkIndirectFullScreenProgram LookUpKernel{ "vtkIndirectHintFS.glsl" };
+  vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintMixedFS.glsl" };
+  vtkIndirectPointProgram Pixels{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintPixelFS.glsl" };
+  const std::shared_ptr<vtkIndirectHintSenders> Senders;
+  vtkIndirectKey LightKey;
+  bool NothingReflects = false;  // bounces after the first have no surface
+  double Tolerance = 0.0;        // that the last frame was asked for and the grid was chosen by
+  long long NumberOfUpdates = 0; // of the hints' light, since construction
+  size_t VoxelUpdates = 0;       // that the grid was made from
+};
+
+#endif
