@@ -29,7 +29,7 @@ double SumIrradiance(vtkEnvironmentLight* environment)
   {
     sum += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
   }
-  return std::max({ light.x, light.y, light.z }) / vtkMath::Pi();
+  return std::max({ sum.x, sum.y, sum.z }) / vtkMath::Pi();
 }
 }
 
