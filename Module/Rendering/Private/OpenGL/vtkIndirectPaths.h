@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ways of doing the same thing, of which one is faster here and another there. Each has a default
-// for the OpenGL at hand, and is forced by its name in the environment, so that they can be
-// compared on any card: VTK_INDIRECT_PATHS="clear=gl,uniforms=plain".
+// Pairs of ways to do the same thing, of which one is faster on this hardware and the other on
+// that. Each pair has a default for the OpenGL at hand, and a way is forced by its name in the
+// environment, so that both can be compared on any card:
+// VTK_INDIRECT_PATHS="clear=gl,uniforms=plain".
 //
-// What users choose by a property (multiresolution's Renderer and Storage) is not among them.
+// Choices of a preset, such as the renderer of multiresolution splatting, are not among them.
 #ifndef vtkIndirectPaths_h
 #define vtkIndirectPaths_h
 
@@ -15,12 +16,12 @@ namespace vtkIndirectPaths
 {
 enum Path
 {
-  Clear,    // how the geometry buffer's colours are emptied
-  Depth,    // how depth gets to the framebuffer that the frame goes to
+  Clear,    // emptying the geometry buffer's colours
+  Depth,    // bringing depth to the framebuffer that the frame goes to
   Grouping, // split texels that an invocation of multiresolution splatting works for
-  Kernels,  // what full-screen kernels run as, where they write all of a target without tests
-  Splats,   // how splats of virtual lights are summed
-  Uniforms, // how fragment shaders get their uniforms
+  Kernels,  // running full-screen kernels that write all of a target without tests
+  Splats,   // summing splats of virtual lights
+  Uniforms, // handing uniforms to fragment shaders
   NumberOfPaths
 };
 
@@ -58,12 +59,12 @@ enum UniformsValue
 
 /**
  * The value in force in the current context. The environment is read at each call: it counts for
- * passes that are made, or released, after it has changed. What it names that is not known, or that
- * this OpenGL cannot do, is one error, and all of it is ignored.
+ * passes that are made, or released, after it has changed. A name that is not known, or a way that
+ * this OpenGL cannot go, is one error, and all of the environment's text is ignored.
  */
 int Get(Path path);
 
-/** All that this OpenGL can do: name and value in force. */
+/** Pairs that this OpenGL has: name and value in force. */
 std::vector<std::pair<std::string, std::string>> GetAll();
 
 /** Each name with its values, whatever this OpenGL can do. */

@@ -73,7 +73,7 @@ public:
     return this->Samplers.empty() ? nullptr : &this->Lights;
   }
 
-  /** What their lights depend on besides the maps. */
+  /** Appends to a key what their lights depend on besides the maps. */
   void AppendTo(std::vector<double>& key) const;
   /** Copies `lights`, `branches` or `lobes`; why not, or empty. */
   std::string Copy(const vtkIndirectFrame& frame, const std::string& name, vtkImageData* image);

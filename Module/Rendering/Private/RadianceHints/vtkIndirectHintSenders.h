@@ -32,7 +32,7 @@ private:
   int BlocksPerEdge = 24;
   vtkNew<vtkUniformLightSampler> ViewPattern;
   vtkIndirectFullScreenProgram Program{ "vtkIndirectHintSendersFS.glsl" };
-  // What the lights were made from.
+  // These numbers tell what the lights were made from.
   vtkMTimeType MapTime = 0;
   int Blocks = 0;
 };

@@ -27,9 +27,9 @@ public:
   /** Makes as many lights as the frame's sampler, and divides them where that does. */
   void Follow(const vtkIndirectSamplerAbilities& sampler);
 
-  /** What a frame's emitters were found in: where it is the same they need not be found again. */
+  /** Tells whether the emitters were found in this source: they need not be found again. */
   bool Knows(const std::vector<double>& source) const { return source == this->Source; }
-  /** Those of the frame, each of which sends light. */
+  /** Sets the emitters of the frame, each of which sends light. */
   void SetEmitters(const vtkIndirectEmitters::List& emitters, const std::vector<double>& source);
   /**
    * Brings the maps up to date, while the capture is attached. Returns false, after an error, when
@@ -65,7 +65,7 @@ private:
   std::vector<double> Source;         // what they were found in
   bool EmittersHaveMoved = false;     // come, gone or moved since the maps were drawn
 
-  // What the maps were drawn of, and what the senders were read from.
+  // These numbers tell what the maps were drawn of, and what the senders were read from.
   bool MapsAreThere = false;
   std::vector<vtkIndirectCaster> Casters;
   double SceneScale = 0.0;
@@ -73,7 +73,7 @@ private:
   vtkMTimeType SendersTime = 0;
 
   size_t SourceTime = 0;
-  // What the lights were made from.
+  // These numbers tell what the lights were made from.
   size_t MadeTime = 0;
   int MadeCount = 0;
 };
