@@ -69,21 +69,21 @@ public:
   ///@}
 
   ///@{
-  /** Whether it sends light to both sides. Default off. */
+  /** Send light to both sides. Default off. */
   vtkIndirectFlagMacro(TwoSided);
   ///@}
 
   ///@{
   /**
-   * Whether the rectangle is seen in the picture: its radiance, or its image, from the sides that
-   * it sends light to, in front of what it hides. It is no prop: it hides nothing from any light,
+   * Show the rectangle in the picture: its radiance, or its image, from the sides that it sends
+   * light to, in front of what it hides. It is no prop: it hides nothing from any light,
    * is in no bounds, and cannot be picked. Default off, as VTK's lights are not seen.
    */
   vtkIndirectFlagMacro(Visible);
   ///@}
 
   ///@{
-  /** Whether it is on. Default on. */
+  /** Switch the light on. Default on. */
   vtkIndirectFlagMacro(Switch);
   ///@}
 
@@ -96,13 +96,13 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * What its pieces send, Scale included: `columns` along Point1 - Origin times `rows`, the piece
-   * at Origin first. Without an image there is one. Empty after an error.
+   * Radiances of its pieces, Scale included: `columns` along Point1 - Origin times `rows`, the
+   * piece at Origin first. Without an image there is one. Empty after an error.
    */
   const std::vector<float>& GetRadiances(int& columns, int& rows); // three floats each
 
   /**
-   * Whether it is on and can be computed with in a scene of this centre and size: its corners are
+   * Tells whether it is on and fit for a scene of this centre and size: its corners are
    * finite, no farther away than 1e9 sizes and span an area, its edges are no shorter than 1e-9 of
    * them, and its radiance can be read. Otherwise one error says why, until the light changes.
    */

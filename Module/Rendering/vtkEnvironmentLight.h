@@ -44,7 +44,7 @@ public:
 
   ///@{
   /**
-   * What lies to the right of the image's middle, of any length; the part across Up counts. Default
+   * Direction to the right of the image's middle, of any length; the part across Up counts. Default
    * (1, 0, 0).
    */
   vtkSetVector3Macro(Right, double);
@@ -74,7 +74,7 @@ public:
    * error.
    */
   const std::vector<Cell>& GetCells();
-  /** Of all directions, each colour by itself. */
+  /** Finds the greatest radiance of all directions, each colour by itself. */
   void GetGreatestRadiance(double radiance[3]);
 #endif
 

@@ -37,7 +37,7 @@ public:
   };
 
   ///@{
-  /** How squares are warped. Default APART. */
+  /** The way in which squares are warped. Default APART. */
   vtkIndirectClampMacro(Warping, int, APART, TOGETHER);
   void SetWarpingToApart() { this->SetWarping(APART); }
   void SetWarpingToTogether() { this->SetWarping(TOGETHER); }
@@ -62,8 +62,8 @@ public:
 
   ///@{
   /**
-   * How much more important texels are that have other surfaces near them, which their light has an
-   * effect on: the flux is multiplied by 1/64 + 1 - Occlusion * O, O the share of the hemisphere
+   * Weight of texels that have other surfaces near them, which their light has an effect on: the
+   * flux is multiplied by 1/64 + 1 - Occlusion * O, O the share of the hemisphere
    * above a texel that no surface in the light's map fills within a tenth of the scene's diagonal.
    * At 1 it is the paper's (1 - O), but that every texel that sends light may be drawn. Surfaces
    * that the light does not see are left out: O is too large there, the sums are right all the

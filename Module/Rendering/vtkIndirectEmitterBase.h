@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkIndirectEmitterBase
- * @brief Abstract: what sends light of its own, the same radiance everywhere or an image of it
+ * @brief Abstract: a source of light of one radiance everywhere, or of an image of radiances
  *
  * Values are radiances in VTK's units: a surface that sees one radiance in all of its hemisphere
  * has the irradiance E = radiance. Images of bytes are divided by 255; with Encoded on, or where a
@@ -55,8 +55,8 @@ public:
 
   ///@{
   /**
-   * Whether the values of an image are encoded by the transfer function of sRGB (IEC 61966-2-1), as
-   * those of photographs in bytes are. Default off. Those of a texture that says so
+   * Decode the values of an image by the transfer function of sRGB (IEC 61966-2-1), by which those
+   * of photographs in bytes are encoded. Default off. The values of a texture that says so
    * (vtkTexture::SetUseSRGBColorSpace) are decoded in any case.
    */
   vtkIndirectFlagMacro(Encoded);
@@ -76,7 +76,7 @@ protected:
 
   /** The image in force, up to date; null where there is none. */
   vtkImageData* FindImage();
-  /** Whether its values are encoded. */
+  /** Tells whether the values of that image are encoded. */
   bool IsEncoded() const;
 
   double Radiance[3] = { 1.0, 1.0, 1.0 };

@@ -47,18 +47,17 @@ public:
 
   ///@{
   /**
-   * Whether receivers with Phong's model and a specular coefficient reflect indirect light
-   * specularly, and senders with such or with VTK's PBR reflect the lights specularly, where the
-   * estimator can compute it. Costs nothing where there are none. Default on.
+   * Let receivers with Phong's model and a specular coefficient reflect indirect light specularly,
+   * and senders with such or with VTK's PBR reflect the lights specularly, where the estimator can
+   * compute it. Costs nothing where there are none. Default on.
    */
   vtkIndirectFlagMacro(SpecularTransport);
   ///@}
 
   ///@{
   /**
-   * Whether what stands between senders and receivers is looked up in voxels of the scene and among
-   * its spheres, where vtkIndirectIlluminationPass::Visibility is automatic. Default off, of
-   * radiance hints on.
+   * Look up in voxels of the scene, and among its spheres, what hides senders from receivers, where
+   * vtkIndirectIlluminationPass::Visibility is automatic. Default off, of radiance hints on.
    */
   vtkIndirectFlagMacro(Occupancy);
   ///@}

@@ -63,16 +63,15 @@ public:
 
   ///@{
   /**
-   * What computes the irradiance. Default null: automatic, a vtkMultiresolutionSplattingPass, the
-   * fastest for its error.
+   * The estimator, which computes the irradiance. Default null: automatic, a
+   * vtkMultiresolutionSplattingPass, the fastest for its error.
    */
   virtual void SetEstimator(vtkIndirectEstimatorPass* estimator);
   vtkGetObjectMacro(Estimator, vtkIndirectEstimatorPass);
   ///@}
 
   ///@{
-  /** What chooses virtual lights. Default null: automatic, a vtkLightTreeSampler.
-   */
+  /** The sampler, which chooses virtual lights. Default null: automatic, a vtkLightTreeSampler. */
   virtual void SetSampler(vtkVirtualLightSampler* sampler);
   vtkGetObjectMacro(Sampler, vtkVirtualLightSampler);
   ///@}
@@ -139,7 +138,7 @@ public:
 
   ///@{
   /**
-   * What lights the opaque props. SCENE (default): the renderer's lights, and Environment. The
+   * The lights of the opaque props. SCENE (default): the renderer's lights, and Environment. The
    * others are presets, which take the place of the renderer's lights while the frame is drawn, and
    * follow the camera. Each keeps a share of the renderer's lights as VTK draws them, without
    * shadows: 0.6, GENTLE 0.8, and where all of them are headlights SOFT 0.4, GENTLE 0.7. In place
@@ -166,7 +165,7 @@ public:
 
   ///@{
   /**
-   * Whether lights cast shadows. Default on: the maps send only from lit surfaces, so direct light
+   * Let lights cast shadows. Default on: the maps send only from lit surfaces, so direct light
    * without shadows would not match the indirect light.
    */
   vtkIndirectFlagMacro(Shadows);
@@ -182,7 +181,7 @@ public:
 
   ///@{
   /**
-   * What tells whether a sender of indirect light is seen from a receiver. NONE: light passes
+   * The test that tells whether a receiver sees a sender of indirect light. NONE: light passes
    * through whatever stands between them, and is too bright. VOXELS: the scene's voxels
    * (vtkIndirectEstimatorPass::OccupancyResolution), for all estimators, and, for all but radiance
    * hints, spheres that mappers draw as such, as they are. MAPS: a depth map of each
@@ -203,8 +202,8 @@ public:
 
   ///@{
   /**
-   * Whether edges of the opaque props are antialiased: where surfaces end, against whatever lies
-   * behind, not where data on a surface does. Default on. Off, or where the renderer's FXAA,
+   * Antialias edges of the opaque props: where surfaces end, against whatever lies behind, not
+   * where data on a surface does. Default on. Off, or where the renderer's FXAA,
    * vtkOpenGLFXAAPass or vtkSSAAPass takes its place, pixels are as they were shaded, bitwise.
    * Buffers of CopyBuffer and depth are not filtered. Reshetov 2009, Jimenez et al. 2012 (SMAA):
    * steps of an outline that are up to 63 pixels long are replaced by the line that they stand for;
@@ -276,28 +275,28 @@ public:
 
   ///@{
   /**
-   * Whether maps, virtual lights and irradiance are kept while nothing that they depend on has
-   * changed. Default on; off for timing whole frames.
+   * Keep maps, virtual lights and irradiance while nothing that they depend on has changed. Default
+   * on; off for timing whole frames.
    */
   vtkIndirectFlagMacro(Caching);
   ///@}
 
   ///@{
   /**
-   * Whether still frames without all their depth maps draw further ones alone: irradiance and light
-   * of the sky are summed in the first frame that has them all, once. Default off: every frame sums
-   * with the maps that there are. For a picture that is only looked at when it is complete: render
-   * while the report's tiles_left is above 0. Until then the report names what waits under
-   * left_out. Frames of a camera that moves, frames without Caching, and area lights, whose sums
-   * take the maps of one round after another, do not wait.
+   * Draw depth maps alone in still frames that lack some: irradiance and light of the sky are
+   * summed in the first frame that has them all, once. Default off: every frame sums with the maps
+   * that there are. For a picture that is only looked at when it is complete: render while the
+   * report's tiles_left is above 0. Until then the report names what waits under left_out. Frames
+   * of a camera that moves, frames without Caching, and area lights, whose sums take the maps of
+   * one round after another, do not wait.
    */
   vtkIndirectFlagMacro(MapsFirst);
   ///@}
 
   ///@{
   /**
-   * Whether frames of moving spheres take the sky, and what is reflected of it, from spheres in
-   * place of depth maps and virtual lights, as vtkProxyAccumulationPass does; lights of the
+   * Take the sky, and the light of it that surfaces reflect, in frames of moving spheres from these
+   * in place of depth maps and virtual lights, as vtkProxyAccumulationPass does; lights of the
    * renderer keep their estimator. From the second frame on end in which atoms
    * (vtkMoleculeMapper), vtkOpenGLSphereMapper's or glyphs that are spheres (vtkGlyph3DMapper) are
    * elsewhere than before, where all else that casts shadows is made of spheres or flat and convex,
@@ -316,7 +315,7 @@ public:
 
   ///@{
   /**
-   * Whether the pass draws translucent props, volumes and overlays after the composite. Default on;
+   * Draw translucent props, volumes and overlays after the composite. Default on;
    * off when other passes of the renderer's chain draw them.
    */
   vtkIndirectFlagMacro(RemainingGeometry);
@@ -333,8 +332,8 @@ public:
 
   ///@{
   /**
-   * Whether stages are timed, by wall clock and timer queries between glFinish calls, which costs a
-   * little of the overlap between them. Default off. Switching it forgets earlier times.
+   * Time the stages, by wall clock and timer queries between glFinish calls, which costs a little
+   * of the overlap between them. Default off. Switching it forgets earlier times.
    */
   void SetTiming(bool timing);
   bool GetTiming();
@@ -449,7 +448,7 @@ private:
   vtkIndirectEstimatorPass* GetFrameEstimator(); // of the last frame, without one of the next
   void RenderDelegate(const vtkRenderState* s, const std::string& why);
   void RefuseDelegate(const std::string& reason);
-  // What of the renderer's switches and of the passes around is not done, once.
+  // Warns, once, of the renderer's switches and the passes around that have no effect.
   void Say(const vtkRenderState* s, const std::string& around);
   std::string GetChannelNames();
 

@@ -3,9 +3,10 @@
  * @file vtkIndirectSettings.h
  * @brief Properties that are fields of a struct
  *
- * A class of this module holds what a user sets of it in one struct, `Settings`: each property is
- * declared there, once, with its default, and stages read the struct. These macros are
- * vtkSetClampMacro and vtkSetMacro, with vtkGetMacro, for its fields.
+ * A public class of this module holds its numbers and flags in one struct, `Settings`: each
+ * property is declared there, once, with its default. These macros are vtkSetClampMacro and
+ * vtkSetMacro, with vtkGetMacro, for its fields. Vectors, strings and objects have VTK's own
+ * macros.
  */
 
 #ifndef vtkIndirectSettings_h
@@ -50,7 +51,7 @@
     this->Set##name(false);                                                                        \
   }
 
-/** What hides senders from receivers; of vtkIndirectIlluminationPass. */
+/** Tests that hide senders from receivers, of vtkIndirectIlluminationPass. */
 enum vtkIndirectVisibilityType
 {
   vtkIndirectVisibilityAutomatic = 0,
@@ -59,7 +60,7 @@ enum vtkIndirectVisibilityType
   vtkIndirectVisibilityMaps
 };
 
-/** What lights a frame; of vtkIndirectIlluminationPass. */
+/** Lights of a frame, of vtkIndirectIlluminationPass. */
 enum vtkIndirectLightingType
 {
   vtkIndirectLightingScene = 0,
@@ -69,7 +70,7 @@ enum vtkIndirectLightingType
   vtkIndirectLightingStudio
 };
 
-/** What the user has set on vtkIndirectIlluminationPass, by the names of its properties. */
+/** The properties of vtkIndirectIlluminationPass, by their names. */
 struct vtkIndirectSettings
 {
   int Lighting = vtkIndirectLightingScene;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkIndirectSplattingPass
- * @brief One bounce of light from virtual lights that are each summed only where they count
+ * @brief Light of virtual lights, each of which is summed only where it counts
  *
  * Dachsbacher and Stamminger 2006, "Splatting indirect illumination": for each virtual light a
  * splat is drawn that covers the pixels which it may light to more than I_low, and added. I_low is
@@ -31,7 +31,7 @@
  *
  * Lobes of specular senders have splats of their own beside the light's (section 3.3): an ellipsoid
  * about where the lobe as it is evaluated, normalised and widened near its light, reaches I_low.
- * What these cut off is measured and given back with the rest.
+ * The light that these cut off is measured and given back with the rest.
  *
  * Memory: 16 bytes a pixel, 32 for each of those that the far field is summed at, and 32 a light,
  * 64 where lights have lobes.
@@ -68,7 +68,7 @@ public:
 
   ///@{
   /**
-   * Whether what the bounds cut off is given back, as a term that is interpolated between every
+   * Give back the light that the bounds cut off, as a term that is interpolated between every
    * FarFieldStep-th pixels. Splats then end smoothly, from 2 I_low to I_low. Without it each ends
    * with a step of up to I_low times the receiver's cosine, as in the paper, and the picture is
    * darker. Default on.

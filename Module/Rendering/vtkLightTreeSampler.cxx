@@ -16,11 +16,11 @@ vtkStandardNewMacro(vtkLightTreeSampler);
 
 namespace
 {
-// What is more leaves less than a thousandth of the mean squared relative error, and takes longer
+// More texels leave less than a thousandth of the mean squared relative error, and takes longer
 // to divide than maps take to draw.
 constexpr size_t MostTexels = 65536;
 
-// Of scenes by themselves: enough of walls and bodies, and of many small objects. See
+// The range of automatic numbers: enough lights of walls and bodies, and of many small objects. See
 // Documentation/methods/light-tree.md.
 constexpr int LeastLights = 128;
 constexpr int MostLights = 1024;
@@ -124,7 +124,7 @@ bool TreeLights::Update(const Input& input)
   }
   if (!same)
   {
-    // What the maps show is kept where only the rest of it changes.
+    // The maps' senders are kept where only the further ones change.
     std::vector<vtkIndirectSenderClusters::Sender> senders =
       further ? this->FromMaps : std::move(this->FromMaps);
     this->FurtherMaps = further ? further->NumberOfMaps : 0;

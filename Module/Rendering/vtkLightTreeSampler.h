@@ -44,8 +44,8 @@ public:
 
   ///@{
   /**
-   * Whether there are as many lights as the scene needs by the same measure, 128 to 1024 in place
-   * of NumberOfLights; of what changes while the window gives a frame a second or less
+   * Make as many lights as the scene needs by the same measure, 128 to 1024 in place of
+   * NumberOfLights; of what changes while the window gives a frame a second or less
    * (vtkRenderWindow::SetDesiredUpdateRate), NumberOfLights at most. Default on.
    */
   vtkIndirectFlagMacro(AutomaticNumberOfLights);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMultiresolutionSplattingPass
- * @brief One bounce of light, evaluated once for each group of pixels that looks alike
+ * @brief Light of virtual lights, summed once for each group of pixels that looks alike
  *
  * Nichols and Wyman 2009, "Multiresolution splatting for indirect illumination": the image is cut
  * into subsplats, squares of 1 to 2^n pixels, coarse where one surface fills them and fine at edges
@@ -10,11 +10,11 @@
  *
  * Where this differs from the paper:
  * - A subsplat is split where its surface leaves a plane, not where its depths differ, so a plane
- *   seen at a grazing angle stays whole (PlaneThreshold). DEPTH_RANGE is the paper's test.
- * - Subsplats that touch differ by one level at most (Balance).
+ *   seen at a grazing angle stays whole (PlaneThreshold). The preset PAPER has the paper's test.
+ * - Subsplats that touch differ by one level at most.
  * - Beside the irradiance E each holds the luminance of the vector irradiance, whose projection on
- *   the pixel's own normal corrects E to first order (NormalCorrection). On curved surfaces this
- *   halves the number of subsplats for the same error.
+ *   the pixel's own normal corrects E to first order. On curved surfaces this halves the number of
+ * subsplats for the same error.
  * - Neighbours count in the interpolation only when they lie on the same plane, so nothing crosses
  *   an edge that runs between two subsplats.
  *
@@ -63,7 +63,7 @@ public:
 
   ///@{
   /**
-   * How the method is carried out. ROBUST splits where a subsplat's surface leaves its plane or its
+   * Variants of the method. ROBUST splits where a subsplat's surface leaves its plane or its
    * light bends, balances the subsplats, and follows each pixel's own normal. PAPER splits as
    * Nichols and Wyman do, by min-max pyramids of depth and normal from 16 texels on, and nothing
    * hides senders where the pass's Visibility is automatic. Default ROBUST.

@@ -78,7 +78,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether groups of spheres are summed as one from afar. Default on. */
+  /** Sum groups of spheres as one from afar. Default on. */
   vtkIndirectFlagMacro(Groups);
   ///@}
 
@@ -148,12 +148,12 @@ public:
    * is an error, and nothing changes.
    */
   void SetProxies(vtkProp* prop, vtkPolyData* spheres);
-  /** Those, or null. */
+  /** The spheres that SetProxies gave a prop, or null. */
   vtkPolyData* GetProxies(vtkProp* prop);
   void RemoveAllProxies();
 
   ///@{
-  /** Of the last frame: spheres, and flat polygons. */
+  /** Number of spheres, and of flat polygons, in the last frame. */
   int GetNumberOfSpheres() const;
   int GetNumberOfPolygons() const;
   /** Pixels from one of its receivers to the next; 0 before a frame. */

@@ -39,7 +39,7 @@ const char* const NeighborhoodFile = "vtkIndirectGatherNeighborhood.glsl";
 
 // Rows of 256 lights in one draw: long draws stall a desktop, and some drivers end them.
 constexpr int RowsPerDraw = 16;
-// What interpolation may change of lobes, over their light.
+// The most that interpolation may change of lobes, over their light.
 constexpr double LobeTolerance = 0.05;
 
 class GatherSum : public vtkIndirectSum

@@ -20,7 +20,8 @@
  * each of their pixels with and without interpolation; see SpecularTransport.
  *
  * Approximations: virtual lights are hidden by depth maps or voxels (Visibility of the pass), whose
- * resolution decides; texels by voxels alone, with Occupancy, else by nothing (bias >= 0), and
+ * resolution decides; texels by voxels alone (Occupancy, or Visibility VOXELS), else by nothing
+ * (bias >= 0), and
  * theirs is one bounce (<= 0). Senders of later bounces are diffuse (<= 0). The kernel is low where
  * r^2 < A, by about -0.6 / sqrt(N) for walls that meet; not so lights of a tree.
  *
@@ -76,7 +77,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether pixels are interpolated from coarser samples. Default on; ALL_TEXELS never does. */
+  /** Interpolate pixels from coarser samples. Default on; ALL_TEXELS never does. */
   vtkIndirectFlagMacro(Interpolation);
   ///@}
 

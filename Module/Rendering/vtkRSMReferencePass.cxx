@@ -413,7 +413,7 @@ bool MakeReceiver(
   return true;
 }
 
-// What a frame's sums are made of, and where they go; four values a pixel.
+// The material of a frame's sums, and their results; four values a pixel.
 struct Sums
 {
   const vtkIndirectFrame& Frame;

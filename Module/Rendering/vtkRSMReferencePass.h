@@ -68,12 +68,13 @@ public:
 
   ///@{
   /**
-   * What hides senders from receivers. NONE: nothing, unless Occupancy is on, which then means the
-   * same as VOXELS. VOXELS: occupied voxels and spheres, as with Occupancy. EXACT: the triangles of
-   * all props that cast shadows, and what mappers draw as spheres, by a segment from each pixel to
-   * each sender that faces it; both sides of a triangle block. What else mappers draw without
-   * polygons that the processor can read blocks nothing; the report names such props. Surfaces hide
-   * no light from what is nearer to them than 1e-5 of the scene's diagonal. Default NONE.
+   * The obstacles that hide senders from receivers. NONE: nothing, unless Occupancy is on, which
+   * then means the same as VOXELS. VOXELS: occupied voxels and spheres, as with Occupancy. EXACT:
+   * the triangles of all props that cast shadows, and what mappers draw as spheres, by a segment
+   * from each pixel to each sender that faces it; both sides of a triangle block. What else mappers
+   * draw without polygons that the processor can read blocks nothing; the report names such props.
+   * Surfaces hide no light from what is nearer to them than 1e-5 of the scene's diagonal. Default
+   * NONE.
    */
   vtkIndirectClampMacro(Visibility, int, NONE, EXACT);
   void SetVisibilityToNone() { this->SetVisibility(NONE); }

@@ -46,7 +46,7 @@ public:
 
   ///@{
   /**
-   * How the method is carried out: ROBUST, as above, or PAPER, as published: NumberOfSamples texels
+   * Variants of the method: ROBUST, as above, or PAPER, as published: NumberOfSamples texels
    * of the maps, bounces from 32 other hints, four look-ups, no Occupancy. Setting it sets
    * Occupancy, on or off. Default ROBUST.
    */
@@ -69,8 +69,8 @@ public:
 
   ///@{
   /**
-   * What the grid spans: the scene's bounds, or the part of them that the view can see, which makes
-   * smaller cells but moves the hints with the camera. Default SCENE.
+   * Space that the grid spans: the scene's bounds, or the part of them that the view can see, which
+   * makes smaller cells but moves the hints with the camera. Default SCENE.
    */
   vtkIndirectClampMacro(Extent, int, SCENE, VIEW);
   void SetExtentToScene() { this->SetExtent(SCENE); }

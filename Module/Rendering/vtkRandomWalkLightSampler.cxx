@@ -20,7 +20,7 @@ vtkStandardNewMacro(vtkRandomWalkLightSampler);
 
 namespace
 {
-// How many times fewer vertices a tree is made of while things move.
+// A tree is made of so many times fewer vertices while things move.
 constexpr int FewerWhileMoving = 4;
 
 // However many frames a walk extends over.

@@ -12,7 +12,7 @@
  *
  * Rays meet the polygons that VTK's mappers draw, glyphs and spheres of impostors, lit as VTK
  * lights them: properties, scalars' and blocks' colours, textures, interpolated normals, culling.
- * What has neither polygons that the processor can read nor spheres neither stops rays nor sends
+ * Props with neither polygons that the processor can read nor spheres neither stop rays nor send
  * light of them; the report says so. The tree of triangles is made again only when geometry
  * changes, paths only when lights or surfaces do; the report counts both (walks, walk_trees). A
  * light that moves a little moves the virtual lights a little.

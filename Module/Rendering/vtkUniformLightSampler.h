@@ -32,7 +32,7 @@ public:
   };
 
   ///@{
-  /** How the lights are spread. Default LOW_DISCREPANCY. */
+  /** The pattern by which the lights are spread. Default LOW_DISCREPANCY. */
   vtkIndirectClampMacro(Pattern, int, GRID, LOW_DISCREPANCY);
   void SetPatternToGrid() { this->SetPattern(GRID); }
   void SetPatternToJittered() { this->SetPattern(JITTERED); }
@@ -41,7 +41,7 @@ public:
 
   ///@{
   /**
-   * Whether lights are drawn from texels that send light only. Off, they are spread over whole
+   * Draw lights from texels that send light only. Off, they are spread over whole
    * maps, as in the paper, and those on the other texels have no light. Default on.
    */
   vtkIndirectFlagMacro(LitTexels);
@@ -49,10 +49,10 @@ public:
 
   ///@{
   /**
-   * Whether a light is multiplied by the share of the hemisphere above it that other surfaces in
-   * its map fill within a tenth of the scene's diagonal, so that lights that few surfaces are near
-   * to are small (Dachsbacher and Stamminger 2006, section 3.6). Not physical: too dark, by all
-   * light of open surfaces, and no part of any comparison with a reference. Default off.
+   * Multiply each light by the share of the hemisphere above it that other surfaces in its map fill
+   * within a tenth of the scene's diagonal, so that lights that few surfaces are near to are small
+   * (Dachsbacher and Stamminger 2006, section 3.6). Not physical: too dark, by all light of open
+   * surfaces, and no part of any comparison with a reference. Default off.
    */
   vtkIndirectFlagMacro(AmbientOcclusion);
   ///@}

@@ -4,6 +4,7 @@
 #include "vtkIndirectContractUtilities.h"
 #include "vtkIndirectDetails.h"
 
+#include "vtkLightTreeSampler.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
@@ -305,6 +306,11 @@ VTK_INDIRECT_TEST(ReportMemory)
   const double more = Report(pass).GetNumber("bytes") - lights.GetNumber("bytes");
   CONTRACT_CHECK(more == 256 * (48 + 16), more << " for 256 lights more");
   CONTRACT_CHECK(lights.GetNumber("main_memory_bytes") == 0.0, lights.Get("main_memory_bytes"));
+  // A tree over the texels is kept in main memory.
+  vtkNew<vtkLightTreeSampler> tree;
+  pass->SetSampler(tree);
+  view.Grab();
+  CONTRACT_CHECK(Report(pass).GetNumber("main_memory_bytes") > 0.0, "the light tree");
 }
 
 //------------------------------------------------------------------------------

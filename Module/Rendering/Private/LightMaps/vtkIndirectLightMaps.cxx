@@ -40,8 +40,8 @@ const vtkIndirectChannel Channels[] = {
 constexpr int SlopeChannel = 2;
 constexpr int ChannelsOfDiffuse = 3;
 
-// Of all maps together, texels, of about 40 bytes with shadows: 1.3 GB. A light that is alone has
-// what the user asks for.
+// Texels of all maps together, of about 40 bytes with shadows: 1.3 GB. A light that is alone has as
+// many as the user asks for.
 constexpr double MostTexelsOfAll = 32.0 * 1024.0 * 1024.0;
 constexpr int MostFacesOfLight = 6;
 constexpr int LeastTexels = 16;

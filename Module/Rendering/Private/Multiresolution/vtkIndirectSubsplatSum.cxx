@@ -284,7 +284,7 @@ bool vtkIndirectSubsplatSum::FillInBatches(
     this->Batch->Deactivate();
     this->Irradiance->End();
   }
-  // Those for specular receivers are found from all lights.
+  // The lists for specular receivers are found from all lights.
   this->Lights.Update(window, *input.Lights);
   return true;
 }

@@ -74,7 +74,7 @@ public:
     return this->Samplers.empty() ? nullptr : &this->Lights;
   }
 
-  /** What their lights depend on besides the maps. */
+  /** Appends the inputs of the lights, besides the maps. */
   void AppendTo(vtkIndirectKey& key) const;
   /** Copies `lights`, `branches` or `lobes`; why not, or empty. */
   std::string Copy(const vtkIndirectFrame& frame, const std::string& name, vtkImageData* image);

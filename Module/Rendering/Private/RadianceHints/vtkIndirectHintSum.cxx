@@ -254,8 +254,8 @@ bool vtkIndirectHintSum::LookUp(const Input& input)
     this->Coarse[this->CoarseNow].GetHeight() == height;
   const int next = smooth ? 1 - this->CoarseNow : 0;
   this->StillFrames = input.Still ? this->StillFrames + 1 : 0;
-  // What is left of a difference, after as many frames and the one that brought it, is less than
-  // can be seen: then look-ups come to rest.
+  // After as many frames and the one that brought a difference less is left of it than can be seen:
+  // then look-ups come to rest.
   constexpr double least = 1.0 / 4096.0;
   const bool mix = smooth && kept &&
     (this->StillFrames == 0 ||

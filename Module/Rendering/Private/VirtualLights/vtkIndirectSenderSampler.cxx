@@ -24,7 +24,7 @@ vtkIndirectEmitters::List::iterator Find(vtkIndirectEmitters::List& emitters, in
     [=](const vtkIndirectEmitter& emitter) { return emitter.Number == number; });
 }
 
-// Whether maps of them are the same.
+// Tells whether two lights have the same maps.
 bool HaveSameMaps(const vtkIndirectLight& a, const vtkIndirectLight& b)
 {
   return a.Positional == b.Positional && a.PositionWC == b.PositionWC &&
@@ -100,7 +100,7 @@ bool vtkIndirectSenderSampler::DrawMaps(
   const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture)
 {
   const bool anew = this->UpdateScene(frame) || !this->MapsAreThere || !plan.Caching;
-  // What has come to rest has those of a scene that has always been so, in their order.
+  // A scene that has come to rest has the emitters of one that has always been so, in their order.
   const bool rests = !plan.Interactive && !this->IsFresh && !frame.IsFurtherPart();
   this->IsFresh = false;
   if (rests &&

@@ -71,7 +71,7 @@ private:
   vtkMTimeType SendersTime = 0;
 
   size_t SourceTime = 0;
-  // What the lights were made from.
+  // These numbers tell what the lights were made from.
   size_t MadeTime = 0;
   int MadeCount = 0;
 };

@@ -28,12 +28,12 @@ public:
    */
   bool Update(const Input& input, const Samplers& samplers);
 
-  /** Whether the samplers' lights are still those of the last update. */
+  /** Tells whether the samplers' lights are still those of the last update. */
   bool AreThere() const;
 
   int GetNumberOfLights() const { return this->NumberOfLights; }
   int GetNumberOfRows() const;
-  /** Whether some lights may be directions. */
+  /** Tells whether some lights may be directions. */
   bool HasDirections() const { return this->WithDirections; }
   /** Definitions of shaders that read lights (vtkIndirectLightRow.glsl). */
   std::string GetDefinitions() const
@@ -41,10 +41,10 @@ public:
     return std::string(this->WithDirections ? "#define VTKI_DIRECTIONS\n" : "") +
       (this->HasBranches() ? "#define VTKI_DIVIDED\n" : "");
   }
-  /** Whether some lights have a specular lobe; the table of these, or null. */
+  /** Tells whether some lights have a specular lobe; the table of these, or null. */
   bool HasLobes() const { return this->CurrentLobes != nullptr; }
   const vtkIndirectTarget* GetLobes() const { return this->CurrentLobes; }
-  /** Whether receivers that are near to a light sum what is below it (vtkIndirectBranches.glsl). */
+  /** Tells whether receivers near to a light sum its branches (vtkIndirectBranches.glsl). */
   bool HasBranches() const { return this->CurrentBranches != nullptr; }
   /** Grows whenever the lights have changed, or the samplers that they are of. */
   vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
@@ -73,7 +73,7 @@ public:
   /** Copies the lobes: a row each of two texels of four floats, in world units. */
   void CopyLobes(const vtkIndirectFrame& frame, vtkImageData* image) const;
 
-  /** Of a table of several samplers; samplers count their own. */
+  /** Bytes of a table of several samplers; samplers count their own. */
   size_t GetBytes() const
   {
     return this->Joined.GetBytes() + this->JoinedBranches.GetBytes() + this->JoinedLobes.GetBytes();
