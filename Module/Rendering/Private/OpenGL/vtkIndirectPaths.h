@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ways of doing the same thing, of which one is faster here and another there. Each has a default
-// for the OpenGL at hand, and is forced by its name in the environment, so that they can be
-// compared on any card: VTK_INDIRECT_PATHS="kernels=compute,uniforms=plain".
+// Choices between two ways of doing the same thing, of which one is faster on a processor and the
+// other may be faster on a GPU. Each choice has a default for the OpenGL at hand, and a name in the
+// environment forces it, so that both ways can be compared on any card:
+// VTK_INDIRECT_PATHS="kernels=compute,uniforms=plain".
 #ifndef vtkIndirectPaths_h
 #define vtkIndirectPaths_h
 
@@ -13,14 +14,14 @@ namespace vtkIndirectPaths
 {
 enum Path
 {
-  Grouping, // split texels that an invocation of multiresolution splatting works for
-  Kernels,  // what full-screen kernels run as, where they write all of a target without tests
-  Splats,   // how splats of virtual lights are summed
-  Uniforms, // how fragment shaders get their uniforms
+  Grouping, // an invocation of multiresolution splatting works for two split texels or for four
+  Kernels,  // full-screen kernels that write all of a target are fragment or compute shaders
+  Splats,   // splats of virtual lights are blended or summed in tiles
+  Uniforms, // fragment shaders read uniforms or get them as flat varyings
   NumberOfPaths
 };
 
-// Values of each, in the order of their names in vtkIndirectPaths.cxx.
+// The values of each choice, in the order of their names in vtkIndirectPaths.cxx.
 enum GroupingValue
 {
   GroupingOfTwo,
@@ -43,16 +44,16 @@ enum UniformsValue
 };
 
 /**
- * The value in force in the current context. The environment is read at each call: it counts for
- * passes that are made, or released, after it has changed. What it names that is not known, or that
- * this OpenGL cannot do, is one error, and all of it is ignored.
+ * Returns the value in force in the current context. Each call reads the environment: a change
+ * counts for passes that are made, or released, after it. An unknown name, or a value that this
+ * OpenGL lacks, is one error, and the whole variable is ignored.
  */
 int Get(Path path);
 
-/** All that this OpenGL can do: name and value in force. */
+/** Returns name and value in force of each choice that this OpenGL has. */
 std::vector<std::pair<std::string, std::string>> GetAll();
 
-/** Each name with its values, whatever this OpenGL can do. */
+/** Returns each name with its values, whatever this OpenGL can do. */
 std::vector<std::pair<std::string, std::vector<std::string>>> List();
 }
 
