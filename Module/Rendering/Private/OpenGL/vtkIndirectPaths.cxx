@@ -21,7 +21,8 @@ struct Entry
   const char* Name;
   std::array<const char*, 2> Values;
   const char* Meaning;
-  // The default where OpenGL runs on the processor (Mesa's llvmpipe), and on a GPU. Reasons:
+  // The defaults where OpenGL runs on the processor (Mesa's llvmpipe) and where it runs on a GPU.
+  // The entries say why.
   int OnProcessor;
   int OnGPU;
   std::array<bool, 2> NeedsCompute;
@@ -44,8 +45,9 @@ const std::array<Entry, NumberOfPaths> Entries{ {
   { "grouping", { "two", "four" },
     "split texels that one invocation of multiresolution splatting sums lights for", GroupingOfFour,
     GroupingOfTwo, { true, true } },
-  // Nothing to choose between on the processor. Not measured on a GPU, where fragment shaders may
-  // run on fewer of its multiprocessors than compute shaders do.
+  // Both take the same time on the processor. On a GPU, where nothing was measured, fragment
+  // shaders
+  // may run on fewer multiprocessors than compute shaders do.
   { "kernels", { "fragment", "compute" },
     "full-screen kernels that write all of a target are fragment or compute shaders",
     KernelsFragment, KernelsFragment, { false, true } },
@@ -78,12 +80,12 @@ int GetDefault(int path)
   return CanDo(path, value) || !CanDo(path, 1 - value) ? value : 1 - value;
 }
 
-// What the environment says.
+// The variable of the environment, parsed.
 struct Choice
 {
   std::string Text;
-  std::array<int, NumberOfPaths> Values; // -1: nothing
-  std::string Unknown;                   // an item of it
+  std::array<int, NumberOfPaths> Values; // -1: not forced
+  std::string Unknown;                   // the first item that is not known
   bool Reported = false;
 
   Choice() { this->Values.fill(-1); }

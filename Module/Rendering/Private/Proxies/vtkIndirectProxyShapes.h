@@ -44,9 +44,6 @@ public:
     SHEET    // for which nothing stands
   };
 
-  /** Whether the class that makes spheres of meshes is loaded. */
-  static bool CanFit();
-
   /** What stands for a mesh that this prop draws. */
   const Shape& Find(vtkProp* prop, vtkPolyData* mesh);
   /** The same of a body that is one sphere or is left out. */

@@ -44,12 +44,6 @@ vec3 vtkiPlaneDepthGradient(
   return vec3(n.x * scale, n.y * scale, facing > 0.0f ? 1.0f : 0.0f);
 }
 
-/* Linear depth of what the depth buffer stores, perspective. */
-float vtkiDepthOfBuffer(float stored, float nearPlane, float farPlane)
-{
-  return nearPlane * farPlane / (farPlane - stored * (farPlane - nearPlane));
-}
-
 /* A plane's slope over a map, in the bits of a float: of depth by length (parallel), or of inverse depth times depth
  * by tangents. It is the direction of a normal that faces the light; steep ones lose most, a hundredth at 100. */
 float vtkiPackSlope(vec2 slope)

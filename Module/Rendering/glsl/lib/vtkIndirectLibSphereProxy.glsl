@@ -213,14 +213,6 @@ float vtkiProxyAbove(float cosine, float sine)
   return t * t * (3.0f - 2.0f * t);
 }
 
-/* How much of a sphere counts: all of it within its region of influence, from `sine` of four thirds of
- * the least on, and nothing from the least on (r / 15 for shadows, r / 4 for light). */
-float vtkiProxyClamp(float sine, float least)
-{
-  float t = min(max((sine - least) / max(least / 3.0f, 1e-6f), 0.0f), 1.0f);
-  return t * t * (3.0f - 2.0f * t);
-}
-
 /* Mean over the visible disk of band l at the sphere's normals, l = 0, 1, 2 (D0 to D2). */
 vec3 vtkiProxyAverage(float sine)
 {

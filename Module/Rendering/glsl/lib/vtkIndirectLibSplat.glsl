@@ -97,16 +97,6 @@ vec3 vtkiSplatPoint(vtkiSplat splat, vec3 unit)
   return splat.center + splat.across * unit + ((splat.along - splat.across) * along) * splat.axis;
 }
 
-/* Whether a point lies in the ellipsoid. */
-bool vtkiSplatHolds(vtkiSplat splat, vec3 place)
-{
-  vec3 d = place - splat.center;
-  float along = dot(d, splat.axis);
-  vec3 aside = d - along * splat.axis;
-  float a = along / splat.along;
-  return splat.across > 0.0f && a * a + dot(aside, aside) / (splat.across * splat.across) <= 1.0f;
-}
-
 /* Whether the ellipsoid may meet a box; never false where it does. Distances along and across are those of
  * the box' nearest points, which need not be the same. */
 bool vtkiSplatMeetsBox(vtkiSplat splat, vec3 middle, vec3 halfSize)
