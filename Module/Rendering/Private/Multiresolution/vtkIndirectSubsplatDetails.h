@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Steps of the method that no user can choose well: the presets of vtkMultiresolutionSplattingPass
-// choose them. Documentation/methods/multiresolution-splatting.md says how much each is worth.
+// What the presets of vtkMultiresolutionSplattingPass choose: steps of the method that no user can
+// choose well. Documentation/methods/multiresolution-splatting.md has what each is worth.
 #ifndef vtkIndirectSubsplatDetails_h
 #define vtkIndirectSubsplatDetails_h
 
@@ -19,8 +19,8 @@ struct vtkIndirectSubsplatDetails
   // How lights are summed. All have the same leaves and, but for rounding, the same result.
   RendererType Renderer = AUTOMATIC;
   int CoarsestResolution = 64; // most texels along an edge of the coarsest level
-  // A subsplat is split, and its neighbours must agree, by one of two tests: the paper's test by
-  // min-max pyramids (DepthThreshold, and the range of each component of the normal against
+  // What splits a subsplat, and what its neighbours must agree in: the paper's test by min-max
+  // pyramids (DepthThreshold, and the range of each component of the normal against
   // NormalThreshold), with its interpolation, which takes every neighbour that has illumination;
   // else PlaneThreshold, and the normals' distance from their mean.
   bool DepthRange = false;
@@ -31,10 +31,10 @@ struct vtkIndirectSubsplatDetails
   bool Balance = true;          // subsplats that touch differ by one level at most
   bool NormalCorrection = true; // the irradiance follows the pixel's own normal to first order
   bool HalfFloats = true;       // of the stored illumination: 16 bits, else 32
-  // Virtual lights that are left out of a specular lobe, or interpolated in it, may together change
-  // it by this fraction of the irradiance, by an estimate for each. The list of each subsplat's
-  // lights is refined by it. 0 sums all lights at every specular pixel, and so does an OpenGL older
-  // than 4.3.
+  // What virtual lights that are left out of a specular lobe, or interpolated in it, may change of
+  // it, by an estimate for each and all of them together: a fraction of the irradiance. The list of
+  // each subsplat's lights is refined by it. 0 sums all lights at every specular pixel, and so does
+  // an OpenGL older than 4.3.
   double GlossyThreshold = 0.02;
 
   /** Of the preset PAPER: the same sums, by the fastest renderer. */

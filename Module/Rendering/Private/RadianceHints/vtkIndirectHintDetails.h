@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Steps of the method that no user can choose well: the presets of vtkRadianceHintsPass choose
-// them. Documentation/methods/radiance-hints.md says how much each is worth.
+// What the presets of vtkRadianceHintsPass choose: steps of the method that no user can choose
+// well. Documentation/methods/radiance-hints.md has what each is worth.
 #ifndef vtkIndirectHintDetails_h
 #define vtkIndirectHintDetails_h
 
 /** The defaults are those of the preset ROBUST. */
 struct vtkIndirectHintDetails
 {
-  // Order 3 holds colours in 11 numbers, all of the luma and of the two chroma differences the
-  // mean; else as RGB, in 27. Order 2 is RGB, 12 numbers.
+  // How order 3 holds colours: 11 numbers, all of the luma and of the two chroma differences the
+  // mean; else RGB, 27 numbers. Order 2 is RGB, 12 numbers.
   bool LumaChroma = true;
   // All of every map is read, in blocks of texels; else NumberOfSamples texels, others for each
   // hint.
   bool Dense = true;
   int BlocksPerEdge = 24; // dense: of a face of a map
+  // Sampled: share of a map, about the hint's own place in it, that samples are spread over. What
+  // lies outside is lost.
+  double Coverage = 1.0;
   // A sender is at least as large as a share of the hint's cell: a hint stands for its cell and
   // does not resolve what is nearer. It steps back from a sender's plane instead.
   bool Softening = true;
@@ -38,11 +41,12 @@ struct vtkIndirectHintDetails
   // 1, half a cell above the surface, or 4, the paper's: one above and three at 80 degrees on a
   // hemisphere as wide as a cell's diagonal.
   int NumberOfLookups = 1;
+  bool LookupRotation = false; // the four turn from pixel to pixel, which is noise
   // Section 8, DepthOcclusion: places on each way that are tested, and what a hidden one leaves.
   int NumberOfDepthSamples = 5;
   double DepthAttenuation = 0.6;
 
-  /** Returns the details of the preset PAPER. */
+  /** Of the preset PAPER. */
   static vtkIndirectHintDetails OfPaper()
   {
     vtkIndirectHintDetails details;
