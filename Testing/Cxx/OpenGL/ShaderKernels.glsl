@@ -197,8 +197,7 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
     vtkiHarmonics4 seen = vtkiHarmonicsExp(vtkiZonalTo(zonal, a3));
     vtkiHarmonics4 light = vtkiZonalTo(vec4(1.0f, 0.8f, 0.5f, 0.2f), c3);
     return vec4(vtkiHarmonicsDot(seen, vtkiLitCosine(vtkiMakeLightMatrix(light), b3)),
-      vtkiProxyRadiance(light, a3, sine) * vtkiProxyClamp(sine, 0.25f),
-      vtkiProxyRadianceAtMiddle(light, a3), vtkiProxyOverlap(seen, 0.5f + b.w));
+      vtkiProxyRadiance(light, a3, sine), vtkiProxyRadianceAtMiddle(light, a3), vtkiProxyOverlap(seen, 0.5f + b.w));
   }
   if (kernel == 30)
   {

@@ -24,13 +24,6 @@ public:
     return glm::vec3(
       this->Levels[static_cast<size_t>(level)][static_cast<size_t>(y * this->GetEdge(level) + x)]);
   }
-  /** Variance of what is below a texel, summed over the colours. */
-  float GetVariance(int level, int x, int y) const
-  {
-    return this
-      ->Levels[static_cast<size_t>(level)][static_cast<size_t>(y * this->GetEdge(level) + x)]
-      .w;
-  }
   bool IsUniform() const { return this->GetTop() == 0; }
 
   /**

@@ -141,14 +141,6 @@ std::vector<glm::dvec2> FindHull(std::vector<glm::dvec2> points)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectProxyShapes::CanFit()
-{
-  const auto filter =
-    vtkSmartPointer<vtkObject>::Take(vtkObjectFactory::CreateInstance(FilterName));
-  return vtkPolyDataAlgorithm::SafeDownCast(filter) != nullptr;
-}
-
-//------------------------------------------------------------------------------
 // Finds connected pieces of the mesh, each a sphere.
 bool vtkIndirectProxyShapes::FindSpheres(vtkPolyData* mesh, Shape& shape)
 {

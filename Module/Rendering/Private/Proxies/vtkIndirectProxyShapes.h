@@ -44,9 +44,6 @@ public:
     SHEET    // a sheet, which has no representation
   };
 
-  /** True if the class that fits spheres to meshes is loaded. */
-  static bool CanFit();
-
   /** The representation of a mesh drawn by this prop. */
   const Shape& Find(vtkProp* prop, vtkPolyData* mesh);
   /** The representation of a closed body: one sphere, or none. */

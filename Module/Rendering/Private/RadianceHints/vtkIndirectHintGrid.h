@@ -27,7 +27,6 @@ class vtkIndirectHintGrid
 {
 public:
   static constexpr int RowLength = vtkIndirectKernels::VTKI_ROW_LENGTH;
-  static constexpr int MaximumNumberOfGrids = 2;
   /** Rays of all hints: 1 GiB in main memory, and as much in the texture. */
   static constexpr double MaximumNumberOfHits = 268435456.0;
 
@@ -89,7 +88,6 @@ public:
   int GetNumberOfRows() const { return (this->GetNumberOfHints() + RowLength - 1) / RowLength; }
   int GetNumberOfSurfelRows() const;
   int GetNumberOfRays() const { return this->Current.NumberOfRays; }
-  const Settings& GetSettings() const { return this->Current; }
   glm::dvec3 GetCell(int grid) const;
 
   // For tests.

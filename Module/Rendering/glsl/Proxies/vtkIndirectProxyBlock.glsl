@@ -5,7 +5,6 @@
 const int VTKI_PROXY_COLOR_ROWS = 40;  // nine columns and the light itself, four rows each
 const int VTKI_PROXY_LIGHT_ROWS = 120; // for three colours
 const int VTKI_POLYGON_ROWS = 10;      // normal, corners; albedo, size; the corners
-const int VTKI_POLYGON_CORNERS = 8;
 layout(std140) uniform vtkiProxyBlock
 {
   vec4 vtkiProxyRows[440];

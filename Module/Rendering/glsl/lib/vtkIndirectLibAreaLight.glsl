@@ -107,12 +107,4 @@ float vtkiPieceVariance(vtkiPiece piece)
   float share = max(piece.length2.x, piece.length2.y) / piece.square;
   return (slope1 * slope1 + slope2 * slope2) / 12.0f + 0.045f * share * share;
 }
-
-/* Form factor of a rectangle that sends light to the side that cross(edge1, edge2) points to: 0
- * behind it. */
-float vtkiAreaLightFormFactor(vec3 corner, vec3 edge1, vec3 edge2, vec3 normal, bool twoSided)
-{
-  bool front = dot(cross(edge1, edge2), corner) < 0.0f;
-  return twoSided || front ? vtkiRectangleFormFactor(corner, edge1, edge2, normal) : 0.0f;
-}
 #endif

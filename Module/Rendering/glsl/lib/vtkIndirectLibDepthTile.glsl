@@ -34,12 +34,6 @@ void vtkiFrameAlong(vec3 n, VTKI_OUT(vec3) x, VTKI_OUT(vec3) y)
   y = vec3(b, s + n.y * n.y * a, -n.y);
 }
 
-/* One over the depth along a perspective tile's axis for a stored value. */
-float vtkiTileInverseDepth(float stored)
-{
-  return 1.0f / VTKI_TILE_NEAR - stored * (1.0f / VTKI_TILE_NEAR - 1.0f / VTKI_TILE_FAR);
-}
-
 /* The view of a perspective tile that contains a receiver. A tile has five views, which together
  * cover the half space that the light faces: a forward view, as wide as its limit, and four
  * strips below it in the atlas, each along an axis to a side, from the light's horizon up to the

@@ -45,12 +45,6 @@ vec3 vtkiPlaneDepthGradient(
   return vec3(n.x * scale, n.y * scale, facing > 0.0f ? 1.0f : 0.0f);
 }
 
-/* Linear depth for the depth buffer's value, perspective. */
-float vtkiDepthOfBuffer(float stored, float nearPlane, float farPlane)
-{
-  return nearPlane * farPlane / (farPlane - stored * (farPlane - nearPlane));
-}
-
 /* Packs a plane's slope over a map into the bits of a float: of depth by length (parallel), or of
  * inverse depth times depth by tangents. It is stored as the direction of a normal that faces the
  * light; steep slopes lose most, a hundredth at 100. */

@@ -217,14 +217,6 @@ float vtkiProxyAbove(float cosine, float sine)
   return t * t * (3.0f - 2.0f * t);
 }
 
-/* Weight of a sphere by its region of influence: one from `sine` of four thirds of the least on,
- * zero at the least and below (r / 15 for shadows, r / 4 for light). */
-float vtkiProxyClamp(float sine, float least)
-{
-  float t = min(max((sine - least) / max(least / 3.0f, 1e-6f), 0.0f), 1.0f);
-  return t * t * (3.0f - 2.0f * t);
-}
-
 /* Mean over the visible disk of band l at the sphere's normals, l = 0, 1, 2 (D0 to D2). */
 vec3 vtkiProxyAverage(float sine)
 {

@@ -99,16 +99,6 @@ vec3 vtkiSplatPoint(vtkiSplat splat, vec3 unit)
   return splat.center + splat.across * unit + ((splat.along - splat.across) * along) * splat.axis;
 }
 
-/* True if a point lies in the ellipsoid. */
-bool vtkiSplatHolds(vtkiSplat splat, vec3 place)
-{
-  vec3 d = place - splat.center;
-  float along = dot(d, splat.axis);
-  vec3 aside = d - along * splat.axis;
-  float a = along / splat.along;
-  return splat.across > 0.0f && a * a + dot(aside, aside) / (splat.across * splat.across) <= 1.0f;
-}
-
 /* False only if the ellipsoid does not meet a box. Uses the box's nearest points along and across,
  * which may differ. */
 bool vtkiSplatMeetsBox(vtkiSplat splat, vec3 middle, vec3 halfSize)
