@@ -223,7 +223,7 @@ vtkIndirectVisibilityNeeds vtkRadianceHintsPass::GetVisibilityNeeds(
   vtkIndirectVisibilityNeeds needs;
   needs.Senders = plan.Visibility == vtkIndirectVisibilityVoxels;
   needs.Volume = details.SkipEmptyCells || plan.NumberOfBounces > 1;
-  needs.Triangles =
+  needs.Surfaces =
     needs.Senders || (plan.NumberOfBounces > 1 && (!details.FromHints || details.AlbedoVolume));
   needs.Resolution = this->OccupancyResolution;
   return needs;
@@ -281,7 +281,7 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   settings.Masks = needs.Senders;
   settings.SkipEmpty = in.Details.SkipEmptyCells;
   settings.Reach = in.Details.NumberOfLookups > 1 ? 1.5 * std::sqrt(3.0) : 1.0;
-  settings.NumberOfRays = needs.Triangles ? in.Details.NumberOfRays : 0;
+  settings.NumberOfRays = needs.Surfaces ? in.Details.NumberOfRays : 0;
 
   if (input.Plan.Caching && settings == in.GridSettings && in.Grid.GetNumberOfHints() > 0 &&
     in.VoxelUpdates == input.Visibility.GetNumberOfUpdates())
@@ -297,8 +297,8 @@ bool vtkRadianceHintsPass::UpdateGeometry(const Input& input)
   {
     in.GridSettings = settings;
     in.VoxelUpdates = input.Visibility.GetNumberOfUpdates();
-    in.Grid.Build(
-      settings, needs.Senders || needs.Volume ? &input.Visibility.GetVolume() : nullptr);
+    in.Grid.Build(settings, needs.Senders || needs.Volume ? &input.Visibility.GetVolume() : nullptr,
+      &input.Visibility.GetSurfaces());
     why = in.Grid.FindObstacle(longestEdge);
   }
   if (!why.empty())

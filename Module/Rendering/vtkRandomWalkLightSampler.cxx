@@ -7,19 +7,24 @@
 #include "VirtualLights/vtkIndirectSenderClusters.h"
 #include "VirtualLights/vtkIndirectSenderTexels.h"
 #include "Visibility/vtkIndirectRandomWalk.h"
-#include "Visibility/vtkIndirectRaySurfaces.h"
+#include "Visibility/vtkIndirectSurfaces.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkRandomWalkLightSampler);
 
 //------------------------------------------------------------------------------
 struct vtkRandomWalkLightSampler::Internals
 {
-  vtkIndirectRaySurfaces Surfaces;
+  vtkMTimeType SurfacesTime = 0; // of those that the paths met
+  size_t NumberOfTriangles = 0;
+  size_t NumberOfSpheres = 0;
+  size_t NumberOfTreeBuilds = 0;
+  std::vector<std::pair<std::string, std::string>> LeftOut; // of the surfaces
   vtkIndirectRandomWalk Walk;
   vtkIndirectSenderClusters Clusters;
   size_t NumberOfSources = 0;
@@ -125,7 +130,7 @@ int vtkRandomWalkLightSampler::GetNumberOfWalks() const
 
 int vtkRandomWalkLightSampler::GetNumberOfTreeBuilds() const
 {
-  return static_cast<int>(this->Internal->Surfaces.GetNumberOfBuilds());
+  return static_cast<int>(this->Internal->NumberOfTreeBuilds);
 }
 
 //------------------------------------------------------------------------------
@@ -151,7 +156,7 @@ bool vtkRandomWalkLightSampler::Walk(const Input& input)
     this->NumberOfVertices > 0 ? this->NumberOfVertices : this->NumberOfLights;
   settings.FirstBounce = this->FirstBounce;
   settings.LastBounce = input.NumberOfBounces;
-  const bool moved = in.Surfaces.Update(input.Frame, input.Spheres);
+  const bool moved = in.SurfacesTime != input.Surfaces->GetTime();
   std::vector<double> key = MakeKey(sources, settings);
   bool same = !moved && key == in.WalkKey;
   bool coarse = false;
@@ -173,7 +178,12 @@ bool vtkRandomWalkLightSampler::Walk(const Input& input)
   // Paths go on in their sequence; to follow the first ones again takes less than to keep them.
   settings.NumberOfVertices *= number;
   in.NumberOfFrames = number;
-  in.Walk.Walk(in.Surfaces, input.Frame, sources, settings);
+  in.Walk.Walk(*input.Surfaces, input.Frame, sources, settings);
+  in.SurfacesTime = input.Surfaces->GetTime();
+  in.NumberOfTriangles = input.Surfaces->GetTree().GetNumberOfTriangles();
+  in.NumberOfSpheres = input.Surfaces->GetTree().GetNumberOfSpheres();
+  in.NumberOfTreeBuilds = input.Surfaces->GetNumberOfBuilds();
+  in.LeftOut = input.Surfaces->GetLeftOut();
   in.NumberOfSources = sources.size();
   in.Smoothing = FindSmoothing(settings.NumberOfVertices);
   in.WalkKey = key;
@@ -247,13 +257,11 @@ bool vtkRandomWalkLightSampler::HasMore() const
 void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
 {
   const Internals& in = *this->Internal;
-  report.MainMemoryBytes += in.Surfaces.GetBytes() + in.Clusters.GetBytes();
+  report.MainMemoryBytes += in.Clusters.GetBytes();
   report.Modelled.emplace_back("random walk",
     std::to_string(in.Walk.GetNumberOfPaths()) + " paths through " +
-      std::to_string(in.Surfaces.GetNumberOfTriangles()) + " triangles, " +
-      (in.Surfaces.GetNumberOfSpheres() > 0
-          ? std::to_string(in.Surfaces.GetNumberOfSpheres()) + " spheres, "
-          : std::string()) +
+      std::to_string(in.NumberOfTriangles) + " triangles, " +
+      (in.NumberOfSpheres > 0 ? std::to_string(in.NumberOfSpheres) + " spheres, " : std::string()) +
       std::to_string(in.Walk.GetVertices().size()) + " vertices" +
       (this->NumberOfFrames > 1 ? ", frame " + std::to_string(in.NumberOfFrames) + " of " +
             std::to_string(this->NumberOfFrames)
@@ -265,7 +273,7 @@ void vtkRandomWalkLightSampler::AddToReport(vtkIndirectReport& report) const
       "about " + vtkIndirectReport::Number(std::round(1000.0 * in.Walk.GetTail()) / 10.0) +
         " % of the light of later bounces; the result is too dark");
   }
-  for (const auto& [what, why] : in.Surfaces.GetLeftOut())
+  for (const auto& [what, why] : in.LeftOut)
   {
     report.LeftOut.emplace_back(what + " in the random walk", why);
   }
@@ -279,7 +287,6 @@ void vtkRandomWalkLightSampler::ReleaseGraphicsResources(vtkWindow* window)
     return;
   }
   this->Superclass::ReleaseGraphicsResources(window);
-  this->Internal->Surfaces.Clear();
   this->Internal->Clusters.SetSenders({});
   this->Internal->WalkKey.clear();
   this->Internal->HasMore = false;

@@ -29,12 +29,12 @@
 class vtkImageData;
 class vtkIndirectContextGuard;
 class vtkIndirectGeometryBuffer;
+class vtkIndirectSurfaces;
 class vtkIndirectTarget;
 class vtkMapLightSampler;
 class vtkOpenGLRenderWindow;
 class vtkReflectiveShadowMapPass;
 class vtkWindow;
-struct vtkIndirectBlockingSpheres;
 struct vtkIndirectEmitter;
 struct vtkIndirectFurtherSenders;
 struct vtkIndirectFrame;
@@ -70,8 +70,8 @@ public:
     bool Interactive = false;                  // whether the window gives a frame a second or less
     /** What lights surfaces besides the frame's lights: the sky, and area lights. */
     const std::vector<vtkIndirectEmitter>* Emitters = nullptr;
-    /** What the frame's mappers draw as spheres, for samplers that walk; null: nobody looked. */
-    const vtkIndirectBlockingSpheres* Spheres = nullptr;
+    /** The scene's surfaces, up to date for samplers that walk. */
+    const vtkIndirectSurfaces* Surfaces = nullptr;
     /** Senders of later bounces, for samplers that TakeSenders; null: there are none. */
     const vtkIndirectFurtherSenders* Further = nullptr;
   };

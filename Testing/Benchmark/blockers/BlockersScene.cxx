@@ -97,7 +97,7 @@ bool BlockersScene::Read(const std::string& spheres, const std::string& triangle
       area += 0.5 * glm::length(glm::cross(t3[1] - t3[0], t3[2] - t3[0]));
       this->Areas.push_back(area);
     }
-    this->Tree.Finish(true);
+    this->Tree.Finish();
   }
   else
   {

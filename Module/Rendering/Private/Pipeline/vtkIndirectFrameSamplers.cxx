@@ -114,12 +114,12 @@ bool vtkIndirectFrameSamplers::Walk() const
 //------------------------------------------------------------------------------
 bool vtkIndirectFrameSamplers::Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
   const vtkReflectiveShadowMapPass& maps, const vtkIndirectGeometryBuffer& geometry,
-  const vtkIndirectBlockingSpheres* spheres)
+  const vtkIndirectSurfaces& surfaces)
 {
   vtkVirtualLightSampler::Input input = { frame, maps, geometry, plan.ErrorTolerance,
     plan.SampledBounces, plan.Interactive,
     plan.SkyBounces || plan.AreaLightsBounce ? &this->Senders->GetEmitters() : nullptr };
-  input.Spheres = spheres;
+  input.Surfaces = &surfaces;
   input.Further = this->SendersAreWalked ? &this->LaterBounces->UpdateSenders(input) : nullptr;
   return this->Samplers.empty() ||
     this->Lights.Update(input, { this->Samplers.begin(), this->Samplers.end() });

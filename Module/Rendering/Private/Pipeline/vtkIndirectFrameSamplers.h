@@ -20,11 +20,11 @@
 
 class vtkImageData;
 class vtkIndirectGeometryBuffer;
+class vtkIndirectSurfaces;
 class vtkReflectiveShadowMapPass;
 class vtkSurfaceCapturePass;
 class vtkVirtualLightSampler;
 class vtkWindow;
-struct vtkIndirectBlockingSpheres;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
@@ -58,15 +58,15 @@ public:
 
   /** Whether a still frame of the same scene would have more lights than the last one. */
   bool HasMore() const;
-  /** Whether rays look for the scene's surfaces, spheres among them. */
+  /** Whether rays look for the scene's surfaces. */
   bool Walk() const;
   /**
-   * Brings their lights up to date. Returns false, after an error, when one of them cannot.
-   * spheres: where they Walk.
+   * Brings the samplers' lights up to date. Returns false, after an error, when a sampler cannot.
+   * surfaces: up to date where samplers Walk.
    */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     const vtkReflectiveShadowMapPass& maps, const vtkIndirectGeometryBuffer& geometry,
-    const vtkIndirectBlockingSpheres* spheres);
+    const vtkIndirectSurfaces& surfaces);
   /** The lights, null where the frame has no sampler. */
   const vtkIndirectVirtualLights* GetLights() const
   {

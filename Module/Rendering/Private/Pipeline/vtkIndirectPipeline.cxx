@@ -245,8 +245,9 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
   this->IrradianceIsThere = this->Plan.Irradiance && this->UpdateIrradiance(request);
   if (!this->Plan.Irradiance && this->GetSkySummer())
   {
-    // Nobody asks what others have looked up in.
-    this->Visibility.Update({ this->Frame, nullptr, this->Capture, false, 0 }, {});
+    // No stage needs visibility: release what it holds.
+    this->Visibility.Update({ this->Frame, nullptr, this->Capture, false, 0, this->Surfaces }, {});
+    this->Surfaces.Clear();
   }
   this->SkyIsThere = this->Plan.Sky && this->UpdateSky(request);
   this->AreaIsThere = this->Plan.AreaLights && this->UpdateArea(request);
@@ -296,6 +297,45 @@ std::vector<double> vtkIndirectPipeline::MakeKey(vtkVirtualLightSampler* users) 
 }
 
 //------------------------------------------------------------------------------
+// Brings the surfaces up to date where rays of samplers or of the estimator look for them, and
+// returns what mappers draw as spheres, null where no stage asks for it.
+const vtkIndirectBlockingSpheres* vtkIndirectPipeline::UpdateSurfaces(
+  const vtkIndirectVisibilityNeeds& needs, bool caching)
+{
+  const bool walks = this->Samplers.Walk();
+  const bool traced = walks || needs.HasSurfaces();
+  const bool listed = traced || needs.HasSphereLists();
+  const auto stage = walks ? vtkIndirectStageTimer::Lights : vtkIndirectStageTimer::Visibility;
+  if (listed)
+  {
+    this->Timer.Begin(stage);
+  }
+  if (!listed || !caching)
+  {
+    this->Blockers.Forget();
+  }
+  if (needs.HasSurfaces() && !caching)
+  {
+    this->Surfaces.Forget();
+  }
+  const vtkIndirectBlockingSpheres* const spheres =
+    listed ? this->Blockers.Update(this->Frame, this->Estimator) : nullptr;
+  if (traced)
+  {
+    this->Surfaces.Update(this->Frame, spheres);
+  }
+  else
+  {
+    this->Surfaces.Clear();
+  }
+  if (listed)
+  {
+    this->Timer.End(stage);
+  }
+  return spheres;
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
 {
   const std::vector<double> key = this->MakeKey(request.Sampler);
@@ -314,17 +354,11 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
   }
   this->FailedKey.clear();
 
-  this->Timer.Begin(vtkIndirectStageTimer::Lights);
   const vtkIndirectVisibilityNeeds needs = this->Estimator->GetVisibilityNeeds(this->Plan);
-  const bool walks = this->Samplers.Walk();
-  if (!(needs.TakesSpheres() || walks) || !caching)
-  {
-    this->Blockers.Forget();
-  }
-  const vtkIndirectBlockingSpheres* const spheres =
-    needs.TakesSpheres() || walks ? this->Blockers.Update(this->Frame, this->Estimator) : nullptr;
+  const vtkIndirectBlockingSpheres* const spheres = this->UpdateSurfaces(needs, caching);
+  this->Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool sampled =
-    this->Samplers.Update(this->Frame, this->Plan, *this->Maps, this->Geometry, spheres);
+    this->Samplers.Update(this->Frame, this->Plan, *this->Maps, this->Geometry, this->Surfaces);
   const vtkIndirectVirtualLights* const lights = this->Samplers.GetLights();
   this->Timer.End(vtkIndirectStageTimer::Lights);
 
@@ -342,9 +376,10 @@ bool vtkIndirectPipeline::UpdateIrradiance(const Request& request)
     this->Plan.AreaLights && this->Plan.AreaIsShadowed && !this->Area.IsComplete();
   // Beside its directions a sky may have a few suns.
   const int needed = areaNeeds ? most : skyNeeds ? this->Plan.NumberOfSkyDirections + 32 : 0;
-  const bool visible = this->Visibility.Update(
-    { this->Frame, lights, this->Capture, caching, most - std::min(needed, most / 2), spheres },
-    needs);
+  const bool visible =
+    this->Visibility.Update({ this->Frame, lights, this->Capture, caching,
+                              most - std::min(needed, most / 2), this->Surfaces, spheres },
+      needs);
   this->TilesLeft = most - static_cast<int>(this->Visibility.GetNumberOfTilesDrawn() - tiles);
   if (timed)
   {
@@ -613,6 +648,7 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   this->Area.Release(window);
   this->VisibleLamps.Release(window);
   this->Visibility.Release(window);
+  this->Surfaces.Clear();
   this->Blockers.Forget();
   this->DefaultEstimator->ReleaseGraphicsResources(window);
   if (this->Estimator)

@@ -25,6 +25,7 @@
 #include "Pipeline/vtkIndirectSphereMotion.h"       // for a member
 #include "VirtualLights/vtkIndirectSkyProjection.h" // for members
 #include "Visibility/vtkIndirectPenumbra.h"         // for members
+#include "Visibility/vtkIndirectSurfaces.h"         // for a member
 #include "Visibility/vtkIndirectVisibility.h"       // for members
 #include "vtkAreaLight.h"                           // for members
 #include "vtkEnvironmentLight.h"                    // for members
@@ -109,6 +110,8 @@ public:
 private:
   std::vector<double> MakeFrameKey() const;
   std::vector<double> MakeKey(vtkVirtualLightSampler* users) const;
+  const vtkIndirectBlockingSpheres* UpdateSurfaces(
+    const vtkIndirectVisibilityNeeds& needs, bool caching);
   bool UpdateIrradiance(const Request& request);
   bool UpdateSky(const Request& request);
   bool UpdateSkyMaps(const Request& request);
@@ -128,7 +131,8 @@ private:
   vtkIndirectPenumbra Penumbra; // of the maps' lights
   vtkIndirectGeometryBuffer Geometry;
   vtkIndirectVisibility Visibility;
-  vtkIndirectSphereBlockers Blockers; // for it
+  vtkIndirectSphereBlockers Blockers; // for visibility and surfaces
+  vtkIndirectSurfaces Surfaces;       // for samplers and visibility
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather Sky;
   vtkNew<vtkProxyAccumulationPass> Spheres; // in place of these maps

@@ -115,7 +115,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     add(report.LeftOut, this->Plan.EstimateLeftOut);
     report.Method = this->Estimator->GetMethodName();
     report.Bytes += this->Estimator->GetBytes();
-    report.MainMemoryBytes = this->Estimator->GetMainMemoryBytes();
+    report.MainMemoryBytes = this->Estimator->GetMainMemoryBytes() + this->Surfaces.GetBytes();
     report.EstimatedError = this->Estimate.Error;
     this->Estimator->AddToReport(report);
     this->Visibility.AddToReport(report);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The surfaces that rays meet: what they meet in one block of voxels on one plane is one surface,
-// with its own albedo however near to it others are. There are as many as light can reach.
+// The surfaces that the rays of hints meet. All that they meet in one block of voxels on one plane
+// is one surface, with its own albedo however near to it other surfaces are. There are as many as
+// light can reach.
 #ifndef vtkIndirectHintSurfaces_h
 #define vtkIndirectHintSurfaces_h
-
-#include "Visibility/vtkIndirectTriangleGrid.h" // for what rays meet
 
 #include <glm/glm.hpp> // for vectors
 #include <vector>      // for surfaces
@@ -12,24 +11,32 @@
 class vtkIndirectHintSurfaces
 {
 public:
-  /** Voxels that what belongs to a surface may be off its plane. */
+  /** What a ray meets; coordinates count voxels. */
+  struct Hit
+  {
+    glm::dvec3 Position{ 0.0 };
+    glm::dvec3 Normal{ 0.0 }; // of the facet, on the side that the ray comes from
+    glm::dvec3 Albedo{ 0.0 }; // over pi where VTK divides by pi
+  };
+
+  /** The voxels that a hit may lie off the plane of its surface. */
   static constexpr double PlaneDepth = 0.3;
 
   /** For a volume of so many voxels. */
   explicit vtkIndirectHintSurfaces(const glm::ivec3& size);
 
-  /** Adds what a ray meets; returns the number of its surface. */
-  int Add(const vtkIndirectTriangleGrid::Hit& hit);
+  /** Adds a hit; returns the number of its surface. */
+  int Add(const Hit& hit);
 
   int GetNumberOfSurfaces() const { return static_cast<int>(this->Surfaces.size()); }
-  /** Mean of all that belongs to a surface; the normal is unit. */
-  vtkIndirectTriangleGrid::Hit GetMean(int surface) const;
+  /** The mean of a surface's hits; the normal is unit. */
+  Hit GetMean(int surface) const;
 
 private:
   struct Surface
   {
-    vtkIndirectTriangleGrid::Hit First;
-    vtkIndirectTriangleGrid::Hit Sum;
+    Hit First;
+    Hit Sum;
     double Count;
     int Before; // in the same block
   };
