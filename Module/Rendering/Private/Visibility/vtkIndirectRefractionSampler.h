@@ -3,11 +3,11 @@
 // directions (Dachsbacher and Stamminger 2006, section 3.3, with both faces of a body).
 //
 // Light goes towards each body evenly: through squares of the plane that the light sees its bounds'
-// sphere on. What comes through is a light on the far face, of the lobe's flux alone.
+// sphere on. Light that comes through is a virtual light on the far face, of the lobe's flux alone.
 #ifndef vtkIndirectRefractionSampler_h
 #define vtkIndirectRefractionSampler_h
 
-#include "VirtualLights/vtkIndirectRefraction.h" // for paths
+#include "Visibility/vtkIndirectRefraction.h" // for paths
 #include "vtkVirtualLightSampler.h"
 
 #include <vector> // for rows
@@ -25,6 +25,7 @@ public:
   void SetNumberOfLightsOf(vtkVirtualLightSampler* sampler);
 
   bool Update(const Input& input) override;
+  void AddToReport(vtkIndirectReport& report) const override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
@@ -39,7 +40,8 @@ private:
     const vtkIndirectRefraction& body, std::vector<Row>& rows) const;
 
   int NumberOfLights = 256;
-  std::vector<double> Key; // what the lights were made from
+  std::vector<vtkIndirectRefraction> Bodies; // of the frame's refractors
+  std::vector<double> Key;                   // what the lights were made from
 };
 
 #endif
