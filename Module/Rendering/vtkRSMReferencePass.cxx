@@ -18,6 +18,7 @@
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "Visibility/vtkIndirectSightLines.h"
 #include "Visibility/vtkIndirectSphereGrid.h"
+#include "Visibility/vtkIndirectSurfaces.h"
 #include "Visibility/vtkIndirectVisibility.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
@@ -180,9 +181,9 @@ void SumLobes(const std::vector<vtkIndirectReferenceLobe>& senders,
   }
 }
 
-// Whether two points on surfaces see each other, in several ways of one form: a kind of End,
-// FindEnd(position, normal) and IsVisible(End, End). vtkIndirectSightLines asks triangles, this one
-// voxels.
+// Several classes of one form say whether two points on surfaces see each other: a kind of End,
+// FindEnd(position, normal) and IsVisible(End, End). vtkIndirectSightLines asks the surfaces
+// themselves, VoxelLines the voxels.
 struct VoxelLines
 {
   using End = vtkIndirectDistanceField::End;
@@ -195,14 +196,14 @@ struct VoxelLines
   bool IsVisible(const End& a, const End& b) const { return this->Field.IsVisible(a, b); }
 };
 
-// Spheres in lists.
+// SphereLines asks the spheres in lists, as shaders do.
 struct SphereLines
 {
   using End = glm::dvec3;
   const vtkIndirectSphereGrid& Grid;
 
   End FindEnd(const glm::dvec3& position, const glm::dvec3&) const { return position; }
-  bool IsVisible(const End& a, const End& b) const { return this->Grid.IsFreeExactly(a, b); }
+  bool IsVisible(const End& a, const End& b) const { return this->Grid.IsFree(a, b); }
 };
 
 // Two ways, of which either hides.
@@ -582,15 +583,7 @@ vtkIndirectEstimate ReferenceSum::Estimate(const Input& input)
   const SphereLines spheres{ visibility.GetSpheres() };
   if (visibility.IsExact())
   {
-    const vtkIndirectSightLines triangles(visibility.GetVolume().GetTree());
-    if (visibility.GetSpheres().IsEmpty())
-    {
-      sums.Make(triangles);
-    }
-    else
-    {
-      sums.Make(BothLines<vtkIndirectSightLines, SphereLines>{ triangles, spheres });
-    }
+    sums.Make(vtkIndirectSightLines(visibility.GetSurfaces().GetTree()));
   }
   else if (visibility.WalksVoxels() && visibility.WalksSpheres())
   {

@@ -9,12 +9,13 @@
 #include "VirtualLights/vtkIndirectSenderClusters.h"
 #include "VirtualLights/vtkIndirectSenderTexels.h"
 #include "Visibility/vtkIndirectRandomWalk.h"
-#include "Visibility/vtkIndirectRaySurfaces.h"
+#include "Visibility/vtkIndirectSurfaces.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkRandomWalkLightSampler);
 
@@ -71,7 +72,11 @@ private:
   void FindSenders(vtkIndirectFurtherSenders& senders) const;
 
   const vtkRandomWalkLightSampler& Set;
-  vtkIndirectRaySurfaces Surfaces;
+  vtkMTimeType SurfacesTime = 0; // of the surfaces that the paths met
+  size_t NumberOfTriangles = 0;
+  size_t NumberOfSpheres = 0;
+  size_t NumberOfTreeBuilds = 0;
+  std::vector<std::pair<std::string, std::string>> LeftOut; // of the surfaces
   vtkIndirectRandomWalk Paths;
   vtkIndirectSenderClusters Clusters;
   size_t NumberOfSources = 0;
@@ -140,7 +145,7 @@ bool WalkLights::Walk(const Input& input)
                                                                   : this->Set.GetNumberOfLights();
   settings.FirstBounce = this->Set.GetFirstBounce();
   settings.LastBounce = input.NumberOfBounces;
-  const bool moved = this->Surfaces.Update(input.Frame, input.Spheres);
+  const bool moved = this->SurfacesTime != input.Surfaces->GetTime();
   vtkIndirectKey key = MakeKey(sources, settings);
   bool same = !moved && key == this->WalkKey;
   bool coarse = false;
@@ -163,7 +168,12 @@ bool WalkLights::Walk(const Input& input)
   // Paths go on in their sequence; to follow the first ones again takes less than to keep them.
   settings.NumberOfVertices *= number;
   this->Frames = number;
-  this->Paths.Walk(this->Surfaces, input.Frame, sources, settings);
+  this->Paths.Walk(*input.Surfaces, input.Frame, sources, settings);
+  this->SurfacesTime = input.Surfaces->GetTime();
+  this->NumberOfTriangles = input.Surfaces->GetTree().GetNumberOfTriangles();
+  this->NumberOfSpheres = input.Surfaces->GetTree().GetNumberOfSpheres();
+  this->NumberOfTreeBuilds = input.Surfaces->GetNumberOfBuilds();
+  this->LeftOut = input.Surfaces->GetLeftOut();
   this->NumberOfSources = sources.size();
   this->Smoothing = FindSmoothing(settings.NumberOfVertices);
   this->WalkKey = key;
@@ -241,13 +251,13 @@ vtkIndirectSamplerAbilities WalkLights::GetAbilities() const
 void WalkLights::AddToReport(vtkIndirectReport& report) const
 {
   report.Counters["walks"] += this->NumberOfWalks;
-  report.Counters["walk_trees"] += static_cast<long long>(this->Surfaces.GetNumberOfBuilds());
-  report.MainMemoryBytes += this->Surfaces.GetBytes() + this->Clusters.GetBytes();
+  report.Counters["walk_trees"] += static_cast<long long>(this->NumberOfTreeBuilds);
+  report.MainMemoryBytes += this->Clusters.GetBytes();
   report.Modelled.emplace_back("random walk",
     std::to_string(this->Paths.GetNumberOfPaths()) + " paths through " +
-      std::to_string(this->Surfaces.GetNumberOfTriangles()) + " triangles, " +
-      (this->Surfaces.GetNumberOfSpheres() > 0
-          ? std::to_string(this->Surfaces.GetNumberOfSpheres()) + " spheres, "
+      std::to_string(this->NumberOfTriangles) + " triangles, " +
+      (this->NumberOfSpheres > 0
+          ? std::to_string(this->NumberOfSpheres) + " spheres, "
           : std::string()) +
       std::to_string(this->Paths.GetVertices().size()) + " vertices" +
       (this->Set.GetNumberOfFrames() > 1 ? ", frame " + std::to_string(this->Frames) + " of " +
@@ -260,7 +270,7 @@ void WalkLights::AddToReport(vtkIndirectReport& report) const
       "about " + vtkIndirectReport::Number(std::round(1000.0 * this->Paths.GetTail()) / 10.0) +
         " % of the light of later bounces; the result is too dark");
   }
-  for (const auto& [what, why] : this->Surfaces.GetLeftOut())
+  for (const auto& [what, why] : this->LeftOut)
   {
     report.LeftOut.emplace_back(what + " in the random walk", why);
   }
@@ -269,7 +279,6 @@ void WalkLights::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void WalkLights::ReleaseOwn(vtkWindow*)
 {
-  this->Surfaces.Clear();
   this->Clusters.SetSenders({});
   this->WalkKey.Clear();
   this->HasMore = false;

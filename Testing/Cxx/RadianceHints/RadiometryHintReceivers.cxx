@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Radiance hints on receivers outside of the triangle list: a ball far above the floor that lights
-// it, by each of VTK's ways to draw a ball, against the ball of plain polygons.
+// Radiance hints on a ball far above the floor that lights it, drawn by each of VTK's ways to draw
+// one, against the ball of plain polygons; and hints beside a wall of glyphs.
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
+#include "vtkCubeSource.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkLODProp3D.h"
 #include "vtkLight.h"
@@ -215,9 +216,78 @@ VTK_INDIRECT_TEST(HintsReceivers)
   }
 }
 
-// A table of rays too long for a texture with the usual rows: 262144 hints of 400 rays make 25600
-// rows of 1024 texels, those of 256 rays 16384. A wall's occluder hides as much of the lit floor
-// with either table, for hints at the table's far end.
+// A wall of a glyph hides light and reflects it, of all bounces, as the same wall of a mesh does.
+VTK_INDIRECT_TEST(HintsGlyphsBesideMeshes)
+{
+  enum Wall
+  {
+    NONE,
+    MESH,
+    GLYPH
+  };
+  const auto measure = [](Wall wall)
+  {
+    Scene scene(64, 48);
+    vtkNew<vtkRadianceHintsPass> hints;
+    scene.Pass->SetEstimator(hints);
+    scene.Pass->SetVisibilityToAuto();
+    scene.Pass->SetNumberOfBounces(3);
+    scene.Pass->SetReflectiveShadowMapResolution(128);
+    scene.AddQuad({ -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, glm::dvec3(0.8));
+    scene.AddQuad({ -1, 1, 0 }, { 1, 1, 0 }, { -1, 1, 1.5 }, glm::dvec3(0.8, 0.4, 0.4));
+    scene.AddSpot({ 0.7, -0.2, 1.3 }, { 0.6, 0.6, 0.0 }, 30.0, 0.0, { 1.0, 0.0, 0.0 });
+    scene.SetEye({ 0.0, -3.0, 1.5 }, { 0, 0, 0.3 }, { 0, 0, 1 }, 40.0, 0.5, 10.0);
+    vtkNew<vtkCubeSource> cube;
+    cube->SetXLength(0.1);
+    cube->SetYLength(1.5);
+    cube->SetZLength(1.0);
+    vtkNew<vtkPolyData> place;
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(0.0, 0.2, 0.5);
+    place->SetPoints(points);
+    vtkNew<vtkGlyph3DMapper> glyph;
+    glyph->SetInputData(place);
+    glyph->SetSourceConnection(cube->GetOutputPort());
+    glyph->ScalingOff();
+    vtkNew<vtkPolyDataMapper> mesh;
+    mesh->SetInputConnection(cube->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->GetProperty()->SetColor(0.2, 0.8, 0.4);
+    if (wall == GLYPH)
+    {
+      actor->SetMapper(glyph);
+    }
+    else
+    {
+      actor->SetMapper(mesh);
+      actor->SetPosition(0.0, 0.2, 0.5);
+    }
+    actor->SetVisibility(wall != NONE);
+    scene.Renderer->AddActor(actor);
+    scene.Render();
+    const Image found = scene.Copy("irradiance");
+    scene.Pass->SetEstimator(nullptr);
+    return found;
+  };
+  const auto compare = [](const Image& a, const Image& b)
+  {
+    double sum = 0.0;
+    for (size_t i = 0; i < a.Values.size(); ++i)
+    {
+      sum += std::pow(double(a.Values[i]) - b.Values[i], 2.0);
+    }
+    return std::sqrt(sum / static_cast<double>(a.Values.size())) / b.Mean();
+  };
+  const Image mesh = measure(MESH);
+  CheckAtLeast("light that a wall changes, RMS over the mean", compare(measure(NONE), mesh), 0.1,
+    "the test's own power");
+  CheckAtMost("a glyph's over a mesh's, RMS over the mean", compare(measure(GLYPH), mesh), 0.01,
+    "the same triangles; glyphs' colours are bytes");
+}
+
+// A table of rays that is too long for a texture with the usual rows: 262144 hints of 400 rays make
+// 25600 rows of 1024 texels, those of 256 rays 16384. What stands before a wall hides as much of
+// the lit floor by the one as by the other, for hints at the far end of the table.
 VTK_INDIRECT_TEST(HintsManyRays)
 {
   double hidden[2];

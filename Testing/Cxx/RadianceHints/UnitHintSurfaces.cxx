@@ -3,6 +3,8 @@
 #include "OpenGL/vtkIndirectKernels.h"
 #include "RadianceHints/vtkIndirectHintGrid.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "Visibility/vtkIndirectSurfaces.h"
+#include "vtkIndirectSurfaceFrame.h"
 #include "vtkIndirectTestUtilities.h"
 #include "vtkIndirectVoxelPatch.h"
 
@@ -28,27 +30,24 @@ VTK_INDIRECT_TEST(HintSurfaces)
 {
   // A wall thinner than a voxel with different colours on its sides, and a bar thinner than a
   // voxel: hints see the colour of the side that faces them, and the bar's true size.
-  vtkIndirectOccupancyVolume volume;
-  volume.KeepTriangles();
-  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 32);
+  SurfaceFrame scene;
   const double wall = 0.52;
-  auto quad = [&](const glm::dvec3& a, const glm::dvec3& u, const glm::dvec3& v, double albedo)
-  {
-    const glm::dvec3 first[3] = { a, a + u, a + u + v };
-    const glm::dvec3 second[3] = { a, a + u + v, a + v };
-    volume.AddTriangle(first, glm::dvec3(albedo));
-    volume.AddTriangle(second, glm::dvec3(albedo));
+  auto quad = [&](const glm::dvec3& a, const glm::dvec3& u, const glm::dvec3& v, double albedo) {
+    scene.Add({ { a, a + u, a + u + v }, { a, a + u + v, a + v } }, albedo);
   };
   quad({ wall, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, 0.9);
   quad({ wall + 0.004, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, 0.1);
   const double bar = 0.008;
   const double place = 0.3;
   quad({ place, 0, 0.5 }, { 0, 1, 0 }, { 0, 0, bar }, 0.5);
-  volume.Finish();
+  vtkIndirectSurfaces surfaces;
+  surfaces.Update(scene.Frame);
+  vtkIndirectOccupancyVolume volume;
+  volume.Update(scene.Frame, surfaces, 32);
   vtkIndirectHintGrid::Settings settings = HintsInUnitCube(8);
   settings.NumberOfRays = 4096;
   vtkIndirectHintGrid grid;
-  grid.Build(settings, &volume);
+  grid.Build(settings, &volume, &surfaces);
   int wrong = 0;
   int seen[3] = { 0, 0, 0 };
   double share = 0.0;
@@ -108,7 +107,7 @@ VTK_INDIRECT_TEST(HintMasks)
   vtkIndirectHintGrid::Settings settings = HintsInUnitCube(8);
   settings.Masks = true;
   vtkIndirectHintGrid grid;
-  grid.Build(settings, &volume);
+  grid.Build(settings, &volume, nullptr);
   int wrong = 0;
   int seen = 0;
   for (int x = 2; x < volume.GetSize().x - 2; ++x)
@@ -148,14 +147,14 @@ VTK_INDIRECT_TEST(HintPlanes)
     const glm::dvec3 v = glm::cross(normal, u);
     const glm::dvec3 middle(0.5 + random.Next(-0.05, 0.05));
     vtkIndirectOccupancyVolume volume;
-    volume.KeepTriangles();
+    volume.KeepSurfaces();
     volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
     AddPatch(volume, middle - u - v, 2.0 * u, 2.0 * v, i % 2 ? 1 : 9);
     volume.Finish();
     vtkIndirectHintGrid::Settings settings = HintsInUnitCube(4);
     settings.Masks = true;
     vtkIndirectHintGrid grid;
-    grid.Build(settings, &volume);
+    grid.Build(settings, &volume, nullptr);
     const double voxel = volume.GetVoxelSize();
     for (int k = 0; k < 2000; ++k)
     {

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The lights of presets: their skies' light, against closed forms.
+#include "Pipeline/vtkIndirectLighting.h"
 #include "VirtualLights/vtkIndirectLightRig.h"
+#include "vtkActor.h"
+#include "vtkEnvironmentLight.h"
 #include "vtkIndirectSettings.h"
 #include "vtkIndirectTestUtilities.h"
+#include "vtkLight.h"
 #include "vtkMath.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -342,4 +350,45 @@ VTK_INDIRECT_TEST(LightRigSkies)
     CheckAtMost(name + ", largest over mean radiance", most * Count / sum, 256.0 / 32.0,
       "a 256th of the sky has less than a 32nd of its light");
   }
+}
+
+// Presets ask the same reader of albedo as rays and voxels do: PBR has VTK's diffuse coefficient,
+// too.
+VTK_INDIRECT_TEST(RigAlbedoOfPBR)
+{
+  const auto find = [](int interpolation, double color, double diffuse, double metallic)
+  {
+    vtkNew<vtkPlaneSource> plane;
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(plane->GetOutputPort());
+    mapper->Update();
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetInterpolation(interpolation);
+    actor->GetProperty()->SetColor(color, color, color);
+    actor->GetProperty()->SetDiffuse(diffuse);
+    actor->GetProperty()->SetMetallic(metallic);
+    vtkNew<vtkRenderer> renderer;
+    renderer->AddActor(actor);
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToHeadlight();
+    renderer->AddLight(light);
+    vtkIndirectSettings settings;
+    settings.Lighting = vtkIndirectLightingFull;
+    vtkIndirectLighting lighting;
+    lighting.Update(renderer, settings, nullptr);
+    glm::dvec3 sum(0.0);
+    for (const vtkEnvironmentLight::Cell& cell : lighting.GetEnvironment()->GetCells())
+    {
+      sum += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
+    }
+    return sum.x;
+  };
+  const double phong = find(VTK_PHONG, 0.9, 0.5, 0.0);
+  CheckRelative("sky over PBR of half the coefficient", find(VTK_PBR, 0.9, 0.5, 0.0), phong, 1e-9,
+    "the same albedo");
+  CheckRelative("sky over PBR that is half a metal", find(VTK_PBR, 0.9, 1.0, 0.5), phong, 1e-9,
+    "the same albedo");
+  CheckAtLeast("sky over the whole coefficient: difference",
+    std::abs(find(VTK_PHONG, 0.9, 1.0, 0.0) - phong) / phong, 0.01, "the test's own power");
 }

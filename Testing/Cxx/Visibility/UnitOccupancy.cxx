@@ -5,6 +5,7 @@
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "Visibility/vtkIndirectSurfaces.h"
 #include "vtkIndirectTestUtilities.h"
 #include "vtkIndirectVoxelPatch.h"
 
@@ -291,7 +292,7 @@ VTK_INDIRECT_TEST(OccupancyAlbedo)
   volume.Finish();
   CheckRelative("mean albedo, red", volume.GetMeanAlbedo().x, (0.42 * 0.5 + 0.2 * 0.9) / 0.62, 1e-9,
     "weighed by area");
-  CheckEqual("triangles that nobody asked for", volume.GetTriangles().GetNumberOfTriangles(), 0);
+  CheckEqual("bytes of planes that no one asked for", volume.GetPlanes().GetBytes(), size_t(0));
 }
 
 // Voxels have the same reflectance as maps: coefficients of both kinds of shading count.
@@ -316,126 +317,11 @@ VTK_INDIRECT_TEST(OccupancyMaterials)
   {
     actor->GetProperty()->SetInterpolation(interpolation);
     vtkIndirectOccupancyVolume volume;
-    volume.Update(frame, 16);
+    volume.KeepSurfaces();
+    volume.Update(frame, vtkIndirectSurfaces(), 16);
     return volume.GetMeanAlbedo().x;
   };
   CheckRelative("Phong's diffuse colour", red(VTK_PHONG), 0.5 * 0.8, 1e-9, "rounding of the means");
   CheckRelative(
     "what is not metal, over pi", red(VTK_PBR), 0.75 * 0.5 * 0.8 / vtkMath::Pi(), 1e-9, "same");
-}
-
-VTK_INDIRECT_TEST(TriangleHits)
-{
-  // Against every triangle separately, with another formula: the plane, and the three areas.
-  Random random(17);
-  vtkIndirectOccupancyVolume volume;
-  volume.KeepTriangles();
-  volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 64);
-  std::vector<std::array<glm::dvec3, 3>> triangles;
-  for (int i = 0; i < 300; ++i)
-  {
-    const glm::dvec3 at(random.Next(), random.Next(), random.Next());
-    const double size = i % 3 == 0 ? 0.6 : 0.03;
-    triangles.push_back(
-      { at, at + size * random.NextDirection(), at + size * random.NextDirection() });
-    // Parts of triangles outside of the bounds are in no voxel.
-    for (glm::dvec3& corner : triangles.back())
-    {
-      corner = glm::clamp(corner, glm::dvec3(0.0), glm::dvec3(1.0));
-    }
-    volume.AddTriangle(triangles.back().data(), glm::dvec3(i / 300.0, 0.5, 0.5));
-  }
-  volume.Finish();
-  int wrong = 0;
-  int met = 0;
-  int compared = 0;
-  for (int i = 0; i < 6000; ++i)
-  {
-    const double span = i % 4 == 0 ? 3.0 : 1.0; // some start outside
-    const glm::dvec3 start =
-      span * (glm::dvec3(random.Next(), random.Next(), random.Next()) - 0.5) + 0.5;
-    const glm::dvec3 direction =
-      i % 10 == 0 ? glm::dvec3(0.0, 0.0, i % 20 ? 1.0 : -1.0) : random.NextDirection();
-    double nearest = INFINITY;
-    int expected = -1;
-    bool close = false; // to an edge, or to another triangle
-    for (size_t k = 0; k < triangles.size(); ++k)
-    {
-      const auto& v = triangles[k];
-      const glm::dvec3 normal = glm::cross(v[1] - v[0], v[2] - v[0]);
-      const double along = glm::dot(normal, direction);
-      const double t = glm::dot(normal, v[0] - start) / along;
-      if (!(t > 0.0))
-      {
-        continue;
-      }
-      const glm::dvec3 p = start + t * direction;
-      double least = INFINITY;
-      for (int e = 0; e < 3; ++e)
-      {
-        const glm::dvec3& a = v[e];
-        least = std::min(least,
-          glm::dot(glm::cross(v[(e + 1) % 3] - a, p - a), normal) / glm::dot(normal, normal));
-      }
-      close = close || std::abs(least) < 1e-3 || (least > 0.0 && std::abs(t - nearest) < 1e-4);
-      if (least > 0.0 && t < nearest)
-      {
-        nearest = t;
-        expected = static_cast<int>(k);
-      }
-    }
-    if (close)
-    {
-      continue;
-    }
-    ++compared;
-    vtkIndirectTriangleGrid::Hit hit;
-    const bool found = volume.GetTriangles().FindHit(volume.ToVoxels(start), direction, hit);
-    met += found;
-    wrong += found != (expected >= 0);
-    if (found && expected >= 0)
-    {
-      const glm::dvec3 p = volume.ToScene(hit.Position);
-      wrong += glm::length(p - (start + nearest * direction)) > 1e-4 ||
-        std::abs(hit.Albedo.x - expected / 300.0) > 1e-6 || glm::dot(hit.Normal, direction) > 0.0;
-    }
-  }
-  CheckEqual("rays that meet another triangle, or from another side", wrong, 0);
-  CheckAtLeast("rays that meet one", met, 1500, "the test's own power");
-  CheckAtLeast("rays that meet none", compared - met, 1500, "the test's own power");
-
-  // No ray leaves a closed box, not through its edges and corners either.
-  vtkIndirectOccupancyVolume box;
-  box.KeepTriangles();
-  box.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 32);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (double at : { 0.1, 0.9 })
-    {
-      glm::dvec3 origin(0.1);
-      origin[axis] = at;
-      glm::dvec3 u(0.0);
-      glm::dvec3 v(0.0);
-      u[(axis + 1) % 3] = 0.8;
-      v[(axis + 2) % 3] = 0.8;
-      AddPatch(box, origin, u, v, 7);
-    }
-  }
-  box.Finish();
-  int out = 0;
-  for (int i = 0; i < 4000; ++i)
-  {
-    const glm::dvec3 start(random.Next(0.2, 0.8), random.Next(0.2, 0.8), random.Next(0.2, 0.8));
-    glm::dvec3 end(random.Next(0.1, 0.9), random.Next(0.1, 0.9), random.Next(0.1, 0.9));
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      // On vertices of the pieces, on their edges, and anywhere.
-      end[axis] =
-        (i >> axis & 1) ? 0.1 + 0.8 / 7.0 * std::floor(7.999 * (end[axis] - 0.1) / 0.8) : end[axis];
-    }
-    end[i % 3] = i & 8 ? 0.1 : 0.9;
-    vtkIndirectTriangleGrid::Hit hit;
-    out += !box.GetTriangles().FindHit(box.ToVoxels(start), glm::normalize(end - start), hit);
-  }
-  CheckEqual("rays that leave a closed box", out, 0);
 }

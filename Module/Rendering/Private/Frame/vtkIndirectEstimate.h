@@ -23,19 +23,19 @@ struct vtkIndirectPlan;
 /** What an estimator needs of the visibility stage. */
 struct vtkIndirectVisibilityNeeds
 {
-  bool Senders = false;   // what stands between receivers and senders hides them
-  bool Segments = false;  // shaders ask for it, segment by segment
-  bool Maps = false;      // of the senders, in place of voxels
-  bool Volume = false;    // the voxels for something else, too
-  bool Triangles = false; // kept by voxel, for rays that find which surface they meet
-  bool Exact = false;     // the triangles themselves hide senders, on the processor
-  int Resolution = 128;   // voxels along the longest edge of the scene, 16 to 128
+  bool Senders = false;  // what stands between receivers and senders hides them
+  bool Segments = false; // shaders ask for it, segment by segment
+  bool Maps = false;     // of the senders, in place of voxels
+  bool Volume = false;   // the voxels for something else, too
+  bool Surfaces = false; // for rays on the processor that find which surface they meet
+  bool Exact = false;    // the surfaces themselves hide senders, on the processor
+  int Resolution = 128;  // voxels along the longest edge of the scene, 16 to 128
 
   bool IsAny() const { return this->Senders || this->Volume || this->Exact; }
-  /** The voxels, or what is read with them. */
-  bool HasVolume() const { return (this->Senders && !this->Maps) || this->Volume || this->Exact; }
-  /** Spheres, which are no polygons, beside what segments are held against. */
-  bool TakesSpheres() const { return (this->Segments && !this->Maps) || this->Exact; }
+  bool HasVolume() const { return (this->Senders && !this->Maps) || this->Volume; }
+  bool HasSurfaces() const { return this->Surfaces || this->Exact; }
+  /** Whether shaders hold segments against lists of spheres, which voxels do not have. */
+  bool HasSphereLists() const { return this->Segments && !this->Maps; }
 };
 
 /** All of it is valid for this frame, and read only. */

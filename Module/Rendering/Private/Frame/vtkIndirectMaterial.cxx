@@ -111,6 +111,14 @@ vtkIndirectMaterial::vtkIndirectMaterial(
 }
 
 //------------------------------------------------------------------------------
+glm::dvec3 vtkIndirectMaterial::FindPlain(vtkActor* actor)
+{
+  vtkIndirectMaterial material;
+  material.ReadProperty(actor->GetProperty(), nullptr);
+  return material.Finish(material.Plain, 1.0);
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectMaterial::ReadProperty(vtkProperty* property, vtkProperty* back)
 {
   this->Lit = property->GetLighting();

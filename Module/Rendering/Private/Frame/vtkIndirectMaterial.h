@@ -55,6 +55,8 @@ public:
   {
   }
   vtkIndirectMaterial(vtkActor* actor, vtkMapper* mapper, vtkDataSet* data, const Block& block);
+  /** The albedo of an actor's property alone, without scalars, textures and the back's property. */
+  static glm::dvec3 FindPlain(vtkActor* actor);
 
   bool IsPhysicallyBased() const { return this->PhysicallyBased; }
   bool IsLit() const { return this->Lit; }

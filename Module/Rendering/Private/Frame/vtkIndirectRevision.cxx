@@ -270,10 +270,3 @@ vtkTypeUInt64 vtkIndirectRevision::Join(vtkTypeUInt64 revision, vtkTypeUInt64 ot
   joined.Add(other);
   return joined.Get();
 }
-
-//------------------------------------------------------------------------------
-void vtkIndirectRevision::AppendTo(std::vector<double>& key, vtkObject* object)
-{
-  key.push_back(static_cast<double>(reinterpret_cast<uintptr_t>(object)));
-  key.push_back(object ? static_cast<double>(object->GetMTime()) : 0.0);
-}

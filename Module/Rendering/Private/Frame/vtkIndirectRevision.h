@@ -9,8 +9,6 @@
 
 #include "vtkType.h" // for numbers
 
-#include <vector> // for keys
-
 class vtkMatrix4x4;
 class vtkObject;
 class vtkPolyData;
@@ -35,9 +33,6 @@ public:
 
   /** A revision that something else belongs to, too. */
   static vtkTypeUInt64 Join(vtkTypeUInt64 revision, vtkTypeUInt64 other);
-
-  /** Appends who an object is, and its time; null is an object, too. */
-  static void AppendTo(std::vector<double>& key, vtkObject* object);
 
 private:
   vtkTypeUInt64 Number = 0;

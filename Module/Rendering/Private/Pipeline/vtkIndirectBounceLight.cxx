@@ -43,19 +43,51 @@ bool vtkIndirectBounceLight::HasMore(const Input& input) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectBounceLight::Update(const Input& input, int mostMaps)
+// Brings the surfaces up to date where rays of samplers or of the estimator meet them, and returns
+// the spheres that mappers draw; null where no stage asks for spheres.
+const vtkIndirectBlockingSpheres* vtkIndirectBounceLight::UpdateSurfaces(
+  const Input& input, const vtkIndirectVisibilityNeeds& needs)
 {
-  input.Timer.Begin(vtkIndirectStageTimer::Lights);
-  const vtkIndirectVisibilityNeeds needs = vtkIndirectSum::Get(this->Estimator).GetVisibilityNeeds(input.Plan);
-  const bool takesSpheres = needs.TakesSpheres() || this->Samplers.Walk();
-  if (!takesSpheres || !input.Plan.Caching)
+  const bool walks = this->Samplers.Walk();
+  const bool traced = walks || needs.HasSurfaces();
+  const bool listed = traced || needs.HasSphereLists();
+  if (!listed || !input.Plan.Caching)
   {
     this->Blockers.Forget();
   }
+  if (!traced)
+  {
+    this->Surfaces.Clear();
+  }
+  if (!listed)
+  {
+    return nullptr;
+  }
+  const auto stage = walks ? vtkIndirectStageTimer::Lights : vtkIndirectStageTimer::Visibility;
+  input.Timer.Begin(stage);
   const vtkIndirectBlockingSpheres* const spheres =
-    takesSpheres ? this->Blockers.Update(input.Frame, this->Estimator) : nullptr;
+    this->Blockers.Update(input.Frame, this->Estimator);
+  if (needs.HasSurfaces() && !input.Plan.Caching)
+  {
+    this->Surfaces.Forget();
+  }
+  if (traced)
+  {
+    this->Surfaces.Update(input.Frame, spheres);
+  }
+  input.Timer.End(stage);
+  return spheres;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectBounceLight::Update(const Input& input, int mostMaps)
+{
+  const vtkIndirectVisibilityNeeds needs =
+    vtkIndirectSum::Get(this->Estimator).GetVisibilityNeeds(input.Plan);
+  const vtkIndirectBlockingSpheres* const spheres = this->UpdateSurfaces(input, needs);
+  input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool sampled =
-    this->Samplers.Update(input.Frame, input.Plan, input.Maps, input.Geometry, spheres);
+    this->Samplers.Update(input.Frame, input.Plan, input.Maps, input.Geometry, this->Surfaces);
   input.Timer.End(vtkIndirectStageTimer::Lights);
 
   const bool timed = needs.IsAny();
@@ -63,10 +95,10 @@ bool vtkIndirectBounceLight::Update(const Input& input, int mostMaps)
   {
     input.Timer.Begin(vtkIndirectStageTimer::Visibility);
   }
-  const bool visible =
-    this->Visibility.Update({ input.Frame, this->Samplers.GetLights(), input.Capture,
-                              input.Plan.Caching, mostMaps, spheres },
-      needs);
+  const bool visible = this->Visibility.Update({ input.Frame, this->Samplers.GetLights(),
+                                                 input.Capture, input.Plan.Caching, mostMaps,
+                                                 this->Surfaces, spheres },
+    needs);
   if (timed)
   {
     input.Timer.End(vtkIndirectStageTimer::Visibility);
@@ -95,7 +127,8 @@ bool vtkIndirectBounceLight::IsCurrent() const
 //------------------------------------------------------------------------------
 void vtkIndirectBounceLight::Rest(const Input& input)
 {
-  this->Visibility.Update({ input.Frame, nullptr, input.Capture, false, 0 }, {});
+  this->Visibility.Update({ input.Frame, nullptr, input.Capture, false, 0, this->Surfaces }, {});
+  this->Surfaces.Clear();
 }
 
 //------------------------------------------------------------------------------
@@ -104,7 +137,8 @@ void vtkIndirectBounceLight::AddToReport(vtkIndirectReport& report, const vtkInd
   report.Add(plan.EstimateModelled, plan.EstimateLeftOut);
   report.Method = this->Estimator->GetMethodName();
   report.Bytes += vtkIndirectSum::Get(this->Estimator).GetBytes();
-  report.MainMemoryBytes += vtkIndirectSum::Get(this->Estimator).GetMainMemoryBytes();
+  report.MainMemoryBytes +=
+    vtkIndirectSum::Get(this->Estimator).GetMainMemoryBytes() + this->Surfaces.GetBytes();
   report.EstimatedError = this->Error;
   vtkIndirectSum::Get(this->Estimator).AddToReport(report);
   this->Visibility.AddToReport(report);
@@ -116,6 +150,7 @@ void vtkIndirectBounceLight::Release(vtkWindow* window)
 {
   this->Samplers.Release(window);
   this->Visibility.Release(window);
+  this->Surfaces.Clear();
   this->Blockers.Forget();
   this->Estimator = nullptr;
 }

@@ -6,6 +6,7 @@
 
 #include "Frame/vtkIndirectFrameLight.h"               // for the base class
 #include "Pipeline/vtkIndirectSphereBlockers.h" // for a member
+#include "Visibility/vtkIndirectSurfaces.h" // for a member
 #include "Visibility/vtkIndirectVisibility.h"   // for a member
 #include "vtkIndirectEstimatorPass.h"           // for a member
 #include "vtkWeakPointer.h"                     // for a member
@@ -31,7 +32,7 @@ public:
   bool HasMore(const Input& input) const override;
   vtkIndirectEstimate Sum(const Input& input) override;
   bool IsCurrent() const override;
-  /** Releases depth maps and voxels. */
+  /** Releases depth maps, voxels and surfaces. */
   void Rest(const Input& input) override;
   void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
   void Release(vtkWindow* window) override;
@@ -39,9 +40,13 @@ public:
   const vtkIndirectVisibility& GetVisibility() const { return this->Visibility; }
 
 private:
+  const vtkIndirectBlockingSpheres* UpdateSurfaces(
+    const Input& input, const vtkIndirectVisibilityNeeds& needs);
+
   vtkIndirectFrameSamplers& Samplers;
   vtkIndirectVisibility Visibility;
-  vtkIndirectSphereBlockers Blockers;
+  vtkIndirectSphereBlockers Blockers; // for visibility and surfaces
+  vtkIndirectSurfaces Surfaces;       // for samplers and visibility
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkVirtualLightSampler* Users = nullptr; // valid while a frame is drawn
   vtkMTimeType EstimateTime = 0;           // of the estimator, after the last sum

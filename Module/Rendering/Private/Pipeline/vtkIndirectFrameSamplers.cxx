@@ -119,12 +119,12 @@ bool vtkIndirectFrameSamplers::Walk() const
 //------------------------------------------------------------------------------
 bool vtkIndirectFrameSamplers::Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
   const vtkIndirectLightMaps& maps, const vtkIndirectGeometryBuffer& geometry,
-  const vtkIndirectBlockingSpheres* spheres)
+  const vtkIndirectSurfaces& surfaces)
 {
   vtkIndirectSampler::Input input = { frame, maps, geometry, plan.ErrorTolerance,
     plan.SampledBounces, plan.Interactive,
     plan.SkyBounces || plan.AreaLightsBounce ? &this->Senders->GetEmitters() : nullptr };
-  input.Spheres = spheres;
+  input.Surfaces = &surfaces;
   input.Further = this->SendersAreWalked
     ? vtkIndirectSampler::Get(this->LaterBounces)->UpdateSenders(input)
     : nullptr;

@@ -7,9 +7,9 @@
 #include "Frame/vtkIndirectKey.h"                       // for keys
 #include "VirtualLights/vtkIndirectEmitters.h"          // for emitters
 #include "VirtualLights/vtkIndirectHeadlightSampler.h"  // for members
-#include "VirtualLights/vtkIndirectRefractionSampler.h" // for members
 #include "VirtualLights/vtkIndirectSenderSampler.h"     // for members
 #include "VirtualLights/vtkIndirectVirtualLights.h"     // for members
+#include "Visibility/vtkIndirectRefractionSampler.h"   // for members
 #include "vtkLightTreeSampler.h"                        // for members
 #include "vtkNew.h"                                     // for members
 #include "vtkRandomWalkLightSampler.h"                  // for members
@@ -23,9 +23,9 @@
 class vtkImageData;
 class vtkIndirectGeometryBuffer;
 class vtkIndirectLightMaps;
+class vtkIndirectSurfaces;
 class vtkSurfaceCapturePass;
 class vtkWindow;
-struct vtkIndirectBlockingSpheres;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
@@ -59,15 +59,15 @@ public:
 
   /** Tells whether a still frame of the same scene would have more lights than the last one. */
   bool HasMore() const;
-  /** Tells whether rays look for the scene's surfaces, spheres among them. */
+  /** Tells whether rays look for the scene's surfaces. */
   bool Walk() const;
   /**
-   * Brings their lights up to date. Returns false, after an error, when one of them cannot.
-   * spheres: where they Walk.
+   * Brings the samplers' lights up to date. Returns false, after an error, when a sampler cannot.
+   * surfaces: up to date where samplers Walk.
    */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     const vtkIndirectLightMaps& maps, const vtkIndirectGeometryBuffer& geometry,
-    const vtkIndirectBlockingSpheres* spheres);
+    const vtkIndirectSurfaces& surfaces);
   /** The lights, null where the frame has no sampler. */
   const vtkIndirectVirtualLights* GetLights() const
   {

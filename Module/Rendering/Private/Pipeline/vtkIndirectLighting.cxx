@@ -3,6 +3,7 @@
 
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectLightKeys.h"
+#include "Frame/vtkIndirectMaterial.h"
 #include "Frame/vtkIndirectReport.h"
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -147,8 +148,8 @@ std::vector<vtkIndirectLamp> vtkIndirectLighting::CollectLamps(vtkRenderer* rend
 }
 
 //------------------------------------------------------------------------------
-// Of actors that have one colour, the lightest: data and textures have colours of all kinds, which
-// bounce less than their brightest.
+// The albedo of the lightest of the actors that have one colour. Data and textures have colours of
+// all kinds, which bounce less than their brightest.
 vtkIndirectRigAlbedo vtkIndirectLighting::FindAlbedo(vtkRenderer* renderer)
 {
   vtkIndirectRigAlbedo albedo;
@@ -164,12 +165,9 @@ vtkIndirectRigAlbedo vtkIndirectLighting::FindAlbedo(vtkRenderer* renderer)
     {
       continue;
     }
-    const bool physical = property->GetInterpolation() == VTK_PBR;
-    const double scale = physical ? 1.0 - property->GetMetallic() : property->GetDiffuse();
-    const double* color = property->GetDiffuseColor();
-    albedo.Brightest =
-      std::max(albedo.Brightest, scale * std::max({ color[0], color[1], color[2] }));
-    albedo.Mean = std::max(albedo.Mean, scale * (color[0] + color[1] + color[2]) / 3.0);
+    const glm::dvec3 color = vtkIndirectMaterial::FindPlain(actor);
+    albedo.Brightest = std::max({ albedo.Brightest, color.x, color.y, color.z });
+    albedo.Mean = std::max(albedo.Mean, (color.x + color.y + color.z) / 3.0);
   }
   return albedo;
 }

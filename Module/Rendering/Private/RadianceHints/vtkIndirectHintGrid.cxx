@@ -4,6 +4,8 @@
 #include "OpenGL/vtkIndirectKernels.h"
 #include "RadianceHints/vtkIndirectHintSurfaces.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "Visibility/vtkIndirectSurfaces.h"
+#include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
@@ -119,7 +121,8 @@ void vtkIndirectHintGrid::Clear()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Build(const Settings& settings, const vtkIndirectOccupancyVolume* volume)
+void vtkIndirectHintGrid::Build(const Settings& settings, const vtkIndirectOccupancyVolume* volume,
+  const vtkIndirectSurfaces* surfaces)
 {
   this->Clear();
   this->Current = settings;
@@ -146,7 +149,7 @@ void vtkIndirectHintGrid::Build(const Settings& settings, const vtkIndirectOccup
   }
   if (this->Current.NumberOfRays > 0)
   {
-    this->FindHits();
+    this->FindHits(*surfaces);
   }
 }
 
@@ -367,7 +370,7 @@ void vtkIndirectHintGrid::FindMasks(int grid)
 // wall.
 void vtkIndirectHintGrid::FindPlanes()
 {
-  const vtkIndirectTriangleGrid& triangles = this->Volume->GetTriangles();
+  const vtkIndirectVoxelPlanes& planes = this->Volume->GetPlanes();
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Masks.size() / 2),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -375,7 +378,7 @@ void vtkIndirectHintGrid::FindPlanes()
       {
         glm::dvec3 normal;
         double height;
-        if (triangles.FindPlane(Unfold(static_cast<int>(i), this->MaskSize), normal, height))
+        if (planes.Find(Unfold(static_cast<int>(i), this->MaskSize), normal, height))
         {
           const int code =
             vtkIndirectKernels::vtkiPackPlane(glm::vec3(normal), static_cast<float>(height));
@@ -393,7 +396,7 @@ unsigned char vtkIndirectHintGrid::GetMask(int grid, const glm::ivec3& voxel) co
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::FindHits()
+void vtkIndirectHintGrid::FindHits(const vtkIndirectSurfaces& surfaces)
 {
   const int rays = this->Current.NumberOfRays;
   std::vector<glm::dvec3> directions;
@@ -405,11 +408,10 @@ void vtkIndirectHintGrid::FindHits()
   }
   this->Hits.assign(this->Hints.size() * rays, -1.0f);
   this->Albedo.assign(this->Hints.size(), glm::vec4(0.0f));
-  const vtkIndirectTriangleGrid& triangles = this->Volume->GetTriangles();
-  vtkIndirectHintSurfaces surfaces(triangles.GetSize());
+  vtkIndirectHintSurfaces sides(this->Volume->GetSize());
   struct Met
   {
-    vtkIndirectTriangleGrid::Hit Hit;
+    vtkIndirectHintSurfaces::Hit Hit;
     bool There;
   };
   std::vector<Met> met(static_cast<size_t>(RayBatch) * rays);
@@ -422,11 +424,19 @@ void vtkIndirectHintGrid::FindHits()
         for (vtkIdType i = from; i < to; ++i)
         {
           const glm::vec4& hint = this->Hints[begin + i];
-          const glm::dvec3 start = this->Volume->ToVoxels(glm::dvec3(hint));
           for (int ray = 0; ray < rays; ++ray)
           {
             Met& one = met[i * rays + ray];
-            one.There = hint.w > 0.0f && triangles.FindHit(start, directions[ray], one.Hit);
+            vtkIndirectSurfaces::Meeting meeting;
+            one.There = hint.w > 0.0f &&
+              surfaces.Meet(
+                glm::dvec3(hint), directions[ray], vtkIndirectTriangleTree::None, meeting);
+            // VTK's PBR divides its diffuse reflection by pi.
+            const double reflected = !meeting.Sends ? 0.0
+              : meeting.PhysicallyBased             ? 1.0 / vtkMath::Pi()
+                                                    : 1.0;
+            one.Hit = { this->Volume->ToVoxels(meeting.Position), meeting.FacetNormal,
+              reflected * meeting.Albedo };
           }
         }
       });
@@ -440,7 +450,7 @@ void vtkIndirectHintGrid::FindHits()
         if (one.There)
         {
           this->Hits[static_cast<size_t>(begin + i) * rays + ray] =
-            static_cast<float>(surfaces.Add(one.Hit));
+            static_cast<float>(sides.Add(one.Hit));
           albedo += glm::vec4(glm::vec3(one.Hit.Albedo), 1.0f);
         }
       }
@@ -451,9 +461,9 @@ void vtkIndirectHintGrid::FindHits()
   // hits.
   const float depth =
     static_cast<float>(vtkIndirectHintSurfaces::PlaneDepth * this->Volume->GetVoxelSize());
-  for (int i = 0; i < surfaces.GetNumberOfSurfaces(); ++i)
+  for (int i = 0; i < sides.GetNumberOfSurfaces(); ++i)
   {
-    const vtkIndirectTriangleGrid::Hit mean = surfaces.GetMean(i);
+    const vtkIndirectHintSurfaces::Hit mean = sides.GetMean(i);
     this->Surfels.push_back({ glm::vec3(this->Volume->ToScene(mean.Position)),
       glm::vec3(mean.Normal), glm::vec3(mean.Albedo), depth });
   }

@@ -19,6 +19,7 @@
 #include <vector>      // for tables
 
 class vtkIndirectOccupancyVolume;
+class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkWindow;
@@ -80,8 +81,12 @@ public:
 
   /** Forgets all hints. */
   void Clear();
-  /** Makes all tables; without a volume they contain no visibility. */
-  void Build(const Settings& settings, const vtkIndirectOccupancyVolume* volume);
+  /**
+   * Makes the tables anew. volume: null where nothing is known of the scene. surfaces: what rays
+   * meet; may be null where the settings have no rays.
+   */
+  void Build(const Settings& settings, const vtkIndirectOccupancyVolume* volume,
+    const vtkIndirectSurfaces* surfaces);
 
   int GetNumberOfHints() const { return static_cast<int>(this->Hints.size()); }
   int GetNumberOfActiveHints() const { return this->NumberOfActive; }
@@ -120,7 +125,7 @@ private:
   void Place(int grid);
   void FindMasks(int grid);
   void FindPlanes();
-  void FindHits();
+  void FindHits(const vtkIndirectSurfaces& surfaces);
   // Binds a table's texture, which it makes if there is none.
   void Bind(
     Table table, vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* uniform);

@@ -122,7 +122,7 @@ vtkIndirectVisibilityNeeds vtkIndirectHintSum::GetVisibilityNeeds(const vtkIndir
   vtkIndirectVisibilityNeeds needs;
   needs.Senders = plan.Visibility == vtkIndirectVisibilityVoxels;
   needs.Volume = details.SkipEmptyCells || plan.NumberOfBounces > 1;
-  needs.Triangles =
+  needs.Surfaces =
     needs.Senders || (plan.NumberOfBounces > 1 && (!details.FromHints || details.AlbedoVolume));
   needs.Resolution = this->Set.GetOccupancyResolution();
   return needs;
@@ -178,7 +178,7 @@ bool vtkIndirectHintSum::UpdateGeometry(const Input& input)
   settings.Masks = needs.Senders;
   settings.SkipEmpty = this->Set.Details->SkipEmptyCells;
   settings.Reach = this->Set.Details->NumberOfLookups > 1 ? 1.5 * std::sqrt(3.0) : 1.0;
-  settings.NumberOfRays = needs.Triangles ? this->Set.Details->NumberOfRays : 0;
+  settings.NumberOfRays = needs.Surfaces ? this->Set.Details->NumberOfRays : 0;
 
   if (input.Plan.Caching && settings == this->GridSettings && this->Grid.GetNumberOfHints() > 0 &&
     this->VoxelUpdates == input.Visibility.GetNumberOfUpdates())
@@ -195,7 +195,8 @@ bool vtkIndirectHintSum::UpdateGeometry(const Input& input)
     this->GridSettings = settings;
     this->VoxelUpdates = input.Visibility.GetNumberOfUpdates();
     this->Grid.Build(
-      settings, needs.Senders || needs.Volume ? &input.Visibility.GetVolume() : nullptr);
+      settings, needs.Senders || needs.Volume ? &input.Visibility.GetVolume() : nullptr,
+      &input.Visibility.GetSurfaces());
     why = this->Grid.FindObstacle(longestEdge);
   }
   if (!why.empty())

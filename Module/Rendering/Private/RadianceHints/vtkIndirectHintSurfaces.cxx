@@ -6,12 +6,12 @@
 
 namespace
 {
-// Voxels along a block's edge.
+// A block has so many voxels along its edge.
 constexpr int BlockEdge = 2;
 // Least cosine between normals of one slightly bent surface.
 constexpr double LeastCosine = 0.95;
 
-bool IsSame(const vtkIndirectTriangleGrid::Hit& a, const vtkIndirectTriangleGrid::Hit& b)
+bool IsSame(const vtkIndirectHintSurfaces::Hit& a, const vtkIndirectHintSurfaces::Hit& b)
 {
   const glm::dvec3 offset = b.Position - a.Position;
   return glm::dot(a.Normal, b.Normal) > LeastCosine &&
@@ -28,7 +28,7 @@ vtkIndirectHintSurfaces::vtkIndirectHintSurfaces(const glm::ivec3& size)
 }
 
 //------------------------------------------------------------------------------
-int vtkIndirectHintSurfaces::Add(const vtkIndirectTriangleGrid::Hit& hit)
+int vtkIndirectHintSurfaces::Add(const Hit& hit)
 {
   const glm::ivec3 block = glm::clamp(glm::ivec3(glm::floor(hit.Position / (1.0 * BlockEdge))),
     glm::ivec3(0), this->Blocks - glm::ivec3(1));
@@ -53,7 +53,7 @@ int vtkIndirectHintSurfaces::Add(const vtkIndirectTriangleGrid::Hit& hit)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectTriangleGrid::Hit vtkIndirectHintSurfaces::GetMean(int surface) const
+vtkIndirectHintSurfaces::Hit vtkIndirectHintSurfaces::GetMean(int surface) const
 {
   const Surface& from = this->Surfaces[surface];
   return { from.Sum.Position / from.Count, glm::normalize(from.Sum.Normal),

@@ -5,32 +5,38 @@
 #ifndef vtkIndirectHintSurfaces_h
 #define vtkIndirectHintSurfaces_h
 
-#include "Visibility/vtkIndirectTriangleGrid.h" // for hits of rays
-
 #include <glm/glm.hpp> // for vectors
 #include <vector>      // for surfaces
 
 class vtkIndirectHintSurfaces
 {
 public:
+  /** What a ray meets; coordinates count voxels. */
+  struct Hit
+  {
+    glm::dvec3 Position{ 0.0 };
+    glm::dvec3 Normal{ 0.0 }; // of the facet, on the side that the ray comes from
+    glm::dvec3 Albedo{ 0.0 }; // over pi where VTK divides by pi
+  };
+
   /** Greatest distance of a surface's hit from its plane, in voxels. */
   static constexpr double PlaneDepth = 0.3;
 
   /** For a volume of this many voxels. */
   explicit vtkIndirectHintSurfaces(const glm::ivec3& size);
 
-  /** Adds a ray's hit; returns the number of its surface. */
-  int Add(const vtkIndirectTriangleGrid::Hit& hit);
+  /** Adds a hit; returns the number of its surface. */
+  int Add(const Hit& hit);
 
   int GetNumberOfSurfaces() const { return static_cast<int>(this->Surfaces.size()); }
-  /** Mean of a surface's hits; the normal is unit. */
-  vtkIndirectTriangleGrid::Hit GetMean(int surface) const;
+  /** The mean of a surface's hits; the normal is unit. */
+  Hit GetMean(int surface) const;
 
 private:
   struct Surface
   {
-    vtkIndirectTriangleGrid::Hit First;
-    vtkIndirectTriangleGrid::Hit Sum;
+    Hit First;
+    Hit Sum;
     double Count;
     int Before; // previous surface in the same block
   };

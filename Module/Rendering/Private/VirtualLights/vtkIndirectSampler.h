@@ -15,11 +15,11 @@
 class vtkIndirectContextGuard;
 class vtkIndirectGeometryBuffer;
 class vtkIndirectMapSampler;
+class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
 class vtkIndirectLightMaps;
 class vtkVirtualLightSampler;
 class vtkWindow;
-struct vtkIndirectBlockingSpheres;
 struct vtkIndirectEmitter;
 struct vtkIndirectFrame;
 struct vtkIndirectFurtherSenders;
@@ -55,8 +55,8 @@ public:
     bool Interactive = false;                  // the window gives a frame a second or less
     /** The sky and area lights, which light surfaces besides the frame's lights. */
     const std::vector<vtkIndirectEmitter>* Emitters = nullptr;
-    /** Spheres that the frame's mappers draw, for samplers that walk; null: nobody looked. */
-    const vtkIndirectBlockingSpheres* Spheres = nullptr;
+    /** The scene's surfaces, up to date for samplers that walk. */
+    const vtkIndirectSurfaces* Surfaces = nullptr;
     /** Senders of later bounces, for samplers that take senders; null: there are none. */
     const vtkIndirectFurtherSenders* Further = nullptr;
   };

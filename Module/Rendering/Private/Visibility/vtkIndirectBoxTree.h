@@ -49,7 +49,7 @@ public:
   /** The first is the root. */
   const std::vector<Part>& GetParts() const { return this->Parts; }
   /** Boxes by leaf. */
-  std::vector<uint32_t>& GetOrder() { return this->Order; }
+  const std::vector<uint32_t>& GetOrder() const { return this->Order; }
   const Box& GetAll() const { return this->All; }
   /** Where most boxes are: on each axis, the median of their centres. */
   glm::dvec3 FindMiddle() const;

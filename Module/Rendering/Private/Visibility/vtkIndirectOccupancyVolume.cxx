@@ -7,6 +7,7 @@
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectPolygons.h"
+#include "Visibility/vtkIndirectSurfaces.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
@@ -64,13 +65,11 @@ void vtkIndirectOccupancyVolume::Clear(
       std::min(resolution, static_cast<int>(std::ceil(extent[axis] / this->VoxelSize)) + 2);
   }
   this->Columns.assign(static_cast<size_t>(this->Size.x) * this->Size.y, glm::uvec4(0u));
-  this->Triangles.Clear(this->Size);
-  this->Tree.Clear();
+  this->Planes.Clear(this->Size);
   this->Area = 0.0;
   this->MeanAlbedo = glm::dvec3(0.0);
   this->NumberOfTriangles = 0;
   this->LeftOut.clear();
-  this->LeftOutColors.clear();
   this->Uploaded = this->DistanceFieldIsCurrent = false;
 }
 
@@ -100,10 +99,6 @@ void vtkIndirectOccupancyVolume::AddTriangle(const glm::dvec3 corners[3], const 
     }
   }
   ++this->NumberOfTriangles;
-  if (this->TreeIsKept)
-  {
-    this->Tree.Add(corners);
-  }
   const glm::dvec3 doubled = glm::cross(v[1] - v[0], v[2] - v[0]);
   const glm::dvec3 size = glm::abs(doubled);
   const int w = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
@@ -153,37 +148,20 @@ void vtkIndirectOccupancyVolume::AddTriangle(const glm::dvec3 corners[3], const 
   }
   this->Area += area;
   this->MeanAlbedo += area * albedo;
-  if (this->TrianglesAreKept)
+  if (this->SurfacesAreKept)
   {
-    this->Triangles.Add(v, albedo, this->Touched);
+    this->Planes.Add(v, this->Touched);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectOccupancyVolume::KeepTriangles()
+void vtkIndirectOccupancyVolume::KeepSurfaces(bool glyphs)
 {
-  if (!this->TrianglesAreKept)
+  if (!this->SurfacesAreKept || this->GlyphsAreTaken != glyphs)
   {
-    this->TrianglesAreKept = true;
+    this->SurfacesAreKept = true;
+    this->GlyphsAreTaken = glyphs;
     this->Forget();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectOccupancyVolume::KeepTree(bool keep)
-{
-  if (this->TreeIsKept == keep)
-  {
-    return;
-  }
-  this->TreeIsKept = keep;
-  if (keep)
-  {
-    this->Forget();
-  }
-  else
-  {
-    this->Tree.Clear();
   }
 }
 
@@ -191,15 +169,11 @@ void vtkIndirectOccupancyVolume::KeepTree(bool keep)
 void vtkIndirectOccupancyVolume::Finish()
 {
   this->MeanAlbedo /= this->Area > 0.0 ? this->Area : 1.0;
-  if (this->TrianglesAreKept)
-  {
-    this->Triangles.Finish();
-  }
-  this->Tree.Finish();
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectOccupancyVolume::Update(const vtkIndirectFrame& frame, int resolution)
+bool vtkIndirectOccupancyVolume::Update(
+  const vtkIndirectFrame& frame, const vtkIndirectSurfaces& surfaces, int resolution)
 {
   vtkIndirectKey key;
   key.Add("bounds of the scene", frame.SceneBounds, 6).Add("resolution", resolution);
@@ -221,11 +195,7 @@ bool vtkIndirectOccupancyVolume::Update(const vtkIndirectFrame& frame, int resol
     upper[axis] = (frame.SceneBounds[2 * axis + 1] - frame.SceneCenter[axis]) * frame.SceneScale;
   }
   this->Clear(lower, upper, resolution);
-  this->AllIsHeld = frame.NumberOfOtherReceivers == 0;
-  for (const vtkIndirectCaster& caster : frame.Casters)
-  {
-    this->AddProp(frame, caster.Prop);
-  }
+  this->AddPolygons(frame, surfaces);
   this->Finish();
   return true;
 }
@@ -246,39 +216,39 @@ const vtkIndirectDistanceField& vtkIndirectOccupancyVolume::GetDistanceField() c
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectOccupancyVolume::AddProp(const vtkIndirectFrame& frame, vtkProp* prop)
+void vtkIndirectOccupancyVolume::AddPolygons(
+  const vtkIndirectFrame& frame, const vtkIndirectSurfaces& surfaces)
 {
-  const size_t before = this->NumberOfTriangles;
-  const bool held = vtkIndirectPolygons::Read(frame, prop,
-    [this, prop](const vtkIndirectPolygons& piece)
+  std::vector<bool> there(frame.Casters.size(), false);
+  const std::vector<bool> held = surfaces.ReadPolygons(frame,
+    [&](size_t caster, const vtkIndirectPolygons& piece)
     {
+      if (piece.IsOfGlyphs && !this->GlyphsAreTaken)
+      {
+        return;
+      }
+      const size_t before = this->NumberOfTriangles;
       // VTK's PBR divides its diffuse reflection by pi.
       const double reflected = piece.Material.IsPhysicallyBased() ? 1.0 / vtkMath::Pi() : 1.0;
-      const auto leaveOut = [&](const std::string& why)
-      {
-        if (!why.empty())
-        {
-          this->LeftOutColors.push_back({ prop, prop->GetClassName(), why });
-        }
-      };
-      leaveOut(piece.Material.GetLeftOut());
-      leaveOut(piece.Material.HasPattern() ? "each triangle has the mean of its texture" : "");
       for (const vtkIndirectPolygons::Triangle& triangle : piece.Triangles)
       {
-        glm::dvec3 corners[3];
-        for (int i = 0; i < 3; ++i)
-        {
-          corners[i] = piece.Positions[static_cast<size_t>(triangle.Points[i])];
-        }
-        this->AddTriangle(
-          corners, reflected * piece.Material.FindMean(triangle.Cell, triangle.Points));
+        const glm::dvec3 corners[3] = { piece.Positions[triangle.Points[0]],
+          piece.Positions[triangle.Points[1]], piece.Positions[triangle.Points[2]] };
+        this->AddTriangle(corners,
+          this->SurfacesAreKept ? reflected * piece.FindMeanAlbedo(triangle) : glm::dvec3(0.0));
       }
+      there[caster] = there[caster] || this->NumberOfTriangles > before;
     });
-  this->AllIsHeld = this->AllIsHeld && held;
-  if (this->NumberOfTriangles == before)
+  this->AllIsHeld =
+    frame.NumberOfOtherReceivers == 0 && std::find(held.begin(), held.end(), false) == held.end();
+  for (size_t i = 0; i < there.size(); ++i)
   {
-    this->LeftOut.push_back({ prop, vtkIndirectPropKind::GetFullName(prop),
-      "its mapper has no polygons that the processor can read; it blocks no indirect light" });
+    if (!there[i])
+    {
+      vtkProp* const prop = frame.Casters[i].Prop;
+      this->LeftOut.push_back({ prop, vtkIndirectPropKind::GetFullName(prop),
+        "its mapper has no polygons that the processor can read; it blocks no indirect light" });
+    }
   }
 }
 
@@ -402,8 +372,8 @@ size_t vtkIndirectOccupancyVolume::GetBytes() const
 //------------------------------------------------------------------------------
 size_t vtkIndirectOccupancyVolume::GetMainMemoryBytes() const
 {
-  return this->Columns.size() * sizeof(glm::uvec4) + this->Triangles.GetBytes() +
-    this->Tree.GetBytes() + (this->DistanceField ? this->DistanceField->GetMainMemoryBytes() : 0);
+  return this->Columns.size() * sizeof(glm::uvec4) + this->Planes.GetBytes() +
+    (this->DistanceField ? this->DistanceField->GetMainMemoryBytes() : 0);
 }
 
 //------------------------------------------------------------------------------

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which parts of the scene's space hold surface: a bit a voxel, for what stands between two points.
+// The parts of the scene's space that hold surface: a bit a voxel, for obstacles between two
+// points.
 //
 // Every voxel that a triangle touches is set (the separating-axis test of Akenine-Moeller 2001,
 // "Fast 3D triangle-box overlap testing"), and a segment is tested in every voxel that it touches:
-// no segment gets through a wall, however thin, slanted or finely cut. What it costs is that walls
-// are up to two voxels thick. The voxels of a segment's two ends do not block it.
+// no segment gets through a wall, however thin, slanted or finely cut. The price is that walls are
+// up to two voxels thick. The voxels of a segment's two ends do not block it.
 //
-// The triangles are those that the props' mappers draw. Who asks for it has them kept, by voxel.
+// The triangles are the polygons of vtkIndirectSurfaces. Planes and the mean albedo are kept for
+// radiance hints, which ask for them.
 #ifndef vtkIndirectOccupancyVolume_h
 #define vtkIndirectOccupancyVolume_h
 
-#include "Frame/vtkIndirectFrame.h"             // for casters
-#include "Frame/vtkIndirectKey.h"               // for keys
-#include "Visibility/vtkIndirectTriangleGrid.h" // for members
-#include "Visibility/vtkIndirectTriangleTree.h" // for members
-#include "vtkSmartPointer.h"                    // for members
+#include "Frame/vtkIndirectFrame.h"            // for casters
+#include "Frame/vtkIndirectKey.h" // for keys
+#include "Visibility/vtkIndirectVoxelPlanes.h" // for a member
+#include "vtkSmartPointer.h"                   // for members
 
 #include <glm/glm.hpp> // for vectors
 #include <memory>      // for the distance field
@@ -22,6 +23,7 @@
 #include <vector>      // for columns
 
 class vtkIndirectDistanceField;
+class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -35,24 +37,26 @@ public:
 
   /**
    * Brings the volume up to date: resolution (8 to 128) voxels along the longest edge of the scene.
-   * Returns whether it has changed.
+   * Returns whether it has changed. surfaces: read the polygons.
    */
-  bool Update(const vtkIndirectFrame& frame, int resolution);
+  bool Update(const vtkIndirectFrame& frame, const vtkIndirectSurfaces& surfaces, int resolution);
 
-  /** From the next Update on triangles are kept, for rays; this costs their memory. */
-  void KeepTriangles();
-  const vtkIndirectTriangleGrid& GetTriangles() const { return this->Triangles; }
-  /** From the next Update on all triangles are in a tree too, in scene units, or no longer. */
-  void KeepTree(bool keep);
-  const vtkIndirectTriangleTree& GetTree() const { return this->Tree; }
+  /**
+   * From the next Update on the planes in voxels and the mean albedo are found, too. glyphs: voxels
+   * hold those of the surfaces' list.
+   */
+  void KeepSurfaces(bool glyphs = false);
+  /** The planes in voxels, if KeepSurfaces. */
+  const vtkIndirectVoxelPlanes& GetPlanes() const { return this->Planes; }
 
   /** Makes the next Update start anew. */
   void Forget() { this->Key.Clear(); }
-  /** An empty volume over these bounds (scene units); Add fills it. For Update, and for tests. */
+  /** An empty volume over these bounds (scene units); AddTriangle fills it. For Update and tests.
+   */
   void Clear(const glm::dvec3& lower, const glm::dvec3& upper, int resolution);
   /** Corners in scene units. */
   void AddTriangle(const glm::dvec3 corners[3], const glm::dvec3& albedo);
-  /** Finishes the mean and the lists after the last triangle. */
+  /** Finishes the mean after the last triangle. */
   void Finish();
 
   bool IsEmpty() const { return this->NumberOfTriangles == 0; }
@@ -82,7 +86,7 @@ public:
   /** Distances to occupied voxels, made when first asked for. */
   const vtkIndirectDistanceField& GetDistanceField() const;
 
-  /** Albedo of all surfaces, by area. */
+  /** Albedo of all surfaces, by area, if KeepSurfaces. */
   const glm::dvec3& GetMeanAlbedo() const { return this->MeanAlbedo; }
 
   /** A prop that blocks no light here, and why. */
@@ -93,19 +97,17 @@ public:
     std::string Why;
   };
   const std::vector<LeftOutProp>& GetLeftOut() const { return this->LeftOut; }
-  /** Props whose triangles have not quite the colours that VTK draws, and why. */
-  const std::vector<LeftOutProp>& GetLeftOutColors() const { return this->LeftOutColors; }
 
   /** Binds the bits for vtkIndirectOccupancy.glsl; pair with Deactivate. */
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
   void Deactivate() const;
   size_t GetBytes() const;
-  /** Of voxels, their distances, and triangles. */
+  /** Bytes of voxels, their distances and their planes. */
   size_t GetMainMemoryBytes() const;
   void Release(vtkWindow* window);
 
 private:
-  void AddProp(const vtkIndirectFrame& frame, vtkProp* prop);
+  void AddPolygons(const vtkIndirectFrame& frame, const vtkIndirectSurfaces& surfaces);
   void Mark(const glm::ivec3& voxel);
 
   glm::dvec3 Origin{ 0.0 };
@@ -114,10 +116,9 @@ private:
   size_t NumberOfTriangles = 0;
   bool AllIsHeld = true;
   std::vector<glm::uvec4> Columns; // by x + Size.x y
-  bool TrianglesAreKept = false;
-  vtkIndirectTriangleGrid Triangles;
-  bool TreeIsKept = false;
-  vtkIndirectTriangleTree Tree;
+  bool SurfacesAreKept = false;
+  bool GlyphsAreTaken = false;
+  vtkIndirectVoxelPlanes Planes;
   double Area = 0.0; // voxels squared
   glm::dvec3 MeanAlbedo{ 0.0 };
   std::vector<glm::ivec3> Touched; // by the triangle at hand
@@ -126,7 +127,6 @@ private:
   mutable std::unique_ptr<vtkIndirectDistanceField> DistanceField;
   mutable bool DistanceFieldIsCurrent = false;
   std::vector<LeftOutProp> LeftOut;
-  std::vector<LeftOutProp> LeftOutColors;
   mutable vtkSmartPointer<vtkTextureObject> Texture;
   mutable bool Uploaded = false;
 };

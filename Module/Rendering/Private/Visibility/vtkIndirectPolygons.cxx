@@ -2,17 +2,22 @@
 #include "Visibility/vtkIndirectPolygons.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectKey.h"
+#include "Visibility/vtkIndirectGlyphs.h"
 #include "vtkActor.h"
 #include "vtkAssemblyPath.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkDataSetMapper.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -28,14 +33,31 @@ using CompositeMapper = vtkCompositePolyDataMapper2;
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <iterator>
 #include <string>
+#include <utility>
 
 namespace
 {
-// Whether what an actor draws is no more than its data's polygons and strips. Of derived classes
-// nothing is known; lines and vertices lie where no triangle does.
+glm::dvec3 ReadTuple(vtkDataArray* array, vtkIdType at)
+{
+  double values[9] = {};
+  if (at < array->GetNumberOfTuples() && array->GetNumberOfComponents() <= 9)
+  {
+    array->GetTuple(at, values);
+  }
+  return { values[0], values[1], values[2] };
+}
+
+glm::dmat3 FindNormalMatrix(const glm::dmat4& matrix)
+{
+  return glm::transpose(glm::inverse(glm::dmat3(matrix)));
+}
+
+// True if an actor draws nothing but its data's polygons and strips. Derived classes may draw
+// anything; lines and vertices, which the caller looks for, lie where no triangle does.
 bool DrawsPolygonsAlone(vtkActor* actor, vtkMapper* mapper)
 {
   static const char* const mappers[] = { "vtkOpenGLPolyDataMapper", "vtkCompositePolyDataMapper",
@@ -48,15 +70,17 @@ bool DrawsPolygonsAlone(vtkActor* actor, vtkMapper* mapper)
     !shaders->HasGeometryShaderCode();
 }
 
-// Others draw something else at the points of their data: glyphs, impostors, splats.
+// True if a mapper draws the polygons of its data; other mappers draw glyphs, impostors or splats
+// at the points of their data.
 bool DrawsPolygons(vtkMapper* mapper)
 {
-  return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper")) &&
+  return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper") ||
+           mapper->IsA("vtkDataSetMapper")) &&
     !mapper->IsA("vtkOpenGLSphereMapper") && !mapper->IsA("vtkOpenGLStickMapper") &&
     !mapper->IsA("vtkPointGaussianMapper");
 }
 
-// How a block alone shows scalars and textures: since VTK 9.3 and 9.6.
+// True if a block shows scalars or a texture of its own, which VTK can do since 9.3 and 9.6.
 bool HasOwnScalars([[maybe_unused]] vtkDataObject* object,
   [[maybe_unused]] vtkCompositeDataDisplayAttributes* attributes)
 {
@@ -76,8 +100,8 @@ bool HasOwnScalars([[maybe_unused]] vtkDataObject* object,
   return any;
 }
 
-// The blocks that a composite mapper draws with all else that is opaque, each with what it inherits
-// from those around it.
+// Calls with each block that a composite mapper draws in the opaque pass, and with the attributes
+// that the block inherits from the blocks around it.
 template <typename F>
 void AddBlocks(vtkDataObject* object, vtkCompositeDataDisplayAttributes* attributes,
   vtkIndirectMaterial::Block block, const F& add)
@@ -138,12 +162,13 @@ bool vtkIndirectPolygons::Read(const vtkIndirectFrame& frame, vtkProp* prop, con
       continue;
     }
     vtkMapper* mapper = actor->GetMapper();
-    if (auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper))
+    auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
+    // VTK makes the inner mapper when it first draws.
+    if (dataSetMapper && dataSetMapper->GetPolyDataMapper())
     {
       mapper = dataSetMapper->GetPolyDataMapper();
     }
-    if (!mapper || mapper->GetNumberOfInputPorts() < 1 ||
-      mapper->GetNumberOfInputConnections(0) < 1)
+    if (mapper->GetNumberOfInputPorts() < 1 || mapper->GetNumberOfInputConnections(0) < 1)
     {
       all = false;
       continue;
@@ -158,10 +183,7 @@ bool vtkIndirectPolygons::Read(const vtkIndirectFrame& frame, vtkProp* prop, con
         return;
       }
       vtkIndirectPolygons piece;
-      piece.Actor = actor;
-      piece.Mapper = mapper;
-      piece.Data = data;
-      piece.ToWorld = toWorld;
+      piece.Begin(actor, mapper, data, toWorld);
       piece.Fill(frame, glm::dmat4(1.0));
       piece.Material = vtkIndirectMaterial(actor, mapper, data, block);
       all = all && data->GetNumberOfVerts() == 0 && data->GetNumberOfLines() == 0;
@@ -179,24 +201,69 @@ bool vtkIndirectPolygons::Read(const vtkIndirectFrame& frame, vtkProp* prop, con
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectPolygons::Repeat(
-  const vtkIndirectFrame& frame, const std::vector<glm::dmat4>& places, size_t mostTriangles)
+bool vtkIndirectPolygons::ReadGlyphs(const vtkIndirectFrame& frame, vtkActor* actor,
+  const glm::dmat4& toWorld, size_t& mostTriangles, const Taker& take)
 {
-  if (!this->Data->GetPoints() || this->Data->GetPoints()->GetNumberOfPoints() == 0)
-  {
-    return true;
-  }
-  for (const glm::dmat4& place : places)
-  {
-    this->Fill(frame, place);
-    if (this->Triangles.size() > mostTriangles)
+  auto* mapper = vtkGlyph3DMapper::SafeDownCast(actor->GetMapper());
+  const std::vector<std::vector<vtkPolyData*>> sources = vtkIndirectGlyphs::FindSources(mapper);
+  bool all = true;
+  vtkIndirectGlyphs::ForEachDataSet(mapper,
+    [&](vtkDataSet* data)
     {
-      this->Positions = {};
-      this->Triangles = {};
-      return false;
-    }
+      std::vector<std::vector<vtkIndirectGlyphs::Instance>> instances(sources.size());
+      vtkIndirectGlyphs::ForEach(mapper, data, sources.size(),
+        [&](const vtkIndirectGlyphs::Instance& instance)
+        { instances[instance.Source].push_back(instance); });
+      const vtkIndirectMaterial material(actor, mapper, data);
+      for (size_t i = 0; i < sources.size(); ++i)
+      {
+        for (vtkPolyData* source : sources[i])
+        {
+          vtkIndirectPolygons piece;
+          piece.Begin(actor, mapper, source, toWorld);
+          piece.Material = material;
+          piece.IsOfGlyphs = true;
+          piece.PointsOfGlyph = source->GetNumberOfPoints();
+          piece.GlyphPlaces = data;
+          bool fits = true;
+          for (size_t k = 0; k < instances[i].size() && fits && piece.PointsOfGlyph > 0; ++k)
+          {
+            const vtkIndirectGlyphs::Instance& instance = instances[i][k];
+            piece.Glyphs.push_back({ instance.Point, FindNormalMatrix(toWorld * instance.ToData) });
+            piece.Fill(frame, instance.ToData);
+            fits = piece.Triangles.size() <= mostTriangles;
+          }
+          all = all && fits;
+          if (fits)
+          {
+            mostTriangles -= piece.Triangles.size();
+            take(piece);
+          }
+        }
+      }
+    });
+  return all;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPolygons::Begin(
+  vtkActor* actor, vtkMapper* mapper, vtkPolyData* data, const glm::dmat4& toWorld)
+{
+  this->Mapper = mapper;
+  this->Data = data;
+  this->ToWorld = toWorld;
+  this->NormalsToWorld = FindNormalMatrix(toWorld);
+  vtkProperty* property = actor->GetProperty();
+  if (property->GetInterpolation() != VTK_FLAT)
+  {
+    this->PointNormals = data->GetPointData()->GetNormals();
   }
-  return true;
+  if (!this->PointNormals)
+  {
+    this->CellNormals = data->GetCellData()->GetNormals();
+  }
+  this->CullsFront = property->GetFrontfaceCulling() != 0;
+  this->CullsBack = property->GetBackfaceCulling() != 0;
 }
 
 //------------------------------------------------------------------------------
@@ -217,7 +284,7 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& 
     const glm::dvec4 local(p[0], p[1], p[2], 1.0);
     glm::dvec4 world = toWorld * local;
     this->Positions[first + i] = (glm::dvec3(world) - frame.SceneCenter) * frame.SceneScale;
-    // What casts lies in the scene's bounds, of size one; points beyond are no places.
+    // Casters lie in the scene's bounds, whose diagonal is one; points far beyond are no places.
     there[i] = glm::length(this->Positions[first + i]) <= 1e3;
     for (int k = 0; planes && k < planes->GetNumberOfItems(); ++k)
     {
@@ -225,7 +292,6 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& 
     }
   }
 
-  const vtkIdType base = static_cast<vtkIdType>(first);
   auto add = [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
   {
     // A triangle that a plane cuts counts whole: it blocks at most its own length too much.
@@ -234,7 +300,9 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& 
       there[static_cast<size_t>(a)] && there[static_cast<size_t>(b)] &&
       there[static_cast<size_t>(c)])
     {
-      this->Triangles.push_back({ cell, { base + a, base + b, base + c } });
+      this->Triangles.push_back({ static_cast<uint32_t>(cell),
+        { static_cast<uint32_t>(first + a), static_cast<uint32_t>(first + b),
+          static_cast<uint32_t>(first + c) } });
     }
   };
   // Cell data count vertices and lines first.
@@ -262,4 +330,70 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& 
       add(cell, ids[i - 2 + odd], ids[i - 1 - odd], ids[i]);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkIndirectPolygons::FindAlbedo(const vtkIndirectMaterial::Place& place) const
+{
+  return this->IsOfGlyphs ? this->Material.Get(this->GetGlyph(place.Points[0]).Point)
+                          : this->Material.Find(place);
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkIndirectPolygons::FindMeanAlbedo(const Triangle& triangle) const
+{
+  const vtkIdType points[3] = { triangle.Points[0], triangle.Points[1], triangle.Points[2] };
+  return this->IsOfGlyphs ? this->Material.Get(this->GetGlyph(points[0]).Point)
+                          : this->Material.FindMean(triangle.Cell, points);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPolygons::FindNormal(
+  const vtkIndirectMaterial::Place& place, const glm::dvec3& facet, glm::dvec3& normal) const
+{
+  normal = facet;
+  if (!this->PointNormals && !this->CellNormals)
+  {
+    return true;
+  }
+  glm::dvec3 sum(0.0);
+  for (int i = 0; this->PointNormals && i < 3; ++i)
+  {
+    sum += place.Weights[i] *
+      ReadTuple(this->PointNormals,
+        this->IsOfGlyphs ? place.Points[i] % this->PointsOfGlyph : place.Points[i]);
+  }
+  const glm::dmat3& toWorld =
+    this->IsOfGlyphs ? this->GetGlyph(place.Points[0]).NormalsToWorld : this->NormalsToWorld;
+  const glm::dvec3 turned =
+    toWorld * (this->PointNormals ? sum : ReadTuple(this->CellNormals, place.Cell));
+  const double length = glm::length(turned);
+  if (!(length > 0.0) || !std::isfinite(length))
+  {
+    return false;
+  }
+  normal = (place.Front ? 1.0 : -1.0) / length * turned;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPolygons::AppendShape(vtkIndirectKey& key) const
+{
+  key.Add("mesh", this->Data).Add("glyphs", this->GlyphPlaces);
+  key.Add("mesh", this->Triangles.size());
+  // A glyph mapper's settings place its glyphs.
+  key.Add("glyphs", this->IsOfGlyphs ? this->Mapper : nullptr);
+  vtkPlaneCollection* planes = this->Mapper->GetClippingPlanes();
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    key.Add("clipping planes", planes->GetItem(i));
+  }
+  key.Add("placement", this->ToWorld);
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectPolygons::GetBytes() const
+{
+  return this->Positions.size() * sizeof(glm::dvec3) + this->Triangles.size() * sizeof(Triangle) +
+    this->Glyphs.size() * sizeof(Glyph) + this->Material.GetBytes();
 }

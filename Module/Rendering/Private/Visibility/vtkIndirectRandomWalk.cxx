@@ -2,7 +2,7 @@
 #include "Visibility/vtkIndirectRandomWalk.h"
 
 #include "VirtualLights/vtkIndirectSamplePattern.h"
-#include "Visibility/vtkIndirectRaySurfaces.h"
+#include "Visibility/vtkIndirectSurfaces.h"
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
 
@@ -307,7 +307,7 @@ glm::dvec3 vtkIndirectRandomWalk::Emission::FindStrength(
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySurfaces& surfaces,
+vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfaces& surfaces,
   const Emission& emission, int source, size_t paths, int firstBounce, int lastBounce) const
 {
   const size_t blocks = (paths + PathsAtATime - 1) / PathsAtATime;
@@ -324,7 +324,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectRaySur
     footprint /= static_cast<double>(paths);
     glm::dvec3 carried(0.0);
     uint32_t last = vtkIndirectTriangleTree::None;
-    vtkIndirectRaySurfaces::Meeting meeting;
+    vtkIndirectSurfaces::Meeting meeting;
     for (int bounce = 1; bounce <= lastBounce; ++bounce)
     {
       if (!surfaces.Meet(start, direction, last, meeting) || !meeting.Sends)
@@ -470,8 +470,8 @@ void vtkIndirectRandomWalk::FindTail(int lastBounce)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectRandomWalk::Walk(const vtkIndirectRaySurfaces& surfaces,
-  const vtkIndirectFrame& frame, const std::vector<Source>& sources, const Settings& settings)
+void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkIndirectFrame& frame,
+  const std::vector<Source>& sources, const Settings& settings)
 {
   this->Vertices.clear();
   this->NumberOfPaths = 0;

@@ -27,7 +27,7 @@
 #include <glm/glm.hpp> // for vectors
 #include <vector>      // for lists
 
-class vtkIndirectRaySurfaces;
+class vtkIndirectSurfaces;
 
 class vtkIndirectRandomWalk
 {
@@ -60,7 +60,7 @@ public:
    * Walks from all sources; more paths from where more light is reflected. Vertices that send
    * nothing are left out.
    */
-  void Walk(const vtkIndirectRaySurfaces& surfaces, const vtkIndirectFrame& frame,
+  void Walk(const vtkIndirectSurfaces& surfaces, const vtkIndirectFrame& frame,
     const std::vector<Source>& sources, const Settings& settings);
 
   const std::vector<Vertex>& GetVertices() const { return this->Vertices; }
@@ -75,7 +75,7 @@ private:
   class Emission;
   using List = std::vector<Vertex>;
 
-  List Trace(const vtkIndirectRaySurfaces& surfaces, const Emission& emission, int source,
+  List Trace(const vtkIndirectSurfaces& surfaces, const Emission& emission, int source,
     size_t paths, int firstBounce, int lastBounce) const;
   void FindAreas();
   void FindTail(int lastBounce);

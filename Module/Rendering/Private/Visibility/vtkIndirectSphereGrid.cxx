@@ -200,45 +200,28 @@ size_t vtkIndirectSphereGrid::GetLongestList() const
 }
 
 //------------------------------------------------------------------------------
-// Whether none of the spheres on the way (cell coordinates) blocks; steps: cells and spheres up to
-// there.
-template <typename F>
-bool vtkIndirectSphereGrid::IsFreeOf(
-  const glm::vec3& start, const glm::vec3& along, int& steps, const F& blocks) const
+bool vtkIndirectSphereGrid::IsFree(const glm::dvec3& start, const glm::dvec3& end, int* steps) const
 {
   using namespace vtkIndirectKernels;
-  steps = 0;
-  if (this->IsEmpty())
+  const glm::vec3 from(this->ToCells(start));
+  const glm::vec3 along((end - start) * this->Scale);
+  const float inverse = vtkiInverseSquare(along);
+  int count = 0;
+  bool free = true;
+  if (!this->IsEmpty())
   {
-    return true;
-  }
-  vtkiCells walk = vtkiBeginCells(start, along, this->Size);
-  for (bool more = walk.inside; more; more = vtkiNextCell(walk))
-  {
-    ++steps;
-    const glm::uvec2& list = this->Cells[this->Fold(walk.cell.x, walk.cell.y, walk.cell.z)];
-    for (std::uint32_t i = list.x; i < list.x + list.y; ++i)
+    vtkiCells walk = vtkiBeginCells(from, along, this->Size);
+    for (bool more = walk.inside; more && free; more = vtkiNextCell(walk))
     {
-      ++steps;
-      if (blocks(this->Lists[i]))
+      ++count;
+      const glm::uvec2& list = this->Cells[this->Fold(walk.cell.x, walk.cell.y, walk.cell.z)];
+      for (std::uint32_t i = list.x; i < list.x + list.y && free; ++i)
       {
-        return false;
+        ++count;
+        free = !vtkiSphereBlocks(from, along, inverse, this->Lists[i]);
       }
     }
   }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectSphereGrid::IsFree(const glm::dvec3& start, const glm::dvec3& end, int* steps) const
-{
-  const glm::vec3 from(this->ToCells(start));
-  const glm::vec3 along((end - start) * this->Scale);
-  const float inverse = vtkIndirectKernels::vtkiInverseSquare(along);
-  int count = 0;
-  const bool free = this->IsFreeOf(from, along, count,
-    [&](const glm::vec4& sphere)
-    { return vtkIndirectKernels::vtkiSphereBlocks(from, along, inverse, sphere); });
   if (steps)
   {
     *steps = count;
@@ -287,26 +270,6 @@ void vtkIndirectSphereGrid::FindNumberOfSteps(
     }
     this->NumberOfSteps = std::max(this->NumberOfSteps, sum / count);
   }
-}
-
-//------------------------------------------------------------------------------
-// By the place of the segment that is nearest to the center.
-bool vtkIndirectSphereGrid::IsFreeExactly(const glm::dvec3& start, const glm::dvec3& end) const
-{
-  const glm::dvec3 from = this->ToCells(start);
-  const glm::dvec3 to = this->ToCells(end);
-  const glm::dvec3 along = to - from;
-  const double length2 = glm::dot(along, along);
-  int steps = 0;
-  return this->IsFreeOf(glm::vec3(from), glm::vec3(along), steps,
-    [&](const glm::vec4& sphere)
-    {
-      const glm::dvec3 center(sphere);
-      const double radius = sphere.w;
-      const double t = length2 > 0.0 ? glm::dot(center - from, along) / length2 : 0.0;
-      return t > 0.0 && t < 1.0 && glm::length(from + t * along - center) < radius &&
-        glm::length(from - center) > radius && glm::length(to - center) > radius;
-    });
 }
 
 //------------------------------------------------------------------------------

@@ -59,8 +59,6 @@ public:
    * where it is given: rounds of a shader's loop, one for each cell and each sphere on the way.
    */
   bool IsFree(const glm::dvec3& start, const glm::dvec3& end, int* steps = nullptr) const;
-  /** The same in double precision, by a formula of its own. */
-  bool IsFreeExactly(const glm::dvec3& start, const glm::dvec3& end) const;
   /** Steps in the mean: the most of segments past all spheres, from around to them, and between
    * them. */
   double GetNumberOfSteps() const { return this->NumberOfSteps; }
@@ -88,8 +86,6 @@ private:
   {
     return x + static_cast<size_t>(this->Size.x) * (y + static_cast<size_t>(this->Size.y) * z);
   }
-  template <typename F>
-  bool IsFreeOf(const glm::vec3& start, const glm::vec3& along, int& steps, const F& blocks) const;
   template <typename F>
   void ForEachTouched(const glm::vec4& sphere, const F& call) const;
 

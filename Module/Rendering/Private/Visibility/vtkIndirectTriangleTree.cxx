@@ -47,12 +47,15 @@ void vtkIndirectTriangleTree::Clear()
 {
   this->Triangles = {};
   this->Numbers = {};
+  this->NumberOfGiven = 0;
+  this->NumberOfSpheres = 0;
   this->Nodes = {};
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectTriangleTree::Add(const glm::dvec3 corners[3])
 {
+  const uint32_t number = this->NumberOfGiven++;
   const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   const double square = glm::dot(normal, normal);
   if (!(square > 0.0) || !std::isfinite(square))
@@ -60,22 +63,26 @@ bool vtkIndirectTriangleTree::Add(const glm::dvec3 corners[3])
     return false;
   }
   this->Triangles.push_back({ { corners[0], corners[1], corners[2] } });
+  this->Numbers.push_back(number);
   return true;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectTriangleTree::AddSphere(const glm::dvec3& center, double radius)
 {
+  const uint32_t number = this->NumberOfGiven++;
   if (!(radius > 0.0) || !std::isfinite(radius * radius + glm::dot(center, center)))
   {
     return false;
   }
   this->Triangles.push_back({ { center, glm::dvec3(radius), glm::dvec3(INFINITY) } });
+  this->Numbers.push_back(number);
+  ++this->NumberOfSpheres;
   return true;
 }
 
 //------------------------------------------------------------------------------
-// What hides a ray is what it sees: a sphere's outside.
+// A ray meets a sphere from outside only: that is the side which impostors draw.
 bool vtkIndirectTriangleTree::Triangle::MeetsSphere(
   const glm::dvec3& start, const glm::dvec3& direction, double& distance, double normal[3]) const
 {
@@ -96,10 +103,24 @@ bool vtkIndirectTriangleTree::Triangle::MeetsSphere(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectTriangleTree::Finish(bool numbered)
+// A sphere crosses a segment where the segment's place nearest to the center is inside, and both
+// ends are outside.
+bool vtkIndirectTriangleTree::Triangle::SphereCrosses(
+  const glm::dvec3& start, const glm::dvec3& way) const
+{
+  const glm::dvec3 offset = this->Corners[0] - start;
+  const double square = this->Corners[1].x * this->Corners[1].x;
+  const double t = glm::dot(offset, way) / glm::dot(way, way);
+  const glm::dvec3 beside = offset - t * way;
+  const glm::dvec3 beyond = offset - way;
+  return t > 0.0 && t < 1.0 && glm::dot(beside, beside) < square &&
+    glm::dot(offset, offset) > square && glm::dot(beyond, beyond) > square;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectTriangleTree::Finish()
 {
   this->Nodes.clear();
-  this->Numbers.clear();
   if (this->Triangles.empty())
   {
     return;
@@ -186,15 +207,14 @@ void vtkIndirectTriangleTree::Finish(bool numbered)
   }
   this->Nodes.shrink_to_fit();
   std::vector<Triangle> sorted(this->Triangles.size());
+  std::vector<uint32_t> numbers(this->Triangles.size());
   for (size_t i = 0; i < sorted.size(); ++i)
   {
     sorted[i] = this->Triangles[builder.GetOrder()[i]];
+    numbers[i] = this->Numbers[builder.GetOrder()[i]];
   }
   this->Triangles = std::move(sorted);
-  if (numbered)
-  {
-    this->Numbers = std::move(builder.GetOrder());
-  }
+  this->Numbers = std::move(numbers);
 }
 
 //------------------------------------------------------------------------------
@@ -392,7 +412,8 @@ bool vtkIndirectTriangleTree::IsBlocked(const glm::dvec3& start, const glm::dvec
       }
       for (uint32_t k = node.First[i]; k < node.First[i] + node.Count[i]; ++k)
       {
-        if (ray.Crosses(this->Triangles[k]))
+        const Triangle& triangle = this->Triangles[k];
+        if (triangle.IsSphere() ? triangle.SphereCrosses(start, way) : ray.Crosses(triangle))
         {
           return true;
         }
@@ -409,7 +430,7 @@ bool vtkIndirectTriangleTree::FindNearest(
   hit.Triangle = None;
   double enter = 0.0;
   double leave = std::numeric_limits<double>::infinity();
-  if (this->Numbers.empty() || !this->Clip(start, direction, enter, leave) || !std::isfinite(leave))
+  if (this->Nodes.empty() || !this->Clip(start, direction, enter, leave) || !std::isfinite(leave))
   {
     return false;
   }
@@ -513,6 +534,10 @@ bool vtkIndirectTriangleTree::FindFacet(
       }
       for (uint32_t i = node.First[child]; i < node.First[child] + node.Count[child]; ++i)
       {
+        if (this->Triangles[i].IsSphere())
+        {
+          continue;
+        }
         const glm::dvec3* v = this->Triangles[i].Corners;
         const glm::dvec3 nearest = FindNearestPoint(v, point);
         const double distance = glm::distance(point, nearest);

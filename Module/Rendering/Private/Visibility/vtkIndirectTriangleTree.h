@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a segment meets any of the scene's triangles, which of them a ray meets first, and which
-// of them a point lies on: a tree of boxes (vtkIndirectBoxTree). Spheres may be among the triangles
-// where rays alone are asked for.
+// A tree of boxes over triangles and spheres (vtkIndirectBoxTree). It says whether a segment is
+// blocked, which triangle or sphere a ray meets first, and which triangle a point lies on.
 //
 // Corners are kept in double precision, as they were given. The test of a triangle is watertight
 // (Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection"): edges that two triangles
@@ -29,39 +28,40 @@ public:
     glm::dvec3 Centre{ 0.0 };  // of the triangle
   };
 
-  /** Where a ray meets a triangle first. */
+  /** Where a ray first meets a triangle or a sphere. */
   struct Hit
   {
-    uint32_t Triangle = None; // its number among those that were added and not left out
+    uint32_t Triangle = None; // how many triangles and spheres had been given before this one
     double Distance = 0.0;    // in the tree's unit
-    double Weights[3]; // of the triangle's corners, in the order in which they were given; of
-                       // a sphere the normal
+    double Weights[3]; // of the triangle's corners, in the order in which they were given; the
+                       // unit normal of a sphere
   };
   static constexpr uint32_t None = 0xffffffffu;
 
   void Clear();
   /**
    * Corners in any unit. A triangle without area, or with a corner that is no number, blocks
-   * nothing and is left out: false.
+   * nothing and is left out: false. It counts in the numbers of the triangles that follow.
    */
   bool Add(const glm::dvec3 corners[3]);
   /**
-   * The outside of a sphere, as one more triangle by its number: for FindNearest alone. One without
-   * radius, or whose numbers are not finite, is left out: false.
+   * Adds a sphere, which counts as one more triangle in the numbers. A sphere without radius, or
+   * whose numbers are not finite, is left out: false.
    */
   bool AddSphere(const glm::dvec3& center, double radius);
-  /** Makes the tree after the last triangle; numbered: FindNearest is going to be asked. */
-  void Finish(bool numbered = false);
+  /** Makes the tree after the last triangle and the last sphere. */
+  void Finish();
 
   /**
-   * Whether a triangle crosses the segment between its ends; one that an end lies on does not
-   * count. Both sides of a triangle block.
+   * Whether a triangle or a sphere crosses the segment between its ends. A triangle that an end
+   * lies on, and a sphere that an end lies on or in, does not count: a surface hides none of its
+   * own light. Both sides of a triangle block.
    */
   bool IsBlocked(const glm::dvec3& start, const glm::dvec3& end) const;
 
   /**
-   * The first triangle that a ray of this unit direction meets, either side of it, but for one of
-   * that number. Returns false where there is none.
+   * The first triangle that a ray of this unit direction meets, either side of it, or the outside
+   * of the first sphere, but for the one of that number. Returns false where there is none.
    */
   bool FindNearest(
     const glm::dvec3& start, const glm::dvec3& direction, uint32_t except, Hit& hit) const;
@@ -74,7 +74,8 @@ public:
   bool FindFacet(
     const glm::dvec3& point, const glm::dvec3& normal, double reach, Facet& facet) const;
 
-  size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
+  size_t GetNumberOfTriangles() const { return this->Triangles.size() - this->NumberOfSpheres; }
+  size_t GetNumberOfSpheres() const { return this->NumberOfSpheres; }
   size_t GetBytes() const
   {
     return this->Triangles.size() * sizeof(Triangle) + this->Nodes.size() * sizeof(Node) +
@@ -84,19 +85,20 @@ public:
 private:
   struct Triangle
   {
-    glm::dvec3 Corners[3]; // of a sphere: center, radius, infinity
+    glm::dvec3 Corners[3]; // a sphere has its center, its radius and infinity here
 
     bool IsSphere() const { return std::isinf(this->Corners[2].x); }
     bool MeetsSphere(const glm::dvec3& start, const glm::dvec3& direction, double& distance,
       double normal[3]) const;
+    bool SphereCrosses(const glm::dvec3& start, const glm::dvec3& way) const;
   };
-  // Boxes about the tree's origin, side by side in vectors' lanes. Two cache lines.
+  // Boxes about the tree's origin, side by side in vectors' lanes; a node fills two cache lines.
   static constexpr int Width = 4;
   struct alignas(64) Node
   {
-    float Bounds[2][3][Width]; // lower and upper; of what is not there from infinity to minus that
-    uint32_t First[Width];     // child, or triangle of a leaf
-    uint32_t Count[Width];     // of a leaf's triangles; 0: no leaf
+    float Bounds[2][3][Width]; // lower and upper; a child that is not there has them inside out
+    uint32_t First[Width];     // child, or the first triangle of a leaf
+    uint32_t Count[Width];     // number of a leaf's triangles; 0: no leaf
   };
   struct Line;
   struct Ray;
@@ -104,7 +106,9 @@ private:
   bool Clip(const glm::dvec3& start, const glm::dvec3& way, double& enter, double& leave) const;
 
   std::vector<Triangle> Triangles; // by leaf after Finish
-  std::vector<uint32_t> Numbers;   // of these as they were added
+  std::vector<uint32_t> Numbers;   // of these triangles, as they were given
+  uint32_t NumberOfGiven = 0;
+  size_t NumberOfSpheres = 0;
   std::vector<Node> Nodes;
   glm::dvec3 Lower{ 0.0 }; // of all boxes
   glm::dvec3 Upper{ 0.0 };

@@ -6,6 +6,7 @@
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
+#include "Visibility/vtkIndirectSurfaces.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -40,6 +41,7 @@ bool vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
   const bool hadVolume = this->Current.HasVolume();
   const bool lookedUp = this->LooksUpMaps();
   this->Current = needs;
+  this->Surfaces = &input.Surfaces;
   const bool volume = needs.HasVolume();
   if (lookedUp && !this->LooksUpMaps())
   {
@@ -51,34 +53,40 @@ bool vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
     this->Volume->Release(frame.Window);
     this->Volume = std::make_unique<vtkIndirectOccupancyVolume>();
   }
+  bool changed = false;
   if (volume)
   {
     if (!input.Caching)
     {
       this->Volume->Forget();
     }
-    if (needs.Triangles)
+    if (needs.Volume || needs.Surfaces)
     {
-      this->Volume->KeepTriangles();
+      this->Volume->KeepSurfaces(needs.Surfaces);
     }
-    this->Volume->KeepTree(needs.Exact);
-    this->NumberOfUpdates += this->Volume->Update(frame, needs.Resolution) ? 1 : 0;
+    changed = this->Volume->Update(frame, input.Surfaces, needs.Resolution);
     if (needs.Segments && this->WalksVoxels())
     {
       this->Volume->GetDistanceField();
     }
   }
+  if (needs.Surfaces && this->SurfacesTime != input.Surfaces.GetTime())
+  {
+    this->SurfacesTime = input.Surfaces.GetTime();
+    changed = true;
+  }
+  this->NumberOfUpdates += changed ? 1 : 0;
   this->UpdateSpheres(input);
   return !this->LooksUpMaps() || this->UpdateMaps(input);
 }
 
 //------------------------------------------------------------------------------
-// Lists of spheres, where they are asked for.
+// Makes the lists of spheres, where they are asked for.
 void vtkIndirectVisibility::UpdateSpheres(const Input& input)
 {
   const vtkIndirectBlockingSpheres* const spheres =
-    this->Current.TakesSpheres() ? input.Spheres : nullptr;
-  this->Blocking = spheres;
+    this->Current.HasSphereLists() ? input.Spheres : nullptr;
+  this->Blocking = this->Current.HasSphereLists() || this->Current.Exact ? input.Spheres : nullptr;
   if (!spheres || spheres->Spheres.empty())
   {
     this->Spheres.Release(input.Frame.Window);
@@ -299,7 +307,9 @@ bool vtkIndirectVisibility::TakesLongSteps() const
 bool vtkIndirectVisibility::IsExact() const
 {
   return this->Current.Exact &&
-    (this->Volume->GetTree().GetNumberOfTriangles() > 0 || !this->Spheres.IsEmpty());
+    this->Surfaces->GetTree().GetNumberOfTriangles() +
+      this->Surfaces->GetTree().GetNumberOfSpheres() >
+    0;
 }
 
 //------------------------------------------------------------------------------
@@ -371,17 +381,6 @@ void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
 {
   report.Bytes += this->GetBytes();
   report.MainMemoryBytes += this->GetMainMemoryBytes();
-  // Where triangles are asked for they send light.
-  for (const vtkIndirectOccupancyVolume::LeftOutProp& entry : this->Volume->GetLeftOutColors())
-  {
-    const vtkIndirectReport::Entries::value_type colors(
-      entry.What + " in later bounces", entry.Why);
-    if (this->Current.Triangles &&
-      std::find(report.LeftOut.begin(), report.LeftOut.end(), colors) == report.LeftOut.end())
-    {
-      report.LeftOut.push_back(colors);
-    }
-  }
   const char* const name = "visibility between sender and receiver";
   if (this->LooksUpMaps())
   {
@@ -418,19 +417,31 @@ void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkIndirectVisibility::AddSegmentsToReport(vtkIndirectReport& report, const char* name) const
 {
-  const bool spheres = this->Blocking && !this->Spheres.IsEmpty();
+  const bool surfaces = this->Current.HasSurfaces();
+  if (surfaces)
+  {
+    report.LeftOut.insert(report.LeftOut.end(), this->Surfaces->GetLeftOut().begin(),
+      this->Surfaces->GetLeftOut().end());
+  }
+  const bool lists = this->Blocking && !this->Spheres.IsEmpty();
   std::string what;
   if (this->IsExact())
   {
-    const size_t triangles = this->Volume->GetTree().GetNumberOfTriangles();
+    const vtkIndirectTriangleTree& tree = this->Surfaces->GetTree();
+    const size_t triangles = tree.GetNumberOfTriangles();
     what = triangles > 0 ? "segments against all " + std::to_string(triangles) + " triangles" : "";
+    if (this->Blocking && tree.GetNumberOfSpheres() > 0)
+    {
+      what +=
+        (what.empty() ? "segments against " : ", and segments against ") + this->Blocking->What;
+    }
   }
   else if (this->WalksVoxels())
   {
     what = std::to_string(this->Volume->GetNumberOfOccupiedVoxels()) + " occupied voxels of " +
       std::to_string(this->Current.Resolution) + " along the longest edge";
   }
-  if (spheres)
+  if (lists)
   {
     const glm::ivec3& size = this->Spheres.GetSize();
     what += (what.empty() ? "segments against " : ", and segments against ") +
@@ -456,10 +467,10 @@ void vtkIndirectVisibility::AddSegmentsToReport(vtkIndirectReport& report, const
   report.Modelled.emplace_back(name, what);
   for (const vtkIndirectOccupancyVolume::LeftOutProp& entry : this->Volume->GetLeftOut())
   {
-    const bool ofSpheres = spheres &&
+    const bool ofSpheres = lists &&
       std::find(this->Blocking->Props.begin(), this->Blocking->Props.end(), entry.Prop) !=
         this->Blocking->Props.end();
-    if (!ofSpheres)
+    if (!surfaces && !ofSpheres)
     {
       report.LeftOut.emplace_back(entry.What, entry.Why);
     }

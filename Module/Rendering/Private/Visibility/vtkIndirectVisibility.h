@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a virtual light is seen from a receiver: the answer that estimators ask for. Nothing,
-// voxels of the scene and spheres that they do not hold, its triangles and these spheres, or depth
-// maps of the lights.
+// The answer to whether a virtual light is seen from a receiver, which estimators ask for. It comes
+// from nothing, from voxels of the scene and spheres that they do not hold, from the scene's
+// surfaces themselves, or from depth maps of the lights.
 #ifndef vtkIndirectVisibility_h
 #define vtkIndirectVisibility_h
 
@@ -18,6 +18,7 @@
 #include <vector>  // for emitters
 
 class vtkIndirectOccupancyVolume;
+class vtkIndirectSurfaces;
 class vtkIndirectVirtualLights;
 class vtkOpenGLRenderWindow;
 class vtkProp;
@@ -60,7 +61,9 @@ public:
     vtkSurfaceCapturePass* Capture;
     bool Caching;
     int TilesPerFrame; // depth maps of lights to draw at most
-    /** Beside the voxels or triangles, none of which they have; may be null. */
+    /** Up to date where they are needed. */
+    const vtkIndirectSurfaces& Surfaces;
+    /** What mappers draw as spheres, which voxels do not hold; may be null. */
     const vtkIndirectBlockingSpheres* Spheres = nullptr;
   };
 
@@ -85,7 +88,7 @@ public:
   /** Of these, whether through voxels, and through lists of spheres. */
   bool WalksVoxels() const;
   bool WalksSpheres() const;
-  /** Whether triangles or spheres can hide senders: it was asked for, and there are some. */
+  /** Whether the surfaces themselves hide senders: it was asked for, and there are some. */
   bool IsExact() const;
   /** Definitions of shaders that ask vtkIndirectVisibility.glsl; empty where nothing hides. */
   std::string GetDefinitions() const;
@@ -97,11 +100,13 @@ public:
 
   /** The voxels, empty where nobody needs them. */
   const vtkIndirectOccupancyVolume& GetVolume() const { return *this->Volume; }
-  /** The spheres, empty where nobody needs them or there are none. */
+  /** The scene's surfaces of the last Update; to be asked only where they are needed. */
+  const vtkIndirectSurfaces& GetSurfaces() const { return *this->Surfaces; }
+  /** The lists of spheres, empty where nobody needs them or there are none. */
   const vtkIndirectSphereGrid& GetSpheres() const { return this->Spheres; }
-  /** How often lists of them have been made. */
+  /** How often lists of spheres have been made. */
   size_t GetNumberOfSphereUpdates() const { return this->NumberOfSphereUpdates; }
-  /** Grows when the voxels have changed: what was derived from them is stale. */
+  /** Grows when the voxels or the surfaces have changed: what was derived from them is stale. */
   size_t GetNumberOfUpdates() const { return this->NumberOfUpdates; }
   /** Depth maps of virtual lights, since construction: what was made of fewer is stale. */
   size_t GetNumberOfTilesDrawn() const { return this->Maps.GetNumberOfTilesDrawn(); }
@@ -122,10 +127,12 @@ private:
 
   Needs Current;
   std::unique_ptr<vtkIndirectOccupancyVolume> Volume;
+  const vtkIndirectSurfaces* Surfaces = nullptr; // of this frame
+  vtkMTimeType SurfacesTime = 0;
   size_t NumberOfUpdates = 0;
   vtkIndirectSphereGrid Spheres;
   const vtkIndirectBlockingSpheres* Blocking = nullptr; // of this frame
-  size_t SpheresTime = 0;                               // of those that the lists are of
+  size_t SpheresTime = 0;                               // when the lists were made
   size_t NumberOfSphereUpdates = 0;
   double StepsOfSpheres = 0.0; // of a segment, in the mean
   bool SpheresAreTooMany = false;

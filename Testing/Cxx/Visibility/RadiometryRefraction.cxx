@@ -2,7 +2,7 @@
 // Light through bodies of glass: Snell's and Fresnel's laws, flux and focus.
 #include "vtkIndirectTestUtilities.h"
 
-#include "VirtualLights/vtkIndirectRefraction.h"
+#include "Visibility/vtkIndirectRefraction.h"
 #include "vtkActor.h"
 #include "vtkLight.h"
 #include "vtkMath.h"

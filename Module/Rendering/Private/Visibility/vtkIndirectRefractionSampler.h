@@ -3,13 +3,13 @@
 // directions (Dachsbacher and Stamminger 2006, section 3.3, with both faces of a body).
 //
 // Light goes towards each body evenly: through squares of the plane that the light sees its bounds'
-// sphere on. What comes through is a light on the far face, of the lobe's flux alone.
+// sphere on. Light that comes through is a virtual light on the far face, of the lobe's flux alone.
 #ifndef vtkIndirectRefractionSampler_h
 #define vtkIndirectRefractionSampler_h
 
-#include "Frame/vtkIndirectKey.h"                // for keys
-#include "VirtualLights/vtkIndirectRefraction.h" // for paths
+#include "Frame/vtkIndirectKey.h"             // for keys
 #include "VirtualLights/vtkIndirectSampler.h"
+#include "Visibility/vtkIndirectRefraction.h" // for paths
 
 #include <vector> // for rows
 
@@ -23,16 +23,22 @@ public:
   void SetNumberOfLights(int number);
 
   bool Update(const Input& input) override;
+  void AddToReport(vtkIndirectReport& report) const override;
 
 protected:
-  void ReleaseOwn(vtkWindow*) override { this->Key.Clear(); }
+  void ReleaseOwn(vtkWindow*) override
+  {
+    this->Key.Clear();
+    this->Bodies.clear();
+  }
 
 private:
   void Add(const vtkIndirectFrame& frame, const vtkIndirectLight& light, vtkActor* actor,
     const vtkIndirectRefraction& body, std::vector<Row>& rows) const;
 
   int NumberOfLights = 256;
-  vtkIndirectKey Key; // the inputs of the lights
+  std::vector<vtkIndirectRefraction> Bodies; // of the frame's refractors
+  vtkIndirectKey Key;                        // the inputs of the lights
 };
 
 #endif

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VirtualLights/vtkIndirectRefractionSampler.h"
+#include "Visibility/vtkIndirectRefractionSampler.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectRevision.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkActor.h"
@@ -59,10 +60,12 @@ bool vtkIndirectRefractionSampler::Update(const Input& input)
   }
   this->Key.Clear();
   std::vector<Row> rows;
-  for (vtkActor* actor : frame.Refractors)
+  this->Bodies.resize(frame.Refractors.size());
+  for (size_t i = 0; i < this->Bodies.size(); ++i)
   {
-    vtkIndirectRefraction body;
-    body.SetBody(actor);
+    vtkActor* const actor = frame.Refractors[i];
+    vtkIndirectRefraction& body = this->Bodies[i];
+    body.SetBody(frame, actor);
     for (const vtkIndirectLight& light : frame.Lights)
     {
       if (!light.Fill && light.Color != glm::dvec3(0.0))
@@ -105,6 +108,7 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
     light.Positional ? radius / std::sqrt(distance * distance - radius * radius) : radius;
   const int edge = std::max(2, static_cast<int>(std::sqrt(2.0 * this->NumberOfLights) + 0.5));
   const double step = 2.0 * halfWidth / edge;
+  const double s = frame.SceneScale;
   std::vector<vtkIndirectRefraction::Path> paths(static_cast<size_t>(edge) * edge);
   std::vector<double> fluxes(paths.size(), 0.0);
   std::vector<double> areas(paths.size(), 0.0); // of the square where it enters, across the way
@@ -119,8 +123,7 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
       const glm::dvec3 way = light.Positional ? glm::normalize(ray) : axis;
       const glm::dvec3 origin =
         light.Positional ? light.PositionWC : center - 2.0 * radius * axis + x * right + y * up;
-      paths[at] =
-        body.Trace(origin, way, light.Positional ? distance + 2.0 * radius : 4.0 * radius);
+      paths[at] = body.Trace((origin - frame.SceneCenter) * s, way);
       const double length = glm::length(ray);
       const double angle = step * step / (length * length * length);
       areas[at] = light.Positional ? angle * distance * distance : step * step;
@@ -132,7 +135,6 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
   const double roughness = actor->GetProperty()->GetRoughness();
   const double base = vtkIndirectKernels::vtkiExponentOfRoughness(
     std::isfinite(roughness) ? static_cast<float>(roughness) : 0.0f);
-  const double s = frame.SceneScale;
   for (int j = 0; j < edge; ++j)
   {
     for (int i = 0; i < edge; ++i)
@@ -156,11 +158,10 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
         }
       }
       Row row = {};
-      const glm::dvec3 position = (path.Position - frame.SceneCenter) * s;
       const double across = std::max(glm::dot(path.Normal, path.Direction), 0.2);
       for (int c = 0; c < 3; ++c)
       {
-        row.Position[c] = position[c];
+        row.Position[c] = path.Position[c];
         row.Normal[c] = path.Normal[c];
         row.LobeDirection[c] = path.Direction[c];
         row.LobeDensityArea[c] = fluxes[at] * light.Color[c] * s * s;
@@ -169,5 +170,14 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
       row.LobeExponent = base / (1.0 + base * turn / 12.0);
       rows.push_back(row);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectRefractionSampler::AddToReport(vtkIndirectReport& report) const
+{
+  for (const vtkIndirectRefraction& body : this->Bodies)
+  {
+    report.MainMemoryBytes += body.GetBytes();
   }
 }

@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body that refracts light: a closed surface between air and something of another index.
+// A body that refracts light: a closed surface between air and a material of another index.
 #ifndef vtkIndirectRefraction_h
 #define vtkIndirectRefraction_h
 
-#include "vtkNew.h" // for members
+#include "Visibility/vtkIndirectSurfaces.h" // for a member
 
 #include <glm/glm.hpp> // for vectors
 
 class vtkActor;
-class vtkGenericCell;
-class vtkPolyData;
-class vtkStaticCellLocator;
+struct vtkIndirectFrame;
 
 class vtkIndirectRefraction
 {
 public:
-  vtkIndirectRefraction();
-  ~vtkIndirectRefraction();
-
   /** Takes the surface of one of the frame's refractors as it stands in the world. */
-  void SetBody(vtkActor* actor);
+  void SetBody(const vtkIndirectFrame& frame, vtkActor* actor);
 
   struct Path
   {
-    glm::dvec3 Position; // where it leaves the body, world
+    glm::dvec3 Position; // where it leaves the body, scene units
     glm::dvec3 Normal;   // outwards there, unit
     glm::dvec3 Direction;
     double Share = 0.0; // of the light that has come through; 0: none
@@ -31,28 +26,29 @@ public:
 
   /**
    * The way of light through the body: refracted where it enters and where it leaves, mirrored
-   * where it cannot leave, as Fresnel's equations have it for glass; what is mirrored elsewhere is
-   * lost. Faces let 1 - opacity through, as in VTK's picture. direction: unit.
+   * where it cannot leave, as Fresnel's equations have it for glass; light that is mirrored
+   * elsewhere is lost. Faces let 1 - opacity through, as in VTK's picture. origin: scene units;
+   * direction: unit.
    */
-  Path Trace(const glm::dvec3& origin, const glm::dvec3& direction, double length) const;
+  Path Trace(const glm::dvec3& origin, const glm::dvec3& direction) const;
 
   /** The refracted direction; zero where all is mirrored. normal: unit, against the direction. */
   static glm::dvec3 Refract(
     const glm::dvec3& direction, const glm::dvec3& normal, double indexBefore, double indexBehind);
-  /** What is mirrored of unpolarised light there (Fresnel 1823). */
+  /** The share of unpolarised light that is mirrored there (Fresnel 1823). */
   static double Reflectance(double cosine, double indexBefore, double indexBehind);
+
+  size_t GetBytes() const { return this->Surfaces.GetBytes(); }
 
 private:
   // The first face along a way, and its normal there against the way.
-  bool Meet(const glm::dvec3& from, const glm::dvec3& direction, double length, glm::dvec3& place,
+  bool Meet(const glm::dvec3& from, const glm::dvec3& direction, glm::dvec3& place,
     glm::dvec3& normal) const;
 
-  vtkNew<vtkPolyData> Surface;
-  vtkNew<vtkStaticCellLocator> Locator;
-  vtkNew<vtkGenericCell> Cell;
+  vtkIndirectSurfaces Surfaces;
   double Index = 1.0;
   double Transmission = 1.0; // of a face
-  double Size = 0.0;         // diagonal of its bounds
+  double Size = 0.0;         // diagonal of its bounds, scene units
 };
 
 #endif
