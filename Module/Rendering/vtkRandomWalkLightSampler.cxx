@@ -256,9 +256,8 @@ void WalkLights::AddToReport(vtkIndirectReport& report) const
   report.Modelled.emplace_back("random walk",
     std::to_string(this->Paths.GetNumberOfPaths()) + " paths through " +
       std::to_string(this->NumberOfTriangles) + " triangles, " +
-      (this->NumberOfSpheres > 0
-          ? std::to_string(this->NumberOfSpheres) + " spheres, "
-          : std::string()) +
+      (this->NumberOfSpheres > 0 ? std::to_string(this->NumberOfSpheres) + " spheres, "
+                                 : std::string()) +
       std::to_string(this->Paths.GetVertices().size()) + " vertices" +
       (this->Set.GetNumberOfFrames() > 1 ? ", frame " + std::to_string(this->Frames) + " of " +
             std::to_string(this->Set.GetNumberOfFrames())

@@ -198,8 +198,8 @@ VTK_INDIRECT_TEST(PropsSplats)
     return actor;
   };
   Room room;
-  room.Pass->SetVisibilityToNone(); // rounding decides visibility at a shadow's edge
-  room.Pass->SetNumberOfBounces(1); // rounding turns a path that meets an edge
+  room.Pass->SetVisibilityToNone();       // rounding decides visibility at a shadow's edge
+  room.Pass->SetNumberOfBounces(1);       // rounding turns a path that meets an edge
   vtkNew<vtkUniformLightSampler> sampler; // a tree measures normals in the scene's diagonals
   room.Pass->SetSampler(sampler);
   room.GetRenderer()->SetBackground(0.1, 0.2, 0.3);

@@ -166,7 +166,8 @@ VTK_INDIRECT_TEST(ClosedSphereLightTree)
     const Statistics s = scene.Measure("irradiance", scene.Albedo / (Radius * Radius));
     const std::string what = "tolerance " + std::to_string(tolerance) + ", E1 over albedo E0: ";
     const double limit = 5e-3;
-    CheckAbsolute(what + "mean", s.Mean, 1.0, limit, "a quarter of the tolerance where none is set");
+    CheckAbsolute(
+      what + "mean", s.Mean, 1.0, limit, "a quarter of the tolerance where none is set");
     // Lights send about the normals of facets, and a texel sees one facet: 0.9948.
     CheckAbsolute(what + "least", s.Least, 1.0, 6e-3, "the same, and a facet's angle");
     CheckAbsolute(what + "largest", s.Largest, 1.0, limit, "the same");

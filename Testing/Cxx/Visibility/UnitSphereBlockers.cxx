@@ -249,8 +249,8 @@ VTK_INDIRECT_TEST(SphereBlockersDoNotHideThemselves)
 }
 
 //------------------------------------------------------------------------------
-// Asks voxels and spheres about segments between places on spheres that face each other, as a gather
-// does, and counts how often each is wrong.
+// Asks voxels and spheres about segments between places on spheres that face each other, as a
+// gather does, and counts how often each is wrong.
 VTK_INDIRECT_TEST(SphereBlockersBesideVoxels)
 {
   Random random(47);

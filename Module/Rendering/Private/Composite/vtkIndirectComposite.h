@@ -41,14 +41,14 @@ public:
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
-    const vtkIndirectLightMaps* Maps; // null without maps
-    const vtkIndirectEstimate* Estimate;    // null for none
-    const vtkIndirectTarget* Sky;           // irradiance from the environment, null for none
-    const vtkIndirectTarget* SkyBounce;     // reflection of the sky's light, null for none
-    int SkyBounceChannel;                   // channel of that image which holds the estimate
-    const vtkIndirectTarget* Area;          // irradiance from area lights
-    const vtkIndirectTarget* AreaGlossy;    // specular reflection of area lights
-    glm::dvec3 Greatest;                    // upper bound of the irradiance, without VTK's lights
+    const vtkIndirectLightMaps* Maps;    // null without maps
+    const vtkIndirectEstimate* Estimate; // null for none
+    const vtkIndirectTarget* Sky;        // irradiance from the environment, null for none
+    const vtkIndirectTarget* SkyBounce;  // reflection of the sky's light, null for none
+    int SkyBounceChannel;                // channel of that image which holds the estimate
+    const vtkIndirectTarget* Area;       // irradiance from area lights
+    const vtkIndirectTarget* AreaGlossy; // specular reflection of area lights
+    glm::dvec3 Greatest;                 // upper bound of the irradiance, without VTK's lights
     double IndirectScale;
     bool DepthCleared; // the bound framebuffer is empty
     bool DepthDrawn;   // the bound framebuffer has the depth of the frame's opaque props

@@ -39,8 +39,8 @@
 
 namespace
 {
-// A mapper makes its default lookup table when it first draws, which modifies the mapper: the second
-// frame would take it for another one.
+// A mapper makes its default lookup table when it first draws, which modifies the mapper: the
+// second frame would take it for another one.
 void MakeTable(vtkAbstractMapper* mapper)
 {
   if (auto* known = vtkMapper::SafeDownCast(mapper))

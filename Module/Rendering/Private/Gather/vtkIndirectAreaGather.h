@@ -7,7 +7,7 @@
 #ifndef vtkIndirectAreaGather_h
 #define vtkIndirectAreaGather_h
 
-#include "Frame/vtkIndirectFrameLight.h"                // for the base class
+#include "Frame/vtkIndirectFrameLight.h"         // for the base class
 #include "Gather/vtkIndirectAreaLamps.h"         // for a member
 #include "Gather/vtkIndirectAreaLobes.h"         // for a member
 #include "Gather/vtkIndirectAreaMaps.h"          // for a member

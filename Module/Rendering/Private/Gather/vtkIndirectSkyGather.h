@@ -20,8 +20,8 @@
 #ifndef vtkIndirectSkyGather_h
 #define vtkIndirectSkyGather_h
 
+#include "Frame/vtkIndirectFrameLight.h"         // for the base class
 #include "Frame/vtkIndirectKey.h"                // for keys
-#include "Frame/vtkIndirectFrameLight.h"                // for the base class
 #include "Gather/vtkIndirectSkyDirections.h"     // for a member
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
 #include "OpenGL/vtkIndirectTarget.h"            // for a member

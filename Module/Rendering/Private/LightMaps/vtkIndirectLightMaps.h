@@ -7,7 +7,7 @@
 #ifndef vtkIndirectLightMaps_h
 #define vtkIndirectLightMaps_h
 
-#include "Frame/vtkIndirectKey.h" // for keys
+#include "Frame/vtkIndirectKey.h"            // for keys
 #include "LightMaps/vtkIndirectLightMap.h"   // for members
 #include "LightMaps/vtkIndirectShadowRows.h" // for members
 #include "OpenGL/vtkIndirectLayeredTarget.h" // for members

@@ -195,8 +195,7 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
 
   static const char* const renderers[] = { "points", "fragments", "compute" };
   this->Renderer = renderers[renderer];
-  this->Tolerance =
-    input.Plan.EstimatorErrorTolerance;
+  this->Tolerance = input.Plan.EstimatorErrorTolerance;
   this->SamplingError = -1.0;
   this->Evaluations = -1;
   if (!done)

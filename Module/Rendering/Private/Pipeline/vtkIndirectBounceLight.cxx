@@ -95,10 +95,10 @@ bool vtkIndirectBounceLight::Update(const Input& input, int mostMaps)
   {
     input.Timer.Begin(vtkIndirectStageTimer::Visibility);
   }
-  const bool visible = this->Visibility.Update({ input.Frame, this->Samplers.GetLights(),
-                                                 input.Capture, input.Plan.Caching, mostMaps,
-                                                 this->Surfaces, spheres },
-    needs);
+  const bool visible =
+    this->Visibility.Update({ input.Frame, this->Samplers.GetLights(), input.Capture,
+                              input.Plan.Caching, mostMaps, this->Surfaces, spheres },
+      needs);
   if (timed)
   {
     input.Timer.End(vtkIndirectStageTimer::Visibility);
@@ -121,7 +121,8 @@ vtkIndirectEstimate vtkIndirectBounceLight::Sum(const Input& input)
 // Another pass that uses the estimator replaces its images.
 bool vtkIndirectBounceLight::IsCurrent() const
 {
-  return this->Estimator && vtkIndirectSum::Get(this->Estimator).GetEstimateTime() == this->EstimateTime;
+  return this->Estimator &&
+    vtkIndirectSum::Get(this->Estimator).GetEstimateTime() == this->EstimateTime;
 }
 
 //------------------------------------------------------------------------------
@@ -132,7 +133,8 @@ void vtkIndirectBounceLight::Rest(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectBounceLight::AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const
+void vtkIndirectBounceLight::AddToReport(
+  vtkIndirectReport& report, const vtkIndirectPlan& plan) const
 {
   report.Add(plan.EstimateModelled, plan.EstimateLeftOut);
   report.Method = this->Estimator->GetMethodName();

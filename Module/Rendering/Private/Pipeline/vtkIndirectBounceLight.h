@@ -4,9 +4,9 @@
 #ifndef vtkIndirectBounceLight_h
 #define vtkIndirectBounceLight_h
 
-#include "Frame/vtkIndirectFrameLight.h"               // for the base class
+#include "Frame/vtkIndirectFrameLight.h"        // for the base class
 #include "Pipeline/vtkIndirectSphereBlockers.h" // for a member
-#include "Visibility/vtkIndirectSurfaces.h" // for a member
+#include "Visibility/vtkIndirectSurfaces.h"     // for a member
 #include "Visibility/vtkIndirectVisibility.h"   // for a member
 #include "vtkIndirectEstimatorPass.h"           // for a member
 #include "vtkWeakPointer.h"                     // for a member

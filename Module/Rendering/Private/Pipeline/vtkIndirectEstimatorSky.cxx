@@ -36,7 +36,8 @@ vtkIndirectEstimate vtkIndirectEstimatorSky::Sum(const Input& input)
 // Another pass that uses the estimator replaces its images.
 bool vtkIndirectEstimatorSky::IsCurrent() const
 {
-  return this->Estimator && vtkIndirectSum::Get(this->Estimator).GetEstimateTime() == this->EstimateTime;
+  return this->Estimator &&
+    vtkIndirectSum::Get(this->Estimator).GetEstimateTime() == this->EstimateTime;
 }
 
 //------------------------------------------------------------------------------

@@ -4,9 +4,9 @@
 #ifndef vtkIndirectEstimatorSky_h
 #define vtkIndirectEstimatorSky_h
 
-#include "Frame/vtkIndirectFrameLight.h"     // for the base class
-#include "vtkIndirectEstimatorPass.h" // for a member
-#include "vtkWeakPointer.h"           // for a member
+#include "Frame/vtkIndirectFrameLight.h" // for the base class
+#include "vtkIndirectEstimatorPass.h"    // for a member
+#include "vtkWeakPointer.h"              // for a member
 
 class vtkIndirectEstimatorSky : public vtkIndirectFrameLight
 {

@@ -4,17 +4,17 @@
 #ifndef vtkIndirectFrameSamplers_h
 #define vtkIndirectFrameSamplers_h
 
-#include "Frame/vtkIndirectKey.h"                       // for keys
-#include "VirtualLights/vtkIndirectEmitters.h"          // for emitters
-#include "VirtualLights/vtkIndirectHeadlightSampler.h"  // for members
-#include "VirtualLights/vtkIndirectSenderSampler.h"     // for members
-#include "VirtualLights/vtkIndirectVirtualLights.h"     // for members
+#include "Frame/vtkIndirectKey.h"                      // for keys
+#include "VirtualLights/vtkIndirectEmitters.h"         // for emitters
+#include "VirtualLights/vtkIndirectHeadlightSampler.h" // for members
+#include "VirtualLights/vtkIndirectSenderSampler.h"    // for members
+#include "VirtualLights/vtkIndirectVirtualLights.h"    // for members
 #include "Visibility/vtkIndirectRefractionSampler.h"   // for members
-#include "vtkLightTreeSampler.h"                        // for members
-#include "vtkNew.h"                                     // for members
-#include "vtkRandomWalkLightSampler.h"                  // for members
-#include "vtkSmartPointer.h"                            // for members
-#include "vtkVirtualLightSampler.h"                     // for members
+#include "vtkLightTreeSampler.h"                       // for members
+#include "vtkNew.h"                                    // for members
+#include "vtkRandomWalkLightSampler.h"                 // for members
+#include "vtkSmartPointer.h"                           // for members
+#include "vtkVirtualLightSampler.h"                    // for members
 
 #include <functional> // for emitters
 #include <string>     // for names

@@ -324,7 +324,8 @@ vtkIndirectKey vtkIndirectPipeline::MakeFrameKey() const
 
 //------------------------------------------------------------------------------
 // Returns whether the part has a result of this frame.
-bool vtkIndirectPipeline::UpdatePart(Part& part, const vtkIndirectFrameLight::Input& input, int mostMaps)
+bool vtkIndirectPipeline::UpdatePart(
+  Part& part, const vtkIndirectFrameLight::Input& input, int mostMaps)
 {
   vtkIndirectFrameLight& light = *part.Light;
   vtkIndirectKey key = this->FrameKey;
@@ -430,8 +431,11 @@ bool vtkIndirectPipeline::RenderChannel(const std::string& name)
   const vtkIndirectComposite::Input input = this->MakeCompositeInput();
   return this->Composite.RenderChannel(input, name) ||
     (this->GetPart(BOUNCE) &&
-      this->Composite.RenderChannel(
-        input, [&]() { return vtkIndirectSum::Get(this->Estimator).DrawChannel(name, this->Frame, this->Geometry); }));
+      this->Composite.RenderChannel(input,
+        [&]() {
+          return vtkIndirectSum::Get(this->Estimator)
+            .DrawChannel(name, this->Frame, this->Geometry);
+        }));
 }
 
 //------------------------------------------------------------------------------

@@ -20,7 +20,7 @@
 #include "Gather/vtkIndirectAreaGather.h"           // for members
 #include "Gather/vtkIndirectSkyGather.h"            // for members
 #include "Gather/vtkIndirectVisibleLamps.h"         // for members
-#include "Pipeline/vtkIndirectBounceLight.h"          // for a member
+#include "Pipeline/vtkIndirectBounceLight.h"        // for a member
 #include "Pipeline/vtkIndirectEstimatorSky.h"       // for a member
 #include "Pipeline/vtkIndirectFrameSamplers.h"      // for members
 #include "Pipeline/vtkIndirectImageLight.h"         // for members

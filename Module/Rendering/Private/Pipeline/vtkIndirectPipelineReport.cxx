@@ -73,8 +73,9 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   long long& left = report.Counters["tiles_left"];
   drawn = static_cast<long long>(
     this->Penumbra.GetNumberOfTilesDrawn() + this->SkyMaps.GetNumberOfTilesDrawn());
-  for (const vtkIndirectFrameLight* light : { static_cast<const vtkIndirectFrameLight*>(&this->Bounce),
-         static_cast<const vtkIndirectFrameLight*>(&this->Area) })
+  for (const vtkIndirectFrameLight* light :
+    { static_cast<const vtkIndirectFrameLight*>(&this->Bounce),
+      static_cast<const vtkIndirectFrameLight*>(&this->Area) })
   {
     drawn += static_cast<long long>(light->GetNumberOfTilesDrawn());
   }

@@ -194,8 +194,8 @@ bool vtkIndirectHintSum::UpdateGeometry(const Input& input)
   {
     this->GridSettings = settings;
     this->VoxelUpdates = input.Visibility.GetNumberOfUpdates();
-    this->Grid.Build(
-      settings, needs.Senders || needs.Volume ? &input.Visibility.GetVolume() : nullptr,
+    this->Grid.Build(settings,
+      needs.Senders || needs.Volume ? &input.Visibility.GetVolume() : nullptr,
       &input.Visibility.GetSurfaces());
     why = this->Grid.FindObstacle(longestEdge);
   }

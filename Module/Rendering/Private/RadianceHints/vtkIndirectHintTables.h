@@ -35,8 +35,7 @@ public:
 
   bool Has(Table table) const { return this->Textures[table] != nullptr; }
   /** Rows of `width` texels of four floats; the last row is padded with zeros. */
-  void Make(
-    Table table, vtkOpenGLRenderWindow* window, std::vector<glm::vec4> texels, int width);
+  void Make(Table table, vtkOpenGLRenderWindow* window, std::vector<glm::vec4> texels, int width);
   /** A volume of two bytes a texel. */
   void Make(Table table, vtkOpenGLRenderWindow* window, const glm::ivec3& size,
     const std::vector<unsigned char>& bytes);

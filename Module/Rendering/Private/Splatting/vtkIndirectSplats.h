@@ -52,7 +52,7 @@ private:
   bool SumBlended(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectTarget& sum);
   bool Draw(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-  /** Runs the compute program for blocks of lights. */
+    /** Runs the compute program for blocks of lights. */
     vtkShaderProgram* program);
   static bool SumInTiles(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum);

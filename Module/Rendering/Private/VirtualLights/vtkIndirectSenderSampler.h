@@ -9,7 +9,7 @@
 #define vtkIndirectSenderSampler_h
 
 #include "Frame/vtkIndirectFrame.h"            // for casters
-#include "Frame/vtkIndirectKey.h" // for keys
+#include "Frame/vtkIndirectKey.h"              // for keys
 #include "LightMaps/vtkIndirectLightMaps.h"    // for members
 #include "VirtualLights/vtkIndirectEmitters.h" // for members
 #include "VirtualLights/vtkIndirectSampler.h"

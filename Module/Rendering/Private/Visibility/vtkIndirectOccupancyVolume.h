@@ -13,7 +13,7 @@
 #define vtkIndirectOccupancyVolume_h
 
 #include "Frame/vtkIndirectFrame.h"            // for casters
-#include "Frame/vtkIndirectKey.h" // for keys
+#include "Frame/vtkIndirectKey.h"              // for keys
 #include "Visibility/vtkIndirectVoxelPlanes.h" // for a member
 #include "vtkSmartPointer.h"                   // for members
 

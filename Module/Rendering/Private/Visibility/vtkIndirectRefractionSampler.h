@@ -7,7 +7,7 @@
 #ifndef vtkIndirectRefractionSampler_h
 #define vtkIndirectRefractionSampler_h
 
-#include "Frame/vtkIndirectKey.h"             // for keys
+#include "Frame/vtkIndirectKey.h" // for keys
 #include "VirtualLights/vtkIndirectSampler.h"
 #include "Visibility/vtkIndirectRefraction.h" // for paths
 

@@ -62,7 +62,8 @@ void vtkIndirectSurfaces::Update(
   const vtkIndirectKey key = MakeKey(frame);
   // Splats may be drawn as spheres, and are no casters.
   vtkIndirectKey spheresKey;
-  spheresKey.Add("spheres", spheres != nullptr).Add("spheres", spheres ? spheres->NumberOfUpdates : 0);
+  spheresKey.Add("spheres", spheres != nullptr)
+    .Add("spheres", spheres ? spheres->NumberOfUpdates : 0);
   spheresKey.Add("spheres", spheres ? spheres->NumberOfLooks : 0);
   const bool same = key == this->Key && spheresKey == this->SpheresKey;
   if (same && this->IsThere)
@@ -122,8 +123,8 @@ void vtkIndirectSurfaces::Take(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSurfaces::Read(const vtkIndirectFrame& frame,
-  const vtkIndirectBlockingSpheres* spheres, vtkIndirectKey& shape)
+void vtkIndirectSurfaces::Read(
+  const vtkIndirectFrame& frame, const vtkIndirectBlockingSpheres* spheres, vtkIndirectKey& shape)
 {
   this->Pieces.clear();
   this->DrawPolygonsAlone.clear();

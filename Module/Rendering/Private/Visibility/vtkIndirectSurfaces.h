@@ -11,7 +11,7 @@
 #ifndef vtkIndirectSurfaces_h
 #define vtkIndirectSurfaces_h
 
-#include "Frame/vtkIndirectKey.h" // for keys
+#include "Frame/vtkIndirectKey.h"                  // for keys
 #include "Visibility/vtkIndirectBlockingSpheres.h" // for members
 #include "Visibility/vtkIndirectPolygons.h"        // for members
 #include "Visibility/vtkIndirectTriangleTree.h"    // for members
