@@ -132,12 +132,17 @@ class ExactVisibility(unittest.TestCase):
         actor = vtkActor()
         actor.SetMapper(mapper)
         loaded.renderer.AddActor(actor)
-        indirect = vtkindirect.enable(
-            loaded.renderer, "reference", mode="virtual_lights", visibility="exact"
-        )
-        loaded.render_window.Render()
-        report = json.loads(indirect.GetReport())
-        left_out = " ".join(entry["why"] for entry in report["left_out"])
-        self.assertIn("has no polygons that the processor can read", left_out)
+        for visibility, sees in (("voxels", False), ("exact", True)):
+            indirect = vtkindirect.enable(
+                loaded.renderer, "reference", mode="virtual_lights", visibility=visibility
+            )
+            loaded.render_window.Render()
+            report = json.loads(indirect.GetReport())
+            left_out = " ".join(entry["why"] for entry in report["left_out"])
+            with self.subTest(visibility):
+                self.assertEqual(
+                    not sees, "has no polygons that the processor can read" in left_out
+                )
+                self.assertEqual(not sees, "no indirect light" in left_out)
         vtkindirect.disable(loaded.renderer)
         loaded.render_window.Finalize()

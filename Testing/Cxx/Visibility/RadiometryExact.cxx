@@ -6,6 +6,9 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkAppendPolyData.h"
+#include "vtkCubeSource.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRSMReferencePass.h"
@@ -388,4 +391,49 @@ VTK_INDIRECT_TEST(ExactProperty)
   const double moved = scene.Measure(vtkRSMReferencePass::EXACT).Mean();
   CheckAtLeast("change of the mean when a block has moved", std::abs(moved / before - 1.0), 1e-3,
     "it hides other light");
+}
+
+VTK_INDIRECT_TEST(ExactGlyphsBesideMeshes)
+{
+  // A block of a glyph hides what the same block of a mesh does.
+  const auto measure = [](bool glyph, bool visible)
+  {
+    ExactScene scene(40, 30);
+    scene.AddRoom({ 2, 2, 1 });
+    scene.AddSpot({ 0.6, 1.0, 0.8 }, { 0.3, 1.0, 0.0 }, 35.0, 0.0, { 1.0, 0.0, 0.0 });
+    scene.SetEye({ 1.0, 0.1, 0.9 }, { 1.2, 1.2, 0.2 }, { 0, 0, 1 }, 80.0, 0.01, 9.0);
+    vtkNew<vtkCubeSource> cube;
+    cube->SetXLength(0.1);
+    cube->SetYLength(1.2);
+    cube->SetZLength(0.6);
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(1.0, 1.0, 0.3);
+    vtkNew<vtkPolyData> place;
+    place->SetPoints(points);
+    vtkNew<vtkGlyph3DMapper> glyphs;
+    glyphs->SetInputData(place);
+    glyphs->SetSourceConnection(cube->GetOutputPort());
+    glyphs->ScalingOff();
+    vtkNew<vtkPolyDataMapper> mesh;
+    mesh->SetInputConnection(cube->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    if (glyph)
+    {
+      actor->SetMapper(glyphs);
+    }
+    else
+    {
+      actor->SetMapper(mesh);
+      actor->SetPosition(1.0, 1.0, 0.3);
+    }
+    actor->SetVisibility(visible);
+    scene.Renderer->AddActor(actor);
+    return scene.Measure(vtkRSMReferencePass::EXACT);
+  };
+  const Image mesh = measure(false, true);
+  CheckAtLeast("light that a block hides: RMSE over the mean",
+    RootMeanSquare(measure(false, false), mesh), 0.1, "the test's own power");
+  CheckAtMost("a glyph beside a mesh: RMSE over the mean",
+    RootMeanSquare(measure(true, true), mesh), 1e-3,
+    "the same triangles, pixels at the silhouette, colours in bytes");
 }

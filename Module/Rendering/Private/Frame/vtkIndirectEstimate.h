@@ -20,12 +20,12 @@ class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
 
-/** What an estimator needs of the visibility stage. */
+/** The data that an estimator needs from the visibility stage. */
 struct vtkIndirectVisibilityNeeds
 {
-  bool Senders = false;  // what stands between receivers and senders hides them
+  bool Senders = false;  // obstacles between receivers and senders hide the senders
   bool Segments = false; // shaders ask for it, segment by segment
-  bool Maps = false;     // of the senders, in place of voxels
+  bool Maps = false;     // depth maps of the senders in place of voxels
   bool Volume = false;   // the voxels for something else, too
   bool Surfaces = false; // for rays on the processor that find which surface they meet
   bool Exact = false;    // the surfaces themselves hide senders, on the processor
@@ -34,7 +34,7 @@ struct vtkIndirectVisibilityNeeds
   bool IsAny() const { return this->Senders || this->Volume || this->Exact; }
   bool HasVolume() const { return (this->Senders && !this->Maps) || this->Volume; }
   bool HasSurfaces() const { return this->Surfaces || this->Exact; }
-  /** Whether shaders hold segments against lists of spheres, which voxels do not have. */
+  /** True if shaders hold segments against lists of spheres, which voxels do not have. */
   bool HasSphereLists() const { return this->Segments && !this->Maps; }
 };
 

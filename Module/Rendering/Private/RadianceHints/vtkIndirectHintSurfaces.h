@@ -11,11 +11,11 @@
 class vtkIndirectHintSurfaces
 {
 public:
-  /** What a ray meets; coordinates count voxels. */
+  /** A place that a ray meets; coordinates count voxels. */
   struct Hit
   {
     glm::dvec3 Position{ 0.0 };
-    glm::dvec3 Normal{ 0.0 }; // of the facet, on the side that the ray comes from
+    glm::dvec3 Normal{ 0.0 }; // the facet's, on the side that the ray comes from
     glm::dvec3 Albedo{ 0.0 }; // over pi where VTK divides by pi
   };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What mappers draw as spheres, in place of polygons. They stand between senders and receivers, and
-// rays meet them. Who finds them is a later room (vtkIndirectSphereBlockers).
+// Spheres that mappers draw in place of polygons. They stand between senders and receivers, and
+// rays meet them. A later room finds them (vtkIndirectSphereBlockers).
 #ifndef vtkIndirectBlockingSpheres_h
 #define vtkIndirectBlockingSpheres_h
 
@@ -26,11 +26,11 @@ struct vtkIndirectBlockingSpheres
   };
 
   std::vector<glm::dvec4> Spheres;                          // center and radius, scene units
-  std::vector<Look> Looks;                                  // of each
-  std::string What;                                         // how many of what
-  std::vector<const vtkProp*> Props;                        // that they are of
-  std::vector<const vtkMapper*> Mappers;                    // all that these actors' mappers draw
-  std::vector<std::pair<std::string, std::string>> LeftOut; // what else is there and blocks nothing
+  std::vector<Look> Looks;                                  // one for each sphere
+  std::string What;                                         // their number and kind, for the report
+  std::vector<const vtkProp*> Props;                        // props that draw them
+  std::vector<const vtkMapper*> Mappers;                    // mappers that draw nothing else
+  std::vector<std::pair<std::string, std::string>> LeftOut; // things that block nothing, and why
   size_t NumberOfUpdates = 0;                               // grows when places or radii change
   size_t NumberOfLooks = 0;                                 // grows when looks do
 };

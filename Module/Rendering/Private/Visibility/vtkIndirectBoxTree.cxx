@@ -9,9 +9,9 @@
 namespace
 {
 constexpr int Bins = 16;
-// Where splits by area have led so deep, halves by count end it: 31 levels of them hold 2^31.
+// Below this depth boxes are halved by their count: 31 levels of halves hold 2^31 boxes.
 constexpr int DeepestByArea = 32;
-// More boxes than these are split although the heuristic finds no gain.
+// A node of more boxes is split although the heuristic finds no gain.
 constexpr uint32_t LargestLeaf = 8;
 }
 
@@ -113,7 +113,7 @@ vtkIndirectBoxTree::Split vtkIndirectBoxTree::FindSplit(uint32_t begin, uint32_t
 }
 
 //------------------------------------------------------------------------------
-// Where to part the boxes of a node; `begin` where they are a leaf.
+// Returns the place in the order at which the boxes of a node are split; `begin` for a leaf.
 uint32_t vtkIndirectBoxTree::Divide(const Job& job, const Box& box)
 {
   const uint32_t count = job.End - job.Begin;

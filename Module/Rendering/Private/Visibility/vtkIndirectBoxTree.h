@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes in a tree: parted by the surface-area heuristic in bins (Wald 2007, "On fast construction
-// of SAH-based bounding volume hierarchies").
+// A tree of boxes, split by the surface-area heuristic in bins (Wald 2007, "On fast construction of
+// SAH-based bounding volume hierarchies").
 #ifndef vtkIndirectBoxTree_h
 #define vtkIndirectBoxTree_h
 
@@ -38,7 +38,7 @@ public:
   {
     Box Bounds;
     uint32_t First = 0; // child, or place in the order of a leaf's first box
-    uint32_t Count = 0; // of a leaf's boxes; 0: no leaf
+    uint32_t Count = 0; // number of a leaf's boxes; 0: no leaf
   };
 
   /** Levels at most. */
@@ -51,7 +51,7 @@ public:
   /** Boxes by leaf. */
   const std::vector<uint32_t>& GetOrder() const { return this->Order; }
   const Box& GetAll() const { return this->All; }
-  /** Where most boxes are: on each axis, the median of their centres. */
+  /** A place among most boxes: on each axis the median of their centres. */
   glm::dvec3 FindMiddle() const;
 
 private:

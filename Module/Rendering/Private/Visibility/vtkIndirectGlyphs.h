@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where vtkGlyph3DMapper puts its glyphs, how it turns and scales them, and which it takes.
+// The glyphs of a vtkGlyph3DMapper: their places, turns and scales, and the source of each.
 #ifndef vtkIndirectGlyphs_h
 #define vtkIndirectGlyphs_h
 
@@ -17,13 +17,13 @@ namespace vtkIndirectGlyphs
 {
 struct Instance
 {
-  vtkIdType Point;         // of the data, whose colour it has
-  size_t Source;           // its number
-  glm::dmat4 ToData{ 1 };  // from the source's coordinates
-  glm::dvec3 Factors{ 1 }; // by which it is scaled
+  vtkIdType Point;         // the point of the data whose colour the glyph has
+  size_t Source;           // number of the source
+  glm::dmat4 ToData{ 1 };  // from the source's coordinates to the data's
+  glm::dvec3 Factors{ 1 }; // scale along each axis
 };
 
-/** What each source draws, by number. */
+/** The meshes of each source, by number. */
 std::vector<std::vector<vtkPolyData*>> FindSources(vtkGlyph3DMapper* mapper);
 /** Calls with all instances at the points of a data set, as vtkOpenGLGlyph3DMapper places them. */
 void ForEach(vtkGlyph3DMapper* mapper, vtkDataSet* data, size_t numberOfSources,

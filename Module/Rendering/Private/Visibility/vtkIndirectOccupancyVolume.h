@@ -61,7 +61,7 @@ public:
 
   bool IsEmpty() const { return this->NumberOfTriangles == 0; }
   /**
-   * Whether all that the last Update's frame can draw lies in occupied voxels. Not so with glyphs,
+   * True if all that the last Update's frame can draw lies in occupied voxels. Not so with glyphs,
    * impostors, lines, points, levels of detail, or shaders of the user's own.
    */
   bool HoldsAll() const { return this->AllIsHeld; }
@@ -76,9 +76,9 @@ public:
     return this->Origin + this->VoxelSize * voxels;
   }
   bool IsOccupied(const glm::ivec3& voxel) const;
-  /** Whether any voxel from lower to upper, both included, is occupied. */
+  /** True if any voxel from lower to upper, both included, is occupied. */
   bool IsAnyOccupied(const glm::ivec3& lower, const glm::ivec3& upper) const;
-  /** Whether the segment between two points (voxel coordinates) meets no occupied voxel. */
+  /** True if the segment between two points (voxel coordinates) meets no occupied voxel. */
   bool IsFree(const glm::vec3& start, const glm::vec3& end) const;
   size_t GetNumberOfOccupiedVoxels() const;
   /** A bit a voxel, by x + GetSize().x y; bit z. */

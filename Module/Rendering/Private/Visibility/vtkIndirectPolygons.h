@@ -30,7 +30,7 @@ class vtkIndirectPolygons
 public:
   struct Triangle
   {
-    uint32_t Cell; // of the data
+    uint32_t Cell; // the number of the data's cell
     uint32_t Points[3];
   };
 
@@ -57,7 +57,7 @@ public:
   static bool ReadGlyphs(const vtkIndirectFrame& frame, vtkActor* actor, const glm::dmat4& toWorld,
     size_t& mostTriangles, const Taker& take);
 
-  /** Whether VTK culls the faces that are seen from this side. */
+  /** True if VTK culls the faces that are seen from this side. */
   bool Culls(bool front) const { return front ? this->CullsFront : this->CullsBack; }
   /** The albedo at a place on a triangle. */
   glm::dvec3 FindAlbedo(const vtkIndirectMaterial::Place& place) const;
@@ -76,7 +76,7 @@ public:
 private:
   struct Glyph
   {
-    vtkIdType Point; // of the data set, whose colour the glyph has
+    vtkIdType Point; // the point of the data set whose colour the glyph has
     glm::dmat3 NormalsToWorld;
   };
 

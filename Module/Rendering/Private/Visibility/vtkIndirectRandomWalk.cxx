@@ -19,12 +19,12 @@ using vtkIndirectSamplePattern::ScrambledPoint;
 constexpr double Pi = 3.14159265358979323846;
 constexpr double TwoPi = 2.0 * Pi;
 
-// Paths of each light that tell how many more there are to be.
+// So many paths of each light tell how many paths it needs.
 constexpr size_t PilotPaths = 64;
 constexpr size_t PathsAtATime = 64;
 
-// How far from its surface a ray begins, of the scene's diagonal: sheets that are modelled twice
-// lie nearer.
+// A ray begins so far from its surface, as a share of the scene's diagonal: sheets that are
+// modelled twice lie nearer.
 constexpr double Clearance = 1e-6;
 
 // Interpolated normals may face a ray that the facet all but turns its edge to. The first vertex
@@ -32,7 +32,7 @@ constexpr double Clearance = 1e-6;
 constexpr double LeastCosineToLight = 1e-4;
 constexpr double LeastFacetCosine = 1e-2;
 
-// Nearest vertices that tell how densely these lie.
+// So many nearest vertices tell how densely vertices lie.
 constexpr int Neighbors = 8;
 
 double Largest(const glm::dvec3& v)
@@ -169,23 +169,23 @@ private:
 }
 
 //------------------------------------------------------------------------------
-// How rays leave a light.
+// The rays that leave a light.
 class vtkIndirectRandomWalk::Emission
 {
 public:
   Emission(const vtkIndirectFrame& frame, const Source& source);
 
   bool IsDark() const { return this->Dark; }
-  // Ray at a place of the unit square, and its share of all: solid angle, or of a directional light
-  // area, times the number of rays.
+  // Makes the ray for a place of the unit square, and its share of all rays times their number: a
+  // solid angle, or for a directional light an area.
   void MakeRay(
     const glm::dvec2& at, glm::dvec3& start, glm::dvec3& direction, double& footprint) const;
-  // What makes the footprint an area across the ray at that distance.
+  // The factor that makes the footprint an area across the ray at that distance.
   double FindSpread(double distance) const
   {
     return this->Light.Positional ? distance * distance : 1.0;
   }
-  // I times that, for a ray of that direction.
+  // The intensity times that factor, for a ray of that direction.
   glm::dvec3 FindStrength(const glm::dvec3& direction, double distance) const;
 
 private:
@@ -462,7 +462,7 @@ void vtkIndirectRandomWalk::FindTail(int lastBounce)
     first += vertex.Bounce == firstBounce ? light : 0.0;
     last += vertex.Bounce == lastBounce ? light : 0.0;
   }
-  // Where nothing is lost there is no end of it; of one bounce nothing is known.
+  // If no light is lost the series has no end; one bounce alone says nothing about further ones.
   const double kept =
     firstBounce < lastBounce && all > last ? std::min((all - first) / (all - last), 0.999) : 0.0;
   const double tail = last * kept / (1.0 - kept);

@@ -21,7 +21,7 @@ public:
     glm::dvec3 Position; // where it leaves the body, scene units
     glm::dvec3 Normal;   // outwards there, unit
     glm::dvec3 Direction;
-    double Share = 0.0; // of the light that has come through; 0: none
+    double Share = 0.0; // the share of the light that has come through; 0: none
   };
 
   /**
@@ -47,7 +47,7 @@ private:
 
   vtkIndirectSurfaces Surfaces;
   double Index = 1.0;
-  double Transmission = 1.0; // of a face
+  double Transmission = 1.0; // share that a face lets through
   double Size = 0.0;         // diagonal of its bounds, scene units
 };
 

@@ -103,7 +103,7 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
     std::abs(axis.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
   const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
   const glm::dvec3 up = glm::cross(right, axis);
-  // A half width of tangents, or of lengths for light of one direction.
+  // A tangent, or a length for light of one direction.
   const double halfWidth =
     light.Positional ? radius / std::sqrt(distance * distance - radius * radius) : radius;
   const int edge = std::max(2, static_cast<int>(std::sqrt(2.0 * this->NumberOfLights) + 0.5));
@@ -111,7 +111,8 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
   const double s = frame.SceneScale;
   std::vector<vtkIndirectRefraction::Path> paths(static_cast<size_t>(edge) * edge);
   std::vector<double> fluxes(paths.size(), 0.0);
-  std::vector<double> areas(paths.size(), 0.0); // of the square where it enters, across the way
+  // Areas of the squares across the way where light enters.
+  std::vector<double> areas(paths.size(), 0.0);
   for (int j = 0; j < edge; ++j)
   {
     for (int i = 0; i < edge; ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether two points on surfaces see each other, by the triangles themselves: the oracle of all
-// approximate visibility. Lengths are scene units (diagonal = 1).
+// The answer to whether two points on surfaces see each other, by the surfaces themselves: the
+// oracle of all approximate visibility. Lengths are scene units (diagonal = 1).
 //
 // Points come from buffers and lie beside their triangles, by up to 1e-4 where depth is taken from
 // a depth buffer. Each is therefore brought back to its triangle, in double precision, and then
@@ -8,7 +8,7 @@
 // both planes crosses neither, so no surface hides its own light. An end in front of whose plane
 // the other is not does not see it, also where a smooth normal would.
 //
-// What that loses: nothing nearer to a surface than Lift hides light from it.
+// One thing is lost: nothing nearer to a surface than Lift hides light from it.
 #ifndef vtkIndirectSightLines_h
 #define vtkIndirectSightLines_h
 
@@ -21,17 +21,17 @@ class vtkIndirectSightLines
 public:
   /** How far from its triangle a point may lie: twice what the buffers are off by. */
   static constexpr double Reach = 2e-4;
-  /** What ends are lifted off their planes by: a hundredth of a pixel of an image of a scene. */
+  /** Ends are lifted off their planes by this: a hundredth of a pixel of an image of a scene. */
   static constexpr double Lift = 1e-5;
 
   struct End
   {
     glm::dvec3 Position{ 0.0 }; // lifted
-    glm::dvec3 Normal{ 0.0 };   // of the triangle; the shading normal where there is none
-    bool OnSurface = false;     // whether there is one
+    glm::dvec3 Normal{ 0.0 };   // the triangle's; the shading normal where there is none
+    bool OnSurface = false;     // there is a triangle
   };
 
-  /** The tree is used, not copied. */
+  /** Uses the tree and makes no copy. */
   explicit vtkIndirectSightLines(const vtkIndirectTriangleTree& tree)
     : Tree(tree)
   {

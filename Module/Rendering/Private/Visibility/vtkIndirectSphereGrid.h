@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spheres in lists by the cells of a uniform grid, for segments between two points: what voxels are
-// for triangles, but exact. A segment is followed from cell to cell (Amanatides and Woo 1987, "A
-// fast voxel traversal algorithm for ray tracing") and tested against the spheres of each.
+// Spheres in lists by the cells of a uniform grid, for segments between two points: they are to
+// spheres what voxels are to triangles, but exact. A segment is followed from cell to cell
+// (Amanatides and Woo 1987, "A fast voxel traversal algorithm for ray tracing") and tested against
+// the spheres of each.
 //
 // A list holds copies of its spheres, so that a shader reads them one after the other. Cells that
 // lie inside of a sphere do not list it: a segment that it blocks passes its surface.
@@ -55,7 +56,7 @@ public:
   }
 
   /**
-   * Whether no sphere stands between two places (scene units), by the shaders' own kernel. steps,
+   * True if no sphere stands between two places (scene units), by the shaders' own kernel. steps,
    * where it is given: rounds of a shader's loop, one for each cell and each sphere on the way.
    */
   bool IsFree(const glm::dvec3& start, const glm::dvec3& end, int* steps = nullptr) const;

@@ -24,7 +24,7 @@ bool IsOfSpheres(const vtkIndirectBlockingSpheres* spheres, const vtkMapper* map
 //------------------------------------------------------------------------------
 void vtkIndirectSurfaces::Clear()
 {
-  if (!this->Key.empty())
+  if (!this->Key.IsEmpty())
   {
     const size_t builds = this->NumberOfBuilds;
     *this = vtkIndirectSurfaces();

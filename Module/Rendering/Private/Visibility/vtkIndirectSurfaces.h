@@ -76,7 +76,7 @@ public:
     bool culled = false) const;
   const vtkIndirectTriangleTree& GetTree() const { return this->Tree; }
 
-  /** What rays do not meet, or not as VTK draws it, and why. */
+  /** Things that rays do not meet, or not as VTK draws them, and why. */
   const std::vector<std::pair<std::string, std::string>>& GetLeftOut() const
   {
     return this->LeftOut;
@@ -102,7 +102,7 @@ private:
 
   std::vector<Piece> Pieces;
   std::vector<bool> DrawPolygonsAlone; // by caster
-  uint32_t NumberOfTriangles = 0;      // those without area included: numbers of spheres follow
+  uint32_t NumberOfTriangles = 0;      // with those without area; the numbers of spheres follow
   std::vector<vtkIndirectBlockingSpheres::Look> Looks; // by sphere
   std::vector<glm::dvec4> Spheres;
   vtkIndirectTriangleTree Tree;

@@ -11,10 +11,10 @@
 
 namespace
 {
-// Share of the greatest coordinate of a box, and of that of a segment's begin, about the tree's
-// origin: its rounding to floats, that of the direction, of its inverse and of the two steps of the
-// boxes' test move a face by less than 2^-21 of both. So what is small has small boxes near the
-// origin, however far something else reaches.
+// Boxes are padded by this share of their greatest coordinate, and of that of a segment's begin,
+// about the tree's origin: rounding to floats, of the box, the direction, its inverse and the two
+// steps of the boxes' test, moves a face by less than 2^-21 of both. So small triangles have small
+// boxes near the origin, however far other triangles reach.
 constexpr double Padding = 1.0 / (1 << 20);
 
 // The point of a triangle that is nearest to p, by the regions of its corners, edges and inside.
@@ -148,7 +148,7 @@ void vtkIndirectTriangleTree::Finish()
   this->Upper = builder.GetAll().Upper + padOfAll;
   this->Origin = builder.FindMiddle();
 
-  // Of each node the greatest of its children is opened until there are enough of them.
+  // The greatest child of each node is opened until the node has enough children.
   std::vector<std::pair<uint32_t, uint32_t>> jobs = { { 0, 0 } }; // node, part
   this->Nodes.emplace_back();
   while (!jobs.empty())
@@ -218,7 +218,7 @@ void vtkIndirectTriangleTree::Finish()
 }
 
 //------------------------------------------------------------------------------
-// A segment, and what the test of triangles needs of it.
+// A segment, in the form that the test of triangles needs.
 struct vtkIndirectTriangleTree::Ray
 {
   double Start[3]; // by the axes of K
@@ -249,7 +249,7 @@ struct vtkIndirectTriangleTree::Ray
       (determinant > 0.0 ? t < determinant : t > determinant);
   }
 
-  // Whether the line of the segment meets the triangle behind its start, at t / determinant of its
+  // True if the line of the segment meets the triangle behind its start, at t / determinant of its
   // length, with the corners' weights times the determinant.
   bool Meets(const Triangle& triangle, double weights[3], double& determinant, double& t) const
   {
@@ -280,7 +280,7 @@ struct vtkIndirectTriangleTree::Ray
 };
 
 //------------------------------------------------------------------------------
-// The segment about the tree's origin, and what the test of boxes needs of it.
+// The segment about the tree's origin, in the form that the test of boxes needs.
 struct vtkIndirectTriangleTree::Line
 {
   glm::vec3 FromNear; // the begin, moved to where boxes begin sooner, and end later
@@ -315,7 +315,7 @@ struct vtkIndirectTriangleTree::Line
       const __m128 inverse = _mm_set1_ps(this->Inverse[axis]);
       const float* const lower = node.Bounds[this->Sign[axis]][axis];
       const float* const upper = node.Bounds[1 - this->Sign[axis]][axis];
-      // Of a NaN and a number these take their second argument.
+      // Given a NaN and a number these instructions take their second argument.
       enter = _mm_max_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(lower), fromNear), inverse), enter);
       leave = _mm_min_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(upper), fromFar), inverse), leave);
     }

@@ -22,13 +22,13 @@ public:
   struct Facet
   {
     glm::dvec3 Normal{ 0.0 };  // unit, to the side of the normal that was asked with
-    double Height = 0.0;       // of the point over the plane, to that side
+    double Height = 0.0;       // height of the point over the plane, to that side
     double Distance = 0.0;     // from the point to the triangle
     glm::dvec3 Nearest{ 0.0 }; // point of the triangle
-    glm::dvec3 Centre{ 0.0 };  // of the triangle
+    glm::dvec3 Centre{ 0.0 };  // centre of the triangle
   };
 
-  /** Where a ray first meets a triangle or a sphere. */
+  /** The place at which a ray first meets a triangle or a sphere. */
   struct Hit
   {
     uint32_t Triangle = None; // how many triangles and spheres had been given before this one
@@ -53,7 +53,7 @@ public:
   void Finish();
 
   /**
-   * Whether a triangle or a sphere crosses the segment between its ends. A triangle that an end
+   * True if a triangle or a sphere crosses the segment between its ends. A triangle that an end
    * lies on, and a sphere that an end lies on or in, does not count: a surface hides none of its
    * own light. Both sides of a triangle block.
    */

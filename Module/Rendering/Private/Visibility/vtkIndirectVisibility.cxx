@@ -16,11 +16,11 @@
 
 namespace
 {
-// Along an edge of a virtual light's tile.
+// Texels along an edge of a virtual light's tile.
 constexpr int TexelsOfLights = 128;
-// That have memory: 64 MB. More lights share them.
+// Tiles that have memory: 64 MB. More lights share them.
 constexpr size_t MaximumNumberOfTiles = 1024;
-// Of loops of an invocation, which llvmpipe ends after 65535.
+// Rounds of all loops of an invocation, which llvmpipe ends after 65535.
 constexpr double MostRounds = 65535.0;
 // Scene units that two opposite directions count as: lights of one tile face the same way first.
 constexpr double DistanceOfTurn = 0.25;
@@ -135,7 +135,7 @@ void vtkIndirectVisibility::ReadEmitters(const vtkIndirectVirtualLights& lights)
     const float* lobe = &lobes[4 * i];
     vtkIndirectDepthAtlas::Emitter& emitter = this->Lights[i];
     emitter.Sends = p[3] > 0.0f && std::max({ d[0], d[1], d[2], lobe[0], lobe[1], lobe[2] }) > 0.0f;
-    // Of surfaces that differ it is a mean, which is shorter than one.
+    // The normal is a mean, which is shorter than one where surfaces differ.
     const glm::dvec3 axis =
       emitter.Sends ? glm::normalize(glm::dvec3(n[0], n[1], n[2])) : glm::dvec3(n[0], n[1], n[2]);
     emitter.Tile = vtkIndirectDepthTile::FromPlace({ p[0], p[1], p[2] }, axis);
@@ -296,8 +296,8 @@ double vtkIndirectVisibility::FindRounds() const
 }
 
 //------------------------------------------------------------------------------
-// Whether not even one row of lights would have enough rounds: then a round is four steps through
-// the lists, which is slower where less would do.
+// True if not even one row of lights would have enough rounds: then a round is four steps through
+// the lists, which is slower where fewer steps are enough.
 bool vtkIndirectVisibility::TakesLongSteps() const
 {
   return this->WalksSpheres() && vtkIndirectSampler::RowLength * this->FindRounds() > MostRounds;
@@ -453,7 +453,7 @@ void vtkIndirectVisibility::AddSegmentsToReport(vtkIndirectReport& report, const
     report.LeftOut.emplace_back(std::to_string(this->Blocking->Spheres.size()) + " spheres",
       "there is no memory for so many; they block no indirect light, and the result is too bright");
   }
-  if (this->Blocking)
+  if (this->Blocking && !surfaces)
   {
     report.LeftOut.insert(
       report.LeftOut.end(), this->Blocking->LeftOut.begin(), this->Blocking->LeftOut.end());

@@ -53,7 +53,7 @@ public:
   vtkIndirectVisibility();
   ~vtkIndirectVisibility();
 
-  /** From what it is made. */
+  /** The data that visibility is made from. */
   struct Input
   {
     const vtkIndirectFrame& Frame;
@@ -63,7 +63,7 @@ public:
     int TilesPerFrame; // depth maps of lights to draw at most
     /** Up to date where they are needed. */
     const vtkIndirectSurfaces& Surfaces;
-    /** What mappers draw as spheres, which voxels do not hold; may be null. */
+    /** Spheres that mappers draw, which voxels do not hold; may be null. */
     const vtkIndirectBlockingSpheres* Spheres = nullptr;
   };
 
@@ -73,22 +73,22 @@ public:
    */
   bool Update(const Input& input, const Needs& needs);
 
-  /** Whether senders can be hidden: it was asked for, and something can hide them. */
+  /** True if senders can be hidden: it was asked for, and something can hide them. */
   bool HidesSenders() const { return this->WalksSegments() || this->LooksUpMaps(); }
-  /** Whether shaders walk from place to place, which bounds how often they can ask. */
+  /** True if shaders walk from place to place, which bounds how often they can ask. */
   bool WalksSegments() const;
   bool LooksUpMaps() const { return this->Current.Senders && this->Current.Maps; }
-  /** Whether all maps that there will be are there and up to date. */
+  /** True if all maps that there will be are there and up to date. */
   bool IsComplete() const { return this->GetNumberOfTilesLeft() == 0; }
   /** Maps that further frames draw. */
   int GetNumberOfTilesLeft() const
   {
     return this->LooksUpMaps() ? this->Maps.GetNumberOfStaleTiles() : 0;
   }
-  /** Of these, whether through voxels, and through lists of spheres. */
+  /** True if shaders walk through voxels, or through lists of spheres. */
   bool WalksVoxels() const;
   bool WalksSpheres() const;
-  /** Whether the surfaces themselves hide senders: it was asked for, and there are some. */
+  /** True if the surfaces themselves hide senders: it was asked for, and there are some. */
   bool IsExact() const;
   /** Definitions of shaders that ask vtkIndirectVisibility.glsl; empty where nothing hides. */
   std::string GetDefinitions() const;
