@@ -440,6 +440,16 @@ void vtkIndirectFrame::AppendUnitsTo(vtkIndirectKey& key) const
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectFrame::AppendFitsTo(vtkIndirectKey& key) const
+{
+  this->AppendUnitsTo(key);
+  for (const vtkIndirectCaster& caster : this->Casters)
+  {
+    key.Add("caster bounds", caster.GetFit(), 6);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectCaster::AppendTo(vtkIndirectKey& key) const
 {
   key.AddAddress("casters", this->Prop);

@@ -140,6 +140,8 @@ struct vtkIndirectFrame
   void AppendTo(vtkIndirectKey& key) const;
   /** Appends the units of the scene: positions in scene units depend on them. */
   void AppendUnitsTo(vtkIndirectKey& key) const;
+  /** Appends the units and the boxes that depth maps are fitted to. */
+  void AppendFitsTo(vtkIndirectKey& key) const;
   /** Says what takes no part, once a kind. */
   void AddToReport(vtkIndirectReport& report) const;
 

@@ -33,6 +33,7 @@ vtkIndirectAreaGather::vtkIndirectAreaGather()
 //------------------------------------------------------------------------------
 void vtkIndirectAreaGather::AppendTo(vtkIndirectKey& key, const Input& input) const
 {
+  input.Frame.AppendFitsTo(key);
   for (const auto& light : *input.AreaLights)
   {
     key.Add("area lights", light);

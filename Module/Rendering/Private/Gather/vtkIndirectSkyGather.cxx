@@ -97,11 +97,7 @@ void vtkIndirectSkyGather::UpdateDirections(const Input& input)
 void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
 {
   vtkIndirectKey key;
-  frame.AppendUnitsTo(key);
-  for (const vtkIndirectCaster& caster : frame.Casters)
-  {
-    key.Add("casters", caster.GetFit(), 6);
-  }
+  frame.AppendFitsTo(key);
   const bool fits = key == this->FitKey;
   this->FitKey = std::move(key);
   for (Group& group : this->Groups)
@@ -154,6 +150,8 @@ void vtkIndirectSkyGather::ChooseSummed()
 //------------------------------------------------------------------------------
 void vtkIndirectSkyGather::AppendTo(vtkIndirectKey& key, const Input& input) const
 {
+  // Casters that come to rest get tighter boxes, and the maps other fits.
+  input.Frame.AppendFitsTo(key);
   key.Add("sky", input.Environment).Add("sky", input.Plan.NumberOfSkyDirections);
   key.Add("sky", input.Plan.NumberOfStillSkyDirections).Add("sky", input.Plan.SkyBlock);
 }
