@@ -48,34 +48,26 @@ bool vtkIndirectBounceLight::HasMore(const Input& input) const
 const vtkIndirectBlockingSpheres* vtkIndirectBounceLight::UpdateSurfaces(
   const Input& input, const vtkIndirectVisibilityNeeds& needs)
 {
-  const bool walks = this->Samplers.Walk();
-  const bool traced = walks || needs.HasSurfaces();
+  const bool traced = this->Samplers.Walk() || needs.HasSurfaces();
   const bool listed = traced || needs.HasSphereLists();
   if (!listed || !input.Plan.Caching)
   {
     this->Blockers.Forget();
   }
-  if (!traced)
-  {
-    this->Surfaces.Clear();
-  }
-  if (!listed)
-  {
-    return nullptr;
-  }
-  const auto stage = walks ? vtkIndirectStageTimer::Lights : vtkIndirectStageTimer::Visibility;
-  input.Timer.Begin(stage);
-  const vtkIndirectBlockingSpheres* const spheres =
-    this->Blockers.Update(input.Frame, this->Estimator);
   if (needs.HasSurfaces() && !input.Plan.Caching)
   {
     this->Surfaces.Forget();
   }
+  const vtkIndirectBlockingSpheres* const spheres =
+    listed ? this->Blockers.Update(input.Frame, this->Estimator) : nullptr;
   if (traced)
   {
     this->Surfaces.Update(input.Frame, spheres);
   }
-  input.Timer.End(stage);
+  else
+  {
+    this->Surfaces.Clear();
+  }
   return spheres;
 }
 
@@ -84,8 +76,8 @@ bool vtkIndirectBounceLight::Update(const Input& input, int mostMaps)
 {
   const vtkIndirectVisibilityNeeds needs =
     vtkIndirectSum::Get(this->Estimator).GetVisibilityNeeds(input.Plan);
-  const vtkIndirectBlockingSpheres* const spheres = this->UpdateSurfaces(input, needs);
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
+  const vtkIndirectBlockingSpheres* const spheres = this->UpdateSurfaces(input, needs);
   const bool sampled =
     this->Samplers.Update(input.Frame, input.Plan, input.Maps, input.Geometry, this->Surfaces);
   input.Timer.End(vtkIndirectStageTimer::Lights);
