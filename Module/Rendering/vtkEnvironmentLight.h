@@ -52,7 +52,8 @@ public:
   vtkGetVector3Macro(Right, double);
   ///@}
 
-  /** Returns the radiance from a direction in world coordinates, of any length: that of the image's
+  /**
+   * Returns the radiance from a direction in world coordinates, of any length: that of the image's
    * nearest pixel.
    */
   void GetRadianceFrom(const double direction[3], double radiance[3]);

@@ -51,9 +51,9 @@ public:
   ///@}
 
   ///@{
-  /** Share of lights that is spread uniformly over the texels that send light, within each light of
+  /**
+   * Share of lights that is spread uniformly over the texels that send light, within each light of
    * the scene. It bounds the area that a virtual light represents where surfaces reflect little.
-   * Default 0.25, range 0 to 1.
    * Default 0.25, range 0 to 1.
    */
   vtkIndirectClampMacro(Evenness, double, 0.0, 1.0);

@@ -47,18 +47,18 @@ public:
   virtual const char* GetMethodName() const = 0;
 
   ///@{
-  /** Let receivers with Phong's model and a specular coefficient reflect indirect light specularly,
+  /**
+   * Let receivers with Phong's model and a specular coefficient reflect indirect light specularly,
    * and senders with such a model or with VTK's PBR reflect the lights specularly, if the
    * estimator can compute that. Costs nothing in scenes without such surfaces. Default on.
-   * compute it. Costs nothing where there are none. Default on.
    */
   vtkIndirectFlagMacro(SpecularTransport);
   ///@}
 
   ///@{
-  /** Let voxels of the scene, and its spheres, hide senders from receivers if
+  /**
+   * Let voxels of the scene, and its spheres, hide senders from receivers if
    * vtkIndirectIlluminationPass::Visibility is automatic. Default off, on for radiance hints.
-   * vtkIndirectIlluminationPass::Visibility is automatic. Default off, of radiance hints on.
    */
   vtkIndirectFlagMacro(Occupancy);
   ///@}

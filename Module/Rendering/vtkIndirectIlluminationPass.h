@@ -93,7 +93,8 @@ public:
   ///@}
 
   ///@{
-  /** Rectangles that send light, in addition to the renderer's lights. Their direct light is the
+  /**
+   * Rectangles that send light, in addition to the renderer's lights. Their direct light is the
    * buffer `area`: Lambert's closed form at every pixel, times the share of the light that depth
    * maps of some of its points see (Visibility none: all of it). Surfaces reflect it: the
    * estimator sums virtual lights of the surfaces that four points of each light see, or one point
@@ -137,7 +138,8 @@ public:
   };
 
   ///@{
-  /** The lights of the opaque props. SCENE (default): the renderer's lights, and Environment. The
+  /**
+   * The lights of the opaque props. SCENE (default): the renderer's lights, and Environment. The
    * others are presets, which replace the renderer's lights while the frame is drawn, and follow
    * the camera. Each keeps a share of the renderer's lights as VTK draws them, without shadows:
    * 0.6, GENTLE 0.8; if all lights are headlights SOFT keeps 0.4, GENTLE 0.7. SOFT and GENTLE
@@ -179,7 +181,8 @@ public:
   };
 
   ///@{
-  /** The test that tells whether a receiver sees a sender of indirect light. NONE: light passes
+  /**
+   * The test that tells whether a receiver sees a sender of indirect light. NONE: light passes
    * through all obstacles, and is too bright. VOXELS: the scene's voxels
    * (vtkIndirectEstimatorPass::OccupancyResolution), for all estimators, and exact spheres of
    * mappers that draw such, for all estimators but radiance hints. MAPS: a depth map of each
@@ -395,10 +398,10 @@ public:
   static vtkInformationStringKey* NAME();
 
   ///@{
-  /** Further samplers, whose virtual lights are summed in addition to those of the frame's sampler:
+  /**
+   * Further samplers, whose virtual lights are summed in addition to those of the frame's sampler:
    * a frame with one needs no vtkLight. They are for passes that add light of their own. Adding a
    * sampler twice has no effect.
-   * is not added again.
    */
   void AddSampler(vtkVirtualLightSampler* sampler);
   void RemoveSampler(vtkVirtualLightSampler* sampler);

@@ -91,7 +91,8 @@ public:
   ///@}
 
   ///@{
-  /** Without Groups: radii within which a sphere hides light, with a smooth end over the last
+  /**
+   * Without Groups: radii within which a sphere hides light, with a smooth end over the last
    * fifth. 0: the smallest number that cuts off, for one sphere, at most 1/256 of the largest
    * irradiance that the open environment gives any normal, in each colour, for any place of the
    * sphere and any normal of the receiver: 16.6 under a uniform sky, 28.3 under a sun alone. The

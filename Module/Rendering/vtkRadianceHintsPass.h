@@ -68,8 +68,8 @@ public:
   };
 
   ///@{
-  /** The space of the grid: the scene's bounds, or the part of them that the view can see, which
-   * makes smaller cells but moves the hints with the camera. Default SCENE.
+  /**
+   * The space of the grid: the scene's bounds, or the part of them that the view can see, which
    * makes smaller cells but moves the hints with the camera. Default SCENE.
    */
   vtkIndirectClampMacro(Extent, int, SCENE, VIEW);

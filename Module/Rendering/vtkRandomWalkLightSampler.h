@@ -36,14 +36,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** First bounce whose lights are made: 2 adds the bounces that a sampler of the first bounce
+  /**
+   * First bounce whose lights are made: 2 adds the bounces that a sampler of the first bounce
    * leaves out, for vtkIndirectIlluminationPass::AddSampler. Default 1, range 1 to 16.
    */
   vtkIndirectClampMacro(FirstBounce, int, 1, 16);
   ///@}
 
   ///@{
-  /** Approximate number of vertices of paths that the lights are made of, as vtkLightTreeSampler
+  /**
+   * Approximate number of vertices of paths that the lights are made of, as vtkLightTreeSampler
    * makes lights of maps' texels: at most NumberOfLights clusters, with branches that near
    * receivers sum. In changing scenes, while the window's rate is a frame a second or more
    * (vtkRenderWindow::SetDesiredUpdateRate), a quarter as many. Default 0: each light is a vertex.
@@ -53,7 +55,8 @@ public:
   ///@}
 
   ///@{
-  /** Number of frames over which the walk extends while no light and no surface changes, and the
+  /**
+   * Number of frames over which the walk extends while no light and no surface changes, and the
    * window's rate is below a frame a second (vtkRenderWindow::SetDesiredUpdateRate): the second
    * frame has twice as many paths as the first, and so on; 1048576 vertices at most. Any change
    * begins a new walk. Default 1, range 1 to 1024.

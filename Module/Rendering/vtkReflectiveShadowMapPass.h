@@ -43,7 +43,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Texels along an edge of a map. Default 512, range 1 to 16384; OpenGL's own limit is reported
+  /**
+   * Texels along an edge of a map. Default 512, range 1 to 16384; OpenGL's own limit is reported
    * as an error when a frame is drawn. If more than six faces of all maps together would have more
    * than 32 million texels (1.3 GB with shadows: 128 faces of 512), they have a half, a quarter
    * and so on along an edge, and the report says so.

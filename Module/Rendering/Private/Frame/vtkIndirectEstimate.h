@@ -98,7 +98,8 @@ struct vtkIndirectEstimate
   ///@}
   /** VTK irradiance of a stored value of one. */
   double Unit = 1.0;
-  /** RMS error of the irradiance over its mean, as estimated by the estimator; negative: unknown.
+  /**
+   * RMS error of the irradiance over its mean, as estimated by the estimator; negative: unknown.
    */
   double Error = -1.0;
 };

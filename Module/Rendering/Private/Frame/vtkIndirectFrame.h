@@ -47,7 +47,8 @@ struct vtkIndirectLight
    * 0: a point or a single direction, whose shadows are hard.
    */
   double Size = 0.0;
-  /** True if it lights all surfaces that face it, hidden or not, as VTK's own lights do: it has no
+  /**
+   * True if it lights all surfaces that face it, hidden or not, as VTK's own lights do: it has no
    * map, and its light is not reflected.
    */
   bool Fill = false;
@@ -157,7 +158,8 @@ struct vtkIndirectFrame
    */
   glm::mat4 FindSceneToClip() const;
 
-  /** Appends the inputs of an estimate, except the lights' maps: the eye, the lights, the props.
+  /**
+   * Appends the inputs of an estimate, except the lights' maps: the eye, the lights, the props.
    */
   void AppendTo(vtkIndirectKey& key) const;
   /** Appends the units of the scene: positions in scene units depend on them. */

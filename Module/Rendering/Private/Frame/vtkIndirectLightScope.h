@@ -11,7 +11,8 @@
 class vtkIndirectLightScope
 {
 public:
-  /** Replaces the lights; null lights change nothing. The lights must outlive this object. Call
+  /**
+   * Replaces the lights; null lights change nothing. The lights must outlive this object. Call
    * Read before drawing.
    */
   vtkIndirectLightScope(vtkRenderer* renderer, vtkLightCollection* lights)

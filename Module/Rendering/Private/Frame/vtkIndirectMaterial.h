@@ -19,7 +19,7 @@
 #include "vtkUnsignedCharArray.h" // for a member
 
 #include <glm/glm.hpp> // for colours
-#include <optional>    // for what has a say or none
+#include <optional>    // for optional flags
 #include <string>      // for reasons
 #include <vector>      // for members
 

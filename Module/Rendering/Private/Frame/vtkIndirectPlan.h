@@ -7,7 +7,7 @@
 #define vtkIndirectPlan_h
 
 #include "Frame/vtkIndirectKey.h" // for keys
-#include "vtkIndirectSettings.h"  // for what the user has set
+#include "vtkIndirectSettings.h"  // for the user's settings
 
 #include <string>  // for reasons
 #include <utility> // for pairs

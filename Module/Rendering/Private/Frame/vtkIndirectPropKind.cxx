@@ -313,7 +313,7 @@ vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
     }
     actor->GetBounds(); // the call brings the mapper's data up to date
     vtkPolyData* drawn = FindDrawn(actor->GetMapper());
-    // The guess stands for a few glyphs, or one sheet of impostors.
+    // The guess is the number of a few glyphs, or of one sheet of impostors.
     kind.DepthTriangles += drawn ? CountTriangles(drawn) : 20000.0;
     kind.Specular =
       kind.Specular || IsSpecular(actor->GetProperty()) || IsSpecular(actor->GetBackfaceProperty());

@@ -52,7 +52,8 @@ struct vtkIndirectReport
    */
   std::string ToJSON(const vtkIndirectStageTimer& timer) const;
 
-  /** Formats a number for reasons, in any locale: with `digits` digits, or with as many as
+  /**
+   * Formats a number for reasons, in any locale: with `digits` digits, or with as many as
    * distinguish it from all others.
    */
   static std::string Number(double value, int digits = 0);

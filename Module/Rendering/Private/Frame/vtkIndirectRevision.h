@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Revisions tell when a prop, a texture or another object has changed: all caches use them.
 //
-// VTK's own times of a prop leave out much that VTK reads while it draws it: planes that clip its
-// mapper, images of textures and what makes these, levels of detail, sources of glyphs, uniforms
-// of its shaders. A newest time also hides what has gone, and what is older than the newest.
+// VTK's own times of a prop leave out many inputs of its drawing: clipping planes of its mapper,
+// images of textures and their pipelines, levels of detail, sources of glyphs, uniforms of its
+// shaders. The newest time of several objects also hides that one has gone, or has been replaced by
+// an older one.
 #ifndef vtkIndirectRevision_h
 #define vtkIndirectRevision_h
 

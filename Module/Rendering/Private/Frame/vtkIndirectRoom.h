@@ -6,7 +6,7 @@
 #define vtkIndirectRoom_h
 
 #include <array>         // for boxes
-#include <unordered_map> // for what was before
+#include <unordered_map> // for rooms by prop
 #include <vector>        // for casters
 
 class vtkProp;

@@ -9,7 +9,7 @@
 #ifndef vtkIndirectSwitches_h
 #define vtkIndirectSwitches_h
 
-#include <set>     // for what has been said
+#include <set>     // for warnings that were given
 #include <string>  // for reasons
 #include <utility> // for pairs
 #include <vector>  // for lists

@@ -9,7 +9,7 @@
 #include "vtkType.h" // for times
 
 #include <glm/glm.hpp> // for directions
-#include <map>         // for what is kept
+#include <map>         // for kept results
 #include <vector>      // for lists
 
 class vtkEnvironmentLight;

@@ -5,7 +5,7 @@
 #define vtkIndirectFootprint_h
 
 #include <glm/glm.hpp> // for corners
-#include <limits>      // for what is empty
+#include <limits>      // for empty footprints
 
 class vtkIndirectFootprint
 {

@@ -3,7 +3,7 @@
 #ifndef vtkIndirectLightMap_h
 #define vtkIndirectLightMap_h
 
-#include "Capture/vtkIndirectShadowMaps.h" // for what the capture reads
+#include "Capture/vtkIndirectShadowMaps.h" // for views and shadow maps
 #include "Frame/vtkIndirectFrame.h"        // for the light
 #include "vtkSmartPointer.h"               // for cameras
 

@@ -17,7 +17,7 @@
 #include "vtkType.h"                       // for times
 
 #include <string>        // for reasons
-#include <unordered_map> // for what was before
+#include <unordered_map> // for props of the last frame
 #include <vector>        // for places
 
 class vtkEnvironmentLight;

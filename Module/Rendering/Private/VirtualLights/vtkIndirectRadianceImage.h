@@ -32,8 +32,10 @@ public:
 
   int GetWidth() const { return this->Size[0]; }
   int GetHeight() const { return this->Size[1]; }
-  /** Returns a pixel's radiance. Bytes are parts of 255; negative or non-finite values count as
-   * zero. */
+  /**
+   * Returns a pixel's radiance. Bytes are parts of 255; negative and non-finite values count as
+   * zero.
+   */
   glm::dvec3 Get(int column, int row);
   /** Returns how many of the values that Get has read were negative or not finite. */
   vtkIdType GetNumberOfInvalid() const { return this->NumberOfInvalid; }

@@ -28,12 +28,14 @@ struct vtkIndirectReport;
 /** The properties of a sampler that the rest of a frame depends on. */
 struct vtkIndirectSamplerAbilities
 {
-  /** Wanted number of lights. The sky and area lights together get as many, and so does each body
-   * of glass. */
+  /**
+   * Wanted number of lights. The sky and area lights together get as many, and so does each body
+   * of glass.
+   */
   int NumberOfLights = 256;
   bool Directions = false;   // lights may be directions, which costs estimators a little more
   bool Walks = false;        // rays through the scene find lights of all bounces; no map is read
-  bool TakesSenders = false; // the lights also stand for the further senders that it is given
+  bool TakesSenders = false; // the lights also represent given further senders
   bool Divides = false;      // the lights have branches, which near receivers sum in their place
   bool HasMore = false;      // a still frame of the same scene would have more lights than the last
                              // frame

@@ -71,7 +71,7 @@ private:
   vtkMTimeType SendersTime = 0;
 
   size_t SourceTime = 0;
-  // These numbers tell what the lights were made from.
+  // These numbers identify the inputs of the lights.
   size_t MadeTime = 0;
   int MadeCount = 0;
 };

@@ -18,7 +18,7 @@ struct vtkIndirectBlockingSpheres
   struct Look
   {
     glm::vec3 Albedo{ 0.0f };     // see vtkIndirectMaterial
-    bool PhysicallyBased = false; // VTK divides by pi what its own lights give
+    bool PhysicallyBased = false; // VTK divides the light of its own lights by pi
     bool operator==(const Look& other) const
     {
       return this->Albedo == other.Albedo && this->PhysicallyBased == other.PhysicallyBased;

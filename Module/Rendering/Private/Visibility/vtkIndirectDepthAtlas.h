@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth maps of any number of emitters, tiles of one texture. VTK's mappers draw them through the
 // Depth maps of any number of emitters, as tiles of one texture. VTK's mappers draw them through
 // the capture, so that glyphs, impostors and textures cast the shadows that they draw. Tiles are
 // kept while the camera moves: a tile is drawn again only when its emitter, or a caster that it can

@@ -35,8 +35,10 @@ public:
   };
 
   std::vector<glm::dvec3> Positions; // by point, scene units; points of glyphs glyph by glyph
-  /** Polygons as fans, strips as VTK winds them. A triangle that clipping planes leave out is not
-   * in the list; a triangle that a plane cuts is in it as a whole. */
+  /**
+   * Polygons as fans, strips as VTK winds them. A triangle that clipping planes leave out is not
+   * in the list; a triangle that a plane cuts is in it as a whole.
+   */
   std::vector<Triangle> Triangles;
   vtkIndirectMaterial Material; // in the numbers of the data's points and cells
   bool IsOfGlyphs = false;

@@ -40,7 +40,7 @@ public:
     glm::dvec3 Normal{ 0.0, 0.0, 1.0 }; // shading normal of VTK, unit; may face away from the ray
     glm::dvec3 FacetNormal{ 0.0, 0.0, 1.0 }; // unit, towards the ray's start
     glm::dvec3 Albedo{ 0.0 };                // for light that VTK does not divide by pi
-    bool PhysicallyBased = false;            // VTK divides by pi what its own lights give
+    bool PhysicallyBased = false;            // VTK divides the light of its own lights by pi
     bool Sends = false;                      // lit, with a normal, and not told to send nothing
     uint32_t Triangle = vtkIndirectTriangleTree::None; // or sphere
     double Distance = 0.0;

@@ -99,7 +99,7 @@ public:
    */
   std::string GetDefinitions() const;
   ///@{
-  /** Bind what the definitions' shaders read, and nothing where nothing hides; pair. */
+  /** Bind what the definitions' shaders read, or nothing if nothing hides senders; pair. */
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
   void Deactivate() const;
   ///@}

@@ -11,7 +11,7 @@
 class vtkIndirectVoxelPlanes
 {
 public:
-  /** Empties the grid and gives it so many voxels along each axis. */
+  /** Empties the grid and gives it this many voxels along each axis. */
   void Clear(const glm::ivec3& size);
   /** Adds a triangle (voxel coordinates) that has an area to the voxels that it touches. */
   void Add(const glm::dvec3 corners[3], const std::vector<glm::ivec3>& touched);
