@@ -24,7 +24,8 @@ class vtkIndirectAreaLamps
 public:
   vtkIndirectAreaLamps();
 
-  /** Points of a lamp in a round. Each of many lamps has fewer points, but at least LeastPoints. */
+  /** Points of a lamp in a round. With many lamps each has fewer points, but at least LeastPoints.
+   */
   static constexpr int MostPoints = 64;
   static constexpr int LeastPoints = 16;
   /** Number of rounds, by which a still frame looks up further points. */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Irradiance that comes directly from area lights in moving frames. It is computed in closed form,
 // and for images by their descent, at every eighth pixel of every eighth row, and wherever surfaces
-// or light vary between these. Its visible share comes from 16 points of each lamp, which the four
-// samples of a block of 4 x 4 pixels share among them.
+// or light vary between these. Its visible share comes from 16 points of each lamp, which four
+// pixels of each block of 4 x 4 share among them.
 //
 // Limits: edges of shadows finer than four pixels are lost; steps between the 16 points show.
 #ifndef vtkIndirectAreaSamples_h

@@ -47,8 +47,8 @@ constexpr size_t RowsPerDirection = 5;
 // Directions of a draw, at most 204: 16384 bytes, which every OpenGL allows. Long draws stall a
 // desktop.
 constexpr int SumBlock = 128;
-// Largest number of directions that a pixel looks up without its neighbours; further ones are
-// skipped.
+// Largest number of directions that a pixel without neighbours on its surface looks up by itself;
+// further directions are skipped.
 constexpr int OwnBlock = 64;
 
 constexpr int StrongTexels = 1024;

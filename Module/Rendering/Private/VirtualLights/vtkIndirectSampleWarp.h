@@ -28,8 +28,8 @@ public:
   /**
    * Largest number of cells along the edge of a chart: one texel represents several texels of
    * larger maps. Drawing from all of 512 x 512 takes Mesa's llvmpipe 18 ms each time that a map
-   * changes, from 1024 x 1024 directions 86 ms; a surface that this size resolves worse has a
-   * thousandth of the flux.
+   * changes, from 1024 x 1024 directions 86 ms; the surfaces that this size resolves too coarsely
+   * send a thousandth of the flux.
    */
   static constexpr int MostCells = 256;
 
