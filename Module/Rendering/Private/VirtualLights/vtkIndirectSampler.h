@@ -55,7 +55,7 @@ public:
     const vtkIndirectGeometryBuffer& Geometry; // surfaces that the eye sees
     double ErrorTolerance = 0.02;              // of the irradiance, over its mean
     int NumberOfBounces = 1;  // wanted number, for samplers that find several bounces
-    bool Interactive = false; // the window gives a frame a second or less
+    bool Interactive = false; // the window's rate is a frame a second or more
     /** The sky and area lights, which light surfaces besides the frame's lights. */
     const std::vector<vtkIndirectEmitter>* Emitters = nullptr;
     /** The scene's surfaces, up to date for samplers that walk. */
